@@ -35,7 +35,7 @@ float boundaryAt(int plane, int row, int column, int a, int b) {
   return (nodes[n].distance_mm[b] - nodes[n].distance_mm[a]) / 2.0;
 }
 
-// Across the slice, from the neighbouring planes. A single plane has none: there the gradient at rest is taken to be 1.
+// Across the slice, from the neighboring planes. A single plane has none: there the gradient at rest is taken to be 1.
 float elevationSlope(ivec3 at, int a, int b, float axial, float lateral, float range_mm, float sd_mm) {
   int last = frame.planes - 1;
   if (last == 0) {

@@ -25,7 +25,7 @@ struct AttemptPictureOptions {
 using TakeFrame = std::function<Result<void>(const LiveFrame&)>;
 
 /// Writes what `make` hands over: a PNG each, named by its time in milliseconds, and pictures.json, which tells of each
-/// picture time, force, indentation and a fingerprint of its envelope. The folder is new or empty; it is there with all
+/// image time, force, indentation and a fingerprint of its envelope. The folder is new or empty; it is there with all
 /// of them, or not at all. Returns the list.
 Result<nlohmann::json> writeAttemptPictures(const AttemptPictureOptions& options,
                                             const std::function<Result<void>(const TakeFrame&)>& make);

@@ -190,7 +190,7 @@ class PathRenderer {
     if (warned_.insert(warning).second) warnings_.push_back(warning);
   }
 
-  /// Pictures of a path that are done stay.
+  /// Images of a path that are done stay.
   Error cancelled() const {
     if (images_.empty()) return {std::string(kCancelled)};
     return {"Cancelled: the first " + std::to_string(images_.size()) + " of " +

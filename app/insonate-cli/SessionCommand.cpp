@@ -68,7 +68,7 @@ Result<nlohmann::json> picturesOf(const ReplayArguments& a, std::shared_ptr<cons
   auto made = AttemptPictures::make(std::move(recording), std::make_shared<const PatientCase>(std::move(*patient)));
   if (!made) return tl::unexpected(made.error());
   const Progress progress = terminalProgress();
-  double last_s = -1;  // a frozen picture is one
+  double last_s = -1;  // a frozen image is one
   return writeAttemptPictures(a.pictures, [&](const TakeFrame& take) -> Result<void> {
     for (std::int64_t time_us = a.pictures.every_us(); time_us <= until_us; time_us += a.pictures.every_us()) {
       if (!report(progress, "pictures", static_cast<double>(time_us) / static_cast<double>(until_us)))

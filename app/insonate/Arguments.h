@@ -14,7 +14,7 @@ struct Arguments {
   std::string database;              ///< empty: the user's own
   std::string person;                ///< who signs in; empty: nobody
   bool quick = false;                ///< moments of benchmark instead of seconds
-  bool untilImage = false;           ///< leave with the first live picture
+  bool untilImage = false;           ///< leave with the first live image
   int width_px = 1600, height_px = 1000;
 };
 

@@ -30,8 +30,8 @@ struct BenchmarkPlan {
   bool quick = false;            ///< moments instead of seconds: shows that it works, measures nothing
 };
 
-/// Measures the real window: how long it takes to the first picture, how many live pictures it shows, how fast 3D
-/// turns, with the CT cast in it, too, how much memory it takes, and how fast a CT of 512 x 512 x 300 is labelled.
+/// Measures the real window: how long it takes to the first image, how many live images it shows, how fast 3D
+/// turns, with the CT cast in it, too, how much memory it takes, and how fast a CT of 512 x 512 x 300 is labeled.
 /// Writes and prints a table.
 class Benchmark : public QObject {
  public:

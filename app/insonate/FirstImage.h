@@ -12,7 +12,7 @@ namespace insonate::app {
 /// Milliseconds since this process was started, to a hundredth of a second: loading the program counts.
 double sinceStart_ms();
 
-/// Tells when the first live picture is on the screen.
+/// Tells when the first live image is on the screen.
 class FirstImage : public QObject {
  public:
   /// `there` is called once, later.

@@ -11,7 +11,7 @@ class MainWindow;
 
 namespace insonate::app {
 
-/// Waits until the window shows the case, writes a picture of it, and tells how that went.
+/// Waits until the window shows the case, writes an image of it, and tells how that went.
 class Screenshot : public QObject {
  public:
   /// `done` gets an empty string, or a sentence when there is no picture.

@@ -16,7 +16,7 @@ std::vector<std::string> otherEngines() {
   return names;
 }
 
-/// Every engine against the reference, in everything that a picture can hold.
+/// Every engine against the reference, in everything that an image can hold.
 class Agreement : public EngineTest {
  protected:
   void expectAgreement(const Probe& probe, const ImagingSettings& settings, const AcousticScene& scene,

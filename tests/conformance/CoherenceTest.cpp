@@ -115,7 +115,7 @@ TEST_P(Coherence, SmallTurnsKeepTheSpeckle) {
   }
 }
 
-/// Everything that a picture can hold, on a scene with an outside, a vessel, bone and gas.
+/// Everything that an image can hold, on a scene with an outside, a vessel, bone and gas.
 struct RichBench {
   Probe probe = probeNamed("linear");
   ImagingSettings settings = settingsFor(probe);

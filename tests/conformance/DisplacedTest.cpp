@@ -195,7 +195,7 @@ TEST_P(Displaced, PointsAreSeenWhereTheirTissueIs) {
   }
 }
 
-/// Every part of a turning picture is the undisturbed one's, so that there are no seams, whatever the lattice's step.
+/// Every part of a turning image is the undisturbed one's, so that there are no seams, whatever the lattice's step.
 TEST_P(Displaced, ASwirlTearsNothing) {
   const SpeckleBench bench;
   const EnvelopeFrame rest = render(bench.probe, bench.settings, bench.scene);

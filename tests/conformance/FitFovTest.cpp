@@ -163,7 +163,7 @@ GreyPicture screenOf(const GreyPicture& left, const GreyPicture& right) {
   return both;
 }
 
-/// Half a screen, with one picture in it.
+/// Half a screen, with one image in it.
 FovCapture half(ProbeShape kind, unsigned seed) {
   FovCapture capture;
   capture.width = 500, capture.height = 720, capture.seed = seed, capture.shape.shape = kind;

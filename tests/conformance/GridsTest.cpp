@@ -7,7 +7,7 @@
 namespace insonate::test {
 namespace {
 
-/// The picture must not depend on how the patient was cut into voxels.
+/// The image must not depend on how the patient was cut into voxels.
 class Grids : public EngineTest {
  protected:
   Probe probe_ = probeNamed("linear");

@@ -25,7 +25,7 @@ class HardCases : public EngineTest {
 };
 INSONATE_FOR_ALL_ENGINES(HardCases);
 
-/// Voxel faces at z = 0, voxel centres at x = 0.
+/// Voxel faces at z = 0, voxel centers at x = 0.
 const VolumeGeometry kGrid = gridOver({-30.1, -11.9, -25.2}, {30.1, 11.9, 50.4}, 1.4);
 
 /// Level skin at z = 0 over muscle.

@@ -40,7 +40,7 @@ struct Peak {
 /// The highest value, refined by a parabola, and the full width at half of it.
 Peak peakOf(std::span<const double> profile);
 
-/// Fractional index where the profile first crosses `level`, going from `from` towards `to`; negative if it does not.
+/// Fractional index where the profile first crosses `level`, going from `from` toward `to`; negative if it does not.
 double crossing(std::span<const double> profile, double level, int from, int to);
 
 /// RMS of the difference over the RMS of `truth`, all looks.

@@ -72,7 +72,7 @@ TEST_P(Needles, SquareToTheBeamEchoAsACylinderDoes) {
   record("square_dB", decibel(peak.value));
 }
 
-/// Nichols et al. 2003: from 60-76 to 5 of 100 units of grey between square and 75 degrees off: 33 dB of 60, linearly.
+/// Nichols et al. 2003: from 60-76 to 5 of 100 units of gray between square and 75 degrees off: 33 dB of 60, linearly.
 TEST_P(Needles, DimWithTheTiltAsPublished) {
   const Bench bench;
   double before = 0, square_dB = 0;

@@ -82,7 +82,7 @@ std::map<std::string, std::string> filesIn(const std::filesystem::path& folder) 
   return files;
 }
 
-/// The probe presses, the needle goes through the vein: pictures of the session and of two replays are the same files.
+/// The probe presses, the needle goes through the vein: images of the session and of two replays are the same files.
 TEST_F(SessionCommand, PicturesOfASessionAndItsReplaysAgreeByteForByte) {
   std::ofstream(folder / "press.json") << R"({"acts": [
     {"probe": {"position_mm": [0, 3, 0], "axial": [0, 1, 0], "lateral": [1, 0, 0]}},

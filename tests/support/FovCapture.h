@@ -13,8 +13,8 @@ namespace insonate::test {
 struct FovCapture {
   FovShape shape;
   int width = 960, height = 720;
-  double ground = 0, slope = 0;  ///< grey of the surroundings, and how much it rises across the picture
-  double noise = 0;              ///< SD over the whole picture
+  double ground = 0, slope = 0;  ///< gray of the surroundings, and how much it rises across the image
+  double noise = 0;              ///< SD over the whole image
   bool text = false, bars = false, artefacts = false, darkOnLight = false;
   bool darkLeft = false, darkEnd = false, shadows = false;  ///< echo-free tissue that touches the border
   double cutRight = 0, cutEnd = 0;                          ///< share of the half width, of the depth, that is cut off

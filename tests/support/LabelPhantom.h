@@ -29,7 +29,7 @@ inline VolumeGeometry gridOver(Vec3 low_mm, Vec3 high_mm, double spacing_mm) {
   return gridOver(low_mm, high_mm, Vec3{spacing_mm, spacing_mm, spacing_mm});
 }
 
-/// Labels and HU of an analytic object, taken at the voxel centres: `labelAt(patient_mm)`, `huAt(patient_mm)`.
+/// Labels and HU of an analytic object, taken at the voxel centers: `labelAt(patient_mm)`, `huAt(patient_mm)`.
 template <class LabelAt, class HuAt>
 LabelPhantom paint(const VolumeGeometry& grid, const LabelAt& labelAt, const HuAt& huAt) {
   LabelPhantom phantom{CtVolume(grid), LabelMap(grid)};

@@ -8,7 +8,7 @@
 
 namespace insonate::test {
 
-/// A folder with the small case, and settings with which its pictures come quickly.
+/// A folder with the small case, and settings with which its images come quickly.
 class SmallRender {
  public:
   SmallRender() {

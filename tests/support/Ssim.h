@@ -7,7 +7,7 @@
 
 namespace insonate::test {
 
-/// Mean structural similarity of two 8-bit pictures of equal size (Wang, Bovik, Sheikh, Simoncelli, IEEE Trans. Image
+/// Mean structural similarity of two 8-bit images of equal size (Wang, Bovik, Sheikh, Simoncelli, IEEE Trans. Image
 /// Process. 13(4), 2004), over 8 x 8 windows every 4 pixels; 1 for equal pictures.
 inline double ssim(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b, int width, int height) {
   constexpr int kWindow = 8, kHop = 4;

@@ -37,7 +37,7 @@ Result<ClassAttempts> attemptsOf(const SignedIn& by, const std::string& name, in
   return all;
 }
 
-/// One value a person, so that who practised more does not weigh more.
+/// One value a person, so that who practiced more does not weigh more.
 std::vector<double> mediansOf(const ByPerson& people, const MetricMeaning& metric) {
   std::vector<double> medians;
   for (const auto& [person, attempts] : people)

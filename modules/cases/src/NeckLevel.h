@@ -14,7 +14,7 @@ struct BodyLevel {
   double front_mm = 0;  ///< y of the front of the skin, 25 mm right of the patient's midline; large where there is none
 };
 
-/// Levels through the whole volume, feet to head, a few millimetres apart.
+/// Levels through the whole volume, feet to head, a few millimeters apart.
 std::vector<BodyLevel> bodyLevels(const PatientBody& body, const VolumeGeometry& grid);
 
 struct ChosenLevel {

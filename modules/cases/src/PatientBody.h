@@ -6,7 +6,7 @@
 
 namespace insonate {
 
-/// Answers whether a patient position lies in the body: every labelled voxel, or, where nothing is labelled, what is
+/// Answers whether a patient position lies in the body: every labeled voxel, or, where nothing is labeled, what is
 /// denser than air. Refers to the volumes, which must outlive it.
 class PatientBody {
  public:

@@ -69,7 +69,7 @@ std::optional<Vec3> frontOfSkin(const PatientBody& body, Vec3 centre_mm, double 
   return std::nullopt;
 }
 
-/// Toward the body's share of a small ball. Along the body it is followed up to 20 degrees, so that the picture stays
+/// Toward the body's share of a small ball. Along the body it is followed up to 20 degrees, so that the image stays
 /// a transverse one.
 Vec3 inwardNormal(const PatientBody& body, Vec3 surface_mm) {
   constexpr int kCells = 4;

@@ -15,7 +15,7 @@ namespace {
 constexpr HuRange kWindows[] = {{351, 700}, {201, 400}, {141, 260}};
 constexpr int kRise_HU = 120;     // the way out of marrow leads up through cortex first, that out of blood does not
 constexpr double kRadius_mm = 3;  // of the thinnest vessel that is found
-constexpr double kSmallest_mm3 = 600;  // two centimetres of carotid
+constexpr double kSmallest_mm3 = 600;  // two centimeters of carotid
 constexpr double kEven_HU = 55;        // noise of a CT angiogram stays below, trabeculae and cortex do not
 constexpr double kSoftShare = 0.55;    // of the blood's brightness
 constexpr double kWall_mm = 5;         // beyond the edge of blood it is soft within this; beyond marrow there is cortex

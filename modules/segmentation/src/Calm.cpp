@@ -13,7 +13,7 @@
 namespace insonate::segmentation {
 namespace {
 
-constexpr int kApart = 3;             // voxels along a row: a scanner's noise is alike in neighbours
+constexpr int kApart = 3;             // voxels along a row: a scanner's noise is alike in neighbors
 constexpr int kMostDifference = 512;  // HU; differences across edges are as good as this
 constexpr double kSdOfMedian = 1.4826;
 constexpr double kSmall_mm = 0.8;  // about the width of the scanner's own blur

@@ -16,10 +16,10 @@ void erode(Mask& mask, double radius_mm, Work& work);
 void open(Mask& mask, double radius_mm, Work& work);
 void close(Mask& mask, double radius_mm, Work& work);
 
-/// Adds the six neighbours of each voxel.
+/// Adds the six neighbors of each voxel.
 void dilateToNeighbours(Mask& mask, Work& work);
 
-/// Each voxel becomes what most of its 3 x 3 neighbours in the slice are.
+/// Each voxel becomes what most of its 3 x 3 neighbors in the slice are.
 void majorityInSlice(Mask& mask, Work& work);
 
 }  // namespace insonate::segmentation

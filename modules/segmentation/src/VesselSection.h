@@ -12,7 +12,7 @@ namespace insonate::segmentation {
 struct VesselSection {
   Vec3 centre_mm;  ///< its centroid
   double area_mm2 = 0;
-  double reach_mm = 0;  ///< from the centre to its farthest point
+  double reach_mm = 0;  ///< from the center to its farthest point
   bool cut = false;     ///< the volume's edge cuts it
 };
 

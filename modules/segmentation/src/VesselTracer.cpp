@@ -98,7 +98,7 @@ VesselTracer::Start VesselTracer::startAt(Vec3 from_mm) {
   return start;
 }
 
-/// A vessel's section is smallest square to it. Of the directions to the neighbours in a cube.
+/// A vessel's section is smallest square to it. Of the directions to the neighbors in a cube.
 VesselTracer::Start VesselTracer::smallestAt(Vec3 at_mm) {
   Start start;
   for (int code = 14; code < 27; ++code) {

@@ -55,7 +55,7 @@ Result<Mesh> contour(Volume<std::uint8_t>& share, const Progress& progress, std:
 
   vtkNew<vtkFlyingEdges3D> filter;
   filter->SetInputData(image);
-  filter->SetValue(0, 127.5);  // between two shares, so that no point falls on a block's centre
+  filter->SetValue(0, 127.5);  // between two shares, so that no point falls on a block's center
   filter->ComputeNormalsOff();
   filter->ComputeGradientsOff();
   filter->ComputeScalarsOff();

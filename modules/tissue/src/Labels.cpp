@@ -3,7 +3,7 @@
 namespace insonate {
 
 const std::array<LabelInfo, kLabelCount>& labelTable() {
-  // Colours and codes: 3D Slicer's GeneralAnatomy table and SNOMED CT.
+  // Colors and codes: 3D Slicer's GeneralAnatomy table and SNOMED CT.
   static constexpr std::array<LabelInfo, kLabelCount> kTable{{
       {kBackground, "background", {0, 0, 0}, "", ""},
       {kSkin, "skin", {177, 122, 101}, "39937001", "Skin"},

@@ -15,7 +15,7 @@ namespace {
 using Place = std::array<double, 2>;
 constexpr double kOn_mm = 1e-6, kGrowth = 1.3;
 
-/// Corner nodes on a lattice of a millimetre, moved onto the circles; then elements with nodes in the middle of edges.
+/// Corner nodes on a lattice of a millimeter, moved onto the circles; then elements with nodes in the middle of edges.
 class Mesh {
  public:
   struct Element {
@@ -46,7 +46,7 @@ class Mesh {
   }
 
  private:
-  /// A millimetre apart in the middle, then growing to where the sides are.
+  /// A millimeter apart in the middle, then growing to where the sides are.
   static std::vector<double> lattice(const CalculixBlock& block) {
     std::vector<double> right;
     for (double x = 0, step = 1; x < block.sides_mm; x += step) {

@@ -9,7 +9,7 @@
 namespace insonate::test {
 
 /// A block of tissue with a circle in it, for CalculiX (an independent finite-element program, run as `ccx`): plane
-/// strain of quadratic elements (CPE8; the reduced CPE8R has single nodes that go to and fro), a millimetre wide, of
+/// strain of quadratic elements (CPE8; the reduced CPE8R has single nodes that go to and fro), a millimeter wide, of
 /// which those that a circle cuts are two triangles (CPE6). x to the right, z down from the top, mm; the bottom is
 /// held.
 struct CalculixBlock {
@@ -37,7 +37,7 @@ struct CalculixNode {
 struct CalculixAnswer {
   bool ran = false;
   std::vector<CalculixNode> nodes;
-  double force_kPa_mm = 0;                 ///< with which the top is pressed, a millimetre of thickness
+  double force_kPa_mm = 0;                 ///< with which the top is pressed, a millimeter of thickness
   std::vector<double> area_mm2, rest_mm2;  ///< of each hollow circle
 };
 

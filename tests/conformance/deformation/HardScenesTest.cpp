@@ -15,7 +15,7 @@ TEST_F(HardScenes, NearlyIncompressible) {
 
 TEST_F(HardScenes, BoneBesideAVeinInTheTableOfTheThesis) {
   table = loadMechanicalTable("thesis").value();
-  plane.tissue.blocks.push_back({0, 5, 6, 25, kBone});  // a millimetre from the vein
+  plane.tissue.blocks.push_back({0, 5, 6, 25, kBone});  // a millimeter from the vein
   for (const double press_mm : {1.0, 2.0, 4.0}) EXPECT_TRUE(ask(press_mm).converged) << press_mm;
   table.tissues[kBone].kind = Mechanics::Solid;
   table.tissues[kBone].young_kPa = 14e6;

@@ -7,7 +7,7 @@ namespace {
 
 using ManyMoves = HardScene;
 
-/// As a live picture asks: few iterations, and the next question goes on from there. Mostly small moves, some anywhere.
+/// As a live image asks: few iterations, and the next question goes on from there. Mostly small moves, some anywhere.
 TEST_F(ManyMoves, TenThousand) {
   make(8, 2);
   std::mt19937 random(17);

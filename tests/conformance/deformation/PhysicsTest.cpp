@@ -100,7 +100,7 @@ TEST_P(Physics, ARoundFaceTouchesAsWideAsHertzSays) {
       if (std::abs(node.x_mm) < 15 && node.z_mm < face) half = std::max(half, std::abs(double(node.x_mm)));
     }
     RecordProperty("half_" + std::to_string(force_N).substr(0, 3) + "N", std::to_string(half / expected));
-    EXPECT_NEAR(half, expected, 0.75) << force_N;  // nodes are a millimetre or half of it apart
+    EXPECT_NEAR(half, expected, 0.75) << force_N;  // nodes are a millimeter or half of it apart
   }
 }
 

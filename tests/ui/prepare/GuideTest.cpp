@@ -121,7 +121,7 @@ TEST_F(Guiding, LabelsThatWereHiddenToFindTheVeinComeBackWithIt) {
   EXPECT_TRUE(workspace_->statusText().endsWith("vein")) << workspace_->statusText().toStdString();
 }
 
-/// An import of which nothing is labelled yet.
+/// An import of which nothing is labeled yet.
 TEST_F(Guiding, ABareImportIsToldOfNoLabelsAndItsUltrasoundComesWithTheSkin) {
   auto bare = std::make_shared<PatientCase>(*unlabelled());
   std::ranges::fill(bare->labels.voxels, kBackground);

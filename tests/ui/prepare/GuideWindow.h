@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 inline constexpr double kArtery_x = -14;
 
-/// The small block with contrast agent in a vein and an artery that nobody has labelled.
+/// The small block with contrast agent in a vein and an artery that nobody has labeled.
 inline std::shared_ptr<const PatientCase> unlabelled() {
   static const auto made = [] {
     auto patient = std::make_shared<PatientCase>(test::smallCase());

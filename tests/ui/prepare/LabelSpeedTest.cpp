@@ -103,7 +103,7 @@ TEST_F(LabelSpeed, OfALargeCase) {
       median(slices), first, median(dabs), median(previews), (memory_MB("VmHWM:") - before_MB) / volumes_MB);
 }
 
-/// Ten tools that shape what is labelled, one after the other.
+/// Ten tools that shape what is labeled, one after the other.
 std::vector<LabelTool> filters() {
   return {step::Median{1},      step::Opening{1},
           step::Closing{1},     step::Gaussian{1},
@@ -141,7 +141,7 @@ class LongEditing : public LabelSpeed {
     ASSERT_TRUE(done());
     QTest::qWait(1000);
   }
-  /// Times the volumes, once surfaces, picture and check have followed.
+  /// Times the volumes, once surfaces, image and check have followed.
   double held(double volumes_MB) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->isReady(); }, kPatience_ms));
     return memory_MB("VmRSS:") / volumes_MB;

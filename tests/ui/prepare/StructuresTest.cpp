@@ -85,7 +85,7 @@ TEST_F(PrepareWindow, OpacityOfADragIsOneStep) {
   EXPECT_EQ(slider->value(), 100);
 }
 
-/// In the label table their colours are neighbours.
+/// In the label table their colors are neighbours.
 TEST_F(PrepareWindow, AnArteryIsToldFromTheMuscleAroundItOnEveryGrey) {
   openCase();
   const auto over = [&](std::uint8_t label, double grey) {

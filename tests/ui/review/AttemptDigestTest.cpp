@@ -41,7 +41,7 @@ class Digest : public testing::Test {
 };
 
 /// 5 mm to the skin at 10 mm/s, 22 mm on, and back; then 17 mm in again. A wall bends before it gives, so that the tip
-/// is some millimetres deeper than the wall when it does.
+/// is some millimeters deeper than the wall when it does.
 TEST_F(Digest, TellsWhatTheHandsDidAndWhen) {
   const auto attempt = digest(recorded(file("two")));
   EXPECT_NEAR(double(attempt->end_us) * 1e-6, 2.7 + 2.7 + 1.7 + 1.5 + 0.5, 0.01);

@@ -147,7 +147,7 @@ TEST_F(ReviewWindow, PlaysToTheEndAndStops) {
   EXPECT_FALSE(session_->isPlaying());
 }
 
-/// However many times come in a row, pictures are made of few of them, and the last is what stays.
+/// However many times come in a row, images are made of few of them, and the last is what stays.
 TEST_F(ReviewWindow, ScrubbingLeavesPicturesBehindAndEndsWithTheLatest) {
   openAll(recorded(home_.filePath("two")));
   const int unpacked = session_->reader()->unpacked(), made = session_->picture().made();

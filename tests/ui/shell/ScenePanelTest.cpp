@@ -29,7 +29,7 @@ using views::ClippingKind;
 using views::SceneView;
 using views::Stereo;
 
-/// A tetrahedron of some millimetres.
+/// A tetrahedron of some millimeters.
 void addSurface(SceneView& scene, std::uint8_t label) {
   const float size = 10.F + label;
   const float points[] = {0, 0, 0, size, 0, 0, 0, size, 0, 0, 0, size};

@@ -177,7 +177,7 @@ TEST_F(ViewWidget, TheViewOutlivesItsWidget) {
   QTest::qWait(50);
 }
 
-/// Drawn by a thread: in the colour it was told, once it is let go.
+/// Drawn by a thread: in the color it was told, once it is let go.
 class SlowView final : public views::View {
  public:
   bool canDrawOnThread() const override { return true; }

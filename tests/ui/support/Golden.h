@@ -23,8 +23,8 @@ struct Tolerance {
   double share = 0.01;
 };
 
-/// Compares with tests/golden/NAME.png. On failure the picture, and one of the difference, lie under
-/// Testing/golden in the build folder; with INSONATE_UPDATE_GOLDEN set, the golden picture is replaced instead.
+/// Compares with tests/golden/NAME.png. On failure the image, and one of the difference, lie under
+/// Testing/golden in the build folder; with INSONATE_UPDATE_GOLDEN set, the golden image is replaced instead.
 testing::AssertionResult looksLikeGolden(const Picture& picture, const std::string& name, Tolerance tolerance = {});
 
 }  // namespace insonate::test

@@ -95,7 +95,7 @@ TEST_F(AttemptByDevice, ANeedleInADeviceIsFrozenDrawnOutAndReplacedAtTheTray) {
   };
   const Vec3 axis = hands().needle()->patientFromNeedle.linear.column[2];
   moveBy(axis * -8, 5);
-  const Vec3 middle{0, 12, tip().z + 12};  // of the vein, beside the picture
+  const Vec3 middle{0, 12, tip().z + 12};  // of the vein, beside the image
   moveBy(middle - axis * 25 - tip(), 5);
   ASSERT_LT(norm(middle - axis * 25 - tip()), 0.1) << "the device leads the needle";
   moveBy(axis * 25, 0.5);

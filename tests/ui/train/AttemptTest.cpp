@@ -176,7 +176,7 @@ TEST_F(TrainAttempt, AgainBeginsAnotherAndLeavingTheCaseKeepsWhatWasMade) {
   EXPECT_TRUE(files().filter(".part").isEmpty());
 }
 
-/// The product's own neck, with no other help than the keys: in the plane of the picture, aimed at the vein.
+/// The product's own neck, with no other help than the keys: in the plane of the image, aimed at the vein.
 TEST_F(TrainAttempt, OnTheBuiltInNeckByKeysAlone) {
   auto neck = makePhantom(phantomVariants().front().name, 1);
   ASSERT_TRUE(neck);

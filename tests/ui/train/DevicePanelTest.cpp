@@ -59,7 +59,7 @@ TEST_F(TrainDevices, SimulatedDevicesAreListedAndHoldProbeAndNeedle) {
   EXPECT_FALSE(hands().hasNeedle()) << "until it is taken up";
   EXPECT_TRUE(in<QLabel>("needleHand", "state").text().contains("no needle") ||
               waitFor([&] { return !in<QLabel>("needleHand", "state").text().isEmpty(); }));
-  // Mouse and keys lead the hand; the picture follows the device.
+  // Mouse and keys lead the hand; the image follows the device.
   session_->typed(HandAxis::Press, 4);
   EXPECT_TRUE(waitFor([&] { return session_->shown()->press.force_N > 0.2 && now().output.skinForce_N > 0.2; }));
   EXPECT_TRUE(waitFor([&] { return in<QLabel>("probeHand", "force").text().contains(" N"); }));

@@ -51,7 +51,7 @@ class ProbeEditing : public testing::Test {
     canvas_ = workspace_->findChild<ui::ViewWidget*>("ultrasoundView")->focusProxy();
   }
 
-  /// Small pictures of few scanlines, so that they come quickly.
+  /// Small images of few scanlines, so that they come quickly.
   void openCase() {
     ImagingSettings quick = session_->settings();
     quick.scanlines = 48, quick.samples = 200, quick.elevationPlanes = 1, quick.looks = 1;
@@ -65,7 +65,7 @@ class ProbeEditing : public testing::Test {
     EXPECT_TRUE(editor_->isVisible());
     EXPECT_TRUE(handles_->isActive());
   }
-  /// Waits for a picture of the probe and the depth as they are now, in a view that is as large as its canvas.
+  /// Waits for an image of the probe and the depth as they are now, in a view that is as large as its canvas.
   void settle() {
     const views::View& view = child<ui::ViewWidget>("ultrasoundView")->view();
     QApplication::processEvents();

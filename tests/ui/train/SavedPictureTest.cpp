@@ -9,7 +9,7 @@ namespace {
 /// Measurements are part of the saved image.
 class SavedPicture : public TrainWindow {
  protected:
-  /// 400 x 300 pixels of 0.1 mm, all grey; the probe's axis in the middle.
+  /// 400 x 300 pixels of 0.1 mm, all gray; the probe's axis in the middle.
   static BModeImage evenImage() {
     BModeImage image{400, 300, 0.1, -20, 0, {}};
     image.grey.assign(std::size_t(400) * 300, 60);
@@ -49,7 +49,7 @@ class SavedFromTheWindow : public SavedPicture {
     TrainWindow::SetUp();
     QObject::connect(workspace_.get(), &ui::Workspace::written, [this] { ++written_; });
     openCase();
-    key(Qt::Key_Space);  // one and the same picture
+    key(Qt::Key_Space);  // one and the same image
     plain_ = scaledPicture(session_->shown()->image);
   }
   void measure() {

@@ -3,7 +3,7 @@
 namespace insonate::train {
 namespace {
 
-constexpr int kLonger_ms = 300;  ///< than a picture and its scene take
+constexpr int kLonger_ms = 300;  ///< than an image and its scene take
 
 using TrainSleep = AttemptWindow;
 

@@ -38,7 +38,7 @@ class TrainWindow : public testing::Test {
     workspace_->show();
     session_ = workspace_->findChild<TrainSession*>();
     ASSERT_TRUE(session_);
-    // Vessels that move all the time let no picture be the last one.
+    // Vessels that move all the time let no image be the last one.
     TissueChoice still = session_->tissue();
     still.pulse = still.breathing = false;
     session_->setTissue(still);
@@ -51,7 +51,7 @@ class TrainWindow : public testing::Test {
     return made;
   }
 
-  /// Small pictures of few scanlines, so that they come quickly.
+  /// Small images of few scanlines, so that they come quickly.
   void openCase() {
     ImagingSettings quick = session_->settings();
     quick.scanlines = 48, quick.samples = 200, quick.elevationPlanes = 1, quick.looks = 1;
@@ -75,7 +75,7 @@ class TrainWindow : public testing::Test {
     send(QEvent::MouseButtonRelease, to, button, Qt::NoButton);
   }
 
-  /// Waits until the picture on display is of the pose and settings as they are now.
+  /// Waits until the image on display is of the pose and settings as they are now.
   void settle() {
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {

@@ -25,7 +25,7 @@ using namespace std::chrono_literals;
 using test::Picture;
 using test::Screen;
 
-/// Counts its pictures, each of which waits until it is let go.
+/// Counts its images, each of which waits until it is let go.
 class Slow final : public View {
  public:
   bool canDrawOnThread() const override { return true; }

@@ -35,7 +35,7 @@ double linear(std::uint8_t value) {
   return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
 }
 
-/// CIE L*a*b* (D65) of a colour as such an eye sees it.
+/// CIE L*a*b* (D65) of a color as such an eye sees it.
 Triple seen(Colour colour, const Matrix& eye) {
   Triple rgb = times(eye, {linear(colour.red), linear(colour.green), linear(colour.blue)});
   for (double& v : rgb) v = std::clamp(v, 0.0, 1.0);

@@ -47,7 +47,7 @@ double whiteShare(int step, bool moving, int x0, int y0, int x1, int y1) {
   renderer->AddActor(actor);
   renderer->GetActiveCamera()->ParallelProjectionOn();
   renderer->GetActiveCamera()->SetParallelScale(80);
-  window->Render();  // from its first picture on, a window knows its size
+  window->Render();  // from its first image on, a window knows its size
   MovingDetail detail(step);
   struct Hooks {
     MovingDetail& detail;

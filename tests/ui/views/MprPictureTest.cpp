@@ -22,7 +22,7 @@ PictureBounds boundsOf(const Probe& probe, const ImagingSettings& settings) {
   return {grid.minLateral_mm(), grid.maxLateral_mm(), grid.minAxial_mm(), grid.maxAxial_mm()};
 }
 
-/// The CT of a case beside a picture of this probe, on a display of the same size.
+/// The CT of a case beside an image of this probe, on a display of the same size.
 struct Beside {
   Beside(std::shared_ptr<const VtkCase> patient, const Probe& probe, const Transform& patientFromProbe) {
     const ImagingSettings settings = settingsFor(probe);

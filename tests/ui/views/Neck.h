@@ -19,7 +19,7 @@ struct Neck {
 
 const Neck& neck();
 
-/// A box of air with one bright, labelled voxel, to see where things appear.
+/// A box of air with one bright, labeled voxel, to see where things appear.
 std::shared_ptr<PatientCase> oneVoxel(const VolumeGeometry& grid, int i, int j, int k);
 
 }  // namespace insonate::test

@@ -101,7 +101,7 @@ TEST(PlaneCut, AHoleInASurfaceIsNotSpreadOverThePicture) {
   for (std::uint32_t k = 0; k < cut.points_mm().size() / 3; ++k) EXPECT_LT(norm(pointOf(cut, k)), 20.2);
 }
 
-/// The neck from above, cut across: the middle of the vein has the vein's colour, whatever its wall looks like inside.
+/// The neck from above, cut across: the middle of the vein has the vein's color, whatever its wall looks like inside.
 TEST(CutScene, ACutVesselShowsItsInside) {
   const PatientCase& patient = *test::neck().patient;
   SceneView view;

@@ -36,7 +36,7 @@ std::shared_ptr<const CastLook> look(const CtVolume& ct, const TransferFunction&
   return std::make_shared<const CastLook>(makeCastVolume(std::move(patient)), function);
 }
 
-/// Clear below 0 HU, and 2 % of a millimetre's light kept from 100 HU on.
+/// Clear below 0 HU, and 2 % of a millimeter's light kept from 100 HU on.
 TransferFunction haze() {
   return {{{0, 0, {255, 255, 255}}, {1, 0.02, {255, 255, 255}}, {3071, 0.02, {255, 255, 255}}}};
 }

@@ -146,7 +146,7 @@ TEST_F(SceneOptions, TheScreenStandsWhereTheCameraLooks) {
   EXPECT_NEAR(view.displayFromPatient(middle).x, centre.x, 1e-3);
 }
 
-/// Eye and screen against similar triangles. The view is 500 pixels wide for 250 mm: two pixels a millimetre.
+/// Eye and screen against similar triangles. The view is 500 pixels wide for 250 mm: two pixels a millimeter.
 TEST_F(SceneOptions, PointsOnTheScreenStayAndThoseBehindFollowTheEye) {
   Screen screen(view, 500, 400);
   HeadCoupling coupling;

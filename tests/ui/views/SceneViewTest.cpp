@@ -36,7 +36,7 @@ int redAt(const Picture& picture, DisplayPoint at) {
   return int(rgb[0]) - std::max(rgb[1], rgb[2]);
 }
 
-/// A grey body with a small red box 30 mm to the patient's left, in front and high.
+/// A gray body with a small red box 30 mm to the patient's left, in front and high.
 void marked(SceneView& view) {
   view.setSurface(kSoftTissue, surfaceOf(box({0, 0, 0}, {40, 40, 40})));
   view.setColour(kSoftTissue, {90, 90, 90});
@@ -67,7 +67,7 @@ TEST(SceneView, TheTrayStandsWhereItIsPutUntilItIsTakenAway) {
   const auto steel = [&] {
     const Picture picture = screen.picture();
     const auto* rgb = picture.at(int(floor.x), int(floor.y));
-    return int(rgb[2]) > int(rgb[0]) + 5;  // its grey is bluish, the body's is not
+    return int(rgb[2]) > int(rgb[0]) + 5;  // its gray is bluish, the body's is not
   };
   EXPECT_FALSE(steel());
   view.setTray(tray);
@@ -172,7 +172,7 @@ TEST(SceneView, HeadCouplingKeepsTheScreenStillAndMovesWhatIsBehind) {
   marked(view);
   Screen screen(view, 400, 250);
   HeadCoupling coupling;
-  // The screen faces the patient's front, one screen millimetre to a millimetre of the patient.
+  // The screen faces the patient's front, one screen millimeter to a millimeter of the patient.
   coupling.patientFromScreen = {{{Vec3{1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, -1, 0}}}, {0, 0, 0}};
   coupling.width_mm = 200, coupling.height_mm = 125;
   coupling.eye_mm = {0, 0, 500};
@@ -185,7 +185,7 @@ TEST(SceneView, HeadCouplingKeepsTheScreenStillAndMovesWhatIsBehind) {
   const DisplayPoint same = view.displayFromPatient({50, 0, 25});
   EXPECT_NEAR(same.x, 300, 1e-3);
   EXPECT_NEAR(same.y, 75, 1e-3);
-  // A point 100 mm behind the screen follows the eye by 100/600 of its way: 16.7 mm, at 2 pixels a millimetre.
+  // A point 100 mm behind the screen follows the eye by 100/600 of its way: 16.7 mm, at 2 pixels a millimeter.
   const DisplayPoint behind = view.displayFromPatient({0, 100, 0});
   EXPECT_NEAR(behind.x, 200 + 2 * 100.0 / 6, 1e-3);
   EXPECT_NEAR(behind.y, 125 - 2 * 40.0 / 6, 1e-3);

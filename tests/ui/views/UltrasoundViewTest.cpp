@@ -59,7 +59,7 @@ TEST(UltrasoundView, TheMarkerStandsAtThePictureAlsoWithRoomAroundIt) {
     }
   };
   expectMarkerAt(20);
-  // The picture is wider than the field of view that is being edited.
+  // The image is wider than the field of view that is being edited.
   view.setGuide({{{-12, 2}, {12, 2}, {12, 28}, {-12, 28}}, {}, {}});
   expectMarkerAt(12);
 }

@@ -33,7 +33,7 @@ bool isWellFormed(const std::string& svg) {
   return open.empty();
 }
 
-/// Centres of the marks of the first series' colour, legend left out.
+/// Centres of the marks of the first series' color, legend left out.
 std::vector<std::pair<double, double>> marks(const std::string& svg) {
   std::vector<std::pair<double, double>> found;
   const std::regex circle("<circle cx=\"([-0-9.]+)\" cy=\"([-0-9.]+)\" r=\"4\" fill=\"#0072b2\"");
@@ -56,7 +56,7 @@ TEST(SvgPlot, PutsPointsInOrderAndProportion) {
   const auto at = marks(svgOf(chartOf({{0, 0, ""}, {5, 1, ""}, {10, 4, ""}}, false)));
   ASSERT_EQ(at.size(), 3U);
   EXPECT_NEAR(at[1].first - at[0].first, at[2].first - at[1].first, 0.11);
-  EXPECT_NEAR((at[0].second - at[2].second) / (at[0].second - at[1].second), 4, 0.01);  // upwards in the picture
+  EXPECT_NEAR((at[0].second - at[2].second) / (at[0].second - at[1].second), 4, 0.01);  // upwards in the image
 }
 
 TEST(SvgPlot, LogarithmicAxesSpaceFactorsEvenly) {

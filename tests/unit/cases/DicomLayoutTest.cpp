@@ -84,7 +84,7 @@ TEST(DicomLayout, ChangedBytesEndNoProgram) {
   }
 }
 
-/// GDCM's reader of images ends the program where what describes a picture is given in another way than the
+/// GDCM's reader of images ends the program where what describes an image is given in another way than the
 /// dictionary's, and on curves and overlays that it does not know.
 TEST(DicomLayout, WhatDescribesThePictureEndsNoProgram) {
   test::TemporaryFolder folder;

@@ -29,7 +29,7 @@ TEST(RealImport, Neck) {
   EXPECT_EQ(g.direction, Mat3{});
   EXPECT_EQ(*std::ranges::min_element(neck.ct.voxels), -1024);
 
-  // Nothing is labelled: unfit, with the reason.
+  // Nothing is labeled: unfit, with the reason.
   PatientCase patient;
   patient.ct = neck.ct;
   patient.labels = LabelMap(g);

@@ -33,14 +33,14 @@ inline std::string niftiOf(const CtVolume& ct, std::array<std::array<float, 4>, 
   putAt<float>(header, 108, 352);
   putAt<float>(header, 112, slope);
   putAt<float>(header, 116, intercept);
-  putAt<char>(header, 123, 2);          // millimetres
+  putAt<char>(header, 123, 2);          // millimeters
   putAt<std::int16_t>(header, 254, 1);  // sform: scanner
   for (int row = 0; row < 3; ++row) std::memcpy(header.data() + 280 + 16 * row, sform[row].data(), 16);
   std::memcpy(header.data() + 344, "n+1", 4);
   return header + bytesOf(ct.voxels);
 }
 
-/// The same picture as another machine writes it, in the other byte order.
+/// The same image as another machine writes it, in the other byte order.
 inline std::string swappedNifti(std::string bytes) {
   const auto swap = [&](std::size_t from, std::size_t count, std::size_t width) {
     for (std::size_t n = 0; n < count; ++n)

@@ -137,7 +137,7 @@ TEST(VolumeImport, NiftisQformAndUnits) {
   test::putAt<std::int16_t>(bytes, 254, 2);  // an sform that leads elsewhere
   EXPECT_LT(norm(cornerOf() - corner), 1e-4);
   bytes = test::niftiOf(ct, {{{-500, 0, 0, 10000}, {0, -750, 0, -20000}, {0, 0, 2000, 30000}}}, 1, 0);
-  test::putAt<char>(bytes, 123, 3);  // micrometres
+  test::putAt<char>(bytes, 123, 3);  // micrometers
   EXPECT_LT(norm(cornerOf() - Vec3{-10 + 4 * 0.5, 20 + 3 * 0.75, 30 + 2 * 2}), 1e-4);
 }
 

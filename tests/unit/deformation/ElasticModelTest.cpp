@@ -118,7 +118,7 @@ TEST_F(Elastic, AFullerVeinIsWider) {
   EXPECT_NEAR(areaRatio(d, kArtery), 1, 0.03);
 }
 
-/// A probe that slides and goes in from picture to picture.
+/// A probe that slides and goes in from image to picture.
 class ElasticOnTheWay : public testing::Test {
  protected:
   struct Way {

@@ -53,7 +53,7 @@ TEST(ForceDepth, ForceFallsWhereAWallIsPunctured) {
   std::vector<double> falls;
   for (std::size_t i = 1; i < points.size(); ++i)
     if (points[i].force_N < points[i - 1].force_N - 0.3) falls.push_back(points[i].depth_mm);
-  // Skin, front and back of the vein, each after it was pushed in by some millimetres.
+  // Skin, front and back of the vein, each after it was pushed in by some millimeters.
   ASSERT_EQ(falls.size(), 3U);
   EXPECT_NEAR(falls[0], 4.5, 1);
   EXPECT_NEAR(falls[1], 18 + 2.8, 1);

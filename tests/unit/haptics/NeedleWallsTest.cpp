@@ -56,7 +56,7 @@ TEST(NeedleWalls, ATremblingHandGoesThroughOnce) {
   EXPECT_EQ(rig.events.size(), 2U);
 }
 
-/// At 1 m/s a tick is a millimetre; the vein here is 0.8 mm thin.
+/// At 1 m/s a tick is a millimeter; the vein here is 0.8 mm thin.
 TEST(NeedleWalls, NothingIsTunnelledAtAMetreASecond) {
   for (const double speed_mmps : {1000.0, 3000.0, 10000.0}) {
     NeedleRig rig({.veinRadius_mm = 0.4});

@@ -25,7 +25,7 @@ class StillDevice : public HapticDevice {
   std::string trouble() const override { return {}; }
   DeviceCounters counters() const noexcept override { return {}; }
   bool take(DeviceState& state) noexcept override {
-    // Creeps towards its place, as a hand would.
+    // Creeps toward its place, as a hand would.
     now_mm_ = now_mm_ + (at_mm_ - now_mm_) * 0.02;
     state = {.deviceFromStylus = {{}, now_mm_},
              .velocity_mmps = {},

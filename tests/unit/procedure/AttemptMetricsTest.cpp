@@ -149,7 +149,7 @@ TEST(Attempt, Carotid) {
 }
 
 /// The first pass misses; 5 mm aside the second meets the vein. 12 mm down and up, then 20 mm: 44 mm for 20, less up to
-/// a millimetre where the steps turn.
+/// a millimeter where the steps turn.
 TEST(Attempt, TwoPassesWithANewNeedle) {
   ScriptedAttempt attempt;
   attempt.walls.clear();

@@ -9,7 +9,7 @@
 
 namespace insonate::test {
 
-/// Two hands at work, a sample a millisecond: slow ways of centimetres, tremor of 9 and 11 Hz with 0.08 mm and 0.003
+/// Two hands at work, a sample a millisecond: slow ways of centimeters, tremor of 9 and 11 Hz with 0.08 mm and 0.003
 /// rad, and white noise of a tracker, 0.02 mm and 0.0002 rad (a device with steps of 0.05 mm has 0.016 mm).
 inline std::vector<AttemptSample> handMotion(int count, unsigned seed = 1) {
   std::mt19937 random(seed);

@@ -7,7 +7,7 @@
 namespace insonate::metrics {
 namespace {
 
-/// Down and up along z from a hole at the origin, a quarter of a millimetre at once.
+/// Down and up along z from a hole at the origin, a quarter of a millimeter at once.
 void go(NeedleWork& work, double from_mm, double to_mm, bool aspirating = false) {
   const int steps = static_cast<int>(std::abs(to_mm - from_mm) * 4);
   for (int i = 1; i <= steps; ++i) {

@@ -118,7 +118,7 @@ TEST_F(DamagedRecording, AWrongByteIsNeverAWrongSetting) {
   EXPECT_EQ(refused, static_cast<int>(size)) << "each byte counts";
 }
 
-/// A damaged change leaves metrics, and pictures from before it.
+/// A damaged change leaves metrics, and images from before it.
 TEST_F(DamagedRecording, ABadChangeOfSettingsIsSaid) {
   std::string broken = bytes;
   const auto [at, size] = changeOfSettings();

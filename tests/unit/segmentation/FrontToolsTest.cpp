@@ -101,7 +101,7 @@ TEST_P(FrontsOnGrids, FillingDrawsAnObliqueTubeBetweenItsSlices) {
   for (int axis = 0; axis < 3; ++axis) {
     const Mat3& d = grid().direction;
     const Vec3 u = d.column[axis], v = d.column[(axis + 1) % 3];
-    // Widens from 4 to 6 mm and moves 0.4 mm aside a millimetre of way, more than its width from drawing to drawing.
+    // Widens from 4 to 6 mm and moves 0.4 mm aside a millimeter of way, more than its width from drawing to drawing.
     const Selection tube = shape([&](Vec3 p) {
       const double along = dot(p, u);
       return std::abs(along) < 15.91 && norm(p - u * along - v * (0.4 * along)) < 5 + along / 16;

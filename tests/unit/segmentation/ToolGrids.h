@@ -37,7 +37,7 @@ inline std::vector<ToolGrid> toolGrids() {
 class OnGrids : public testing::TestWithParam<ToolGrid> {
  protected:
   const VolumeGeometry& grid() const { return GetParam().geometry; }
-  /// Voxels whose centre in the patient is `in`.
+  /// Voxels whose center in the patient is `in`.
   template <class In>
   Selection shape(const In& in) const {
     Selection chosen(grid(), boxOf(grid()));

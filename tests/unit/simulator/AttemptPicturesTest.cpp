@@ -109,7 +109,7 @@ TEST_F(AttemptPicturesTest, ShowNeedleTiltAndNothingWithoutAProbe) {
   EXPECT_NE(*pictures.at(1'400'900), nullptr) << "between two samples: the one before";
 }
 
-/// Frozen, then moved away and the patient tilted: the picture is that of the moment before.
+/// Frozen, then moved away and the patient tilted: the image is that of the moment before.
 TEST_F(AttemptPicturesTest, AFrozenPictureStandsInTheSessionAndInItsReplay) {
   const auto script = readSessionScript(R"({"acts": [
     {"probe": {"position_mm": [0, 0, 0], "axial": [0, 1, 0], "lateral": [1, 0, 0]}}, {"wait_s": 0.25}, {"freeze": true},
@@ -159,7 +159,7 @@ TEST_F(AttemptPicturesTest, ArePicturesOfTheCase) {
       << "of 255: scenes of another extent round otherwise, and strands 30 dB over their surroundings show it";
 }
 
-/// A live picture that has come to rest, after the tissue was pressed and let go on its way there.
+/// A live image that has come to rest, after the tissue was pressed and let go on its way there.
 TEST_F(AttemptPicturesTest, LiveOnesAreNear) {
   AttemptSettings settings;
   settings.setup = test::smallSetup();
@@ -192,7 +192,7 @@ TEST_F(AttemptPicturesTest, LiveOnesAreNear) {
   EXPECT_LT(std::sqrt(difference / sum), 0.08);
 }
 
-/// While the picture stands still, the hands go on.
+/// While the image stands still, the hands go on.
 TEST_F(AttemptPicturesTest, AFrozenPictureStays) {
   const auto recording = AttemptRecording::open(folder / "attempt");
   AttemptHeader header = recording->header();

@@ -14,7 +14,7 @@
 namespace insonate::test {
 
 // Whole attempts on the block, and each of their 26 metrics worked out by hand from the block's walls. All times are
-// those of hands at 10 mm/s, so that a millimetre is a tenth of a second.
+// those of hands at 10 mm/s, so that a millimeter is a tenth of a second.
 
 inline const double kSkin_mm = bend_mm(kSkin);       // (0.24 - 0.1) / 0.16 = 0.875; + (1.8 - 0.149) / 0.24 = 7.755
 inline const double kVein_mm = 12 + bend_mm(kVein);  // 1.6 + (0.6 - 0.256) / 0.24 = 3.033, below 12 mm
@@ -25,7 +25,7 @@ inline const double kRoot2 = std::numbers::sqrt2;
 inline constexpr double kTicks_s = 0.004;  // events come with ticks of 1 ms, at a way of 0.01 mm
 inline constexpr double kWay_mm = 0.05;    // the same, as a way
 inline constexpr double kTurn_mm = 1;      // ways are in steps of 0.5 mm: a turn loses one on either side
-inline constexpr double kMiddle_mm = 0.3;  // of a centre line found in voxels
+inline constexpr double kMiddle_mm = 0.3;  // of a center line found in voxels
 inline constexpr double kWall_mm = 0.05;   // distances to flat walls are kept to 0.01 mm
 inline constexpr double kEdge_mm = 0.3;    // the map rounds edges over a voxel
 inline constexpr double kAngle_deg = 0.5;  // a normal is a difference of distances that are kept to 0.01 mm

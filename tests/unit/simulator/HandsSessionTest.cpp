@@ -180,7 +180,7 @@ TEST(HandsSession, ATestForceIsFeltForASecondAndThenTheHandIsTheServosAgain) {
   EXPECT_NEAR(device->most_N, 1, 1e-9) << "no more than a newton";
 }
 
-/// Both hands move: ticks, the steps that show them the tissue, the picture and its needle. What begins seldom (another
+/// Both hands move: ticks, the steps that show them the tissue, the image and its needle. What begins seldom (another
 /// scene) asks for memory, so that the quietest of many rounds tells.
 TEST(HandsSession, StepsOfBothHandsAndTheirPicturesAllocateNothing) {
   LiveOptions options;

@@ -23,7 +23,7 @@ Tenting tentOf(const Needle& needle, double depth_mm) {
   return {needle.tip_mm, needle.direction, depth_mm, 3};
 }
 
-/// The picture that has this needle.
+/// The image that has this needle.
 Frame frameWith(Live& live, const std::optional<Needle>& needle, const std::optional<Tenting>& tenting = {}) {
   const std::uint64_t before = live->latest()->number;
   live->setNeedle(needle, tenting);

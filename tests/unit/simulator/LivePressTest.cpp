@@ -33,7 +33,7 @@ double veinShare(const LiveFrame& frame) {
   return 1;
 }
 
-/// The picture of a pose, when its tissue has come to rest.
+/// The image of a pose, when its tissue has come to rest.
 Frame settledAt(Live& live, const Transform& pose) {
   live.frameAt(pose);
   Frame frame;

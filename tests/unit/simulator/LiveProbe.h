@@ -30,7 +30,7 @@ inline ImagingSetup smallSetup() {
   setup.settings.looks = 1;
   setup.settings.width = 128;
   setup.settings.height = 96;
-  setup.settings.effects.noise = false;  // pictures are compared with others of the same pose
+  setup.settings.effects.noise = false;  // images are compared with others of the same pose
   setup.mechanics.model = kNoDeformation;
   return setup;
 }
@@ -109,7 +109,7 @@ class Live {
     }
     return true;
   }
-  /// The picture of a pose.
+  /// The image of a pose.
   Frame frameAt(const Transform& pose) {
     imaging_->setPose(pose);
     Frame frame;

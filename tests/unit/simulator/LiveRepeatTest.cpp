@@ -31,7 +31,7 @@ std::vector<Transform> presses() {
   return poses;
 }
 
-/// Each pose, and what its tissue goes through until it rests; with pulsation, a few pictures of it.
+/// Each pose, and what its tissue goes through until it rests; with pulsation, a few images of it.
 void pressAll(Live& live, const std::vector<Transform>& poses, bool pulsating) {
   for (const Transform& pose : poses) {
     const Frame first = live.frameAt(pose);

@@ -60,7 +60,7 @@ TEST_F(NeckMetrics, PosteriorWall) {
   const double toAccess_mm = front - way.drawn_mm(probe, front) + bend_mm(kVein) - in;
   ASSERT_LT(back + bend_mm(kVein), 46);
   ASSERT_GT(back - 0.3, 36) << "pulled back into the vein";
-  // The vein runs along the picture and rises by some degrees: as deep as it rests below the middle, less the slope.
+  // The vein runs along the image and rises by some degrees: as deep as it rests below the middle, less the slope.
   const double off_mm = norm(cross(way.axis, Vec3{0, 0, 1})) * (36 - norm(vein - from));
   expectMetrics(outcome.metrics, {{{1},
                                    {0},

@@ -19,7 +19,7 @@ class NeckTries : public NeckAttempt {
     const Vec3 from = inProbe(patient, pose, from_mm);
     return {patient, from, normalized(inProbe(patient, pose, to_mm) - from)};
   }
-  /// In the plane of the picture along the vein, which was moved by 3.2 mm: to the vein's middle, as in CleanSuccess.
+  /// In the plane of the image along the vein, which was moved by 3.2 mm: to the vein's middle, as in CleanSuccess.
   static Way toVein() {
     const Vec3 from = inProbe(*neck_, kAlong, {-22.7, 3.2, -4});
     return {*neck_, from, normalized(neck_->manifest.targets[0].position_mm - from)};
@@ -35,7 +35,7 @@ class NeckTries : public NeckAttempt {
   static inline std::unique_ptr<PatientCase> neck_;
 };
 
-/// 12 mm beside the picture 25 mm on and out again, undrawn; then in its plane into the vein.
+/// 12 mm beside the image 25 mm on and out again, undrawn; then in its plane into the vein.
 void NeckTries::expectTwoTries(const char* script, double usedNeedle, double compressing_s) {
   const auto outcome = play(script, *neck_);
   const Way first = way(*neck_, kAlong, {-22.7, 15.2, -4}, {0, 15.2, 18.7}), last = toVein();
@@ -159,7 +159,7 @@ TEST_F(NeckTries, ProbeLifted) {
                                    kSomeForce}});
 }
 
-/// Across the vein, 20 mm nearer to the head than the picture: 33 mm on.
+/// Across the vein, 20 mm nearer to the head than the image: 33 mm on.
 TEST_F(NeckTries, NeverInThePicture) {
   const auto outcome = play("never-in-picture", *neck_);
   const Way in = way(*neck_, kAcross, {-3.2, -36, -4}, {-3.2, -20, 18.7});
@@ -235,7 +235,7 @@ TEST_F(NeckTries, CarotidPuncture) {
                                    kSomeForce}});
 }
 
-/// In the picture's plane beside the probe, far too steep, until it meets the spine; undrawn.
+/// In the image's plane beside the probe, far too steep, until it meets the spine; undrawn.
 TEST_F(NeckTries, Bone) {
   const auto outcome = play("bone", *neck_);
   const Way in = way(*neck_, kAcross, {-27.2, 0, -5}, {-15.2, 0, 40});
@@ -274,7 +274,7 @@ TEST_F(NeckTries, Bone) {
                                    kSomeForce}});
 }
 
-/// Below the clavicle in the plane of a picture that was moved by 12 mm and pressed by 1: 55 mm on.
+/// Below the clavicle in the plane of an image that was moved by 12 mm and pressed by 1: 55 mm on.
 TEST_F(NeckTries, SubclavianSuccess) {
   const PatientCase chest = *makePhantom("subclavian", 1);
   const auto outcome = play("subclavian-success", chest);

@@ -213,7 +213,7 @@ TEST(ProbeHand, MovesToTheNearestSkin) {
   ProbeHand hand = handOn(sphere());
   for (const Vec3 place : {Vec3{30, 10, -5}, Vec3{0, 66, 3}, Vec3{-20, -20, 40}, Vec3{300, 0, 0}}) {
     ASSERT_TRUE(hand.moveTo(place).done());
-    // Half a tenth of a millimetre of unevenness moves the nearest skin of a deep place by 2 degrees.
+    // Half a tenth of a millimeter of unevenness moves the nearest skin of a deep place by 2 degrees.
     EXPECT_NEAR(norm(hand.pose().offset), kRadius_mm, 0.6);
     EXPECT_LT(angle_deg(hand.pose().offset, place), 2.5);
     EXPECT_LT(angle_deg(hand.pose().linear.column[2], -hand.pose().offset), 1.0);

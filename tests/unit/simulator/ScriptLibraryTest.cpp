@@ -146,7 +146,7 @@ TEST_F(ScriptLibrary, OnTheTextbookNeck) {
   EXPECT_TRUE(found.contains({"figure-16", AttemptEventKind::Centered})) << "locating the vein";
   EXPECT_TRUE(found.contains({"figure-17", AttemptEventKind::Compressed})) << "compression";
 
-  // Figures 18 and 19: across the picture only a spot is seen, as it passes; in its plane the whole way.
+  // Figures 18 and 19: across the image only a spot is seen, as it passes; in its plane the whole way.
   EXPECT_EQ(played.at("figure-18").metrics[Metric::TipInPicture], 0);
   EXPECT_GT(*played.at("figure-19").metrics[Metric::TipInPicture], 99.9);
 }

@@ -96,7 +96,7 @@ class WrongVein : public testing::Test {
       if (vessel.name == target.name) continue;
       SCOPED_TRACE(vessel.name);
       bool isDriven = false, isEntered = false;
-      // The skin gives way only some millimetres deep, beyond a thin vein: another needle comes slanted along the vein.
+      // The skin gives way only some millimeters deep, beyond a thin vein: another needle comes slanted along the vein.
       for (const double slant : {0.0, 3.0, -3.0}) {
         const auto place = nearestToSkin(patient.labels, vessel, slant);
         if (isEntered || !place || norm(place->first - target.position_mm) > 80) continue;

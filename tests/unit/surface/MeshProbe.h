@@ -70,14 +70,14 @@ inline double worstOutward(const Mesh& mesh, Vec3 centre) {
   return worst;
 }
 
-/// A grid of 1 mm voxels whose first voxel has its centre at the origin.
+/// A grid of 1 mm voxels whose first voxel has its center at the origin.
 inline LabelMap emptyMap(int i, int j, int k) {
   VolumeGeometry grid;
   grid.size = {i, j, k};
   return LabelMap(grid);
 }
 
-/// Labels voxels whose centres lie in the ball.
+/// Labels voxels whose centers lie in the ball.
 inline void addBall(LabelMap& labels, std::uint8_t label, Vec3 centre_mm, double radius_mm) {
   const Transform patientFromIndex = labels.geometry.patientFromIndex();
   const auto& size = labels.geometry.size;

@@ -22,7 +22,7 @@ class DisplayRepeat : public testing::TestWithParam<const char*> {
   }();
   EnvelopeFrame frame = test::speckleFrame(203, 601, 3, 6, 4, 9);
 
-  /// The second picture, so that persistence takes part.
+  /// The second image, so that persistence takes part.
   BModeImage second() const {
     Display live(probe, settings);
     BModeImage image;

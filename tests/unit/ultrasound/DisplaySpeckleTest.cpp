@@ -54,7 +54,7 @@ TEST_F(DisplaySpeckle, OneBareLookIsRayleigh) {
   EXPECT_LT(grain.skewness, -0.6);
 }
 
-/// Distance over which a step's grey rises from 10 to 90 %, on the middle column.
+/// Distance over which a step's gray rises from 10 to 90 %, on the middle column.
 double edgeWidth_mm(const BModeImage& image) {
   std::vector<double> profile;
   for (int row = 0; row < image.height; ++row) {
@@ -89,7 +89,7 @@ TEST_F(DisplaySpeckle, SmoothingKeepsAnInterfaceSharp) {
   EXPECT_LT(smoothed_mm, bare_mm + 0.12) << "less than a third of the grain";
 }
 
-/// Mean absolute grey difference between pixels at a distance along and across a direction.
+/// Mean absolute gray difference between pixels at a distance along and across a direction.
 double variationAlong(const BModeImage& image, double slope, double step_mm) {
   double sum = 0;
   int count = 0;

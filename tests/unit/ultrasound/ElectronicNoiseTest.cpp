@@ -14,7 +14,7 @@ namespace {
 
 using test::bareSettings;
 
-/// Amplitudes that lead to the noise of a picture without echoes, on the beam grid: width and height are chosen so that
+/// Amplitudes that lead to the noise of an image without echoes, on the beam grid: width and height are chosen so that
 /// pixels are scanlines and samples, and the gray map is a straight line in dB.
 class ElectronicNoise : public testing::Test {
  protected:

@@ -67,7 +67,7 @@ TEST_P(ThesisLook, PositionOrientationAndTimeSeedTheSpeckle) {
   moved.offset = {1, 0, 0};
   turned.linear = {{Vec3{std::cos(0.1), std::sin(0.1), 0}, Vec3{-std::sin(0.1), std::cos(0.1), 0}, Vec3{0, 0, 1}}};
   hardly.offset = {0.01, 0, 0};
-  // Independent pictures differ by sqrt(2) of their SD, which is 0.48 of the RMS.
+  // Independent images differ by sqrt(2) of their SD, which is 0.48 of the RMS.
   EXPECT_NEAR(frameError(at(moved, 0), first), 0.68, 0.1);
   EXPECT_NEAR(frameError(at(turned, 0), first), 0.68, 0.1);
   EXPECT_NEAR(frameError(at({}, 0.04), first), 0.68, 0.1);

@@ -37,7 +37,7 @@ class PrepareSession : public QObject {
   /// The same case with what was changed in it.
   void replaceCase(std::shared_ptr<const PatientCase> patient);
   const std::shared_ptr<const PatientCase>& patient() const { return patient_; }
-  /// While asleep, nothing is begun and no picture is made.
+  /// While asleep, nothing is begun and no image is made.
   void setAwake(bool awake);
   void stop();
 

@@ -309,7 +309,7 @@ void ReviewWorkspace::Parts::showNotice() {
   notice_->setVisible(!lines.isEmpty());
 }
 
-/// In place of a picture; empty where there is one.
+/// In place of an image; empty where there is one.
 QString ReviewWorkspace::Parts::pictureWords() const {
   if (!session.picture().trouble().isEmpty()) return session.picture().trouble();
   if (!session.sample()) return tr("This part of the recording is missing.");

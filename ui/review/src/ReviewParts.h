@@ -82,7 +82,7 @@ class ReviewWorkspace::Parts : public QObject {
   ui::ViewWidget* pictureWidget_ = nullptr;
   ReplayScene* scene_ = nullptr;
   Timeline* timeline_ = nullptr;
-  QStackedWidget* centre_ = nullptr;  ///< picture or result
+  QStackedWidget* centre_ = nullptr;  ///< image or result
   PathPane* path_ = nullptr;
   QButtonGroup* tabs_ = nullptr;
   QToolButton* look_ = nullptr;      ///< whether the panel of 3D is open

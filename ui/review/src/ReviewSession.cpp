@@ -120,7 +120,7 @@ void ReviewSession::setAwake(bool awake) {
   show();
 }
 
-/// Surfaces are made once for a patient; pictures go while the room is hidden, and come again.
+/// Surfaces are made once for a patient; images go while the room is hidden, and come again.
 void ReviewSession::startPatient() {
   const auto patient = attempt_ && fits() ? patient_ : nullptr;
   picture_.set(attempt_ && awake_ ? attempt_->recording : nullptr, patient);

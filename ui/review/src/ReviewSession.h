@@ -74,7 +74,7 @@ class ReviewSession : public QObject {
   ReplayPicture& picture() { return picture_; }
   const ReplayReader* reader() const { return reader_ ? &*reader_ : nullptr; }
   bool surfacesThere() const { return !surfaces_ || surfacesDone_; }
-  /// The picture of the time one is at is there, or there is none.
+  /// The image of the time one is at is there, or there is none.
   bool isSettled() const;
   QString message() const;
 

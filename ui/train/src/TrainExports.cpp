@@ -1,4 +1,4 @@
-// The part of the workspace that writes pictures and clips.
+// The part of the workspace that writes images and clips.
 #include "TrainParts.h"
 #include "files/ScaledPicture.h"
 #include "image/CineBar.h"
@@ -79,7 +79,7 @@ QString TrainWorkspace::Parts::askFile(const QString& title, const QString& endi
 void TrainWorkspace::Parts::askPicture() {
   if (!session.shown()) return session.say(tr("There is no image yet."));
   const bool wasFrozen = session.isFrozen();
-  session.setFrozen(true);  // The picture that the user saw, whatever the dialog takes.
+  session.setFrozen(true);  // The image that the user saw, whatever the dialog takes.
   const QString file = askFile(tr("Save the image"), ".png");
   if (!file.isEmpty()) savePicture(file.toStdString());
   // With measurements the image stays frozen, since they belong to it.

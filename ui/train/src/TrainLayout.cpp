@@ -105,7 +105,7 @@ void TrainWorkspace::Parts::showOffer() {
   const bool there = session.patient() != nullptr, waits = there && session.isUnplaced();
   offer_->setVisible(waits);
   pictures_->setVisible(there && !waits);
-  // Without a picture, this is all there is to see; the picture comes once the probe is placed.
+  // Without an image, this is all there is to see; the image comes once the probe is placed.
   if (waits == std::exchange(ready, waits)) return;
   Q_EMIT workspace_.readyChanged();
 }

@@ -1,4 +1,4 @@
-// The part of the workspace that measures, on the picture and on slices of the CT.
+// The part of the workspace that measures, on the image and on slices of the CT.
 #include "TrainParts.h"
 #include "image/CineBar.h"
 #include "image/CtBeside.h"

@@ -10,7 +10,7 @@ namespace insonate::train {
 void TrainSession::connectHands() {
   connect(&hands_, &HandsControl::said, this, &TrainSession::say);
   connect(&hands_, &HandsControl::probeDriven, this, [this] {
-    // Numbers and 3D follow; the picture does by itself.
+    // Numbers and 3D follow; the image does by itself.
     if (!hands_.probeFollowsMouse()) control_.follow(hands_.drivenPose());
     Q_EMIT handMoved();
   });
@@ -19,7 +19,7 @@ void TrainSession::connectHands() {
   });
 }
 
-/// Once the picture and the skin are there.
+/// Once the image and the skin are there.
 void TrainSession::giveHands() {
   if (!shown_ || !control_.ready()) return;
   giveProbe();

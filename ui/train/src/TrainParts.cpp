@@ -256,7 +256,7 @@ void TrainWorkspace::Parts::showRate() {
   else if (status.state == LiveState::Outside)
     text += tr("   outside the patient");
   else if (session.shown() && session.imagesPerSecond() < kAtRest)
-    // A probe at rest needs no pictures; that is no slow engine.
+    // A probe at rest needs no images; that is no slow engine.
     text += tr("   image is up to date   %1 ms").arg(session.shown()->frame_ms, 4, 'f', 1);
   else if (session.shown())
     text += tr("   %1 fps   %2 ms").arg(session.imagesPerSecond(), 3, 'f', 0).arg(session.shown()->frame_ms, 4, 'f', 1);
@@ -367,7 +367,7 @@ bool TrainWorkspace::Parts::sliceKey(const QObject* canvas, const QKeyEvent& eve
     case Qt::Key_G:
     case Qt::Key_R:
       return true;
-    // The probe's plane has no neighbours: there the arrows are the probe's.
+    // The probe's plane has no neighbors: there the arrows are the probe's.
     case Qt::Key_Up:
     case Qt::Key_Down:
     case Qt::Key_Left:

@@ -68,7 +68,7 @@ class TrainWorkspace::Parts : public QObject {
   PatientViews* patient = nullptr;
   TissueShown* tissue = nullptr;
   QString engineText;
-  QString exportFolder;            ///< where pictures went last
+  QString exportFolder;            ///< where images went last
   DevicePanel* devices = nullptr;  ///< once it was asked for
   bool ready = false;
 
@@ -89,12 +89,12 @@ class TrainWorkspace::Parts : public QObject {
   /// The same case as its author has saved it: now, or once nobody is at an attempt or in a level any more.
   void takeSaved(std::shared_ptr<const PatientCase> edited);
   void setAccount(ui::Account& account);
-  /// Levels, attempts and the questionnaire in the place of picture and controls.
+  /// Levels, attempts and the questionnaire in the place of image and controls.
   void showCourse(bool on);
   bool isCourseShown() const;
   /// One that is being made is kept as abandoned.
   void endAttempt();
-  /// Why there is no picture, once the trainee sees the workspace: while a case is labelled, it is none of Train's.
+  /// Why there is no image, once the trainee sees the workspace: while a case is labeled, it is none of Train's.
   void reportProblem();
   /// While no case is open; empty for nothing that is being opened.
   void showOpening(const QString& what);
@@ -168,7 +168,7 @@ class TrainWorkspace::Parts : public QObject {
   LevelControl* levels_ = nullptr;
   AttemptKeeper* keeper_ = nullptr;
   CoursePage* coursePage_ = nullptr;           ///< once it was asked for
-  std::shared_ptr<const ImagingSetup> shape_;  ///< of the picture as laid out
+  std::shared_ptr<const ImagingSetup> shape_;  ///< of the image as laid out
   std::vector<std::unique_ptr<PictureWriter>> writers_;
   std::shared_ptr<const PatientCase> saved_;  ///< waits for the end of what a trainee does
   QString trouble_;                           ///< that was not told yet

@@ -19,7 +19,7 @@ void TrainWorkspace::Parts::connectProbe() {
     shape_ = nullptr;
     if (session.shown()) showPicture();
   });
-  // The next scene may take seconds: the picture there is already at the scale of the handles.
+  // The next scene may take seconds: the image there is already at the scale of the handles.
   connect(&session, &TrainSession::setupChanged, this, [this] {
     if (!fov_->isActive() || fov_->isHeld()) return;
     const BeamGrid grid(session.probe(), session.settings());
@@ -32,7 +32,7 @@ void TrainWorkspace::Parts::connectProbe() {
 }
 
 void TrainWorkspace::Parts::editProbe(bool on) {
-  if (on) session.setFrozen(false);  // The picture is the preview.
+  if (on) session.setFrozen(false);  // The image is the preview.
   left_->setCurrentWidget(on ? static_cast<QWidget*>(editor_) : panel);
   fov_->setActive(on);
   shape_ = nullptr;

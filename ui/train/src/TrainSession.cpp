@@ -161,7 +161,7 @@ void TrainSession::startWorker() {
   surfacesWanted_ = surfacesThere_ = false;
 }
 
-/// The picture comes first; where there is none, nothing is to be waited for.
+/// The image comes first; where there is none, nothing is to be waited for.
 void TrainSession::wantSurfaces() {
   if (!worker_ || std::exchange(surfacesWanted_, true)) return;
   std::vector<ui::SurfaceWish> wishes = kSurfaces;

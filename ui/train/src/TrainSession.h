@@ -52,12 +52,12 @@ class TrainSession : public QObject {
   /// A preset; depth, frequency and focus become the probe's own, the rest stays. False for an unknown name.
   bool setProbe(const std::string& name);
   /// A probe as it is being edited. Changes of one kind (`what`) in a row are taken back together. Where the probe
-  /// begins with another depth, frequency or focus than before, the picture has them, too. Refuses a probe out of
+  /// begins with another depth, frequency or focus than before, the image has them, too. Refuses a probe out of
   /// range.
   Result<void> useProbe(const Probe& probe, const std::string& what);
   /// Applies settings; values outside the probe's range are set to the nearest permitted ones.
   void setSettings(ImagingSettings settings);
-  /// All that decides the pictures now, for an attempt that is recorded. There must be a picture.
+  /// All that decides the images now, for an attempt that is recorded. There must be a picture.
   AttemptSettings attemptSettings() const;
   /// Shows one effect of EffectLayers.h by itself; refused where anatomy is not disclosed.
   void setEffect(const std::string& name);
@@ -76,11 +76,11 @@ class TrainSession : public QObject {
   const TissueChoice& tissue() const { return tissue_; }
   /// Applies a choice; values out of range are refused with a sentence.
   void setTissue(const TissueChoice& choice);
-  /// Live pictures come with the mesh of the tissue.
+  /// Live images come with the mesh of the tissue.
   void setMeshWanted(bool wanted);
   /// While nobody looks, the vessels do not move: a probe held still then costs nothing.
   void setWatched(bool watched);
-  /// Asleep, the last picture stays, and no others are made; their scenes are given back.
+  /// Asleep, the last image stays, and no others are made; their scenes are given back.
   void setAwake(bool awake);
 
   /// Needle, devices and pedal.
@@ -91,7 +91,7 @@ class TrainSession : public QObject {
   void moveNeedle(NeedleAxis axis, double mmOrDegrees);
   void typedNeedle(NeedleAxis axis, double value);
 
-  // The probe in the hand. Moves are refused while the picture is frozen, and while a device holds the probe.
+  // The probe in the hand. Moves are refused while the image is frozen, and while a device holds the probe.
   bool handReady() const { return control_.ready(); }
   HandNumbers numbers() const { return control_.numbers(); }
   ProbeHandState handState() const;
@@ -132,10 +132,10 @@ class TrainSession : public QObject {
   /// They have been, and no vein or artery is among them.
   bool lacksVessels() const;
 
-  // Pictures
+  // Images
   bool isFrozen() const { return frozen_; }
   void setFrozen(bool frozen);
-  /// The picture on display: live, or one of the past; null before the first.
+  /// The image on display: live, or one of the past; null before the first.
   const std::shared_ptr<const LiveFrame>& shown() const { return shown_; }
   /// While frozen: the last seconds, oldest first.
   const std::vector<std::shared_ptr<const LiveFrame>>& cine() const { return cine_; }

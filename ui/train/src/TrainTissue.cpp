@@ -73,7 +73,7 @@ void TrainSession::updateTissueRequest() {
   if (!live) return;
   live->setKeepMesh(meshWanted_ && watched_);
   live->setPulsating(pulsates());
-  // Also where it is the same: a probe at rest then makes a picture with its mesh.
+  // Also where it is the same: a probe at rest then makes an image with its mesh.
   if (auto ok = live->setPhysiology(physiologyOf(tissue_)); !ok) say(QString::fromStdString(ok.error().message));
 }
 

@@ -6,8 +6,8 @@
 namespace insonate::views {
 namespace {
 
-// Okabe and Ito's colours (jfly.uni-koeln.de/color, 2008) for what a trainee looks at; Tol's dark ones
-// (personal.sron.nl/~pault, 2021) and greys for the rest. Vein and artery are its blue and its vermillion.
+// Okabe and Ito's colors (jfly.uni-koeln.de/color, 2008) for what a trainee looks at; Tol's dark ones
+// (personal.sron.nl/~pault, 2021) and grays for the rest. Vein and artery are its blue and its vermillion.
 constexpr std::array<Colour, kLabelCount> kSafe{{
     {0x00, 0x00, 0x00},  // background
     {0xbf, 0xb5, 0xae},  // skin

@@ -19,7 +19,7 @@ constexpr std::uint64_t kNeckSeed = 1;
 constexpr int kProfile = 1;  // Desktop
 constexpr double kPassiveSpeed_mmps = 100;
 
-/// Pictures of the built-in neck, one after the other, on a thread of their own.
+/// Images of the built-in neck, one after the other, on a thread of their own.
 class Pictures {
  public:
   static Result<std::unique_ptr<Pictures>> make(const Progress& progress) {

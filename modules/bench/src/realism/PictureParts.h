@@ -9,10 +9,10 @@
 
 namespace insonate::bench {
 
-/// The part of a picture of `width` columns that a box covers; the box must lie in the picture.
+/// The part of an image of `width` columns that a box covers; the box must lie in the picture.
 GreyPicture cutOut(const std::vector<std::uint8_t>& grey, int width, const PictureBox& box);
 
-/// The picture's own bytes, to be read only; valid as long as the picture.
+/// The image's own bytes, to be read only; valid as long as the picture.
 inline cv::Mat bytesOf(const GreyPicture& picture) {
   return cv::Mat(picture.height, picture.width, CV_8U, const_cast<std::uint8_t*>(picture.grey.data()));
 }

@@ -15,7 +15,7 @@ using bench::SvgAxis;
 
 constexpr double kWidth = 900, kHeight = 520;
 constexpr double kLeft = 84, kRight = 630, kTop = 74, kBottom = 452;  // of the chart; the legend is right of it
-// Okabe and Ito's colours, told apart by colour-blind readers and in grey, and two darker ones.
+// Okabe and Ito's colors, told apart by color-blind readers and in gray, and two darker ones.
 constexpr std::string_view kColours[]{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
                                       "#56b4e9", "#7a5c00", "#444444", "#8a2be2"};
 
@@ -116,7 +116,7 @@ void drawSeries(Canvas& canvas, const PlotSeries& series, const SvgAxis& x, cons
   }
 }
 
-/// The series' line of the legend: colours come again after nine, then a dash tells them apart.
+/// The series' line of the legend: colors come again after nine, then a dash tells them apart.
 void drawKey(Canvas& canvas, const PlotSeries& series, double row, std::string_view colour) {
   if (series.joined) canvas.path({{kRight + 12, row - 4}, {kRight + 36, row - 4}}, colour, series.dashed);
   if (series.marked) canvas.mark(kRight + 24, row - 4, colour);

@@ -150,7 +150,7 @@ Result<void> EngineRows::measureDisplaced(std::vector<UltrasoundBenchRow>& rows)
   return measureOwn({pressedTissue(plan_->setup.probe, settings_.front()), {}}, ", displaced", rows);
 }
 
-/// From the left to the middle of the picture, at 45 degrees.
+/// From the left to the middle of the image, at 45 degrees.
 Result<void> EngineRows::measureNeedle(std::vector<UltrasoundBenchRow>& rows) const {
   constexpr double kTipDepth_mm = 18;
   Needle needle;

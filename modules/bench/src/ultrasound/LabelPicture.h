@@ -7,7 +7,7 @@
 
 namespace insonate::bench {
 
-/// Pixels of a picture that are chosen.
+/// Pixels of an image that are chosen.
 struct PixelMask {
   int width = 0, height = 0;
   std::vector<std::uint8_t> chosen;  ///< [row][column], 0 or 1
@@ -36,7 +36,7 @@ class LabelPicture {
 
 /// Without what lies within a square of this half width of the edge.
 PixelMask eroded(const PixelMask& mask, int pixels);
-/// Connected parts (4 neighbours) of at least this many pixels, largest first.
+/// Connected parts (4 neighbors) of at least this many pixels, largest first.
 std::vector<PixelMask> parts(const PixelMask& mask, int leastPixels);
 /// The largest box inside the mask that is no larger than the given size; empty when there is none.
 PictureBox largestBox(const PixelMask& mask, int mostWidth, int mostHeight);

@@ -35,7 +35,7 @@ std::string fileName(const std::string& text) {
   return name;
 }
 
-/// Measures of one picture on patches that follow from its labels.
+/// Measures of one image on patches that follow from its labels.
 class PictureScore {
  public:
   PictureScore(const BModeImage& image, const LabelPicture& labels, std::string variant, std::string view)

@@ -8,7 +8,7 @@ namespace insonate::bench {
 /// a frame of scattering alone then tells which label each sample shows, after contact and smooth boundaries.
 AcousticTable withMarks(AcousticTable table);
 
-/// Adds the measures of one displayed picture, on patches found from the labels, and the picture. The scene must be of
+/// Adds the measures of one displayed image, on patches found from the labels, and the picture. The scene must be of
 /// the setup's tissues, and those marked.
 void measureRealism(const AcousticScene& scene, const ImagingSetup& setup, const Transform& patientFromProbe,
                     const std::string& variant, const std::string& view, UltrasoundBench& bench);

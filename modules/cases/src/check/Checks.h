@@ -33,7 +33,7 @@ double voxelVolume_mm3(const VolumeGeometry& geometry);
 /// The grid axis nearest to head-foot; the volume's ends along it are cuts through the body.
 int headFootAxis(const VolumeGeometry& geometry);
 
-/// Size and spacing of the volume, and whether there is a picture in it.
+/// Size and spacing of the volume, and whether there is an image in it.
 void checkGrid(const CaseView& patient, const LabelStatistics& statistics, Findings& findings);
 /// Missing and unknown labels; HU that a label cannot have; labels in air.
 void checkLabels(const CaseView& patient, const LabelStatistics& statistics, Findings& findings);

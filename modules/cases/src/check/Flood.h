@@ -9,7 +9,7 @@ namespace insonate::check {
 /// One bit for each voxel.
 using VoxelSet = std::vector<bool>;
 
-/// The voxels of `label` that a path of face neighbours of that label joins to a side of the volume, where the
+/// The voxels of `label` that a path of face neighbors of that label joins to a side of the volume, where the
 /// sides are the four faces that `endAxis` does not cross.
 VoxelSet floodFromSides(const LabelMap& labels, std::uint8_t label, int endAxis);
 
@@ -17,7 +17,7 @@ VoxelSet floodFromSides(const LabelMap& labels, std::uint8_t label, int endAxis)
 struct Part {
   std::size_t voxels = 0;
   int low = 0, high = 0;       ///< first and last index along the axis that was asked for
-  Vec3 lowEnd_mm, highEnd_mm;  ///< patient centres of the voxels at these two indices
+  Vec3 lowEnd_mm, highEnd_mm;  ///< patient centers of the voxels at these two indices
 };
 
 /// All parts of a label, largest first.

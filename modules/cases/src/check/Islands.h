@@ -13,10 +13,10 @@ struct Island {
   std::size_t first = 0;  ///< offset of its first voxel
 };
 
-/// Rule by which voxels are connected: only voxels of one label, or labelled voxels of any label.
+/// Rule by which voxels are connected: only voxels of one label, or labeled voxels of any label.
 enum class Joining { kOneLabel, kAnyLabel };
 
-/// All islands of what is labelled, in the order of their first voxels. Needs memory for rows of equal voxels only.
+/// All islands of what is labeled, in the order of their first voxels. Needs memory for rows of equal voxels only.
 std::vector<Island> islandsOf(const LabelMap& labels, Joining joining);
 
 }  // namespace insonate::check

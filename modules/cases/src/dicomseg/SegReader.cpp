@@ -205,7 +205,7 @@ std::vector<std::optional<unsigned>> segmentNumbers(const DataSet& data, std::si
   return numbers;
 }
 
-/// Distance of neighbouring slices: what the file says, or how thick they are, unless frames lie closer.
+/// Distance of neighboring slices: what the file says, or how thick they are, unless frames lie closer.
 double stepOf(const DataSet& data, const DicomSlice& first, const std::vector<DicomSegments::Frame>& frames,
               Vec3 normal) {
   std::optional<double> step = first.thickness_mm;

@@ -20,7 +20,7 @@ inline constexpr const char* kAlgorithm = "Insonate";
 /// the segmentation is a label map.
 struct DicomSegments {
   struct Frame {
-    Vec3 position_mm;        ///< centre of its first pixel, patient LPS
+    Vec3 position_mm;        ///< center of its first pixel, patient LPS
     std::uint8_t label = 0;  ///< in this program's numbers; that of a label map is in its pixels
     std::size_t first = 0;   ///< its first pixel among all
   };
@@ -28,7 +28,7 @@ struct DicomSegments {
   int columns = 0, rows = 0;
   std::array<Vec3, 2> direction;       ///< of i and j, unit, at right angles
   std::array<double, 2> spacing_mm{};  ///< along i, along j
-  double step_mm = 0;                  ///< distance of neighbouring slices
+  double step_mm = 0;                  ///< distance of neighboring slices
   std::vector<std::uint8_t> pixels;    ///< a bit each, the first in the lowest bit, or a byte each
   bool isLabelMap = false;             ///< bytes are labels, in this program's numbers
   int threshold = 0;                   ///< 0 for bits; of fractions, bytes from here on are inside

@@ -147,7 +147,7 @@ void putImage(DataSet& data, const PatientCase& patient, const SegmentFrames& pa
   put(data, Tag(0x0070, 0x0084), VR::PN, "");
 }
 
-/// The CT that was labelled, as writeDicomSeries calls it.
+/// The CT that was labeled, as writeDicomSeries calls it.
 void putReferences(DataSet& data, const VolumeGeometry& g, const Uids& uids) {
   DataSet series;
   std::vector<DataSet> instances;

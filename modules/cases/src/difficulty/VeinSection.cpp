@@ -15,7 +15,7 @@ namespace {
 constexpr double kStep_mm = 0.25, kHalfWidth_mm = 30, kDeepest_mm = 80;
 constexpr int kColumns = int(2 * kHalfWidth_mm / kStep_mm) + 1, kRows = int(kDeepest_mm / kStep_mm) + 1;
 
-/// A picture across a vessel: rows go into the body from the skin, the middle column through the target.
+/// An image across a vessel: rows go into the body from the skin, the middle column through the target.
 struct Section {
   std::vector<std::uint8_t> labels;
   std::uint8_t at(int column, int row) const { return labels[std::size_t(row) * kColumns + std::size_t(column)]; }

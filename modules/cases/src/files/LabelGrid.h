@@ -14,7 +14,7 @@ namespace insonate {
 /// rounding would choose now one and now the other.
 inline constexpr double kOffTheBorder = 1e-4;
 
-/// True where a voxel of another grid at this place, and its neighbours one step away, are centred on voxels of `grid`
+/// True where a voxel of another grid at this place, and its neighbors one step away, are centred on voxels of `grid`
 /// or of its continuation beyond the border.
 bool fallsOnVoxels(const VolumeGeometry& grid, Vec3 place_mm, std::span<const Vec3> steps_mm);
 
@@ -25,7 +25,7 @@ bool isPartOf(const VolumeGeometry& part, const VolumeGeometry& grid);
 void noteOtherGrid(bool onVoxels, std::size_t lost, std::vector<std::string>& notes);
 
 /// Labels of one grid on another: each voxel takes the nearest one's label, which is exact where voxels fall on voxels.
-/// Says what was done. Fails where no labelled voxel lies in `grid`, and when cancelled.
+/// Says what was done. Fails where no labeled voxel lies in `grid`, and when cancelled.
 Result<LabelMap> placeLabels(const LabelMap& labels, const VolumeGeometry& grid, std::vector<std::string>& notes,
                              const Progress& progress = {});
 

@@ -49,7 +49,7 @@ std::optional<LabelColour> colourFromText(const std::string& text) {
   return colour;
 }
 
-/// Several segments may be one structure: the first one's colour counts.
+/// Several segments may be one structure: the first one's color counts.
 LabelColours coloursOf(const std::vector<Segment>& segments, const std::map<std::string, std::string>& metadata) {
   LabelColours all;
   for (std::size_t n = 0; n < segments.size(); ++n) {

@@ -12,7 +12,7 @@
 
 namespace insonate {
 
-/// A picture file as it is: any component type, any affine grid.
+/// An image file as it is: any component type, any affine grid.
 struct RawVolume {
   std::array<int, 3> size{1, 1, 1};
   Transform patientFromIndex;  ///< LPS mm; columns need not be at right angles
@@ -32,7 +32,7 @@ enum class ReadPart { kHeader, kAll };
 /// where voxels are read, on truncated ones and voxels of a size that no scanner has, before decoding them.
 Result<RawVolume> readVolumeFile(const std::filesystem::path& file, ReadPart part = ReadPart::kAll);
 
-/// Distance of neighbouring voxels along i, j, k.
+/// Distance of neighboring voxels along i, j, k.
 Vec3 spacingOf(const RawVolume& raw);
 
 /// The grid of a file whose axes are at right angles; fails otherwise.

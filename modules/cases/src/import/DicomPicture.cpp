@@ -98,7 +98,7 @@ bool isOfSize(std::string_view stream, const std::array<unsigned, 3>& size, unsi
   return false;
 }
 
-/// GDCM 3.0 writes the picture that a stream describes beyond memory for the one that the file describes.
+/// GDCM 3.0 writes the image that a stream describes beyond memory for the one that the file describes.
 bool holdsJpegs(const gdcm::SequenceOfFragments& fragments, const std::array<unsigned, 3>& size, unsigned mostBits) {
   if (size[2] > 1 && fragments.GetNumberOfFragments() != size[2]) return false;
   for (unsigned f = 0; f < size[2]; ++f)
@@ -133,7 +133,7 @@ std::optional<std::vector<char>> storedPixels(const gdcm::File& file, const std:
     return std::nullopt;
   if (fragments && isJpeg(syntax) && !holdsJpegs(*fragments, size, format.GetBitsAllocated())) return std::nullopt;
   gdcm::Bitmap picture;
-  // All fragments belong to a picture that is the only one.
+  // All fragments belong to an image that is the only one.
   picture.SetNumberOfDimensions(size[2] > 1 ? 3 : 2);
   picture.SetDimensions(size.data());
   picture.SetPixelFormat(format);

@@ -17,7 +17,7 @@ struct DicomSlice {
   std::string studyUid, seriesUid, sopUid, frameOfReferenceUid, modality;
   std::optional<int> acquisition, instance;
   int columns = 0, rows = 0;
-  std::optional<Vec3> position_mm;                       ///< centre of the first pixel, patient LPS
+  std::optional<Vec3> position_mm;                       ///< center of the first pixel, patient LPS
   std::optional<std::array<Vec3, 2>> orientation;        ///< patient directions along a row (i) and down a column (j)
   std::optional<std::array<double, 2>> pixelSpacing_mm;  ///< as in DICOM: between rows, then between columns
   std::optional<double> thickness_mm;
@@ -35,11 +35,11 @@ struct DicomSlice {
 struct DicomScan {
   std::vector<DicomSlice> slices;
   std::string setAside;
-  bool isDirectory = false;  ///< an index of the pictures in the folders beside it (DICOMDIR)
+  bool isDirectory = false;  ///< an index of the images in the folders beside it (DICOMDIR)
 };
 
 /// Reads a file's header. Scouts, screenshots, segmentations, reports, indexes and files that are no DICOM are set
-/// aside; pictures of other modalities are returned as slices, for the list.
+/// aside; images of other modalities are returned as slices, for the list.
 DicomScan scanDicom(const std::filesystem::path& file);
 
 }  // namespace insonate

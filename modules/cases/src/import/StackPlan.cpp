@@ -75,7 +75,7 @@ Frame frameOf(const SliceStack& stack) {
   return f;
 }
 
-/// Scanners that print positions to a tenth of a millimetre are even; a twentieth of the spacing cannot be seen.
+/// Scanners that print positions to a tenth of a millimeter are even; a twentieth of the spacing cannot be seen.
 bool isEven(const Frame& f) {
   return f.unevenness_mm <= std::max(0.06, 0.05 * f.mean_mm);
 }

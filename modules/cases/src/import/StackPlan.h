@@ -13,7 +13,7 @@ struct SliceStack {
   int columns = 0, rows = 0;
   std::array<double, 2> spacing_mm{};  ///< along i (between columns), along j (between rows)
   std::array<Vec3, 2> direction;       ///< of i and j; nearly at right angles
-  std::vector<Vec3> positions_mm;      ///< centre of each slice's first pixel, patient LPS
+  std::vector<Vec3> positions_mm;      ///< center of each slice's first pixel, patient LPS
   double thickness_mm = 0;             ///< 0 when unknown; used as the spacing of a single slice
 };
 
@@ -39,7 +39,7 @@ StackPlan planStack(const SliceStack& stack);
 bool isRegular(const SliceStack& stack);
 
 /// Puts the slices of `stack` (voxels in the plan's order, kept along k) onto the plan's grid: linear within each slice
-/// and between neighbours, -1024 HU where one of them does not reach that counts for a twentieth or more.
+/// and between neighbors, -1024 HU where one of them does not reach that counts for a twentieth or more.
 CtVolume resampleStack(const StackPlan& plan, const SliceStack& stack, const std::vector<std::int16_t>& slices);
 
 }  // namespace insonate

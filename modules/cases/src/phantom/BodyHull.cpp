@@ -8,7 +8,7 @@ namespace insonate {
 namespace {
 
 constexpr double kFullTurn = 2 * std::numbers::pi;
-constexpr double kEnclose_mm = 6;  ///< each slice's hull also holds its neighbours' structures this far away
+constexpr double kEnclose_mm = 6;  ///< each slice's hull also holds its neighbors' structures this far away
 constexpr double kSmooth_mm = 5;   ///< then smoothed with this standard deviation
 
 }  // namespace
@@ -22,7 +22,7 @@ BodyHull::BodyHull(const LabelMap& structures, double grow_mm) : slices_(structu
 
 void BodyHull::measure(const LabelMap& m) {
   const VolumeGeometry& g = m.geometry;
-  // One centre for all slices keeps directions comparable between them.
+  // One center for all slices keeps directions comparable between them.
   double sumX = 0, sumY = 0, count = 0;
   for (int k = 0; k < g.size[2]; ++k)
     for (int j = 0; j < g.size[1]; ++j)

@@ -31,7 +31,7 @@ double radiusAt(const std::array<double, 9>& radii, double angle) {
   const double a = std::abs(angle) / (std::numbers::pi / 8);
   const int k = std::min(static_cast<int>(a), 7);
   const double t = a - k;
-  // The profile is even about front and back, so the neighbours beyond the ends are mirror images.
+  // The profile is even about front and back, so the neighbors beyond the ends are mirror images.
   const auto at = [&](int n) { return radii[n < 0 ? -n : n > 8 ? 16 - n : n]; };
   const double p0 = at(k - 1), p1 = at(k), p2 = at(k + 1), p3 = at(k + 2);
   return p1 + 0.5 * t * (p2 - p0 + t * (2 * p0 - 5 * p1 + 4 * p2 - p3 + t * (3 * (p1 - p2) + p3 - p0)));

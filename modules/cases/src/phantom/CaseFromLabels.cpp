@@ -15,7 +15,7 @@ namespace {
 
 using Numbers = Volume<std::int32_t>;
 
-/// The part of a volume whose voxel centres lie in a box of patient space.
+/// The part of a volume whose voxel centers lie in a box of patient space.
 Result<Numbers> cropped(const Numbers& whole, const std::pair<Vec3, Vec3>& box_mm) {
   const Transform indexFromPatient = whole.geometry.indexFromPatient();
   Vec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};

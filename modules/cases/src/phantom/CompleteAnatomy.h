@@ -14,7 +14,7 @@ void fillMarrow(LabelMap& labels);
 void drawTubes(LabelMap& labels, const std::vector<TubePlan>& tubes);
 
 /// Builds a body around the structures: skin, subcutaneous fat, and between the structures muscle parted by connective
-/// tissue and fat. Labelled voxels stay as they are. Fails when there is no structure, or slices are not axial.
+/// tissue and fat. Labeled voxels stay as they are. Fails when there is no structure, or slices are not axial.
 Result<void> completeAnatomy(LabelMap& labels, const CompletionPlan& plan);
 
 }  // namespace insonate

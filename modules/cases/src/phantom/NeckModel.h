@@ -15,7 +15,7 @@ class NeckModel {
  public:
   NeckModel(const NeckParameters& parameters, std::uint32_t seed);
 
-  /// Labels at the voxel centres of a grid whose axes are those of the patient. Same bytes on any number of threads.
+  /// Labels at the voxel centers of a grid whose axes are those of the patient. Same bytes on any number of threads.
   Result<LabelMap> rasterise(const VolumeGeometry& geometry, const Progress& progress) const;
 
   /// Distance inside the skin surface at a patient position (negative outside), mm, to first order.

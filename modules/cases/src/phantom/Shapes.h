@@ -43,9 +43,9 @@ enum class Form {
   kFaceted  ///< of a soft vein: flat toward its neighbors, dented by the one that its `facing_deg` points to
 };
 
-/// An upright organ or muscle: an oval with smoothly changing centre, half axes and turn.
+/// An upright organ or muscle: an oval with smoothly changing center, half axes and turn.
 struct Column {
-  /// lateral and posterior position of the centre, half axes along lateral and posterior (mm), turn (degrees, from
+  /// lateral and posterior position of the center, half axes along lateral and posterior (mm), turn (degrees, from
   /// lateral toward posterior).
   Curve<5> course;
   double taper_mm = 3;        ///< length over which each end rounds off
@@ -58,7 +58,7 @@ Shape column(Side side, Column column, std::uint32_t seed);
 /// A flat muscle that hugs the investing fascia: a lens in arc length along the fascia and depth below it, whose
 /// edges lie nearer to the fascia than its middle.
 struct Sheet {
-  /// angle from the front (degrees), depth of the centre below the fascia, half width along it, half thickness (mm).
+  /// angle from the front (degrees), depth of the center below the fascia, half width along it, half thickness (mm).
   Curve<4> course;
   double taper_mm = 4;
   double irregular_mm = 0.5;
@@ -79,7 +79,7 @@ struct Tube {
 };
 Shape tube(Side side, Tube tube, std::uint32_t seed);
 
-/// Position and radius of a tube's centre line, finely sampled (used where another thing follows it).
+/// Position and radius of a tube's center line, finely sampled (used where another thing follows it).
 std::vector<Tube::Knot> centreLine(const std::vector<Tube::Knot>& knots);
 
 /// Union.

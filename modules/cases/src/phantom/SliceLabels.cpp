@@ -48,7 +48,7 @@ SliceLabels::SliceLabels(std::span<const Structure> structures, BodySurface::Sli
       voxels_(std::size_t(grid.width) * grid.height) {}
 
 void SliceLabels::place(const std::function<Vec3(Vec3)>& modelFromPatient) {
-  // The warp varies over centimetres: sampled every 8 voxels and interpolated.
+  // The warp varies over centimeters: sampled every 8 voxels and interpolated.
   constexpr int kStep = 8;
   const int nx = (grid_.width - 1) / kStep + 2, ny = (grid_.height - 1) / kStep + 2;
   std::vector<Vec3> coarse(std::size_t(nx) * ny);

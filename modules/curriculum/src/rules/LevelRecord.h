@@ -21,7 +21,7 @@ class LevelRecord {
 
   explicit LevelRecord(const Level& level) : level_(&level) {}
 
-  /// An attempt here that counts; call practised() first.
+  /// An attempt here that counts; call practiced() first.
   void take(const AttemptFacts& attempt, std::int64_t time_us);
   /// An attempt here or in a level that builds on this one: what lapsed until then has lapsed, then days count anew.
   void practised(std::int64_t time_us);

@@ -59,7 +59,7 @@ class ColumnGrid {
 
   int columnCount = 0, rowCount = 0;
   double step = 0, bottom = 0, width = 0;
-  std::vector<PlanePoint> points;  ///< [column][row], centres
+  std::vector<PlanePoint> points;  ///< [column][row], centers
   std::vector<PlaneTissue> tissue;
   std::vector<TissueColumn> measured;
   std::vector<double> weights;

@@ -23,7 +23,7 @@ class CarryOver {
 
  private:
   Mesh::Place placeOf(const Mesh& mesh, std::size_t node, const Transform& keptFromNow) const;
-  /// The cell that the middle of a cell was in, where `place` is that of its first corner; or a neighbour, if that is
+  /// The cell that the middle of a cell was in, where `place` is that of its first corner; or a neighbor, if that is
   /// more like what the cell is made of now: a wall's stress in soft tissue beside it would make that buckle.
   std::size_t cellOf(const Mesh::Place& place, float mu) const;
 

@@ -17,7 +17,7 @@ class Contact {
   /// Takes the face's profile at the nodes' present x; it is kept while they slide along. Where the same mesh is met
   /// again, half way to there: at the rounded ends of the face skin that is pressed far slides to and fro. Columns that
   /// touched at the end of the last solution count as touching in the first round, else the skin would spring back
-  /// between two pictures whenever the face retreats.
+  /// between two images whenever the face retreats.
   void meet(const FaceProfile& face, const Nodes& at);
   /// Stores which columns touch, for the next meet().
   void remember(float shift_mm, const Nodes& at);
@@ -32,7 +32,7 @@ class Contact {
   /// the x at which they came to do so: that at rest for those that the first round finds touching.
   void add(float shift_mm, bool sticking, const Nodes& at, GridMatrix& matrix, std::vector<float>& force);
 
-  /// kPa mm: on the face along z, a millimetre of footprint.
+  /// kPa mm: on the face along z, a millimeter of footprint.
   float pressing(float shift_mm, const Nodes& at) const;
   /// The same of the columns that touched in the last add(): what the linear system foresaw. Those that a step has just
   /// pushed a little into the face or off it, which so stiff a spring would make much of, come in with the next round.

@@ -15,7 +15,7 @@ namespace insonate::elastic::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<float, 16>;
 constexpr int kOverhang = 16;
-/// A zero that the compiler does not know: forty thousand rows of some ten numbers are cleared for a picture, which is
+/// A zero that the compiler does not know: forty thousand rows of some ten numbers are cleared for an image, which is
 /// faster than as many calls of memset.
 volatile const float kNothing = 0;
 

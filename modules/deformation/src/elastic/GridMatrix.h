@@ -6,7 +6,7 @@
 namespace insonate::elastic {
 
 /// A symmetric matrix over a grid of nodes with two unknowns each: the node's own 2x2 block and those to four of its
-/// neighbours; the other four follow by symmetry. One array a number, so that a row of nodes is worked on in vectors.
+/// neighbors; the other four follow by symmetry. One array a number, so that a row of nodes is worked on in vectors.
 struct GridMatrix {
   enum Block { Self, East, SouthWest, South, SouthEast, kBlocks };
   /// First array of a block: xx, xz, zz of Self; xx, xz, zx, zz of others (this node's unknown first).

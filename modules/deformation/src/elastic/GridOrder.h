@@ -5,7 +5,7 @@
 
 namespace insonate::elastic {
 
-/// Nested dissection of a grid of nodes, each with two unknowns and coupled to its eight neighbours (A. George, SIAM J.
+/// Nested dissection of a grid of nodes, each with two unknowns and coupled to its eight neighbors (A. George, SIAM J.
 /// Numer. Anal. 10, 1973): in which order unknowns are eliminated, and where each front lies. Depends on the size
 /// alone, so that it is worked out once for a mesh.
 class GridOrder {

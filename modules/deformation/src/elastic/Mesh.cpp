@@ -182,7 +182,7 @@ void Mesh::snap() {
       const float dx = (tissue_[n + 1].*nearest - tissue_[n - 1].*nearest - dz * (right->z_mm - left->z_mm)) /
                        (right->x_mm - left->x_mm);
       const float squared = dx * dx + dz * dz;
-      // Elsewhere than at an outline, distances change by less than a millimetre a millimetre.
+      // Elsewhere than at an outline, distances change by less than a millimeter a millimeter.
       if (squared < 0.25f || std::abs(distance) >= kReach * cell * std::sqrt(squared)) continue;
       rest_.x[n] -= distance * dx / squared;
       rest_.z[n] -= distance * dz / squared;

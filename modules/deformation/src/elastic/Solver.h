@@ -83,7 +83,7 @@ class Solver {
   bool atRestPressure_ = true, carried_ = false;
   float caution_ = 0;  ///< of the next tangents, see assemble()
   int cautiousRounds_ = 0;
-  int rounds_ = 0;  ///< since what is solved began: a live picture takes a few at a time
+  int rounds_ = 0;  ///< since what is solved began: a live image takes a few at a time
   float last_ = 0;  ///< longest step of the last one
 };
 

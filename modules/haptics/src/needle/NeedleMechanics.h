@@ -31,7 +31,7 @@ struct NeedleForce {
 };
 
 /// A needle in tissue: which walls it has punctured, and what resists it. State and force follow from the way of the
-/// tip, looked at in steps of a quarter of a millimetre, so that neither speed nor a thin vessel lets a wall go
+/// tip, looked at in steps of a quarter of a millimeter, so that neither speed nor a thin vessel lets a wall go
 /// unnoticed. Everything is kept in coordinates of tissue at rest.
 class NeedleMechanics {
  public:

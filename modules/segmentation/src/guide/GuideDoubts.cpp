@@ -87,7 +87,7 @@ std::optional<double> middle_mm(const LabelMap& labels, std::span<const Vec3> cl
   return body > 0 ? std::optional(body_mm / double(body)) : std::nullopt;
 }
 
-/// The picture shows the patient's right on its left, which beginners take for the left.
+/// The image shows the patient's right on its left, which beginners take for the left.
 std::optional<std::string> offSide(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels) {
   const auto middle = step.side ? middle_mm(labels, clicks_mm) : std::nullopt;
   if (!middle) return std::nullopt;

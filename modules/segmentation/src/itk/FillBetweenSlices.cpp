@@ -14,7 +14,7 @@
 namespace insonate {
 namespace {
 
-/// One slice of a selection as a picture with its own two axes.
+/// One slice of a selection as an image with its own two axes.
 class SlicePlane {
  public:
   SlicePlane(Selection& selection, int axis)

@@ -7,7 +7,7 @@
 namespace insonate {
 namespace {
 
-/// A stroke in millimetres along the grid's own axes, flat where the brush is a circle.
+/// A stroke in millimeters along the grid's own axes, flat where the brush is a circle.
 struct Stroke {
   std::vector<Vec3> points;
   Vec3 spacing_mm;

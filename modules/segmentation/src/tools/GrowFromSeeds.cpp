@@ -14,7 +14,7 @@ using segmentation::guarded;
 using segmentation::SeedFront;
 using segmentation::Work;
 
-/// Finer than a Hounsfield unit, so that ways of a few millimetres differ.
+/// Finer than a Hounsfield unit, so that ways of a few millimeters differ.
 constexpr double kStepsPerHu = 4;
 constexpr double kMostPerStep = SeedFront::kBuckets - 1;
 

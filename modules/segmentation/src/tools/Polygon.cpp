@@ -10,8 +10,8 @@
 namespace insonate {
 namespace {
 
-/// Points of the patient as homogeneous points of a picture, (x, y, w): in front where w is above 0. A row of voxels is
-/// a line of the picture, and its crossings with the polygon's edges are found exactly.
+/// Points of the patient as homogeneous points of an image, (x, y, w): in front where w is above 0. A row of voxels is
+/// a line of the image, and its crossings with the polygon's edges are found exactly.
 class Outline {
  public:
   Outline(std::span<const Vec3> corners_mm, const ScissorsView& view) : along_(view.along), eye_mm_(view.eye_mm) {
@@ -61,7 +61,7 @@ class Outline {
       if (from.z + step.z * at > 0) crossings.push_back(at);
     }
     std::ranges::sort(crossings);
-    // A row that comes from behind the eye enters the picture from far outside; one that goes behind leaves to there.
+    // A row that comes from behind the eye enters the image from far outside; one that goes behind leaves to there.
     bool inside = step.z < 0 && crossings.size() % 2 == 1;
     std::size_t next = 0;
     for (std::size_t i = 0; i < row.size(); ++i) {

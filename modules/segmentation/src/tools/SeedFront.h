@@ -11,7 +11,7 @@
 
 namespace insonate::segmentation {
 
-/// Fronts that run from labelled seeds over a grid in the order of their cost (R. B. Dial, "Algorithm 360", CACM 12,
+/// Fronts that run from labeled seeds over a grid in the order of their cost (R. B. Dial, "Algorithm 360", CACM 12,
 /// 1969): costs are whole numbers and a step costs less than kBuckets, so that a ring of lists stands for a queue.
 /// Voxels of one cost are settled in the order in which they were reached.
 class SeedFront {

@@ -61,7 +61,7 @@ double BloodLevel::unlikeness(double hu) const {
 
 BloodLevel bloodAt(const CtVolume& ct, Vec3 patient_mm, double reach_mm) {
   const Vec3& s = ct.geometry.spacing_mm;
-  const double radius_mm = std::max(kBlood_mm, 1.01 * std::min({s.x, s.y, s.z}));  // a voxel and its neighbours
+  const double radius_mm = std::max(kBlood_mm, 1.01 * std::min({s.x, s.y, s.z}));  // a voxel and its neighbors
   std::vector<std::int16_t> inside = ball(ct, patient_mm, radius_mm), around = ball(ct, patient_mm, reach_mm);
   const double blood_HU = median(inside);
   std::erase_if(around, [=](std::int16_t hu) { return hu < kTissueFrom_HU || hu > blood_HU - kTissueBelowBlood_HU; });

@@ -29,7 +29,7 @@ BloodLevel mixed(const BloodLevel& a, const BloodLevel& b, double share);
 /// those around, since noise of a section would be its level's; the tissue around is as it was.
 std::vector<BloodLevel> measured(const std::vector<BloodLevel>& levels, const std::vector<double>& blood_HU);
 
-/// At each click, which is a point `clickOnWay` of a way through the blood in steps of a millimetre. A click's ball is
+/// At each click, which is a point `clickOnWay` of a way through the blood in steps of a millimeter. A click's ball is
 /// a few voxels, whose noise would be the level's as far as the next click, and blood changes little along a vessel: so
 /// it is the median of what is found on the way to and from there, unless the click's own differs by more than the
 /// scatter along the way explains, as at a thin end.

@@ -4,7 +4,7 @@
 
 namespace insonate::segmentation {
 
-/// The voxels whose centres lie in the outlines, between the first and the last.
+/// The voxels whose centers lie in the outlines, between the first and the last.
 Selection fillLumen(const VolumeGeometry& geometry, std::span<const VesselOutline> outlines);
 
 }  // namespace insonate::segmentation

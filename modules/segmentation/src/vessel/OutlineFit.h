@@ -16,7 +16,7 @@ class OutlineFit {
  public:
   OutlineFit(const CtVolume& ct, double largest_mm);
 
-  /// The best radii about the n-th section's centre, in its plane, along the rays of `shape`. Where `expected` is
+  /// The best radii about the n-th section's center, in its plane, along the rays of `shape`. Where `expected` is
   /// given, radii like its cost less.
   Radii fitted(const std::vector<VesselOutline>& sections, int n, const SectionShape& shape, const BloodLevel& level,
                const Radii* expected) const;

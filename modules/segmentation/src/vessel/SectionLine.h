@@ -6,10 +6,10 @@
 
 namespace insonate::segmentation {
 
-/// Means over so many neighbours on both sides, as many on one side as on the other, so that the ends stay.
+/// Means over so many neighbors on both sides, as many on one side as on the other, so that the ends stay.
 std::vector<Vec3> smoothed(const std::vector<Vec3>& line, int reach);
 
-/// Points a millimetre apart on a polyline.
+/// Points a millimeter apart on a polyline.
 std::vector<Vec3> resampled(const std::vector<Vec3>& line);
 
 /// Sections square to a line, turned as little as can be from one to the next, so that a ray stays on its side.

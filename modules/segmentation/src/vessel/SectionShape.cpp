@@ -54,7 +54,7 @@ std::array<std::pair<double, double>, VesselOutline::kRays> SectionShape::corner
 }
 
 SectionMoments SectionShape::momentsOf(const Radii& radii) const {
-  // Sums over the triangles between the centre and two corners.
+  // Sums over the triangles between the center and two corners.
   const auto at = corners(radii);
   SectionMoments m;
   double twiceArea = 0;

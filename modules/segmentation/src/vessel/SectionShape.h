@@ -22,7 +22,7 @@ class SectionShape {
   /// Stretch of an ellipse with these second moments, no flatter than 1 to 4.
   explicit SectionShape(const SectionMoments& moments);
 
-  /// In the section, mm: where a millimetre along this ray leads.
+  /// In the section, mm: where a millimeter along this ray leads.
   std::pair<double, double> along(int ray) const;
   /// Moments of the outline with these radii along the stretched rays.
   SectionMoments momentsOf(const Radii& radii) const;

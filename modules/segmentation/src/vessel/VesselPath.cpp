@@ -33,7 +33,7 @@ std::vector<Vec3> pathThroughBlood(const CtVolume& ct, Vec3 from_mm, Vec3 to_mm,
     return cost + std::clamp(step, 1U, SeedFront::kBuckets - 1);
   });
 
-  // Back to where it began, each step to the neighbour that was reached at the least cost.
+  // Back to where it began, each step to the neighbor that was reached at the least cost.
   std::vector<Vec3> path;
   std::array at{ti, tj, tk};
   while (true) {

@@ -30,7 +30,7 @@ class SkinSurface {
   /// The skin nearest to any point.
   Vec3 nearest(Vec3 patient_mm) const;
 
-  /// Within the outermost voxel centres of the volume.
+  /// Within the outermost voxel centers of the volume.
   bool inVolume(Vec3 patient_mm) const;
 
  private:

@@ -12,7 +12,7 @@ namespace {
 constexpr std::chrono::milliseconds kStep{16};
 /// The tissue's middle lies this far along the tool, and is made anew when the tool is this far away from it.
 constexpr double kAhead_mm = 20, kElsewhere_mm = 35;
-/// Less does not move a picture: encoders tremble.
+/// Less does not move an image: encoders tremble.
 constexpr double kStill_mm = 0.02, kStill_rad = 0.0005;
 /// Further than this is no motion of a hand (see NeedleMechanics).
 constexpr double kFar_mm = 40;

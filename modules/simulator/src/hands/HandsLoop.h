@@ -87,9 +87,9 @@ class HandsSession::Impl {
   GridMaker maker_;
   Vec3 centre_mm_;  ///< of the tissue that is there or being made
   bool making_ = false;
-  std::optional<Needle> needle_;  ///< as the picture has it
+  std::optional<Needle> needle_;  ///< as the image has it
   std::optional<Tenting> tenting_;
-  Transform driven_;  ///< the last pose that was given to the picture
+  Transform driven_;  ///< the last pose that was given to the image
   std::optional<Test> test_;
   std::condition_variable_any changed_;
   std::jthread thread_;  // last: it uses the others

@@ -10,7 +10,7 @@
 namespace insonate::live {
 
 /// Frames that are used again when the last holder lets go, together with the memory of their reference counts, so that
-/// a picture allocates nothing. Any thread may let go. Lives as long as a frame of it is held.
+/// an image allocates nothing. Any thread may let go. Lives as long as a frame of it is held.
 class FramePool : public std::enable_shared_from_this<FramePool> {
  public:
   static std::shared_ptr<FramePool> make() { return std::shared_ptr<FramePool>(new FramePool); }

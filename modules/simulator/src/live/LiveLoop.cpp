@@ -161,7 +161,7 @@ void LiveImaging::Impl::takeScene() {
   builder_.expect(active_.need.at(pose_, kAhead_mm), active_.need.detail_mm());
 }
 
-/// A setup is taken over together with its scene, so that no picture mixes two.
+/// A setup is taken over together with its scene, so that no image mixes two.
 void LiveImaging::Impl::activateNext() {
   if (!next_) return;
   const bool outside = next_->need.misses(pose_);
@@ -251,7 +251,7 @@ void LiveImaging::Impl::blackPicture() {
   press_ = {};
 }
 
-/// False where the picture came too late, because it has been frozen.
+/// False where the image came too late, because it has been frozen.
 bool LiveImaging::Impl::publish() {
   static const auto kNoWarnings = std::make_shared<const std::vector<std::string>>();
   std::shared_ptr<LiveFrame> frame = pool_->acquire();

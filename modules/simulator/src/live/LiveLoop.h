@@ -17,7 +17,7 @@ namespace insonate {
 /// Implementation of LiveImaging: first the members shared between threads, then those of the simulation thread alone.
 class LiveImaging::Impl {
  public:
-  static constexpr int kIterations = 4;  ///< of the tissue's model, for one picture
+  static constexpr int kIterations = 4;  ///< of the tissue's model, for one image
 
   Impl(CaseVolumes patient, std::shared_ptr<const ImagingSetup> setup, Imager imager, PressedTissue tissue,
        const Transform& patientFromProbe, const LiveOptions& options);
@@ -59,7 +59,7 @@ class LiveImaging::Impl {
   };
 
   static constexpr double kNever_s = HUGE_VAL;
-  static constexpr int kMostOfOneSolve = 30;  ///< pictures; what has not settled by then will not
+  static constexpr int kMostOfOneSolve = 30;  ///< images; what has not settled by then will not
 
   void wake();
   void waitFor(double seconds);
@@ -71,7 +71,7 @@ class LiveImaging::Impl {
   void followProbe();
   void activate(Source source);
   bool isFrozen() const;
-  /// Seconds until the next picture is due; infinite where something has to change first.
+  /// Seconds until the next image is due; infinite where something has to change first.
   double makePicture();
   void renderPicture();
   void blackPicture();
@@ -119,16 +119,16 @@ class LiveImaging::Impl {
   std::optional<live::SceneJob> job_;  ///< being built
   bool jobFailed_ = false;             ///< not to be tried again before something changes
   Transform pose_, drawnPose_;
-  bool drawn_ = false;  ///< active_ has made a picture at drawnPose_
+  bool drawn_ = false;  ///< active_ has made an image at drawnPose_
   NeedleInTissue needle_, drawnNeedle_;
   TentedTissue tented_;
   bool frozenSeen_ = false;
   int settleLeft_ = 0;
   Physiology physiology_;
-  bool pulsatingSeen_ = false;  ///< the last picture's
-  bool bloodChanged_ = false;   ///< since the last picture
-  int tissueLeft_ = 0;          ///< pictures that may still go on with the same solve
-  double begun_s_ = -HUGE_VAL;  ///< the last picture
+  bool pulsatingSeen_ = false;  ///< the last image's
+  bool bloodChanged_ = false;   ///< since the last image
+  int tissueLeft_ = 0;          ///< images that may still go on with the same solve
+  double begun_s_ = -HUGE_VAL;  ///< the last image
   LivePress press_;
   std::uint64_t number_ = 0;
   ImagingFrame scratch_;

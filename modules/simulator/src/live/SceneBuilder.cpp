@@ -66,7 +66,7 @@ std::optional<BuiltScene> SceneBuilder::take() {
 
 void SceneBuilder::work() {
   if (background_) lowerThreadPriority();
-  // Pictures come first: while one is in work, its arena gets the processors.
+  // Images come first: while one is in work, its arena gets the processors.
   tbb::task_arena arena(threads_, 1, tbb::task_arena::priority::low);
   for (;;) {
     SceneJob job;

@@ -31,7 +31,7 @@ void ScenesAhead::want(const Region& region_mm, double detail_mm) {
 
 void ScenesAhead::work() {
   lowerThreadPriority();
-  tbb::task_arena arena(1);  // this thread alone: workers would have the priority of pictures
+  tbb::task_arena arena(1);  // this thread alone: workers would have the priority of images
   for (;;) {
     Wanted wanted;
     std::uint64_t asked = 0;

@@ -15,7 +15,7 @@ using press::FaceContact;
 using press::FaceTravel;
 using press::ScenePlane;
 
-/// Step after which a moving picture is good enough: `bench deformation` shows its errors.
+/// Step after which a moving image is good enough: `bench deformation` shows its errors.
 constexpr double kEnough_mm = 0.5;
 constexpr double kOff_mm = 0.1;       // as far from touching as can be told
 constexpr double kForceError = 0.01;  // of the force that is asked for

@@ -13,7 +13,7 @@ namespace {
 constexpr double kAbove_mm = 22;
 /// Beside the face tissue is pushed away; further out it hardly moves.
 constexpr double kBeside_mm = 8;
-/// Bone and vessels below a shallow picture act on what it shows.
+/// Bone and vessels below a shallow image act on what it shows.
 constexpr double kLeastDepth_mm = 40;
 
 }  // namespace

@@ -12,8 +12,8 @@
 
 namespace insonate {
 
-/// Tissue and picture of one moment of an attempt, from settings and the state of that moment alone: the tissue is
-/// solved from rest, no picture goes into the next. So the same moment gives the same, bit for bit, whatever was asked
+/// Tissue and image of one moment of an attempt, from settings and the state of that moment alone: the tissue is
+/// solved from rest, no image goes into the next. So the same moment gives the same, bit for bit, whatever was asked
 /// before. Not for concurrent use; uses the calling thread's TBB arena.
 class MomentImaging {
  public:

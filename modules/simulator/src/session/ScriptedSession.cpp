@@ -104,7 +104,7 @@ class Session {
     keep(imaging_.use(settings_));
     tissueAt_us_ = 0;
   }
-  /// The last picture stands until it is let go.
+  /// The last image stands until it is let go.
   void freeze() {
     frozen_ = true;
     standing_ = nullptr;
@@ -125,7 +125,7 @@ class Session {
     }
     if (!probe_ || !trouble_ || time_us_ < tissueAt_us_) return;
     tissueAt_us_ = time_us_ + kTissue_us;
-    // As it is kept, so that pictures need no other solution.
+    // As it is kept, so that images need no other solution.
     const auto pose = restored(quantised({.patientFromProbe = probe_})).patientFromProbe;
     if (!pose) return;
     keep(imaging_.press(*pose, static_cast<double>(time_us_) * 1e-6));
@@ -202,12 +202,12 @@ class Session {
   std::int64_t time_us_ = 0;
   std::optional<Transform> probe_;
   bool holdsNeedle_ = false, aspirating_ = false, frozen_ = false;
-  std::optional<AttemptSample> seen_;          ///< the last with a live picture
+  std::optional<AttemptSample> seen_;          ///< the last with a live image
   std::shared_ptr<const LiveFrame> standing_;  ///< until it was taken
   Vec3 tip_mm_, axis_{0, 0, 1};
 };
 
-/// As the picture would be with this probe, of a patient at rest.
+/// As the image would be with this probe, of a patient at rest.
 Result<AttemptSettings> settingsOf(const SessionScript& script) {
   const auto probe = loadProbe(script.probe);
   if (!probe) return tl::unexpected(probe.error());

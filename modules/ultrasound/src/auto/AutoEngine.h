@@ -7,7 +7,7 @@
 
 namespace insonate {
 
-/// An engine that could compute pictures, and how fast it was.
+/// An engine that could compute images, and how fast it was.
 struct EngineCandidate {
   std::string name, device;
   double frame_ms = 0;

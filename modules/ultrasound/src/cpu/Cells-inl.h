@@ -262,7 +262,7 @@ HWY_INLINE void computeCellRow(const TraceInput& in, int firstLine, int plane, i
     for (const FloatVec& v : s.corner) nearest = hn::Min(nearest, hn::Abs(v));
   }
   cells.channelsPresent = present;
-  // A cell is less than a millimetre: no sample of it is nearer to the boundary than its nearest corner by more.
+  // A cell is less than a millimeter: no sample of it is nearer to the boundary than its nearest corner by more.
   cells.nearBoundary = hn::GetLane(hn::MinOfLanes(d, nearest)) < static_cast<float>(BoundaryProfiles::kReach_mm) + 1;
 }
 

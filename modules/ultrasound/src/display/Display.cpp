@@ -57,7 +57,7 @@ struct Display::Impl {
   std::optional<ElectronicNoise> noise;
   std::optional<FaceEchoes> face;
   std::optional<InterfaceSmoothing> smoothing;
-  std::optional<Plane> previous;  ///< levels of the last picture, with persistence
+  std::optional<Plane> previous;  ///< levels of the last image, with persistence
   bool hasPrevious = false;
   const GrayMapCurve& curve;
   ScanConverter scan;

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-/// Constants of the display path. They are set so that simulated speckle meets the numbers measured on real pictures of
-/// the neck: SD 11.5 grey levels at a mean near 60, skewness +0.28, grain 0.36 x 0.75 mm with a 7.5 MHz linear probe.
+/// Constants of the display path. They are set so that simulated speckle meets the numbers measured on real images of
+/// the neck: SD 11.5 gray levels at a mean near 60, skewness +0.28, grain 0.36 x 0.75 mm with a 7.5 MHz linear probe.
 namespace insonate::display {
 
 inline constexpr double kWhite_dB = 39.5;   ///< over unit speckle, at gain 0
@@ -63,7 +63,7 @@ struct Block {
   int edgeStride = 1;                    ///< scanlines, half a point-spread function
   float edgeLateral = 1, edgeAxial = 1;  ///< differences to dB per FWHM
   int plainStride = 1;                   ///< scanlines between the 5 taps
-  float plainWeight[3] = {};             ///< centre, next, outermost
+  float plainWeight[3] = {};             ///< center, next, outermost
   int alongStride = 1;                   ///< scanlines between the 7 taps
   float alongWeight[4] = {};
   float rowsPerSlope = 0;  ///< rows per along-tap for an interface of slope 1 (FWHM per FWHM)
@@ -94,7 +94,7 @@ struct DisplayPlan {
 
   void planShade(const Probe& probe, const ImagingSettings& settings, const BeamGrid& grid);
 
-  /// Blocks whose centres lie around a row, and the share of the second.
+  /// Blocks whose centers lie around a row, and the share of the second.
   struct Between {
     int before, after;
     float mix;

@@ -15,7 +15,7 @@ class InterfaceSmoothing {
   /// `strength`: share of the smoothed levels in what smooth() writes, up to 1; the rest is what came in.
   InterfaceSmoothing(const DisplayPlan& plan, double strength);
 
-  /// Finds the interfaces of a picture from `levels` averaged over blocks; both with extended rows.
+  /// Finds the interfaces of an image from `levels` averaged over blocks; both with extended rows.
   void analyse(const Plane& blockLevels);
   /// One smoothed row; room for whole vectors in `out`.
   void smooth(const DisplayPlan& plan, const Plane& levels, int row, float* out) const;

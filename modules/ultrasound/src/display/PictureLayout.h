@@ -5,7 +5,7 @@
 
 namespace insonate::display {
 
-/// Size and scale of the picture: square pixels, the whole field of view as large as fits, centred. No grey values.
+/// Size and scale of the image: square pixels, the whole field of view as large as fits, centred. No gray values.
 BModeImage pictureLayout(const BeamGrid& grid, const ImagingSettings& settings);
 
 }  // namespace insonate::display

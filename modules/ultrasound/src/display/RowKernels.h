@@ -37,7 +37,7 @@ struct TensorRow {
 };
 void tensorRow(const TensorRow& task);
 
-/// From the tensor averaged over neighbours: how much structure there is (0..1), how much of it is an interface that
+/// From the tensor averaged over neighbors: how much structure there is (0..1), how much of it is an interface that
 /// can be followed (0..1, less than the former), and that interface's slope, in the
 /// first of each 8 scanlines.
 struct OrientRow {
@@ -80,7 +80,7 @@ struct EnhanceRow {
 };
 void enhanceRow(const EnhanceRow& task);
 
-/// Levels to grey, after mixing with the previous picture where `previous` is given (it receives the mixture).
+/// Levels to gray, after mixing with the previous image where `previous` is given (it receives the mixture).
 struct GreyRow {
   const float* level_dB;
   float* previous;
@@ -96,10 +96,10 @@ void greyRow(const GreyRow& task);
 /// (-1 9 9 -1) / 16. Reads one column before the first and two past the last; reads and writes whole vectors.
 void refineRow(const std::uint8_t* grey, int columns, std::uint16_t* fine);
 
-/// Packs each sample with its right, lower and lower right neighbour, lowest byte first.
+/// Packs each sample with its right, lower and lower right neighbor, lowest byte first.
 void packRow(const std::uint8_t* here, const std::uint8_t* below, int columns, std::uint32_t* packed);
 
-/// Bilinear interpolation between the four neighbours in packed[index]; weights are x and z in 1/256, low byte x.
+/// Bilinear interpolation between the four neighbors in packed[index]; weights are x and z in 1/256, low byte x.
 /// Writes `count` pixels; index and weight are readable up to the next multiple of 16.
 void scanRow(const std::uint32_t* packed, const std::int32_t* index, const std::uint16_t* weight, int count,
              std::uint8_t* grey);

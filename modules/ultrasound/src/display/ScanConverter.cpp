@@ -17,7 +17,7 @@ namespace {
 constexpr int kRowsPerTask = 32;
 constexpr std::size_t kTableRun = Plane::kVector;  ///< tables of each run are filled up to whole vectors
 
-/// Lower neighbour and the share of the upper one in 1/256, for a place among `count` samples.
+/// Lower neighbor and the share of the upper one in 1/256, for a place among `count` samples.
 std::pair<int, int> neighbour(double place, int count) {
   const double held = std::clamp(place, 0.0, double(count - 1));
   const int lower = std::min(static_cast<int>(held), count - 2);

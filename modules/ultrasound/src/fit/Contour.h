@@ -13,7 +13,7 @@ namespace insonate::fit {
 struct Contour {
   std::vector<PixelPoint> left, right, top, bottom;
 };
-/// Points at the rim of the picture are left out: there the picture ends, not the body.
+/// Points at the rim of the image are left out: there the image ends, not the body.
 Contour contourOf(const cv::Mat_<uchar>& body);
 
 /// A line through `through` along a unit vector that points down.

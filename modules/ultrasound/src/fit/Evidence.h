@@ -28,7 +28,7 @@ double outlineFor(const FovModel& model, const Plate& plate, double tolerance_px
 Evidence evidenceFor(const FovModel& model, const Plate& plate, double tolerance_px);
 
 /// Moves the model's edges onto the steps from light to ground that lie within some pixels of them: robust least
-/// squares, in rounds of narrowing reach. What the picture does not show stays where it was.
+/// squares, in rounds of narrowing reach. What the image does not show stays where it was.
 FovModel refined(const FovModel& model, const Plate& plate, double reach_px);
 
 }  // namespace insonate::fit

@@ -18,22 +18,22 @@ namespace {
 using namespace fit;
 
 constexpr int kLeastSide = 64, kMostSide = 16384;
-constexpr double kWork_px = 900;                         // longer side of the picture that is searched
+constexpr double kWork_px = 900;                         // longer side of the image that is searched
 constexpr double kMostEnlarged = 2;                      // small captures are enlarged by this at most
 constexpr std::size_t kToMeasure = 250, kToRefine = 16;  // of the guesses
 constexpr double kReach_px = 14;
 constexpr double kCoarse_px = 4, kFine_px = 2.5;
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-// A field of view: its outline and its area agree with the picture at least so far.
+// A field of view: its outline and its area agree with the image at least so far.
 constexpr double kLeastAgreement = 0.75, kLeastOutline = 0.3, kLeastCover = 0.6, kLeastFilled = 0.25, kMostGaps = 0.7;
 constexpr double kEdgeSeen = 0.3, kEdgeVisible = 0.1;
 
-// Two pictures on one screen are of one kind, as wide and deep, and at one height, so far. Of two that are as clear,
+// Two images on one screen are of one kind, as wide and deep, and at one height, so far. Of two that are as clear,
 // the left one is taken.
 constexpr double kSameSize = 0.12, kSameHeight = 0.06, kClearer = 0.05;
 
-enum class Beside { Nothing, Right, Left };  ///< where another picture lies
+enum class Beside { Nothing, Right, Left };  ///< where another image lies
 
 struct Candidate {
   FovModel model;
@@ -57,7 +57,7 @@ bool acceptable(const Candidate& candidate) {
   // An outline that is seen all round stands for itself, whatever else the screen shows.
   if (candidate.model.fan && e.outline >= 2 * kLeastOutline && e.agreement >= 0.9 && e.cover >= kLeastCover / 2)
     return true;
-  // Much of a dark picture's outline is dark; then what is seen must agree all the more.
+  // Much of a dark image's outline is dark; then what is seen must agree all the more.
   const double least = e.agreement >= 0.84 && candidate.model.fan ? 0.65 * kLeastOutline : kLeastOutline;
   return e.outline >= least && e.cover >= kLeastCover;
 }
@@ -96,7 +96,7 @@ bool alike(const FovModel& a, const FovModel& b) {
          std::abs(a.at(0, 0).y - b.at(0, 0).y) <= kSameHeight * deepA;
 }
 
-/// One of two pictures beside each other. Where all of it looks like one picture (`whole`), only if the two are alike.
+/// One of two images beside each other. Where all of it looks like one image (`whole`), only if the two are alike.
 std::optional<Candidate> bestOfHalves(const std::array<Plate, 2>& halves, bool upsideDown, bool whole) {
   std::array<std::optional<Candidate>, 2> found;
   for (std::size_t side = 0; side < 2; ++side) {
@@ -132,7 +132,7 @@ FovShape shapeOf(const Candidate& candidate, double scale, int height) {
   return shape;
 }
 
-/// The shape in another picture's pixels, as a model.
+/// The shape in another image's pixels, as a model.
 FovModel modelOf(const FovShape& shape, int height) {
   const bool fan = shape.shape != ProbeShape::Linear;
   FovModel model{fan, shape.origin.x, shape.upsideDown ? height - 1 - shape.origin.y : shape.origin.y,
@@ -171,8 +171,8 @@ double confidenceOf(const Evidence& evidence) {
   return std::cbrt(outline * agreement * cover) * (0.4 + 0.15 * edgesSeen(evidence));
 }
 
-/// The likely meaning: every second, fifth or tenth mark longer says centimetres or five of them; alike they are
-/// centimetres, as far as a depth of that many is likely.
+/// The likely meaning: every second, fifth or tenth mark longer says centimeters or five of them; alike they are
+/// centimeters, as far as a depth of that many is likely.
 void giveMeaning(DepthRuler& ruler, double depth_px, bool linear) {
   ruler.mmPerMark = ruler.longEvery == 2 ? 5 : ruler.longEvery == 10 ? 1 : 10;
   const double depth_mm = depth_px / ruler.spacing_px * ruler.mmPerMark;

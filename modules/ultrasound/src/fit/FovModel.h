@@ -9,7 +9,7 @@ namespace insonate::fit {
 
 enum Edge { kLeft, kRight, kFace, kDeep, kEdges };
 
-/// A fan or rectangle that looks down, in the pixels of the picture that is searched. `turn` is the angle of its axis
+/// A fan or rectangle that looks down, in the pixels of the image that is searched. `turn` is the angle of its axis
 /// from straight down, positive toward the right; `half` is half the fan's angle (radians) or half the rectangle's
 /// width.
 struct FovModel {

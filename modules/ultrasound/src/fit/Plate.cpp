@@ -14,17 +14,17 @@ namespace {
 constexpr double kBlur_px = 1.5;
 constexpr double kSharpBlur_px = 1;  // fills the holes of speckle, not the gaps between letters
 constexpr int kGap_px = 15;
-constexpr double kLeastGround = 0.04;   // of all pixels, within two greys of the ground's level
-constexpr float kLeastThreshold = 5;    // grey values above the ground
+constexpr double kLeastGround = 0.04;   // of all pixels, within two grays of the ground's level
+constexpr float kLeastThreshold = 5;    // gray values above the ground
 constexpr double kNoises = 3.5;         // threshold over the ground's noise
-constexpr double kLeastBody = 0.03;     // of the picture
+constexpr double kLeastBody = 0.03;     // of the image
 constexpr double kCompanion = 0.12;     // parts of the body, over its largest
-constexpr double kPlainSd = 1.0;        // greys: areas of less variation are drawn, not imaged
+constexpr double kPlainSd = 1.0;        // grays: areas of less variation are drawn, not imaged
 constexpr double kLeastTextured = 0.3;  // of a part of the body
 constexpr double kPlainShare = 0.5;
 constexpr double kMinimumShare = 0.3;  // of the body, to either side of what parts it
 constexpr int kLeastParting_px = 3;    // wide
-constexpr double kCrossing = 0.02;     // of the picture's height: what may cross it
+constexpr double kCrossing = 0.02;     // of the image's height: what may cross it
 constexpr int kPlainWidth_px = 31;     // plain where so large a share of so wide a square is
 
 std::array<double, 256> histogramOf(const cv::Mat_<float>& picture) {
@@ -172,7 +172,7 @@ std::vector<Plate> platesOf(const cv::Mat_<uchar>& grey) {
   grey.convertTo(picture, CV_32F);
   std::vector<Plate> plates;
   if (auto plate = plateOf(picture, false)) plates.push_back(std::move(*plate));
-  // Dark on light only where light is what most of the picture is.
+  // Dark on light only where light is what most of the image is.
   if (cv::countNonZero(grey > 140) > 0.3 * double(grey.total()))
     if (auto plate = plateOf(255 - picture, true)) plates.push_back(std::move(*plate));
   return plates;

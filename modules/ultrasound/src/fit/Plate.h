@@ -8,18 +8,18 @@
 
 namespace insonate::fit {
 
-/// A picture made ready for the search: light on dark, the ground's level and slow changes taken off.
+/// An image made ready for the search: light on dark, the ground's level and slow changes taken off.
 struct Plate {
   cv::Mat_<float> smooth;    ///< blurred by 1.5 px, ground near 0
   float threshold = 0;       ///< of `smooth`, above the ground's noise
   cv::Mat_<uchar> mask;      ///< 255 above the threshold
   cv::Mat_<uchar> body;      ///< what is left of it without lines, letters and plain areas
   cv::Mat_<uchar> gaps;      ///< 255 where ground is within a letter's or a line's distance
-  double bodyShare = 0;      ///< of the picture
-  bool darkOnLight = false;  ///< the picture's greys were turned round
+  double bodyShare = 0;      ///< of the image
+  bool darkOnLight = false;  ///< the image's grays were turned round
 };
 
-/// The ways to read a picture that make sense, the likeliest first; none where it is all one grey.
+/// The ways to read an image that make sense, the likeliest first; none where it is all one grey.
 std::vector<Plate> platesOf(const cv::Mat_<uchar>& grey);
 
 /// If ground from top to bottom divides the body in two parts of a size: the plate with its left part alone, and with

@@ -19,7 +19,7 @@ class SceneStore {
   int uploads() const { return uploads_; }
 
  private:
-  /// A live probe shows one scene while the next is made; and a second picture may show another.
+  /// A live probe shows one scene while the next is made; and a second image may show another.
   static constexpr std::size_t kKept = 3;
   struct Kept {
     std::uint64_t serial = 0;

@@ -36,7 +36,7 @@ Contact contactOf(const TissueField& field, const Transform& patientFromProbe, c
       const double far =
           (gap - acoustics::kPoorContact_mm) / (acoustics::kContactReach_mm - acoustics::kPoorContact_mm);
       const double lost = std::clamp(far, 0.0, 1.0);
-      // A face deep in the body no longer draws tissue to it; it lets go of it gradually, or the picture would tear.
+      // A face deep in the body no longer draws tissue to it; it lets go of it gradually, or the image would tear.
       const double into = std::clamp((-gap / acoustics::kContactReach_mm - 2.0 / 3) * 3, 0.0, 1.0);
       return {gap * (1 - into * into * (3 - 2 * into)), 1 - lost * lost * (3 - 2 * lost)};
     }

@@ -24,7 +24,7 @@ constexpr double kFaintest = 3e-3;  // of a beam's axis, where its kernel ends
 constexpr double kCellDepth_mm = 0.4, kCellWidth_mm = 0.4;
 constexpr int kMaxKernelRadius = 32;
 
-/// Half of a sampled kernel of unit sum, of a profile by samples from its centre, cut where it becomes faint.
+/// Half of a sampled kernel of unit sum, of a profile by samples from its center, cut where it becomes faint.
 template <class Profile>
 std::vector<double> halfKernel(const Profile& profile) {
   std::vector<double> half;

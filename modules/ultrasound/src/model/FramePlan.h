@@ -57,7 +57,7 @@ struct FramePlan {
   /// unit sum).
   std::vector<double> planeOffset_sd, scatterWeight, boundaryWeight;
   std::vector<double> elevationSd_mm;  ///< [gate]
-  /// Distance of neighbouring planes in units of the SD; a single plane has no thickness: 0.
+  /// Distance of neighboring planes in units of the SD; a single plane has no thickness: 0.
   double planeSpacing_sd = 0;
 
   /// Tells the speckle of steering angles apart: over the width of the beam, the carrier's phase turns by more than a

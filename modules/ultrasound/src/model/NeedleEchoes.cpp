@@ -195,7 +195,7 @@ void NeedleEchoes::echoShaft(const Pose& needle) {
   }
 }
 
-/// A scanline of a plane stands for what lies up to halfway to its neighbours; the needle covers a part of that.
+/// A scanline of a plane stands for what lies up to halfway to its neighbors; the needle covers a part of that.
 void NeedleEchoes::castShadow(const Pose& needle, int plane, int line) {
   const FramePlan& plan = *plan_;
   const Vec3 beam = plan.grid.direction(line), origin = plan.grid.origin(line);

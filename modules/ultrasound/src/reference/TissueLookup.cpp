@@ -150,7 +150,7 @@ double TissueLookup::inPlaneSlopeAtRest(int row, int column, double axial, doubl
   return std::hypot(ll * axial - la * lateral, aa * lateral - al * axial) / std::max(aa * ll - la * al, kLeastVolume);
 }
 
-/// Change of s across the slice, from the neighbouring planes. A single plane has none: there the gradient of a
+/// Change of s across the slice, from the neighboring planes. A single plane has none: there the gradient of a
 /// distance at rest is taken to be 1, and what its change in the plane leaves of that lies across.
 double TissueLookup::elevationSlope(int plane, int row, int column, const Cell& cell, double axial,
                                     double lateral) const {

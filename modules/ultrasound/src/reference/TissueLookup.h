@@ -18,7 +18,7 @@ struct TissueSample {
   int pair = 0;          ///< the two structures of the cell
   double s_mm = 0;       ///< signed distance to the boundary between them
   double cosine = 1;     ///< of the beam's incidence on it
-  double spread_mm = 0;  ///< over which it slopes between neighbouring scanlines and planes
+  double spread_mm = 0;  ///< over which it slopes between neighboring scanlines and planes
   double impedance_MRayl = 0;
   double echo_dB = 0;  ///< scattering over unit speckle
   double sheet = 0;    ///< 0 loose scatterers .. 1 a sheet, which echoes as one

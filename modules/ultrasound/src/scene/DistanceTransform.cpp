@@ -257,7 +257,7 @@ DistanceTransform::DistanceTransform(const NodeLattice& lattice, const NodeLabel
       smoothed_(grown(block, lattice.smoothed, lattice.whole())),
       read_(grown(smoothed_, lattice.reach, lattice.whole())),
       seen_(overlap(grown(block, {2, 2, 2}, lattice.whole()), smoothed_)),
-      // Distances run between node centres; the boundary lies half a node before.
+      // Distances run between node centers; the boundary lies half a node before.
       half_mm_(static_cast<float>((lattice.spacing_mm.x + lattice.spacing_mm.y + lattice.spacing_mm.z) / 6)),
       far_(smoothed_.size[0], kReach2),
       stopped_(std::move(stopped)) {}

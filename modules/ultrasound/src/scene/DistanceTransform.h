@@ -61,7 +61,7 @@ class DistanceTransform {
   const NodeLattice& lattice_;
   const NodeLabels& nodes_;
   const NodeBox block_, smoothed_, read_;  ///< where distances are wanted and computed, and where labels are read
-  const NodeBox seen_;                     ///< the block and its neighbours
+  const NodeBox seen_;                     ///< the block and its neighbors
   const float half_mm_;                    ///< between a node and the boundary beyond it
   const std::vector<float> far_;           ///< a row out of reach
   const Stopped stopped_;

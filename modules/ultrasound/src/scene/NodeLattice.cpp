@@ -100,12 +100,12 @@ NodeBox NodeLattice::voxelsOf(const NodeBox& nodes) const {
 }
 
 std::int16_t NodeLattice::farUnits() const {
-  // Distances run between node centres; the boundary lies half a node before.
+  // Distances run between node centers; the boundary lies half a node before.
   const double far_mm = TissueField::kReach_mm - (spacing_mm.x + spacing_mm.y + spacing_mm.z) / 6;
   return static_cast<std::int16_t>(std::lround(far_mm * TissueField::kUnitsPerMm));
 }
 
-/// Nodes are the centres of the parts that each voxel is cut into, so that none lies midway between two, where either
+/// Nodes are the centers of the parts that each voxel is cut into, so that none lies midway between two, where either
 /// label would be as likely; or of the voxels merged into one.
 NodeLattice::AxisNode NodeLattice::at(int axis, int node) const {
   const double index = (node + 0.5) / cuts[axis].nodesPerVoxel() - 0.5;

@@ -18,7 +18,7 @@ class OutlineSmoothing {
   void roundStairs(const NodeLattice& lattice, const NodeBox& block, const Stopped& stopped, std::vector<float>& d_mm);
 
  private:
-  using Kernel = std::vector<float>;  ///< half of it, centre first
+  using Kernel = std::vector<float>;  ///< half of it, center first
   using Kernels = std::array<Kernel, 3>;
   struct Range {
     int first, last;  ///< nodes to be filtered; the last is beyond

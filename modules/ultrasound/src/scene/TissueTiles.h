@@ -41,7 +41,7 @@ class TissueTiles {
   /// Tiles that cover a box of nodes: those that are kept, or else such as are made for this box alone, since they are
   /// there sooner. Fails only when cancelled.
   Result<std::vector<TilePtr>> covering(const NodeBox& box, const Progress& progress);
-  /// Makes the one tile that a box misses and that is nearest to the box's centre, and keeps it. False where none is
+  /// Makes the one tile that a box misses and that is nearest to the box's center, and keeps it. False where none is
   /// missing, where there is no room for one more, and when stopped.
   bool makeAhead(const NodeBox& box, const Stopped& stopped);
 

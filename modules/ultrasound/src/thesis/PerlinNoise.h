@@ -7,7 +7,7 @@
 #include <cstdint>
 
 /// Speckle of the thesis (equation 9): usnoise2d(x, y, p, r, t), Perlin's gradient noise over the texture coordinates
-/// of the picture, seeded by position and orientation of the probe and by the time. The lattice is made of integer
+/// of the image, seeded by position and orientation of the probe and by the time. The lattice is made of integer
 /// hashes alone, so that every engine, and a shader, sees the same one.
 namespace insonate::thesis {
 

@@ -137,7 +137,7 @@ void traceLine(const FramePlan& plan, const ThesisPlan& thesis, const SceneMap& 
   }
 }
 
-/// Radial blur: an exponential tail down each scanline, a convolution across them. The picture goes on beyond its
+/// Radial blur: an exponential tail down each scanline, a convolution across them. The image goes on beyond its
 /// sides as it is there.
 EchoMap blurred(const FramePlan& plan, const ThesisPlan& thesis, EchoMap echo) {
   for (int line = 0; line < plan.lines; ++line)

@@ -110,7 +110,7 @@ TEST_F(HidApiTest, AHomeBuiltDeviceIsKnownByItsDescriptor) {
   ASSERT_TRUE(device);
   Bytes report(31, 0);
   report[0] = 1;
-  report[2] = 0x10;  // 4096 micrometres to the right
+  report[2] = 0x10;  // 4096 micrometers to the right
   report[13] = 0x40;
   own.say(report);
   DeviceState state;

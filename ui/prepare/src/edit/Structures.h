@@ -23,17 +23,17 @@ struct StructureLook {
 /// By label.
 using StructureLooks = std::array<StructureLook, 256>;
 
-/// The case's colours; opacity so that one looks through the skin and whatever fills the patient.
+/// The case's colors; opacity so that one looks through the skin and whatever fills the patient.
 StructureLooks defaultLooks(const LabelColours& colours);
 double defaultOpacity(std::uint8_t label);
 /// Default share on slices. Labels that fill the patient are fainter: an artery has nearly the color of the muscle
 /// around it.
 double defaultShareOnSlices(std::uint8_t label);
 
-/// True where a structure's colour is not the case's.
+/// True where a structure's color is not the case's.
 bool coloursDiffer(const StructureLooks& looks, const std::vector<std::uint8_t>& structures,
                    const LabelColours& colours);
-/// Puts the structures' colours into a case's, which keeps those that differ from the label table's.
+/// Puts the structures' colors into a case's, which keeps those that differ from the label table's.
 void putColours(const StructureLooks& looks, const std::vector<std::uint8_t>& structures, LabelColours& colours);
 
 using ShownStructures = std::map<std::uint8_t, StructureShown>;

@@ -29,7 +29,7 @@ namespace insonate::prepare {
 ///
 /// Three maps, and who may touch them. The case's own labels never change while they are shared. The working map is a
 /// copy that is made when the first tool is taken up (getReady); brush strokes, undo and redo write it on the window's
-/// thread. Everything on other threads (tools, previews, surfaces, the live picture, the check, saving) reads a
+/// thread. Everything on other threads (tools, previews, surfaces, the live image, the check, saving) reads a
 /// snapshot (LabelSnapshots), which shares the CT of the case and takes as long as what has changed since the last one.
 /// While a tool's result is being written, on another thread, the window reads the snapshot, too. So no map is read and
 /// written at once. Memory beside the case: the working map, as a rule three snapshots, two proposals while a slider is

@@ -14,9 +14,9 @@ namespace {
 
 /// Size of the small image: as many scanlines as it has columns to show them.
 constexpr int kScanlines = 160, kSamples = 500, kWidth = 410, kHeight = 308;
-/// The slices are painted by then: on two processors they would wait for the picture, and for the probe in 3D.
+/// The slices are painted by then: on two processors they would wait for the image, and for the probe in 3D.
 constexpr int kAfterSlices_ms = 40;
-/// The latest picture is enough.
+/// The latest image is enough.
 constexpr std::size_t kCineBytes = std::size_t{4} << 20;
 
 ImagingSetup smallSetup() {

@@ -31,7 +31,7 @@ class LivePatient : public QObject {
   void wantSurface(const ui::SurfaceWish& wish);
   /// Sets the tissues of the author's own labels.
   void setOwnLabels(const OwnLabels& own);
-  /// Edited labels in place of the patient's: the picture is made of them from now on, and these surfaces.
+  /// Edited labels in place of the patient's: the image is made of them from now on, and these surfaces.
   /// `outsideMoved`: the probe stands on another skin, or on the first that there is.
   void setLabels(std::shared_ptr<const LabelMap> labels, std::vector<ui::SurfaceWish> wishes, bool outsideMoved);
   /// Asleep, there is no probe and no scene; what was made stays.
@@ -39,7 +39,7 @@ class LivePatient : public QObject {
   /// Ends the threads.
   void stop();
 
-  /// The probe goes to the skin nearest to a patient point; pictures follow when the slices have had time to.
+  /// The probe goes to the skin nearest to a patient point; images follow when the slices have had time to.
   void follow(Vec3 patient_mm);
   /// The probe is put at a pose.
   void goTo(const StartPose& pose);
@@ -57,10 +57,10 @@ class LivePatient : public QObject {
   const ImagingSetup& setup() const { return setup_; }
   /// Null before the first picture.
   const std::shared_ptr<const LiveFrame>& shown() const { return shown_; }
-  /// Nothing is on its way: surfaces that were wanted have come, and the picture is of where the probe is, or says why
+  /// Nothing is on its way: surfaces that were wanted have come, and the image is of where the probe is, or says why
   /// there is none.
   bool isSettled() const;
-  /// Why there is no picture, or that one is on its way; empty otherwise.
+  /// Why there is no image, or that one is on its way; empty otherwise.
   QString state() const;
 
  Q_SIGNALS:
@@ -87,7 +87,7 @@ class LivePatient : public QObject {
   std::optional<StartPose> start_;
   std::optional<ProbeHand> hand_;
   std::optional<Vec3> wanted_mm_;  ///< where to go when there is a hand
-  QTimer showing_;                 ///< until pictures follow the crosshair
+  QTimer showing_;                 ///< until images follow the crosshair
   struct Chosen {
     Transform pose;
     double press_mm;
@@ -101,7 +101,7 @@ class LivePatient : public QObject {
   int skin_ = 0;     ///< of several that are looked for, the last counts
   int tissues_ = 0;  ///< of several maps that are made of labels, too
   bool tissuesDue_ = false;
-  bool stale_ = false;  ///< a live probe has begun that has not made a picture yet
+  bool stale_ = false;  ///< a live probe has begun that has not made an image yet
   ui::LiveFeed feed_;
   std::unique_ptr<ui::CaseWorker> worker_;
 };

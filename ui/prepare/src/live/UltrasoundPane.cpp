@@ -31,7 +31,7 @@ UltrasoundPane::UltrasoundPane(PrepareSession& session, QWidget* parent)
       pressed_(new QLabel),
       start_(new QPushButton(tr("Start"))),
       keep_(new QPushButton(tr("Begin here"))) {
-  // The column is too small a room to fill, and the picture has no more to show when larger.
+  // The column is too small a room to fill, and the image has no more to show when larger.
   widget_->setMaximiseOnDoubleClick(false);
   widget_->setObjectName(QStringLiteral("labelUltrasound"));
   widget_->setMinimumHeight(kLeastHeight_px);
@@ -104,7 +104,7 @@ void UltrasoundPane::showPress() {
 void UltrasoundPane::showState() {
   const QString state = session_.live().state();
   state_->setText(state);
-  // One line is always kept, so that the picture does not jump.
+  // One line is always kept, so that the image does not jump.
   keep_->setVisible(session_.lacksStart());
   start_->setEnabled(session_.live().start().has_value());
 }

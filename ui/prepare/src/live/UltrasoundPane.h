@@ -17,7 +17,7 @@ namespace insonate::prepare {
 
 class PrepareSession;
 
-/// The small ultrasound picture that the labels give, always in sight.
+/// The small ultrasound image that the labels give, always in sight.
 class UltrasoundPane : public QWidget {
  public:
   explicit UltrasoundPane(PrepareSession& session, QWidget* parent = nullptr);
@@ -31,7 +31,7 @@ class UltrasoundPane : public QWidget {
 
   PrepareSession& session_;
   std::shared_ptr<views::UltrasoundView> view_;
-  std::shared_ptr<const void> shape_;  ///< setup of the picture as laid out
+  std::shared_ptr<const void> shape_;  ///< setup of the image as laid out
   ui::ViewWidget* widget_;
   ui::ValueSlider* press_;
   QLabel *state_, *pressed_;

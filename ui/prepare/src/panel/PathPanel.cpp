@@ -66,7 +66,7 @@ PathPanel::PathPanel(PrepareSession& session, GuideSession& guide, ui::TaskBar& 
   refresh();
 }
 
-/// Two ways to look at what is labelled, one at a time: both need the column's height.
+/// Two ways to look at what is labeled, one at a time: both need the column's height.
 QWidget* PathPanel::buildLabelling() {
   labelling_->addWidget(new GuidePage(guide_));
   labelling_->addWidget(table_);
@@ -81,7 +81,7 @@ QWidget* PathPanel::buildLabelling() {
   return tabs_;
 }
 
-/// A neck without a vein is to be labelled first, and who has begun with the guide goes on with it.
+/// A neck without a vein is to be labeled first, and who has begun with the guide goes on with it.
 void PathPanel::chooseLabelling() {
   if (std::exchange(chosen_, true)) return;
   const bool vein = std::ranges::find(session_.structures(), kVein) != session_.structures().end();

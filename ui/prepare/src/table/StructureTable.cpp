@@ -198,7 +198,7 @@ void StructureTable::chooseColour() {
   connect(dialog, &QColorDialog::colorSelected, this, [this, label](const QColor& c) {
     session_.setColour(label, {std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())});
   });
-  // A colour of this case is not one of the next.
+  // A color of this case is not one of the next.
   connect(&session_, &PrepareSession::caseChanged, dialog, &QDialog::reject);
   dialog->open();
 }

@@ -15,13 +15,13 @@ namespace insonate::prepare {
 class PrepareSession;
 class StructureModel;
 
-/// The table of structures with what can be done to one of them. Space shows or hides, Enter chooses a colour (unless a
+/// The table of structures with what can be done to one of them. Space shows or hides, Enter chooses a color (unless a
 /// tool is in hand), F2 names one of the author's own. Where it is wide, it shows tissue, term and voxels, too.
 class StructureTable : public QWidget {
  public:
   explicit StructureTable(PrepareSession& session, QWidget* parent = nullptr);
 
-  /// Asks for a colour of the selected structure.
+  /// Asks for a color of the selected structure.
   void chooseColour();
   /// Enter is a tool's while one is in hand: who chooses its label here wants to apply it.
   void setToolInHand(bool inHand) { toolInHand_ = inHand; }

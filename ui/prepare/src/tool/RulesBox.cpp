@@ -16,7 +16,7 @@
 namespace insonate::prepare {
 namespace {
 
-/// From fat to soft tissue with contrast agent: what is labelled by hand most.
+/// From fat to soft tissue with contrast agent: what is labeled by hand most.
 constexpr HuRange kUsual_HU{-20, 300};
 
 }  // namespace

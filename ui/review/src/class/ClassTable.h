@@ -21,7 +21,7 @@ class ClassTable final : public QAbstractTableModel {
   enum Role {
     kSort = Qt::UserRole,  ///< what a column is sorted by
     kPerson,               ///< Person::id
-    kGround,               ///< colour of a cell of the heat map; none: nothing to compare with
+    kGround,               ///< color of a cell of the heat map; none: nothing to compare with
   };
 
   explicit ClassTable(const ClassDesk& desk, QObject* parent = nullptr);
@@ -42,7 +42,7 @@ class ClassTable final : public QAbstractTableModel {
   const ClassDesk& desk_;
 };
 
-/// A cell of the heat map: its colour, and the number on it.
+/// A cell of the heat map: its color, and the number on it.
 class HeatDelegate final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;

@@ -26,8 +26,8 @@ using HeatMap = std::map<std::string, std::vector<HeatCell>>;
 /// Heat map of many people's attempts. Those that do not count (Judgement.h) are left out.
 HeatMap heatMapOf(std::span<const AttemptFacts> attempts);
 
-/// From dark blue (novice) over grey to yellow (expert), the colours of cividis (Nunez, Anderton, Renslow, PLoS ONE
-/// 2018, 13:e0199239): they rise in lightness too, and are told apart by all kinds of colour vision.
+/// From dark blue (novice) over gray to yellow (expert), the colors of cividis (Nunez, Anderton, Renslow, PLoS ONE
+/// 2018, 13:e0199239): they rise in lightness too, and are told apart by all kinds of color vision.
 QColor heatColour(double share);
 /// Black or white, whichever is read better on it.
 QColor inkOn(const QColor& ground);

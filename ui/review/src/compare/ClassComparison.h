@@ -19,7 +19,7 @@ struct ClassComparison {
   QString words{};             ///< n, means with their intervals, effect size and p; "n/a" and why where too few
 };
 
-/// Two classes in one metric of MetricBook::all() that can be compared; a person is one value, so that who practises
+/// Two classes in one metric of MetricBook::all() that can be compared; a person is one value, so that who practices
 /// more does not count for more.
 ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& second, std::size_t metric);
 

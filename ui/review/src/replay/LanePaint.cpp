@@ -98,7 +98,7 @@ void LanePaint::bars(const QRect& lane, const std::function<bool(const TrackPoin
   }
 }
 
-/// Downwards, as in the picture; in the needle's colour.
+/// Downwards, as in the image; in the needle's colour.
 void LanePaint::depth() {
   const QRect lane = layout_.depth;
   double most_mm = 10;

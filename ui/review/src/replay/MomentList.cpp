@@ -26,7 +26,7 @@ QIcon markOf(const std::optional<Severity>& severity, double ratio) {
   painter.setRenderHint(QPainter::Antialiasing);
   paintMark(painter, {kMark_px / 2.0, kMark_px / 2.0}, severity);
   QIcon icon;
-  // The mark keeps its colour where its row is chosen.
+  // The mark keeps its color where its row is chosen.
   for (const QIcon::Mode mode : {QIcon::Normal, QIcon::Selected}) icon.addPixmap(pixmap, mode);
   return icon;
 }

@@ -15,7 +15,7 @@ class MomentList : public QListWidget {
   explicit MomentList(ReviewSession& session, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// Enter or a double click: its picture is wanted, too.
+  /// Enter or a double click: its image is wanted, too.
   void entered();
 
  protected:

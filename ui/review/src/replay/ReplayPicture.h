@@ -13,7 +13,7 @@
 
 namespace insonate::review {
 
-/// The ultrasound picture of a time of an attempt (AttemptPictures), made off the window's thread, one at a time; of
+/// The ultrasound image of a time of an attempt (AttemptPictures), made off the window's thread, one at a time; of
 /// many times that are wanted meanwhile, the latest is what counts. For the window's thread.
 class ReplayPicture : public QObject {
   Q_OBJECT
@@ -30,9 +30,9 @@ class ReplayPicture : public QObject {
   const std::shared_ptr<const LiveFrame>& shown() const { return shown_; }
   /// shown() is of the time that was wanted last.
   bool isSettled() const { return !maker_ || madeFor_us_ == wanted_us_; }
-  /// Why there is no picture, a sentence; empty where there is one.
+  /// Why there is no image, a sentence; empty where there is one.
   QString trouble() const { return trouble_; }
-  /// Pictures that were asked of the simulator so far.
+  /// Images that were asked of the simulator so far.
   int made() const { return made_; }
 
  Q_SIGNALS:

@@ -118,7 +118,7 @@ void ReplayScene::showHands() {
   placeCamera();
 }
 
-/// As it was set, also where its picture cannot be made.
+/// As it was set, also where its image cannot be made.
 void ReplayScene::showProbe(const AttemptSample& sample) {
   const auto text = session_.attempt()->recording->settingsAt(sample.time_us);
   if (text && *text != settings_) {
@@ -132,7 +132,7 @@ void ReplayScene::showProbe(const AttemptSample& sample) {
   pictured_ = frame;
 }
 
-/// From above the probe, so that needle and picture are seen.
+/// From above the probe, so that needle and image are seen.
 void ReplayScene::placeCamera() {
   if (!cameraDue_ || !session_.fits() || !session_.surfacesThere() || !widget_->isVisible()) return;
   const auto& track = session_.attempt()->track;

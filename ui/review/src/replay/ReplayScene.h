@@ -20,7 +20,7 @@ class ViewWidget;
 
 namespace insonate::review {
 
-/// The patient in 3D, probe and needle as the hands have them, and the way of the needle's tip in the colours of where
+/// The patient in 3D, probe and needle as the hands have them, and the way of the needle's tip in the colors of where
 /// it was. The camera is the user's.
 class ReplayScene : public QObject {
  public:

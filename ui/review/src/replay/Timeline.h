@@ -8,7 +8,7 @@ namespace insonate::review {
 
 class ReviewSession;
 
-/// The attempt from left to right: moments as marks, whose shape and colour say how bad they were, and lanes of what
+/// The attempt from left to right: moments as marks, whose shape and color say how bad they were, and lanes of what
 /// the hands did. Click or drag: that time; on a mark, its time. The wheel magnifies about the pointer, a double click
 /// shows all of it.
 class Timeline : public QWidget {

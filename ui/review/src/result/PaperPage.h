@@ -8,7 +8,7 @@
 
 namespace insonate::review {
 
-/// A page of A4, upright, is laid out in tenths of a millimetre.
+/// A page of A4, upright, is laid out in tenths of a millimeter.
 namespace paper {
 inline constexpr double kWidth = 2100, kHeight = 2970, kMargin = 150;
 inline constexpr double kRow = 47, kTitle = 64, kText = 36, kSmall = 30;
@@ -18,7 +18,7 @@ inline constexpr double kScreen = 2.6;
 
 QFont paperFont(double height, bool bold = false);
 
-/// Paints in tenths of a millimetre, on white.
+/// Paints in tenths of a millimeter, on white.
 using PaperPainter = std::function<void(QPainter&)>;
 
 /// Paints the page into `place`, in whatever unit the painter has.

@@ -78,7 +78,7 @@ void paintScale(QPainter& painter, const QRectF& inner, const QRectF& place_mm, 
 /// Piece of the tip's path that is drawn in one style.
 struct Piece {
   NeedlePlace place;
-  bool seen;  ///< within the picture's slice
+  bool seen;  ///< within the image's slice
   std::vector<Vec3> tips_probe;
 };
 

@@ -18,12 +18,12 @@ struct PlaneSection {
   QImage structures;         ///< see-through but for vessels, bone, air and skin; null without a case
 };
 
-/// The plane of the picture as the vein was first reached, else as the needle was deepest; an empty place where there
+/// The plane of the image as the vein was first reached, else as the needle was deepest; an empty place where there
 /// was no probe or no needle. Tissue is as in the CT, not as the probe pressed it. Some milliseconds.
 PlaneSection sectionOf(const AttemptDigest& attempt, const PatientCase* patient);
 
-/// The tip's way, lateral and deep, in the probe's frame, in millimetres at one scale for both; where it was outside
-/// the picture's slice, thin and dotted.
+/// The tip's way, lateral and deep, in the probe's frame, in millimeters at one scale for both; where it was outside
+/// the image's slice, thin and dotted.
 void paintPlane(QPainter& painter, const QRectF& place, const AttemptDigest& attempt, const PlaneSection& section,
                 const ResultInk& ink);
 

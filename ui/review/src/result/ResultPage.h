@@ -25,7 +25,7 @@ class ResultPage : public QWidget {
   MetricTableView* metrics_;
 };
 
-/// The tip's way in the plane of the picture, as a widget.
+/// The tip's way in the plane of the image, as a widget.
 class PathPane : public QWidget {
  public:
   explicit PathPane(ReviewSession& session, QWidget* parent = nullptr);

@@ -42,7 +42,7 @@ QThreadPool& keeper() {
 
 /// Given up when the program ends: nothing half written is left. For a thread of its own, which stays slow.
 void keep(const PatientCase& patient, const QString& folder) {
-  lowerThreadPriority();  // the first picture goes first: packing the CT costs a second
+  lowerThreadPriority();  // the first image goes first: packing the CT costs a second
   QDir().mkpath(QFileInfo(folder).path());
   const auto goOn = [](std::string_view, double) { return !QCoreApplication::closingDown(); };
   if (writeCase(patient, folder.toStdString(), goOn)) forgetOfOthers(QFileInfo(folder).dir());

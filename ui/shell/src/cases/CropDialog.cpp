@@ -17,7 +17,7 @@
 namespace insonate::ui {
 namespace {
 
-/// The patient coordinates that a grid reaches, to the centres of its outermost voxels.
+/// The patient coordinates that a grid reaches, to the centers of its outermost voxels.
 std::array<Vec3, 2> reachOf(const VolumeGeometry& g) {
   std::array<Vec3, 2> reach{g.origin_mm, g.origin_mm};
   for (int corner = 0; corner < 8; ++corner) {
@@ -112,7 +112,7 @@ void CropDialog::addRegion(QGridLayout& grid) {
   grid.addWidget(headingOf(tr("from")), 0, 1);
   grid.addWidget(headingOf(tr("to")), 0, 2);
   for (int a = 0; a < 3; ++a) {
-    // A tenth of a millimetre beyond, so that rounding cuts no voxel off.
+    // A tenth of a millimeter beyond, so that rounding cuts no voxel off.
     const double least = std::floor(low[a] * 10) / 10, most = std::ceil(high[a] * 10) / 10;
     from_[a] = field(tr("From, %1").arg(directionWords(a)), least, most, 1);
     to_[a] = field(tr("To, %1").arg(directionWords(a)), least, most, 1);

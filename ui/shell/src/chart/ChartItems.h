@@ -8,7 +8,7 @@ class QwtPlot;
 
 namespace insonate::ui {
 
-/// Colours of a chart, for the screen or for paper.
+/// Colors of a chart, for the screen or for paper.
 struct ChartInk {
   QColor ground, line, text, quiet, accent, good, caution, danger;
 
@@ -17,7 +17,7 @@ struct ChartInk {
 ChartInk screenChartInk();
 ChartInk paperChartInk();
 
-/// Puts a picture into a plot, in place of what it showed.
+/// Puts an image into a plot, in place of what it showed.
 void fillPlot(QwtPlot& plot, const ChartPicture& picture, const ChartInk& ink);
 
 }  // namespace insonate::ui

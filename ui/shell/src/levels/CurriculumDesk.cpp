@@ -176,7 +176,7 @@ void CurriculumDesk::takeSaved(const std::string& text, const Result<void>& done
   std::exchange(go_, {})();
 }
 
-/// Refused: either somebody else has saved, or the store does not take it now and is tried again.
+/// Refused: either another user has saved, or the store does not take it now and is tried again.
 void CurriculumDesk::contest(const std::string& refusal) {
   account_->ask<std::string>(
       this, [name = curriculum_->name](const SignedIn& by) { return PublishedCurricula(by).draft(name); },

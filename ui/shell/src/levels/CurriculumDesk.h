@@ -33,7 +33,7 @@ class CurriculumDesk : public QObject {
   const OfferedCurriculum* chosen() const { return chosen_ ? &*chosen_ : nullptr; }
   /// Once what was written is in the store; where that does not take it, the one that is looked at stays.
   void choose(const OfferedCurriculum& offer);
-  /// `go` once all that was written is in the store, or somebody else has saved another; `refused` where the store does
+  /// `go` once all that was written is in the store, or another user has saved another; `refused` where the store does
   /// not take it.
   void afterSaving(std::function<void()> go, std::function<void()> refused);
 
@@ -54,7 +54,7 @@ class CurriculumDesk : public QObject {
 
   /// Tells whether the store has the draft as it is here.
   bool isSaved() const { return saved_; }
-  /// Somebody else has saved another: nothing is saved until one of these is called.
+  /// Another user has saved another: nothing is saved until one of these is called.
   bool isContested() const { return contested_; }
   void reloadDraft();
   void overwriteTheirs();

@@ -9,7 +9,7 @@
 
 namespace insonate::ui {
 
-/// The picture of a histogram with the transfer function over it, and the hand on its nodes. It changes nothing itself:
+/// The image of a histogram with the transfer function over it, and the hand on its nodes. It changes nothing itself:
 /// it asks, by edited(), and shows what it is given.
 class HistogramPlot : public QWidget {
   Q_OBJECT

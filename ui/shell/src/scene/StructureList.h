@@ -14,7 +14,7 @@ class QVBoxLayout;
 
 namespace insonate::ui {
 
-/// One row for each surface of a scene: eye, colour, name, opacity.
+/// One row for each surface of a scene: eye, color, name, opacity.
 class StructureList : public QWidget {
   Q_OBJECT
 

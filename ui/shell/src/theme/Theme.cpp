@@ -45,7 +45,7 @@ QPalette palette() {
   return p;
 }
 
-/// The style sheet names colours by "@name".
+/// The style sheet names colors by "@name".
 QString styleSheet() {
   QString sheet;
   for (const auto& file : embedded::stylesheets::files()) sheet += qt(file.text);

@@ -122,7 +122,7 @@ bool ViewWidget::Canvas::event(QEvent* event) {
 }
 
 void ViewWidget::Canvas::takeDrawn() {
-  // The picture that is shown lies in the memory that is given for the next.
+  // The image that is shown lies in the memory that is given for the next.
   if (!thread_ || !thread_->take(drawn_)) return;
   if (drawn_.wish > forgotten_) return show(drawn_.pixels);
   picture_ = QImage();

@@ -15,7 +15,7 @@
 
 namespace insonate::ui {
 
-/// The picture of a ViewWidget. The view is drawn out of sight and its pixels are painted like those of any other
+/// The image of a ViewWidget. The view is drawn out of sight and its pixels are painted like those of any other
 /// widget: with an OpenGL widget anywhere in a window, Qt puts the whole window together by OpenGL for each change of
 /// any part of it, which takes longer than drawing where there is no graphics card. Views that allow it are drawn by a
 /// thread of their own.
@@ -36,7 +36,7 @@ class ViewWidget::Canvas final : public QWidget {
   std::function<void(bool focused)> onFocus;
   std::function<bool()> onDoubleClick;  ///< true when that was the click's meaning
   std::function<void()> onStale;        ///< what is shown is not of the widget's size
-  /// A picture is there, and took so long to draw.
+  /// An image is there, and took so long to draw.
   std::function<void(double took_ms)> onDrawn;
 
  protected:

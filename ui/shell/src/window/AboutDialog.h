@@ -4,7 +4,7 @@
 
 namespace insonate::ui {
 
-/// Name, version, licence, libraries, and what the program is not.
+/// Name, version, license, libraries, and what the program is not.
 class AboutDialog : public QDialog {
  public:
   explicit AboutDialog(QWidget* parent);

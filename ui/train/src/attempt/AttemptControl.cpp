@@ -101,7 +101,7 @@ void AttemptControl::setObstacle(const QString& why) {
   if (std::exchange(obstacle_, why) != why) Q_EMIT stateChanged();
 }
 
-/// After the first picture, which nothing is to delay.
+/// After the first image, which nothing is to delay.
 void AttemptControl::hashCase() {
   const auto task = std::make_shared<std::packaged_task<std::string()>>(
       [patient = session_.patient()] { return voxelHashOf(*patient); });

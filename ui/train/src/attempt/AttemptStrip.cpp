@@ -93,7 +93,7 @@ void AttemptStrip::refreshNeedle() {
       told.anatomy
           ? tr("Place of the needle: green in the vein, red in a wrong place, yellow once used (U takes a new one)")
           : tr("Whether the needle is new, inserted or used (U takes a new one)"));
-  // The sign has the colour: words of that colour would be hard to read.
+  // The sign has the color: words of that color would be hard to read.
   needle_->setText(QStringLiteral("<span style='color:%1'>%2</span> %3")
                        .arg(ui::colour(words.colour).name(), words.sign, words.words));
   needle_->setAccessibleName(tr("Needle: %1").arg(named.words));

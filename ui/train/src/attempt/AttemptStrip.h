@@ -11,7 +11,7 @@ class AttemptControl;
 class SyringeView;
 class TrainSession;
 
-/// The line under the picture while an attempt is made: time, the thesis's five metrics, the needle, the syringe. In a
+/// The line under the image while an attempt is made: time, the thesis's five metrics, the needle, the syringe. In a
 /// test only what the hands themselves would know.
 class AttemptStrip final : public QWidget {
  public:

@@ -17,7 +17,7 @@ class HandPlots;
 class HandSection;
 
 /// Haptic devices: what is there, which hand holds what, what it feels, and whether the servo keeps its pace. Beside
-/// the window, so that hands and picture are seen together. Nothing runs for it while it is closed.
+/// the window, so that hands and image are seen together. Nothing runs for it while it is closed.
 class DevicePanel final : public QDialog {
   Q_OBJECT
 

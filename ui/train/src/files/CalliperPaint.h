@@ -9,7 +9,7 @@
 
 namespace insonate::train {
 
-/// Callipers and their numbers over a picture whose first pixel is at `origin`, as they are seen over the live one;
+/// Callipers and their numbers over an image whose first pixel is at `origin`, as they are seen over the live one;
 /// `letter` is the height of letters in pixels.
 void paintCallipers(QPainter& painter, const BModeImage& image, QPoint origin,
                     std::span<const views::Calliper> callipers, int letter);

@@ -20,7 +20,7 @@ namespace insonate::train {
 /// A file name for what is on display: case, date and time; without extension, fit for every file system.
 QString exportName(const QString& caseTitle);
 
-/// Writes a picture as PNG on a thread of its own, where `make` is called, too. `ended` is called on the window's
+/// Writes an image as PNG on a thread of its own, where `make` is called, too. `ended` is called on the window's
 /// thread, unless the writer has gone before; its destructor waits for the file, which is there as a whole or not at
 /// all.
 class PictureWriter : public QObject {
@@ -32,7 +32,7 @@ class PictureWriter : public QObject {
   std::thread thread_;
 };
 
-/// Writes pictures with their scale, and what is measured over each of them, as picture-0001.png, picture-0002.png, ...
+/// Writes images with their scale, and what is measured over each of them, as image-0001.png, image-0002.png, ...
 /// into a new folder and returns how many. The folder is there when all of them are; cancelled or failed, nothing is
 /// left. Refuses a folder that exists.
 Result<int> writeClip(const std::vector<std::shared_ptr<const LiveFrame>>& frames,

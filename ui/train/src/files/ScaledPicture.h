@@ -8,7 +8,7 @@
 
 namespace insonate::train {
 
-/// The picture as it is kept: at its own resolution, with its depth scale in mm on the left, the probe's marker above,
+/// The image as it is kept: at its own resolution, with its depth scale in mm on the left, the probe's marker above,
 /// and its size on paper (pHYs of a PNG). Callipers are drawn over it, and what they measure is listed below it. Fit
 /// for any thread.
 QImage scaledPicture(const BModeImage& image, std::span<const views::Calliper> callipers = {});

@@ -83,7 +83,7 @@ class HandsControl : public QObject {
   /// The entry to the skin nearest to a point; while the needle is out.
   void needleTo(Vec3 patient_mm);
 
-  /// Frozen with the picture: the needle stays where it is, in whatever hand, until it is let go.
+  /// Frozen with the image: the needle stays where it is, in whatever hand, until it is let go.
   void setHeld(bool held);
 
   // Devices

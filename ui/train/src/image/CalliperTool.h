@@ -7,10 +7,10 @@
 
 namespace insonate::train {
 
-/// Places callipers point by point, by clicks or by dragging from one point to the next.
+/// Places calipers point by point, by clicks or by dragging from one point to the next.
 class CalliperTool {
  public:
-  /// The kind that the next press begins; none to stop measuring. A calliper that is not complete is dropped.
+  /// The kind that the next press begins; none to stop measuring. A caliper that is not complete is dropped.
   void setKind(std::optional<views::CalliperKind> kind);
   std::optional<views::CalliperKind> kind() const { return kind_; }
 

@@ -12,7 +12,7 @@ namespace insonate::train {
 
 class TrainSession;
 
-/// Under the picture: the last seconds of a frozen one, and what can be done with the picture on display. Keeps its
+/// Under the image: the last seconds of a frozen one, and what can be done with the image on display. Keeps its
 /// size whatever it shows.
 class CineBar : public QWidget {
   Q_OBJECT
@@ -34,7 +34,7 @@ class CineBar : public QWidget {
   void clearCallipers();
   void ctBesideChosen(bool shown);
   void savePicture();
-  void saveScreen();  ///< the picture as it is seen, with what stands beside and over it
+  void saveScreen();  ///< the image as it is seen, with what stands beside and over it
   void saveClip();
 
  private:

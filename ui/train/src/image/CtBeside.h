@@ -17,8 +17,8 @@ namespace insonate::train {
 
 class TrainSession;
 
-/// The CT beside the ultrasound picture: the same plane at the same scale, cut to the field of view, with the outlines
-/// of the structures. Follows the picture that is shown as often as it can without slowing it.
+/// The CT beside the ultrasound image: the same plane at the same scale, cut to the field of view, with the outlines
+/// of the structures. Follows the image that is shown as often as it can without slowing it.
 class CtBeside : public QObject {
  public:
   CtBeside(TrainSession& session, QWidget* parent);

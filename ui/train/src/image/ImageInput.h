@@ -16,13 +16,13 @@ namespace insonate::train {
 
 class TrainSession;
 
-/// Mouse on the ultrasound picture: the mouse is the probe. With a calliper chosen, left clicks measure instead.
+/// Mouse on the ultrasound image: the mouse is the probe. With a caliper chosen, left clicks measure instead.
 class ImageInput : public QObject {
  public:
   ImageInput(TrainSession& session, views::UltrasoundView& view, QWidget& canvas, QObject* parent);
 
   CalliperTool& callipers() { return callipers_; }
-  /// Called when callipers changed by the mouse.
+  /// Called when calipers changed by the mouse.
   void setMeasured(std::function<void()> listener) { measured_ = std::move(listener); }
 
  protected:

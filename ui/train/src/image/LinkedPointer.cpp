@@ -6,7 +6,7 @@
 namespace insonate::train {
 namespace {
 
-/// The picture shows what is nearer to its plane than this.
+/// The image shows what is nearer to its plane than this.
 constexpr double kNear_mm = 1;
 
 }  // namespace

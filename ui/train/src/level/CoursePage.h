@@ -14,7 +14,7 @@ namespace insonate::train {
 class Course;
 class LevelControl;
 
-/// In the place of picture and controls: the path of levels, one's attempts with their curve, and the questionnaire.
+/// In the place of image and controls: the path of levels, one's attempts with their curve, and the questionnaire.
 class CoursePage final : public QWidget {
   Q_OBJECT
 

@@ -19,8 +19,8 @@ struct CurveChoice {
   std::string level{};  ///< "": all of the procedure
 };
 
-/// Procedures that were practised, each with all its attempts and then with its levels, in the curriculum's order.
-/// Where nothing was practised, the first level's procedure.
+/// Procedures that were practiced, each with all its attempts and then with its levels, in the curriculum's order.
+/// Where nothing was practiced, the first level's procedure.
 std::vector<CurveChoice> curveChoices(const Curriculum* curriculum, std::span<const AttemptFacts> history);
 
 /// The points, then all metrics, with the norms of a procedure; of none that is known, without.

@@ -9,7 +9,7 @@ namespace insonate::train {
 
 class LevelControl;
 
-/// In the panel, before an attempt: which level it counts for and what it takes, or that one practises freely.
+/// In the panel, before an attempt: which level it counts for and what it takes, or that one practices freely.
 class LevelCard final : public QWidget {
   Q_OBJECT
 

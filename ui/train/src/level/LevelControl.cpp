@@ -32,7 +32,7 @@ bool LevelControl::fits() const {
   if (!patient) return false;
   const QString title = ui::qt(patient->manifest.title);
   if (title != ui::titleOfCase(ui::qt(level_->caseName))) return false;
-  // An author's draft may have the same title: a level is practised on the published version.
+  // An author's draft may have the same title: a level is practiced on the published version.
   const auto place = ui::placeOfCase(ui::qt(level_->caseName));
   if (!place) return true;
   const ui::CaseOrigin& origin = session_.origin();
@@ -82,7 +82,7 @@ void LevelControl::caseChanged() {
   Q_EMIT changed();
 }
 
-/// Somebody else, or another curriculum.
+/// Another user, or another curriculum.
 void LevelControl::courseChanged() {
   if (!level_) return;
   const Level* now = course_.curriculum() ? course_.curriculum()->level(level_->name) : nullptr;

@@ -20,7 +20,7 @@ class AttemptControl;
 class Course;
 class TrainSession;
 
-/// The level that is practised, or none: then one practises freely. A level brings its case, procedure, position and
+/// The level that is practiced, or none: then one practices freely. A level brings its case, procedure, position and
 /// assistance, and is left when another case is opened. Knows no widget. For the window's thread.
 class LevelControl final : public QObject {
   Q_OBJECT
@@ -28,7 +28,7 @@ class LevelControl final : public QObject {
  public:
   LevelControl(TrainSession& session, AttemptControl& attempt, Course& course, QObject* parent = nullptr);
 
-  /// Null while one practises freely.
+  /// Null while one practices freely.
   const Level* level() const { return level_ ? &*level_ : nullptr; }
   /// The level's case is not the one in the window.
   bool waitsForCase() const { return level_ && !fits(); }

@@ -54,7 +54,7 @@ QString headlineFor(const PassRule& rule, const AttemptFacts& attempt, bool pass
   return passed ? tr("Passed") : tr("Not passed: %1").arg(ui::qt(reasonOfFailure(rule, attempt)));
 }
 
-/// Sentence about a change of another level than the practised one.
+/// Sentence about a change of another level than the practiced one.
 QString changeOf(const Level& level, LevelState before, LevelState after) {
   if (before == after) return {};
   if (after == LevelState::Locked) return tr("'%1' is locked now.").arg(ui::qt(level.title));

@@ -15,7 +15,7 @@ class Course;
 class LevelControl;
 
 /// The path of levels: what is open, mastered, lapsed or locked and why, and what a level takes. One that is not locked
-/// can be practised.
+/// can be practiced.
 class PathPage final : public QWidget {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class PathPage final : public QWidget {
   PathPage(Course& course, LevelControl& levels, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// A level was chosen: the picture is to be seen.
+  /// A level was chosen: the image is to be seen.
   void chosen();
 
  private:

@@ -13,7 +13,7 @@ namespace insonate::train {
 namespace {
 
 constexpr int kHand_ms = 8;  // a mouse reports about as often
-/// Pictures that have come before the measurement; without them it begins after this long all the same.
+/// Images that have come before the measurement; without them it begins after this long all the same.
 constexpr std::size_t kFirst = 5;
 constexpr double kPatience_s = 30;
 constexpr double kReach_mm = 20, kTurn_deg = 15, kPeriod_s = 3;

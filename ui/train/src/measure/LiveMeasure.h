@@ -20,7 +20,7 @@ namespace insonate::train {
 
 class TrainSession;
 
-/// Slides and turns the probe as a hand does, and times the pictures that come of it; from when some have come, so that
+/// Slides and turns the probe as a hand does, and times the images that come of it; from when some have come, so that
 /// what is made once (scenes, memory) is not counted.
 class LiveMeasure : public QObject {
  public:
@@ -43,7 +43,7 @@ class LiveMeasure : public QObject {
   QElapsedTimer clock_;
   double moved_s_ = 0, cpu_ms_ = 0, window_ms_ = 0;
   std::deque<std::pair<Transform, double>> sent_;  ///< poses and when, ms
-  std::optional<double> shown_ms_;                 ///< when the pose of the picture on display was sent
+  std::optional<double> shown_ms_;                 ///< when the pose of the image on display was sent
   std::vector<double> latency_ms_;
 };
 

@@ -15,7 +15,7 @@ namespace insonate::train {
 namespace {
 
 constexpr int kSceneBeat_ms = 4;
-/// Longer than this no picture of rest is waited for.
+/// Longer than this no image of rest is waited for.
 constexpr double kRestTimeout_s = 30;
 /// A probe counts as moving until now after it came to rest.
 constexpr double kLeastRest_s = 0.6;

@@ -20,7 +20,7 @@ namespace insonate::train {
 class TrainSession;
 
 /// Turns the patient with the CT cast in 3D, comes nearer, lets it rest, and moves the probe before it; counts the
-/// pictures, and how long the window's thread is away from its events meanwhile.
+/// images, and how long the window's thread is away from its events meanwhile.
 class SceneMeasure : public QObject {
  public:
   /// `seconds` for each movement. `done` is called once, on the window's thread.
@@ -49,7 +49,7 @@ class SceneMeasure : public QObject {
   double moved_s_ = 0, beatProcessor_ms_ = 0;
   int renderings_ = 0;                                 ///< at the part's begin
   int beatRenderings_ = 0;                             ///< at the last beat
-  std::vector<double> movingHolds_ms_, restHolds_ms_;  ///< with a picture
+  std::vector<double> movingHolds_ms_, restHolds_ms_;  ///< with an image
 };
 
 }  // namespace insonate::train

@@ -27,7 +27,7 @@ class ProbeLibrary;
 class ProbeNumbers;
 class TrainSession;
 
-/// The narrow panel: where the probe is, and how the picture is made, the most used first; freeze at its foot.
+/// The narrow panel: where the probe is, and how the image is made, the most used first; freeze at its foot.
 class ControlsPanel : public ScrollingColumn {
  public:
   ControlsPanel(TrainSession& session, ProbeLibrary& library, QWidget* parent = nullptr);

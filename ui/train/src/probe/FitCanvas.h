@@ -9,7 +9,7 @@
 
 namespace insonate::train {
 
-/// A picture of a machine with a field of view over it, whose sides, corners, face and end can be dragged; inside it
+/// An image of a machine with a field of view over it, whose sides, corners, face and end can be dragged; inside it
 /// all moves. With the keyboard, G goes from handle to handle and arrows move it (Shift: ten times as far).
 class FitCanvas : public QWidget {
   Q_OBJECT
@@ -21,7 +21,7 @@ class FitCanvas : public QWidget {
   void setShape(const std::optional<FovShape>& shape);
   const std::optional<FovShape>& shape() const { return shape_; }
   void setMarks(std::vector<PixelPoint> marks);
-  /// The next press begins a line between two points of the picture, which decides the scale; the next one, or the end
+  /// The next press begins a line between two points of the image, which decides the scale; the next one, or the end
   /// of the drag, ends it.
   void setDrawing(bool drawing);
   bool isDrawing() const { return drawing_; }
@@ -70,7 +70,7 @@ class FitCanvas : public QWidget {
   PixelPoint last_;
 };
 
-/// The shape after a handle was brought to a point of the picture; `from` is where it was, for Whole. Sides move alone:
+/// The shape after a handle was brought to a point of the image; `from` is where it was, for Whole. Sides move alone:
 /// the other side stays.
 FovShape draggedTo(FovShape shape, FitCanvas::Handle handle, PixelPoint to, PixelPoint from);
 

@@ -261,7 +261,7 @@ void FitDialog::fitted(Result<std::shared_ptr<Loaded>> result) {
   showShape();
 }
 
-/// A shape of the base's kind in the middle of the picture, to be dragged into place.
+/// A shape of the base's kind in the middle of the image, to be dragged into place.
 void FitDialog::placeByHand() {
   FovShape shape;
   const double wide = picture_.width(), high = picture_.height();

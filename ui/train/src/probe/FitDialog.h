@@ -22,12 +22,12 @@ namespace insonate::train {
 class FitCanvas;
 
 /// From a photograph or screen capture of a machine to a probe: a file, a drop or the clipboard is fitted on a thread
-/// of its own, shown with the fit over it, corrected by hand. The picture is kept no longer than the dialog.
+/// of its own, shown with the fit over it, corrected by hand. The image is kept no longer than the dialog.
 class FitDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `base` gives what a picture does not show.
+  /// `base` gives what an image does not show.
   explicit FitDialog(const Probe& base, QWidget* parent = nullptr);
   ~FitDialog() override;
 
@@ -65,7 +65,7 @@ class FitDialog : public QDialog {
 
   Probe base_, probe_;
   QImage picture_;
-  QString doubts_;  ///< about the fit of this picture
+  QString doubts_;  ///< about the fit of this image
   std::optional<DepthRuler> ruler_;
   FitCanvas* canvas_;
   ui::TaskBar* tasks_;
@@ -74,7 +74,7 @@ class FitDialog : public QDialog {
   QLabel *trouble_ = nullptr, *notes_ = nullptr, *values_ = nullptr;
   QPushButton *take_ = nullptr, *draw_ = nullptr;
   double mmPerPx_ = 1;
-  double typedDepth_mm_ = 0;  ///< decides the scale where it is above 0; else the picture does
+  double typedDepth_mm_ = 0;  ///< decides the scale where it is above 0; else the image does
   bool refreshing_ = false;
 };
 

@@ -13,7 +13,7 @@ namespace insonate::train {
 
 class TrainSession;
 
-/// Handles on the live picture that change the probe's field of view: its angle (or width), the face's radius, the
+/// Handles on the live image that change the probe's field of view: its angle (or width), the face's radius, the
 /// depth. Dragged with the mouse; with the keyboard, G goes from handle to handle and Ctrl with the arrows moves it.
 class FovHandles : public QObject {
   Q_OBJECT
@@ -23,7 +23,7 @@ class FovHandles : public QObject {
 
   void setActive(bool active);
   bool isActive() const { return active_; }
-  /// While a handle is held, the picture must keep its scale.
+  /// While a handle is held, the image must keep its scale.
   bool isHeld() const { return held_; }
   /// Part of the imaging plane to show, with room to drag outward.
   views::PictureBounds roomFor(const views::PictureBounds& fieldOfView) const;

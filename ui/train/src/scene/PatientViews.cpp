@@ -24,7 +24,7 @@
 namespace insonate::train {
 namespace {
 
-/// Renderings of both views together may take this share of the time; the rest is the picture's. Each also makes Qt put
+/// Renderings of both views together may take this share of the time; the rest is the image's. Each also makes Qt put
 /// the whole window together again, which a processor without a graphics card feels.
 constexpr double kShare = 0.2;
 /// But the CT cast in 3D would follow a few times a second only, and who shows it wants to see it move.
@@ -232,7 +232,7 @@ void PatientViews::setSliceKind(views::SliceKind kind) {
 }
 
 Transform PatientViews::poseNow() const {
-  // The picture of a moving probe is a moment old; the probe itself is where the hand has it.
+  // The image of a moving probe is a moment old; the probe itself is where the hand has it.
   const bool live = !session_.isFrozen() && session_.handReady();
   return live ? session_.pose() : session_.shown()->patientFromProbe;
 }

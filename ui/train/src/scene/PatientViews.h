@@ -32,7 +32,7 @@ class SceneInput;
 class SliceMenu;
 class TrainSession;
 
-/// The patient beside the picture: in 3D with probe and image plane, and as CT slices. Both follow the probe as often
+/// The patient beside the image: in 3D with probe and image plane, and as CT slices. Both follow the probe as often
 /// as they can without slowing the ultrasound picture.
 class PatientViews : public QWidget {
  public:

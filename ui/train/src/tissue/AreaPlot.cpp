@@ -57,7 +57,7 @@ void AreaPlot::add(const LivePress& press) {
 
 void AreaPlot::show(const LivePress& press) {
   now_ = pointOf(press);
-  // A model on its way may be far off for a picture: no reason for another scale.
+  // A model on its way may be far off for an image: no reason for another scale.
   if (press.settled) grow(now_);
   describe();
   update();

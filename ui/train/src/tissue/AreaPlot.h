@@ -21,9 +21,9 @@ class AreaPlot final : public QWidget {
 
   explicit AreaPlot(QWidget* parent = nullptr);
 
-  /// A new live picture's: its point is kept where the probe presses.
+  /// A new live image's: its point is kept where the probe presses.
   void add(const LivePress& press);
-  /// The point of the picture on display, which is not kept; none where no vessel is in the plane.
+  /// The point of the image on display, which is not kept; none where no vessel is in the plane.
   void show(const LivePress& press);
   void clear();
   std::size_t points() const { return trace_.size(); }

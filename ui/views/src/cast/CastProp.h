@@ -23,7 +23,7 @@ class CastProp : public vtkProp {
   static CastProp* New();
   vtkTypeMacro(CastProp, vtkProp)
 
-      /// `news` is called on other threads when a better picture can be drawn.
+      /// `news` is called on other threads when a better image can be drawn.
       void setNews(std::function<void()> news) {
     news_ = std::move(news);
   }
@@ -39,7 +39,7 @@ class CastProp : public vtkProp {
   /// Since then something has become ready.
   bool hasNews() const { return fresh_; }
 
-  /// Pixels from one ray to the next, along a side, where a picture has so many and a ray takes so long.
+  /// Pixels from one ray to the next, along a side, where an image has so many and a ray takes so long.
   static double spacingFor(double pixels, double perRay_ms);
 
   double* GetBounds() override;

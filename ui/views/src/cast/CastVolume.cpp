@@ -96,7 +96,7 @@ int CastLook::entryOf(int hu) {
 }
 
 CastLook::CastLook(std::shared_ptr<const CastVolume> of, const TransferFunction& function) : volume(std::move(of)) {
-  std::vector<Entry> entries(kEntries);      // with the opacity of a millimetre
+  std::vector<Entry> entries(kEntries);      // with the opacity of a millimeter
   std::vector<int> before(kEntries + 1, 0);  // how many entries before this one are seen
   for (std::size_t k = 0; k < kEntries; ++k) {
     const double hu = kFirst_HU + double(k);

@@ -24,12 +24,12 @@ struct CastGrid {
   const std::int16_t* voxels = nullptr;
   std::vector<Range> ranges;
   Transform indexFromPatient;
-  double finest_mm = 1;  ///< the smallest distance of neighbours
+  double finest_mm = 1;  ///< the smallest distance of neighbors
 
   std::size_t block(int i, int j, int k) const { return (std::size_t(k) * blocks[1] + j) * blocks[0] + i; }
 };
 
-/// A patient's CT for casting rays: itself, and a copy of few voxels for pictures that must be quick.
+/// A patient's CT for casting rays: itself, and a copy of few voxels for images that must be quick.
 struct CastVolume {
   /// Maximum size of the copy along a side.
   static constexpr int kMostCoarse = 128;

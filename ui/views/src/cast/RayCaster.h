@@ -42,7 +42,7 @@ class RayCaster {
   /// The task outlives the caster.
   explicit RayCaster(const CastTask& task);
 
-  /// Red, green, blue and opacity of each ray in row 0..up-1 from below, colours multiplied by opacity.
+  /// Red, green, blue and opacity of each ray in row 0..up-1 from below, colors multiplied by opacity.
   void castRow(int row, std::uint8_t* rgba) const;
 
  private:

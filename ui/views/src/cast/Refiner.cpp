@@ -81,7 +81,7 @@ int Refiner::eyeInWork() const {
 }
 
 void Refiner::run() {
-  lowerThreadPriority();  // live pictures go first
+  lowerThreadPriority();  // live images go first
   std::unique_lock lock(mutex_);
   while (!ends_) {
     if (auto patient = std::exchange(unprepared_, nullptr)) {

@@ -11,7 +11,7 @@
 
 namespace insonate::views {
 
-/// A picture of which every pixel has its ray.
+/// An image of which every pixel has its ray.
 struct CastPicture {
   CastTask task;
   std::vector<std::uint8_t> rgba;  ///< as RayCaster gives it

@@ -41,7 +41,7 @@ struct MprView::Drawing {
   std::vector<PlanePoint> fan;
   SlicePlane sampled;               ///< what the quad shows
   std::uint64_t sampledLabels = 0;  ///< revision of the labels it shows
-  bool paintStale = true;           ///< colours, window or case have changed since
+  bool paintStale = true;           ///< colors, window or case have changed since
 };
 
 }  // namespace insonate::views

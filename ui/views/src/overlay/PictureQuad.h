@@ -17,17 +17,17 @@ class vtkUnsignedCharArray;
 
 namespace insonate::views {
 
-/// A picture on a rectangle of the display, its first row on top.
+/// An image on a rectangle of the display, its first row on top.
 class PictureQuad {
  public:
   PictureQuad(vtkRenderer& renderer, int components, bool interpolate);
   ~PictureQuad();
 
-  /// The picture's bytes, to be written to, of width * height * components; tell pictureChanged() afterwards. Allocates
+  /// The image's bytes, to be written to, of width * height * components; tell pictureChanged() afterwards. Allocates
   /// only when the size differs from the last one.
   std::span<std::uint8_t> picture(int width, int height);
   void pictureChanged();
-  /// A part of the picture, in shares of its width and height from its top left corner.
+  /// A part of the image, in shares of its width and height from its top left corner.
   struct Part {
     double left = 0, top = 0, right = 1, bottom = 1;
   };

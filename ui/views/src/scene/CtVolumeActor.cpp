@@ -27,7 +27,7 @@ CtVolumeActor::CtVolumeActor(vtkRenderer& renderer)
   property.SetScalarOpacity(opacity_);
   property.SetColor(colour_);
   property.SetScalarOpacityUnitDistance(1);
-  // Jitter would hide rings, and make no two pictures alike.
+  // Jitter would hide rings, and make no two images alike.
   mapper_->UseJitteringOff();
   mapper_->AutoAdjustSampleDistancesOff();
 }

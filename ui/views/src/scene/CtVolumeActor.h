@@ -28,7 +28,7 @@ class CtVolumeActor {
   void setCoarse(bool coarse);
   /// Sets whether there is no graphics card.
   void setSoftware(bool software);
-  /// Called on other threads when a better picture can be drawn.
+  /// Called on other threads when a better image can be drawn.
   void setNews(std::function<void()> news) { cast_->setNews(std::move(news)); }
   /// Nothing is missing of what was drawn last.
   bool exact() const { return !shown_ || !software_ || cast_->exact(); }

@@ -12,7 +12,7 @@
 namespace insonate::views {
 namespace {
 
-/// Flat colours look brighter than lit ones; the wall is darker than what it holds.
+/// Flat colors look brighter than lit ones; the wall is darker than what it holds.
 constexpr double kInside = 0.92, kWall = 0.5;
 /// The wall before the inside.
 constexpr double kWallLift_mm = 0.03;

@@ -18,8 +18,8 @@ class vtkUnsignedCharArray;
 
 namespace insonate::views {
 
-/// The ultrasound picture where it belongs in the patient: a sheet with the exact outline of the field of view, so that
-/// nothing of the picture's black surround is drawn.
+/// The ultrasound image where it belongs in the patient: a sheet with the exact outline of the field of view, so that
+/// nothing of the image's black surround is drawn.
 class ImagePlane {
  public:
   explicit ImagePlane(vtkRenderer& renderer);
@@ -27,7 +27,7 @@ class ImagePlane {
 
   /// Shows the outline alone until the next setImage.
   void setFieldOfView(const Probe& probe, const ImagingSettings& settings);
-  /// Allocates only when the picture's size changes.
+  /// Allocates only when the image's size changes.
   void setImage(const BModeImage& image);
   void setPose(vtkMatrix4x4* patientFromProbe);
   void setVisible(bool visible);
@@ -41,7 +41,7 @@ class ImagePlane {
   vtkNew<vtkImageData> image_;
   vtkNew<vtkUnsignedCharArray> bytes_;
   vtkNew<vtkTexture> texture_;
-  BModeImage shape_;  ///< size and place, no pixels; empty before the first picture
+  BModeImage shape_;  ///< size and place, no pixels; empty before the first image
   bool visible_ = true;
 };
 

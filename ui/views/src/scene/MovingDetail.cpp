@@ -58,7 +58,7 @@ void MovingDetail::ends(vtkRenderer& renderer) {
   step_ = nextStep(step_, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count());
 }
 
-/// There is no copying within a picture, so its corner goes through another.
+/// There is no copying within an image, so its corner goes through another.
 void MovingDetail::enlarge(vtkOpenGLRenderWindow& window, int across, int up) {
   const int width = window.GetSize()[0], height = window.GetSize()[1];
   vtkOpenGLFramebufferObject& picture = *window.GetRenderFramebuffer();

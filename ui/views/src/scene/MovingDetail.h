@@ -12,14 +12,14 @@ class vtkRenderWindow;
 namespace insonate::views {
 
 /// Keeps a moving scene quick: it is drawn into a corner of its window and enlarged from there, in steps that follow
-/// from how long the last pictures took. What is left out are pixels, which is what a processor without a graphics card
-/// pays for. Pictures of a scene at rest are not touched.
+/// from how long the last images took. What is left out are pixels, which is what a processor without a graphics card
+/// pays for. Images of a scene at rest are not touched.
 class MovingDetail {
  public:
   explicit MovingDetail(int step = 0);
   ~MovingDetail();
 
-  /// At the start of a window's picture, and at the end of the renderer's.
+  /// At the start of a window's image, and at the end of the renderer's.
   void starts(vtkRenderer& renderer, bool moving);
   void ends(vtkRenderer& renderer);
   void release(vtkRenderWindow& window);
@@ -27,7 +27,7 @@ class MovingDetail {
   /// Window pixels to a drawn one, along a side.
   double shrink() const;
 
-  /// The step to draw with next, when a picture drawn with this one took so long.
+  /// The step to draw with next, when an image drawn with this one took so long.
   static int nextStep(int step, double took_ms);
   static constexpr int kSteps = 8;
   static double shrinkOf(int step);

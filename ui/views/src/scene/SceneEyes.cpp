@@ -34,7 +34,7 @@ Vec3 SceneView::towardViewer() const {
   return -Vec3{into[0], into[1], into[2]};
 }
 
-/// The camera of the next picture, or the one between its eyes; near and far enclose the patient.
+/// The camera of the next image, or the one between its eyes; near and far enclose the patient.
 vtkCamera& SceneView::aimed() {
   frame();
   double box[6];

@@ -23,13 +23,13 @@ namespace insonate::views {
 /// describes the scene.
 class SceneStage {
  public:
-  /// `news` is called on other threads when a better picture can be drawn.
+  /// `news` is called on other threads when a better image can be drawn.
   SceneStage(vtkRenderer& renderer, std::function<void()> news);
 
   void attach(vtkRenderWindow& window);
   void detach(vtkRenderWindow& window);
 
-  /// The next pictures show this. What is given gets the memory of a state that is shown no more.
+  /// The next images show this. What is given gets the memory of a state that is shown no more.
   void show(SceneState& next);
   /// Tells whether the renderer's next frame needs layout().
   bool due() const { return due_ || (now_.coupling && now_.stereo != Stereo::Off); }

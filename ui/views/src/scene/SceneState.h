@@ -31,7 +31,7 @@ struct CameraPlace {
   double angle_deg = 30;
 };
 
-/// All that a picture of a scene follows from, as plain data: what the window's thread says, and hands to the one that
+/// All that an image of a scene follows from, as plain data: what the window's thread says, and hands to the one that
 /// draws. What is large is shared; a copy into one of the same case allocates nothing.
 struct SceneState {
   int width_px = 1, height_px = 1;

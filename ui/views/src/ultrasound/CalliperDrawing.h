@@ -12,7 +12,7 @@ namespace insonate::views {
 /// Mapping of a view that shows the caliper's plane.
 using ToDisplay = std::function<DisplayPoint(PicturePoint)>;
 
-/// One calliper with its number.
+/// One caliper with its number.
 void drawCalliper(const Calliper& calliper, int number, const ToDisplay& toDisplay, double scale, Lines& lines,
                   Texts& texts);
 

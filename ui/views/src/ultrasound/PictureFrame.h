@@ -11,18 +11,18 @@ namespace insonate::views {
 
 /// Elements around the ultrasound image.
 struct PictureFrame {
-  double left_px = 0, top_px = 0, right_px = 0, bottom_px = 0;  ///< of the picture
+  double left_px = 0, top_px = 0, right_px = 0, bottom_px = 0;  ///< of the image
   double px_per_mm = 10;
   double minAxial_mm = 0, maxAxial_mm = 40;
   std::optional<double> focus_mm{};
   std::vector<double> tgc_dB{};
   bool scale = true, greyBar = true, frozen = false;
-  DisplayPoint marker_px{};  ///< the picture's upper corner on the side of the probe's marker
+  DisplayPoint marker_px{};  ///< the image's upper corner on the side of the probe's marker
   bool markerRight = true;   ///< that is its right one
   std::string notice{};
 };
 
-/// Room that the frame needs beside the picture, in logical pixels.
+/// Room that the frame needs beside the image, in logical pixels.
 inline constexpr double kFrameLeft = 52, kFrameRight = 44, kFrameTop = 26, kFrameBottom = 14;
 
 void drawPictureFrame(const PictureFrame& frame, double scale, int width_px, Lines& lines, Texts& texts);

@@ -17,11 +17,11 @@ namespace insonate::views {
 namespace {
 
 constexpr int kMostLines = 40;        ///< of one direction
-constexpr double kStrength = 0.6;     ///< of the colours where pressure is a quarter of the scale or more
+constexpr double kStrength = 0.6;     ///< of the colors where pressure is a quarter of the scale or more
 constexpr double kShrinks = 0.3;      ///< the scale follows only where less of it than this is used
 constexpr double kMostCells = 0.985;  ///< are within the scale; at the face's edges pressure has no bound
 
-/// Equal steps of pressure look like equal steps, also to colour-blind eyes (viridis).
+/// Equal steps of pressure look like equal steps, also to color-blind eyes (viridis).
 constexpr Colour kColours[] = {
     {0x44, 0x01, 0x54}, {0x3b, 0x52, 0x8b}, {0x21, 0x91, 0x8c}, {0x5e, 0xc9, 0x62}, {0xfd, 0xe7, 0x25}};
 
@@ -56,7 +56,7 @@ TissueDrawing::TissueDrawing(vtkRenderer& renderer) : renderer_(renderer), lines
   vtkNew<vtkPolyDataMapper2D> mapper;
   mapper->SetInputData(data_);
   actor_->SetMapper(mapper);
-  // The picture's layer: over it, as it was added before, and under all lines.
+  // The image's layer: over it, as it was added before, and under all lines.
   actor_->SetLayerNumber(0);
   renderer_.AddActor2D(actor_);
 }
@@ -147,7 +147,7 @@ void TissueDrawing::drawPressure(const PictureTissue& tissue, const PicturePlane
 }
 
 void TissueDrawing::drawLegend(const PicturePlane& plane, double scale) {
-  // Below the grey bar, and as wide.
+  // Below the gray bar, and as wide.
   const double right = plane.right_px + 34 * scale, left = right - 10 * scale;
   const double height = std::min(0.35 * (plane.bottom_px - plane.top_px), 140 * scale);
   const double bottom = plane.bottom_px - 18 * scale, top = bottom - height;

@@ -25,7 +25,7 @@ struct PicturePlane {
   double across_px = 10, down_px = 10;  ///< one mm; across below 0 where mirrored
 };
 
-/// Mesh lines and pressure of a tissue over the picture, with the colours' scale beside it. Allocates nothing while the
+/// Mesh lines and pressure of a tissue over the image, with the colors' scale beside it. Allocates nothing while the
 /// mesh keeps its size.
 class TissueDrawing {
  public:
@@ -34,7 +34,7 @@ class TissueDrawing {
 
   void draw(const PictureTissue& tissue, bool grid, bool pressure, const PicturePlane& plane, double scale,
             int height_px);
-  /// Upper end of the colours, kPa.
+  /// Upper end of the colors, kPa.
   double top_kPa() const { return top_kPa_; }
 
  private:

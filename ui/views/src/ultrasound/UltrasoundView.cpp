@@ -37,7 +37,7 @@ void UltrasoundView::setImage(const BModeImage& image) {
     std::memcpy(drawing_->quad.picture(image.width, image.height).data(), image.grey.data(), count);
     drawing_->quad.pictureChanged();
   }
-  // A live picture changes grey values only; what is drawn around it stays.
+  // A live image changes gray values only; what is drawn around it stays.
   if (moved) {
     changed();
   } else {
@@ -196,7 +196,7 @@ void UltrasoundView::layout() {
     frame.focus_mm = focus_mm_, frame.tgc_dB = tgc_dB_;
     frame.scale = scaleVisible_, frame.greyBar = greyBarVisible_, frame.frozen = frozen_,
     frame.markerRight = !mirrored_, frame.notice = notice_;
-    // There may be room around the picture itself.
+    // There may be room around the image itself.
     double side_mm = shape_.left_mm + (shape_.width - 0.5) * shape_.pixel_mm;
     // A field of view that is being edited may be narrower than the picture.
     if (!guide_.outline.empty()) side_mm = std::ranges::max(guide_.outline, {}, &PicturePoint::lateral_mm).lateral_mm;

@@ -23,7 +23,7 @@ struct DeformationBenchRow {
   int frames = 0;
   double median_ms = 0, p95_ms = 0, min_ms = 0;  ///< a whole frame: tissue looked up, solved, seen backwards
   double iterations = 0;                         ///< mean
-  /// Against `reference` at the same pose, at tissue in the picture outside of vessels. NaN where not compared.
+  /// Against `reference` at the same pose, at tissue in the image outside of vessels. NaN where not compared.
   double displacementRms_mm = 0, displacementMax_mm = 0;
   double forceError_percent = 0;
   double lumenAreaError = 0;  ///< of the vein's area as a share of that at rest

@@ -14,7 +14,7 @@ namespace insonate {
 
 /// The servo's thread with two simulated hands that press and prick, in real time.
 struct HapticsBenchRow {
-  std::string scenario;  ///< `idle`, or `rendering`: while the cpu engine makes pictures without a pause
+  std::string scenario;  ///< `idle`, or `rendering`: while the cpu engine makes images without a pause
   std::uint64_t ticks = 0, lateTicks = 0;
   double p50_us = 0, p99_us = 0, p999_us = 0, max_us = 0;  ///< of the work of a tick
   double wakeP99_us = 0, wakeMax_us = 0;                   ///< from when a tick should begin to when it does

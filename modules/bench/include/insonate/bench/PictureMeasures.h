@@ -10,11 +10,11 @@ struct PictureBox {
   bool operator==(const PictureBox&) const = default;
 };
 
-/// Grey values 0..255 of the displayed picture inside a box; the box must lie in the picture and not be empty.
+/// Grey values 0..255 of the displayed image inside a box; the box must lie in the image and not be empty.
 struct GreyShares {
   double p25 = 0, p50 = 0, p75 = 0, p95 = 0, p99 = 0, mean = 0;
-  double black = 0, blackUpper60 = 0;  ///< shares of grey <= 5, whole and upper 60 %
-  double bright = 0, saturated = 0;    ///< shares of grey >= 200, >= 250
+  double black = 0, blackUpper60 = 0;  ///< shares of gray <= 5, whole and upper 60 %
+  double bright = 0, saturated = 0;    ///< shares of gray >= 200, >= 250
   double deepOverShallow = 0;          ///< mean of the deepest quarter over that of the second eighth and third eighth
 };
 GreyShares greyShares(const BModeImage& image, const PictureBox& fieldOfView);
@@ -32,7 +32,7 @@ Grain grainOf(const BModeImage& image, const PictureBox& patch);
 /// their surroundings are bands above and below, and what lies below is not compared with the sides.
 struct Lumen {
   double mean = 0, sd = 0;
-  double overSurroundings = 0;  ///< ring of 1.7 to 2.4 times the box's half axes; NaN where none is in the picture
+  double overSurroundings = 0;  ///< ring of 1.7 to 2.4 times the box's half axes; NaN where none is in the image
   double nearMinusFar = 0;      ///< top fifth minus bottom fifth
   double belowOverSides = 0;    ///< 0.4 to 1 box heights below; NaN in long-axis views
 };
@@ -42,7 +42,7 @@ Lumen lumenOf(const BModeImage& image, const PictureBox& box);
 double lineGrey(const BModeImage& image, const PictureBox& box);
 double meanGrey(const BModeImage& image, const PictureBox& box);
 
-/// Mean structural similarity of two pictures of equal size (Wang, Bovik, Sheikh, Simoncelli, IEEE Trans. Image
+/// Mean structural similarity of two images of equal size (Wang, Bovik, Sheikh, Simoncelli, IEEE Trans. Image
 /// Process. 13(4), 2004), over 8 x 8 windows every 4 pixels; 1 for equal pictures.
 double structuralSimilarity(const BModeImage& a, const BModeImage& b);
 

@@ -17,7 +17,7 @@ struct PlotPoint {
   std::string label;  ///< written beside the mark where not empty
 };
 
-/// Marks of one colour, joined in the order given. Points that are not finite are left out.
+/// Marks of one color, joined in the order given. Points that are not finite are left out.
 struct PlotSeries {
   std::string name;
   std::vector<PlotPoint> points;

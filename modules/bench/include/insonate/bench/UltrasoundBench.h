@@ -31,7 +31,7 @@ struct UltrasoundBenchPlan {
 };
 
 /// The built-in textbook neck with workload W1: 256 scanlines of 1000 samples, 3 planes, to 820 x 616, under the linear
-/// probe over the right jugular vein. Quick: fewer rows, one picture for realism.
+/// probe over the right jugular vein. Quick: fewer rows, one image for realism.
 Result<UltrasoundBenchPlan> ultrasoundBenchPlan(bool quick, const Progress& progress = {});
 
 struct FrameTimes {
@@ -84,7 +84,7 @@ struct BenchComputer {
   std::vector<Limits> limits;  ///< measured in the same run: one thread, then all
 };
 
-/// One measure of one picture beside what 15 real neck pictures gave.
+/// One measure of one image beside what 15 real neck images gave.
 struct RealismRow {
   std::string variant, view, measure, patch;
   PictureBox box;  ///< where the patch lies; empty where several were used
@@ -93,7 +93,7 @@ struct RealismRow {
   bool inRange = false;
 };
 
-/// A picture that realism was measured on.
+/// An image that realism was measured on.
 struct BenchPicture {
   std::string name;  ///< of its file, without extension
   BModeImage image;
@@ -119,7 +119,7 @@ nlohmann::json toJson(const UltrasoundBench& bench);
 /// Refuses, before any work, a folder that cannot be made or written.
 Result<void> checkBenchFolder(const std::filesystem::path& folder);
 
-/// ultrasound.json, ultrasound.csv, stages.csv, realism.csv, plots as SVG, pictures as PNG and index.md; all of them or
+/// ultrasound.json, ultrasound.csv, stages.csv, realism.csv, plots as SVG, images as PNG and index.md; all of them or
 /// none.
 Result<void> writeUltrasoundBench(const UltrasoundBench& bench, const std::filesystem::path& folder);
 

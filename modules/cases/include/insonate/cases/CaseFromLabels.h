@@ -24,11 +24,11 @@ struct CaseFromLabelsResult {
 ///                   "wall": "cartilage", "wall_mm": 1.8}]: structures the file lacks, drawn where nothing else is
 ///   "complete"    {"skin_mm": 1.8, "fat_mm": 5, "margin_mm": 2}: a body around the structures: skin, subcutaneous
 ///                 fat, and muscle, fat and connective tissue in between
-///   "targets"     [{"name": "right internal jugular vein", "number": 109, "z_mm": -65}]: centre of that number's
+///   "targets"     [{"name": "right internal jugular vein", "number": 109, "z_mm": -65}]: center of that number's
 ///                 voxels in the slice nearest to that level; each gets a transverse and a longitudinal start pose
 ///   "vessels"     {"109": "right internal jugular vein", ...}: the names of the file's vessels, by number
 /// Fails with the file and the entry that is wrong; unknown entries are refused, and so is a map that lists no
-/// structure or the numbers of less than half of the labelled voxels.
+/// structure or the numbers of less than half of the labeled voxels.
 Result<CaseFromLabelsResult> caseFromLabels(const std::filesystem::path& labelFile,
                                             const std::filesystem::path& mapFile, const CtSynthesisOptions& ct,
                                             const Progress& progress = {});

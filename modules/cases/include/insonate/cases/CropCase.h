@@ -23,7 +23,7 @@ Result<VolumeGeometry> croppedGrid(const VolumeGeometry& geometry, const CropOpt
 
 /// A part of a case, on the same or on another spacing: CT and labels together. A new voxel's HU is the mean of the
 /// linearly interpolated CT over it, its label the one with the largest share of it, each label interpolated by itself
-/// (so that a thin wall is not torn as by nearest voxels). Title, colours, targets and start poses stay, in patient
+/// (so that a thin wall is not torn as by nearest voxels). Title, colors, targets and start poses stay, in patient
 /// coordinates; targets outside are dropped. What was done is added to the import notes. Uses all cores. Same input:
 /// same bytes, on any number of threads. Fails as croppedGrid does, and when cancelled.
 Result<PatientCase> cropCase(const PatientCase& patient, const CropOptions& options, const Progress& progress = {});

@@ -11,7 +11,7 @@
 
 namespace insonate {
 
-/// One importable picture stack, without anything that identifies the patient except `uid`, which never enters a case.
+/// One importable image stack, without anything that identifies the patient except `uid`, which never enters a case.
 struct SeriesInfo {
   std::string uid;       ///< names the series for importSeries: DICOM Series Instance UID, with "#2" when one UID holds
                          ///< several stacks; the file's name for NRRD, NIfTI and MetaImage

@@ -15,10 +15,10 @@
 
 namespace insonate {
 
-/// A named place for the probe: where its face's centre is and how it looks. Patient LPS.
+/// A named place for the probe: where its face's center is and how it looks. Patient LPS.
 struct StartPose {
   std::string name;
-  Vec3 position_mm;  ///< centre of the probe face
+  Vec3 position_mm;  ///< center of the probe face
   Vec3 axial;        ///< into the body, unit
   Vec3 lateral;      ///< toward the probe's marker, unit, at right angles to axial
 };
@@ -115,7 +115,7 @@ struct PatientCase {
   LabelColours colours{};  ///< the author's, where they differ from the label table's; kept in labels.seg.nrrd
 };
 
-/// The author's colour of a label, else the label table's; grey for labels that the table does not know.
+/// The author's color of a label, else the label table's; gray for labels that the table does not know.
 LabelColour colourOf(const LabelColours& colours, std::uint8_t label);
 
 struct CaseReadResult {

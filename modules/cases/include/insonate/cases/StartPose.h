@@ -9,7 +9,7 @@ namespace insonate {
 /// the front of the neck (the level that is clearly narrower than those above and below it; where there is none, the
 /// middle of the volume), 25 mm to the patient's right of the midline, square to the skin. `lateral` points to the
 /// patient's left
-/// (+x in LPS), which is the right side of a transverse picture by convention. The body is every labelled voxel, or,
+/// (+x in LPS), which is the right side of a transverse image by convention. The body is every labeled voxel, or,
 /// where the label map is empty, everything denser than -300 HU. Fails when no skin is met.
 Result<StartPose> proposeStartPose(const CaseView& patient);
 

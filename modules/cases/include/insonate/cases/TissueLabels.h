@@ -7,7 +7,7 @@
 
 namespace insonate {
 
-/// The labels as pictures, hands and the check see them: each of the author's own as the tissue that it is made of.
+/// The labels as images, hands and the check see them: each of the author's own as the tissue that it is made of.
 /// None where the author has no labels of his own. Some hundredths of a second for a large CT.
 std::optional<LabelMap> inTissues(const OwnLabels& own, const LabelMap& labels);
 

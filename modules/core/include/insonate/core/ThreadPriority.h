@@ -5,7 +5,7 @@
 
 namespace insonate {
 
-/// From here on, this thread and those it starts come behind the window's thread and behind pictures that somebody
+/// From here on, this thread and those it starts come behind the window's thread and behind images that somebody
 /// waits for, but not so far that they could not end when told to. There is no way back. What a thread hands to TBB's
 /// workers has their priority: an arena of one thread keeps it here. setpriority(2): on Linux, of a thread.
 inline void lowerThreadPriority() {

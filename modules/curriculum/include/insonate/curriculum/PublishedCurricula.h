@@ -36,7 +36,7 @@ class PublishedCurricula {
   Result<CurriculumEntry> publish(const std::string& name, int version, const std::string& text) const;
 
   /// One a name, shared by instructors; any text of at most 1 MB. `before` is the draft as the caller last knew it, ""
-  /// where there was none: fails where somebody else has saved another since, whose work is not overwritten unseen.
+  /// where there was none: fails where another user has saved another since, whose work is not overwritten unseen.
   Result<void> saveDraft(const std::string& name, const std::string& text, const std::string& before) const;
   Result<std::vector<std::string>> drafts() const;
   Result<std::string> draft(const std::string& name) const;

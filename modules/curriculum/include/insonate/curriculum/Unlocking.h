@@ -15,7 +15,7 @@ namespace insonate {
 enum class LevelState {
   Locked,    ///< a prerequisite is not mastered
   Open,      ///< to be learnt now
-  Mastered,  ///< and may be practised
+  Mastered,  ///< and may be practiced
   Lapsed,    ///< was mastered; to be renewed now
 };
 

@@ -72,7 +72,7 @@ struct Deformation {
 struct DeformationSettings {
   double mesh_mm = 0.5;     ///< cells near vessels and face; 0.1..4
   double depth_mm = 50;     ///< below the face; the tissue there does not move. 10..200
-  int mostIterations = 60;  ///< of one solve; a live picture takes few, and goes on with the next
+  int mostIterations = 60;  ///< of one solve; a live image takes few, and goes on with the next
   double tolerance_mm = 0;  ///< 0: the model's own
   /// Above 0: where the probe has moved, a solution is left when a step was shorter than this; the next goes on.
   double enough_mm = 0;

@@ -25,7 +25,7 @@ struct OutlineBend {
   float within_permm = 0, across_permm = 0;
 };
 
-/// The patient's tissue in the plane of the picture, undeformed: what a model
+/// The patient's tissue in the plane of the image, undeformed: what a model
 /// asks for. The plane belongs to a pose of the probe, whose face may lie
 /// inside the tissue: that is how deep it presses.
 class TissuePlane {

@@ -54,7 +54,7 @@ struct ServoInput {
 struct HandOutput {
   Force force;                 ///< for the device, in its frame; within its limits
   Transform patientFromTool;   ///< where the tool is held
-  Transform patientFromShown;  ///< where pictures show it: no needle in bone
+  Transform patientFromShown;  ///< where images show it: no needle in bone
   Vec3 wanted_N;               ///< what tissue and the other tool would give, patient space, before any limit
   double energy_J = 0;         ///< that the hand has given and not got back, as far as it is remembered
   bool limited = false;        ///< a limit, silence or the energy account took something off

@@ -8,7 +8,7 @@
 
 namespace insonate {
 
-/// A hand or pedal made of mouse and keys, for those without a device. The window tells what happened in millimetres
+/// A hand or pedal made of mouse and keys, for those without a device. The window tells what happened in millimeters
 /// and radians; the servo takes states that follow smoothly, as a hand would move. It feels no forces.
 ///
 /// The window's thread: drag(), turn(), press() and so on. The servo's: take(), push(). Nothing here locks, waits or

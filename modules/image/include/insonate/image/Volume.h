@@ -25,7 +25,7 @@ using CtVolume = Volume<std::int16_t>;
 /// Structure numbers of insonate/tissue/Labels.h; 0 is outside the patient.
 using LabelMap = Volume<std::uint8_t>;
 
-/// Trilinear interpolation at a continuous index (voxel centres at integers); nearest edge voxel outside.
+/// Trilinear interpolation at a continuous index (voxel centers at integers); nearest edge voxel outside.
 double sampleLinear(const CtVolume& volume, Vec3 index);
 /// Value of the nearest voxel; `outside` beyond half a voxel off the grid.
 std::uint8_t sampleNearest(const LabelMap& labels, Vec3 index, std::uint8_t outside = 0);

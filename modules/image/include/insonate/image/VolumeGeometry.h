@@ -11,8 +11,8 @@ namespace insonate {
 /// Position of a voxel grid in patient space (LPS, millimeters, as in DICOM).
 struct VolumeGeometry {
   std::array<int, 3> size{1, 1, 1};  ///< voxels along i, j, k; each at least 1
-  Vec3 spacing_mm{1, 1, 1};          ///< distance of voxel centres; each above 0
-  Vec3 origin_mm{};                  ///< patient position of the centre of voxel (0, 0, 0)
+  Vec3 spacing_mm{1, 1, 1};          ///< distance of voxel centers; each above 0
+  Vec3 origin_mm{};                  ///< patient position of the center of voxel (0, 0, 0)
   Mat3 direction;                    ///< columns: patient directions of i, j, k; orthonormal (either handedness)
 
   bool operator==(const VolumeGeometry&) const = default;
@@ -22,7 +22,7 @@ struct VolumeGeometry {
   bool contains(int i, int j, int k) const {
     return i >= 0 && j >= 0 && k >= 0 && i < size[0] && j < size[1] && k < size[2];
   }
-  /// Continuous voxel index (centres at integers) to patient LPS mm.
+  /// Continuous voxel index (centers at integers) to patient LPS mm.
   Transform patientFromIndex() const;
   Transform indexFromPatient() const;
   Vec3 centre_mm() const;
@@ -35,7 +35,7 @@ bool sameGrid(const VolumeGeometry& a, const VolumeGeometry& b);
 Result<void> validate(const VolumeGeometry& geometry);
 
 /// Fails where voxels are smaller than 0.05 mm or larger than 25 mm along an axis: no CT of a patient is like that, but
-/// files in metres or micrometres are.
+/// files in metres or micrometers are.
 Result<void> checkVoxelSize(Vec3 spacing_mm);
 
 }  // namespace insonate

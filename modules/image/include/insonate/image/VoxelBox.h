@@ -21,7 +21,7 @@ struct VoxelBox {
   }
 };
 
-/// The voxel whose centre is nearest to a continuous index that is not far beyond a grid.
+/// The voxel whose center is nearest to a continuous index that is not far beyond a grid.
 std::array<int, 3> nearestVoxel(Vec3 index);
 
 /// All of a grid.

@@ -28,7 +28,7 @@ struct AttemptHeader {
   int procedureVersion = 0;
   std::string caseName{}, caseHash{};
   std::string settingsHash{};  ///< of `settings`; the recorder fills it in
-  std::string engine{};        ///< that made the pictures
+  std::string engine{};        ///< that made the images
   PictureField picture{};
   /// Names of the vessels that the case names, the target of this attempt first; empty: the case has no target in a
   /// vein, and each vein counts as the target.

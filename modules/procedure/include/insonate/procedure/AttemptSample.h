@@ -16,11 +16,11 @@ struct AttemptSample {
   std::optional<double> needleDepth_mm{};        ///< of the tip below the skin's hole, along the needle; none: outside
   double tenting_mm = 0;                         ///< how far the tip has pushed what is before it; 0: nothing
   double probeForce_N = 0;                       ///< with which the probe presses on the skin
-  double pictureDepth_mm = 0;                    ///< of the live picture; 0: there is none, or it stands still
+  double pictureDepth_mm = 0;                    ///< of the live image; 0: there is none, or it stands still
   bool aspirating = false;                       ///< the syringe draws
   // From the tip to where the structures are just then; negative inside. None: not known, or there are none.
   std::optional<double> toArtery_mm{}, toLung_mm{};
-  std::optional<double> toVeinCentre_mm{};  ///< to the centre line of the vein
+  std::optional<double> toVeinCentre_mm{};  ///< to the center line of the vein
 
   bool operator==(const AttemptSample&) const = default;
 };

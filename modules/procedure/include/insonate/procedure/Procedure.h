@@ -66,7 +66,7 @@ struct MetricNorm {
   std::string advice;             ///< how to come nearer to the expert, one sentence
 };
 
-/// A structure that a case must have labelled.
+/// A structure that a case must have labeled.
 struct NeededStructure {
   Label label = kVein;
   std::string why;  ///< what would be lost without it, the end of a sentence

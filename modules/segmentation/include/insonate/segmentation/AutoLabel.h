@@ -17,8 +17,8 @@ namespace insonate {
 ///   soft tissue  thin strands between fat, and the lining of the airway
 /// Contrast-filled vessels are not bone unless they are as dense as cortex; they become muscle.
 ///
-/// Distances are in millimetres on any grid: anisotropic, oblique, either handedness. The ends of the scan across the
-/// patient's head-foot axis, the edge of the picture and padding are cuts, not skin. Memory: at most nine bytes a voxel
+/// Distances are in millimeters on any grid: anisotropic, oblique, either handedness. The ends of the scan across the
+/// patient's head-foot axis, the edge of the image and padding are cuts, not skin. Memory: at most nine bytes a voxel
 /// besides the CT. Uses the calling thread's TBB arena; may be called on several volumes at once. The same volume gives
 /// the same labels on any number of threads.
 ///

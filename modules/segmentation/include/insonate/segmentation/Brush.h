@@ -12,7 +12,7 @@ struct Brush {
   std::optional<int> sliceAxis{};  ///< a circle in the slice across this axis of the grid (0, 1, 2); else a sphere
 };
 
-/// The voxels whose centres are within the radius of a stroke: a line through points in the patient, mm, or the dab at
+/// The voxels whose centers are within the radius of a stroke: a line through points in the patient, mm, or the dab at
 /// one point. Of a circle, the slice is that of the first point. The voxel nearest to each point is always chosen, so
 /// that the smallest brush paints, too. Empty beside the grid. Takes as long as the stroke is large, whatever the size
 /// of the CT: a few milliseconds.

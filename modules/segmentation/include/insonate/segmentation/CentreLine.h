@@ -11,7 +11,7 @@
 
 namespace insonate {
 
-/// The middle of a piece of vessel, from one end to the other: the centroids of its cross-sections, about a millimetre
+/// The middle of a piece of vessel, from one end to the other: the centroids of its cross-sections, about a millimeter
 /// apart. Patient space, mm.
 using CentreLine = std::vector<Vec3>;
 

@@ -17,7 +17,7 @@ Seeds seedsOf(const LabelMap& labels, const VoxelBox& box, const LabelSet& which
 
 struct Competition {
   double smoothing_mm = 0.7;  ///< standard deviation of the blur of the CT before
-  double perMm_HU = 3;        ///< what a millimetre of way costs, beside the change of the CT along it
+  double perMm_HU = 3;        ///< what a millimeter of way costs, beside the change of the CT along it
 };
 
 /// Each contested voxel goes to the seed from which the way is cheapest, a step costing the change of the CT along it:

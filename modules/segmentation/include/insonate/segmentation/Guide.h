@@ -45,7 +45,7 @@ struct GuideStep {
   std::optional<GuideRange> diameter_mm, volume_ml;  ///< of what it makes, with the source in the file
 };
 
-/// Steps through which a CT is labelled, in this order.
+/// Steps through which a CT is labeled, in this order.
 struct Guide {
   std::string description;
   std::vector<GuideStep> steps;

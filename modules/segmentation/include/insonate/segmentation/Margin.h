@@ -6,7 +6,7 @@
 
 namespace insonate {
 
-// Distances are between the centres of voxels, in millimetres on any grid. The selection's box needs a margin of the
+// Distances are between the centers of voxels, in millimeters on any grid. The selection's box needs a margin of the
 // distance around the shape. All fail when cancelled; the last two refuse to let a shape vanish.
 
 /// Larger by so much on all sides.

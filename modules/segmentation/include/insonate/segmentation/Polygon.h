@@ -8,7 +8,7 @@
 
 namespace insonate {
 
-/// The voxels of a slice across an axis of the grid (0, 1, 2) whose centres lie in a polygon: what was drawn. Corners
+/// The voxels of a slice across an axis of the grid (0, 1, 2) whose centers lie in a polygon: what was drawn. Corners
 /// are points of the patient, mm; the slice is that of the first. Where the outline crosses itself, the even-odd rule
 /// holds. Refuses fewer than three corners and a first corner beside the grid.
 Result<Selection> drawn(const VolumeGeometry& geometry, int sliceAxis, std::span<const Vec3> corners_mm);

@@ -23,7 +23,7 @@ Result<Selection> closed(const Selection& shape, double radius_mm, const Progres
 Result<Selection> gaussianSmoothed(const Selection& shape, double sigma_mm, const Progress& progress = {});
 
 /// All these labels at once: each of their voxels in the box goes to the one whose blurred share is largest there, so
-/// that neighbours stay neighbours, without gaps or overlaps. Other labels' voxels stay.
+/// that neighbors stay neighbors, without gaps or overlaps. Other labels' voxels stay.
 Result<Proposal> jointlySmoothed(const LabelMap& labels, const VoxelBox& box, const LabelSet& which, double sigma_mm,
                                  const Progress& progress = {});
 

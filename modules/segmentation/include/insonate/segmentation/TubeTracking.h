@@ -13,7 +13,7 @@ struct TubeTracking {
 };
 
 /// Follows what differs little from its surroundings along clicks in its middle: a vessel without contrast agent, seen
-/// by the fat around it, or a muscle by its fasciae. Between clicks the line is smooth. Sections a millimetre apart are
+/// by the fat around it, or a muscle by its fasciae. Between clicks the line is smooth. Sections a millimeter apart are
 /// averaged along the line instead of blurred, since fasciae are no thicker than a voxel, and take the closed outline
 /// that best parts what is like the clicks from what is not; then they are centred and stretched as their shape asks
 /// for, so that flat tubes are found, too, and fitted again. In a noisy CT both limits are wider.

@@ -16,7 +16,7 @@ struct VesselTracking {
   double smoothing_mm = 0.6;  ///< standard deviation of the blur of the CT in which the way is found; 0 to 3
 };
 
-/// A section square to a vessel, in the patient: the wall lies radius_mm[n] from the centre along
+/// A section square to a vessel, in the patient: the wall lies radius_mm[n] from the center along
 /// right cos(a) + down sin(a), a = 2 pi n / kRays.
 struct VesselOutline {
   static constexpr int kRays = 36;
@@ -33,7 +33,7 @@ struct TrackedVessel {
 };
 
 /// Follows a vessel filled with contrast agent between points that were clicked in it, in this order, and finds its
-/// wall in sections a millimetre apart. Each section takes the star-shaped outline that best parts what looks like
+/// wall in sections a millimeter apart. Each section takes the star-shaped outline that best parts what looks like
 /// the blood at the nearest clicks from what does not, be it darker (muscle, fat) or brighter (bone), and that changes
 /// little around the vessel and along it; so a vessel that touches bone, or another one, keeps its shape. Rays
 /// are stretched as the vessel is flat, and how bright its blood is gets measured in the sections. On each ray the wall

@@ -10,10 +10,10 @@
 
 namespace insonate {
 
-/// All that, with a case and what the hands did, decides the pictures of an attempt: what AttemptHeader::settings and
+/// All that, with a case and what the hands did, decides the images of an attempt: what AttemptHeader::settings and
 /// SettingsChange keep.
 struct AttemptSettings {
-  /// With the engine that made the pictures, not "auto". Persistence is left out of replayed pictures.
+  /// With the engine that made the images, not "auto". Persistence is left out of replayed pictures.
   ImagingSetup setup;
   Physiology physiology;
   bool pulsating = false;  ///< false: blood is at its mean pressure

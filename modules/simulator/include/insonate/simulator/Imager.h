@@ -16,7 +16,7 @@
 
 namespace insonate {
 
-/// Everything but patient and pose that decides what a picture looks like.
+/// Everything but patient and pose that decides what an image looks like.
 struct ImagingSetup {
   Probe probe;
   ImagingSettings settings;
@@ -25,7 +25,7 @@ struct ImagingSetup {
   TissueMechanics mechanics = {};  ///< for what presses: an Imager is handed the displacement
 };
 
-/// One picture with what led to it.
+/// One image with what led to it.
 struct ImagingFrame {
   struct Stage {
     std::string name;
@@ -35,11 +35,11 @@ struct ImagingFrame {
   EnvelopeFrame envelope;
   BModeImage image;
   std::vector<Stage> stages;
-  double frame_ms = 0;             ///< from pose to picture, on the clock
+  double frame_ms = 0;             ///< from pose to image, on the clock
   std::string engine, engineNote;  ///< that computed it, and what is to be said of it; see Engine::note()
 };
 
-/// From scene and pose to picture: the engine and the display of one setup. Not for concurrent use of one object; uses
+/// From scene and pose to image: the engine and the display of one setup. Not for concurrent use of one object; uses
 /// the calling thread's TBB arena.
 class Imager {
  public:

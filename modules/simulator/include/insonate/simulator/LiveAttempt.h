@@ -60,7 +60,7 @@ class LiveAttempt final : public TickListener {
   /// target vein is found.
   void see(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around);
 
-  /// Replaced, frozen, released or positioned. While frozen, pictures stand still and count as none.
+  /// Replaced, frozen, released or positioned. While frozen, images stand still and count as none.
   void tell(AttemptEventKind kind, double tilt_deg = 0);
   void setAspirating(bool on);
   /// From now on; before, those of the header hold.

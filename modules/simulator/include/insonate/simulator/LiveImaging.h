@@ -36,12 +36,12 @@ struct LivePress {
   /// Rest positions of the tissue along the middle line of the image, from the face to the image's depth; patient
   /// space. The points of the image are kMiddleStep_mm apart.
   std::vector<Vec3> middleAtRest_mm;
-  bool settled = true;  ///< false: the model is still on its way, and the next picture goes on
+  bool settled = true;  ///< false: the model is still on its way, and the next image goes on
   double solve_ms = 0;  ///< part of frame_ms
   TissueMesh mesh;      ///< empty unless setKeepMesh()
 };
 
-/// One picture of a live probe. Never changes once handed out, and may be kept: its memory is used again when the last
+/// One image of a live probe. Never changes once handed out, and may be kept: its memory is used again when the last
 /// holder lets go, even after LiveImaging itself has gone.
 struct LiveFrame {
   BModeImage image;
@@ -52,19 +52,19 @@ struct LiveFrame {
   std::shared_ptr<const ImagingSetup> setup;                 ///< probe, settings, tissues, engine; never null
   std::shared_ptr<const std::vector<std::string>> warnings;  ///< about the case, e.g. unknown labels; never null
   std::vector<ImagingFrame::Stage> stages;                   ///< empty where the probe is outside the patient
-  double frame_ms = 0;                                       ///< from pose to picture, on the clock
+  double frame_ms = 0;                                       ///< from pose to image, on the clock
   std::string engine, engineNote;                            ///< see ImagingFrame; the last that computed
   std::uint64_t number = 0;                                  ///< 1 for the first; no gaps
   double time_s = 0;                                         ///< since LiveImaging was made
 };
 
 enum class LiveState {
-  Starting,  ///< the first scene is being built; there is no picture yet
+  Starting,  ///< the first scene is being built; there is no image yet
   Imaging,
-  WaitingForScene,  ///< the probe left the scene; the last picture stays until the next scene is built
+  WaitingForScene,  ///< the probe left the scene; the last image stays until the next scene is built
   Frozen,
-  Outside,  ///< the probe looks past the patient's volume: pictures are black
-  Failed,   ///< see message; the last picture stays, and another setup or pose is tried
+  Outside,  ///< the probe looks past the patient's volume: images are black
+  Failed,   ///< see message; the last image stays, and another setup or pose is tried
 };
 
 struct LiveStatus {
@@ -76,11 +76,11 @@ struct LiveStatus {
 };
 
 struct LiveOptions {
-  int threads = 0;                    ///< for pictures; 0: every core but one, which is left to the window
+  int threads = 0;                    ///< for images; 0: every core but one, which is left to the window
   double sceneMargin_mm = 15;         ///< room to move in a scene, each way; 2..100
   double sceneReserve_mm = 9;         ///< the next scene is begun where less room than this is left
   std::size_t cineBytes = 256 << 20;  ///< memory for frames of the past; the latest frame is kept in any case
-  bool background = false;            ///< pictures come behind the rest of the program: see lowerThreadPriority()
+  bool background = false;            ///< images come behind the rest of the program: see lowerThreadPriority()
   bool workAhead = true;              ///< compute what scenes to come are made of, as far as processors are idle
   bool keepEnvelopes = false;         ///< LiveFrame::envelope too, about six times the memory
   Physiology physiology = {};         ///< see setPhysiology()
@@ -89,7 +89,7 @@ struct LiveOptions {
 };
 
 /// A probe over a patient, imaged as it moves. A pose whose face lies inside the skin presses: tissue gives way as the
-/// setup's mechanics say, computed before each picture. Owns a thread that makes a picture whenever pose or setup have
+/// setup's mechanics say, computed before each picture. Owns a thread that makes an image whenever pose or setup have
 /// changed, or persistence or tissue have not settled, and a worker that builds the next scene before the probe leaves
 /// the present one. A probe that is held still costs nothing. A frame allocates nothing once the cine memory is full.
 ///
@@ -108,8 +108,8 @@ class LiveImaging {
   /// ignored.
   void setPose(const Transform& patientFromProbe);
 
-  /// A needle, and the tissue that its tip pushes ahead, from the next picture on; none where there is none. The latest
-  /// counts, and makes a picture by itself where it differs from the one before. Never blocks. A needle that validate()
+  /// A needle, and the tissue that its tip pushes ahead, from the next image on; none where there is none. The latest
+  /// counts, and makes an image by itself where it differs from the one before. Never blocks. A needle that validate()
   /// refuses, or a dent that is not finite, is ignored.
   void setNeedle(const std::optional<Needle>& needle, const std::optional<Tenting>& tenting = {});
 
@@ -131,11 +131,11 @@ class LiveImaging {
   /// Once this returns, latest() and cine() stay as they are. Poses and setups are kept for later.
   void setFrozen(bool frozen);
 
-  /// At rest, no pictures are made, and a scene and what scenes are made of (some hundred megabytes) are given back.
-  /// Pictures, pose and setups are kept, and the next picture comes as soon as a scene is built anew.
+  /// At rest, no images are made, and a scene and what scenes are made of (some hundred megabytes) are given back.
+  /// Images, pose and setups are kept, and the next image comes as soon as a scene is built anew.
   void setResting(bool resting);
 
-  /// Null until the first picture is there.
+  /// Null until the first image is there.
   std::shared_ptr<const LiveFrame> latest() const;
 
   /// The frames of this long before the latest, oldest first, as far as cineBytes reaches. Empty before the first.
@@ -146,7 +146,7 @@ class LiveImaging {
   /// destroy this object.
   void onFrame(std::function<void()> listener);
 
-  /// Pictures of the last second; 0 for a probe held still.
+  /// Images of the last second; 0 for a probe held still.
   double imagesPerSecond() const;
   LiveStatus status() const;
 

@@ -9,14 +9,14 @@
 
 namespace insonate {
 
-/// 8-bit grey PNG with its scale (pHYs). Written atomically; fails with a sentence.
+/// 8-bit gray PNG with its scale (pHYs). Written atomically; fails with a sentence.
 Result<void> writePng(const BModeImage& image, const std::filesystem::path& file);
 
-/// The greys of a PNG or JPEG file, known by its first bytes; transparent parts are black. Fails with a sentence on any
+/// The grays of a PNG or JPEG file, known by its first bytes; transparent parts are black. Fails with a sentence on any
 /// other file, a broken one, and one of over 16384 pixels each way.
 Result<GreyPicture> readPicture(const std::filesystem::path& file);
 
-/// A picture with a fit drawn over it in colour: the outline, and the marks of the depth scale. Written atomically as
+/// An image with a fit drawn over it in color: the outline, and the marks of the depth scale. Written atomically as
 /// PNG; fails with a sentence.
 Result<void> writeFitPicture(const GreyPicture& picture, const FovFit& fit, const std::filesystem::path& file);
 

@@ -15,7 +15,7 @@ namespace insonate {
 BloodPressure bloodPressure(const Physiology& physiology, const MechanicalTable& tissues,
                             std::optional<double> time_s = {});
 
-/// The pose, moved along its axis until the face first touches the labelled body, to within half a millimetre: near
+/// The pose, moved along its axis until the face first touches the labeled body, to within half a millimeter: near
 /// enough to know which scene is needed. Fails where the face meets no skin within 20 mm behind or 40 mm before it.
 Result<Transform> poseOnSkin(const LabelMap& labels, const ProbeFace& face, const Transform& patientFromProbe);
 

@@ -10,7 +10,7 @@
 namespace insonate {
 
 /// Checks that a procedure can be done on a case with these `labels`. Fails with a sentence if a structure that it
-/// needs is not labelled, or if the case's targets are those of another built-in procedure. Targets whose names
+/// needs is not labeled, or if the case's targets are those of another built-in procedure. Targets whose names
 /// indicate no procedure are accepted.
 Result<void> checkFits(const Procedure& procedure, const CaseManifest& manifest, std::span<const std::uint8_t> labels);
 /// The same, looking through the label map.

@@ -68,10 +68,10 @@ struct SessionOutcome {
   ProcedureRun run;
 };
 
-/// Pictures on the way, as AttemptPictures makes them of the recording.
+/// Images on the way, as AttemptPictures makes them of the recording.
 struct SessionPictures {
   std::int64_t every_us = 1'000'000;  ///< of the script's time, a multiple of 1000; the first at the first multiple
-  /// Called where a probe is held, once for a picture that is frozen; a failure ends the session. None: no pictures
+  /// Called where a probe is held, once for an image that is frozen; a failure ends the session. None: no images
   /// are made.
   std::function<Result<void>(const LiveFrame&)> take;
 };
@@ -79,7 +79,7 @@ struct SessionPictures {
 /// A whole attempt without a window, device or clock: hands that are where the script has them, through the servo at
 /// 1 kHz, into a recording. A face inside the skin presses; the tissue is solved 30 times a second of the script's
 /// time, from rest, and tells the probe's force and where what the needle meets lies. Faster than real time, but where
-/// pictures are made or the probe moves through tissue. The same script, case and program give the same attempt.
+/// images are made or the probe moves through tissue. The same script, case and program give the same attempt.
 /// `software` is name and version, for the header, which says that a script moved the hands. Cancelled, it leaves no
 /// file.
 Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase& patient, std::string_view software,

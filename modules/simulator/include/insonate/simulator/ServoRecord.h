@@ -27,7 +27,7 @@ struct TickContext {
 };
 
 /// A tick of the servo as a recording keeps it. Distances to artery and lung are those of the grid, where it knows any
-/// within 200 mm; `veins` are the centre lines of the case's veins, in tissue at rest. Neither waits nor allocates.
+/// within 200 mm; `veins` are the center lines of the case's veins, in tissue at rest. Neither waits nor allocates.
 AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, const TissueGrid* grid,
                        std::span<const CentreLine> veins, const VesselNames& vessels) noexcept;
 /// Time is the context's. `skin`: that of the case, as it lies without the probe; null: not there yet. The normal of

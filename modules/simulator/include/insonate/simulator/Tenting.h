@@ -5,7 +5,7 @@
 
 namespace insonate {
 
-/// Tissue that a needle pushes ahead of its tip before a wall gives way. Patient LPS, millimetres.
+/// Tissue that a needle pushes ahead of its tip before a wall gives way. Patient LPS, millimeters.
 struct Tenting {
   Vec3 tip_mm{};            ///< where the tip is now, the wall on it
   Vec3 direction{0, 0, 1};  ///< of the needle, toward the tip; unit

@@ -36,7 +36,7 @@ Result<NamedVessel> nameVessel(const LabelMap& labels, const OwnLabels& own, Vec
 /// cut. Fails where that is an end of the course.
 Result<std::pair<NamedVessel, NamedVessel>> splitVessel(const NamedVessel& vessel, Vec3 place_mm);
 
-/// The vessels that the recipe's steps have labelled for steps of the guide that name one, each found by the step's
+/// The vessels that the recipe's steps have labeled for steps of the guide that name one, each found by the step's
 /// clicks. A vessel whose clicks lie in no vein or artery any more is left out.
 Result<std::vector<NamedVessel>> vesselsOf(const Guide& guide, const Recipe& recipe, const LabelMap& labels,
                                            const OwnLabels& own, const Progress& progress = {});

@@ -13,8 +13,8 @@ namespace insonate {
 struct SurfaceOptions {
   /// Waves along the surface shorter than this, or than six voxels (blocks, where detail_mm makes them) along the
   /// grid's coarsest axis, are smoothed away: noise, and the stairs of the grid. 0 to 100; 0 for no smoothing. The
-  /// surface stays within a voxel of the labelled one and, as far as moving it by a quarter of a voxel allows, encloses
-  /// the volume of the labelled voxels.
+  /// surface stays within a voxel of the labeled one and, as far as moving it by a quarter of a voxel allows, encloses
+  /// the volume of the labeled voxels.
   double smoothing_mm = 8;
   /// Voxels are put together, along each axis by itself, to blocks of at most this edge, so that large structures get
   /// fewer triangles; 0 to 100, at 0 every voxel counts. Where that would change the volume by more than a tenth (walls
@@ -33,7 +33,7 @@ std::vector<std::uint8_t> structuresIn(const LabelMap& labels);
 Result<Mesh> extractSurface(const LabelMap& labels, std::uint8_t label, const SurfaceOptions& options = {},
                             const Progress& progress = {});
 
-/// The same for all labelled voxels together: the patient as one sees them, smooth also where the label of the skin is
+/// The same for all labeled voxels together: the patient as one sees them, smooth also where the label of the skin is
 /// thinner than a voxel or torn between slices.
 Result<Mesh> extractBody(const LabelMap& labels, const SurfaceOptions& options = {}, const Progress& progress = {});
 

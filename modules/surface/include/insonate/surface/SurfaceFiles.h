@@ -25,7 +25,7 @@ Result<void> checkSurfaceTarget(const std::filesystem::path& folder);
 
 /// Writes the surface of every structure to a file of its own, named after it ("airway-and-lung.stl"), into a folder
 /// that is created, or exists and is empty. `format` is an extension of writeMesh without its dot. Nothing is left
-/// behind on failure. Fails where nothing is labelled, as extractSurface and writeMesh do, and when cancelled.
+/// behind on failure. Fails where nothing is labeled, as extractSurface and writeMesh do, and when cancelled.
 Result<std::vector<SurfaceFile>> writeSurfaces(const LabelMap& labels, const std::filesystem::path& folder,
                                                const std::string& format, const SurfaceOptions& options = {},
                                                const Progress& progress = {});

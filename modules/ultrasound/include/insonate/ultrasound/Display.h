@@ -37,7 +37,7 @@ class Display {
   std::unique_ptr<Impl> impl_;
 };
 
-/// 1 inside the field of view, 0 outside, for the picture that Display makes with these settings.
+/// 1 inside the field of view, 0 outside, for the image that Display makes with these settings.
 std::vector<std::uint8_t> fieldOfViewMask(const Probe& probe, const ImagingSettings& settings);
 
 /// Built-in time-gain compensation before the operator's sliders, in dB per cm and MHz of depth (there and back);

@@ -10,7 +10,7 @@
 
 namespace insonate {
 
-/// A photograph or screen capture of a machine's picture. Pixel (0, 0) is the upper left one; its centre is (0, 0).
+/// A photograph or screen capture of a machine's picture. Pixel (0, 0) is the upper left one; its center is (0, 0).
 struct GreyPicture {
   int width = 0, height = 0;
   std::vector<std::uint8_t> grey;  ///< [row][column]
@@ -33,7 +33,7 @@ struct FovShape {
 
 /// The marks of a depth scale beside the picture.
 struct DepthRuler {
-  double spacing_px = 0;       ///< between neighbouring marks, along the axis
+  double spacing_px = 0;       ///< between neighboring marks, along the axis
   int marks = 0;               ///< seen
   int longEvery = 0;           ///< every n-th mark is a long one; 0 where all are alike
   double mmPerMark = 10;       ///< the likely meaning: numbers are not read
@@ -47,10 +47,10 @@ struct FovFit {
   std::optional<DepthRuler> ruler;
 };
 
-/// Finds the fan or rectangle of an ultrasound picture, turned by up to 5 degrees, upright or upside down, light on
+/// Finds the fan or rectangle of an ultrasound image, turned by up to 5 degrees, upright or upside down, light on
 /// dark or dark on light, with text and bars around it, also where a side or the end is cut off. Of two alike ones side
-/// by side, parted by ground, it is the clearer one, or the left; a doubt says so. The same picture gives the same fit.
-/// Takes up to a second, or three where two are looked at. Fails, with a sentence, on pictures under 64 or over 16384
+/// by side, parted by ground, it is the clearer one, or the left; a doubt says so. The same image gives the same fit.
+/// Takes up to a second, or three where two are looked at. Fails, with a sentence, on images under 64 or over 16384
 /// pixels wide or high, and where nothing looks like a field of view.
 Result<FovFit> fitFov(const GreyPicture& picture);
 

@@ -20,11 +20,11 @@ struct EnvelopeFrame {
   const float* look(int l) const { return amplitude.data() + std::size_t(l) * scanlines * samples; }
 };
 
-/// The displayed picture: 8-bit grey, rows from the face down, black outside the field of view.
+/// The displayed image: 8-bit gray, rows from the face down, black outside the field of view.
 struct BModeImage {
   int width = 0, height = 0;
   double pixel_mm = 0;             ///< square pixels
-  double left_mm = 0, top_mm = 0;  ///< lateral and axial position of the centre of pixel (0, 0)
+  double left_mm = 0, top_mm = 0;  ///< lateral and axial position of the center of pixel (0, 0)
   std::vector<std::uint8_t> grey;  ///< [row][column]
 };
 

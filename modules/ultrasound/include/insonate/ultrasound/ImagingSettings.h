@@ -49,7 +49,7 @@ struct ImagingSettings {
   double gain_dB = 0;              ///< -40..40
   std::array<double, 8> tgc_dB{};  ///< sliders from face to depth, -20..20, on top of the built-in compensation
   double dynamicRange_dB = 60;     ///< 20..120
-  double persistence = 0;          ///< share of the previous picture, 0..0.95
+  double persistence = 0;          ///< share of the previous image, 0..0.95
   GrayMap grayMap = GrayMap::Soft;
   double speckleReduction = 0.4;  ///< share of the image that is smoothed along interfaces, 0..1
   double edgeEnhancement = 0;     ///< of changes along the beam, 0..1
@@ -64,7 +64,7 @@ struct ImagingSettings {
   int scanlines = 256;            ///< 16..1024
   int samples = 1000;             ///< per scanline, 64..4096
   int elevationPlanes = 3;        ///< odd, 1..9
-  int width = 820, height = 616;  ///< of the picture, 64..4096
+  int width = 820, height = 616;  ///< of the image, 64..4096
   bool conformingContact = true;  ///< skin follows the face, as under gel and light pressure
   Look look = Look::Coherent;
   double time_s = 0;  ///< seeds electronic noise and the thesis look's speckle, to the millisecond; 0..1e6

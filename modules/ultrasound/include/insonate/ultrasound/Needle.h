@@ -6,7 +6,7 @@
 namespace insonate {
 
 /// A straight, hollow steel needle with a short bevel, where it is now: it is no tissue and does not move with it.
-/// Patient LPS, millimetres. Its radius counts from the axis outward; 18 G is 1.27 mm thick (ISO 9626).
+/// Patient LPS, millimeters. Its radius counts from the axis outward; 18 G is 1.27 mm thick (ISO 9626).
 struct Needle {
   Vec3 tip_mm{};
   Vec3 direction{0, 0, 1};    ///< of the shaft, toward the tip; unit

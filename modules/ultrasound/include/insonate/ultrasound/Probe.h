@@ -15,7 +15,7 @@ enum class ProbeShape { Linear, Curvilinear, Phased };
 /// Weights of the elements over the receive aperture: all alike, half of them tapered by a cosine, or a whole cosine.
 enum class Apodization { Uniform, Tukey, Hann };
 
-/// A transducer. Its frame: origin at the centre of the face, +x lateral (toward the marker), +z axial (into the body),
+/// A transducer. Its frame: origin at the center of the face, +x lateral (toward the marker), +z axial (into the body),
 /// +y elevation. The point-spread function is that of the array: see src/model/BeamField.h.
 struct Probe {
   std::string name;
@@ -26,7 +26,7 @@ struct Probe {
   double minFrequency_MHz = 5, maxFrequency_MHz = 13, defaultFrequency_MHz = 7.5;
   double minDepth_mm = 20, maxDepth_mm = 120, defaultDepth_mm = 40;
   double defaultFocus_mm = 20;
-  double pitch_mm = 0.2;         ///< of the elements, centre to centre
+  double pitch_mm = 0.2;         ///< of the elements, center to center
   double bandwidth = 0.5;        ///< of the pulse that comes back, at -6 dB, over its frequency
   double transmitFNumber = 2.5;  ///< focus over aperture; the focus is the operator's
   double receiveFNumber = 1.5;   ///< depth over aperture, which follows the depth

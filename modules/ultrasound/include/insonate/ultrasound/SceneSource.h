@@ -22,7 +22,7 @@ class SceneSource {
   /// Hash of the CT: tells patients apart, however their labels are edited.
   std::uint32_t patient() const;
 
-  /// Computes one more part of a region, the one nearest to its centre, for scenes to come. Takes about a second of one
+  /// Computes one more part of a region, the one nearest to its center, for scenes to come. Takes about a second of one
   /// processor; `stopped` is asked now and then, and ends it. False where nothing is missing, or no room is left.
   bool makeAhead(const Region& region, double detail_mm, const std::function<bool()>& stopped = {}) const;
 

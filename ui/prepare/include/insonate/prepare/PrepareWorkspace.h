@@ -16,7 +16,7 @@ class TaskBar;
 namespace insonate::prepare {
 
 /// The room where a case is made ready: slices and 3D in the middle, the way from import to check with the table of
-/// structures on the left, facts, findings and the ultrasound that the labels give on the right. Colours and the title
+/// structures on the left, facts, findings and the ultrasound that the labels give on the right. Colors and the title
 /// belong to the case and are saved with it; visibility and opacity are the user's own and remembered. Computing
 /// happens on other threads; nothing is computed while the room is not shown.
 class PrepareWorkspace : public ui::Workspace {
@@ -40,7 +40,7 @@ class PrepareWorkspace : public ui::Workspace {
   void caseSaved(std::shared_ptr<const PatientCase> patient) override;
   QString statusText() const override;
   QString engineText() const override;
-  /// Measured and checked, surfaces and the ultrasound picture on screen.
+  /// Measured and checked, surfaces and the ultrasound image on screen.
   bool isReady() const override;
   QString helpPage() const override { return QStringLiteral("prepare"); }
   std::vector<ui::Shortcut> shortcuts() const override;

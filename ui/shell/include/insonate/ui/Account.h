@@ -59,7 +59,7 @@ class Account : public QObject {
   /// After it could not be reached.
   void reopen();
 
-  /// `done` is called once, later, unless `asker` is gone by then; with an error where somebody else has signed in
+  /// `done` is called once, later, unless `asker` is gone by then; with an error where another user has signed in
   /// meanwhile, so that nobody sees another's answers. What `question` does is done in any case.
   template <class T>
   void ask(const QObject* asker, std::function<Result<T>(const SignedIn&)> question,

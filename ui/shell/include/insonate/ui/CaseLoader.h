@@ -34,7 +34,7 @@ struct SavedCase {
   QString folder;
   std::shared_ptr<const PatientCase> patient;  ///< the same object as was given where there were no edits
   std::string content;                         ///< CaseVersion::content of it
-  bool overAnother = false;  ///< somebody else had saved there meanwhile; theirs stays as an earlier version
+  bool overAnother = false;  ///< another user had saved there meanwhile; theirs stays as an earlier version
 };
 
 /// Brings cases into the window without holding it: from a case folder, from DICOM, NRRD, NIfTI or MetaImage (asking

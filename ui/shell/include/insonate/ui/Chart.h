@@ -51,7 +51,7 @@ struct ChartPicture {
   bool isEmpty() const { return bands.empty() && lines.empty() && boxes.empty(); }
 };
 
-/// A chart with a context menu (Shift+F10, too) that saves it as picture, drawing or page; Ctrl+Shift+E is the same.
+/// A chart with a context menu (Shift+F10, too) that saves it as image, drawing or page; Ctrl+Shift+E is the same.
 class Chart : public QWidget {
   Q_OBJECT
 

@@ -4,7 +4,7 @@
 
 namespace insonate::ui {
 
-/// For the event filter of a picture whose keys come before the window's shortcuts. `key(event, act)` says whether the
+/// For the event filter of an image whose keys come before the window's shortcuts. `key(event, act)` says whether the
 /// key is one of its own, and does what it stands for where `act`.
 /// @returns whether the event ends here
 template <class Key>

@@ -9,11 +9,11 @@
 
 namespace insonate::ui {
 
-/// Brings a live probe's pictures to the window's thread: however many pictures come, one message waits at most, and
+/// Brings a live probe's images to the window's thread: however many images come, one message waits at most, and
 /// the simulation never waits for the window.
 class LiveFeed : public QObject {
  public:
-  /// `news` is called on the window's thread after new pictures and changes of state.
+  /// `news` is called on the window's thread after new images and changes of state.
   explicit LiveFeed(std::function<void()> news, QObject* parent = nullptr);
   ~LiveFeed() override;
 

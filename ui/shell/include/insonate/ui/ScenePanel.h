@@ -47,9 +47,9 @@ class ScenePanel : public QWidget {
   HistogramEditor& histogram() { return *histogram_; }
 
   views::ColourScheme colourScheme() const { return scheme_; }
-  /// Gives all structures the scheme's colours, or with the usual scheme those of the case.
+  /// Gives all structures the scheme's colors, or with the usual scheme those of the case.
   void setColourScheme(views::ColourScheme scheme);
-  /// As the case's author chose, else all shown, with the colours of the scheme and the usual opacities.
+  /// As the case's author chose, else all shown, with the colors of the scheme and the usual opacities.
   void showUsual();
 
   /// All but the clipping plane, which belongs to one patient.
@@ -57,7 +57,7 @@ class ScenePanel : public QWidget {
   void restore(QSettings& settings);
 
  Q_SIGNALS:
-  /// A structure has another colour in the scene: slices may want it, too.
+  /// A structure has another color in the scene: slices may want it, too.
   void coloursChanged();
 
  protected:

@@ -14,7 +14,7 @@ class View;
 
 namespace insonate::ui {
 
-/// Asks for sharp pictures on dense displays. Call it once, before QApplication.
+/// Asks for sharp images on dense displays. Call it once, before QApplication.
 void prepareGraphics();
 
 /// Shows one view in the window: hands it mouse, wheel and keys, tells it its size in device pixels, and renders it

@@ -23,7 +23,7 @@ QLabel* paragraph(const char* object = "", const char* role = "", const QString&
 QLabel* heading(const QString& words);
 
 /// Never what Enter presses in a dialog: Enter is the field's. With Qt::TabFocus a click leaves the keyboard to the
-/// picture that has it.
+/// image that has it.
 QPushButton* pushButton(const char* object, const QString& words, const QString& tip,
                         Qt::FocusPolicy focus = Qt::StrongFocus);
 

@@ -9,12 +9,12 @@ struct LiveRates {
   int images = 0;
   double seconds = 0;
   double imagesPerSecond = 0;
-  double median_ms = 0, p95_ms = 0;  ///< from a pose in the hand to its picture drawn
-  double cpu_ms = 0;                 ///< processor time of the whole program for each picture
+  double median_ms = 0, p95_ms = 0;  ///< from a pose in the hand to its image drawn
+  double cpu_ms = 0;                 ///< processor time of the whole program for each image
   double window_ms = 0;              ///< of that, the window's own thread
 };
 
-/// The servo of the hands, with a needle in one, while live pictures are shown and 3D follows.
+/// The servo of the hands, with a needle in one, while live images are shown and 3D follows.
 struct HandRates {
   double imagesPerSecond = 0;
   double ticks = 0, late = 0;                              ///< of its ticks, those that began a period late
@@ -29,9 +29,9 @@ struct OrbitRates {
 
 /// Rate of 3D with the cast CT in it, and its cost to the window's own thread.
 struct VolumeRates {
-  double orbitPerSecond = 0, zoomPerSecond = 0, followPerSecond = 0;  ///< pictures; the last while the probe moves
-  double exact_ms = 0;  ///< from the last of a movement to the picture that lacks nothing; 600 ms at least
-  /// For how long the thread did not come to its events: as a rule with a picture, at best, and at worst. On a machine
+  double orbitPerSecond = 0, zoomPerSecond = 0, followPerSecond = 0;  ///< images; the last while the probe moves
+  double exact_ms = 0;  ///< from the last of a movement to the image that lacks nothing; 600 ms at least
+  /// For how long the thread did not come to its events: as a rule with an image, at best, and at worst. On a machine
   /// that others use, the program is answerable for the best one, and for the longest in the thread's own processor
   /// time.
   struct Holds {

@@ -9,7 +9,7 @@
 
 namespace insonate::train {
 
-/// The room where a probe is moved over a patient and the ultrasound picture follows. Controls on the left, the picture
+/// The room where a probe is moved over a patient and the ultrasound image follows. Controls on the left, the image
 /// in the middle, the patient in 3D and as CT on the right. The hand is the mouse and the keyboard; shortcuts() lists
 /// what they do. Computing happens on threads that end within a second; the window never waits for a picture.
 class TrainWorkspace : public ui::Workspace {
@@ -28,7 +28,7 @@ class TrainWorkspace : public ui::Workspace {
   QString statusText() const override;
   QString engineText() const override;
   QString engineNote() const override;
-  /// From the first live picture on.
+  /// From the first live image on.
   QString endsWithTheCase() const override;
   QString blocksWorkspaceChange() const override;
   bool isReady() const override;
@@ -40,7 +40,7 @@ class TrainWorkspace : public ui::Workspace {
   void restoreLayout(QSettings& settings) override;
   void stop() override;
 
-  /// The picture on display as PNG with its scale, and with what is measured unless the user does not want it. Goes on
+  /// The image on display as PNG with its scale, and with what is measured unless the user does not want it. Goes on
   /// in the background; written() or failed() tell the end.
   void savePicture(const std::filesystem::path& file);
   /// The same of all that the screen shows of it, the CT beside it included, at the screen's resolution.
@@ -49,8 +49,8 @@ class TrainWorkspace : public ui::Workspace {
   /// failed() tell the end.
   void saveClip(const std::filesystem::path& folder);
 
-  /// Moves the linear probe with its own settings for a while and times the pictures on the screen, while 3D and CT
-  /// follow or stand still. To be called when there is a picture; `done` comes later, unless the workspace goes first.
+  /// Moves the linear probe with its own settings for a while and times the images on the screen, while 3D and CT
+  /// follow or stand still. To be called when there is an image; `done` comes later, unless the workspace goes first.
   void measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done);
   /// The same with a needle in the hand and 3D following.
   void measureHands(double seconds, std::function<void(HandRates)> done);

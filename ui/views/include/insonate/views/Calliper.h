@@ -6,7 +6,7 @@
 
 namespace insonate::views {
 
-/// A point of the ultrasound picture: lateral (toward the marker) and axial (into the body) mm in the probe frame.
+/// A point of the ultrasound image: lateral (toward the marker) and axial (into the body) mm in the probe frame.
 struct PicturePoint {
   double lateral_mm = 0, axial_mm = 0;
 };

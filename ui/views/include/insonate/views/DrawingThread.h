@@ -16,24 +16,24 @@ namespace insonate::views {
 
 class View;
 
-/// Draws a view out of sight on a thread of its own, so that the window's never waits for a picture: it says what is to
+/// Draws a view out of sight on a thread of its own, so that the window's never waits for an image: it says what is to
 /// be seen, and finished pixels come back. For the window's thread, like the view.
 class DrawingThread {
  public:
   /// The view must say canDrawOnThread() and outlive this; it is attached to a window of its own, which no other
-  /// thread uses after the first picture is wanted. `drawn` is called on the drawing thread after each picture.
+  /// thread uses after the first image is wanted. `drawn` is called on the drawing thread after each picture.
   DrawingThread(View& view, std::function<void()> drawn);
-  /// Waits for the picture in work, if any.
+  /// Waits for the image in work, if any.
   ~DrawingThread();
   DrawingThread(const DrawingThread&) = delete;
   DrawingThread& operator=(const DrawingThread&) = delete;
 
   /// While this is held, no thread draws. For whoever opens or ends another OpenGL window: VTK and its driver keep
-  /// things of the whole program, which ending one window has corrupted while another was drawn. Waits for pictures in
+  /// things of the whole program, which ending one window has corrupted while another was drawn. Waits for images in
   /// work.
   [[nodiscard]] static std::unique_lock<std::mutex> pause();
 
-  /// Has drawn what the view shows now, after the picture in work; the latest wish counts. The answer numbers the wish,
+  /// Has drawn what the view shows now, after the image in work; the latest wish counts. The answer numbers the wish,
   /// rising from 1.
   std::uint64_t want();
   /// The same, and waits until it is drawn.
@@ -41,10 +41,10 @@ class DrawingThread {
 
   struct Drawn {
     Pixels pixels;
-    std::uint64_t wish = 0;  ///< the picture shows what was to be seen with this one
+    std::uint64_t wish = 0;  ///< the image shows what was to be seen with this one
     double took_ms = 0;      ///< from its beginning to its pixels
   };
-  /// Exchanges the last picture for `drawn`, whose memory serves the next. False, and nothing changes, when there is
+  /// Exchanges the last image for `drawn`, whose memory serves the next. False, and nothing changes, when there is
   /// none since the last call.
   bool take(Drawn& drawn);
 

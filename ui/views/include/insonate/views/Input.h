@@ -2,7 +2,7 @@
 
 namespace insonate::views {
 
-/// A place in a view, in device pixels from its top left corner; the first pixel's centre is (0.5, 0.5).
+/// A place in a view, in device pixels from its top left corner; the first pixel's center is (0.5, 0.5).
 struct DisplayPoint {
   double x = 0, y = 0;
 };

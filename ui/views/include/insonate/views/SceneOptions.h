@@ -26,7 +26,7 @@ struct ScenePath {
 /// Side of the patient that the camera sees.
 enum class Viewpoint { Anterior, Posterior, Left, Right, Superior, Inferior };
 
-/// LeftEye and RightEye show the picture of one eye alone. QuadBuffer needs a window that was made for shutter glasses.
+/// LeftEye and RightEye show the image of one eye alone. QuadBuffer needs a window that was made for shutter glasses.
 enum class Stereo { Off, Anaglyph, SideBySide, Interlaced, Checkerboard, LeftEye, RightEye, QuadBuffer };
 
 /// Keeps the side that the normal points to. Patient LPS mm.
@@ -48,7 +48,7 @@ struct Clipping {
 };
 
 /// A physical screen standing in the patient's space, and the eye before it: head-coupled view. Screen frame:
-/// millimetres, origin at the middle of what the view fills of the screen, x right, y up, z toward the viewer.
+/// millimeters, origin at the middle of what the view fills of the screen, x right, y up, z toward the viewer.
 struct HeadCoupling {
   /// Rigid, or scaled to show the patient larger or smaller. None: the screen stands where the usual camera looks,
   /// square to it, as large as what that camera sees there; so turning, panning and zooming go on working.

@@ -29,7 +29,7 @@ class SceneView final : public View {
   /// For CT rendering and picking; may be null.
   void setCase(std::shared_ptr<const VtkCase> patient);
 
-  /// Copies the surface of a label; an empty one removes it. Colour and opacity stay what they are set to (at first the
+  /// Copies the surface of a label; an empty one removes it. Color and opacity stay what they are set to (at first the
   /// label table's, opaque but for the skin). `coarse` is drawn while things move; without one, surfaces over 12 000
   /// triangles get one made, which is quick and rough.
   void setSurface(std::uint8_t label, const Surface& surface, const Surface& coarse = {});
@@ -42,7 +42,7 @@ class SceneView final : public View {
   Colour colour(std::uint8_t label) const;
   double opacity(std::uint8_t label) const;
   bool isVisible(std::uint8_t label) const;
-  /// Called after surfaces came or went, and after colour, opacity or visibility of one changed.
+  /// Called after surfaces came or went, and after color, opacity or visibility of one changed.
   void setStructuresChanged(std::function<void()> listener);
 
   /// The CT itself, ray cast; nothing without a case. At first not visible, and bone.
@@ -64,7 +64,7 @@ class SceneView final : public View {
   void setProbePose(const Transform& patientFromProbe);
   void setProbeVisible(bool visible);
   void setImagePlaneVisible(bool visible);
-  /// The live picture of the current probe; copied. It shows within the field of view only.
+  /// The live image of the current probe; copied. It shows within the field of view only.
   void setImage(const BModeImage& image);
 
   /// A straight steel needle with its hub, at true size; none for none. Its frame has its origin at the tip, z along
@@ -98,7 +98,7 @@ class SceneView final : public View {
   /// Tells whether the last rendering is complete. Without a graphics card, a CT at rest is drawn with few rays first;
   /// all of them are cast in the background, and setWake()'s listener is called when they can be rendered.
   bool isExact() const;
-  /// Renders at rest until the picture is exact, or so long; for pictures that are kept, not for the live window. False
+  /// Renders at rest until the image is exact, or so long; for images that are kept, not for the live window. False
   /// where it is not exact then.
   bool renderExactly(double patience_s = 60);
 
@@ -113,7 +113,7 @@ class SceneView final : public View {
   /// Patient LPS mm, toward the viewer: what a plane square to the view has as its normal.
   Vec3 towardViewer() const;
 
-  /// The first labelled voxel of the case under a display point that is visible, and as opaque as this; nothing is
+  /// The first labeled voxel of the case under a display point that is visible, and as opaque as this; nothing is
   /// rendered for it.
   std::optional<ScenePick> pick(DisplayPoint at, double leastOpacity = 0);
   DisplayPoint displayFromPatient(Vec3 point_mm);

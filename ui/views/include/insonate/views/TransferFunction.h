@@ -13,7 +13,7 @@ namespace insonate::views {
 /// A corner of a transfer function.
 struct TransferNode {
   double hu = 0;       ///< Hounsfield units, kLeast_HU..kMost_HU
-  double opacity = 0;  ///< of one millimetre of such tissue, 0..1
+  double opacity = 0;  ///< of one millimeter of such tissue, 0..1
   Colour colour{255, 255, 255};
   bool operator==(const TransferNode&) const = default;
 };

@@ -13,7 +13,7 @@
 
 namespace insonate::views {
 
-/// Lines and handles over the picture, for something that is being edited.
+/// Lines and handles over the image, for something that is being edited.
 struct PictureGuide {
   std::vector<PicturePoint> outline;  ///< closed
   std::vector<PicturePoint> handles;
@@ -21,21 +21,21 @@ struct PictureGuide {
   int chosen = -1;                 ///< the handle that is held or has the keyboard
 };
 
-/// A mesh of the tissue in the picture's plane, as it lies now.
+/// A mesh of the tissue in the image's plane, as it lies now.
 struct PictureTissue {
   int columns = 0, rows = 0;        ///< of nodes; no mesh below two of each
   std::vector<PicturePoint> nodes;  ///< [row][column]
   std::vector<float> pressure_kPa;  ///< of its cells, (columns-1) x (rows-1)
 };
 
-/// The live picture, as large as fits with square pixels, black around; a depth scale beside it, focus, grey bar, the
+/// The live image, as large as fits with square pixels, black around; a depth scale beside it, focus, gray bar, the
 /// probe's marker, callipers. Axial 0 of the scale is the middle of the probe's face.
 class UltrasoundView final : public View {
  public:
   UltrasoundView();
   ~UltrasoundView() override;
 
-  /// Copies the grey values. While the picture keeps its size, nothing is allocated or built. An image without pixels
+  /// Copies the gray values. While the image keeps its size, nothing is allocated or built. An image without pixels
   /// empties the view.
   void setImage(const BModeImage& image);
   /// Shows only this part, e.g. the field of view without the black beside it; none for the whole image.
@@ -47,23 +47,23 @@ class UltrasoundView final : public View {
   void setFrozen(bool frozen);
   void setScaleVisible(bool visible);
   void setGreyBarVisible(bool visible);
-  /// Slider values in dB from face to depth, -20..20, drawn as a curve beside the picture; empty for none.
+  /// Slider values in dB from face to depth, -20..20, drawn as a curve beside the image; empty for none.
   void setTgc(std::span<const double> tgc_dB);
   /// Marks the place that is pointed at in another view; none for no mark.
   void setPointer(std::optional<PicturePoint> point);
-  /// Words over the picture that say why it is not the usual one, or in its place what to wait for; empty for none.
+  /// Words over the image that say why it is not the usual one, or in its place what to wait for; empty for none.
   void setNotice(const std::string& words);
   /// Drawn with their values, numbered in this order.
   void setCallipers(std::vector<Calliper> callipers);
 
-  /// Drawn over the picture, in the accent colour; an empty guide for none.
+  /// Drawn over the image, in the accent color; an empty guide for none.
   void setGuide(PictureGuide guide);
 
-  /// Over the picture: some of the mesh's lines, and how hard its cells are squeezed, in colours with their scale.
-  /// Copies; to be called with each picture, which it does not lay out again.
+  /// Over the image: some of the mesh's lines, and how hard its cells are squeezed, in colors with their scale.
+  /// Copies; to be called with each image, which it does not lay out again.
   void setTissue(const PictureTissue& tissue, bool grid, bool pressure);
 
-  /// Display pixels to the picture's mm and back, also outside the picture.
+  /// Display pixels to the image's mm and back, also outside the picture.
   PicturePoint pictureFromDisplay(DisplayPoint at) const;
   DisplayPoint displayFromPicture(PicturePoint point) const;
   /// Tells whether a display point is within the visible part of the image.
@@ -81,7 +81,7 @@ class UltrasoundView final : public View {
   void drawGuide();
   void drawTissue();
 
-  BModeImage shape_;  ///< size and place of the picture; its pixels go straight to the texture
+  BModeImage shape_;  ///< size and place of the image; its pixels go straight to the texture
   std::optional<PictureBounds> bounds_;
   std::optional<double> focus_mm_;
   std::vector<double> tgc_dB_;

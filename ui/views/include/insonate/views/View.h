@@ -74,7 +74,7 @@ class View {
   virtual void attached(vtkRenderWindow&) {}
   virtual void detached(vtkRenderWindow&) {}
 
-  /// A picture comes about in three steps: the window's thread hands over what is to be seen, whoever draws takes it,
+  /// An image comes about in three steps: the window's thread hands over what is to be seen, whoever draws takes it,
   /// and draws. The first two are never at work at once; the last may be while the view is told other things.
   virtual void handOver() {}
   virtual void takeOver() {}
