@@ -16,7 +16,7 @@ struct RocArea {
 /// fewer than two values in a group. Values must be finite.
 RocArea rocArea(std::span<const double> positive, std::span<const double> negative);
 
-/// Two-sided p of the hypothesis that both groups are alike, by the same variance; 1 where there is none.
+/// Two-sided p of the hypothesis that both groups are alike, by the same variance; 1 without a variance.
 double rocP(std::span<const double> positive, std::span<const double> negative);
 
 /// Ratings of the same images by one reader.

@@ -12,8 +12,8 @@ namespace insonate {
 /// readCase().
 Result<CaseManifest> readManifestOf(const std::filesystem::path& folder);
 
-/// Tells states of a case on disk apart without reading volumes: a Fingerprint of case.json and of the sizes and times
-/// of the volumes. What was computed from a case may be kept under it.
+/// Identifies the state of a case on disk without reading volumes: a Fingerprint of case.json and of the sizes and
+/// times of the volumes. Results computed from a case may be cached under it.
 std::string diskStateOf(const std::filesystem::path& folder);
 
 }  // namespace insonate

@@ -22,11 +22,11 @@ std::string contentHashOf(const PatientCase& patient);
 /// The day of today here, for a version: "2026-11-22".
 std::string today();
 
-/// Writes a case where it is kept, like writeCase(), and says which version it has become. Where the folder holds
-/// another content, that stays under `versions/NUMBER` in it, so that attempts on it can be replayed; the number goes
-/// up by one. The same content keeps its number and date. Whoever has the old case open keeps what was read. Two who
-/// save at once, also from two programs, come one after the other, and neither's version is lost. `date` is a day
-/// without a time, `author` may be empty.
+/// Writes a case to its folder, like writeCase(), and returns its version. If the folder holds another content, that
+/// stays under `versions/NUMBER` in it, so that attempts on it can be replayed; the number goes up by one. The same
+/// content keeps its number and date. Readers of the old case keep what they read. Two simultaneous saves, also from
+/// two programs, follow one another, and neither version is lost. `date` is a day without a time, `author` may be
+/// empty.
 Result<CaseVersion> saveCaseVersion(const PatientCase& patient, const std::filesystem::path& folder,
                                     const std::string& date, const std::string& author, const Progress& progress = {});
 
@@ -37,13 +37,13 @@ std::optional<std::filesystem::path> findVersion(const std::filesystem::path& fo
 /// Versions that are kept, the latest first; empty for a case that has none. Reads no volumes.
 std::vector<CaseVersion> versionsOf(const std::filesystem::path& folder);
 
-/// Freezes the case of a folder as a version of its own under `versions/NUMBER`, which trainees get from now on,
-/// whatever is saved in the folder later, until another one is published. Refuses where the folder holds another
-/// content than `seen`, what its author has looked at. Does not ask whether it is fit.
+/// Publishes the case of a folder as a fixed version under `versions/NUMBER`, which trainees get from now on,
+/// independent of later saves, until another one is published. Fails if the folder holds another content than `seen`,
+/// which its author has checked. Does not check whether it is fit.
 Result<CaseVersion> publishCase(const PatientCase& seen, const std::filesystem::path& folder, const std::string& date,
                                 const Progress& progress = {});
 
-/// The number of the version that trainees get; 0 where none is published.
+/// Number of the version that trainees get; 0 if none is published.
 int publishedVersion(const std::filesystem::path& folder);
 
 /// Folder of the published version of a case; the case's own folder if none is published.

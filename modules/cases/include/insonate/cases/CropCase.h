@@ -21,11 +21,11 @@ VoxelBox boxBetween(const VolumeGeometry& geometry, Vec3 corner_mm, Vec3 opposit
 /// Fails on an empty box, one beyond the grid, and a spacing that no scanner has.
 Result<VolumeGeometry> croppedGrid(const VolumeGeometry& geometry, const CropOptions& options);
 
-/// A part of a case, on the same or on another spacing: CT and labels together. A new voxel's HU is the mean of the
+/// Crops a case, on the same or on another spacing: CT and labels together. A new voxel's HU is the mean of the
 /// linearly interpolated CT over it, its label the one with the largest share of it, each label interpolated by itself
 /// (so that a thin wall is not torn as by nearest voxels). Title, colors, targets and start poses stay, in patient
-/// coordinates; targets outside are dropped. What was done is added to the import notes. Uses all cores. Same input:
-/// same bytes, on any number of threads. Fails as croppedGrid does, and when cancelled.
+/// coordinates; targets outside are dropped. The import notes list the changes. Uses all cores. Same input: same
+/// bytes, on any number of threads. Fails as croppedGrid does, and when cancelled.
 Result<PatientCase> cropCase(const PatientCase& patient, const CropOptions& options, const Progress& progress = {});
 
 }  // namespace insonate

@@ -18,10 +18,10 @@ struct CtSynthesisOptions {
   double resolution_FWHM_mm = 0.9;  ///< full width at half maximum of the scanner's blur; 0 to 5
 };
 
-/// A CT (HU, int16) that a label map of insonate/tissue/Labels.h could have come from: mean HU and smooth texture per
-/// label, compact bone around trabecular, partial volume by a Gaussian blur, noise with a little correlation.
-/// Works on any grid. Same labels and options: same bytes, on any number of threads. Uses all cores.
-/// Fails on options outside their range, a grid that is none, and when cancelled.
+/// Synthesizes a CT (HU, int16) for a label map of insonate/tissue/Labels.h: mean HU and smooth texture per label,
+/// compact bone around trabecular, partial volume by a Gaussian blur, noise with a little correlation. Works on any
+/// grid. Same labels and options: same bytes, on any number of threads. Uses all cores. Fails on options outside their
+/// range, an invalid grid, and when cancelled.
 Result<CtVolume> synthesiseCt(const LabelMap& labels, const CtSynthesisOptions& options, const Progress& progress = {});
 
 }  // namespace insonate

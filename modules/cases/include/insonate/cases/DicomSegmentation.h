@@ -13,10 +13,10 @@ namespace insonate {
 /// together whenever each of them was written.
 DicomSeriesIdentity dicomIdentityOf(const PatientCase& patient);
 
-/// Writes the labels as a DICOM segmentation (PS3.3 A.51; binary, one segment a label, frames without a voxel left out)
-/// with SNOMED CT codes and the case's colours. It refers to the slices that writeDicomSeries makes of the same CT
-/// under dicomIdentityOf. On any failure what was there is untouched. Fails where nothing is labeled and where the
-/// file cannot be written.
+/// Writes the labels as a DICOM segmentation (PS3.3 A.51; binary, one segment a label, frames without a voxel left
+/// out) with SNOMED CT codes and the case's colors. It refers to the slices that writeDicomSeries makes of the same CT
+/// under dicomIdentityOf. On any failure an existing file is untouched. Fails if nothing is labeled, or if the file
+/// cannot be written.
 Result<void> writeDicomSegmentation(const PatientCase& patient, const std::filesystem::path& file,
                                     const Progress& progress = {});
 

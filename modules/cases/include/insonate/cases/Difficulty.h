@@ -31,7 +31,7 @@ struct DifficultyShare {
   std::string reason;  ///< as in a sentence: "the vein is only 4 mm high"
 };
 
-/// Estimated from the labels; see modules/cases/README.md for the formula and what it rests on.
+/// Difficulty estimated from the labels; modules/cases/README.md has the formula and its basis.
 struct DifficultyEstimate {
   static constexpr int kVersion = 1;  ///< of the formula
   std::string_view grade;             ///< "easy", "moderate" or "hard"

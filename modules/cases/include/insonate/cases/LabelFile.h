@@ -22,7 +22,7 @@ struct LabelReadResult {
   LabelStates states{};              ///< where the file says so
 };
 
-/// Reads a label map file (NRRD, NIfTI, MetaImage; 3-D, whole numbers) with its own numbers, whatever they mean.
+/// Reads a label map file (NRRD, NIfTI, MetaImage; 3-D, whole numbers) with its own numbers, of any meaning.
 Result<Volume<std::int32_t>> readLabelValues(const std::filesystem::path& file);
 
 /// Reads a label map in this program's numbers (insonate/tissue/Labels.h). A 3D Slicer segmentation is mapped by each
@@ -31,11 +31,11 @@ Result<Volume<std::int32_t>> readLabelValues(const std::filesystem::path& file);
 /// later segments win.
 Result<LabelReadResult> readLabelMap(const std::filesystem::path& file);
 
-/// Reads labels for a case: a DICOM segmentation, or any file of readLabelMap, put on the grid of the case's CT. Labels
-/// of another grid are resampled (nearest voxel) and that is said; labels that lie elsewhere in the patient are
-/// refused. A segment's or label's structure is found by its code, then by its name; what is not known becomes a label
-/// of its own, without the name that somebody gave it: people write anything there. Says also where the segmentation
-/// names another CT than the one that the case was imported from.
+/// Reads labels for a case: a DICOM segmentation, or any file of readLabelMap, put on the grid of the case's CT.
+/// Labels of another grid are resampled (nearest voxel), with a note; labels that lie elsewhere in the patient are
+/// refused. The structure of a segment or label is found by its code, then by its name; an unknown one becomes a label
+/// of its own, without its name, since people write anything there. Also notes if the segmentation refers to another
+/// CT than the one that the case was imported from.
 Result<LabelReadResult> importLabels(const PatientCase& patient, const std::filesystem::path& file,
                                      const std::filesystem::path& names = {}, const Progress& progress = {});
 
@@ -46,7 +46,7 @@ void takeLabels(LabelReadResult&& imported, PatientCase& patient);
 Result<void> checkLabelTarget(const std::filesystem::path& file);
 
 /// Writes the labels alone as a 3D Slicer segmentation (NAME.seg.nrrd), and ITK-SNAP's label description
-/// (NAME.label.txt) beside it. Of each file, what was there is untouched on failure.
+/// (NAME.label.txt) beside it. On failure, an existing file of either kind is untouched.
 Result<void> writeLabelFile(const PatientCase& patient, const std::filesystem::path& file,
                             const Progress& progress = {});
 

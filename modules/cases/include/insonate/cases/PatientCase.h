@@ -107,7 +107,7 @@ using LabelColour = std::array<std::uint8_t, 3>;  ///< sRGB
 /// By label.
 using LabelColours = std::map<std::uint8_t, LabelColour>;
 
-/// A patient: CT and labels on one grid, and what is known about them. Owns its volumes.
+/// A patient: CT and labels on one grid, and facts about them. Owns its volumes.
 struct PatientCase {
   CaseManifest manifest;
   CtVolume ct;

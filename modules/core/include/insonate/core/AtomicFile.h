@@ -23,12 +23,12 @@ Result<void> writeAtomically(const std::filesystem::path& target, std::string_vi
 /// in its place, a missing parent, missing rights.
 Result<void> checkFolderTarget(const std::filesystem::path& target);
 
-/// The same for a folder: `write` fills a fresh folder beside `target`, which is created when missing; its other files
-/// stay. Where files of the same name are replaced, the two folders change places in one step, the old folder's other
-/// files being carried over beforehand: whoever looks, even after a kill, finds all files old or all new. `superseded`
-/// names files of the old folder that must not survive beside the new ones. Only where the file system cannot swap
-/// folders are there two steps, between which the target is missing and both states lie beside it; and where `target`
-/// is the current folder, which must keep its identity, files are moved one by one.
+/// The same for a folder: `write` fills a new folder beside `target`, which is created when missing; its other files
+/// stay. If files are replaced, the two folders change places in one step, after the old folder's other files were
+/// copied: every reader, even after a kill, finds all files old or all new. `superseded` names files of the old folder
+/// that must not survive beside the new ones. If the file system cannot swap folders, there are two steps, between
+/// which the target is missing and both states lie beside it; if `target` is the current folder, which must keep its
+/// identity, files are moved one by one.
 Result<void> writeFolderAtomically(const std::filesystem::path& target,
                                    const std::function<Result<void>(const std::filesystem::path& beside)>& write,
                                    const std::vector<std::string_view>& superseded = {});

@@ -7,7 +7,7 @@
 
 namespace insonate {
 
-/// Tells two things apart, not safe against intent: FNV-1a (Fowler, Noll, Vo), 64 bits, a step a value.
+/// Hash that distinguishes two things, not safe against intent: FNV-1a (Fowler, Noll, Vo), 64 bits, a step a value.
 class Fingerprint {
  public:
   void add(std::uint64_t value) { hash_ = (hash_ ^ value) * 0x100000001b3U; }

@@ -11,9 +11,9 @@
 
 namespace insonate {
 
-/// An object of a JSON file that people write, whose fields are taken one by one. The first thing that is wrong is kept
-/// as a sentence; what is asked after that is empty. `where` opens the sentence: "step 'scan'". The object outlives
-/// this.
+/// Reader of an object in a JSON file that people write; fields are taken one by one. The first error is kept as a
+/// sentence; fields after it are empty. `where` begins the sentence: "step 'scan'". The object must outlive the
+/// reader.
 class JsonEntry {
  public:
   JsonEntry(const nlohmann::json& object, std::string where, const std::vector<std::string_view>& known);

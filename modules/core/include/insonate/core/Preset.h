@@ -28,7 +28,7 @@ struct PresetText {
   std::string where;  ///< opens a sentence on what is wrong in it: "" for a preset, "PATH: " for a file
 };
 
-/// A preset's text, else that of the file with this path. `what` is what it ought to be: "a procedure".
+/// Returns a preset's text, else that of the file with this path. `what` names the expected kind: "a procedure".
 Result<PresetText> presetOrFile(std::string_view what, std::string_view nameOrPath, const std::vector<Preset>& presets);
 
 }  // namespace insonate

@@ -5,8 +5,8 @@
 
 namespace insonate {
 
-/// Reports long work: what is being done and how far it is (0..1). Returning false asks for cancellation, which the
-/// work honours within a second by failing with kCancelled. May be empty. Called on the working thread.
+/// Reports the progress of long work: the present task and the completed share (0..1). Returning false asks for
+/// cancellation; the work then fails within a second with kCancelled. May be empty. Called on the working thread.
 using Progress = std::function<bool(std::string_view doing, double fraction)>;
 
 inline constexpr std::string_view kCancelled = "Cancelled.";

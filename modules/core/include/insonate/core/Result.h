@@ -7,7 +7,7 @@
 
 namespace insonate {
 
-/// Why something was refused: a sentence that says what is wrong, where, and what to do.
+/// Reason for a refusal: a sentence that says what is wrong, where, and what to do.
 struct Error {
   std::string message;
 };

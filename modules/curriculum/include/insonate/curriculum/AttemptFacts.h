@@ -53,8 +53,8 @@ struct AttemptFacts {
   std::vector<MetricFact> metrics{};  ///< those that were defined then
   std::string recording{};            ///< file name within the workstation's recordings; "": there is none
   std::string recordingHash{};        ///< SHA-256 of the file, hexadecimal
-  /// BLAKE2b (256 bits, hexadecimal) of what the hands did, whatever the recording's header says of it; "": they did
-  /// nothing, or there is no recording, or an earlier program kept the attempt.
+  /// BLAKE2b (256 bits, hexadecimal) of the hands' motion, independent of the recording's header. Empty if the hands
+  /// did nothing, if there is no recording, or if an earlier program stored the attempt.
   std::string handsHash{};
   AttemptProof proof = AttemptProof::Unproven;
 

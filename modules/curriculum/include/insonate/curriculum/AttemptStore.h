@@ -19,16 +19,15 @@ struct KeptAttempt {
   std::int64_t arrival = 0;  ///< the store's count of attempts begun; orders attempts where clocks cannot
   bool crashed = false;      ///< told abandoned since its process died; its real end may still come
   std::string voidReason{};
-  /// Its recording as the store keeps it; "": it keeps none. Whether it is the one of facts.recordingHash is not looked
-  /// at.
+  /// File of the recording in the store; empty if the store keeps none. It is not compared with facts.recordingHash.
   std::filesystem::path recordingFile{};
 
   bool operator==(const KeptAttempt&) const = default;
 };
 
-/// Attempts: facts that are begun, ended and perhaps voided, and neither changed nor deleted. Trainees see and make
-/// their own, instructors also see and void those of who learns in their cohorts, administrators all. A guest's are
-/// refused.
+/// Attempts: facts that are begun, ended and perhaps voided, but neither changed nor deleted. Trainees see and make
+/// their own attempts; instructors also see and void those of learners in their cohorts; administrators see and void
+/// all. Guests have no access.
 class AttemptStore {
  public:
   explicit AttemptStore(SignedIn by) : by_(std::move(by)) {}
@@ -37,10 +36,11 @@ class AttemptStore {
   /// missing id is made. Gives the id. The same facts once more are no error. Refused where it begins in the future, or
   /// before its curriculum was published; clocks may differ by ten minutes.
   Result<std::string> begin(const AttemptFacts& facts) const;
-  /// Completed or Abandoned, with what was measured; values must be finite. The same facts once more are no error, and
-  /// an attempt that was told abandoned after a crash takes its real end later. By who began it. Refused where another
-  /// attempt of the store, of whomever, has the same handsHash: a recording counts once. `facts.proof` is kept where it
-  /// is Proven or Demonstration, as the caller found it; otherwise nothing vouches for the attempt.
+  /// Ends an attempt as Completed or Abandoned, with its metrics; values must be finite. Only the person who began it
+  /// may end it. Ending it again with the same facts is no error, and an attempt that was marked abandoned after a
+  /// crash takes its real end later. Fails if another attempt of the store, of any person, has the same handsHash: a
+  /// recording counts once. `facts.proof` is stored if it is Proven or Demonstration, as determined by the caller;
+  /// otherwise the attempt is unproven.
   Result<void> end(const AttemptFacts& facts) const;
   /// begin() and end() of an attempt that is over, or neither. Gives the id. With `recording`, the file of
   /// facts.recordingHash is copied to the store's recordings; where that fails, nothing is added.
@@ -49,12 +49,12 @@ class AttemptStore {
   /// and neither is a store that keeps none. Fails, with nothing changed, where the file is not the one of the
   /// attempt's recordingHash, and where it cannot be copied.
   Result<void> keepRecording(const std::string& attempt, const std::filesystem::path& recording) const;
-  /// For the recording of an attempt that begins: of its id, curriculum and level, and of who is signed in.
+  /// Issues the seal for the recording of a new attempt: for its id, curriculum and level, and for the signed-in user.
   Result<AttemptSeal> seal(const AttemptFacts& facts) const;
   /// Tells whether this store issued the nonce to an attempt with this id, person, curriculum and level.
   Result<NonceOrigin> originOf(const AttemptFacts& facts, const std::string& nonce) const;
-  /// Counts an ended attempt that nothing proves, on the word of who is signed in, whose name and reason are in the
-  /// audit log; instructors and administrators, not for their own. Accepted once more is no error.
+  /// Makes an unproven, ended attempt count, on the word of the signed-in user, whose name and reason are in the audit
+  /// log. For instructors and administrators, not for their own attempts. Accepting again is no error.
   Result<void> accept(const std::string& attempt, const std::string& reason) const;
   /// Takes an ended attempt out of the count; instructors and administrators, not for their own.
   Result<void> voidAttempt(const std::string& attempt, const std::string& reason) const;
@@ -65,12 +65,12 @@ class AttemptStore {
   /// All of a person in the order of arrival, for unlocking and statistics. Without caseHash, workstation, recording,
   /// recordingHash and handsHash, which those do not need.
   Result<std::vector<AttemptFacts>> history(const std::string& person) const;
-  /// The last `count` attempts (1..1000) at levels that count (Judgement.h) of each who learns in a cohort, without
-  /// free practice; grouped by person, each in the order of arrival, as history() gives them.
+  /// Returns the last `count` attempts (1..1000) at levels that count (Judgement.h) of each learner in a cohort,
+  /// without free practice; grouped by person, each in the order of arrival, like history().
   Result<std::vector<AttemptFacts>> lastOfCohort(const std::string& cohort, int count) const;
 
-  /// The id of the attempt of whose recording this is the hash; else of one made on this workstation whose recording
-  /// has this name; else "". It tells nothing else: what the attempt is, attempt() tells to whom it may.
+  /// Returns the id of the attempt whose recording has this hash; else that of an attempt made on this workstation
+  /// whose recording has this name; else "". All other facts come from attempt(), which checks permissions.
   Result<std::string> ofRecording(const std::string& name, const std::string& hash) const;
 
   /// Member::changes of a person, to be asked before the history that a Standing is worked out from.

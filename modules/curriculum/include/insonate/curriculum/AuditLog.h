@@ -42,9 +42,9 @@ class AuditLog {
   /// and looks at several people that name them; "": all.
   Result<std::vector<AuditEntry>> page(int count, std::int64_t before = 0, const std::string& person = "") const;
   Result<AuditAnchor> anchor() const;
-  /// Fails with the first entry that does not fit: changed, deleted or moved, the end cut off, or other than it was at
-  /// the anchor. Who can write the database and knows how the hashes are made can write the log anew; only an anchor
-  /// kept elsewhere shows that, and only up to its number.
+  /// Fails with the first inconsistent entry: changed, deleted or moved, the end cut off, or different from the
+  /// anchor. A person who can write the database and knows how the hashes are made can rewrite the log; only an anchor
+  /// kept elsewhere reveals that, and only up to its number.
   Result<void> verify(const AuditAnchor& anchor = {}) const;
 
  private:

@@ -28,9 +28,9 @@ struct ClassImportRow {
   std::string id{};   ///< Person::id of who is here
 };
 
-/// A class list becomes people of a class: first looked at, then done, all or nothing. For the class's instructors and
-/// administrators; only administrators put in who is here already. On a workstation that belongs to a server, people
-/// are changed on the server.
+/// Imports a class list into a class: first a plan, then all lines or none. For the class's instructors and for
+/// administrators; only administrators add people who already have an account. On a workstation that belongs to a
+/// server, people are changed on the server.
 class ClassImport {
  public:
   explicit ClassImport(SignedIn by) : by_(std::move(by)) {}

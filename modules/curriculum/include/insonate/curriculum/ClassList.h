@@ -28,9 +28,9 @@ struct ClassList {
   std::vector<ClassListTrouble> troubles{};
 };
 
-/// A CSV with a head line as Moodle and others export participants: "First name" and "Last name" (or "Surname"), or
-/// "Full name"; "Email address"; "Username", "ID number"; others are passed over. Whatever the case. Fails where
-/// nothing of it is a class list; a line that is wrong is a trouble and costs itself alone.
+/// Parses a CSV with a header line as Moodle and others export participants: "First name" and "Last name" (or
+/// "Surname"), or "Full name"; "Email address"; "Username", "ID number", in any case; other columns are ignored. Fails
+/// if nothing of it is a class list; a wrong line becomes an error of that line alone.
 Result<ClassList> parseClassList(std::string_view csv);
 
 /// A class list beside the people who are there already.
@@ -44,7 +44,7 @@ struct ClassListMatch {
   std::vector<ClassListTrouble> troubles{};  ///< those of the list, and who is two people here
 };
 
-/// By e-mail address, else by name, whatever the case.
+/// Matches by e-mail address, else by name, ignoring case.
 ClassListMatch matchClassList(const ClassList& list, std::span<const Person> people);
 
 }  // namespace insonate

@@ -20,7 +20,7 @@ struct Member {
   Person person{};
   bool teaches = false;  ///< an instructor of this cohort; the rows of teachers tell no attempts
   int attempts = 0;      ///< that count (Judgement.h), free practice too
-  /// Grows with each attempt that is ended or voided, so that a Standing can be told to be old.
+  /// Number that grows with each attempt that is ended or voided, to detect an outdated Standing.
   std::int64_t changes = 0;
   std::optional<std::int64_t> lastAttempt_us{};  ///< when their newest was begun
   std::string lastLevel{};                       ///< AttemptFacts::level of it
@@ -28,24 +28,24 @@ struct Member {
   bool standingIsCurrent = false;                ///< it would be worked out the same now
 };
 
-/// Cohorts and who is in them. Seen by their instructors and by administrators; a trainee sees the cohorts they are in,
-/// without the people. On a workstation that belongs to a server, cohorts are changed on the server.
+/// Cohorts and their members. Visible to their instructors and to administrators; a trainee sees the trainee's own
+/// cohorts without their members. On a workstation that belongs to a server, cohorts are changed on the server.
 class CohortStore {
  public:
   explicit CohortStore(SignedIn by) : by_(std::move(by)) {}
 
   /// Returns the cohorts that the user may see, by name.
   Result<std::vector<Cohort>> cohorts() const;
-  /// Teachers first, then by full name, or name where there is none.
+  /// Returns teachers first, then by full name, or by name without a full name.
   Result<std::vector<Member>> members(const std::string& cohort) const;
 
-  /// Administrators only: a name of 1..200 characters that no other has, whatever its case.
+  /// Adds a cohort, with a unique name of 1..200 characters, ignoring case. Administrators only.
   Result<Cohort> add(const std::string& name) const;
   Result<void> rename(const std::string& cohort, const std::string& name) const;
-  /// Administrators only, since it opens a person's attempts to the cohort's instructors. Who is in it already changes
-  /// between learning and teaching; trainees do not teach.
+  /// Adds a person as learner or teacher; a member changes to the given kind. Administrators only, since it opens a
+  /// person's attempts to the cohort's instructors. Trainees do not teach.
   Result<void> join(const std::string& cohort, const std::string& person, bool teaches) const;
-  /// Administrators, and the cohort's instructors for those who learn in it.
+  /// Removes a person. For administrators, and for the cohort's instructors if the person learns in it.
   Result<void> leave(const std::string& cohort, const std::string& person) const;
 
   /// The published version by which it is taught; its instructors and administrators.

@@ -25,7 +25,7 @@ Result<std::vector<CsvRow>> parseCsv(std::string_view text);
 /// it where a spreadsheet that separates by semicolons or tabs would see one begin.
 std::string csvText(const std::vector<std::vector<std::string>>& rows);
 
-/// As few digits as give the value back, "" for what is missing or not finite.
+/// Shortest text that parses to the same value; "" for a missing or non-finite value.
 std::string csvNumber(std::optional<double> value);
 
 }  // namespace insonate

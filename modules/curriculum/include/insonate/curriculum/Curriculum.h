@@ -49,7 +49,7 @@ struct CusumRule {
   bool operator==(const CusumRule&) const = default;
 };
 
-/// Locks again what was mastered: so many failures within the last attempts.
+/// Rule by which a mastered level lapses: this many failures within the last attempts.
 struct FailureRule {
   int failures = 2, within = 3;
 
@@ -93,8 +93,8 @@ struct Curriculum {
 
 /// The presets of resources/curricula.
 std::vector<std::string> curriculumPresetNames();
-/// A preset's name or a JSON file of the same form. Fails with a sentence that names the place, what is wrong and what
-/// is possible.
+/// Loads a preset by name, or a JSON file of the same form. Fails with a sentence that names the place, the error and
+/// the possible values.
 Result<Curriculum> loadCurriculum(std::string_view nameOrPath);
 /// Levels may be written in any order; they come back in one in which they can be learnt. Refuses circles and
 /// more than 200 levels.

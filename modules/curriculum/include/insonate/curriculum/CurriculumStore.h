@@ -36,35 +36,35 @@ struct NewPerson {
   Role role = Role::Trainee;
 };
 
-/// People, curricula, attempts and forms, kept in a file (SQLite) or on a server (PostgreSQL). Nothing is read or
-/// written but through who is signed in, by the classes beside this one: PeopleStore, CohortStore, AttemptStore,
-/// PublishedCurricula, FormStore, AuditLog, StoreUpkeep; SiteUpload carries facts to a server.
+/// People, curricula, attempts and forms in a file (SQLite) or on a server (PostgreSQL). All access goes through a
+/// signed-in user, by the classes beside this one: PeopleStore, CohortStore, AttemptStore, PublishedCurricula,
+/// FormStore, AuditLog, StoreUpkeep; SiteUpload carries facts to a server.
 ///
-/// Copies are handles of one store. All calls wait for the disk or the server: not for a window's thread. Any thread
-/// may call; each has a connection of its own, made when it first asks.
+/// Copies are handles of one store. All calls wait for the disk or the server: do not call from a window's thread. Any
+/// thread may call; each has a connection of its own, made at its first call.
 class CurriculumStore {
  public:
-  /// `address` is a file, created when missing (its folder must exist), or
-  /// postgresql://USER[:PASSWORD]@HOST[:PORT]/DATABASE, the password otherwise from PGPASSWORD or ~/.pgpass. Brings an
-  /// older schema up to date, after a backup beside the file. Attempts that a process of this workstation left open
-  /// when it died are told abandoned. Fails where the database is damaged, where a newer program made it, where it
-  /// cannot be reached or written.
+  /// Opens a store. `address` is a file, created when missing (its folder must exist), or
+  /// postgresql://USER[:PASSWORD]@HOST[:PORT]/DATABASE, the password otherwise from PGPASSWORD or ~/.pgpass. Upgrades
+  /// an older schema, after a backup beside the file. Attempts that a crashed process of this workstation left open
+  /// are marked abandoned. Fails if the database is damaged, was made by a newer program, or cannot be reached or
+  /// written.
   static Result<CurriculumStore> open(const std::string& address, const StoreServices& services = {});
 
   /// For people: the file, or the server without the password.
   const std::string& place() const;
   const std::string& workstation() const;
-  /// Folder that keeps the recordings of attempts, as ID.attempt; "": none is kept.
+  /// Folder of the attempts' recordings, as ID.attempt; empty if none are kept.
   const std::filesystem::path& recordings() const;
 
   /// False: this is a first run; ask for the administrator.
   Result<bool> hasPeople() const;
-  /// Signed in at once. Fails once there is anybody; `first.role` is not looked at.
+  /// Creates the first administrator and signs in. Fails if there are people already; `first.role` is ignored.
   Result<SignedIn> createFirstAdministrator(const NewPerson& first, const std::string& password) const;
 
-  /// Fails with one sentence for a wrong name, a wrong password and who is disabled, after the same time. After five
-  /// failures for a name, whether it exists or not, it is locked for a while that doubles up to an hour. Takes about
-  /// 0.1 s.
+  /// Signs in. Fails with the same sentence after the same time for a wrong name, a wrong password and a disabled
+  /// person. After five failures for a name, existing or not, the name is locked for a while that doubles up to an
+  /// hour. Takes about 0.1 s.
   Result<SignedIn> signIn(const std::string& name, const std::string& password) const;
   /// Reads published curricula, and keeps nothing.
   SignedIn guest() const;

@@ -23,7 +23,7 @@ struct FilledForm {
 struct KeptForm {
   FilledForm filled{};
   std::string rater{};  ///< who filled it in, by full name, or by name where there is none
-  /// Another rater's, whose answers are not told: one judges first, by the same form.
+  /// Another rater's form whose answers are withheld: raters submit the same form themselves first.
   bool withheld = false;
 
   bool operator==(const KeptForm&) const = default;

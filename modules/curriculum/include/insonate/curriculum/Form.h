@@ -56,7 +56,7 @@ struct Form {
   std::vector<FormSection> sections{};
 
   const FormItem* item(std::string_view itemName) const;
-  /// A rater may write a note to this item: in checklists and ratings, beside what is no text anyway.
+  /// Tells whether a rater may write a note to this item: in checklists and ratings, unless the answer is text anyway.
   bool takesNote(const FormItem& item) const {
     return purpose != Purpose::Questionnaire && item.kind != FormItem::Kind::Text;
   }
@@ -69,13 +69,13 @@ std::vector<std::string> formPresetNames();
 Result<Form> loadForm(std::string_view nameOrPath);
 Result<Form> parseForm(std::string_view json);
 
-/// By FormItem::name: an option's name or a text, or a number; by noteKey(): a text. What was not answered is not
-/// there.
+/// Answers by FormItem::name (an option's name, a text or a number) and by noteKey() (a text). Unanswered items are
+/// missing.
 using FormAnswers = std::map<std::string, std::variant<std::string, double>>;
 
 /// Key under which a rater's note on an item is stored; no item has such a name.
 std::string noteKey(const FormItem& item);
-/// As it is read: an option's title, a number, a text; "" where there is none.
+/// An answer as readers see it: an option's title, a number or a text; "" without an answer.
 std::string answerText(const FormItem& item, const FormAnswers& answers);
 std::string noteText(const FormItem& item, const FormAnswers& answers);
 

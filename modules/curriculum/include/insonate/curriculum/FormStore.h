@@ -10,9 +10,10 @@
 
 namespace insonate {
 
-/// Forms that were filled in: facts, which are neither changed nor deleted. About oneself, or by an instructor about
-/// who learns in their cohorts; seen by whom they are about, and as attempts are. What a rater said of somebody's
-/// attempt is told to other raters once they have filled in the same form about it themselves, whatever their role.
+/// Filled-in forms: facts, which are neither changed nor deleted. People fill in forms about themselves, and
+/// instructors about learners in their cohorts. Visible to the person concerned and to those who may see the person's
+/// attempts. Raters, whatever their role, see another rater's answers about an attempt only after submitting the same
+/// form about it themselves.
 class FormStore {
  public:
   explicit FormStore(SignedIn by) : by_(std::move(by)) {}

@@ -17,7 +17,7 @@ struct Grade {
 
 enum class GradeKey { Email, Name };  ///< how a learning management system knows people
 
-/// Somebody without a line.
+/// A person who is left out.
 struct UngradedPerson {
   std::string fullName{};
   std::string why{};  ///< "no grade yet", "no e-mail address", "no name"
@@ -28,8 +28,9 @@ struct GradeBook {
   std::vector<UngradedPerson> leftOut{};
 };
 
-/// For Moodle's import of grades: "Email address" or "ID number", then `item`, then its feedback where anyone has some.
-/// Who has no grade is left out, with the feedback: Moodle would take an empty grade beside it for one and wipe theirs.
+/// Grades for Moodle's import: "Email address" or "ID number", then `item`, then its feedback if anyone has some.
+/// People without a grade are left out, with their feedback: Moodle would take an empty grade beside it for a grade
+/// and overwrite theirs.
 GradeBook gradeBook(const std::string& item, GradeKey key, std::span<const Grade> grades);
 
 }  // namespace insonate

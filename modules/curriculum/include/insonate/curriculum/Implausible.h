@@ -38,7 +38,7 @@ std::vector<Implausible> implausibilities(const AttemptFacts& facts);
 /// have the same values.
 bool describesNeedle(const std::vector<MetricFact>& metrics);
 
-/// The same for one attempt after the other, with SameValues among those that were taken.
+/// Flags attempts one after the other, with SameValues among those that were added.
 class PlausibilityCheck {
  public:
   std::vector<Implausible> take(const AttemptFacts& facts);

@@ -49,7 +49,7 @@ bool counts(const AttemptFacts& attempt, const PassRule& rule);
 
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt);
 
-/// The attempt's value of a metric, by this version of its definition; none where it is not finite.
+/// The attempt's value of a metric, by this version of its definition; empty if missing or not finite.
 std::optional<double> valueOf(const AttemptFacts& attempt, std::string_view metric, int version);
 
 /// Each standard that the attempt does not meet, critical ones first: "the artery was punctured (1, at most 0: a

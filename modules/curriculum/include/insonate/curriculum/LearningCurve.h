@@ -30,10 +30,10 @@ struct LearningCurve {
   Interval bandAt(double attempt, double confidence = 0.95) const;
 };
 
-/// The curve with the least squares through the values of attempts 1, 2, 3 and so on; an attempt without a value keeps
-/// its number. None where it cannot be told apart from no learning or from learning without end: fewer than 6 values,
-/// one not finite, a rate at the edge of what so many attempts can show, squares that an F test at 5 % does not tell
-/// from those about the mean, or a plateau outside of the kind's range, which nobody can reach.
+/// Fits a curve by least squares to the values of attempts 1, 2, 3 and so on; an attempt without a value keeps its
+/// number. Empty if the data cannot distinguish the curve from no learning or from endless learning: fewer than 6
+/// values, a non-finite value, a rate at the limit of what that many attempts can show, squares that an F test at 5 %
+/// does not distinguish from those about the mean, or a plateau outside of the kind's range.
 std::optional<LearningCurve> fitLearningCurve(LearningCurve::Shape shape, std::span<const std::optional<double>> values,
                                               ValueKind kind = ValueKind::Any);
 /// Fits both shapes and returns the better fit.

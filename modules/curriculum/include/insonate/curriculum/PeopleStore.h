@@ -29,7 +29,7 @@ class PeopleStore {
   /// Name, full name, e-mail, role and whether they are disabled; administrators only. The last administrator who can
   /// sign in stays one.
   Result<void> change(const Person& person) const;
-  /// Full name and e-mail of who is signed in.
+  /// Changes full name and e-mail of the signed-in user.
   Result<void> changeOwnDetails(const std::string& fullName, const std::string& email) const;
 
   Result<void> changeOwnPassword(const std::string& old, const std::string& password) const;

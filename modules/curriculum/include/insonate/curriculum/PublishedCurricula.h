@@ -21,15 +21,15 @@ struct CurriculumEntry {
 };
 
 /// Curricula as JSON texts. A published version is fixed; a change is another version, made from a draft. Everyone
-/// reads what is published; instructors and administrators see drafts and publish. On a workstation that belongs to a
-/// server, they are published on the server.
+/// reads published versions; instructors and administrators see drafts and publish. On a workstation that belongs to a
+/// server, curricula are published on the server.
 class PublishedCurricula {
  public:
   explicit PublishedCurricula(SignedIn by) : by_(std::move(by)) {}
 
   /// By name, newest version first.
   Result<std::vector<CurriculumEntry>> list() const;
-  /// Fails too where its text is not what was published.
+  /// Returns the text of a version; also fails if it is not the text that was published.
   Result<std::string> text(const std::string& name, int version) const;
   /// `text` is what parseCurriculum() reads, of this name and version and at most 1 MB; it is kept byte for byte.
   /// Versions grow; the same text once more is no error.

@@ -8,9 +8,9 @@
 
 namespace insonate {
 
-/// The ids of someone's attempts whose metrics are those of an earlier attempt of whomever, to the last digit
-/// (Implausible::SameValues); attempts without a pass of the needle tell too little. Whose the earlier one is, is not
-/// told. For whom AttemptStore::history() answers.
+/// Returns the ids of a person's attempts whose metrics equal those of an earlier attempt of any person, to the last
+/// digit (Implausible::SameValues). Attempts without a needle pass are ignored. The owner of the earlier attempt is
+/// not disclosed. For users who may call AttemptStore::history() for the person.
 Result<std::set<std::string>> repeatedValues(const SignedIn& by, const std::string& person);
 
 }  // namespace insonate

@@ -26,17 +26,17 @@ struct UploadReport {
   std::vector<std::string> troubles{};
 };
 
-/// Brings a workstation's store and its server's together: people, roles, cohorts and curricula flow down, attempts and
-/// forms flow up. Needs nobody signed in, since nobody gets to see anything. A fact is sent until the server has said
-/// that it has it; sent twice, it is there once. From the first time on, the workstation's people, cohorts and
-/// curricula are the server's; whoever was only here is sent up as a disabled trainee, for the server's administrator
-/// to decide.
+/// Exchanges facts between a workstation's store and its server's: people, roles, cohorts and curricula are
+/// downloaded, attempts and forms are uploaded. Needs no signed-in user, since it discloses nothing. A fact is sent
+/// until the server confirms it; a fact sent twice is stored once. After the first exchange the workstation's people,
+/// cohorts and curricula are the server's; a person known only here is uploaded as a disabled trainee, for the
+/// server's administrator to decide.
 class SiteUpload {
  public:
   SiteUpload(CurriculumStore here, CurriculumStore server) : here_(std::move(here)), server_(std::move(server)) {}
 
-  /// In batches, each a transaction; what was done before a failure or a cancellation stays done. Fails where the
-  /// server cannot be reached (all stays pending) or has no people yet.
+  /// Exchanges facts in batches, each a transaction; batches before a failure or a cancellation stay done. Fails if
+  /// the server cannot be reached (everything stays pending) or has no people yet.
   Result<UploadReport> exchange(const Progress& progress = {}) const;
   /// Number of facts that wait for the server. Every workstation has them; without a server they stay.
   Result<std::int64_t> pending() const;

@@ -33,8 +33,8 @@ struct Standing {
   bool operator==(const Standing&) const = default;
 };
 
-/// The rules that a Standing follows, as a number: raised with each change of what standingOf() tells of the same
-/// history, so that what was kept by an older program is worked out anew.
+/// Version of the rules of a Standing: increase it with each change of standingOf() for the same history, so that
+/// standings stored by an older program are computed again.
 inline constexpr int kStandingRules = 2;
 
 /// Someone's progress as a class list shows it: the first level in the curriculum's order that is open or lapsed.

@@ -61,7 +61,7 @@ std::optional<double> median(std::span<const double> values);
 /// A proportion with Wilson's score interval (J Am Stat Assoc 1927, 22:209).
 std::optional<Estimate> proportion(int successes, int trials, double confidence = 0.95);
 
-/// After each value the mean of those that are there among the last `window`, fewer at the beginning; none where the
+/// Mean of the existing values among the last `window`, after each value; fewer at the beginning; empty where the
 /// value itself is missing. The last one is thus the mean of the last attempts, as a class list shows it.
 std::vector<std::optional<double>> movingMean(std::span<const std::optional<double>> values, int window);
 
@@ -73,7 +73,7 @@ struct BoxPlot {
 };
 std::optional<BoxPlot> boxPlotOf(std::span<const double> values);
 
-/// Shares of a value among others, 0 to 100: those below it and half of those that equal it.
+/// Percentile rank of a value among others, 0 to 100: those below it and half of those equal to it.
 std::optional<double> percentileRank(std::span<const double> values, double value);
 
 }  // namespace insonate

@@ -11,7 +11,7 @@
 
 namespace insonate {
 
-/// A value of the store that does not follow from what it was made from: a recording, the attempts, the audit log.
+/// A stored value that does not follow from its source: a recording, the attempts, or the audit log.
 struct StoreDifference {
   std::string attempt{};  ///< AttemptFacts::id; "": of a standing
   std::string person{};   ///< Person::id

@@ -39,16 +39,16 @@ class StoreUpkeep {
   SignedIn by_;
 };
 
-/// Puts a backup in the place of a store's file, which may be open, damaged or missing. `administrator` and `password`
-/// are of the store that is replaced; where it is missing, damaged or has no people yet, of the backup. The backup is
-/// checked first: its pages, its schema, its audit log, which tells who restored it and where the log that it replaces
-/// ended. What was there is kept beside it as FILE.before-restore. The backup's recordings are copied to those of the
-/// store, of which none is deleted: recordings of later attempts stay.
+/// Replaces a store's file, which may be open, damaged or missing, by a backup. `administrator` and `password` belong
+/// to the replaced store; if it is missing, damaged or has no people yet, to the backup. The backup is checked first:
+/// its pages, its schema, and its audit log, which records who restored it and where the replaced log ended. The
+/// former file is kept as FILE.before-restore. The backup's recordings are copied to those of the store, of which none
+/// is deleted: recordings of later attempts stay.
 Result<void> restoreStore(const std::filesystem::path& file, const std::filesystem::path& backup,
                           const std::string& administrator, const std::string& password);
 
-/// Brings a store up to date for an administrator of it, who is asked before anything but the log is changed. Opening a
-/// store does the same for anyone, which gives nobody a right that they did not have.
+/// Upgrades a store for one of its administrators, who is asked before anything but the log is changed. Opening a
+/// store upgrades it too, for any user, which gives nobody new permissions.
 Result<void> migrateStore(const std::string& address, const std::string& administrator, const std::string& password,
                           const StoreServices& services = {});
 

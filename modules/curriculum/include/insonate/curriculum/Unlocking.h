@@ -39,7 +39,7 @@ struct LevelProgress {
   std::int64_t until_us = kForever_us;
 };
 
-/// The smallest number of attempts that masters a level: all pass, and LC-CUSUM signals where it is asked for.
+/// Minimum number of attempts that master a level: all pass, and LC-CUSUM signals if it is required.
 int fewestAttempts(const MasteryRule& rule);
 
 /// Returns a person's state in each level, in the curriculum's order. Pure: the same input gives the same output.

@@ -29,15 +29,14 @@ struct XapiExport {
   std::vector<LeftOutAttempt> leftOut{};
 };
 
-/// Experience API 1.0.3, one JSON text a statement; to be sent or written as they are.
+/// Writes Experience API 1.0.3 statements, one JSON text each, ready to be sent.
 ///
-/// An attempt that ended passed or failed by its level's rule; one in free practice was completed; one that was given
-/// up was abandoned; one that was voided voids its statement. Left out, with the reason, are attempts that do not count
-/// (Judgement.h) and those of other curricula or versions, since a statement must not change once it is sent; those of
-/// others are passed over. A level's assistance is told in its activity's definition, which stores do not compare. Ids
-/// are UUIDs of version 5 made from the attempt's, so that what is sent twice is known to be the same. Nothing is null,
-/// what is missing is left out, a time outside the years 1 to 9999 too. Fails on a home page that is no absolute http
-/// address.
+/// An ended attempt passed or failed by its level's rule; one in free practice was completed; an abandoned one was
+/// abandoned; a voided one voids its statement. Left out, with the reason, are attempts that do not count
+/// (Judgement.h) and those of other curricula or versions, since a statement must not change once it is sent. A
+/// level's assistance is part of its activity's definition, which stores do not compare. Ids are UUIDs of version 5
+/// made from the attempt's id, so that a repeated statement is recognized. Nothing is null: missing values are left
+/// out, as are times outside the years 1 to 9999. Fails if the home page is no absolute http address.
 Result<XapiExport> xapiStatements(const XapiSite& site, const Curriculum& curriculum, const Person& person,
                                   std::span<const AttemptFacts> attempts);
 /// "Left out: 3 attempts (2 that have not ended, ...)."; "" where nothing is.

@@ -74,7 +74,8 @@ struct DeformationSettings {
   double depth_mm = 50;     ///< below the face; the tissue there does not move. 10..200
   int mostIterations = 60;  ///< of one solve; a live image takes few, and goes on with the next
   double tolerance_mm = 0;  ///< 0: the model's own
-  /// Above 0: where the probe has moved, a solution is left when a step was shorter than this; the next goes on.
+  /// Step length below which a solution is accepted while the probe moves, if above 0; the next frame continues from
+  /// it.
   double enough_mm = 0;
 };
 

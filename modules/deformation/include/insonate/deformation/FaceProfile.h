@@ -4,8 +4,8 @@
 
 namespace insonate {
 
-/// Outline of a probe's face in its plane, probe frame, mm: flat or round, its ends rounded off by an arc that goes on
-/// from there until it is steeper than 60 degrees.
+/// Outline of a probe's face in its plane, probe frame, mm: flat or round, its ends rounded off by an arc that
+/// continues until it is steeper than 60 degrees.
 class FaceProfile {
  public:
   static constexpr float kEndRadius_mm = 3;

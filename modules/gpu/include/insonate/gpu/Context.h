@@ -39,7 +39,7 @@ class Context : public std::enable_shared_from_this<Context> {
   /// where the thread draws with an OpenGL that cannot be put aside (GLX).
   Result<Current> use();
 
-  /// Seen to be lost by use() or Current::check(); what it held is gone for good.
+  /// Tells whether use() or Current::check() found the context lost; its contents are gone.
   bool lost() const { return lost_; }
   /// As when the driver resets the card: from now on use() fails. For tests.
   void simulateLoss() { lost_ = true; }
@@ -55,8 +55,8 @@ class Context : public std::enable_shared_from_this<Context> {
   std::atomic<bool> lost_ = false;
 };
 
-/// While one lives, the context is current on this thread, and no other thread's. What was current before is so again
-/// afterwards. Asked for by everything that talks to the card, so that nothing can be called without it.
+/// Makes the context current on this thread, and on no other, while the object lives; then the former context is
+/// current again. Every function that uses the card takes one, so that none can be called without it.
 class Current {
  public:
   ~Current();

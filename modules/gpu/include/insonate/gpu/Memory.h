@@ -23,9 +23,9 @@ class Buffer {
   Buffer& operator=(Buffer&& other) noexcept;
 
   std::size_t bytes() const { return bytes_; }
-  /// The whole contents anew, at most bytes(); what is running still sees the old.
+  /// Replaces the whole contents, at most bytes(); running work still sees the old contents.
   void write(const Current& current, std::span<const std::byte> contents) const;
-  /// Waits for what is running. For tests; see ReadBack.
+  /// Waits for running work. For tests; see ReadBack.
   void read(const Current& current, std::span<std::byte> contents) const;
   /// As `layout(binding = slot) buffer` or, of up to 16 KB, `layout(binding = slot) uniform`.
   void bindStorage(const Current& current, unsigned slot) const;
@@ -59,11 +59,11 @@ class PairTexture {
   int columns_ = 0, rows_ = 0;
 };
 
-/// Fetches results while the card goes on: up to two are under way, each in memory of its own behind a fence.
+/// Fetches results while the card continues: up to two are in flight, each in memory of its own behind a fence.
 class ReadBack {
  public:
   ReadBack() = default;
-  /// Room for two times so many bytes.
+  /// Allocates room for two results of this many bytes.
   static Result<ReadBack> make(const Current& current, std::size_t bytes);
   ~ReadBack();
   ReadBack(ReadBack&& other) noexcept = default;

@@ -29,13 +29,13 @@ struct HubOptions {
   std::vector<DeviceTable> tables = builtInDeviceTables();
 };
 
-/// All devices of this session: those on the bus that a table knows, taken up as they are plugged in and taken back
-/// after they were gone, and those that are added by hand. All functions may be called from any thread but the
-/// servo's, which works with the devices themselves.
+/// All devices of this session: those on the bus that a table knows, opened when they are plugged in and again after
+/// they were gone, and those that are added by hand. All functions may be called from any thread but the servo's,
+/// which works with the devices themselves.
 class DeviceHub {
  public:
   explicit DeviceHub(std::shared_ptr<haptics::HidBus> bus, HubOptions options = {});
-  /// Lets go of all devices, after a last zero force. Devices that others still hold stay absent.
+  /// Releases all devices, after a last zero force. Devices that others still hold stay absent.
   ~DeviceHub();
   DeviceHub(const DeviceHub&) = delete;
   DeviceHub& operator=(const DeviceHub&) = delete;
@@ -47,7 +47,7 @@ class DeviceHub {
 
   /// A simulated, replayed or vendor's device.
   void add(std::shared_ptr<HapticDevice> device);
-  /// All that were seen since the start, those that are gone included, in the order in which they came.
+  /// All devices seen since the start, including those that are gone, in the order in which they came.
   std::vector<std::shared_ptr<HapticDevice>> devices() const;
   /// Returns the events since the last call; the oldest first, 1000 at most.
   std::vector<DeviceEvent> takeEvents();

@@ -47,8 +47,8 @@ struct DeviceEvent {
   std::string text;      ///< a sentence
 };
 
-/// A hand or a pedal, whatever is behind it: USB, a vendor's kit, mouse and keys, a recording, a model. States come
-/// and forces go on the device's own thread: take() and push() never wait, lock or allocate.
+/// A hand or a pedal of any kind: USB, a vendor's kit, mouse and keys, a recording, a model. States arrive and forces
+/// leave on the device's own thread: take() and push() never wait, lock or allocate.
 class HapticDevice {
  public:
   virtual ~HapticDevice() = default;

@@ -10,8 +10,8 @@
 /// Measurements of the servo, for tests and benchmarks.
 namespace insonate {
 
-/// Layers square to z, which grows into the body from the skin at 0: skin, fat from 2 mm, muscle from 10, a vein from
-/// 18 to 28, muscle, bone from 40.
+/// Layers perpendicular to z, which points into the body from the skin at 0: skin, fat from 2 mm, muscle from 10, a
+/// vein from 18 to 28, muscle, bone from 40.
 std::shared_ptr<const TissueGrid> benchLayers();
 
 struct ForceDepthPoint {

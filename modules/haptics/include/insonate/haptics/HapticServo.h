@@ -40,8 +40,8 @@ struct ServoSetup {
   NeedleTable needle;
   ToolShapes shapes;
   double skinFriction = 0.1;  ///< of the probe on wet skin: force along over force into the skin
-  /// The needle stays where it is in the tissue, whatever its hand does, and its hand is held where it was; the tools
-  /// do not meet. Where it goes once it is let go is told by its hand's setup, as ever.
+  /// Holds the needle in its place in the tissue, independent of its hand, and its hand where it was; the tools do not
+  /// meet. After release, the hand's setup determines the needle's pose as usual.
   bool needleHeld = false;
 };
 

@@ -8,8 +8,8 @@
 
 namespace insonate {
 
-/// A hand or pedal made of mouse and keys, for those without a device. The window tells what happened in millimeters
-/// and radians; the servo takes states that follow smoothly, as a hand would move. It feels no forces.
+/// A hand or pedal made of mouse and keys, for users without a device. The window reports motion in millimeters and
+/// radians; the servo takes states that follow smoothly, as a hand would move. It feels no forces.
 ///
 /// The window's thread: drag(), turn(), press() and so on. The servo's: take(), push(). Nothing here locks, waits or
 /// allocates.
@@ -32,13 +32,13 @@ class InputHand final : public HapticDevice {
   bool takeAt(std::int64_t now_ns, DeviceState& state) noexcept;
   void push(const Force&) noexcept override {}
 
-  /// Taken up by somebody, or laid down: ready, then streaming from the first take on; absent. Starts absent.
+  /// Takes the tool up or puts it away: ready, then streaming from the first take on; or absent. Starts absent.
   void hold(bool held) noexcept;
   /// By so much more, in the device's frame (DeviceState.h): x to the right, y up, z to the user.
   void drag(Vec3 by_mm) noexcept;
   /// About the device's axes through the stylus's origin, by the length of `by_rad`.
   void turn(Vec3 by_rad) noexcept;
-  /// Keys that are held down: so fast until told otherwise. Takes the place of the last.
+  /// Sets the velocity for keys that are held down, until the next call.
   void glide(Vec3 velocity_mmps, Vec3 turning_radps) noexcept;
   /// There, at once: without a way between.
   void placeAt(const Transform& deviceFromStylus) noexcept;

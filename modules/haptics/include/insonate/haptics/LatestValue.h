@@ -6,8 +6,8 @@
 
 namespace insonate {
 
-/// Shows one reader the latest value of one writer, in place: neither copies for the other, waits or allocates. What a
-/// value owns is let go by the writer, as it writes over it. A triple buffer; insonate::Mailbox is for many writers,
+/// Shows one reader the latest value of one writer, in place: neither copies for the other, waits or allocates. The
+/// writer releases a value's resources when it overwrites it. A triple buffer; insonate::Mailbox is for many writers,
 /// and hands a value out only once.
 template <class T>
 class LatestValue {

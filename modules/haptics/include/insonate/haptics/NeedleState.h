@@ -14,7 +14,7 @@ enum class NeedleEventKind : std::uint8_t {
   Struck,     ///< met bone
 };
 
-/// Each puncture of each wall is told once.
+/// An event of the needle; each puncture of each wall is reported once.
 struct NeedleEvent {
   std::int64_t time_ns = 0;
   NeedleEventKind kind = NeedleEventKind::Entered;

@@ -10,8 +10,8 @@
 
 namespace insonate {
 
-/// All that a device's reports have told so far: devices that split their axes over several reports leave the others as
-/// they were.
+/// State from all reports of a device so far: a device that splits its axes over several reports leaves the others
+/// unchanged.
 struct DeviceReading {
   std::array<double, 6> encoder{};               ///< counts; those that wrap, since the first report
   std::optional<Vec3> position_mm;               ///< in the device's frame (DeviceState.h)
@@ -41,7 +41,7 @@ class ReportDecoder {
   /// one id the longest that fits is taken; bytes beyond it are padding. A report that is not taken changes nothing.
   ReportFate take(std::span<const std::uint8_t> report) noexcept;
   const DeviceReading& reading() const noexcept { return reading_; }
-  /// The device was plugged in again: counters start anew, what was pressed is not.
+  /// Resets after the device was plugged in again: counters start at zero, and no button is pressed.
   void reset() noexcept;
 
  private:
@@ -73,9 +73,9 @@ struct DeviceOutput {
   std::uint32_t sequence = 0;
 };
 
-/// Writes `output` by `layout` into `report`, the id first, as hidapi wants it (0 where reports have none). Numbers are
-/// rounded to the nearest count and held within what the field can say; those that are not finite become 0. Returns
-/// the bytes used, 0 where `report` is too small.
+/// Writes `output` by `layout` into `report`, the id first, as hidapi expects it (0 if reports have none). Numbers are
+/// rounded to the nearest count and clamped to the field's range; those that are not finite become 0. Returns the
+/// bytes used, 0 if `report` is too small.
 std::size_t encodeReport(const ReportLayout& layout, const DeviceOutput& output,
                          std::span<std::uint8_t> report) noexcept;
 

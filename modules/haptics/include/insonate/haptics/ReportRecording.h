@@ -17,9 +17,9 @@
 
 namespace insonate {
 
-/// Writes raw reports as they come and go, for a bug report or a replay. Text, one report a line: seconds, the device's
-/// id, its table, `in` or `out`, bytes in hex. The disk is written by a thread of the recorder's own: put() may be
-/// called where forces depend on it, whatever the disk does.
+/// Writes raw reports as they come and go, for a bug report or a replay. Text, one report a line: seconds, the
+/// device's id, its table, `in` or `out`, bytes in hex. A thread of the recorder writes the disk: put() may be called
+/// where forces depend on it, even if the disk stalls.
 class ReportRecorder {
  public:
   ReportRecorder() = default;
@@ -61,9 +61,9 @@ struct RecordedReport {
 /// Fails with the line that cannot be read.
 Result<std::vector<RecordedReport>> readRecording(const std::filesystem::path& file);
 
-/// A recorded device, held by nobody: its reports come at the pace at which they were recorded, through the same
-/// decoder. Forces are taken and go nowhere. Starts at once; with `again`, from the beginning each time it ends.
-/// Fails where the recording holds no report of a device that a table knows; `device` empty: the first one's.
+/// Replays a recording as a device: its reports come at their recorded pace, through the same decoder. Forces are
+/// accepted without effect. Starts at once; with `again`, repeats from the beginning. Fails if the recording has no
+/// report of a device that a table knows; `device` empty: the first one's.
 Result<std::shared_ptr<HapticDevice>> replayRecording(const std::vector<RecordedReport>& reports,
                                                       const std::string& device = {}, bool again = false);
 

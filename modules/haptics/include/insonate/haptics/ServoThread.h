@@ -40,9 +40,9 @@ class TickListener {
   virtual void ticked(const ServoSnapshot& tick) noexcept = 0;
 };
 
-/// Runs a HapticServo on a thread of its own, a tick a millisecond by absolute time, with real-time priority and locked
-/// memory where the system allows it. A tick that comes late is counted, and those that it missed are left out. All
-/// functions may be called from any thread; none makes the servo wait.
+/// Runs a HapticServo on a thread of its own, a tick a millisecond by absolute time, with real-time priority and
+/// locked memory if the system allows it. A late tick is counted, and ticks that it missed are skipped. All functions
+/// may be called from any thread; none makes the servo wait.
 class ServoThread {
  public:
   explicit ServoThread(std::int64_t period_ns = 1'000'000);
@@ -53,7 +53,8 @@ class ServoThread {
 
   void setup(const ServoSetup& setup);
   void show(LocalModel model);
-  /// The device in a hand, or none. The one that was there is pushed no more, and so lets go within 100 ms.
+  /// Sets the device in a hand, or none. The former device gets no more forces, and so releases its force within 100
+  /// ms.
   void assign(Hand hand, std::shared_ptr<HapticDevice> device);
 
   /// Sets the listener of the ticks, or none. The previous listener may receive one more tick.

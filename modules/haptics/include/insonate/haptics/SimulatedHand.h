@@ -12,7 +12,7 @@
 
 namespace insonate {
 
-/// Devices that people use, as their makers and those who measured them describe them; for simulated hands and tests.
+/// Published properties of real devices, by their makers and by measurements; for simulated hands and tests.
 struct DeviceProfile {
   std::string_view name;
   DeviceLimits limits;
@@ -78,8 +78,8 @@ class SimulatedHand {
   double intoLoop_mJ_ = 0, lost_mJ_ = 0;
 };
 
-/// Watches what a hand puts into a loop and gets back: a loop that is passive never gives more than it took (Hannaford
-/// and Ryu 2002). Begins anew each time when nothing is felt, so that what was lost in friction cannot pay for later.
+/// Measures the energy that a hand puts into a loop and gets back: a passive loop never gives more than it took
+/// (Hannaford and Ryu 2002). Restarts each time no force acts, so that energy lost in friction cannot pay for later.
 class PassivityObserver {
  public:
   /// `into_J` so far; `felt`: the loop pushes now.

@@ -28,7 +28,7 @@ class TissueGrid {
  public:
   using Sampler = std::function<TissueSample(Vec3 patient_mm)>;
 
-  /// Asks `sampler` at every point. Fails on a grid that is none, or of more than 40 million points.
+  /// Evaluates `sampler` at every point. Fails on an invalid grid, or one of more than 40 million points.
   static Result<std::shared_ptr<const TissueGrid>> make(const VolumeGeometry& geometry, const Sampler& sampler);
   /// The labels' own grid; surfaces lie between the voxels, rounded over about one of them. Seconds for 10 million.
   static Result<std::shared_ptr<const TissueGrid>> fromLabels(const LabelMap& labels, const Progress& progress = {});
@@ -42,7 +42,7 @@ class TissueGrid {
   /// Distances interpolated, label of the nearest point; beyond the grid what lies at its edge. Neither waits nor
   /// allocates.
   TissueSample at(Vec3 patient_mm) const noexcept;
-  /// Unit vector of growing distance to one wall (an index of kNeedleWalls); 0 where there is none.
+  /// Unit vector of growing distance to one wall (an index of kNeedleWalls); 0 without one.
   Vec3 outward(Vec3 patient_mm, int wall) const noexcept;
 
  private:

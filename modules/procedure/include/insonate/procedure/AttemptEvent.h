@@ -32,7 +32,7 @@ struct AttemptEvent {
   AttemptEventKind kind = AttemptEventKind::Entered;
   Label wall = kSkin;        ///< of the first four kinds and the last two
   Label into = kBackground;  ///< what the tip is in afterwards
-  /// The vessel whose wall this is: 1 is the first of AttemptHeader::vessels, the target; 0 where it is not known.
+  /// Vessel to which this wall belongs: 1 is the first of AttemptHeader::vessels, the target; 0 if unknown.
   std::uint8_t vessel = 0;
   /// Tip of the needle, and the unit direction in which it goes in. Of the last two kinds: the middle of the vein, and
   /// the probe's axis.

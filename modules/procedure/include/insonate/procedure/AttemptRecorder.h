@@ -23,9 +23,10 @@ class AttemptFollower {
   virtual void take(const AttemptEvent& event) = 0;
 };
 
-/// Writes an attempt as it happens, from a thread of its own, and computes its metrics from what it writes, so that a
-/// replay gives the same. The file grows beside its place (`partOf()`), a block each second, on the disk as soon as it
-/// is written; finish() gives it its name. A program that ends before leaves the part, which AttemptRecording reads.
+/// Writes an attempt as it happens, on a thread of its own, and computes its metrics from the written samples, so that
+/// a replay gives the same. The file grows under a temporary name (`partOf()`), a block each second, each on the disk
+/// at once; finish() gives it its final name. A program that ends before leaves the part, which AttemptRecording
+/// reads.
 class AttemptRecorder {
  public:
   /// Fails where the file exists, where a part of an earlier attempt lies beside it, or where it cannot be written.
@@ -54,11 +55,11 @@ class AttemptRecorder {
 
   /// As of some milliseconds ago. Any thread.
   MetricValues metrics() const;
-  /// A sentence once the disk refuses; the attempt goes on, its metrics too. Empty: all is well. Any thread.
+  /// Sentence about a disk error; the attempt and its metrics continue. Empty: no error. Any thread.
   std::string trouble() const;
 
-  /// Writes what is left. Fails where the disk did not take all of it, with where the part is that it took. Once, by
-  /// the thread that started it, after the last put() and note().
+  /// Writes the rest. Fails if the disk did not take all of it, and names the part that it took. Call once, on the
+  /// thread that started it, after the last put() and note().
   Result<MetricValues> finish(AttemptStatus status);
 
   static std::filesystem::path partOf(const std::filesystem::path& file);

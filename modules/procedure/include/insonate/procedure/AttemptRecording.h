@@ -41,12 +41,12 @@ struct Stretch {
 /// Tells whether a file begins like a recording, whatever follows. False if the file cannot be read.
 bool beginsAsRecording(const std::filesystem::path& file);
 
-/// A recorded attempt, whole or cut short. What does not agree with the file's digests (format 4) is told and not read.
-/// Constant once it is open: any number of threads may read.
+/// A recorded attempt, complete or truncated. Parts that do not match the file's digests (format 4) are reported and
+/// not read. Constant once it is open: any number of threads may read.
 class AttemptRecording {
  public:
-  /// Looks through the blocks of a file, without unpacking them: milliseconds for an attempt of ten minutes. Fails
-  /// where it is none, where not even its header can be read or it was changed, and where a newer program wrote it.
+  /// Opens a file and finds its blocks, without unpacking them: milliseconds for an attempt of ten minutes. Fails if
+  /// it is no recording, if its header cannot be read or was changed, or if a newer program wrote it.
   static Result<AttemptRecording> open(const std::filesystem::path& file);
 
   const AttemptHeader& header() const { return header_; }
@@ -72,8 +72,8 @@ class AttemptRecording {
   /// Fails where the block is damaged.
   Result<Stretch> stretch(std::size_t index) const;
 
-  /// Hands over all that happened up to this time, in its order, as AttemptMetrics and ProcedureRun took it live. Fails
-  /// where something before is damaged: what is computed without it would be wrong.
+  /// Passes on everything up to this time, in order, as AttemptMetrics and ProcedureRun received it live. Fails if an
+  /// earlier part is damaged, since results without it would be wrong.
   Result<void> play(std::int64_t until_us, const std::function<void(const Stretch::Entry&)>& take) const;
   /// Metrics as they stood after all that happened up to this time; the same as live, to the last bit. Fails as
   /// play() does.

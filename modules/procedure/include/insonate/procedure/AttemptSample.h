@@ -25,15 +25,14 @@ struct AttemptSample {
   bool operator==(const AttemptSample&) const = default;
 };
 
-/// The steps in which a recording keeps samples. Rounded rotations move what is
-/// 70 mm away by 1 um at most.
+/// Steps in which a recording stores samples. Rounded rotations move a point 70 mm away by 1 um at most.
 inline constexpr double kPositionQuantum_mm = 0.001;
 inline constexpr double kRotationQuantum = 1.0 / (1 << 18);  ///< of a component of the unit quaternion
 inline constexpr double kForceQuantum_N = 0.001;
 inline constexpr double kDistanceQuantum_mm = 0.01;  ///< of depth and distances
 inline constexpr double kFarthest_mm = 2'000'000 * kPositionQuantum_mm;
 
-/// A sample in whole steps: what is kept, and all that metrics, live or later, are computed from.
+/// A sample in whole steps: the stored form, from which all metrics, live or later, are computed.
 struct QuantisedSample {
   static constexpr int kChannels = 22;
   std::int64_t time_us = 0;
@@ -42,8 +41,8 @@ struct QuantisedSample {
   bool operator==(const QuantisedSample&) const = default;
 };
 
-/// A tool that is not finite or farther than kFarthest_mm from the origin counts as held by nobody; other values that
-/// are not finite count as unknown or 0, and large ones are held at the largest. Neither waits nor allocates.
+/// Quantizes a sample. A tool that is not finite or farther than kFarthest_mm from the origin counts as not held;
+/// other non-finite values count as unknown or 0, and large ones are clamped. Neither waits nor allocates.
 QuantisedSample quantised(const AttemptSample& sample) noexcept;
 /// The same on every machine: square roots and plain arithmetic.
 AttemptSample restored(const QuantisedSample& sample) noexcept;

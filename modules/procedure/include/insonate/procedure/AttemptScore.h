@@ -9,7 +9,7 @@
 
 namespace insonate {
 
-/// One metric of an attempt beside what is known of people.
+/// One metric of an attempt beside published values.
 struct MetricScore {
   Metric metric = Metric::VeinPunctures;
   std::optional<double> value;     ///< none: the attempt does not tell
@@ -45,8 +45,8 @@ struct AttemptScore {
 
 inline constexpr double kMinorCost = 5, kMajorCost = 20, kMostWithoutSuccess = 50;
 
-/// Name of the vessel whose wall an event is at: "right internal jugular vein"; "another vein" where that vein has no
-/// name; empty where it is no vessel's wall or not known. `vessels` as in AttemptHeader.
+/// Name of the vessel whose wall an event is at: "right internal jugular vein"; "another vein" for an unnamed vein;
+/// empty if it is no vessel's wall or unknown. `vessels` as in AttemptHeader.
 std::string vesselName(const AttemptEvent& event, const std::vector<std::string>& vessels);
 
 /// Describes a finding and what to do, after the name of the punctured vessel, if any.

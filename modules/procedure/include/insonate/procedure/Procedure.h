@@ -88,8 +88,8 @@ struct Procedure {
 
 /// The presets of resources/procedures.
 std::vector<std::string> procedurePresetNames();
-/// A preset's name or a JSON file of the same form. Fails with a sentence that names the place, what is wrong and what
-/// is possible.
+/// Loads a preset by name, or a JSON file of the same form. Fails with a sentence that names the place, the error and
+/// the possible values.
 Result<Procedure> loadProcedure(std::string_view nameOrPath);
 Result<Procedure> parseProcedure(std::string_view json);
 

@@ -12,10 +12,10 @@ struct Brush {
   std::optional<int> sliceAxis{};  ///< a circle in the slice across this axis of the grid (0, 1, 2); else a sphere
 };
 
-/// The voxels whose centers are within the radius of a stroke: a line through points in the patient, mm, or the dab at
-/// one point. Of a circle, the slice is that of the first point. The voxel nearest to each point is always chosen, so
-/// that the smallest brush paints, too. Empty beside the grid. Takes as long as the stroke is large, whatever the size
-/// of the CT: a few milliseconds.
+/// Returns the voxels whose centers are within the radius of a stroke: a line through points in the patient, mm, or a
+/// dab at one point. A circle paints in the slice of the first point. The voxel nearest to each point is always
+/// included, so that the smallest brush paints, too. Empty beside the grid. The time depends on the stroke's size, not
+/// on the CT's: a few milliseconds.
 Selection brushed(const VolumeGeometry& geometry, std::span<const Vec3> stroke_mm, const Brush& brush);
 
 }  // namespace insonate

@@ -15,10 +15,10 @@ namespace insonate {
 /// apart. Patient space, mm.
 using CentreLine = std::vector<Vec3>;
 
-/// The lines of all vessels with this label, whichever way they run; where vessels join, the line of one goes on and
-/// those of the others end beside it. A vessel that ends at the volume's edge has its line up to there; pieces shorter
-/// than they are wide have none. Grids may be anisotropic, oblique, of either handedness. The same map gives the same
-/// lines. Fails on a grid that is none, and when cancelled; a label that no voxel has gives no lines.
+/// Returns the center lines of all vessels with this label, in any direction; where vessels join, one line continues
+/// and the others end beside it. A vessel that ends at the volume's edge has its line up to there; pieces shorter than
+/// they are wide have none. Grids may be anisotropic, oblique, of either handedness. The same map gives the same
+/// lines. Fails on an invalid grid, and when cancelled; a label without voxels gives no lines.
 Result<std::vector<CentreLine>> centreLines(const LabelMap& labels, std::uint8_t label, const Progress& progress = {});
 
 /// From a point to the nearest of the lines, mm; none where there is no line. Neither waits nor allocates.

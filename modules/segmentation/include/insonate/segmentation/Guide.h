@@ -51,7 +51,7 @@ struct Guide {
   std::vector<GuideStep> steps;
 };
 
-/// A JSON object with `steps`. Refuses with the step, what is wrong in it, and what is possible.
+/// Reads a JSON object with `steps`. Fails with the step, the error in it, and the possible values.
 Result<Guide> readGuide(std::string_view text);
 
 /// Guides that are compiled in.

@@ -30,7 +30,8 @@ struct EditRules {
   }
 };
 
-/// Leaves of a proposal what the rules allow, and what is so already: it then shows what apply() would write.
+/// Removes from a proposal everything that the rules forbid or that would change nothing: it then shows what apply()
+/// would write.
 void restrictTo(const EditRules& rules, const CtVolume& ct, const LabelMap& labels, Proposal& proposal);
 
 /// Extent of the change by an edit, an undo or a redo, so that slices and surfaces can be updated.
@@ -63,11 +64,11 @@ class LabelEdit {
   /// write.
   Result<LabelChange> apply(const Proposal& proposal, std::string name);
 
-  /// Until endStroke(), what is applied belongs to one step.
+  /// Combines all edits until endStroke() in one step.
   void beginStroke(std::string name);
   void endStroke();
 
-  /// The step that undo() or redo() would take, for a menu; none where there is none.
+  /// Name of the step that undo() or redo() would apply, for a menu; empty without one.
   std::optional<std::string_view> undoName() const;
   std::optional<std::string_view> redoName() const;
   LabelChange undo();

@@ -127,8 +127,8 @@ using LabelTool = std::variant<step::Auto, step::Threshold, step::Paint, step::D
                                step::Logical, step::FillBetween, step::Connected, step::ConfidenceConnected,
                                step::GrowSeeds, step::Watershed, step::March, step::Contour, step::Vessel, step::Tube>;
 
-/// One step of labelling: a tool, the label it is for, and what it must leave alone. Erasing is painting with what
-/// should be there instead.
+/// One step of labeling: a tool, its label, and rules for other voxels. Erasing is painting with the label that should
+/// be there instead.
 struct LabelStep {
   LabelTool tool;
   std::uint8_t label = 0;  ///< not used by tools that write several labels

@@ -8,9 +8,9 @@
 
 namespace insonate {
 
-/// The voxels of a slice across an axis of the grid (0, 1, 2) whose centers lie in a polygon: what was drawn. Corners
-/// are points of the patient, mm; the slice is that of the first. Where the outline crosses itself, the even-odd rule
-/// holds. Refuses fewer than three corners and a first corner beside the grid.
+/// Returns the voxels of a slice across an axis of the grid (0, 1, 2) whose centers lie in a drawn polygon. Corners
+/// are points in patient space, mm; the slice is that of the first. The even-odd rule applies where the outline
+/// crosses itself. Refuses fewer than three corners and a first corner beside the grid.
 Result<Selection> drawn(const VolumeGeometry& geometry, int sliceAxis, std::span<const Vec3> corners_mm);
 
 /// Projection that extends a polygon on the screen into depth.

@@ -17,9 +17,9 @@ struct Recipe {
   OwnLabels labels{};  ///< what numbers mean that steps name and the label table does not know
 };
 
-/// A JSON object with `steps` and, if one likes, a `description` and `labels` of the author's own. A step names its
-/// `tool` and that tool's parameters; what is missing has its default, points have none. Refuses with the step, what is
-/// wrong in it, and what is possible.
+/// Reads a JSON object with `steps` and optionally a `description` and the author's own `labels`. A step names its
+/// `tool` and that tool's parameters; missing ones take their defaults, missing points are none. Fails with the step,
+/// the error in it, and the possible values.
 Result<Recipe> readRecipe(std::string_view text);
 
 /// Inverse of readRecipe().

@@ -12,12 +12,12 @@ struct TubeTracking {
   double stiffness = 2;    ///< how much an outline resists dents and bumps; 0 to 10
 };
 
-/// Follows what differs little from its surroundings along clicks in its middle: a vessel without contrast agent, seen
-/// by the fat around it, or a muscle by its fasciae. Between clicks the line is smooth. Sections a millimeter apart are
-/// averaged along the line instead of blurred, since fasciae are no thicker than a voxel, and take the closed outline
-/// that best parts what is like the clicks from what is not; then they are centred and stretched as their shape asks
-/// for, so that flat tubes are found, too, and fitted again. In a noisy CT both limits are wider.
-/// Refuses what trackVessel() refuses but the lack of contrast; fails when cancelled.
+/// Follows a structure that differs little from its surroundings along clicks in its middle: a vessel without contrast
+/// agent, visible by the fat around it, or a muscle by its fasciae. Between clicks the line is smooth. Sections a
+/// millimeter apart are averaged along the line instead of blurred, since fasciae are no thicker than a voxel, and
+/// take the closed outline that best separates voxels like the clicks from others; then they are centered and
+/// stretched by their shape, so that flat tubes are found, too, and fitted again. In a noisy CT both limits are wider.
+/// Refuses what trackVessel() refuses except a lack of contrast; fails when cancelled.
 Result<TrackedVessel> trackTube(const CtVolume& ct, std::span<const Vec3> clicks_mm, const TubeTracking& how = {},
                                 const Progress& progress = {});
 

@@ -16,8 +16,8 @@ struct VesselTracking {
   double smoothing_mm = 0.6;  ///< standard deviation of the blur of the CT in which the way is found; 0 to 3
 };
 
-/// A section square to a vessel, in the patient: the wall lies radius_mm[n] from the center along
-/// right cos(a) + down sin(a), a = 2 pi n / kRays.
+/// A section perpendicular to a vessel, in the patient: the wall lies radius_mm[n] from the center along right cos(a)
+/// + down sin(a), a = 2 pi n / kRays.
 struct VesselOutline {
   static constexpr int kRays = 36;
   Vec3 centre_mm, right, down;

@@ -9,11 +9,11 @@
 
 namespace insonate {
 
-/// The ultrasound images of a recorded attempt, made again from its case. An image is a function of what the
-/// recording says of its time: the tissue is solved from rest, persistence is left out and electronic noise is that of
-/// its time, so that it is the same bit for bit whatever was looked at before, on the same engine and kind of
-/// processor; the live one, whose tissue goes on from the image before, was near it. Not for concurrent use; uses the
-/// calling thread's TBB arena.
+/// Renders the ultrasound images of a recorded attempt from its case. An image depends on the recorded state of its
+/// time alone: the tissue is solved from rest, persistence is left out and electronic noise is that of its time, so
+/// that it is the same bit for bit in any order, on the same engine and kind of processor. The live image, whose
+/// tissue continues from the frame before, was close to it. Not for concurrent use; uses the calling thread's TBB
+/// arena.
 class AttemptPictures {
  public:
   /// Fails with a sentence on another case than the recording's, and on a recording without settings. `workAhead`: a
@@ -26,9 +26,9 @@ class AttemptPictures {
   AttemptPictures& operator=(AttemptPictures&&) noexcept;
   ~AttemptPictures();
 
-  /// As the screen showed it at this time: of the last sample until then, or of the one at which the image was
-  /// frozen. Null before the first sample and while nobody holds the probe. The frame has an envelope; its number is 0
-  /// and its time that of the sample. Fails where the recording is damaged there, and where its engine cannot be had.
+  /// Renders the image on the screen at this time: of the last sample until then, or of the sample at which the image
+  /// was frozen. Null before the first sample and while nobody holds the probe. The frame has an envelope; its number
+  /// is 0 and its time that of the sample. Fails if the recording is damaged there, or its engine is not available.
   Result<std::shared_ptr<const LiveFrame>> at(std::int64_t time_us);
 
  private:

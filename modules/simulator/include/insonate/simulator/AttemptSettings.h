@@ -30,7 +30,7 @@ struct AttemptSettings {
 
 /// As JSON, with all numbers to the last bit.
 std::string textOf(const AttemptSettings& settings);
-/// Fails with a sentence on what is not such a text, and on values out of range.
+/// Fails with a sentence on an invalid text, and on values out of range.
 Result<AttemptSettings> parseAttemptSettings(std::string_view json);
 
 }  // namespace insonate

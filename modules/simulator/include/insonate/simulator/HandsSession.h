@@ -27,7 +27,7 @@ class HandsSession {
  public:
   /// Devices of `bus`; the built-in `measured` needle. Looks for devices from the first call of devices() on.
   explicit HandsSession(std::shared_ptr<haptics::HidBus> bus);
-  /// Lets go of all devices after a last zero force.
+  /// Releases all devices after a last zero force.
   ~HandsSession();
   HandsSession(const HandsSession&) = delete;
   HandsSession& operator=(const HandsSession&) = delete;
@@ -46,7 +46,8 @@ class HandsSession {
   /// Hears of every tick while something is in a hand; null for none. The one before hears of one more tick at most.
   void setAttempt(std::shared_ptr<LiveAttempt> attempt);
 
-  /// Into a hand, out of which goes what was there; no device: an empty hand. The limits of `setup` are the device's.
+  /// Puts a device into a hand in place of the former one; no device: an empty hand. The limits of `setup` are the
+  /// device's.
   void put(Hand hand, std::shared_ptr<HapticDevice> device, HandSetup setup);
   /// The hand of mouse and keys into this hand, at a pose of the tool (patientFromTool); it moves with moveByMouse().
   void putMouse(Hand hand, const Transform& patientFromTool);
@@ -60,8 +61,8 @@ class HandsSession {
   bool followsMouse(Hand hand) const;
   HandSetup setupOf(Hand hand) const;
 
-  /// While held, the needle stays where it is in the patient and its hand is held there; let go, it goes on from there
-  /// with the hand as it is then. A needle that is taken up meanwhile is held, too.
+  /// Holds the needle in its place in the patient, and its hand with it; after release, the needle continues from
+  /// there with the hand's pose at that time. A needle that is taken up meanwhile is held, too.
   void holdNeedle(bool held);
 
   /// A pedal, or none. Its buttons that went down since the last takePresses(), one bit each.

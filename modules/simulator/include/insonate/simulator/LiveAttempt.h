@@ -31,9 +31,9 @@ struct AttemptView {
   bool succeeded = false;
 };
 
-/// An attempt as two hands make it (HandsSession::setAttempt): each tick of their servo is recorded, and a ProcedureRun
-/// follows what was recorded, so that a replay tells the same to the last bit. Times count from start(). Members but
-/// ticked() and show() may be called from any thread.
+/// Records an attempt made by two hands (HandsSession::setAttempt): each tick of their servo is recorded, and a
+/// ProcedureRun processes the recorded samples, so that a replay gives the same to the last bit. Times count from
+/// start(). Members but ticked() and show() may be called from any thread.
 class LiveAttempt final : public TickListener {
  public:
   /// Facts about a tick that the servo's output does not contain.
@@ -49,15 +49,15 @@ class LiveAttempt final : public TickListener {
   static Result<std::shared_ptr<LiveAttempt>> start(const std::filesystem::path& file, const AttemptHeader& header,
                                                     Procedure procedure, VesselNames vessels = {},
                                                     const std::optional<RecordKey>& key = std::nullopt);
-  /// An attempt that was not finished is abandoned once nobody holds it; a HandsSession may do so until it ends.
+  /// Abandons an unfinished attempt. A HandsSession may keep the attempt alive until it ends.
   ~LiveAttempt() override;
 
   /// By the servo: neither waits nor allocates.
   void ticked(const ServoSnapshot& tick) noexcept override;
   /// By one thread, as often as the servo is shown the tissue.
   void show(Surroundings around);
-  /// By the same thread as often: the latest live image, null where there is none. From it, the attempt tells when the
-  /// target vein is found.
+  /// Passes the latest live image, null without one; call as often as show(), on the same thread. The attempt detects
+  /// from it when the target vein is found.
   void see(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around);
 
   /// Replaced, frozen, released or positioned. While frozen, images stand still and count as none.
@@ -73,7 +73,7 @@ class LiveAttempt final : public TickListener {
   AttemptScore score() const;
   /// A sentence once the disk refuses; empty: all is well.
   std::string trouble() const;
-  /// Takes no more ticks and writes what is left. Once. Fails as AttemptRecorder::finish() does.
+  /// Stops recording and writes the rest. Call once. Fails as AttemptRecorder::finish() does.
   Result<MetricValues> finish(AttemptStatus status);
 
  private:

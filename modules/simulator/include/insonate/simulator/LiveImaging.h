@@ -41,8 +41,8 @@ struct LivePress {
   TissueMesh mesh;      ///< empty unless setKeepMesh()
 };
 
-/// One image of a live probe. Never changes once handed out, and may be kept: its memory is used again when the last
-/// holder lets go, even after LiveImaging itself has gone.
+/// One frame of a live probe. Constant, and may be kept: its memory is reused when the last owner releases it, even
+/// after the end of LiveImaging.
 struct LiveFrame {
   BModeImage image;
   EnvelopeFrame envelope;        ///< empty unless LiveOptions::keepEnvelopes
@@ -108,13 +108,13 @@ class LiveImaging {
   /// ignored.
   void setPose(const Transform& patientFromProbe);
 
-  /// A needle, and the tissue that its tip pushes ahead, from the next image on; none where there is none. The latest
-  /// counts, and makes an image by itself where it differs from the one before. Never blocks. A needle that validate()
-  /// refuses, or a dent that is not finite, is ignored.
+  /// Sets the needle, and the tissue that its tip pushes ahead, from the next frame on; none without a needle. The
+  /// latest call counts, and triggers a frame if it differs from the one before. Never blocks. A needle that
+  /// validate() refuses, or a dent that is not finite, is ignored.
   void setNeedle(const std::optional<Needle>& needle, const std::optional<Tenting>& tenting = {});
 
-  /// Probe, settings, tissues and engine at once. What is out of range is refused, and the old setup goes on; it goes
-  /// on, too, until a scene for the new one is there. Of several setups in a row, only the last may be seen.
+  /// Sets probe, settings, tissues and engine together. Values out of range are refused, and the old setup continues,
+  /// as it does until a scene for the new setup is ready. Of several setups in a row, only the last may take effect.
   Result<void> setSetup(const ImagingSetup& setup);
 
   /// Sets the pressures that act on the patient's blood, from the next frame on. Fails, with a sentence, if out of
@@ -131,8 +131,8 @@ class LiveImaging {
   /// Once this returns, latest() and cine() stay as they are. Poses and setups are kept for later.
   void setFrozen(bool frozen);
 
-  /// At rest, no images are made, and a scene and what scenes are made of (some hundred megabytes) are given back.
-  /// Images, pose and setups are kept, and the next image comes as soon as a scene is built anew.
+  /// While resting, no frames are made, and scenes and their sources (some hundred megabytes) are released. Frames,
+  /// pose and setups are kept, and the next frame comes as soon as a scene is built again.
   void setResting(bool resting);
 
   /// Null until the first image is there.

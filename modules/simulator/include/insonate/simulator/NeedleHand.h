@@ -23,8 +23,8 @@ struct NeedleHandState {
 /// Alignment of a needle with the probe's plane.
 enum class NeedlePlane { Along, Across };
 
-/// A needle held without a device: an entry on the skin, angles and a depth. While the tip is in the body its entry
-/// stays, and near the skin only it turns about it. What it meets there the servo says, see HandsSession.h. No move
+/// A needle held without a device: an entry on the skin, angles and a depth. While the tip is in the body its entry is
+/// fixed, and it turns about the entry only near the skin. The servo computes contacts, see HandsSession.h. No move
 /// allocates. Not for concurrent use of one object.
 class NeedleHand {
  public:
@@ -33,7 +33,7 @@ class NeedleHand {
   /// Deeper, tissue holds the needle on its track (the servo's line constraint begins there).
   static constexpr double kTurnsUntil_mm = 10;
 
-  /// At which a needle is taken up: flatter than any target asks for, so that it is the trainee who aims.
+  /// Angle of a newly taken needle: flatter than any target needs, so that the trainee has to aim.
   static constexpr double kTaken_deg = 20;
 
   /// Ready beside a probe, at kTaken_deg to the skin. Along: in the image plane, at the end of the face that is away

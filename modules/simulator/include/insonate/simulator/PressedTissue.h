@@ -40,9 +40,9 @@ class PressedTissue {
   };
   std::optional<Travel> travel(const AcousticScene& scene, const Transform& patientFromProbe);
 
-  /// The face stays at the pose. The scene must cover the region of it (see Imager.h). Solves nothing, and forgets
-  /// what was solved, where the face is off the skin and blood at the pressure of the CT. Allocates nothing once called
-  /// before.
+  /// Solves the tissue with the face at the pose. The scene must cover its region (see Imager.h). Without contact, and
+  /// with blood at the pressure of the CT, it solves nothing and discards the last solution. Allocates nothing after
+  /// the first call.
   void hold(const AcousticScene& scene, const Transform& patientFromProbe, const BloodPressure& pressure);
 
   /// The face is pushed along its axis until it presses with this force (N), but not through bone. pose() is where it
@@ -51,7 +51,7 @@ class PressedTissue {
   void push(const AcousticScene& scene, const Transform& patientFromProbe, const BloodPressure& pressure,
             double force_N);
 
-  /// Off the patient: nothing is pressed, and what was solved is forgotten.
+  /// Removes the probe from the patient and discards the last solution.
   void release();
 
   /// The last answer, in the frame of pose().

@@ -30,18 +30,18 @@ class HandsSession;
 class NeedleHand;
 class SkinSurface;
 
-/// A probe held on the skin without a device: it follows the skin, square to it but for the user's own tilt and rock. A
-/// move stops where the skin or the patient's volume ends, and says why. No move allocates, and none takes longer than
-/// a fraction of a millisecond. Copies share the skin. Not for concurrent use of one object.
+/// A probe held on the skin without a device: it follows the skin, perpendicular to it except for the user's own tilt
+/// and rock. A move stops at the end of the skin or of the patient's volume, and says why. No move allocates, and none
+/// takes longer than a fraction of a millisecond. Copies share the skin. Not for concurrent use of one object.
 class ProbeHand {
  public:
   static constexpr double kMostAngle_deg = 60;  ///< of tilt and of rock, either way
   static constexpr double kMostPress_mm = 20;
   static constexpr double kLift_mm = 20;  ///< off the skin: nothing is heard from there
 
-  /// The skin is where labels other than background begin, seen from the outside. `patientFromProbe` is taken over as
-  /// by setPose(). Takes some tenths of a second for a large volume. Fails where the label map has no body or no
-  /// outside, or its size does not match its voxels, and for a pose that is not rigid.
+  /// Makes a hand. The skin is the outer boundary of the labels other than background. `patientFromProbe` is applied
+  /// as by setPose(). Takes some tenths of a second for a large volume. Fails if the label map has no body or no
+  /// outside, if its size does not match its voxels, or if the pose is not rigid.
   static Result<ProbeHand> make(const LabelMap& labels, const Transform& patientFromProbe);
 
   /// Over the skin, along the probe's own directions there; any length.
@@ -56,9 +56,9 @@ class ProbeHand {
   void lift();
   /// Moves to the skin point nearest to a point in or around the patient; angles stay.
   HandMove moveTo(Vec3 patient_mm);
-  /// Takes over any pose: pose() gives it back exactly, where it is within the limits and the probe's axis meets the
-  /// skin within 60 mm. Else it is the nearest that is, and the move says so. Poses that are not rigid are refused and
-  /// change nothing.
+  /// Applies a pose: pose() returns it exactly if it is within the limits and the probe's axis meets the skin within
+  /// 60 mm; otherwise the nearest permitted pose is taken, and the move says so. Poses that are not rigid are refused
+  /// and change nothing.
   HandMove setPose(const Transform& patientFromProbe);
 
   /// patientFromProbe, as engines take it.

@@ -76,9 +76,9 @@ struct SessionPictures {
   std::function<Result<void>(const LiveFrame&)> take;
 };
 
-/// A whole attempt without a window, device or clock: hands that are where the script has them, through the servo at
-/// 1 kHz, into a recording. A face inside the skin presses; the tissue is solved 30 times a second of the script's
-/// time, from rest, and tells the probe's force and where what the needle meets lies. Faster than real time, but where
+/// Runs a whole attempt without a window, device or clock: hands at the script's poses pass through the servo at 1 kHz
+/// into a recording. A face inside the skin presses; the tissue is solved 30 times a second of the script's time, from
+/// rest, and gives the probe's force and the place of the tissue that the needle meets. Faster than real time, unless
 /// images are made or the probe moves through tissue. The same script, case and program give the same attempt.
 /// `software` is name and version, for the header, which says that a script moved the hands. Cancelled, it leaves no
 /// file.

@@ -33,7 +33,8 @@ Result<void> validate(const TissueMechanics& mechanics);
 /// begins in a point, the housing does not.
 ProbeFace faceOf(const Probe& probe, const TissueMechanics& mechanics);
 
-/// The part of the plane, in the probe frame, whose tissue decides how it gives way: beyond, the outermost goes on.
+/// Part of the plane, in the probe frame, whose tissue is part of the mechanical model: beyond it, the outermost
+/// tissue continues.
 struct PressWindow {
   double half_mm = 0;  ///< either side of the axis
   double top_mm = 0, bottom_mm = 0;

@@ -13,10 +13,10 @@
 
 namespace insonate {
 
-/// Tells the vessels of a case apart, which share the labels vein and artery, and knows the target of an attempt. A
-/// point is in the vessel whose wall is nearest, by CaseManifest::vessels, unless it lies beside that vessel, in one
-/// without a name. A case that has none of those is known by
-/// its targets alone: the center line of a vein that passes nearest to a target bears that target's name.
+/// Identifies the vessels of a case, which share the labels vein and artery, and the target of an attempt. A point
+/// belongs to the vessel whose wall is nearest, by CaseManifest::vessels, unless it lies beside that vessel, in an
+/// unnamed one. In a case without named vessels the targets identify them: the center line of a vein that passes
+/// nearest to a target has that target's name.
 class VesselNames {
  public:
   /// A case without a target in a vein: each vein counts as the target.

@@ -24,11 +24,11 @@ struct VesselKind {
 /// The large vessels of neck and upper chest, in the order in which a form lists them.
 std::span<const VesselKind> vesselKinds();
 
-/// Gives the vessel at a place (patient space) its name. The course is the center line of the place's label (see
-/// centreLines()) that passes nearest to the place; a radius is that of a circle with the area of the connected section
-/// there. `own` tells labels of the author's own that are veins or arteries. Runs on the caller's thread, a second or
-/// so for a whole CT. Fails where the place is in no vein or artery, where the vessel is too short to have a center
-/// line, and when cancelled.
+/// Names the vessel at a place (patient space). The course is the center line of the place's label (see centreLines())
+/// that passes nearest to the place; a radius is that of a circle with the area of the connected section there. `own`
+/// lists the author's own labels that are veins or arteries. Runs on the caller's thread, a second or so for a whole
+/// CT. Fails if the place is in no vein or artery, if the vessel is too short to have a center line, and when
+/// cancelled.
 Result<NamedVessel> nameVessel(const LabelMap& labels, const OwnLabels& own, Vec3 place_mm, std::string name,
                                const Progress& progress = {});
 

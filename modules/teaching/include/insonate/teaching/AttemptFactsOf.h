@@ -17,7 +17,8 @@ AttemptFacts beginningOf(const AttemptHeader& header);
 /// Adds how it ended: Completed, else Abandoned, with the metrics and points of its score.
 void addEnding(AttemptFacts& facts, AttemptStatus status, std::int64_t length_us, const AttemptScore& score);
 
-/// AttemptFacts::recordingHash of a file: what an attempt was recorded as can be told from what it was made into later.
+/// AttemptFacts::recordingHash of a file, which distinguishes the original recording from later copies that were
+/// changed.
 Result<std::string> recordingHash(const std::filesystem::path& file);
 
 /// Name and SHA-256 of a recording's file, and the hash of what the hands did in it, "" where that cannot be read.

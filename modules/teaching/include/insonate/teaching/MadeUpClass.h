@@ -31,15 +31,15 @@ Result<std::vector<AttemptFacts>> madeUpAttempts(const Curriculum& curriculum, i
 inline constexpr const char *kMadeUpAdministrator = "made-up-administrator", *kMadeUpTeacher = "made-up-teacher",
                             *kMadeUpClass = "Made-up class", *kMadeUpHalf = "Made-up class, second half";
 
-/// Fills a store that is empty: an administrator, a teacher, the curriculum published, a class of all trainees and one
-/// of the second half. All are called made-up, and have this password. Fails where there are people, or when cancelled;
-/// what was made up until then stays.
+/// Fills an empty store: an administrator, a teacher, the published curriculum, a class of all trainees and one of the
+/// second half. All names begin with made-up, and all have this password. Fails if there are people, or when
+/// cancelled; entries made until then stay.
 Result<void> makeUpClass(const CurriculumStore& store, const Curriculum& curriculum, const MadeUpPlan& plan,
                          const std::string& password, const Progress& progress = {});
 
-/// Each recording becomes the newest attempt of a trainee of makeUpClass(), from the first one on, at the curriculum's
-/// first level: metrics and points are those of the recording. Fails where there are fewer trainees, where a recording
-/// cannot be scored, and where it is of another procedure than the level's.
+/// Adds each recording as the newest attempt of a trainee of makeUpClass(), starting with the first trainee, at the
+/// curriculum's first level: metrics and points are those of the recording. Fails if there are fewer trainees than
+/// recordings, if a recording cannot be scored, or if its procedure is not the level's.
 Result<void> addRecordedAttempts(const CurriculumStore& store, const Curriculum& curriculum,
                                  const std::vector<std::filesystem::path>& recordings, const std::string& password);
 

@@ -31,10 +31,10 @@ struct RecomputedAttempts {
   std::vector<Flagged> implausible{};        ///< whether or not they could be recomputed
 };
 
-/// Compares what is stored of an attempt with what its recording gives, by the code that scored it as it ended. Values
-/// are the same within a billionth, since mathematical libraries of computers differ in the last digits. Metrics are
-/// compared where their definition has the stored version, outcome and points where the procedure has. Fails where the
-/// recording cannot be scored.
+/// Compares an attempt's stored values with those of its recording, computed by the code that scored it. Values are
+/// equal within a billionth, since mathematical libraries differ in the last digits. Metrics are compared if their
+/// definition has the stored version, outcome and points if the procedure has. Fails if the recording cannot be
+/// scored.
 Result<void> compareWithRecording(const AttemptFacts& stored, const std::filesystem::path& recording,
                                   RecomputedAttempts& into);
 

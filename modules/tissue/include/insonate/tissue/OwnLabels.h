@@ -9,7 +9,7 @@
 
 namespace insonate {
 
-/// A structure that the label table does not know: what an author calls it, and what it is made of.
+/// A structure outside the label table: the author's name for it, and its tissue.
 struct OwnLabel {
   std::string name;            ///< as tidyLabelName() leaves it; empty for one that has no name yet
   Label tissue = kSoftTissue;  ///< how it looks in ultrasound, gives way and feels; never background

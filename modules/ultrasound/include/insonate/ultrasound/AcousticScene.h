@@ -27,9 +27,9 @@ class AcousticScene {
  public:
   static constexpr double kFinestDetail_mm = 0.7;
 
-  /// Copies what it needs; `ct` and `labels` must share one grid. Fails on grids that differ or a region that does not
-  /// touch the volume; warnings() tells of unknown labels. Label maps coarser than `detail_mm` are subdivided (see
-  /// sceneDetail_mm() for what a probe can make use of).
+  /// Copies the data that it needs; `ct` and `labels` must share one grid. Fails on grids that differ or a region that
+  /// does not touch the volume; warnings() lists unknown labels. Label maps coarser than `detail_mm` are subdivided
+  /// (see sceneDetail_mm() for a useful value by probe).
   static Result<std::shared_ptr<const AcousticScene>> make(const CtVolume& ct, const LabelMap& labels,
                                                            const AcousticTable& table, const Region& region,
                                                            const Progress& progress = {},

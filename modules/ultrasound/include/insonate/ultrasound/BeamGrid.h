@@ -21,7 +21,7 @@ class BeamGrid {
 
   Vec3 origin(double scanline) const;
   Vec3 direction(double scanline) const;
-  /// Distance between neighboring scanlines at a range, square to them.
+  /// Distance between neighboring scanlines at a range, perpendicular to them.
   double scanlineSpacing_mm(double range_mm) const;
   /// Distance of scanlines along the face of a linear probe.
   double pitch_mm() const { return pitch_; }

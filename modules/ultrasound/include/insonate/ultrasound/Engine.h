@@ -27,15 +27,15 @@ class Engine {
   /// Allocates for these settings, which must be valid (see validate()).
   virtual void prepare(const Probe& probe, const ImagingSettings& settings) = 0;
 
-  /// Renders one frame; allocates nothing once `envelope` has its size. `patientFromProbe` is rigid. Same inputs, same
-  /// frame, whatever the number of threads. Uses the calling thread's TBB arena.
+  /// Renders one frame; allocates nothing once `envelope` has its size. `patientFromProbe` is rigid. The same inputs
+  /// give the same frame on any number of threads. Uses the calling thread's TBB arena.
   ///
-  /// The frame shows the tissue displaced: structures, CT, textures, scatterers and point targets move with it, the
-  /// skin is looked for where it has gone. An empty displacement costs nothing. It must be whole (columns times rows
-  /// shifts), finite and without folds; tissue that it brings from beyond the scene reads as the outermost within.
+  /// The frame shows the tissue displaced: structures, CT, textures, scatterers and point targets move with it, and so
+  /// does the skin. An empty displacement costs nothing. It must be complete (columns times rows shifts), finite and
+  /// without folds; tissue from beyond the scene reads as the outermost within.
   ///
-  /// `needle`, valid (see validate()), or null: none, which costs nothing. It shines and casts its shadow where it is,
-  /// whatever has moved the tissue. The look of the thesis does not show it.
+  /// `needle`, valid (see validate()), or null: none, which costs nothing. It echoes and casts its shadow at its own
+  /// place, independent of the tissue's displacement. The look of the thesis does not show it.
   virtual void render(const AcousticScene& scene, const Transform& patientFromProbe,
                       const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) = 0;
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,

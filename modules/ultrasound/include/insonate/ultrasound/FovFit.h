@@ -47,11 +47,11 @@ struct FovFit {
   std::optional<DepthRuler> ruler;
 };
 
-/// Finds the fan or rectangle of an ultrasound image, turned by up to 5 degrees, upright or upside down, light on
-/// dark or dark on light, with text and bars around it, also where a side or the end is cut off. Of two alike ones side
-/// by side, parted by ground, it is the clearer one, or the left; a doubt says so. The same image gives the same fit.
-/// Takes up to a second, or three where two are looked at. Fails, with a sentence, on images under 64 or over 16384
-/// pixels wide or high, and where nothing looks like a field of view.
+/// Finds the fan or rectangle of an ultrasound image, turned by up to 5 degrees, upright or upside down, light on dark
+/// or dark on light, with text and bars around it, also with a side or the end cut off. Of two similar ones side by
+/// side on a ground, it is the clearer one, or the left; a warning says so. The same image gives the same fit. Takes
+/// up to a second, or three with two candidates. Fails, with a sentence, on images under 64 or over 16384 pixels wide
+/// or high, and if nothing looks like a field of view.
 Result<FovFit> fitFov(const GreyPicture& picture);
 
 /// From the middle of the face to the end, in pixels.

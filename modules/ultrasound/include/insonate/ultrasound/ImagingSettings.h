@@ -19,7 +19,7 @@ enum class Look {
 /// Mapping of levels to grays; GrayMaps.h has the names and curves.
 enum class GrayMap { Linear, Soft, Contrast, Bright, Dark, Flat };
 
-/// Each physical effect can be left out, to see what it does.
+/// Switches of the physical effects, to see the contribution of each.
 struct Effects {
   bool scattering = true;  ///< off: nothing but boundaries
   bool reflection = true;

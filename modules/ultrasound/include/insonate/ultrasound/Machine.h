@@ -23,7 +23,7 @@ const std::vector<Machine>& machines();
 /// the probe's; depth, focus, TGC and effects stay as they are. Fails on an unknown name and lists the known ones.
 Result<ImagingSettings> settingsOf(std::string_view machine, const Probe& probe, ImagingSettings base);
 
-/// The machine with whose settings these agree in all that it decides; null where there is none.
+/// Machine whose settings equal these in everything that it sets; null without one.
 const Machine* machineOf(const ImagingSettings& settings, const Probe& probe);
 
 }  // namespace insonate

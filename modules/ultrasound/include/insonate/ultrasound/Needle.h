@@ -5,7 +5,7 @@
 
 namespace insonate {
 
-/// A straight, hollow steel needle with a short bevel, where it is now: it is no tissue and does not move with it.
+/// A straight, hollow steel needle with a short bevel at its present place: it is no tissue and does not move with it.
 /// Patient LPS, millimeters. Its radius counts from the axis outward; 18 G is 1.27 mm thick (ISO 9626).
 struct Needle {
   Vec3 tip_mm{};
@@ -17,8 +17,8 @@ struct Needle {
   bool operator==(const Needle&) const = default;
 };
 
-/// Fails, with a sentence, on what is not finite or out of range, a direction that is not of unit length, and a bevel
-/// that faces along the shaft.
+/// Fails, with a sentence, on values that are not finite or out of range, a direction that is not of unit length, and
+/// a bevel that faces along the shaft.
 Result<void> validate(const Needle& needle);
 
 }  // namespace insonate

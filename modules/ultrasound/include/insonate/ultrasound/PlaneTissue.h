@@ -10,7 +10,7 @@
 
 namespace insonate {
 
-/// Signed distances are cut off here, either way; what is out of reach may read as up to half a voxel less.
+/// Limit of signed distances, either way; a distance out of reach may read as up to half a voxel less.
 inline constexpr float kPlaneReach_mm = 6;
 
 /// Undisturbed tissue at points of a plane, one entry a point. Signed distances are those that images are made of,

@@ -4,7 +4,7 @@
 
 namespace insonate {
 
-/// Assumed by the machine, whatever the tissue.
+/// Speed of sound that the machine assumes in all tissue.
 inline constexpr double kSoundSpeed_mmPerUs = 1.54;
 
 double wavelength_mm(const ImagingSettings& settings);
@@ -13,9 +13,9 @@ double wavelength_mm(const ImagingSettings& settings);
 double transmitAperture_mm(const Probe& probe, const ImagingSettings& settings);
 double receiveAperture_mm(const Probe& probe, double range_mm);
 
-/// Full widths at half maximum of the amplitude point-spread function that a probe has with these settings. The pulse
-/// is a Gaussian of the probe's bandwidth. The other two are laws fitted to the field of an array and of a strip:
-/// within 10 % of what engines show of linear arrays, 20 % of others; for those who need no more than a width.
+/// Full width at half maximum of the amplitude point-spread function of a probe with these settings. The pulse is a
+/// Gaussian of the probe's bandwidth. The other two are laws fitted to the field of an array and of a strip: within 10
+/// % of the engines' for linear arrays, 20 % for others; for callers that need only a width.
 double axialFwhm_mm(const Probe& probe, const ImagingSettings& settings);
 /// The same at a depth: receive filters of machines narrow with depth, as attenuation takes the high frequencies.
 double axialFwhm_mm(const Probe& probe, const ImagingSettings& settings, double range_mm);

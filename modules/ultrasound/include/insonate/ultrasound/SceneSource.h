@@ -19,7 +19,7 @@ class SceneSource {
   static Result<std::shared_ptr<const SceneSource>> make(const CtVolume& ct, const LabelMap& labels);
   ~SceneSource();
 
-  /// Hash of the CT: tells patients apart, however their labels are edited.
+  /// Hash of the CT: identifies the patient, whatever edits the labels have.
   std::uint32_t patient() const;
 
   /// Computes one more part of a region, the one nearest to its center, for scenes to come. Takes about a second of one
