@@ -224,7 +224,28 @@ def check_pragma_once(root):
             yield f"{file.relative_to(root)}: a header without #pragma once"
 
 
-RULES = [check_floors, check_private_headers, check_public_headers, check_toolkits, check_sql, check_top_level,
+def check_architecture_page(root):
+    """Names in ARCHITECTURE.md must exist: types in backticks and diagrams, headers as module/Header.h, all modules."""
+    page = root / "ARCHITECTURE.md"
+    if not page.is_file():
+        return
+    text = page.read_text(encoding="utf-8")
+    code = "\n".join(f.read_text(encoding="utf-8", errors="replace") for f in sources(root, "modules", "ui") if f.suffix == ".h")
+    types = set(re.findall(r"\b(?:class|struct|enum class|using)\s+(\w+)", code))
+    diagrams = "\n".join(re.findall(r"```mermaid\n(.*?)```", text, re.S))
+    prose = re.sub(r"```.*?```", "", text, flags=re.S)
+    named = set(re.findall(r"`([A-Z][A-Za-z]*[a-z][A-Za-z]*)`", prose)) | set(re.findall(r"\b[A-Z][A-Za-z]+\b", diagrams)) - {"TB", "LR"}
+    for name in sorted(named - types):
+        yield f"ARCHITECTURE.md: names {name}, which no header has; correct the name"
+    for module, header in re.findall(r"`(\w+)/(\w+\.h)`", prose):
+        if not list(root.glob(f"*/*/include/insonate/{module}/{header}")):
+            yield f"ARCHITECTURE.md: names {module}/{header}, which is no public header; correct the name"
+    for module in sorted(set(FLOORS) - {"ui"} | {"shell"}) if diagrams else []:
+        if not re.search(rf"\b{module}\b", diagrams):
+            yield f"ARCHITECTURE.md: module {module} is missing in the picture of the floors; draw it"
+
+
+RULES = [check_architecture_page, check_floors, check_private_headers, check_public_headers, check_toolkits, check_sql, check_top_level,
          check_modules_complete, check_length, check_functions, check_basenames, check_finished, check_pragma_once]
 
 
