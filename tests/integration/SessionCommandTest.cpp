@@ -71,7 +71,7 @@ TEST_F(SessionCommand, AProcedureThatTheCaseIsNotForIsRefusedAndLeavesNothing) {
   std::ofstream(folder / "below.json") << R"({"procedure": "subclavian", "acts": [{"wait_s": 1}]})";
   const auto refused = run("session " + path("case") + " --script " + path("below.json") + " --record " + path("a"));
   EXPECT_EQ(refused.status, 1);
-  EXPECT_THAT(refused.errors, HasSubstr("nothing is labelled airway and lung"));
+  EXPECT_THAT(refused.errors, HasSubstr("nothing is labeled airway and lung"));
   EXPECT_FALSE(std::filesystem::exists(folder / "a"));
 }
 

@@ -92,7 +92,7 @@ TEST_F(TrainAttempt, AProcedureThatTheCaseIsNotForIsToldAndDoesNotBegin) {
   };
   choose("subclavian");
   EXPECT_TRUE(shown("attemptUnfit"));
-  EXPECT_TRUE(text("attemptUnfit").contains("nothing is labelled airway and lung"));
+  EXPECT_TRUE(text("attemptUnfit").contains("nothing is labeled airway and lung"));
   EXPECT_FALSE(child<QPushButton>("attemptStart")->isEnabled());
   key(Qt::Key_Return, Qt::ControlModifier);
   EXPECT_EQ(attempt_->state(), State::Idle);

@@ -154,7 +154,7 @@ TEST_F(TrainLayout, FourSlicesAreMeasuredAndShownLikeOne) {
   EXPECT_EQ(all->slice(1).crosshair_mm(), crosshair) << "a measuring drag does not move the crosshair";
   key(Qt::Key_Delete);
   key(Qt::Key_Z);
-  EXPECT_EQ(workspace_->statusText(), "Taken back: removal of the measurements.");
+  EXPECT_EQ(workspace_->statusText(), "Undone: removal of the measurements.");
 }
 
 TEST_F(TrainLayout, MirrorsForTheLeftHandAndRemembers) {
@@ -320,7 +320,7 @@ TEST_F(TrainLayout, TheSliceIsMeasuredAndMeasuresComeBack) {
   key(Qt::Key_Delete);
   EXPECT_TRUE(QTest::qWaitFor([&] { return whites() <= before; }, 5000));
   key(Qt::Key_Z);
-  EXPECT_EQ(workspace_->statusText(), "Taken back: removal of the measurements.");
+  EXPECT_EQ(workspace_->statusText(), "Undone: removal of the measurements.");
   EXPECT_TRUE(QTest::qWaitFor([&] { return whites() >= before + 4; }, 5000));
 }
 

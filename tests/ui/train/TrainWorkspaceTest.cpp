@@ -19,7 +19,7 @@ TEST_F(TrainWindow, FirstPictureArrives) {
       [&] {
         key(Qt::Key_Right);
         key(Qt::Key_Left);
-        return workspace_->engineText().contains("images/s");
+        return workspace_->engineText().contains("fps");
       },
       kPatience_ms));
 }
@@ -92,7 +92,7 @@ TEST_F(TrainWindow, UndoAndRedoGoThroughMovesAndSettingsInOrder) {
   key(Qt::Key_Z);
   EXPECT_EQ(session_->settings().depth_mm, depth_mm);
   EXPECT_EQ(child<ui::ValueSlider>("depth")->value(), depth_mm);
-  EXPECT_EQ(workspace_->statusText(), "Taken back: setting of the image.");
+  EXPECT_EQ(workspace_->statusText(), "Undone: setting of the image.");
   EXPECT_EQ(session_->handState(), moved);
   key(Qt::Key_Z);
   EXPECT_EQ(session_->handState(), start);

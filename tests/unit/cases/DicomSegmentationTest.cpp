@@ -196,7 +196,7 @@ TEST_F(DicomSegmentation, OnAnotherGridEachVoxelTakesThePixelItLiesIn) {
         ASSERT_EQ(back.labels.at(i, j, k), sampleNearest(twoVessels().labels, index)) << i << ' ' << j << ' ' << k;
       }
   EXPECT_THAT(back.notes, Contains(HasSubstr("on another grid")));
-  EXPECT_THAT(back.notes, Contains(HasSubstr("1 labelled voxels lie outside the CT")));
+  EXPECT_THAT(back.notes, Contains(HasSubstr("1 labeled voxels lie outside the CT")));
 }
 
 TEST_F(DicomSegmentation, ThatOfAnotherPlaceIsRefused) {

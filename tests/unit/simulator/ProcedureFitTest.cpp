@@ -42,9 +42,9 @@ TEST(ProcedureFit, WhatIsNotLabelledIsNamedWithWhatWouldBeLost) {
   };
   EXPECT_TRUE(fits("internal_jugular", without(kAirway)));
   EXPECT_THAT(fits("subclavian", without(kAirway)).error().message,
-              HasSubstr("nothing is labelled airway and lung, so a pneumothorax would not be noticed."));
-  EXPECT_THAT(fits("internal_jugular", without(kArtery)).error().message, HasSubstr("nothing is labelled artery"));
-  EXPECT_THAT(fits("internal_jugular", without(kVein)).error().message, HasSubstr("nothing is labelled vein"));
+              HasSubstr("nothing is labeled airway and lung, so a pneumothorax would not be noticed."));
+  EXPECT_THAT(fits("internal_jugular", without(kArtery)).error().message, HasSubstr("nothing is labeled artery"));
+  EXPECT_THAT(fits("internal_jugular", without(kVein)).error().message, HasSubstr("nothing is labeled vein"));
 }
 
 TEST(ProcedureFit, AProcedureThatNeedsNothingFitsAnyCase) {
