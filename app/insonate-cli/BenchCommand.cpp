@@ -163,9 +163,10 @@ void addSegmentation(CLI::App& bench, Outcome& outcome) {
   CLI::Option* atlas =
       command->add_option("--atlas", options->plan.atlas, "Label file of an atlas, see phantom --from-labels")
           ->check(CLI::ExistingFile);
-  CLI::Option* map = command->add_option("--map", options->plan.atlasMap, "What the atlas's numbers mean")
-                         ->check(CLI::ExistingFile)
-                         ->needs(atlas);
+  CLI::Option* map =
+      command->add_option("--map", options->plan.atlasMap, "File with the meaning of the atlas's numbers")
+          ->check(CLI::ExistingFile)
+          ->needs(atlas);
   atlas->needs(map);
   command->add_option("--neck", options->plan.necks,
                       "A built-in neck, see phantom --list; otherwise all, or one with --quick");
@@ -180,7 +181,7 @@ void addSegmentation(CLI::App& bench, Outcome& outcome) {
 void addRealism(CLI::App& bench, Outcome& outcome) {
   auto options = std::make_shared<RealismOptions>();
   CLI::App* command = bench.add_subcommand(
-      "realism", "What tells simulated images from real ones: features, a classifier, and a blind test for readers");
+      "realism", "Compare simulated with real images: features, a classifier, and a blind test for readers");
   command->add_option("--out", options->folder, "Folder for tables and the blind test; created when missing")
       ->required();
   CLI::Option* real = command
@@ -197,12 +198,12 @@ void addRealism(CLI::App& bench, Outcome& outcome) {
       ->capture_default_str()
       ->check(CLI::Range(2, 2000))
       ->excludes(ratings);
-  command->add_option("--seed", options->set.seed, "Other necks, settings and order")
+  command->add_option("--seed", options->set.seed, "Seed of necks, settings and order")
       ->capture_default_str()
       ->excludes(ratings);
   command
       ->add_option("--case", options->cases,
-                   "Case folders to simulate images of beside the built-in necks: CTs of patients, atlases")
+                   "Folders of cases to simulate beside the built-in necks: CTs of patients, atlases")
       ->check(CLI::ExistingDirectory)
       ->excludes(ratings);
   CLI::Option* points = command

@@ -53,7 +53,7 @@ Result<void> crop(const CropArguments& a) {
 }  // namespace
 
 void addCropCommand(CLI::App& app, Outcome& outcome) {
-  auto* command = app.add_subcommand("crop", "A part of a case, CT and labels together, also on another spacing");
+  auto* command = app.add_subcommand("crop", "Crop a case, CT and labels together; also resample it");
   auto a = std::make_shared<CropArguments>();
   command->add_option("CASE", a->caseFolder, "Folder of the case")->required()->check(notEmpty());
   command->add_option("OUT", a->folder, "Folder to write the part to")->required()->check(notEmpty());

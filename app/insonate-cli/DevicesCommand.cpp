@@ -99,11 +99,11 @@ void addDevicesCommand(CLI::App& app, Outcome& outcome) {
   auto* command =
       app.add_subcommand("devices", "Connected haptic devices, 3D mice and pedals: state, limits and errors");
   auto a = std::make_shared<DevicesArguments>();
-  command->add_option("--seconds", a->seconds, "How long to listen to them, s")
+  command->add_option("--seconds", a->seconds, "Time to listen to the devices, s")
       ->check(CLI::Range(0.1, 86400.0))
       ->capture_default_str();
   command->add_option("--record", a->record, "Write their raw reports to this file while listening")->check(notEmpty());
-  command->add_flag("--udev-rules", a->rules, "Print the rules that let a user open the devices, and no more");
+  command->add_flag("--udev-rules", a->rules, "Print only the rules that give a user access to the devices");
   command->add_flag("--json", a->asJson, "Print one JSON object");
   command->callback([a, &outcome] {
     outcome.json = a->asJson;

@@ -58,7 +58,7 @@ Result<void> importLabelsInto(const ImportLabelsArguments& a) {
 }  // namespace
 
 void addImportLabelsCommand(CLI::App& app, Outcome& outcome) {
-  auto* command = app.add_subcommand("import-labels", "Put another program's labels into a case");
+  auto* command = app.add_subcommand("import-labels", "Replace a case's labels by those of another program");
   auto a = std::make_shared<ImportLabelsArguments>();
   command->add_option("CASE", a->caseFolder, "Folder of the case")->required()->check(notEmpty());
   command->add_option("FILE", a->file, "DICOM segmentation, .seg.nrrd, or a label map (NRRD, NIfTI, MetaImage)")
@@ -66,7 +66,7 @@ void addImportLabelsCommand(CLI::App& app, Outcome& outcome) {
       ->check(notEmpty());
   command->add_option("--names", a->names, "ITK-SNAP label description of a plain label map's numbers")
       ->check(notEmpty());
-  command->add_flag("--replace", a->replace, "Put them in the place of the labels that the case has");
+  command->add_flag("--replace", a->replace, "Replace labels that the case has");
   command->add_flag("--json", a->json, "Print one JSON object");
   command->callback([a, &outcome] {
     outcome.json = a->json;

@@ -33,9 +33,9 @@ void NeedleOptions::addTo(CLI::App& command) {
       ->needs(tip);
   vector("--needle-bevel", bevel, "Where the opening of its bevel faces; by default the probe")->needs(tip);
   command.add_option("--needle-diameter", diameter_mm, "mm; 1.27 is 18 G")->capture_default_str()->needs(tip);
-  command.add_option("--needle-length", length_mm, "From tip to hub, mm")->capture_default_str()->needs(tip);
-  command.add_option("--tenting", tenting_mm, "How far the tip pushes tissue ahead of it, mm")->needs(tip);
-  command.add_option("--tenting-radius", tentingRadius_mm, "Of what goes along with it, mm")
+  command.add_option("--needle-length", length_mm, "Length from tip to hub, mm")->capture_default_str()->needs(tip);
+  command.add_option("--tenting", tenting_mm, "Distance by which the tip pushes tissue ahead of it, mm")->needs(tip);
+  command.add_option("--tenting-radius", tentingRadius_mm, "Radius of the tissue that moves along, mm")
       ->capture_default_str()
       ->needs(tip);
 }

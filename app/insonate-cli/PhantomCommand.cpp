@@ -91,15 +91,15 @@ void addPhantomCommand(CLI::App& app, Outcome& outcome) {
   auto a = std::make_shared<PhantomArguments>();
   auto* folder = command->add_option("CASE", a->folder, "Folder to write the case to")->check(notEmpty());
   command->add_option("--variant", a->variant, "Which neck; see --list")->capture_default_str();
-  command->add_option("--seed", a->seed, "Another neck of the same kind")->capture_default_str();
+  command->add_option("--seed", a->seed, "Seed of another neck of the same kind")->capture_default_str();
   command->add_flag("--contrast", a->contrast, "Iodine in the vessels of the CT");
   command->add_option("--dicom", a->dicomFolder, "Also write the CT as a DICOM series, into a new or empty folder")
       ->check(notEmpty());
   command->add_flag("--replace", a->replace, "Replace a case that CASE holds already; it stays as an earlier version");
   auto* labels =
-      command->add_option("--from-labels", a->labelFile, "A label map to make the case of, instead")->check(notEmpty());
-  auto* map =
-      command->add_option("--map", a->mapFile, "What its numbers mean and what to complete (JSON)")->check(notEmpty());
+      command->add_option("--from-labels", a->labelFile, "Label map to make the case from, instead")->check(notEmpty());
+  auto* map = command->add_option("--map", a->mapFile, "Meaning of its numbers, and parts to complete (JSON)")
+                  ->check(notEmpty());
   labels->needs(map);
   map->needs(labels);
   labels->excludes("--variant");

@@ -49,8 +49,8 @@ bool saysPhysiology(const PressOptions& o) {
 }  // namespace
 
 void PressOptions::addTo(CLI::App& command) {
-  auto* force = command.add_option("--force", force_N, "Press until the tissue presses back with this, N");
-  command.add_option("--indent", indent_mm, "Press this deep from where the face first touches, mm")->excludes(force);
+  auto* force = command.add_option("--force", force_N, "Press until the tissue's force reaches this, N");
+  command.add_option("--indent", indent_mm, "Indentation from first contact, mm")->excludes(force);
   command.add_option("--deformation", deformation,
                      "none, column, elastic or reference; by default elastic where something presses or is asked about "
                      "it, else none");

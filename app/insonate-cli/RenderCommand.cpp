@@ -285,7 +285,8 @@ void render(const RenderOptions& options, Outcome& outcome) {
 
 void addRenderCommand(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<RenderOptions>();
-  CLI::App* command = app.add_subcommand("render", "One ultrasound image of a case, or many along a path of poses");
+  CLI::App* command =
+      app.add_subcommand("render", "Render one ultrasound image of a case, or many along a path of poses");
   command->add_option("CASE", options->caseFolder, "Case folder")->required()->check(notEmpty());
   command->add_option("--probe", options->probe, "linear, curvilinear, phased, or a probe file")->capture_default_str();
   command
@@ -305,7 +306,7 @@ void addRenderCommand(CLI::App& app, Outcome& outcome) {
   command->add_option("--layers", options->targets.layers, "Folder for one image per effect alone");
   command->add_option("--envelope", options->targets.envelope, "NRRD to write: linear echo amplitude of one look");
   command->add_option("--displacement", options->targets.displacement,
-                      "NRRD to write: vectors from where tissue is seen to where it lay at rest, mm, patient LPS");
+                      "NRRD to write: vectors from the displayed to the rest position of tissue, mm, patient LPS");
   command->add_option(
       "--points", options->points,
       "Point targets to measure the point spread by: depths in mm below the middle of the face, such as "

@@ -196,10 +196,10 @@ Result<void> replay(const ReplayArguments& a) {
 }  // namespace
 
 void addSessionCommand(CLI::App& app, Outcome& outcome) {
-  auto* command = app.add_subcommand("session", "A whole attempt from a script, recorded");
+  auto* command = app.add_subcommand("session", "Perform a whole attempt by a script, and record it");
   auto a = std::make_shared<SessionArguments>();
   command->add_option("CASE", a->caseFolder, "Folder of the case")->required()->check(notEmpty());
-  command->add_option("--script", a->script, "What the hands do: the name of a script that comes along, or a JSON file")
+  command->add_option("--script", a->script, "Script of the hands: name of a built-in script, or a JSON file")
       ->required()
       ->check(notEmpty());
   command->add_option("--record", a->recording, "New file for the recording")->required()->check(notEmpty());
@@ -212,14 +212,15 @@ void addSessionCommand(CLI::App& app, Outcome& outcome) {
 }
 
 void addReplayCommand(CLI::App& app, Outcome& outcome) {
-  auto* command = app.add_subcommand("replay", "Events, metrics and images of a recorded attempt");
+  auto* command =
+      app.add_subcommand("replay", "Print events, metrics and score of a recorded attempt, and write its images");
   auto a = std::make_shared<ReplayArguments>();
   command->add_option("RECORDING", a->recording, "File of a recording (not needed with --attempt)")->check(notEmpty());
   command->add_option("CASE", a->caseFolder, "Folder of its case, for images")->check(notEmpty());
   a->pictures.addTo(*command);
   a->check.addTo(*command);
-  command->add_flag("--metrics", a->metrics, "Metrics and score, too, computed anew");
-  command->add_option("--until", a->until_s, "As they stood at this time (s)")->check(CLI::NonNegativeNumber);
+  command->add_flag("--metrics", a->metrics, "Also compute metrics and score");
+  command->add_option("--until", a->until_s, "Values at this time (s)")->check(CLI::NonNegativeNumber);
   command->add_flag("--json", a->json, "Print one JSON object");
   command->callback([a, &outcome] {
     if (a->recording.empty() && a->check.attempt.empty()) throw CLI::RequiredError("RECORDING or --attempt");

@@ -51,7 +51,8 @@ Result<void> makeSurfaces(const SurfacesArguments& a) {
 }  // namespace
 
 void addSurfacesCommand(CLI::App& app, Outcome& outcome) {
-  auto* command = app.add_subcommand("surfaces", "Each structure of a case as a mesh, in patient LPS millimeters");
+  auto* command =
+      app.add_subcommand("surfaces", "Write each structure of a case as a mesh, in patient LPS millimeters");
   auto a = std::make_shared<SurfacesArguments>();
   command->add_option("CASE", a->caseFolder, "Folder of the case")->required()->check(notEmpty());
   command->add_option("DIR", a->folder, "New or empty folder, for one file a structure")->required()->check(notEmpty());

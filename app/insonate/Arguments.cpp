@@ -30,10 +30,10 @@ std::variant<Arguments, int> parseArguments(int argc, char** argv) {
   parser.set_version_flag("--version", std::string(INSONATE_VERSION));
   parser.add_option("CASE", a.caseFolder,
                     "Case folder, DICOM folder, volume file or recorded attempt; without it, the built-in neck");
-  parser.add_option("--workspace", a.workspace, "Where to begin")
+  parser.add_option("--workspace", a.workspace, "Workspace to show first")
       ->check(CLI::IsMember(std::vector<std::string>{"prepare", "train", "review"}));
   auto* shot =
-      parser.add_option("--screenshot", screenshot, "Write a PNG of the window once it shows the case, and leave");
+      parser.add_option("--screenshot", screenshot, "Write a PNG of the window once it shows the case, and quit");
   parser
       .add_option_function<std::string>(
           "--size",
@@ -50,8 +50,8 @@ std::variant<Arguments, int> parseArguments(int argc, char** argv) {
   std::string benchmark;
   auto* bench =
       parser.add_option("--benchmark", benchmark,
-                        "Measure the window's speed, write window.json and window.csv to this folder, and leave");
-  parser.add_flag("--quick", a.quick, "With --benchmark: only to see that it works")->needs(bench);
+                        "Measure the window's speed, write window.json and window.csv to this folder, and quit");
+  parser.add_flag("--quick", a.quick, "With --benchmark: a short run, to check that it works")->needs(bench);
   auto* image = parser.add_flag("--until-image", a.untilImage,
                                 "Print the milliseconds from the start to the first live image, and quit");
   bench->excludes(shot)->excludes(image);

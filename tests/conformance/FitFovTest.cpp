@@ -189,7 +189,7 @@ TEST(FitFov, OfTwoSideBySideTheLeftOne) {
       left.ground = right.ground = ground, left.noise = right.noise = 2;
       const auto fit = fitFov(screenOf(test::paint(left), test::paint(right)));
       ASSERT_TRUE(fit) << fit.error().message;
-      EXPECT_TRUE(saidToBe(*fit, "Two pictures lie side by side; this is the left one."));
+      EXPECT_TRUE(saidToBe(*fit, "Two images lie side by side; this is the left one."));
       EXPECT_LT(fit->shape.origin.x, 500);
       expectFitted(*fit, left);
     }

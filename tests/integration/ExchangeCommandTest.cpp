@@ -75,7 +75,7 @@ TEST_F(ExchangeCommands, APartOfACaseOnAnotherSpacing) {
   EXPECT_EQ(sampleNearest(part->patient.labels, g.indexFromPatient() * Vec3{0, 12, 0}), kVein);
   expectRefusal("crop " + at("case") + " " + at("part") + " --spacing 1", "already holds a case");
   expectRefusal("crop " + at("case") + " " + at("other"), "--from and --to, or --spacing", 2);
-  expectRefusal("crop " + at("case") + " " + at("other") + " --from 900 0 0 --to 950 1 1", "holds no voxel");
+  expectRefusal("crop " + at("case") + " " + at("other") + " --from 900 0 0 --to 950 1 1", "contains no voxel");
   expectRefusal("crop " + at("case") + " " + at("other") + " --spacing 0.001", "mm");
 }
 

@@ -240,37 +240,39 @@ Result<Answer> accept(const SignedIn& by, const ReasonArguments& a) {
 }  // namespace
 
 void addAttemptCommands(CLI::App& curriculum, Outcome& outcome) {
-  CLI::App& attempts = *curriculum.add_subcommand("attempts", "What people did");
+  CLI::App& attempts = *curriculum.add_subcommand("attempts", "Attempts of people");
   attempts.require_subcommand(1);
   auto added = std::make_shared<AddArguments>();
-  CLI::App* adding = addSignedInCommand(attempts, outcome, "add",
-                                        "An attempt of yours, from its recording, of which the store keeps a copy",
-                                        [added](const SignedIn& by) { return add(by, *added); });
+  CLI::App* adding =
+      addSignedInCommand(attempts, outcome, "add", "Add an attempt of yours from its recording; the store keeps a copy",
+                         [added](const SignedIn& by) { return add(by, *added); });
   adding->add_option("RECORDING", added->recording, "File of an attempt that a person made in the window")
       ->required()
       ->check(notEmpty());
-  adding->add_option("--level", added->level, "Level that it was made for (else free practice)");
-  adding->add_option("--class", added->className, "Class by whose curriculum it counts, where several have the level");
+  adding->add_option("--level", added->level, "Level of the attempt (default: free practice)");
+  adding->add_option("--class", added->className, "Class in which it counts, if several have the level");
 
   auto listed = std::make_shared<ListArguments>();
-  CLI::App* listing = addSignedInCommand(attempts, outcome, "list", "Someone's attempts, newest first",
+  CLI::App* listing = addSignedInCommand(attempts, outcome, "list", "List a person's attempts, newest first",
                                          [listed](const SignedIn& by) { return listAttempts(by, *listed); });
-  listing->add_option("NAME", listed->person, "Whose (else your own)");
-  listing->add_option("--count", listed->count, "How many")->check(CLI::Range(1, 1000))->capture_default_str();
-  listing->add_option("--before", listed->before, "Only those whose arrival (see --json) is below this")
+  listing->add_option("NAME", listed->person, "Name of the person (default: you)");
+  listing->add_option("--count", listed->count, "Maximum number of entries")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  listing->add_option("--before", listed->before, "Only attempts with a lower arrival number (see --json)")
       ->check(CLI::PositiveNumber);
 
   auto accepted = std::make_shared<ReasonArguments>();
-  CLI::App* accepting = addSignedInCommand(attempts, outcome, "accept", "Counts an attempt that nothing proves",
+  CLI::App* accepting = addSignedInCommand(attempts, outcome, "accept", "Make an unproven attempt count",
                                            [accepted](const SignedIn& by) { return accept(by, *accepted); });
   accepting->add_option("ATTEMPT", accepted->attempt, "The attempt's id, from 'attempts list'")->required();
-  accepting->add_option("--reason", accepted->reason, "How you know that it is theirs")->required();
+  accepting->add_option("--reason", accepted->reason, "Reason to trust the attempt")->required();
 
   auto voided = std::make_shared<ReasonArguments>();
   CLI::App* voiding = addSignedInCommand(attempts, outcome, "void", "Takes an attempt out of the count; it is kept",
                                          [voided](const SignedIn& by) { return voidOne(by, *voided); });
   voiding->add_option("ATTEMPT", voided->attempt, "The attempt's id, from 'attempts list'")->required();
-  voiding->add_option("--reason", voided->reason, "Why, for the trainee")->required();
+  voiding->add_option("--reason", voided->reason, "Reason, which the trainee can read")->required();
 }
 
 }  // namespace insonate::cli

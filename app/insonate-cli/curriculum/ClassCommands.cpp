@@ -124,11 +124,11 @@ void addMemberships(CLI::App& classes, Outcome& outcome) {
     CLI::App* command =
         addSignedInCommand(classes, outcome, verb, about, [=](const SignedIn& by) { return join(by, *a, joins); });
     command->add_option("CLASS", a->className, "Name of the class")->required();
-    command->add_option("NAME", a->person, "Who")->required();
+    command->add_option("NAME", a->person, "Name of the person")->required();
     return std::pair(command, a);
   };
   const auto [command, a] = add("join", "Someone joins a class, to learn or to teach", true);
-  command->add_flag("--teaches", a->teaches, "As instructor of the class");
+  command->add_flag("--teaches", a->teaches, "As a teacher of the class");
   add("leave", "Someone leaves a class", false);
 }
 
@@ -139,8 +139,8 @@ void addClassCommands(CLI::App& curriculum, Outcome& outcome) {
   classes.require_subcommand(1);
   addSignedInCommand(classes, outcome, "list", "Classes that you may see", listClasses);
   auto name = std::make_shared<std::string>();
-  addSignedInCommand(classes, outcome, "add", "A new class", [name](const SignedIn& by) { return add(by, *name); })
-      ->add_option("CLASS", *name, "Its name")
+  addSignedInCommand(classes, outcome, "add", "Add a class", [name](const SignedIn& by) { return add(by, *name); })
+      ->add_option("CLASS", *name, "Name")
       ->required();
   auto which = std::make_shared<std::string>();
   addSignedInCommand(classes, outcome, "members", "People of a class with their standing",
@@ -149,11 +149,11 @@ void addClassCommands(CLI::App& curriculum, Outcome& outcome) {
       ->required();
   addMemberships(classes, outcome);
   auto a = std::make_shared<CurriculumArguments>();
-  CLI::App* command = addSignedInCommand(classes, outcome, "curriculum", "By which published curriculum it is taught",
+  CLI::App* command = addSignedInCommand(classes, outcome, "curriculum", "Set the published curriculum of a class",
                                          [a](const SignedIn& by) { return setCurriculum(by, *a); });
   command->add_option("CLASS", a->className, "Name of the class")->required();
-  command->add_option("CURRICULUM", a->curriculum, "As it was published")->required();
-  command->add_option("VERSION", a->version, "Which (else the newest)")->check(CLI::PositiveNumber);
+  command->add_option("CURRICULUM", a->curriculum, "Name of the published curriculum")->required();
+  command->add_option("VERSION", a->version, "Version (default: the newest)")->check(CLI::PositiveNumber);
   addClassImport(classes, outcome);
 }
 

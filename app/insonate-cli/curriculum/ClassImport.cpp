@@ -74,9 +74,10 @@ Result<Answer> importList(const SignedIn& by, const ImportArguments& a) {
 
 void addClassImport(CLI::App& classes, Outcome& outcome) {
   auto a = std::make_shared<ImportArguments>();
-  CLI::App* command = addSignedInCommand(classes, outcome, "import", "People of a class list (CSV, as Moodle has it)",
-                                         [a](const SignedIn& by) { return importList(by, *a); });
-  command->add_option("CLASS", a->className, "Class that they learn in")->required();
+  CLI::App* command =
+      addSignedInCommand(classes, outcome, "import", "Import the people of a class list (CSV, as Moodle exports it)",
+                         [a](const SignedIn& by) { return importList(by, *a); });
+  command->add_option("CLASS", a->className, "Class that they join")->required();
   command->add_option("LIST", a->list, "CSV with names, e-mail addresses, user names")->required()->check(notEmpty());
   command->add_option("--passwords", a->passwords, "New file for the first passwords of added people");
 }

@@ -182,7 +182,7 @@ Result<Answer> comparison(const SignedIn& by, const StatisticsArguments& a) {
 }
 
 void addLast(CLI::App& command, StatisticsArguments& a) {
-  command.add_option("--last", a.last, "How many attempts of each at levels, the newest")
+  command.add_option("--last", a.last, "Number of latest attempts of each person at levels")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
 }
@@ -192,15 +192,15 @@ void addLast(CLI::App& command, StatisticsArguments& a) {
 void addClassStatistics(CLI::App& group, Outcome& outcome) {
   auto a = std::make_shared<StatisticsArguments>();
   CLI::App* one =
-      addSignedInCommand(group, outcome, "class", "A class: box plots of its metrics, how often each succeeded",
+      addSignedInCommand(group, outcome, "class", "Statistics of a class: box plots of its metrics, and success rates",
                          [a](const SignedIn& by) { return classStatistics(by, *a); });
   one->add_option("CLASS", a->first, "Name of the class")->required();
   addLast(*one, *a);
   auto b = std::make_shared<StatisticsArguments>();
-  CLI::App* two = addSignedInCommand(group, outcome, "compare", "Two classes, metric by metric",
+  CLI::App* two = addSignedInCommand(group, outcome, "compare", "Compare two classes, metric by metric",
                                      [b](const SignedIn& by) { return comparison(by, *b); });
   two->add_option("FIRST", b->first, "Name of a class")->required();
-  two->add_option("SECOND", b->second, "Name of another")->required();
+  two->add_option("SECOND", b->second, "Name of the other class")->required();
   addLast(*two, *b);
 }
 

@@ -105,21 +105,20 @@ Result<Answer> show(const SignedIn& by, const ShowArguments& a) {
 
 void addCurriculaCommands(CLI::App& curriculum, Outcome& outcome) {
   auto named = std::make_shared<std::string>(), published = std::make_shared<std::string>();
-  addAnsweringCommand(curriculum, outcome, "check", "Whether a curriculum can be taught here",
+  addAnsweringCommand(curriculum, outcome, "check", "Check whether a curriculum can be taught here",
                       [named] { return check(*named); })
-      ->add_option("CURRICULUM", *named, "JSON file, or one that comes along")
+      ->add_option("CURRICULUM", *named, "JSON file, or a built-in curriculum")
       ->required();
   addSignedInCommand(curriculum, outcome, "list", "Published curricula", listCurricula);
-  addSignedInCommand(curriculum, outcome, "publish", "A version of a curriculum, fixed from then on",
+  addSignedInCommand(curriculum, outcome, "publish", "Publish a version of a curriculum, which can no longer change",
                      [published](const SignedIn& by) { return publish(by, *published); })
-      ->add_option("CURRICULUM", *published, "JSON file, or one that comes along")
+      ->add_option("CURRICULUM", *published, "JSON file, or a built-in curriculum")
       ->required();
   auto a = std::make_shared<ShowArguments>();
-  CLI::App* command =
-      addSignedInCommand(curriculum, outcome, "show", "A published curriculum as JSON, to make another of",
-                         [a](const SignedIn& by) { return show(by, *a); });
-  command->add_option("CURRICULUM", a->name, "As it was published")->required();
-  command->add_option("VERSION", a->version, "Which (else the newest)")->check(CLI::PositiveNumber);
+  CLI::App* command = addSignedInCommand(curriculum, outcome, "show", "Print a published curriculum as JSON",
+                                         [a](const SignedIn& by) { return show(by, *a); });
+  command->add_option("CURRICULUM", a->name, "Name of the published curriculum")->required();
+  command->add_option("VERSION", a->version, "Version (default: the newest)")->check(CLI::PositiveNumber);
 }
 
 }  // namespace insonate::cli

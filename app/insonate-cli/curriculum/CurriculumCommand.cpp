@@ -10,7 +10,7 @@ void addCurriculumCommand(CLI::App& app, Outcome& outcome) {
   addCurriculaCommands(curriculum, outcome);
   addLevelsCommand(curriculum, outcome);
   addAttemptCommands(curriculum, outcome);
-  CLI::App& statistics = *curriculum.add_subcommand("statistics", "What the attempts of people and classes tell");
+  CLI::App& statistics = *curriculum.add_subcommand("statistics", "Statistics of people and classes");
   statistics.require_subcommand(1);
   addPersonStatistics(statistics, outcome);
   addClassStatistics(statistics, outcome);

@@ -77,13 +77,16 @@ Result<Answer> demonstrate(const DemoArguments& a) {
 
 void addDemoCommand(CLI::App& curriculum, Outcome& outcome) {
   auto a = std::make_shared<DemoArguments>();
-  CLI::App* command = addAnsweringCommand(curriculum, outcome, "demo",
-                                          "A new store of made-up people and attempts, to look at and to measure with",
-                                          [a] { return demonstrate(*a); });
+  CLI::App* command = addAnsweringCommand(
+      curriculum, outcome, "demo", "Make a new store of made-up people and attempts", [a] { return demonstrate(*a); });
   command->add_option("DATABASE", a->database, "New file, or a server without people")->required()->check(notEmpty());
-  command->add_option("--trainees", a->plan.trainees, "How many")->check(CLI::Range(1, 999))->capture_default_str();
-  command->add_option("--attempts", a->plan.attempts, "Of each")->check(CLI::Range(0, 10000))->capture_default_str();
-  command->add_option("--seed", a->plan.seed, "The same seed makes up the same attempts")->capture_default_str();
+  command->add_option("--trainees", a->plan.trainees, "Maximum number of entries")
+      ->check(CLI::Range(1, 999))
+      ->capture_default_str();
+  command->add_option("--attempts", a->plan.attempts, "Number of attempts of each trainee")
+      ->check(CLI::Range(0, 10000))
+      ->capture_default_str();
+  command->add_option("--seed", a->plan.seed, "Seed; the same seed gives the same attempts")->capture_default_str();
   command
       ->add_option("--recorded", a->recorded,
                    "How many trainees have a recorded attempt as their newest, to be replayed; ten seconds each")

@@ -155,7 +155,7 @@ std::pair<CLI::App*, std::shared_ptr<ExportArguments>> addClassExport(CLI::App& 
   CLI::App* command =
       addSignedInCommand(exports, outcome, name, about, [a, run](const SignedIn& by) { return run(by, *a); });
   command->add_option("CLASS", a->className, "Name of the class")->required();
-  command->add_option("FILE", a->file, "To be written")->required()->check(notEmpty());
+  command->add_option("FILE", a->file, "File to write")->required()->check(notEmpty());
   return {command, a};
 }
 
@@ -167,12 +167,12 @@ void addExportCommands(CLI::App& curriculum, Outcome& outcome) {
   auto file = std::make_shared<std::string>();
   addSignedInCommand(exports, outcome, "json", "Everything but passwords (administrators)",
                      [file](const SignedIn& by) { return exportAll(by, *file); })
-      ->add_option("FILE", *file, "To be written")
+      ->add_option("FILE", *file, "File to write")
       ->required()
       ->check(notEmpty());
   addClassExport(exports, outcome, "csv", "A class's attempts with their metrics, a line each", exportCsv);
   const auto [grades, g] = addClassExport(exports, outcome, "grades",
-                                          "The share of levels that each has mastered, for Moodle", exportGrades);
+                                          "Share of levels that each person has mastered, for Moodle", exportGrades);
   grades->add_option("--item", g->item, "Name of the graded activity")->capture_default_str();
   grades->add_option("--by", g->key, "email or name: how Moodle knows people")
       ->transform(CLI::CheckedTransformer(
@@ -180,7 +180,7 @@ void addExportCommands(CLI::App& curriculum, Outcome& outcome) {
   const auto [xapi, x] =
       addClassExport(exports, outcome, "xapi", "A class's attempts as xAPI 1.0.3 statements", exportXapi);
   xapi->add_option("--home", x->site.homePage, "Address of your site: https://training.example.org")->required();
-  xapi->add_flag("--by-mail", x->site.byMail, "Name people by their e-mail addresses");
+  xapi->add_flag("--by-mail", x->site.byMail, "Identify people by their e-mail addresses");
 }
 
 }  // namespace insonate::cli

@@ -139,26 +139,26 @@ Result<Answer> filled(const SignedIn& by, const std::string& name) {
 void addFormCommands(CLI::App& curriculum, Outcome& outcome) {
   CLI::App& forms = *curriculum.add_subcommand("forms", "Questionnaires, checklists and ratings");
   forms.require_subcommand(1);
-  addAnsweringCommand(forms, outcome, "list", "Forms that can be filled in", listForms);
+  addAnsweringCommand(forms, outcome, "list", "List forms that can be filled in", listForms);
   auto name = std::make_shared<std::string>(), person = std::make_shared<std::string>();
-  addAnsweringCommand(forms, outcome, "show", "A form's items, and what they may be answered with",
+  addAnsweringCommand(forms, outcome, "show", "Print a form's items with their permitted answers",
                       [name] { return show(*name); })
       ->add_option("FORM", *name, "Name, or JSON file")
       ->required();
   auto a = std::make_shared<FillArguments>();
-  CLI::App* command = addSignedInCommand(forms, outcome, "fill", "Fills in a form, once and for all",
+  CLI::App* command = addSignedInCommand(forms, outcome, "fill", "Hand in a form, which can no longer change",
                                          [a](const SignedIn& by) { return fill(by, *a); });
-  command->add_option("FORM", a->form, "Its name")->required();
+  command->add_option("FORM", a->form, "Name")->required();
   command
       ->add_option("ANSWERS", a->answers,
                    "JSON file {\"item\": \"answer\", ...}, or .csv with the columns item,answer,note")
       ->required()
       ->check(notEmpty());
-  command->add_option("--about", a->person, "Whom (else yourself)");
-  command->add_option("--attempt", a->attempt, "Which of their attempts, by its id");
-  addSignedInCommand(forms, outcome, "filled", "Forms about someone", [person](const SignedIn& by) {
+  command->add_option("--about", a->person, "Name of the person (default: you)");
+  command->add_option("--attempt", a->attempt, "Id of the person's attempt");
+  addSignedInCommand(forms, outcome, "filled", "List forms about a person", [person](const SignedIn& by) {
     return filled(by, *person);
-  })->add_option("NAME", *person, "Whom (else yourself)");
+  })->add_option("NAME", *person, "Name of the person (default: you)");
   addJudgementCommands(forms, outcome);
 }
 

@@ -145,17 +145,17 @@ Result<Answer> compare(const SignedIn& by, const CompareArguments& a) {
 void addJudgementCommands(CLI::App& forms, Outcome& outcome) {
   auto a = std::make_shared<AgreementArguments>();
   CLI::App* one = addSignedInCommand(forms, outcome, "agreement",
-                                     "How far the raters of a class's attempts agree: in all, and item by item",
+                                     "Agreement of the raters of a class's attempts: in total, and item by item",
                                      [a](const SignedIn& by) { return agreement(by, *a); });
-  one->add_option("FORM", a->form, "Its name")->required();
+  one->add_option("FORM", a->form, "Name")->required();
   one->add_option("CLASS", a->className, "Name of the class")->required();
   one->add_option("--csv", a->csv, "Also write the figures into this file")->check(notEmpty());
   auto c = std::make_shared<CompareArguments>();
   CLI::App* two =
-      addSignedInCommand(forms, outcome, "compare", "What raters said of one attempt, item by item, with their notes",
+      addSignedInCommand(forms, outcome, "compare", "Raters' answers about one attempt, item by item, with their notes",
                          [c](const SignedIn& by) { return compare(by, *c); });
-  two->add_option("FORM", c->form, "Its name")->required();
-  two->add_option("ATTEMPT", c->attempt, "By its id")->required();
+  two->add_option("FORM", c->form, "Name")->required();
+  two->add_option("ATTEMPT", c->attempt, "Id of the attempt")->required();
 }
 
 }  // namespace insonate::cli

@@ -46,7 +46,7 @@ void addLevelsCommand(CLI::App& curriculum, Outcome& outcome) {
   auto name = std::make_shared<std::string>();
   addSignedInCommand(curriculum, outcome, "levels", "A person's levels: open, mastered or locked, with the reason",
                      [name](const SignedIn& by) { return levels(by, *name); })
-      ->add_option("NAME", *name, "Whose (else your own)");
+      ->add_option("NAME", *name, "Name of the person (default: you)");
 }
 
 }  // namespace insonate::cli

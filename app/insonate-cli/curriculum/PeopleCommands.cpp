@@ -20,8 +20,8 @@ struct NewPersonArguments {
 };
 
 void addPersonOptions(CLI::App& command, NewPersonArguments& a) {
-  command.add_option("NAME", a.person.name, "To sign in with")->required();
-  command.add_option("--full-name", a.person.fullName, "As others see it")->required();
+  command.add_option("NAME", a.person.name, "Name for signing in")->required();
+  command.add_option("--full-name", a.person.fullName, "Full name")->required();
   command.add_option("--email", a.person.email, "E-mail address");
   a.password.addTo(command);
 }
@@ -113,9 +113,9 @@ void addSetUp(CLI::App& curriculum, Outcome& outcome) {
 void addAdd(CLI::App& people, Outcome& outcome) {
   auto a = std::make_shared<NewPersonArguments>();
   CLI::App* command =
-      addSignedInCommand(people, outcome, "add", "Someone new", [a](const SignedIn& by) { return add(by, *a); });
+      addSignedInCommand(people, outcome, "add", "Add a person", [a](const SignedIn& by) { return add(by, *a); });
   addPersonOptions(*command, *a);
-  command->add_option("--role", a->person.role, "trainee (as without), instructor or administrator")
+  command->add_option("--role", a->person.role, "trainee (default), instructor or administrator")
       ->transform(CLI::Transformer(kRoles));
   command->add_option("--class", a->className, "Class that they join");
 }
@@ -128,7 +128,7 @@ void addChanges(CLI::App& people, Outcome& outcome) {
                          return change(
                              by, *name, [disabled](Person& person) { person.disabled = disabled; }, done);
                        })
-        ->add_option("NAME", *name, "Who")
+        ->add_option("NAME", *name, "Name of the person")
         ->required();
   };
   add("disable", "No longer signs in; what they did stays", true, " can no longer sign in; what they did stays.");
@@ -138,11 +138,11 @@ void addChanges(CLI::App& people, Outcome& outcome) {
     Role role = Role::Trainee;
   };
   auto a = std::make_shared<Arguments>();
-  CLI::App* role = addSignedInCommand(people, outcome, "role", "What someone may do", [a](const SignedIn& by) {
+  CLI::App* role = addSignedInCommand(people, outcome, "role", "Set a person's role", [a](const SignedIn& by) {
     return change(
         by, a->name, [a](Person& person) { person.role = a->role; }, std::string(" is now ") + nameOf(a->role) + ".");
   });
-  role->add_option("NAME", a->name, "Who")->required();
+  role->add_option("NAME", a->name, "Name of the person")->required();
   role->add_option("ROLE", a->role, "trainee, instructor or administrator")
       ->required()
       ->transform(CLI::Transformer(kRoles));
@@ -158,9 +158,9 @@ void addPasswords(CLI::App& people, Outcome& outcome) {
   };
   auto a = std::make_shared<Arguments>();
   CLI::App* reset = addSignedInCommand(people, outcome, "reset-password",
-                                       "A new password for someone who forgot theirs or is locked out",
+                                       "Set a new password for a person who forgot it or is locked out",
                                        [a](const SignedIn& by) { return resetPassword(by, a->name, a->password); });
-  reset->add_option("NAME", a->name, "Who")->required();
+  reset->add_option("NAME", a->name, "Name of the person")->required();
   a->password.addTo(*reset);
 }
 
@@ -168,9 +168,9 @@ void addPasswords(CLI::App& people, Outcome& outcome) {
 
 void addPeopleCommands(CLI::App& curriculum, Outcome& outcome) {
   addSetUp(curriculum, outcome);
-  CLI::App& people = *curriculum.add_subcommand("people", "Who trains, teaches and administers");
+  CLI::App& people = *curriculum.add_subcommand("people", "Accounts of trainees, instructors and administrators");
   people.require_subcommand(1);
-  addSignedInCommand(people, outcome, "list", "All people (administrators)", listPeople);
+  addSignedInCommand(people, outcome, "list", "List all people (administrators)", listPeople);
   addAdd(people, outcome);
   addChanges(people, outcome);
   addPasswords(people, outcome);

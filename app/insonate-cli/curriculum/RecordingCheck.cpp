@@ -20,12 +20,11 @@ RecordingProof proofIn(const AttemptStore& attempts, const AttemptFacts& facts, 
 }  // namespace
 
 void RecordingCheck::addTo(CLI::App& command) {
-  CLI::Option* which =
-      command
-          .add_option("--attempt", attempt,
-                      "An attempt of the store: replay the recording that the store keeps of it, or RECORDING only if "
-                      "it is that of this attempt")
-          ->check(notEmpty());
+  CLI::Option* which = command
+                           .add_option("--attempt", attempt,
+                                       "Attempt of the store: replays the recording in the store, or RECORDING if it "
+                                       "is the recording of this attempt")
+                           ->check(notEmpty());
   addSignInOptions(command, store);
   command.get_option("--as")->required(false)->needs(which);
   which->needs(command.get_option("--as"));

@@ -57,12 +57,13 @@ Result<Answer> send(const SendArguments& a) {
 void addSendCommand(CLI::App& curriculum, Outcome& outcome) {
   auto a = std::make_shared<SendArguments>();
   CLI::App* command = addAnsweringCommand(curriculum, outcome, "send",
-                                          "Sends xAPI statements to a learning record store", [a] { return send(*a); });
+                                          "Send xAPI statements to a learning record store", [a] { return send(*a); });
   command->add_option("FILE", a->file, "Statements, as 'curriculum export xapi' writes them")
       ->required()
       ->check(notEmpty());
-  command->add_option("--to", a->records.endpoint, "Its address: https://lrs.example.org/xapi")->required();
-  command->add_option("--user", a->records.user, "Its name for you")->required();
+  command->add_option("--to", a->records.endpoint, "Address of the learning record store: https://lrs.example.org/xapi")
+      ->required();
+  command->add_option("--user", a->records.user, "User name there")->required();
   command->add_option("--password-file", a->passwordFile,
                       "The password, in the first line; otherwise INSONATE_LRS_PASSWORD, or asked for");
 }

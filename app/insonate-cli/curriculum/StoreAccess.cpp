@@ -26,7 +26,7 @@ void addDatabaseOption(CLI::App& command, StoreOptions& options) {
 }
 
 void addSignInOptions(CLI::App& command, StoreOptions& options) {
-  command.add_option("--as", options.name, "Who signs in")->required()->check(notEmpty());
+  command.add_option("--as", options.name, "User who signs in")->required()->check(notEmpty());
   command
       .add_option(
           "--password-file", options.passwordFile,
@@ -95,7 +95,7 @@ Result<SignedIn> signIn(const StoreOptions& options) {
 void NewPasswordOption::addTo(CLI::App& command) {
   command
       .add_option("--new-password-file", file,
-                  "Whose first line is the password to be set (else INSONATE_NEW_PASSWORD, else asked for)")
+                  "File whose first line is the new password (else INSONATE_NEW_PASSWORD, else asked for)")
       ->check(notEmpty());
 }
 

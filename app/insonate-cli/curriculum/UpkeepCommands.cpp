@@ -97,9 +97,9 @@ Result<Answer> audit(const SignedIn& by, const AuditArguments& a) {
 
 void addUpkeepCommands(CLI::App& curriculum, Outcome& outcome) {
   auto copy = std::make_shared<std::string>(), backedUp = std::make_shared<std::string>();
-  addSignedInCommand(curriculum, outcome, "backup", "A copy of a file's store and its recordings, while others work",
+  addSignedInCommand(curriculum, outcome, "backup", "Copy a file's store and its recordings, while others work",
                      [copy](const SignedIn& by) { return backup(by, *copy); })
-      ->add_option("FILE", *copy, "To be written")
+      ->add_option("FILE", *copy, "File to write")
       ->required()
       ->check(notEmpty());
   addStoreCommand(curriculum, outcome, "restore",
@@ -116,11 +116,11 @@ void addUpkeepCommands(CLI::App& curriculum, Outcome& outcome) {
       SigningIn::Yes, migrate);
   addVerifyCommand(curriculum, outcome);
   auto a = std::make_shared<AuditArguments>();
-  CLI::App* log = addSignedInCommand(curriculum, outcome, "audit", "Who did what to others' data, newest first",
+  CLI::App* log = addSignedInCommand(curriculum, outcome, "audit", "Accesses to other people's data, newest first",
                                      [a](const SignedIn& by) { return audit(by, *a); });
-  log->add_option("--person", a->person, "By or about them alone");
-  log->add_option("--count", a->count, "How many")->check(CLI::Range(1, 1000))->capture_default_str();
-  log->add_option("--before", a->before, "Only those with a lower number")->check(CLI::PositiveNumber);
+  log->add_option("--person", a->person, "Only entries by or about this person");
+  log->add_option("--count", a->count, "Maximum number of entries")->check(CLI::Range(1, 1000))->capture_default_str();
+  log->add_option("--before", a->before, "Only entries with a lower number")->check(CLI::PositiveNumber);
 }
 
 }  // namespace insonate::cli

@@ -141,10 +141,10 @@ Result<Answer> verify(const SignedIn& by, const std::string& anchorText) {
 
 void addVerifyCommand(CLI::App& curriculum, Outcome& outcome) {
   auto anchor = std::make_shared<std::string>();
-  addSignedInCommand(curriculum, outcome, "verify",
-                     "Whether all pages, keys and hashes of a store are as they should be, and its attempts and "
-                     "standings as recordings and log have them",
-                     [anchor](const SignedIn& by) { return verify(by, *anchor); })
+  addSignedInCommand(
+      curriculum, outcome, "verify",
+      "Verify a store: pages, keys and hashes, and its attempts and standings against recordings and log",
+      [anchor](const SignedIn& by) { return verify(by, *anchor); })
       ->add_option("--anchor", *anchor,
                    "NUMBER:HASH from an earlier verify: checks that the log was not rewritten since");
 }

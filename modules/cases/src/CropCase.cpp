@@ -137,7 +137,8 @@ VoxelBox boxBetween(const VolumeGeometry& geometry, Vec3 corner_mm, Vec3 opposit
 
 Result<VolumeGeometry> croppedGrid(const VolumeGeometry& geometry, const CropOptions& options) {
   if (options.box.empty() || intersected(options.box, boxOf(geometry)) != options.box)
-    return fail("What should be kept holds no voxel of the case, or reaches beyond it. Choose a region within the CT.");
+    return fail(
+        "The region to keep contains no voxel of the case, or reaches beyond it. Choose a region within the CT.");
   VolumeGeometry grid = gridOf(geometry, options.box);
   if (!options.spacing_mm) return grid;
   if (auto ok = checkVoxelSize(*options.spacing_mm); !ok) return tl::unexpected(ok.error());

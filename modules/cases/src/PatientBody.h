@@ -6,7 +6,7 @@
 
 namespace insonate {
 
-/// Answers whether a patient position lies in the body: every labeled voxel, or, where nothing is labeled, what is
+/// Tests whether a patient position lies in the body: every labeled voxel or, if nothing is labeled, every voxel
 /// denser than air. Refers to the volumes, which must outlive it.
 class PatientBody {
  public:

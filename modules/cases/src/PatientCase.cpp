@@ -44,7 +44,7 @@ Result<CtVolume> readCt(const fs::path& file, std::vector<std::string>& notes) {
   if (!geometry) return fail(file.string() + ": " + geometry.error().message);
   if (!raw->oriented)
     notes.push_back(std::string(kCtFile) +
-                    " does not say how it lies in the patient; its axes are taken as left, posterior, superior.");
+                    " does not state its orientation; its axes are assumed to be left, posterior, superior.");
   auto ct = toHounsfield(*raw, *geometry, notes);
   if (!ct) return fail(file.string() + ": " + ct.error().message);
   return ct;
@@ -162,7 +162,7 @@ Result<void> checkCaseTarget(const fs::path& folder, bool replace) {
   for (const char* name : {kCtFile, kLabelFile, kManifestFile}) {
     if (!fs::exists(folder / name, error)) continue;
     if (!replace)
-      return fail(folder.string() + " already holds a case. Name another folder, or add --replace to write over it.");
+      return fail(folder.string() + " already holds a case. Name another folder, or add --replace to overwrite it.");
     if (fs::equivalent(folder, ".", error))
       return fail(folder.string() + " is the current folder, which cannot be replaced as a whole. Go one folder up.");
   }

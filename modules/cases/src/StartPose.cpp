@@ -111,7 +111,7 @@ Result<StartPose> poseOver(const CaseView& patient, const Target& target) {
 
 Result<StartPose> proposeStartPose(const CaseView& patient) {
   if (patient.labels.geometry.size != patient.ct.geometry.size)
-    return fail("The CT and the labels are on different grids; there is no telling where the skin is.");
+    return fail("The CT and the labels are on different grids; the skin cannot be located.");
   if (!patient.manifest.targets.empty()) return poseOver(patient, patient.manifest.targets.front());
   const PatientBody body(patient);
   if (auto pose = onFront(body, patient.ct.geometry)) return *pose;

@@ -8,12 +8,12 @@ namespace insonate {
 /// A hidden name beside a target that no other writer uses; its extension is that of the target.
 std::filesystem::path partBeside(const std::filesystem::path& target);
 
-/// A folder that is filled beside its target. A lock says to other programs that it is: it goes with this process,
-/// however that ends. Where the file system has no locks, there is none, and what is left is never taken for abandoned.
+/// A folder that is filled beside its target. A lock marks it as in use for other programs; the lock ends with this
+/// process, however that ends. On a file system without locks, leftovers are never taken for abandoned.
 class FolderPart {
  public:
   explicit FolderPart(const std::filesystem::path& target);
-  /// Removes what was begun.
+  /// Removes the unfinished folder.
   ~FolderPart();
   FolderPart(const FolderPart&) = delete;
   FolderPart& operator=(const FolderPart&) = delete;

@@ -169,7 +169,7 @@ Result<std::shared_ptr<Context>> Context::make(const Requirements& requirements)
 
 Result<Current> Context::use() {
   std::unique_lock lock(mutex_);
-  if (lost_) return fail("The graphics card was reset, and what it held is gone.");
+  if (lost_) return fail("The graphics card was reset and lost its data.");
   auto before = std::make_unique<Current::Before>();
   eglBindAPI(EGL_OPENGL_API);
   if (!eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles_->context)) {
@@ -194,7 +194,7 @@ Current::~Current() {
 
 Result<void> Current::check() const {
   if (context_->handles_->tellsOfResets && glGetGraphicsResetStatus() != GL_NO_ERROR) context_->lost_ = true;
-  if (context_->lost_) return fail("The graphics card was reset, and what it held is gone.");
+  if (context_->lost_) return fail("The graphics card was reset and lost its data.");
   const unsigned error = glGetError();
   if (error == GL_NO_ERROR) return {};
   while (glGetError() != GL_NO_ERROR) {

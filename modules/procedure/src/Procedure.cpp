@@ -114,7 +114,7 @@ MetricNorm readNorm(const json& object, const std::string& where, std::string& t
   norm.source = entry.text("source"), norm.advice = entry.text("advice");
   const Better better = definitionOf(norm.metric).better;
   if (better == Better::Neither)
-    entry.refuse("is of a metric of which neither less nor more is better; leave it out.");
+    entry.refuse("is of a metric without a better direction; leave it out.");
   else if (better == Better::Lower ? norm.expert >= norm.novice : norm.expert <= norm.novice)
     entry.refuse("has an 'expert' that is no better than the 'novice'.");
   trouble = entry.trouble();

@@ -6,7 +6,7 @@
 
 namespace insonate::segmentation {
 
-/// Anything above is matter: half-way between air and the lightest tissue, but for the noise of lung.
+/// Threshold of matter: half-way between air and the lightest tissue, apart from the noise of lung.
 inline constexpr int kMatter_HU = -400;
 
 /// kBackground outside the patient, kAirway in air that the body encloses, kSoftTissue in the body. Nothing when there

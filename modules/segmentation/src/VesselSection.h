@@ -21,7 +21,7 @@ class SectionFinder {
  public:
   SectionFinder(const LabelMap& labels, std::uint8_t label);
 
-  /// Through `at_mm`, square to the unit vector `axis`; none where the label is not there.
+  /// Finds the section through `at_mm`, perpendicular to the unit vector `axis`; none if the label is not there.
   std::optional<VesselSection> find(Vec3 at_mm, Vec3 axis);
   /// The middle of the label's voxels within a ball, or the point itself where there are none.
   Vec3 middleOfBall(Vec3 at_mm, double radius_mm) const;

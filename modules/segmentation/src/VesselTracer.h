@@ -20,7 +20,7 @@ class VesselTracer {
   void reopen();
 
  private:
-  /// In the order in which one takes the place of another.
+  /// States in the order in which one replaces another.
   enum : std::uint8_t { kOpen, kPutOff, kRim, kDone };
   struct Start {
     std::optional<VesselSection> section;

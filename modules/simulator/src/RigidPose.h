@@ -6,7 +6,7 @@
 
 namespace insonate {
 
-/// True for a finite rotation and place, as far as numbers in single precision can tell.
+/// Tells whether a transform is a finite rotation and translation, within single precision.
 inline bool isRigid(const Transform& t) {
   constexpr double kTolerance = 1e-4;
   if (!isFinite(t.offset)) return false;

@@ -18,7 +18,7 @@ struct LabelBox {
   std::size_t voxels = 0;
 };
 
-/// Empty when no voxel belongs to the structure.
+/// Box of the structure's voxels; empty if there are none.
 std::optional<LabelBox> boxOf(const LabelMap& labels, const LabelSet& structure);
 
 /// Voxels along each axis that make a block of at most this edge; at least 1.

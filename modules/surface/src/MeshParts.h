@@ -12,8 +12,8 @@ inline Vec3 pointOf(const std::vector<float>& xyz, std::size_t point) {
   return {xyz[3 * point], xyz[3 * point + 1], xyz[3 * point + 2]};
 }
 
-/// Draws points back toward where `mesh` has them, in each connected part by itself, until the part encloses at least
-/// `volumeKept` of what it does in `mesh`. Else a smoothed grain would vanish.
+/// Moves points back toward their place in `mesh`, in each connected part by itself, until the part encloses at least
+/// `volumeKept` of its volume in `mesh`. Otherwise a smoothed grain would vanish.
 void keepSmallParts(const Mesh& mesh, std::vector<float>& moved_mm, double volumeKept);
 
 /// Moves all points along their normals, by the same way, so that the mesh encloses `target_mm3`; by `limit_mm` at

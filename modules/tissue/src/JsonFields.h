@@ -29,7 +29,7 @@ struct Field {
   bool infinite = false;
 };
 
-/// A value of a file as a sentence shows it, cut where it is long.
+/// A value of a file for a sentence, cut if it is long.
 std::string shown(const nlohmann::json& value);
 std::string shown(double value);
 

@@ -45,7 +45,7 @@ struct TableForm {
 /// "name", "description" and "sources" are for readers; they only have to be text.
 Result<void> checkRemarks(const nlohmann::json& file);
 
-/// Valid JSON, or where it is not.
+/// Parses JSON; fails with the place of the error.
 Result<nlohmann::json> parsedJson(std::string_view text);
 
 template <class Table>

@@ -110,7 +110,7 @@ TEST_F(TrainAttempt, ACaseThatIsSavedMeanwhileComesAfterTheAttempt) {
   std::ranges::replace(edited->labels.voxels, std::uint8_t{kVein}, std::uint8_t{kMuscle});
   workspace_->caseSaved(edited);
   EXPECT_EQ(session_->patient(), before);
-  EXPECT_TRUE(workspace_->statusText().contains("as it was")) << workspace_->statusText().toStdString();
+  EXPECT_TRUE(workspace_->statusText().contains("the former version")) << workspace_->statusText().toStdString();
   QTest::qWait(300);
   EXPECT_TRUE(attempt_->isRunning());
   finish();

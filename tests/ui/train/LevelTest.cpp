@@ -273,7 +273,7 @@ TEST_F(TrainLevel, ACaseThatIsSavedMeanwhileDoesNotChangeUnderALevel) {
   std::ranges::replace(edited->labels.voxels, std::uint8_t{kVein}, std::uint8_t{kMuscle});
   workspace_->caseSaved(edited);
   EXPECT_EQ(session_->patient(), before) << "nobody is at an attempt, but the level is begun";
-  EXPECT_TRUE(workspace_->statusText().contains("as it was")) << workspace_->statusText().toStdString();
+  EXPECT_TRUE(workspace_->statusText().contains("the former version")) << workspace_->statusText().toStdString();
   levels_->leave();
   EXPECT_TRUE(levels_->level() == nullptr);
 }

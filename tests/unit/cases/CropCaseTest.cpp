@@ -109,7 +109,7 @@ TEST(CropCase, TargetsAndLandmarksOutsideAreDroppedAndSaid) {
 TEST(CropCase, ImpossibleRegionsAndSpacingsAreRefused) {
   const PatientCase patient = test::noiseCase(test::grid({6, 6, 6}));
   const VoxelBox all = boxOf(patient.ct.geometry);
-  EXPECT_THAT(cropCase(patient, {{{2, 2, 2}, {2, 4, 4}}, {}}).error().message, HasSubstr("holds no voxel"));
+  EXPECT_THAT(cropCase(patient, {{{2, 2, 2}, {2, 4, 4}}, {}}).error().message, HasSubstr("contains no voxel"));
   EXPECT_THAT(cropCase(patient, {{{0, 0, 0}, {7, 6, 6}}, {}}).error().message, HasSubstr("beyond"));
   EXPECT_THAT(cropCase(patient, {all, Vec3{0, 1, 1}}).error().message, HasSubstr("mm"));
   EXPECT_THAT(cropCase(patient, {all, Vec3{1, -1, 1}}).error().message, HasSubstr("mm"));

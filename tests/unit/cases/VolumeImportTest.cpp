@@ -269,7 +269,7 @@ TEST(VolumeImport, EachSpaceOfNrrdIsTurnedToLps) {
     const Transform patientFromIndex = imported->ct.geometry.patientFromIndex();
     const Vec3 corner = patientFromIndex * Vec3{3, 1, 2};
     EXPECT_LT(norm(corner - Vec3{10 + 3 * 0.8 - 0.6, 20 + 3 * 0.6 + 0.8, 34}), 1e-9) << space.name;
-    EXPECT_EQ(testing::Value(imported->series.warnings, testing::Contains(HasSubstr("does not say how it lies"))),
+    EXPECT_EQ(testing::Value(imported->series.warnings, testing::Contains(HasSubstr("does not state its orientation"))),
               !space.patient)
         << space.name;
   }

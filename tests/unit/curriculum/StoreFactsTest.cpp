@@ -124,10 +124,10 @@ TEST_P(StoreFacts, NamesOfCohortsAreTold) {
   succeed(admin.rename(school.spring.id, "SPRING"));
   EXPECT_EQ(valueOf(admin.add("'; DROP TABLE cohorts; --")).name, "'; DROP TABLE cohorts; --");
   for (const std::string& id : {std::string("nosuch"), freshUuid(), std::string(1 << 20, 'x')}) {
-    EXPECT_THAT(refusalOf(admin.rename(id, "Other")), HasSubstr("no such cohort"));
-    EXPECT_THAT(refusalOf(admin.join(id, school.anna.id, false)), HasSubstr("no such cohort"));
+    EXPECT_THAT(refusalOf(admin.rename(id, "Other")), HasSubstr("no such class"));
+    EXPECT_THAT(refusalOf(admin.join(id, school.anna.id, false)), HasSubstr("no such class"));
     EXPECT_THAT(refusalOf(admin.join(school.spring.id, id, false)), HasSubstr("no such person"));
-    EXPECT_THAT(refusalOf(PeopleStore(school.admin).add({"new"}, kPassword, id)), HasSubstr("no such cohort"));
+    EXPECT_THAT(refusalOf(PeopleStore(school.admin).add({"new"}, kPassword, id)), HasSubstr("no such class"));
   }
 }
 

@@ -97,7 +97,7 @@ TEST_P(StoreSignIn, AForgottenPasswordIsResetAndChangedAtTheNextSignIn) {
   for (int i = 0; i < 6; ++i) (void)school.store.signIn("anna", "wrong password");
   succeed(PeopleStore(school.as(school.ina)).resetPassword(school.anna.id, "temporary one"));
 
-  EXPECT_THAT(refusalOf(AttemptStore(before).history(school.anna.id)), HasSubstr("set anew"));
+  EXPECT_THAT(refusalOf(AttemptStore(before).history(school.anna.id)), HasSubstr("was reset"));
   const SignedIn anna = valueOf(school.store.signIn("anna", "temporary one"));
   EXPECT_TRUE(anna.mustChangePassword());
   EXPECT_THAT(refusalOf(AttemptStore(anna).history(school.anna.id)), HasSubstr("password of your own"));

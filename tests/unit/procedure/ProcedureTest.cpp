@@ -91,7 +91,7 @@ TEST(Procedure, BadInputIsToldWhereAndWhatElse) {
            {"\"success\": [{\"metric\": \"tip_in_vein\", \"over\": 0}]", "\"success\": {}",
             "needs a list [ ... ] as 'success', not {}."},
            {"\"expert\": 1", "\"expert\": 3", "norm 1 has an 'expert' that is no better than the 'novice'."},
-           {"\"passes\", \"novice\"", "\"vein_punctures\", \"novice\"", "neither less nor more is better"},
+           {"\"passes\", \"novice\"", "\"vein_punctures\", \"novice\"", "without a better direction"},
            {", \"source\": \"S\"", "", "norm 1 has no 'source'."},
            {"\"norms\": [",
             R"("norms": [{"metric": "passes", "novice": 2, "expert": 1, "source": "S", "advice": "A."}, )",

@@ -289,7 +289,7 @@ TEST_F(RecordingProofTest, WithoutAStoreThereIsNoProof) {
   AttemptHeader free = header();
   free.recordedFor = {};
   record("free", free, std::nullopt);
-  EXPECT_THAT(proofOf(folder / "free", std::nullopt).why, HasSubstr("no store of attempts was asked"));
+  EXPECT_THAT(proofOf(folder / "free", std::nullopt).why, HasSubstr("without a store of attempts"));
   EXPECT_EQ(proofOf(folder / "free", key).state, ProofState::Unproven);
   EXPECT_THAT(proofOf(folder / "whole", std::nullopt).why, HasSubstr("for another store"));
   EXPECT_EQ(proofOf(folder / "none", key).state, ProofState::Broken);

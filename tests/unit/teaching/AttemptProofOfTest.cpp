@@ -97,7 +97,7 @@ TEST_F(AttemptProofOfTest, WithoutANonceOfThisStoreNothingIsProven) {
   record({}, std::nullopt);
   EXPECT_EQ(proof()->proof, AttemptProof::Unproven);
   EXPECT_FALSE(proof()->isOfStore);
-  EXPECT_THAT(proof()->why, HasSubstr("no store of attempts was asked"));
+  EXPECT_THAT(proof()->why, HasSubstr("without a store of attempts"));
   const CurriculumStore elsewhere = open(folder / "elsewhere.db");
   const SignedIn there =
       valueOf(elsewhere.createFirstAdministrator({"admin", "Ada Min", "", Role::Administrator}, "a long password"));

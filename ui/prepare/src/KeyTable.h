@@ -36,7 +36,7 @@ struct KeyRow {
 };
 
 std::span<const KeyRow> keyTable();
-/// Null for a key that means nothing here.
+/// Row of a key; null for a key without a command here.
 const KeyRow* rowFor(const QKeyEvent& event);
 
 }  // namespace insonate::prepare

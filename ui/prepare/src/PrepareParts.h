@@ -38,7 +38,7 @@ class PrepareWorkspace::Parts : public QObject {
   bool ready = false;
 
   bool key(const QKeyEvent& event, bool act);
-  /// For canvases: keys of the table come before the view's own.
+  /// Handles keys of the table before a canvas's view does.
   bool canvasEvent(QEvent* event);
   void saveLayout(QSettings& settings) const;
   void restoreLayout(QSettings& settings);

@@ -32,12 +32,12 @@ class PrepareSession : public QObject {
 
   void setOrigin(const ui::CaseOrigin& origin);
   const ui::CaseOrigin& origin() const { return origin_; }
-  /// Null for none. Forgets edits.
+  /// Sets the case and discards edits; null for none.
   void setCase(std::shared_ptr<const PatientCase> patient);
-  /// The same case with what was changed in it.
+  /// Replaces the case by the same one with its changes saved.
   void replaceCase(std::shared_ptr<const PatientCase> patient);
   const std::shared_ptr<const PatientCase>& patient() const { return patient_; }
-  /// While asleep, nothing is begun and no image is made.
+  /// While asleep, no work begins and no image is made.
   void setAwake(bool awake);
   void stop();
 
@@ -60,12 +60,12 @@ class PrepareSession : public QObject {
   LabelState stateOf(std::uint8_t label) const;
   bool hasVoxels(std::uint8_t label) const;
 
-  /// The table lists it, though no voxel has it yet, and it is selected. One of the author's own can be taken back.
+  /// Lists a structure that no voxel has yet, and selects it. One of the author's own can be undone.
   void addStructure(std::uint8_t label);
 
   /// Tools leave a locked label as it is.
   void setLocked(std::uint8_t label, bool locked);
-  /// All its voxels become soft tissue; one of the author's own that has none is forgotten.
+  /// Changes all its voxels to soft tissue; an own structure without voxels is removed.
   void removeVoxels(std::uint8_t label);
 
   // Edits; each can be undone.
@@ -102,7 +102,7 @@ class PrepareSession : public QObject {
   void restoreSaid(const Said& said);
   /// Makes the probe's place the case's start pose, if it has none; saved with the case.
   void keepStart();
-  /// The case has no start pose, none is kept, and the probe stands somewhere.
+  /// Tells whether the case has no start pose, none is set, and the probe has a position.
   bool lacksStart() const;
   /// Changes that belong to the case and are not saved in it; null without any.
   ui::CaseEdit unsavedEdit();
@@ -112,7 +112,7 @@ class PrepareSession : public QObject {
 
   // Point and direction of view
   Vec3 crosshair_mm() const { return crosshair_mm_; }
-  /// Kept within the volume.
+  /// Sets the crosshair, clamped to the volume.
   void setCrosshair(Vec3 patient_mm);
   /// Moves to the place where the case begins.
   void goToStart();
@@ -142,12 +142,12 @@ class PrepareSession : public QObject {
   /// Sets the point under a tool, which message() describes instead of the crosshair; none while there is none.
   void pointAt(std::optional<Vec3> patient_mm);
 
-  /// A sentence; what is under the tool or the crosshair, where nothing has happened.
+  /// Sentence about the last event; without one, about the voxel under the tool or the crosshair.
   QString message() const;
   /// Shows a sentence about an event for some seconds.
   void say(const QString& sentence);
   static constexpr int kSaid_ms = 7000;
-  /// As many edits can be undone as LabelEdit remembers steps.
+  /// Maximum number of undoable edits: the steps that LabelEdit stores.
   static constexpr int kMostUndo = int(LabelEdit::kMostSteps);
 
  Q_SIGNALS:

@@ -47,7 +47,7 @@ class ReviewWorkspace::Parts : public QObject {
   bool key(const QKeyEvent& event, bool act);
   /// The open attempt's result, as a page.
   void saveResult(const QString& file);
-  /// For widgets that would take keys of the table for themselves.
+  /// Handles keys of the table before widgets that would take them.
   bool keyEvent(QEvent* event);
   void saveLayout(QSettings& settings) const;
   void restoreLayout(QSettings& settings);

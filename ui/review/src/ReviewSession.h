@@ -29,7 +29,7 @@ enum class CaseFit {
   Looking,  ///< its hash is being computed
 };
 
-/// A recorded attempt that is looked at, without a widget: what it tells, the time one is at, and the patient. For the
+/// An open recorded attempt, without a widget: its events and metrics, the present time, and the patient. For the
 /// window's thread.
 class ReviewSession : public QObject {
   Q_OBJECT
@@ -38,7 +38,7 @@ class ReviewSession : public QObject {
   explicit ReviewSession(QObject* parent = nullptr);
   ~ReviewSession() override;
 
-  /// Reads the file in the task bar's job. What was open stays until then, and where it fails.
+  /// Reads the file in the task bar's job. The former attempt stays until then, and if reading fails.
   void open(const QString& file, ui::TaskBar& tasks);
   void close();
   const std::shared_ptr<const AttemptDigest>& attempt() const { return attempt_; }
@@ -48,16 +48,16 @@ class ReviewSession : public QObject {
   void setPatient(std::shared_ptr<const PatientCase> patient);
   const std::shared_ptr<const PatientCase>& patient() const { return patient_; }
   CaseFit fit() const { return fit_; }
-  /// Hands are shown on the patient.
+  /// Tells whether hands are shown on the patient.
   bool fits() const { return fit_ == CaseFit::Same || fit_ == CaseFit::Changed; }
-  /// While the room is hidden nothing is computed.
+  /// While the workspace is hidden, nothing is computed.
   void setAwake(bool awake);
 
   /// Present time, 0 to the attempt's end. Setting it never waits: of many times in a row, images show the latest.
   std::int64_t time_us() const { return time_us_; }
   void setTime(std::int64_t time_us);
   void step(double seconds) { setTime(time_us_ + std::int64_t(seconds * 1e6)); }
-  /// The next or previous moment; stays where there is none.
+  /// Moves to the next or previous moment; no effect without one.
   void stepMoment(int by);
   /// State of the hands at that time; none in a damaged stretch.
   const std::optional<AttemptSample>& sample() const { return sample_; }
@@ -74,7 +74,7 @@ class ReviewSession : public QObject {
   ReplayPicture& picture() { return picture_; }
   const ReplayReader* reader() const { return reader_ ? &*reader_ : nullptr; }
   bool surfacesThere() const { return !surfaces_ || surfacesDone_; }
-  /// The image of the time one is at is there, or there is none.
+  /// Tells whether the image of the present time is ready, or there is none.
   bool isSettled() const;
   QString message() const;
 

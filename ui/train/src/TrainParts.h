@@ -58,7 +58,7 @@ class TrainWorkspace::Parts : public QObject {
  public:
   explicit Parts(TrainWorkspace& workspace);
   ~Parts() override;
-  /// Nothing listens to canvases any more: a canvas that goes is left by the mouse, when other views may be gone.
+  /// Stops listening to canvases: the mouse leaves a canvas that is destroyed, when other views may be gone.
   void releaseCanvases();
 
   TrainSession& session;  ///< a child of the workspace, gone after its widgets
@@ -86,7 +86,7 @@ class TrainWorkspace::Parts : public QObject {
 
   ui::CaseOrigin origin;  ///< of the case that comes next
   void setCase(std::shared_ptr<const PatientCase> opened);
-  /// The same case as its author has saved it: now, or once nobody is at an attempt or in a level any more.
+  /// Replaces the case by its saved state: now, or once no attempt or level is in progress.
   void takeSaved(std::shared_ptr<const PatientCase> edited);
   void setAccount(ui::Account& account);
   /// Levels, attempts and the questionnaire in the place of image and controls.
@@ -94,12 +94,13 @@ class TrainWorkspace::Parts : public QObject {
   bool isCourseShown() const;
   /// One that is being made is kept as abandoned.
   void endAttempt();
-  /// Why there is no image, once the trainee sees the workspace: while a case is labeled, it is none of Train's.
+  /// Shows why there is no image, once the user sees the workspace: during labeling the problem does not concern
+  /// Train.
   void reportProblem();
-  /// While no case is open; empty for nothing that is being opened.
+  /// Shows which case is being opened, while no case is open; empty for none.
   void showOpening(const QString& what);
   bool key(const QKeyEvent& event, bool act);
-  /// For canvases: keys of the table, and the keyboard follows the mouse to the picture.
+  /// Handles keys of the table for canvases, and moves the keyboard focus to the image with the mouse.
   bool canvasEvent(QObject* canvas, QEvent* event);
   void savePicture(const std::filesystem::path& file);
   void saveScreen(const std::filesystem::path& file);

@@ -37,7 +37,7 @@ class TrainSession : public QObject {
   explicit TrainSession(QObject* parent = nullptr);
   ~TrainSession() override;
 
-  /// Stops everything that belongs to the case before. Null for none. `origin`: where it is kept.
+  /// Sets the case and stops all work on the former one. Null for none. `origin`: its folder.
   void setCase(std::shared_ptr<const PatientCase> patient, const ui::CaseOrigin& origin);
   const ui::CaseOrigin& origin() const { return origin_; }
   const std::shared_ptr<const PatientCase>& patient() const { return patient_; }
@@ -51,8 +51,8 @@ class TrainSession : public QObject {
   const ImagingSettings& settings() const { return settings_; }
   /// A preset; depth, frequency and focus become the probe's own, the rest stays. False for an unknown name.
   bool setProbe(const std::string& name);
-  /// A probe as it is being edited. Changes of one kind (`what`) in a row are taken back together. Where the probe
-  /// begins with another depth, frequency or focus than before, the image has them, too. Refuses a probe out of
+  /// Uses a probe while it is being edited. Consecutive changes of one kind (`what`) are undone together. If the
+  /// probe's default depth, frequency or focus differ from before, the image takes them, too. Refuses a probe out of
   /// range.
   Result<void> useProbe(const Probe& probe, const std::string& what);
   /// Applies settings; values outside the probe's range are set to the nearest permitted ones.
@@ -78,7 +78,7 @@ class TrainSession : public QObject {
   void setTissue(const TissueChoice& choice);
   /// Live images come with the mesh of the tissue.
   void setMeshWanted(bool wanted);
-  /// While nobody looks, the vessels do not move: a probe held still then costs nothing.
+  /// While unwatched, the vessels do not move: a probe at rest then costs nothing.
   void setWatched(bool watched);
   /// Asleep, the last image stays, and no others are made; their scenes are given back.
   void setAwake(bool awake);
@@ -86,7 +86,7 @@ class TrainSession : public QObject {
   /// Needle, devices and pedal.
   HandsControl& hands() { return hands_; }
   void takeNeedle(NeedlePlane plane);
-  /// Takes up the needle as it was held last, or lays it down.
+  /// Takes up the needle as it was held last, or puts it away.
   void toggleNeedle();
   void moveNeedle(NeedleAxis axis, double mmOrDegrees);
   void typedNeedle(NeedleAxis axis, double value);
@@ -104,17 +104,17 @@ class TrainSession : public QObject {
   void moveTo(Vec3 patient_mm);
   /// Moves to the skin nearest to a typed place; says how far that is.
   void placed(Vec3 patient_mm);
-  /// Refused in a level and where anatomy is not disclosed: a position tells where vessels lie.
+  /// Refused in a level and while anatomy is not disclosed: a position reveals the place of vessels.
   void goTo(const StartPose& pose);
   void home();
-  /// Moves, settings, and whatever else was added to history().
+  /// Undoes moves, settings, and all other steps in history().
   void undo();
   void redo();
   History& history() { return history_; }
   /// Destination of home(); known before the first image.
   const StartPose& start() const { return start_; }
-  /// Puts the probe where an attempt of a level begins; until releaseStart(), home() goes there, undo does not lead
-  /// behind it, and goTo() refuses. A device keeps its probe where it is.
+  /// Puts the probe at the start of an attempt at a level; until releaseStart(), home() returns there, undo ends
+  /// there, and goTo() refuses. A device's probe stays in place.
   void beginAt(const ProbeHandState& state);
   void releaseStart() { levelStart_.reset(); }
   /// The target of an attempt is the vein nearest to here: the probe, or in a level the case's own start, since beside
@@ -137,7 +137,7 @@ class TrainSession : public QObject {
   void setFrozen(bool frozen);
   /// The image on display: live, or one of the past; null before the first.
   const std::shared_ptr<const LiveFrame>& shown() const { return shown_; }
-  /// While frozen: the last seconds, oldest first.
+  /// The last seconds of a frozen image, oldest first.
   const std::vector<std::shared_ptr<const LiveFrame>>& cine() const { return cine_; }
   int cineIndex() const { return cineIndex_; }
   void showCine(int index);

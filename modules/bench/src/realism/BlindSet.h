@@ -13,7 +13,7 @@ struct BlindImage {
 /// All images of both sets in an order that the seed decides.
 std::vector<BlindImage> shuffled(const RealismBench& bench);
 
-/// Images, sheets and instructions; nothing that tells which is which.
+/// Writes images, sheets and instructions; nothing in them reveals which images are real.
 Result<void> writeBlindSet(const std::vector<BlindImage>& images, const std::filesystem::path& folder);
 
 /// JPEG of a gray picture. `quality` 1 to 100.

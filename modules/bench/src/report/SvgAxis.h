@@ -14,7 +14,7 @@ class SvgAxis {
     double value;
     std::string label;
   };
-  /// Spans `values` (those that the axis can show) and ends on round numbers; pixels may run backwards.
+  /// Spans the `values` that the axis can show and ends on round numbers; pixels may run backwards.
   SvgAxis(const PlotAxis& axis, const std::vector<double>& values, double firstPixel, double lastPixel);
 
   bool shows(double value) const;

@@ -18,8 +18,8 @@ Result<std::vector<TrueVessel>> trueVessels(const LabelMap& labels, std::uint8_t
                                             double shortest_mm, const Progress& progress);
 
 /// Tracks the vessel from clicks on its middle and scores the lumen between the first and the last; a vessel that
-/// cannot be tracked scores 0. Where the others meet it, what it covers of them counts neither way. `row` says what of;
-/// it gets the scores.
+/// cannot be tracked scores 0. Voxels that it covers of other vessels where they meet count neither way. `row` names
+/// the vessel and receives the scores.
 Result<SegmentationScoreRow> scoreClicks(const CtVolume& ct, const TrueVessel& truth, int clicks,
                                          const VesselTracking& how, SegmentationScoreRow row, const Progress& progress);
 

@@ -21,7 +21,7 @@ class EngineRows {
   Result<void> measure(const ImagingSettings& settings, std::vector<UltrasoundBenchRow>& rows) const {
     return measure(settings, {}, rows);
   }
-  /// The same for the plan's own settings and tissue under pressure; and with a needle in the plane.
+  /// Measures the plan's own settings with tissue under pressure, and with a needle in the plane.
   Result<void> measureDisplaced(std::vector<UltrasoundBenchRow>& rows) const;
   Result<void> measureNeedle(std::vector<UltrasoundBenchRow>& rows) const;
 

@@ -34,11 +34,11 @@ class LabelPicture {
   std::vector<std::uint8_t> label_;
 };
 
-/// Without what lies within a square of this half width of the edge.
+/// Removes pixels within a square of this half width of the edge.
 PixelMask eroded(const PixelMask& mask, int pixels);
 /// Connected parts (4 neighbors) of at least this many pixels, largest first.
 std::vector<PixelMask> parts(const PixelMask& mask, int leastPixels);
-/// The largest box inside the mask that is no larger than the given size; empty when there is none.
+/// The largest box inside the mask that is no larger than the given size; empty without one.
 PictureBox largestBox(const PixelMask& mask, int mostWidth, int mostHeight);
 
 }  // namespace insonate::bench

@@ -4,8 +4,8 @@
 
 namespace insonate::bench {
 
-/// The table with every tissue's echogenicity raised by up to 0.03 dB, differently for each label: nothing to see, but
-/// a frame of scattering alone then tells which label each sample shows, after contact and smooth boundaries.
+/// The table with every tissue's echogenicity raised by up to 0.03 dB, differently for each label: invisible, but a
+/// frame of scattering alone then reveals the label of each sample, after contact and smooth boundaries.
 AcousticTable withMarks(AcousticTable table);
 
 /// Adds the measures of one displayed image, on patches found from the labels, and the picture. The scene must be of

@@ -8,8 +8,9 @@ void checkDifficulty(const CaseView& patient, Findings& findings) {
   const std::string& given = patient.manifest.difficulty;
   if (patient.manifest.targets.empty()) {
     if (given.empty())
-      findings.push_back({FindingSeverity::kInfo, "difficulty_ungraded",
-                          "The case has no difficulty: none is given, and without a target none can be estimated."});
+      findings.push_back(
+          {FindingSeverity::kInfo, "difficulty_ungraded",
+           "The case has no difficulty: its author has not graded it, and without a target it cannot be estimated."});
     return;
   }
   const auto estimate = estimateDifficulty(patient);
@@ -22,7 +23,7 @@ void checkDifficulty(const CaseView& patient, Findings& findings) {
   }
   if (given.empty())
     findings.push_back({FindingSeverity::kInfo, "difficulty_ungraded",
-                        "The case has no grade of its author; the estimate counts. " + estimate->sentence, place_mm,
+                        "The case has no grade by its author; the estimate applies. " + estimate->sentence, place_mm,
                         label});
   else if (given != estimate->grade)
     findings.push_back(

@@ -146,8 +146,8 @@ void checkLabels(const CaseView& patient, const LabelStatistics& s, Findings& fi
     if (label >= kLabelCount && s.has(label))
       findings.push_back({FindingSeverity::kError, "unknown_label",
                           std::to_string(s.voxels[label]) + " voxels have the label " + std::to_string(label) +
-                              ", which means nothing here (0 to " + std::to_string(kLabelCount - 1) +
-                              " do). Say in the table of structures what it is made of, renumber or erase them.",
+                              ", which is unknown here (0 to " + std::to_string(kLabelCount - 1) +
+                              " are known). Give it a tissue in the table of structures, renumber or erase it.",
                           firstOf(label), static_cast<std::uint8_t>(label)});
     checkHu(s, label, findings);
     if (label != kAirway && label != kSkin && label != kOesophagus) inAir += s.inAir[label];

@@ -68,10 +68,9 @@ Vec3 placeOf(const VolumeGeometry& g, std::size_t offset) {
 void checkNames(const CaseView& patient, Findings& findings) {
   const CaseManifest& m = patient.manifest;
   if (m.vessels.empty() && !m.targets.empty())
-    findings.push_back(
-        {FindingSeverity::kInfo, "no_vessel_names",
-         "The vessels have no names: an attempt tells the vein with the target from the other veins, and "
-         "calls each of them another vein. Mark each of them as a place of the case."});
+    findings.push_back({FindingSeverity::kInfo, "no_vessel_names",
+                        "The vessels have no names: an attempt distinguishes the target's vein from other veins, but "
+                        "calls each of them another vein. Mark each vessel as a place of the case."});
   for (const Target& target : m.targets) {
     constexpr double kFlat_mm = 4;  // beyond the wall of a round vessel, in the lumen of a flat one
     const auto holdsTarget = [&](const NamedVessel& vessel) {

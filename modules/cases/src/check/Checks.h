@@ -39,7 +39,7 @@ void checkGrid(const CaseView& patient, const LabelStatistics& statistics, Findi
 void checkLabels(const CaseView& patient, const LabelStatistics& statistics, Findings& findings);
 /// Closed skin, background inside the body, body cut by the volume's sides.
 void checkBody(const CaseView& patient, Findings& findings);
-/// Vein and artery: fragments, thinness, and whether what is to be punctured can be followed.
+/// Checks vein and artery: fragments, thinness, and whether a vessel to be punctured can be followed.
 void checkVessel(const CaseView& patient, std::uint8_t label, Findings& findings);
 /// Vein and artery that touch each other.
 void checkWall(const CaseView& patient, Findings& findings);

@@ -16,7 +16,7 @@ struct Island {
 /// Rule by which voxels are connected: only voxels of one label, or labeled voxels of any label.
 enum class Joining { kOneLabel, kAnyLabel };
 
-/// All islands of what is labeled, in the order of their first voxels. Needs memory for rows of equal voxels only.
+/// All islands of labeled voxels, in the order of their first voxels. Needs memory for rows of equal voxels only.
 std::vector<Island> islandsOf(const LabelMap& labels, Joining joining);
 
 }  // namespace insonate::check

@@ -116,7 +116,8 @@ Result<LabelReadResult> placeSegments(const DicomSegments& segments, const Volum
     });
   }
   if (std::ranges::none_of(result.labels.voxels, [](std::uint8_t v) { return v != 0; }))
-    return fail("nothing of the segmentation lies in the CT: it was drawn on another one. Choose that of this CT.");
+    return fail(
+        "nothing of the segmentation lies in the CT: it was drawn on another one. Choose the segmentation of this CT.");
   if (overlaps > 0)
     result.notes.push_back(std::to_string(overlaps) + " voxels belong to several segments; the last one wins.");
   const std::size_t lost = placer.lostPixels(grid);

@@ -21,8 +21,8 @@ Result<CaseManifest> readManifest(const std::filesystem::path& file, std::vector
 /// Fails on volumes that cannot be written as a case.
 Result<void> checkVolumes(const PatientCase& patient);
 
-/// Into a fresh folder, with this manifest. `sameCt`: a file with the very same CT, taken over where the file system
-/// can; empty for none.
+/// Writes a case into a new folder, with this manifest. `sameCt`: a file with the identical CT, linked if the file
+/// system can; empty for none.
 Result<void> writeCaseFiles(const PatientCase& patient, const CaseManifest& manifest,
                             const std::filesystem::path& folder, const std::filesystem::path& sameCt,
                             const Progress& progress);

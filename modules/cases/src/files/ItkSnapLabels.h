@@ -18,7 +18,7 @@ struct ItkSnapLabel {
   LabelColour colour{};
 };
 
-/// By the number in the map. Fails on a file that is none and on a line that is no label, with its number.
+/// Reads labels by their number in the map. Fails on a file of another kind and on an invalid line, with its number.
 Result<std::map<std::int32_t, ItkSnapLabel>> readItkSnapLabels(const std::filesystem::path& file);
 
 }  // namespace insonate

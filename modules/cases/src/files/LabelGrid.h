@@ -10,22 +10,22 @@
 
 namespace insonate {
 
-/// In voxels. Places exactly between two voxels, as grids of twice the spacing have them, are moved by so much, or
-/// rounding would choose now one and now the other.
+/// Shift in voxels. Places exactly between two voxels, as in grids of twice the spacing, are shifted by this, or
+/// rounding would choose sometimes one and sometimes the other.
 inline constexpr double kOffTheBorder = 1e-4;
 
-/// True where a voxel of another grid at this place, and its neighbors one step away, are centred on voxels of `grid`
-/// or of its continuation beyond the border.
+/// Tells whether a voxel of another grid at this place, and its neighbors one step away, are centered on voxels of
+/// `grid` or of its continuation beyond the border.
 bool fallsOnVoxels(const VolumeGeometry& grid, Vec3 place_mm, std::span<const Vec3> steps_mm);
 
-/// True where every voxel of `part` is one of `grid`'s, and their axes point alike.
+/// Tells whether every voxel of `part` is one of `grid`'s, with axes in the same directions.
 bool isPartOf(const VolumeGeometry& part, const VolumeGeometry& grid);
 
 /// Adds the note about labels that came from another grid.
 void noteOtherGrid(bool onVoxels, std::size_t lost, std::vector<std::string>& notes);
 
-/// Labels of one grid on another: each voxel takes the nearest one's label, which is exact where voxels fall on voxels.
-/// Says what was done. Fails where no labeled voxel lies in `grid`, and when cancelled.
+/// Puts labels of one grid on another: each voxel takes the nearest one's label, which is exact where voxels fall on
+/// voxels. Adds a note. Fails if no labeled voxel lies in `grid`, and when cancelled.
 Result<LabelMap> placeLabels(const LabelMap& labels, const VolumeGeometry& grid, std::vector<std::string>& notes,
                              const Progress& progress = {});
 

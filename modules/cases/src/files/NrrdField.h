@@ -6,7 +6,7 @@
 
 namespace insonate {
 
-/// The text of a field in an NRRD's header; empty when there is none.
+/// Text of a field in an NRRD's header; empty if there is none.
 inline std::string nrrdField(const std::filesystem::path& file, const std::string& name) {
   std::ifstream in(file, std::ios::binary);
   for (std::string line; std::getline(in, line) && !line.empty() && line != "\r";) {

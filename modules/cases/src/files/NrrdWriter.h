@@ -20,7 +20,7 @@ Result<void> writeNrrd(const std::filesystem::path& file, const VolumeGeometry& 
                        const std::vector<std::pair<std::string, std::string>>& fields = {},
                        const Progress& progress = {});
 
-/// Shortest decimal that reads back to the same double, whatever the locale.
+/// Shortest decimal that reads back to the same double, in any locale.
 std::string exactDecimal(double value);
 
 }  // namespace insonate

@@ -7,11 +7,11 @@
 
 namespace insonate {
 
-/// Gives labels of their own to structures of another program that this one does not know.
+/// Assigns own labels to structures of another program that this program does not know.
 class OwnNumbers {
  public:
   void keep(std::uint8_t label) { taken_.set(label); }
-  /// `wanted` where it is free, else the first number that is; kSoftTissue where all are taken.
+  /// `wanted` if it is free, else the first free number; kSoftTissue if all are taken.
   std::uint8_t take(long wanted) {
     if (wanted < kLabelCount || wanted > kLastOwnLabel || taken_.test(static_cast<std::size_t>(wanted)))
       for (wanted = kLabelCount; wanted <= kLastOwnLabel && taken_.test(static_cast<std::size_t>(wanted));) ++wanted;

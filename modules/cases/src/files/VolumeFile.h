@@ -23,7 +23,7 @@ struct RawVolume {
   std::vector<float> values;  ///< component fastest, then i, j, k; empty when only the header was read
 };
 
-/// By the file name: NRRD, NIfTI or MetaImage.
+/// Tells from the file name whether it is NRRD, NIfTI or MetaImage.
 bool isVolumeFile(const std::filesystem::path& file);
 
 enum class ReadPart { kHeader, kAll };

@@ -15,16 +15,16 @@ struct HeldBytes {
   bool streamBreaks = false;  ///< a compressed stream ended early or did not match its check sum
 };
 
-/// A file's bytes from its beginning, decompressed where it is a gzip file.
+/// Reads a file's bytes from its beginning, decompressed if it is a gzip file.
 class GzipReader {
  public:
   explicit GzipReader(const std::filesystem::path& file);
   ~GzipReader();
-  /// As many as there are, at most as many as `bytes` holds.
+  /// Reads up to the size of `bytes`; returns the number read.
   std::size_t read(std::span<char> bytes);
-  /// False where fewer are left.
+  /// Skips bytes; false if fewer are left.
   bool skip(std::size_t count);
-  /// True where reading met a damaged stream.
+  /// Tells whether the stream was damaged.
   bool broken() const;
 
  private:

@@ -11,9 +11,9 @@
 
 namespace insonate {
 
-/// Decodes every slice of a series, in its order, to HU: slope and intercept of each slice, padding and everything
-/// below -1024 to -1024. Fails on pixels that are missing, cut off or of a kind a CT does not have; notes what it
-/// changed.
+/// Decodes every slice of a series, in its order, to HU: slope and intercept of each slice; padding and everything
+/// below -1024 become -1024. Fails on missing or truncated pixels and on formats that a CT does not have; notes its
+/// changes.
 Result<std::vector<std::int16_t>> readSlices(const DicomSeries& series, std::vector<std::string>& notes,
                                              const Progress& progress);
 

@@ -18,7 +18,7 @@ struct VolumeSeries {
   StackPlan plan;
 };
 
-/// A listed series and what is needed to read it.
+/// A listed series and the data needed to read it.
 struct FoundSeries {
   SeriesInfo info;
   std::variant<DicomSeries, VolumeSeries> data;

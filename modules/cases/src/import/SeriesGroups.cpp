@@ -238,7 +238,7 @@ void addWarnings(DicomSeries& series) {
         "The images were compressed with loss: values are not exact. Export the original series if "
         "there is one.");
   if (std::ranges::any_of(series.slices, &DicomSlice::burnedInText))
-    series.warnings.push_back("The images may have text burned in; check that it names nobody.");
+    series.warnings.push_back("The images may contain burned-in text; check that it does not identify the patient.");
 }
 
 DicomSeries finish(Part part, std::string uid) {

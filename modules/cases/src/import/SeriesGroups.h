@@ -19,8 +19,8 @@ struct DicomSeries {
   std::string refusal;
 };
 
-/// Sorts slices into series. Series Instance UID alone is not trusted: slices of one UID that differ in study, frame of
-/// reference, size, pixel spacing or orientation, or that fill the same places twice, are told apart.
+/// Sorts slices into series. Series Instance UID alone is not trusted: slices of one UID that differ in study, frame
+/// of reference, size, pixel spacing or orientation, or that fill the same places twice, form different series.
 std::vector<DicomSeries> groupSlices(const std::vector<DicomSlice>& slices);
 
 }  // namespace insonate

@@ -38,8 +38,8 @@ StackPlan planStack(const SliceStack& stack);
 /// Spacing regular enough to need no resampling and no gap.
 bool isRegular(const SliceStack& stack);
 
-/// Puts the slices of `stack` (voxels in the plan's order, kept along k) onto the plan's grid: linear within each slice
-/// and between neighbors, -1024 HU where one of them does not reach that counts for a twentieth or more.
+/// Resamples the slices of `stack` (voxels in the plan's order, kept along k) to the plan's grid: linear within each
+/// slice and between neighbors, -1024 HU where a slice that counts for a twentieth or more does not reach.
 CtVolume resampleStack(const StackPlan& plan, const SliceStack& stack, const std::vector<std::int16_t>& slices);
 
 }  // namespace insonate

@@ -58,9 +58,9 @@ double vertebralFront_mm(double z_mm);
 /// Centre of the airway (larynx, then trachea), model y at level z.
 double airwayCentre_mm(double z_mm);
 /// Subclavian vein from its confluence, then axillary vein, below the clavicle; with the artery behind and above it.
-/// Depth, width, and what is between them and behind them after Galloway and Bodenham, Br J Anaesth 2003;90:589:
-/// below the middle of the clavicle the vein is 12 mm wide and begins 19 mm below the skin, the artery is 3 mm away and
-/// the rib cage 10; 40 mm to the side these are 9, 31, 8 and 20.
+/// Depth, width and distances after Galloway and Bodenham, Br J Anaesth 2003;90:589: below the middle of the clavicle
+/// the vein is 12 mm wide and begins 19 mm below the skin, the artery is 3 mm away and the rib cage 10; 40 mm to the
+/// side these are 9, 31, 8 and 20.
 std::vector<Tube::Knot> axillaryVein();
 std::vector<Tube::Knot> axillaryArtery();
 

@@ -32,7 +32,7 @@ struct Platysma {
   double top_z_mm = 46;
 };
 
-/// The neck's outline: radius of the investing fascia by angle and level, with fat and skin laid on it. Immutable.
+/// The neck's outline: radius of the investing fascia by angle and level, covered by fat and skin. Immutable.
 class BodySurface {
  public:
   explicit BodySurface(const LayerOptions& options) : options_(options) {}

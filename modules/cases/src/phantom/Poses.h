@@ -13,7 +13,7 @@ std::vector<Target> jugularTargets(const NeckModel& neck);
 /// front, looking along the inward normal.
 std::vector<StartPose> jugularStartPoses(const NeckModel& neck);
 
-/// The right subclavian vein below the middle of the clavicle, where it is called axillary.
+/// Targets in the right subclavian vein below the middle of the clavicle, where it is called axillary.
 std::vector<Target> axillaryTargets(const NeckModel& neck);
 
 /// Across the vein, the marker toward the head, and along it, the marker toward the heart.

@@ -17,8 +17,8 @@ struct SliceGrid {
   int width, height;
 };
 
-/// Decides the label of every voxel of one level: layers of the skin, organs in order of precedence, muscles parted
-/// by fascia, fat and connective tissue in what is left. Used by one thread.
+/// Decides the label of every voxel of one level: layers of the skin, organs in order of precedence, muscles separated
+/// by fascia, fat and connective tissue in the rest. Used by one thread.
 class SliceLabels {
  public:
   SliceLabels(std::span<const Structure> structures, BodySurface::Slice body, const Platysma& platysma, SliceGrid grid);

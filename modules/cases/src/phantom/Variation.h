@@ -4,7 +4,7 @@
 
 namespace insonate::phantom {
 
-/// One person's neck out of those that have a variant's usual values: spread as far as what the variant promises holds.
+/// One person's neck, varied about a variant's default values within the limits of the variant's description.
 NeckParameters individualNeck(NeckParameters usual, std::uint32_t seed);
 
 /// A muscle or an organ in one person: a little elsewhere, larger or smaller, and not the same along the neck. A sheet

@@ -7,8 +7,8 @@
 
 namespace insonate {
 
-/// Levels so that none comes before its prerequisites, otherwise in their order. Fails with the sentence of what is
-/// wrong with a prerequisite: unknown, named twice, or part of a circle.
+/// Sorts levels so that none precedes its prerequisites, otherwise in their order. Fails with a sentence about the
+/// prerequisite: unknown, named twice, or part of a circle.
 Result<std::vector<Level>> inOrderOfLearning(std::vector<Level> levels);
 
 }  // namespace insonate

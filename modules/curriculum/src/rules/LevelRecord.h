@@ -23,7 +23,8 @@ class LevelRecord {
 
   /// An attempt here that counts; call practiced() first.
   void take(const AttemptFacts& attempt, std::int64_t time_us);
-  /// An attempt here or in a level that builds on this one: what lapsed until then has lapsed, then days count anew.
+  /// Adds practice at this level or at one that builds on it: a level that lapsed by then has lapsed, then the days
+  /// start again.
   void practised(std::int64_t time_us);
   void lapseByDays(std::int64_t time_us);
 

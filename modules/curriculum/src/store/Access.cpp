@@ -71,8 +71,7 @@ std::optional<Error> lookUp(Transaction& transaction, Actor& actor, Act act) {
   const auto row = transaction.row(
       "SELECT role, disabled, version, must_change FROM people JOIN credentials ON person = id WHERE id = ?", actor.id);
   if (!row || row->truth(1)) return Error{"This account is disabled. Ask an administrator."};
-  if (row->number(2) != actor.passwordVersion)
-    return Error{"The password of this account was set anew. Sign in again."};
+  if (row->number(2) != actor.passwordVersion) return Error{"The password of this account was reset. Sign in again."};
   actor.role = roleNamed(row->text(0));
   if (row->truth(3) && act != ChangeOwnPassword) return Error{"Choose a password of your own first."};
   return std::nullopt;
@@ -116,9 +115,9 @@ bool isWithin(Transaction& transaction, Reach reach, const Rule& rule, const Act
 }
 
 Error refusalOf(const Rule& rule, const Actor& actor) {
-  if (!actor.role) return {"Sign in first: as a guest nothing is kept, and nothing of others is seen."};
+  if (!actor.role) return {"Sign in first: guests can neither store data nor see other people's."};
   return {"You may not do this (" + std::string(rule.words) +
-          "), or there is no such thing. Ask an administrator if you should."};
+          "), or it does not exist. Ask an administrator for the permission."};
 }
 
 }  // namespace
@@ -150,7 +149,7 @@ Verdict decide(Transaction& transaction, Actor& actor, const Request& request) {
     verdict.refusal = refusalOf(rule, actor);
   else if (const auto site = transaction.row("SELECT server FROM site");
            rule.has(kOnServer) && site && !site->text(0).empty())
-    verdict.refusal = Error{"People, cohorts and curricula are kept on " + site->text(0) + "; change them there."};
+    verdict.refusal = Error{"People, classes and curricula are stored on " + site->text(0) + "; change them there."};
   verdict.logged = verdict.refusal || (!rule.has(kUnlogged) && !own);
   if (!verdict.refusal && rule.has(kWholeCohort))
     verdict.learners =

@@ -8,10 +8,10 @@
 
 namespace insonate::store {
 
-/// True where the store, of any schema, has an account. Fails on a file that is not a store.
+/// Tells whether the store, of any schema, has an account. Fails on a file that is not a store.
 Result<bool> hasPeople(Core& core);
 
-/// As provePassword(), by an administrator who has chosen their password. Works on a store of any schema.
+/// Like provePassword(), for an administrator with a password of their own choice. Works on a store of any schema.
 Result<Person> proveAdministrator(Core& core, const std::string& name, const std::string& password);
 
 }  // namespace insonate::store

@@ -49,11 +49,11 @@ std::optional<KeptAttempt> findAttempt(Transaction& transaction, const std::stri
 /// Checks the facts of a caller before they are stored; fails with a sentence.
 Result<void> checkBegun(const AttemptFacts& facts);
 Result<void> checkEnded(const AttemptFacts& facts);
-/// The same beginning, whatever came after.
+/// Tells whether both attempts have the same beginning, whatever their end.
 bool sameBeginning(const AttemptFacts& a, const AttemptFacts& b);
 bool sameEnd(const AttemptFacts& a, const AttemptFacts& b);
 
-/// As it begins; its arrival is found here.
+/// Inserts an attempt at its beginning and determines its arrival.
 void insertAttempt(Transaction& transaction, const AttemptFacts& facts, const std::string& run);
 void endAttempt(Transaction& transaction, const AttemptFacts& facts, bool crashed);
 

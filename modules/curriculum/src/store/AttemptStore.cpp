@@ -218,7 +218,7 @@ Result<KeptAttempt> AttemptStore::attempt(const std::string& id) const {
   return by_.session()->read({.act = Act::SeeAttempts, .attempt = id},
                              [&](Transaction& transaction, const Actor&) -> Result<KeptAttempt> {
                                auto kept = store::findAttempt(transaction, id);
-                               if (!kept) return fail("There is no attempt " + id + "; look at the list again.");
+                               if (!kept) return fail("There is no attempt " + id + "; reload the list.");
                                store::findRecording(*kept, by_.session()->core().recordings());
                                return *kept;
                              });

@@ -12,7 +12,7 @@ void appendAudit(Transaction& transaction, AuditEntry entry);
 
 AuditAnchor auditEnd(Transaction& transaction);
 
-/// As AuditLog::verify().
+/// Verifies the log like AuditLog::verify().
 Result<void> verifyAudit(Transaction& transaction, const AuditAnchor& anchor);
 
 /// Another's words, cut to what an entry holds of each.

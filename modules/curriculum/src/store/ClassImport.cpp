@@ -52,7 +52,8 @@ std::vector<ClassImportRow> planned(Transaction& transaction, const Actor& actor
     there.insert(row.text(0));
   for (const auto& [entry, person] : match.known) {
     if (!there.contains(person.id) && actor.role != Role::Administrator)
-      rows.push_back(refused(entry, person.fullName + " is here already; an administrator puts them into this class."));
+      rows.push_back(
+          refused(entry, person.fullName + " already has an account; an administrator adds such people to a class."));
     else
       rows.push_back({.line = entry.line,
                       .person = entry.person,
@@ -87,7 +88,7 @@ Result<void> take(store::Session& session, Transaction& transaction, const std::
   const store::Request request{.act = Act::ChangeCohorts, .person = row.id, .cohort = cohort, .detail = "learns"};
   if (auto ok = session.also(transaction, request); !ok) return ok;
   const auto known = store::findPerson(transaction, row.id);
-  if (!known) return fail("This person is not here any more.");
+  if (!known) return fail("This person no longer exists.");
   return store::putIntoCohort(transaction, cohort, *known, false);
 }
 
@@ -115,7 +116,7 @@ Result<void> ClassImport::apply(const std::string& cohort, std::span<const Class
   const auto joins = std::ranges::count(plan, Step::Join, &ClassImportRow::step);
   if (static_cast<std::size_t>(adds) != passwords.size())
     return fail("There are " + std::to_string(passwords.size()) + " passwords for " + std::to_string(adds) +
-                " new people; make them anew from this plan.");
+                " new people; generate them again from this plan.");
   const auto hashes = hashesOf(passwords, session.core().passwordCost(), progress);
   if (!hashes) return tl::unexpected(hashes.error());
   const std::string detail = "class list, " + std::to_string(adds) + " new, " + std::to_string(joins) + " known";

@@ -20,14 +20,14 @@ Cohort cohortOf(const Row& row) {
 }
 
 tl::unexpected<Error> unknownCohort() {
-  return fail("There is no such cohort; look at the list again.");
+  return fail("There is no such class; reload the list.");
 }
 
 Result<void> checkName(Transaction& transaction, const std::string& id, const std::string& name) {
-  if (auto ok = store::checkTitle("The cohort's name", name); !ok) return ok;
-  if (store::nameKey(name).empty()) return fail("The cohort has no name; type one.");
+  if (auto ok = store::checkTitle("The class's name", name); !ok) return ok;
+  if (store::nameKey(name).empty()) return fail("The class has no name; type one.");
   if (transaction.number("SELECT COUNT(*) FROM cohorts WHERE name_key = ? AND id <> ?", store::nameKey(name), id) > 0)
-    return fail("There is a cohort named '" + name + "' already; choose another name.");
+    return fail("There is a class named '" + name + "' already; choose another name.");
   return {};
 }
 
@@ -118,7 +118,7 @@ Result<void> CohortStore::join(const std::string& cohort, const std::string& per
       {.act = Act::ChangeCohorts, .person = person, .cohort = cohort, .detail = teaches ? "teaches" : "learns"},
       [&](Transaction& transaction, const Actor&) -> Result<void> {
         const auto found = store::findPerson(transaction, person);
-        if (!found) return fail("There is no such person; look at the list again.");
+        if (!found) return fail("There is no such person; reload the list.");
         return store::putIntoCohort(transaction, cohort, *found, teaches);
       });
 }
@@ -128,7 +128,7 @@ Result<void> CohortStore::leave(const std::string& cohort, const std::string& pe
       {.act = Act::RemoveMember, .person = person, .cohort = cohort},
       [&](Transaction& transaction, const Actor&) -> Result<void> {
         if (transaction.run("DELETE FROM memberships WHERE cohort = ? AND person = ?", cohort, person) != 1)
-          return fail("This person is not in this cohort; look at the list again.");
+          return fail("This person is not in this class; reload the list.");
         return {};
       });
 }
@@ -158,7 +158,7 @@ Result<std::map<std::string, Standing>> CohortStore::standings(const std::string
             transaction.row("SELECT id, name, curriculum, curriculum_version FROM cohorts WHERE id = ?", cohort);
         if (!row) return unknownCohort();
         const Cohort taught = cohortOf(*row);
-        if (taught.curriculum.empty()) return fail("The cohort '" + taught.name + "' has no curriculum; set one.");
+        if (taught.curriculum.empty()) return fail("The class '" + taught.name + "' has no curriculum; set one.");
         const auto curriculum = store::publishedCurriculum(transaction, taught.curriculum, taught.curriculumVersion);
         if (!curriculum) return tl::unexpected(curriculum.error());
         Standings standings;

@@ -14,12 +14,12 @@
 
 namespace insonate::store {
 
-/// An open store: where it is, the clocks, and a connection for each thread that asks.
+/// An open store: its address, the clocks, and a connection for each calling thread.
 class Core {
  public:
-  /// Checked, at the newest schema, with the attempts of dead processes told abandoned.
+  /// Opens a checked store at the newest schema, and marks attempts of dead processes abandoned.
   static Result<std::shared_ptr<Core>> open(const std::string& address, const StoreServices& services);
-  /// Checked, at the schema that it has: for whoever is asked before it is changed.
+  /// Opens a checked store at its present schema, for callers that ask the user before changing it.
   static Result<std::shared_ptr<Core>> reach(const std::string& address, const StoreServices& services);
   /// Migrates to the newest schema and marks the attempts of dead processes as abandoned.
   Result<void> bringUpToDate();

@@ -8,10 +8,10 @@ namespace insonate::store {
 
 class Core;
 
-/// Keeps who this process is, before it begins its first attempt.
+/// Stores the identity of this process before its first attempt.
 void keepRun(Transaction& transaction, const Core& core);
 
-/// Tells the open attempts of this workstation's dead processes abandoned. Those of processes that live, and of other
+/// Marks the open attempts of this workstation's dead processes abandoned. Those of living processes, and of other
 /// workstations, stay open.
 Result<void> abandonCrashed(Core& core);
 

@@ -17,7 +17,7 @@ struct KeptCurriculum {
   std::string text{};
 };
 
-/// By name, newest version first.
+/// Lists curricula by name, newest version first.
 std::vector<CurriculumEntry> listCurricula(Transaction& transaction);
 std::optional<KeptCurriculum> findCurriculum(Transaction& transaction, const std::string& name, int version);
 void insertCurriculum(Transaction& transaction, const KeptCurriculum& curriculum);

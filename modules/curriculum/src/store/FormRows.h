@@ -20,9 +20,9 @@ namespace insonate::store {
 FilledForm filledOf(const Row& row);
 /// Converts a row of INSONATE_KEPT_FORM_COLUMNS; nothing is withheld.
 KeptForm keptFormOf(const Row& row);
-/// As `reader` may read them: all forms about an attempt of one kind are among the rows, or none.
+/// Converts rows to forms as `reader` may read them: the rows contain all forms about an attempt of one kind, or none.
 std::vector<KeptForm> allKept(const std::vector<Row>& rows, const std::string& reader);
-/// Kept once: the same form once more is no error, another one of this id is.
+/// Stores a form once: the same form again is no error, another one with this id is.
 Result<std::string> keepForm(Transaction& transaction, const FilledForm& filled);
 
 }  // namespace insonate::store

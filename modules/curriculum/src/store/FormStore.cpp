@@ -36,7 +36,7 @@ Result<void> checkOnce(Transaction& transaction, const FilledForm& filled) {
 }
 
 Result<std::string> keep(Transaction& transaction, const Core& core, const FilledForm& filled) {
-  if (!store::findPerson(transaction, filled.person)) return fail("There is no such person; look at the list again.");
+  if (!store::findPerson(transaction, filled.person)) return fail("There is no such person; reload the list.");
   if (!filled.attempt.empty()) {
     const auto attempt = store::findAttempt(transaction, filled.attempt);
     if (!attempt || attempt->facts.person != filled.person)

@@ -12,7 +12,7 @@ namespace insonate::store {
 /// Fails where another attempt was made by the same movements of the hands, or where a store of an earlier schema kept
 /// the same file for another attempt.
 Result<void> refuseKnownHands(Transaction& transaction, const AttemptFacts& facts);
-/// Keeps that an attempt of the store was made by these movements, as of `now_us`. Again is no error.
+/// Stores the hash of the hands' motion for an attempt, as of `now_us`. Repeating it is no error.
 void keepHands(Transaction& transaction, const AttemptFacts& facts, std::int64_t now_us);
 
 }  // namespace insonate::store

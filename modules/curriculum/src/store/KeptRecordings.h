@@ -11,7 +11,7 @@
 
 namespace insonate::store {
 
-/// Folder of the recordings of a store: StoreServices::recordings, else beside its file; "": none is kept.
+/// Folder of the recordings of a store: StoreServices::recordings, else beside its file; empty if none are kept.
 std::filesystem::path recordingsFolder(const Address& address, const std::filesystem::path& wanted);
 /// The folder of a store's file: FILE.recordings.
 std::filesystem::path recordingsBeside(const std::filesystem::path& database);
@@ -22,14 +22,14 @@ std::filesystem::path keptRecording(const std::filesystem::path& folder, const s
 /// Fills in KeptAttempt::recordingFile.
 void findRecording(KeptAttempt& kept, const std::filesystem::path& folder);
 
-/// Copies `file` into `folder` as the recording of an attempt, readable by the owner alone; `folder` is made where it
-/// is missing. Gives whether a file is there that was not there before. Fails, with nothing left behind, where the file
-/// cannot be read or is not the one with this SHA-256, and where the folder cannot be written.
+/// Copies `file` into `folder` as the recording of an attempt, readable by the owner alone; creates `folder` if
+/// needed. Returns whether the file is new there. Fails, leaving nothing behind, if the file cannot be read or has
+/// another SHA-256, or if the folder cannot be written.
 Result<bool> keepRecording(const std::filesystem::path& folder, const std::string& attempt,
                            const std::filesystem::path& file, const std::string& hash);
 
-/// Copies each recording of one folder into another, which is made where it is missing; what both have is replaced
-/// where it differs, and what the other has besides stays. A folder that is missing has no recordings.
+/// Copies each recording of one folder into another, which is created if needed; differing files are replaced, and
+/// further files stay. A missing folder has no recordings.
 Result<void> copyRecordings(const std::filesystem::path& from, const std::filesystem::path& to,
                             const Progress& progress = {});
 

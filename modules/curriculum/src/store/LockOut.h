@@ -18,10 +18,10 @@ struct Moment {
 std::int64_t lockAfter_us(std::int64_t failures);
 
 /// Seconds until a name may be tried again; 0: now, and the try is counted as a failure until resetFailures(), so that
-/// who tries many times at once gains nothing.
+/// many simultaneous tries gain nothing.
 ///
-/// Within one start of the computer time is its up time. After a restart it is the clock's; one that was set back makes
-/// the wait begin anew, so that it stays within an hour.
+/// Within one start of the computer, time is its up time. After a restart it is the clock's; if the clock was set back
+/// the wait starts again, so that it stays within an hour.
 std::int64_t countTry(Transaction& transaction, const std::string& name, const Moment& moment);
 
 void resetFailures(Transaction& transaction, const std::string& name);

@@ -8,10 +8,10 @@
 
 namespace insonate::store {
 
-/// As they are in the tables.
+/// Name in the tables.
 std::string_view nameOf(Role role);
 Role roleNamed(std::string_view name);
-/// Voided is none of these: an attempt is voided besides being ended.
+/// Names a state. Voided is not among them: an attempt is voided besides being ended.
 std::string_view nameOf(AttemptState state);
 AttemptState stateNamed(std::string_view name);
 

@@ -18,8 +18,8 @@ struct Known {
   bool mustChange = false;
 };
 
-/// As CurriculumStore::signIn(): counted before the password is looked at, logged, and after the same time whether the
-/// name is known or not.
+/// Verifies a password like CurriculumStore::signIn(): counted before the verification, logged, and after the same
+/// time for known and unknown names.
 Result<Known> provePassword(Core& core, const std::string& name, const std::string& password);
 
 }  // namespace insonate::store

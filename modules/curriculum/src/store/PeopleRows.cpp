@@ -45,7 +45,7 @@ Result<Person> insertPerson(Transaction& transaction, const NewPerson& added, co
 
 Result<void> putIntoCohort(Transaction& transaction, const std::string& cohort, const Person& person, bool teaches) {
   if (!transaction.row("SELECT id FROM cohorts WHERE id = ?", cohort))
-    return fail("There is no such cohort; look at the list again.");
+    return fail("There is no such class; reload the list.");
   if (teaches && person.role == Role::Trainee)
     return fail(person.name + " is a trainee and cannot teach; make them an instructor first.");
   transaction.run(

@@ -20,7 +20,7 @@ std::optional<Person> findPerson(Transaction& transaction, const std::string& id
 Result<void> checkPerson(const Person& person);
 /// Fails where another has the name.
 Result<void> checkNameIsFree(Transaction& transaction, const Person& person);
-/// With a password, already hashed; checks both names.
+/// Inserts a person with an already hashed password; checks both names.
 Result<Person> insertPerson(Transaction& transaction, const NewPerson& person, const std::string& hashed,
                             bool mustChange);
 

@@ -16,7 +16,7 @@ using store::Actor;
 using store::Transaction;
 
 tl::unexpected<Error> unknown() {
-  return fail("There is no such person; look at the list again.");
+  return fail("There is no such person; reload the list.");
 }
 
 /// Tells whether this person is the only one who can still sign in as an administrator.

@@ -5,7 +5,7 @@
 
 namespace insonate::store {
 
-/// Tells a process from all others, of this computer and others, now and after a restart.
+/// Identity of a process among all processes of all computers, also after a restart.
 struct Process {
   std::string machine{};  ///< the computer's id
   std::string boot{};
@@ -13,7 +13,7 @@ struct Process {
   std::int64_t started = 0;  ///< clock ticks after the boot; pids come again
 
   static Process current();
-  /// Asked on the same machine only.
+  /// Tells whether the process is alive; call on the same machine only.
   bool isAlive() const;
 };
 

@@ -12,14 +12,14 @@ namespace insonate::store {
 /// AttemptFacts::proof of a row of attempts, as a column.
 #define INSONATE_PROOF_COLUMN "COALESCE((SELECT state FROM proofs WHERE attempt = attempts.id), 'unproven')"
 
-/// As they are in the table.
+/// Name in the table.
 std::string_view nameOf(AttemptProof proof);
 AttemptProof proofNamed(std::string_view name);
 
-/// With an attempt's end, as its program found it. That an instructor accepted it, or that it was there before there
-/// were proofs, no program finds: then nothing vouches for it.
+/// Stores the proof that a program found at an attempt's end. Acceptance by an instructor, and existence before there
+/// were proofs, are not found by a program: such a value stores an unproven attempt.
 void keepProof(Transaction& transaction, const AttemptFacts& facts);
-/// Takes over the proof that another store has of an attempt, or its later acceptance. `acceptedBy` as in the table.
+/// Merges the proof that another store has of an attempt, or its later acceptance. `acceptedBy` as in the table.
 void mergeProof(Transaction& transaction, const std::string& attempt, AttemptProof proof,
                 const std::string& acceptedBy);
 void acceptAttempt(Transaction& transaction, const std::string& attempt, const std::string& by);

@@ -25,7 +25,8 @@ Result<void> checkPublishable(const std::string& name, int version, const std::s
   if (!curriculum) return tl::unexpected(curriculum.error());
   if (curriculum->name == name && curriculum->version == version) return {};
   return fail("The text is version " + std::to_string(curriculum->version) + " of '" + curriculum->name +
-              "', not version " + std::to_string(version) + " of '" + name + "'; publish it as what it says it is.");
+              "', not version " + std::to_string(version) + " of '" + name +
+              "'; publish it under its own name and version.");
 }
 
 Result<CurriculumEntry> publishText(Transaction& transaction, const CurriculumEntry& entry, const std::string& text) {
@@ -58,7 +59,7 @@ Result<void> checkUntouched(Transaction& transaction, const std::string& name, c
 }
 
 tl::unexpected<Error> noDraft(const std::string& name) {
-  return fail("There is no draft named '" + name + "'; look at the list again.");
+  return fail("There is no draft named '" + name + "'; reload the list.");
 }
 
 }  // namespace

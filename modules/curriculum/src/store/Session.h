@@ -24,14 +24,14 @@ class Session {
   Core& core() const { return *core_; }
   const Person& person() const { return person_; }
   bool mustChangePassword() const { return mustChange_; }
-  /// After they chose a password: the session goes on.
+  /// Continues the session after the user chose a new password.
   void hasPassword(std::int64_t version) {
     passwordVersion_ = version;
     mustChange_ = false;
   }
 
-  /// `work` takes a Transaction and the Actor as they are now, and gives a Result. What is to be logged is on the disk
-  /// before anything is handed out.
+  /// Runs `work` with a Transaction and the present Actor; it returns a Result. Log entries are on the disk before any
+  /// result is handed out.
   template <class Work>
   auto read(const Request& request, const Work& work) {
     auto outcome = attempt(Way::Read, request, work);
@@ -46,7 +46,7 @@ class Session {
   Result<void> also(Transaction& transaction, const Request& request);
 
  private:
-  /// None: it must be logged, which needs a transaction that writes.
+  /// Returns nothing if the access must be logged, which needs a writing transaction.
   template <class Work>
   auto attempt(Way way, const Request& request, const Work& work) {
     using Outcome = decltype(work(std::declval<Transaction&>(), std::declval<const Actor&>()));

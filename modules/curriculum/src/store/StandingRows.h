@@ -19,12 +19,12 @@ Standing standingFrom(const Row& row, std::size_t column);
 /// Tells whether computing the standing now would give the same; `changes` is the person's present number of changes.
 bool isCurrent(const Row& row, std::size_t column, std::int64_t changes, std::int64_t now_us);
 
-/// As it was kept where that is current; otherwise worked out from all attempts, and kept.
+/// Returns the stored standing if it is current; otherwise computes it from all attempts and stores it.
 Standing currentStanding(Transaction& transaction, const std::string& person, const Curriculum& curriculum,
                          std::int64_t now_us);
 
-/// After a change of someone's attempts: how far they are in each cohort where they learn. A curriculum that cannot be
-/// read is passed over; who looks at the cohort is told.
+/// Computes a person's standing in each cohort again after a change of attempts. A curriculum that cannot be read is
+/// skipped; users who open the cohort get the error.
 void renewStandings(Transaction& transaction, const std::string& person, std::int64_t now_us);
 
 }  // namespace insonate::store

@@ -11,10 +11,11 @@ namespace insonate::store {
 /// A text that both databases keep byte for byte: UTF-8, without zero bytes, at most `bytes` long. `what` begins the
 /// sentence: "The reason".
 Result<void> checkText(std::string_view what, std::string_view text, std::size_t bytes = 1000);
-/// The same for a title or full name: no line breaks or controls, nothing that turns the reading direction of what
-/// stands around it.
+/// Checks a title or full name: no line breaks or controls, nothing that turns the reading direction of surrounding
+/// text.
 Result<void> checkTitle(std::string_view what, std::string_view text);
-/// For signing in: 1..64 letters, digits and . _ - + @, the letters of one script, so that no name looks like another.
+/// Checks a name for signing in: 1..64 letters, digits and . _ - + @, the letters of one script, so that no name looks
+/// like another.
 Result<void> checkSignInName(std::string_view name);
 Result<void> checkEmail(std::string_view email);
 Result<void> checkPassword(std::string_view password);

@@ -32,7 +32,7 @@ class ColumnGrid {
 
   void layOut(double faceWidth_mm, const DeformationSettings& settings);
 
-  /// Samples and measures the column in the middle, which alone tells whether the face touches.
+  /// Samples and measures the middle column, which decides whether the face touches.
   void sampleMiddle(const TissuePlane& plane);
   void sampleAll(const TissuePlane& plane);
 

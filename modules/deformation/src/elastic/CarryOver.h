@@ -8,15 +8,15 @@
 
 namespace insonate::elastic {
 
-/// A solution that goes on where the probe has moved: each node asks where its tissue was in an earlier mesh. What has
-/// left the plane counts as if it were in it.
+/// Carries a solution over to a moved probe: each node looks up the place of its tissue in an earlier mesh. Tissue
+/// that has left the plane counts as if it were in it.
 class CarryOver {
  public:
   /// Mesh and solution as they are now.
   void keep(const Mesh& mesh, const Solver& solver);
 
   bool fits(const Mesh& mesh) const { return mesh.columns() == mesh_.columns() && mesh.rows() == mesh_.rows(); }
-  /// For a mesh of the same size.
+  /// Carries the stress to a mesh of the same size.
   void giveStress(const Mesh& mesh, const Materials& materials, const Transform& keptFromNow,
                   Prestress& prestress) const;
   void shareSolution(const Mesh& mesh, const Materials& materials, const Transform& keptFromNow, Solver& solver) const;

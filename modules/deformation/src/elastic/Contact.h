@@ -14,10 +14,10 @@ class Contact {
   static constexpr float kStiffness_kPa_mm = 1500;
 
   void prepare(const Nodes& rest, int columns);
-  /// Takes the face's profile at the nodes' present x; it is kept while they slide along. Where the same mesh is met
-  /// again, half way to there: at the rounded ends of the face skin that is pressed far slides to and fro. Columns that
-  /// touched at the end of the last solution count as touching in the first round, else the skin would spring back
-  /// between two images whenever the face retreats.
+  /// Samples the face's profile at the nodes' present x; the samples are kept while the nodes slide along. If the same
+  /// mesh is met again, moves half way there: at the rounded ends of the face strongly pressed skin slides to and fro.
+  /// Columns that touched at the end of the last solution count as touching in the first round; otherwise the skin
+  /// would spring back between two images whenever the face retreats.
   void meet(const FaceProfile& face, const Nodes& at);
   /// Stores which columns touch, for the next meet().
   void remember(float shift_mm, const Nodes& at);
@@ -25,17 +25,18 @@ class Contact {
     touched_.clear();
     met_.clear();
   }
-  /// The next round: what has come off is let go.
+  /// Begins the next round: columns that came off are released.
   void settle();
 
   /// Adds spring and push to the top row; the face is `shift_mm` further in. With `sticking`, nodes that touch keep
-  /// the x at which they came to do so: that at rest for those that the first round finds touching.
+  /// the x of their first contact: that at rest for those that touch in the first round.
   void add(float shift_mm, bool sticking, const Nodes& at, GridMatrix& matrix, std::vector<float>& force);
 
   /// kPa mm: on the face along z, a millimeter of footprint.
   float pressing(float shift_mm, const Nodes& at) const;
-  /// The same of the columns that touched in the last add(): what the linear system foresaw. Those that a step has just
-  /// pushed a little into the face or off it, which so stiff a spring would make much of, come in with the next round.
+  /// The same for the columns that touched in the last add(), as the linear system predicted. Columns that a step has
+  /// just pushed a little into the face or off it, which so stiff a spring would exaggerate, enter with the next
+  /// round.
   float foreseen(float shift_mm, const Nodes& at) const;
 
   /// Derivative of add()'s push by the shift, as a right-hand side.

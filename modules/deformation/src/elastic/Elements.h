@@ -52,7 +52,7 @@ void assemble(const Elements& elements, const Nodes& at, float caution, GridMatr
 /// The share of `step` ([2 * node + axis]) that can be gone until a cell has lost 60 % of its area; at most 1.
 float allowedShare(const Elements& elements, const Nodes& at, const std::vector<float>& step);
 
-/// Takes `share` of the step: moves the nodes, and the carried pressures with them.
+/// Applies `share` of the step: moves the nodes, and the carried pressures with them.
 void advance(Elements& elements, Nodes& at, const std::vector<float>& step, float share);
 
 }  // namespace insonate::elastic

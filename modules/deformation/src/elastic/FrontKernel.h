@@ -19,9 +19,9 @@ struct FrontWork {
 /// Returns how many pivots were not positive.
 int eliminateFront(const FrontWork& work, int front);
 
-/// With the transposed factor; `x` is in the order of elimination, `border` a buffer.
+/// Solves with the transposed factor; `x` is in the order of elimination, `border` a buffer.
 void substituteForward(const GridOrder& order, const float* panels, float* x, float* border);
-/// With the factor.
+/// Solves with the factor.
 void substituteBackward(const GridOrder& order, const float* panels, float* x, float* border);
 
 }  // namespace insonate::elastic

@@ -13,8 +13,8 @@ class GridFactor {
  public:
   void prepare(int columns, int rows);
 
-  /// False where the matrix is not positive definite: there is no solution then.
-  /// Solves for `x` ([2 * node + axis], in place) on the way.
+  /// Factors the matrix and solves for `x` ([2 * node + axis], in place). False if the matrix is not positive
+  /// definite: there is no solution then.
   bool factor(const GridMatrix& matrix, std::vector<float>& x);
 
   /// Solves for another right-hand side.

@@ -40,7 +40,7 @@ class GridOrder {
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   int unknowns() const { return 2 * columns_ * rows_; }
-  /// In the order of elimination; children come before their parent.
+  /// Fronts in the order of elimination; children come before their parent.
   const std::vector<Front>& fronts() const { return fronts_; }
   const std::vector<int>& borderUnknowns() const { return border_; }
   const std::vector<Run>& runs() const { return runs_; }

@@ -47,8 +47,8 @@ class Mesh {
   /// Lines, skin and rest positions, without the tissue.
   void takeShape(const Mesh& other);
 
-  /// Continuous column and row of a point, kept within the mesh; as if no node had been moved onto an outline. Quick
-  /// where it is near the node `guess`.
+  /// Continuous column and row of a point, clamped to the mesh; as if no node had been moved onto an outline. Fast
+  /// near the node `guess`.
   struct Place {
     float column = 0, row = 0;
   };

@@ -19,22 +19,22 @@ struct Prestress {
 /// Equilibrium of a mesh under a face and blood pressure by mixed Newton steps, each with a fresh factor.
 class Solver {
  public:
-  /// New rest geometry: stiffness, and the prestress that makes it an equilibrium under the tissues' own pressures.
-  /// With a `known` prestress, a dead load makes up for what it lacks.
+  /// Sets a new rest geometry: stiffness, and the prestress that makes it an equilibrium under the tissues' own
+  /// pressures. With a `known` prestress, a dead load compensates the difference.
   void prepare(const Mesh& mesh, const Materials& materials, const MechanicalTable& tissues,
                const Prestress* known = nullptr);
   const Prestress& prestress() const { return prestress_; }
 
   void setPressure(const BloodPressure& pressure);
 
-  /// From rest.
+  /// Starts from rest.
   void start();
-  /// From given positions and pressures of cells above base.
+  /// Positions and pressures of cells above base, to start from.
   Nodes& at() { return at_; }
   const Nodes& at() const { return at_; }
   std::vector<float>& cellPressure() { return cellPressure_; }
   const std::vector<float>& cellPressure() const { return cellPressure_; }
-  /// Takes cellPressure() over.
+  /// Continues with the cells' present pressures.
   void carry();
 
   struct Load {

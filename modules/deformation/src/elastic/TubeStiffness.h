@@ -6,13 +6,14 @@
 
 namespace insonate::elastic {
 
-/// A vessel that runs along the plane is a slit in plane strain: nothing but the tissue round it holds its walls, and
-/// an artery would swell to twice its width with each beat. The wall that bends across the plane does hold them. Its
-/// stiffness, as a modulus of the lumen's change of area, A/A0 - 1, with r the radius and s the share of the outline's
-/// bending that is across the plane (0 where the vessel runs square to it, which the mesh then knows all of):
+/// A vessel along the plane is a slit in plane strain: only the surrounding tissue holds its walls, and an artery
+/// would swell to twice its width with each beat. In the body its curved wall holds them. The wall's stiffness, as a
+/// modulus of the lumen's change of area, A/A0 - 1, with r the radius and s the share of the outline's curvature that
+/// is perpendicular to the plane (0 for a vessel perpendicular to it, which the mesh then represents fully):
 ///
-///   wider     s (E/(1-0.49^2) h/r + 2 mu)   a thin tube of wall h under pressure, in loose tissue
-///   narrower  s 3 p, at most that           a round tube under the tension of its pressure p, bent oval (n = 2)
+/// wider     s (E/(1-0.49^2) h/r + 2 mu)   a thin tube of wall h under pressure, in loose tissue
+///
+/// narrower  s 3 p, at most that           a round tube under the tension of its pressure p, bent oval (n = 2)
 struct TubeStiffness {
   float wider_kPa = 0, narrower_kPa = 0;
 };

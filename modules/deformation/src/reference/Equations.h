@@ -34,7 +34,7 @@ double energyOf(const Body& body, const Vector& at, const Load& load);
 /// Its derivative by the positions: what holds fixed nodes, and zero elsewhere in equilibrium.
 Vector gradientOf(const Body& body, const Vector& at, const Load& load);
 
-/// With which the face presses, kPa mm.
+/// Force of the face, kPa mm.
 double faceForceOf(const Body& body, const Vector& at, const Load& load);
 
 /// Contact of a node of the top row: the stiffness of its spring, and its indentation, mm.
@@ -44,7 +44,7 @@ struct Touch {
 Touch touchOf(const Body& body, const Vector& at, const Load& load, int column);
 
 /// Entries of the tangent; `tension` is each cell's as an unknown of its own (see Equilibrium). `most` limits it to
-/// so many times the cell's mu.
+/// this multiple of the cell's mu.
 std::vector<Eigen::Triplet<double>> tangentOf(const Body& body, const Vector& at, const Load& load,
                                               const std::vector<double>& tension, double most);
 

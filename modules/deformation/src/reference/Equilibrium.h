@@ -26,8 +26,8 @@ class Equilibrium {
     int iterations = 0;
     double missed_mm = 0;  ///< of the face's height where touching nodes have moved to, and where they met it
   };
-  /// At load.shift_mm; or, with force_kPa_mm above 0, at the shift at which the face presses so. Leaves in `load` where
-  /// nodes have met the face, and its shift.
+  /// Solves at load.shift_mm; or, with force_kPa_mm above 0, at the shift at which the face presses with it. Leaves in
+  /// `load` the positions at which nodes met the face, and its shift.
   Outcome solve(Load& load, double force_kPa_mm, double tolerance_mm, int mostIterations);
 
   /// A whole Newton step from the present state, not taken. Nothing where the tangent is not positive definite.

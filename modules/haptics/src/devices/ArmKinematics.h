@@ -16,7 +16,7 @@ class ArmKinematics {
 
   /// Angles of the bodies in radians; counts since the home posture.
   std::array<double, 3> anglesOf(const std::array<double, 3>& counts) const noexcept;
-  /// In the device's frame: x to the right, y up, z to the user, from the middle of the workspace.
+  /// Position in the device's frame: x to the right, y up, z to the user, from the middle of the workspace.
   Vec3 position_mm(const std::array<double, 3>& angles) const noexcept;
   /// Torque of each body is the force's part along the way that its angle moves the end. Where a motor would get more
   /// than its most, all are reduced alike: weaker, but in the same direction.

@@ -18,8 +18,8 @@
 
 namespace insonate::haptics {
 
-/// A device that speaks HID, by its table. It lives on while it is unplugged. Its own thread reads, makes states of
-/// reports and writes forces; whoever scans the bus hands it an open interface each time that it is there.
+/// A HID device, described by its table. The object outlives unplugging. Its own thread reads reports, makes states of
+/// them and writes forces; the scanner of the bus passes it an open interface each time the device appears.
 class HidDevice final : public HapticDevice {
  public:
   HidDevice(DeviceInfo info, std::shared_ptr<const DeviceTable> table, std::shared_ptr<EventQueue> events,
@@ -40,11 +40,11 @@ class HidDevice final : public HapticDevice {
   void opening(const std::string& path);
   void attach(std::unique_ptr<HidHandle> handle);
   void cannotOpen(const std::string& why);
-  /// Not among what is plugged in.
+  /// Reports that the device is not plugged in.
   void missing();
-  /// Tells when a force has not gone out for 100 ms: the servo has not waited for it, but the hand has not got it.
+  /// Reports a force that was not sent for 100 ms: the servo did not wait for it, but the hand did not receive it.
   void watch(std::int64_t now_ns);
-  /// Sends a last zero and lets go of the device.
+  /// Sends a last zero force and releases the device.
   void close();
 
  private:

@@ -11,12 +11,12 @@
 
 namespace insonate::haptics {
 
-/// Turns what a device's reports tell into a pose, and forces into what its motors are told. Nothing allocates.
+/// Converts a device's reports to a pose, and forces to commands for its motors. Allocates nothing.
 class StateMaker {
  public:
   /// Speed of a fully pressed cap; the first 5 % have no effect, so that a hand resting on it does not drift.
   static constexpr double kCapSpeed_mmps = 80, kCapTurn_radps = 1, kCapRest = 0.05;
-  /// A cap that has told nothing for so long has been let go.
+  /// A cap that was silent for this long has been released.
   static constexpr std::int64_t kCapSilence_ns = 250'000'000;
 
   /// `table` outlives the maker.

@@ -30,17 +30,17 @@ struct NeedleForce {
   Vec3 viscous_N;  ///< the part of force_N that follows speed
 };
 
-/// A needle in tissue: which walls it has punctured, and what resists it. State and force follow from the way of the
-/// tip, looked at in steps of a quarter of a millimeter, so that neither speed nor a thin vessel lets a wall go
-/// unnoticed. Everything is kept in coordinates of tissue at rest.
+/// A needle in tissue: punctured walls and resistance. State and force follow from the path of the tip in steps of a
+/// quarter of a millimeter, so that neither speed nor a thin vessel hides a wall. Everything is stored in coordinates
+/// of tissue at rest.
 class NeedleMechanics {
  public:
   /// `steepest_Npmm`: what the device can show; every spring stays below its part of it.
   void configure(const NeedleTable& table, double steepest_Npmm);
   void reset();
 
-  /// The tip is now at `tip_mm`, the needle points along the unit vector `axis` (patient space). `step_s` since the
-  /// last call. A jump of more than 15 mm is no motion of a hand: the needle is then taken out and put where it is.
+  /// Moves the tip to `tip_mm`; the needle points along the unit vector `axis` (patient space). `step_s` since the
+  /// last call. A jump of more than 15 mm is no motion of a hand: the needle is then removed and placed anew.
   NeedleForce move(const TissueGrid& grid, const Transform& restFromPatient, Vec3 tip_mm, Vec3 axis, double step_s,
                    std::int64_t time_ns, NeedleEvents& events) noexcept;
 

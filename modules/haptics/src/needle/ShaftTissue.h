@@ -17,7 +17,7 @@ class ShaftTissue {
   void restart() { count_ = 0; }
   /// The tip is in `label` at depth s >= 0.
   void reach(double s_mm, const NeedleTable& table, Label label);
-  /// From the entry to depth s.
+  /// Sum from the entry to depth s.
   Sum upTo(double s_mm, const NeedleTable& table) const;
 
  private:

@@ -10,7 +10,7 @@ namespace insonate::haptics {
 struct StylusPlace {
   Vec3 position_mm;
   Vec3 turned_rad;  ///< since the last tick, for devices that give torque
-  /// Energy that went in since the last tick, N mm, where it is known better than from force and way.
+  /// Energy added since the last tick, N mm, if it is known better than from force and path.
   std::optional<double> given_mJ;
 };
 
@@ -23,11 +23,11 @@ struct TankLimits {
   double mass_kg = 0.05;     ///< the least that its force has to move
 };
 
-/// Keeps account of the energy that a hand gives to what it touches, and lets it have no more back: what a spring that
-/// is looked at once a millisecond makes up on the way out (K v^2 T / 2 a second), and what an encoder's steps hide, is
-/// taken off. A passivity observer and controller (Hannaford and Ryu, IEEE Trans Robot Autom 2002;18:1) that looks one
-/// tick ahead: a force may only be as large as the account can pay for, should the stylus go its way. What stands
-/// against a motion that cannot turn round within a tick is left alone.
+/// Keeps account of the energy that a hand gives to its surroundings, and returns no more: the energy that a spring
+/// sampled once a millisecond creates on the way out (K v^2 T / 2 a second), and that an encoder's steps hide, is
+/// removed. A passivity observer and controller (Hannaford and Ryu, IEEE Trans Robot Autom 2002;18:1) that looks one
+/// tick ahead: a force is limited to what the account can pay for, should the stylus follow it. Forces against a
+/// motion that cannot reverse within a tick are not limited.
 class EnergyTank {
  public:
   void setLimits(const TankLimits& limits) { limits_ = limits; }

@@ -15,8 +15,8 @@ struct GuardLimits {
   double fall_ms = 40;     ///< ... and are gone after so much more; together below 100
 };
 
-/// The last station of a force before it goes to a device: limited in length, in its rate of change, and brought to
-/// nothing when what it is computed from stops coming. For one hand; a force that is not finite counts as none.
+/// The last stage of a force before a device: limits its magnitude and rate of change, and reduces it to zero when its
+/// inputs stop arriving. For one hand; a force that is not finite counts as none.
 class ForceGuard {
  public:
   explicit ForceGuard(const GuardLimits& limits = {}) : limits_(limits) {}

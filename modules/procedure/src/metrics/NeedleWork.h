@@ -14,7 +14,7 @@ class NeedleWork {
 
   void beginPass(Vec3 hole_mm);
   void endPass(Vec3 tip_mm);
-  /// Under the skin. `depth_mm` below the hole, along the needle.
+  /// Adds a step of the tip under the skin. `depth_mm` below the hole, along the needle.
   void follow(Vec3 tip_mm, double depth_mm, bool aspirating);
   /// The vein is reached: nothing counts any more.
   void reach(Vec3 tip_mm);

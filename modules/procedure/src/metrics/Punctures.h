@@ -13,11 +13,11 @@ class Punctures {
  public:
   static constexpr double kTolerance_mm = 1;
 
-  /// The skin is entered anew: d1 is forgotten, the counts stay.
+  /// Begins a new pass through the skin: d1 is reset, the counts stay.
   void beginPass();
   /// The wall was crossed from outside, in the direction of travel. True for a new puncture.
   bool enter(double depth_mm);
-  /// From inside, in the direction of travel.
+  /// Adds an exit from inside, in the direction of travel.
   void leave(double depth_mm);
   /// Against the direction of travel; `inside`: where the tip is now.
   void withdraw(bool inside);

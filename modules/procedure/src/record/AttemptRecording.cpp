@@ -96,8 +96,7 @@ std::vector<PlacedBlock> AttemptRecording::findBlocks() {
 
 Result<void> AttemptRecording::readHeader(const std::vector<PlacedBlock>& blocks) {
   const auto found = std::ranges::find(blocks, BlockKind::Header, [](const PlacedBlock& b) { return b.head.kind; });
-  if (found == blocks.end())
-    return fail(name_ + " is not a recording of an attempt, or nothing of it is left that can be read.");
+  if (found == blocks.end()) return fail(name_ + " is not a recording of an attempt, or none of it can be read.");
   const BlockHead& head = found->head;
   const auto text = record::unpacked({&bytes_[found->payload()], head.packedBytes}, head.rawBytes, head.checksum);
   if (!text) return fail(name_ + " cannot be read: its header is damaged.");

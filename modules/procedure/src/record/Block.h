@@ -5,8 +5,8 @@
 #include <array>
 #include <optional>
 
-/// The file's bricks. Each stands by itself: it is found by its mark, its head and what it holds have checksums, and
-/// what it holds is packed with zlib. All numbers little-endian.
+/// Blocks of the file. Each is independent: a mark identifies it, its head and its contents have checksums, and its
+/// contents are packed with zlib. All numbers little-endian.
 namespace insonate::record {
 
 inline constexpr std::array<std::uint8_t, 8> kMark{0xD1, 'I', 'N', 'S', 'O', '\r', '\n', 0x1A};
@@ -26,9 +26,9 @@ inline constexpr std::uint32_t kMostBytes = 64U << 20;
 
 /// Head and packed content.
 Bytes packed(BlockKind kind, std::int64_t first_us, std::int64_t last_us, std::span<const std::uint8_t> content);
-/// The head at the front of these bytes; none where there is none, or a damaged one.
+/// Parses the head at the front of these bytes; empty if there is none, or a damaged one.
 std::optional<BlockHead> headAt(std::span<const std::uint8_t> bytes);
-/// None where the checksum or zlib disagree.
+/// Unpacks a block; empty if the checksum or zlib disagree.
 std::optional<Bytes> unpacked(std::span<const std::uint8_t> packedBytes, std::size_t rawBytes, std::uint32_t checksum);
 
 }  // namespace insonate::record

@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-/// The chain over a file's blocks (format 4). Each block is followed by a link, a block of its own: the digest
-/// d(n) = BLAKE2b(d(n-1), block n), d(0) = 32 zero bytes, and, with a key, the code BLAKE2b(key, d(n)); both of 256
-/// bits (RFC 7693). A digest tells a damaged byte from a right one wherever the file is read; a code cannot be made
-/// without the key, and speaks for all blocks before it.
+/// The chain over a file's blocks (format 4). Each block is followed by a link, a block of its own: the digest d(n) =
+/// BLAKE2b(d(n-1), block n), d(0) = 32 zero bytes, and, with a key, the code BLAKE2b(key, d(n)); both of 256 bits (RFC
+/// 7693). A digest reveals a damaged byte anywhere; a code cannot be made without the key, and covers all blocks
+/// before it.
 namespace insonate::record {
 
 using Digest = std::array<std::uint8_t, 32>;
@@ -23,7 +23,7 @@ struct Link {
 
 Digest codeOf(const Digest& digest, const RecordKey& key);
 
-/// For the recorder.
+/// Writes links, for the recorder.
 class ChainWriter {
  public:
   explicit ChainWriter(const std::optional<RecordKey>& key) : key_(key) {}

@@ -18,7 +18,7 @@ class RecordFile {
   RecordFile& operator=(RecordFile&&) = delete;
   ~RecordFile();
 
-  /// Fails with the reason; then a torn piece may follow what was written before.
+  /// Appends bytes. Fails with the reason; then an incomplete piece may follow the earlier contents.
   Result<void> append(std::span<const std::uint8_t> bytes);
 
  private:

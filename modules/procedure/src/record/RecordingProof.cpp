@@ -17,8 +17,8 @@ RecordingProof AttemptRecording::proof(const std::optional<RecordKey>& key) cons
     return {Unproven,
             name_ + " was recorded by an earlier program, which left no proof in it: " + header_.software + "."};
   if (header_.recordedFor.nonce.empty())
-    return {Unproven, name_ + " was recorded while no store of attempts was asked, so nothing proves whose it is."};
-  if (!key) return {Unproven, name_ + " was recorded for another store of attempts than the one that is asked."};
+    return {Unproven, name_ + " was recorded without a store of attempts, so the person is not proven."};
+  if (!key) return {Unproven, name_ + " was recorded for another store of attempts."};
   const auto isKeyed = [&](const Link& link) {
     if (!link.code) return false;
     const record::Digest code = record::codeOf(link.digest, *key);
@@ -28,7 +28,7 @@ RecordingProof AttemptRecording::proof(const std::optional<RecordKey>& key) cons
     return {Broken, name_ + " was changed after it was recorded: its codes are not those of the store that it names. " +
                         "Look for an untouched copy."};
   if (status_ == AttemptStatus::CutShort)
-    return {Unproven, name_ + " broke off: nothing proves how the attempt went on."};
+    return {Unproven, name_ + " broke off: the end of the attempt is not proven."};
   return {Proven, ""};
 }
 

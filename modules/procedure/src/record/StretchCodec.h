@@ -12,7 +12,7 @@ namespace insonate::record {
 
 /// Times of samples do not fall, and lie within an hour of each other.
 Bytes encoded(const Stretch& stretch);
-/// None where the bytes are not such a stretch.
+/// Decodes a stretch; empty if the bytes are not one.
 std::optional<Stretch> decoded(std::span<const std::uint8_t> bytes);
 
 }  // namespace insonate::record

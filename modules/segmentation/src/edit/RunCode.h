@@ -17,7 +17,7 @@ struct ChangedRun {
 class RunPacker {
  public:
   void add(std::size_t voxel, std::uint8_t before, std::uint8_t after);
-  /// After the last voxel.
+  /// Returns the code; call after the last voxel.
   std::vector<std::uint8_t> take();
 
  private:

@@ -12,8 +12,8 @@
 
 namespace insonate::segmentation {
 
-/// An image over a volume's voxels, which must outlive it. With their spacing, but without place and direction: filters
-/// work in millimeters along the grid's own axes, whatever its handedness.
+/// An image over a volume's voxels, which must outlive it. With their spacing, but without place and direction:
+/// filters work in millimeters along the grid's own axes, of either handedness.
 template <class T>
 typename itk::Image<T, 3>::Pointer itkImageOver(Volume<T>& volume) {
   using Image = itk::Image<T, 3>;

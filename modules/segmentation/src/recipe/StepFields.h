@@ -155,7 +155,7 @@ void fields(Io& io, step::Tube& s) {
   io("stiffness", s.tracking.stiffness, 0, 10);
 }
 
-/// In the order of LabelTool.
+/// Names of tools, in the order of LabelTool.
 inline constexpr std::array<std::string_view, std::variant_size_v<LabelTool>> kToolNames{"auto",
                                                                                          "threshold",
                                                                                          "paint",

@@ -4,7 +4,7 @@
 
 namespace insonate::segmentation {
 
-/// A step of a recipe from its JSON object; what is wrong is left in `trouble`.
+/// Reads a step of a recipe from its JSON object; an error is left in `trouble`.
 LabelStep readStep(const nlohmann::json& object, const std::string& where, std::string& trouble,
                    Points points = Points::kGiven);
 

@@ -11,7 +11,7 @@ namespace insonate::segmentation {
 /// Tells whether a step must have its points, or gets them later from the clicks of a guide.
 enum class Points { kGiven, kLater };
 
-/// Takes a step's fields out of its JSON object; the first thing that is wrong is kept as a sentence.
+/// Reads a step's fields from its JSON object; the first error is kept as a sentence.
 class StepReader {
  public:
   StepReader(const nlohmann::json& object, const std::string& where, const std::vector<std::string_view>& known,

@@ -8,7 +8,7 @@
 
 namespace insonate::segmentation {
 
-/// Puts a step's fields into a JSON object, as StepReader takes them.
+/// Writes a step's fields to a JSON object, for StepReader.
 class StepWriter {
  public:
   explicit StepWriter(nlohmann::json& object) : object_(object) {}

@@ -4,8 +4,8 @@
 
 namespace insonate::segmentation {
 
-/// Each voxel becomes what most voxels within `radius_mm` along every axis are. At the grid's edge, those that there
-/// are.
+/// Sets each voxel to the majority of the voxels within `radius_mm` along every axis; at the grid's edge, of those
+/// that exist.
 void majorityInBlock(Mask& mask, double radius_mm, Work& work);
 
 }  // namespace insonate::segmentation

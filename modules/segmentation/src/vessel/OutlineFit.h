@@ -32,7 +32,7 @@ class OutlineFit {
  private:
   static constexpr double kStep_mm = 0.25;
 
-  /// In steps of x and y mm in the plane of the n-th section, from `first` steps on.
+  /// Profile in steps of x and y mm in the plane of the n-th section, from `first` steps on.
   std::vector<double> profile(const std::vector<VesselOutline>& sections, int n, std::pair<double, double> step,
                               double first, int samples) const;
 

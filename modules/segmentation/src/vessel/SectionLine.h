@@ -6,13 +6,14 @@
 
 namespace insonate::segmentation {
 
-/// Means over so many neighbors on both sides, as many on one side as on the other, so that the ends stay.
+/// Means over this many neighbors on both sides, as many on one side as on the other, so that the ends stay.
 std::vector<Vec3> smoothed(const std::vector<Vec3>& line, int reach);
 
 /// Points a millimeter apart on a polyline.
 std::vector<Vec3> resampled(const std::vector<Vec3>& line);
 
-/// Sections square to a line, turned as little as can be from one to the next, so that a ray stays on its side.
+/// Sections perpendicular to a line, turned as little as possible from one to the next, so that a ray stays on its
+/// side.
 std::vector<VesselOutline> sectionsAlong(const std::vector<Vec3>& line);
 
 /// A part of the CT, blurred.

@@ -22,11 +22,11 @@ class SectionShape {
   /// Stretch of an ellipse with these second moments, no flatter than 1 to 4.
   explicit SectionShape(const SectionMoments& moments);
 
-  /// In the section, mm: where a millimeter along this ray leads.
+  /// Displacement in the section, mm, of a millimeter along this ray.
   std::pair<double, double> along(int ray) const;
   /// Moments of the outline with these radii along the stretched rays.
   SectionMoments momentsOf(const Radii& radii) const;
-  /// The same outline by its radii along rays that are not stretched.
+  /// Converts the outline to radii along unstretched rays.
   Radii unstretched(const Radii& radii) const;
 
  private:

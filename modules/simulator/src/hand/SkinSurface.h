@@ -10,9 +10,9 @@
 
 namespace insonate {
 
-/// The skin as a hand feels it: how much of a place's neighbourhood, about 2 mm wide, is body, on a lattice of about
-/// 2 mm. The skin is where it is a half. Pockets of background inside the body count as body. Beyond the volume, its
-/// outermost voxels go on, so that there is no skin where the scan ends. Patient LPS, mm. Immutable.
+/// The skin for a hand: the share of body in each place's neighborhood, about 2 mm wide, on a lattice of about 2 mm;
+/// the skin is where the share is one half. Pockets of background inside the body count as body. Beyond the volume its
+/// outermost voxels continue, so that there is no skin at the end of the scan. Patient LPS, mm. Immutable.
 class SkinSurface {
  public:
   static Result<SkinSurface> make(const LabelMap& labels);

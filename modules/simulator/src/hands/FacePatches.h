@@ -13,10 +13,11 @@ class FacePatches {
  public:
   static constexpr int kCount = 3;  ///< across the face
 
-  /// Forgets what was learned: another patient, or other tissue.
+  /// Discards everything learned, for another patient or other tissue.
   void reset() { *this = {}; }
 
-  /// One solution: where the face was, how far in, and the force. What is not at rest, and exaggerates, is left out.
+  /// Adds one solution: pose of the face, indentation and force. Solutions that are not at rest, which exaggerate, are
+  /// left out.
   void learn(const SkinSurface& skin, const ProbeFace& face, const Transform& patientFromProbe, const LivePress& press);
 
   /// Patches before a face at this pose.

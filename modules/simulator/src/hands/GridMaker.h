@@ -27,7 +27,7 @@ class GridMaker {
     std::shared_ptr<const std::vector<CentreLine>> veins;  ///< of the whole case
     Vec3 centre_mm;
   };
-  /// Round this point; what was wanted before is given up.
+  /// Requests the grid around this point; a former request is dropped.
   void want(std::shared_ptr<const LabelMap> labels, Vec3 centre_mm);
   void forget();
   /// Returns the part that was requested last, once.

@@ -40,7 +40,7 @@ class LiveImaging::Impl {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// A setup with what has been made for it.
+  /// A setup with the objects made for it.
   struct Source {
     Source(std::shared_ptr<const ImagingSetup> setup, Imager imager, PressedTissue tissue,
            const VolumeGeometry& volume);

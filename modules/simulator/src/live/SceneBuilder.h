@@ -41,7 +41,7 @@ class SceneBuilder {
   /// Cancels and waits.
   ~SceneBuilder();
 
-  /// Cancels what is being built: its result never comes.
+  /// Begins a job and cancels the running one, whose result never arrives.
   void begin(SceneJob job);
   void cancel();
   /// Cancels, and gives back what scenes are made of, until the next job.

@@ -12,7 +12,7 @@ class SceneNeed {
   /// Region of a frame at this pose, with room on all sides, cut to the patient's volume and a millimeter: a scene
   /// reaches no further.
   Region at(const Transform& patientFromProbe, double room_mm = 0) const;
-  /// True where a frame at this pose would see nothing of the volume.
+  /// Tells whether a frame at this pose would see nothing of the volume.
   bool misses(const Transform& patientFromProbe) const;
   double detail_mm() const { return detail_mm_; }
 

@@ -16,10 +16,10 @@ namespace insonate::live {
 class ScenesAhead {
  public:
   explicit ScenesAhead(std::shared_ptr<const SceneSource> source);
-  /// Ends what is being computed.
+  /// Stops the running computation.
   ~ScenesAhead();
 
-  /// The surroundings of the probe; nearest parts come first. Replaces what was wanted before.
+  /// Requests the surroundings of the probe; nearest parts come first. Replaces the former request.
   void want(const Region& region_mm, double detail_mm);
 
  private:

@@ -19,7 +19,8 @@ class FaceContact {
  public:
   explicit FaceContact(const ProbeFace& face);
 
-  /// Empty where no skin lies before or behind the face, within some centimeters. Allocates nothing the second time.
+  /// Finds the travel; empty if no skin lies before or behind the face, within some centimeters. Allocates nothing the
+  /// second time.
   std::optional<FaceTravel> find(const TissuePlane& plane);
 
  private:

@@ -14,7 +14,7 @@ class ScenePlane final : public TissuePlane {
  public:
   explicit ScenePlane(const PressWindow& window) : window_(window) {}
 
-  /// The scene must cover the window and outlive what is asked.
+  /// The scene must cover the window and outlive all queries.
   void look(const AcousticScene& scene, const Transform& patientFromProbe);
 
   void sample(std::span<const PlanePoint> at, std::span<PlaneTissue> tissue) const override;

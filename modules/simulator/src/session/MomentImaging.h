@@ -13,8 +13,8 @@
 namespace insonate {
 
 /// Tissue and image of one moment of an attempt, from settings and the state of that moment alone: the tissue is
-/// solved from rest, no image goes into the next. So the same moment gives the same, bit for bit, whatever was asked
-/// before. Not for concurrent use; uses the calling thread's TBB arena.
+/// solved from rest, and no image affects the next. So the same moment gives the same bits in any order. Not for
+/// concurrent use; uses the calling thread's TBB arena.
 class MomentImaging {
  public:
   /// `source` is of a case with this grid, whose volumes must outlive both.

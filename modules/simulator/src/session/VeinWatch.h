@@ -10,9 +10,9 @@
 
 namespace insonate {
 
-/// Sees whether the trainee has found the target vein: it lies in the middle of the live image for a second (told
-/// once), and the probe compresses it there (told once each time it comes to the middle). In a case without a target
-/// each vein counts. Neither waits nor allocates. Not for concurrent use of one object.
+/// Detects that the trainee has found the target vein: it lies in the middle of the live image for a second (reported
+/// once), and the probe compresses it there (reported once each time it comes to the middle). In a case without a
+/// target each vein counts. Neither waits nor allocates. Not for concurrent use of one object.
 class VeinWatch {
  public:
   /// Position of the target relative to the middle line of an image.

@@ -9,15 +9,14 @@
 
 namespace insonate::display {
 
-/// Echoes that a probe's own face adds to an image, and those that a lifted end of it takes away. The transmitted pulse
-/// rings in the elements while they receive already (main bang), and goes to and fro in the lens: bright bands in the
-/// first 2 mm, the same in all frames, a little different from element to element. Where the skin does not touch the
-/// face, air reflects nearly everything: the lens rings a little longer, and these elements neither send nor receive.
-/// A scanline keeps the share of its apertures that touches, on transmit times on receive. Apertures grow with the
-/// depth, so that the dark strip is sharp near the face and blurs and narrows below.
+/// Echoes of a probe's own face in an image, and the loss of echoes at a lifted end of it. The transmitted pulse rings
+/// in the elements while they already receive (main bang), and reverberates in the lens: bright bands in the first 2
+/// mm, the same in all frames, slightly different between elements. Where the skin does not touch the face, air
+/// reflects nearly everything: the lens rings a little longer, and these elements neither send nor receive. A scanline
+/// keeps the share of its apertures that touches, on transmit times on receive. Apertures grow with the depth, so that
+/// the dark strip is sharp near the face and blurs and narrows below.
 ///
-/// No measurement of either was found. The time constants are chosen as real images show them; levels and strips are
-/// settings.
+/// No measurement of either was found. The time constants are chosen by real images; levels and strips are settings.
 class FaceEchoes {
  public:
   FaceEchoes(const Probe& probe, const ImagingSettings& settings, const DisplayPlan& plan);

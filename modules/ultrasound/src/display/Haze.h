@@ -17,7 +17,7 @@ class Haze {
  public:
   Haze(const Probe& probe, const ImagingSettings& settings, const DisplayPlan& plan);
 
-  /// Computes it from the mean power of each block. `face` tells where scanlines hear less; null for nowhere.
+  /// Computes the haze from the mean power of each block. `face` gives the loss at lifted ends; null without.
   void follow(Plane& blockPower, const FaceEchoes* face);
   /// Power in a block; 0 before follow().
   const float* row(int block) const { return haze_.row(block); }

@@ -71,7 +71,7 @@ struct SmoothRow {
 };
 void smoothRow(const SmoothRow& task);
 
-/// Lifts a level by a share of what it stands out from those above and below, at most by that of `reach_dB`.
+/// Raises a level by a share of its difference from the levels above and below, at most by that of `reach_dB`.
 struct EnhanceRow {
   const float *above, *here, *below;
   float share, reach_dB;

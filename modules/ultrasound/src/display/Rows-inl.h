@@ -17,7 +17,7 @@ using I = hn::RebindToSigned<F>;
 using U = hn::RebindToUnsigned<F>;
 
 /// Calls body(i) for each vector of a row that may be read and written up to a multiple of 16 columns. All of them are
-/// computed, whatever the width of the vectors.
+/// computed, for vectors of any width.
 template <class Body>
 HWY_INLINE void overPadded(int columns, const Body& body) {
   const int lanes = static_cast<int>(hn::Lanes(F())), padded = (columns + 15) / 16 * 16;

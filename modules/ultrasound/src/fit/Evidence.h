@@ -24,7 +24,7 @@ struct Evidence {
 
 /// Balance of evidence for and against the outline alone, -1..1. Quick.
 double outlineFor(const FovModel& model, const Plate& plate, double tolerance_px);
-/// `tolerance_px` to either side of the outline are not looked at.
+/// Evidence for a model; `tolerance_px` to either side of the outline are ignored.
 Evidence evidenceFor(const FovModel& model, const Plate& plate, double tolerance_px);
 
 /// Moves the model's edges onto the steps from light to ground that lie within some pixels of them: robust least

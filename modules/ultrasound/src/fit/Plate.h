@@ -19,7 +19,7 @@ struct Plate {
   bool darkOnLight = false;  ///< the image's grays were turned round
 };
 
-/// The ways to read an image that make sense, the likeliest first; none where it is all one grey.
+/// The plausible ways to read an image, the likeliest first; none for an image of one gray.
 std::vector<Plate> platesOf(const cv::Mat_<uchar>& grey);
 
 /// If ground from top to bottom divides the body in two parts of a size: the plate with its left part alone, and with

@@ -43,8 +43,8 @@ struct EditedFile {
   std::string name, text;
 };
 
-/// The text of a shader file of the project (without extension), as it is or with the files that it includes put in;
-/// empty where there is none of that name.
+/// Text of a shader file of the project (without extension), as it is or with included files inserted; empty if no
+/// file has the name.
 std::string_view shaderFile(std::string_view name);
 std::string shaderText(std::string_view name, const EditedFile& edited = {});
 /// Constants of the model as the shaders know them, from those of C++.
@@ -53,10 +53,10 @@ std::string constantsText();
 /// Resources shared by the engines of one process: a context, the shaders, the textures' tiles, scenes.
 class Device {
  public:
-  /// Made at the first call, which takes as long as the driver's compiler does; anew after a loss. Fails with a
-  /// sentence where there is no OpenGL that serves.
+  /// Made at the first call, which takes as long as the driver's compiler does; made again after a loss. Fails with a
+  /// sentence without a suitable OpenGL.
   static Result<std::shared_ptr<const Device>> shared();
-  /// The same with one file edited, for tests: what includes it is compiled anew.
+  /// The same with one file edited, for tests: files that include it are compiled again.
   Result<std::shared_ptr<const Device>> with(const EditedFile& edited) const;
 
   gpu::Context& context() const { return *context_; }

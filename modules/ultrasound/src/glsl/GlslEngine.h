@@ -12,7 +12,7 @@ Result<std::unique_ptr<Engine>> makeGlslEngine();
 
 namespace glsl {
 class Device;
-/// On a device of one's own.
+/// Makes an engine on a given device.
 std::unique_ptr<Engine> makeEngineOn(std::shared_ptr<const Device> device);
 }  // namespace glsl
 

@@ -9,11 +9,11 @@
 
 namespace insonate::glsl {
 
-/// Volumes of the scenes that were seen last, on the card for all engines of the process, whatever their probes and
-/// settings: a scene is uploaded once. Used by whoever has the context current, so by one thread at a time.
+/// Volumes of the latest scenes, on the card for all engines of the process, with any probes and settings: a scene is
+/// uploaded once. Used by the thread that has the context current, so by one thread at a time.
 class SceneStore {
  public:
-  /// Uploads what is not there. Fails where the card has no room for it, even without the others.
+  /// Uploads missing volumes. Fails if the card has no room for them, even without the others.
   Result<std::shared_ptr<const gpu::Buffer>> of(const gpu::Current& current, const AcousticScene::Impl& scene);
 
   int uploads() const { return uploads_; }

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-/// From the model's plan and a scene to what the shaders read.
+/// Converts the model's plan and a scene to the shaders' data.
 namespace insonate::glsl {
 
 /// Tables that depend on probe and settings alone, uploaded once.

@@ -26,7 +26,7 @@ class BeamField {
   double sliceIntegral_mm(double range_mm) const;
   /// SD of the Gaussian whose square is as wide as the slice's: sqrt(2) times the RMS offset, weighted by power.
   double sliceSd_mm(double range_mm) const;
-  /// Beyond this offset elevation() is 0.
+  /// Offset beyond which elevation() is 0.
   double sliceReach_mm() const;
 
  private:

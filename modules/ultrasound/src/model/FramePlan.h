@@ -13,7 +13,7 @@ namespace insonate {
 /// Constants of the acoustic model that are not a tissue's or a probe's.
 namespace acoustics {
 inline constexpr double kFwhmPerSd = 2.3548200450309493;
-/// Envelope of a perfect plane reflector (R = 1) square to the beam, over unit speckle.
+/// Envelope of a perfect plane reflector (R = 1) perpendicular to the beam, over unit speckle.
 inline constexpr double kReflectorGain_dB = 58;
 /// Tissue is drawn to the face over this depth, as far as the skin follows it.
 inline constexpr double kContactDepth_mm = 15;
@@ -60,8 +60,8 @@ struct FramePlan {
   /// Distance of neighboring planes in units of the SD; a single plane has no thickness: 0.
   double planeSpacing_sd = 0;
 
-  /// Tells the speckle of steering angles apart: over the width of the beam, the carrier's phase turns by more than a
-  /// radian from 5 degrees on (4 pi sin(angle) / wavelength per mm), so that angles share little of it. 0: straight.
+  /// Distinguishes the speckle of steering angles: over the width of the beam, the carrier's phase turns by more than
+  /// a radian from 5 degrees on (4 pi sin(angle) / wavelength per mm), so that angles share little of it. 0: straight.
   std::uint32_t specklePattern = 0;
   double latticePitch_mm = 0;           ///< of the scatterers, across the elevation direction
   double latticeElevationPitch_mm = 0;  ///< along it

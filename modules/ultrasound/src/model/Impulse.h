@@ -2,12 +2,12 @@
 
 namespace insonate {
 
-/// A boundary's echo in numbers of gates, laid down so that it does not depend on where between gates it lies.
+/// A boundary's echo in numbers of gates, spread so that it does not depend on its position between gates.
 ///
-/// What a scanline of an elevation plane crosses at one range stands for all that lies within half a line's and half a
-/// plane's distance to its sides. Where the boundary slopes, that spreads the echo over a box of
-/// width = hypot(lateral slope * line distance, elevation slope * plane distance); without it, a slope would be a comb
-/// of lines, one a plane. The box is convolved with a quadratic B-spline, so that slopes do not shimmer.
+/// The crossing of one scanline of an elevation plane at one range represents everything within half a line's and half
+/// a plane's distance to its sides. On a sloping boundary, that spreads the echo over a box of width = hypot(lateral
+/// slope * line distance, elevation slope * plane distance); without it, a slope would be a comb of lines, one a
+/// plane. The box is convolved with a quadratic B-spline, so that slopes do not shimmer.
 struct Impulse {
   static constexpr double kNarrowest_gates = 0.01, kWidest_gates = 12;  ///< narrower is the spline itself
   static constexpr int kMost = 17;

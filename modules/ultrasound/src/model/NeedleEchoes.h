@@ -54,7 +54,7 @@ class NeedleEchoes {
   const Line& line(int line) const { return lines_[line]; }
   const float* amplitudes(int line) const { return amplitude_.data() + std::size_t(line) * plan_->gates; }
 
-  /// Loss behind the needle, there and back, laid on over one gate, by scanlines; vectors may run past the last.
+  /// Loss behind the needle, there and back, applied over one gate, by scanlines; vectors may run past the last.
   const float* shadowOnsets_gate(int plane) const { return onset_gate_.data() + std::size_t(plane) * paddedLines_; }
   const float* shadowLosses_dB(int plane) const { return loss_dB_.data() + std::size_t(plane) * paddedLines_; }
   float shadow_dB(int plane, int line, int gate) const {
@@ -62,8 +62,8 @@ class NeedleEchoes {
     return shadowLosses_dB(plane)[line] * std::clamp(behind, 0.0F, 1.0F);
   }
 
-  /// Calls `add(gate, amplitude)` with the echoes of a scanline, rings included. `level_dB(gate)`: what is left of the
-  /// beam in the middle of a gate, there and back, but for the shadow.
+  /// Calls `add(gate, amplitude)` with the echoes of a scanline, rings included. `level_dB(gate)`: level of the beam
+  /// in the middle of a gate, there and back, without the shadow.
   template <class Level, class Add>
   void addTo(int line, const Level& level_dB, const Add& add) const {
     const Line& l = lines_[line];
@@ -98,7 +98,7 @@ class NeedleEchoes {
     return a + (b - a) * (gate - below);
   }
 
-  /// Along the beam, of the tissue at its tip, or where it comes nearest to the plane.
+  /// Shift along the beam of the tissue at the needle's tip, or at its nearest place to the plane.
   Vec3 drawn_mm(const Pose& needle, const TissueField& field, const Transform& patientFromProbe,
                 const PlaneDisplacement& displacement) const;
   void echoShaft(const Pose& needle);

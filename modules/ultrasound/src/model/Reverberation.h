@@ -13,7 +13,7 @@ class Reverberation {
  public:
   static constexpr int kFirstGate = 2;  ///< behind the surface: the surface's own echo is not covered
 
-  /// The echo of the gate so many above the surface comes again with this share, times the strength of its ring.
+  /// The echo of the gate this far above the surface repeats with this share, times the strength of its ring.
   struct Repeat {
     int gatesAbove;
     float share;

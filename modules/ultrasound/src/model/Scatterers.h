@@ -16,7 +16,7 @@ struct ScattererLattice {
   Mat3 latticeFromPatient;  ///< lattice index (not rounded) of a patient point
 
   ScattererLattice() = default;
-  /// `pattern` tells independent speckle apart.
+  /// `pattern` selects independent speckle.
   ScattererLattice(Vec3 elevation, double pitch_mm, double elevationPitch_mm, std::uint32_t pattern);
 };
 
@@ -31,8 +31,8 @@ inline constexpr double kScattererMean = 15.5;
 /// squared weights, so that the variance is the same everywhere.
 std::array<double, 6> scattererAmplitudes(const ScattererLattice& lattice, Vec3 patient_mm);
 
-/// Correlation of the amplitudes at two points so many pitches apart across and along the elevation, averaged over
-/// where in the lattice they lie and in which direction across. Zero from the reach on.
+/// Correlation of the amplitudes at two points this many pitches apart across and along the elevation, averaged over
+/// positions in the lattice and directions across. Zero from the reach on.
 double latticeCorrelation(double across_pitches, double elevation_pitches);
 inline constexpr double kLatticeReach_pitches = 2.9;
 

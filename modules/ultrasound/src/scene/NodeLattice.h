@@ -12,7 +12,7 @@
 
 namespace insonate {
 
-/// Asked now and then by long work, on its threads: true where nobody wants it any more. May be empty.
+/// Called now and then by long work, on its threads: true if the result is no longer needed. May be empty.
 using Stopped = std::function<bool()>;
 
 /// A box of whole nodes or voxels.

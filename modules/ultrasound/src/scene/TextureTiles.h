@@ -23,7 +23,7 @@ struct TextureTile {
   Vec3 voxel_mm;
   std::vector<std::int8_t> value;  ///< [v][u][w] with gaps: beams run along w more often than not
 
-  /// From a voxel to the next one along u and along v, in `value`.
+  /// Steps in `value` from a voxel to the next one along u and along v.
   int stepU() const { return size[2] + kGap; }
   int stepV() const { return size[0] * stepU() + kGap; }
   std::int8_t at(int u, int v, int w) const {
@@ -38,8 +38,8 @@ struct TextureTile {
   }
   static constexpr double kRounding_voxels = 1e-3;
 
-  /// Between the eight voxels around a point in voxels: without steps, at which engines that round otherwise would
-  /// part.
+  /// Interpolates between the eight voxels around a point in voxels: continuous, so that engines with different
+  /// rounding agree.
   double between(Vec3 voxels) const {
     const auto whole = [](double x) { return static_cast<int>(std::floor(x)); };
     const int u = whole(voxels.x), v = whole(voxels.y), w = whole(voxels.z);

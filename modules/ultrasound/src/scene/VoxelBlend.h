@@ -12,7 +12,7 @@ namespace insonate {
 /// [node of the box]
 void labelsOfNodes(const LabelMap& labels, const NodeLattice& lattice, const NodeBox& box, std::span<std::uint8_t> out);
 
-/// By how much the CT is above the mean of its structures, HU. [node of the box]
+/// Deviation of the CT from the mean of its structures, HU. [node of the box]
 void deviationsOfNodes(const CtVolume& ct, const LabelMap& labels, const LabelMeans& mean_HU,
                        const NodeLattice& lattice, const NodeBox& box, std::span<std::int16_t> out);
 

@@ -19,7 +19,7 @@ namespace insonate::thesis {
 inline constexpr double kReflectorGain_dB = 50;
 /// Structures blend into each other over this distance: what CT and labels resolve.
 inline constexpr double kInterface_mm = 0.8;
-/// Beyond the volume nothing is heard.
+/// Loss beyond the volume, where nothing is received.
 inline constexpr double kBeyondLoss_dBpmm = 1000;
 inline constexpr double kSpeckleContrast = 0.55;  ///< SD over mean of the speckle's amplitude
 /// Cells of the noise, in units of the point-spread function's FWHM.
@@ -75,7 +75,7 @@ double reflectionOf(double lnImpedanceSlope_pmm, const ThesisPlan& plan);
 /// The factor (1 - reflected) of equation 8, there and back.
 double reflectionLoss_dBpmm(double lnImpedanceSlope_pmm, const ThesisPlan& plan);
 
-/// From a node and its change along the beam, per mm.
+/// Maps a node and its change along the beam, per mm.
 MapSample mapAt(const SceneSample& here, const SceneSample& slope, double range_mm, const ThesisPlan& plan,
                 const ImagingSettings& settings, const AcousticScene::Impl& scene,
                 const std::array<ChannelAcoustics, TissueField::kStride>& channels);

@@ -15,8 +15,8 @@ class PrepareSession;
 /// "2 errors, 1 doubt", "no findings".
 QString findingCount(const std::vector<Finding>& findings);
 
-/// The verdict, and what the check found: missing or wrong, doubtful, noted. A finding leads to its
-/// place and structure, or to where what is missing is made. The last findings stay while the check runs again.
+/// The verdict and the findings of the check: errors, warnings, notes. A finding leads to its place and structure, or
+/// to the step that makes a missing structure. The last findings stay while the check runs again.
 class FindingsList : public QWidget {
   Q_OBJECT
 

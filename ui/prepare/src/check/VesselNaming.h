@@ -10,8 +10,8 @@ namespace insonate::prepare {
 class PrepareSession;
 
 /// Names the vein or artery at the first of these places that lies in one (see simulator/VesselNaming.h). Returns at
-/// once; the course is found on another thread, then added to the case's places as an edit that can be undone, or a
-/// sentence says why there is none.
+/// once; the course is found on another thread, then added to the case's places as an undoable edit, or a sentence
+/// says why there is none.
 void nameVesselAt(PrepareSession& session, std::vector<Vec3> places_mm, const QString& name);
 
 }  // namespace insonate::prepare

@@ -20,32 +20,32 @@ struct StructureLook {
   bool operator==(const StructureLook&) const = default;
 };
 
-/// By label.
+/// Looks by label.
 using StructureLooks = std::array<StructureLook, 256>;
 
-/// The case's colors; opacity so that one looks through the skin and whatever fills the patient.
+/// Default looks: the case's colors, and opacities at which the skin and other filling tissue are translucent.
 StructureLooks defaultLooks(const LabelColours& colours);
 double defaultOpacity(std::uint8_t label);
 /// Default share on slices. Labels that fill the patient are fainter: an artery has nearly the color of the muscle
 /// around it.
 double defaultShareOnSlices(std::uint8_t label);
 
-/// True where a structure's color is not the case's.
+/// Tells whether a structure's color differs from the case's.
 bool coloursDiffer(const StructureLooks& looks, const std::vector<std::uint8_t>& structures,
                    const LabelColours& colours);
-/// Puts the structures' colors into a case's, which keeps those that differ from the label table's.
+/// Writes the structures' colors into a case's, which keeps those that differ from the label table's.
 void putColours(const StructureLooks& looks, const std::vector<std::uint8_t>& structures, LabelColours& colours);
 
 using ShownStructures = std::map<std::uint8_t, StructureShown>;
 void takeShown(const ShownStructures& shown, StructureLooks& looks);
-/// True where one of the structures has another opacity or visibility.
+/// Tells whether a structure's opacity or visibility differs.
 bool shownDiffers(const StructureLooks& a, const StructureLooks& b, const std::vector<std::uint8_t>& structures);
-/// Puts the structures' opacity and visibility into a case's.
+/// Writes the structures' opacity and visibility into a case's.
 void putShown(const StructureLooks& looks, const std::vector<std::uint8_t>& structures, ShownStructures& shown);
 
 /// "vein"; "label 37" for one that means nothing here.
 QString structureName(std::uint8_t label);
-/// With as many digits as one reads.
+/// Volume with a readable number of digits.
 QString volumeText(double volume_ml);
 
 inline views::Colour viewColour(const LabelColour& c) {

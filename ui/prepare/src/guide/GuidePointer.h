@@ -19,9 +19,9 @@ namespace insonate::prepare {
 class GuideSession;
 class PrepareSession;
 
-/// The mouse in slices while the guide wants clicks: a click puts a point, a point is dragged, the right button or the
-/// Delete key removes one, Enter goes on. While a label is corrected, the left button paints it, with Control erases.
-/// Everything else is the slice's own.
+/// The mouse in slices while the guide wants clicks: a click adds a point, dragging moves it, the right button or the
+/// Delete key removes it, Enter continues. While a label is corrected, the left button paints it, with Control erases.
+/// All other events are the slice's own.
 class GuidePointer : public QObject {
  public:
   GuidePointer(GuideSession& guide, PrepareSession& session, QObject* parent);

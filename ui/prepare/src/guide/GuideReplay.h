@@ -14,21 +14,20 @@ namespace insonate::prepare {
 
 class LabelSession;
 
-/// Performs steps of labelling one after the other, each off the window's thread, and puts them between others that
-/// were made before: those after them are taken back first and made again, with the rules that they had.
+/// Performs steps of labeling one after the other, each off the window's thread, and inserts them between earlier
+/// steps: the later ones are undone first and repeated, with the rules that they had.
 class GuideReplay : public QObject {
  public:
-  /// Called with true if all went well; otherwise the labels are as they were before.
+  /// Called with true on success; otherwise the labels are as they were before.
   using Done = std::function<void(bool well)>;
 
   GuideReplay(LabelSession& labels, QUndoStack& undo, QObject* parent)
       : QObject(parent), labels_(labels), undo_(undo) {}
 
-  /// Instead of the recorded steps [first, end). False where they cannot be taken back any more; nothing has changed
-  /// then.
+  /// Replaces the recorded steps [first, end). False if they can no longer be undone; then nothing has changed.
   bool run(std::vector<LabelStep> steps, std::size_t first, std::size_t end, const QString& name, Done done);
   bool isRunning() const { return running_; }
-  /// Forgets the steps of another case.
+  /// Discards the steps of another case.
   void forget() { ++number_, running_ = false; }
 
  private:

@@ -36,7 +36,7 @@ class GuideSession : public QObject {
   /// Why a step is doubtful, or what else is to be said of its state.
   QStringList remarks(int index) const;
 
-  /// While the page is seen, clicks in slices belong to the current step.
+  /// Sets whether the page is shown: then clicks in slices belong to the current step.
   void setShown(bool shown);
   bool isShown() const { return shown_; }
   bool takesClicks() const { return shown_ && !correcting_ && step().clicks > 0 && !isBusy(); }
@@ -50,13 +50,13 @@ class GuideSession : public QObject {
   bool isBusy() const;
   /// There are clicks enough, and nothing is at work.
   bool canRun() const;
-  /// The current step; what was made before for it is taken back first, and what came after it is made again.
+  /// Runs the current step; its former result is undone first, and later steps are repeated.
   void run();
   /// Stops it; the labels are as they were before.
   void cancel();
   /// The result is right: on to the next step that is to do.
   void accept();
-  /// On without the current step.
+  /// Continues without the current step.
   void skip();
   /// Action of the Enter key: run, then accept.
   void proceed();

@@ -4,7 +4,7 @@
 
 namespace insonate::prepare {
 
-/// As high as its content wants to be at its width, and scrolled where the column is too low for that.
+/// Takes the height that its content needs at its width, and scrolls if the column is too low for that.
 class WordsArea : public QScrollArea {
  public:
   explicit WordsArea(QWidget* content);

@@ -7,8 +7,8 @@ namespace insonate::prepare {
 
 class LabelSession;
 
-/// A step of labelling among the window's edits; those that a step of the guide has come to are one. What they have
-/// changed lies in LabelEdit, in the same order.
+/// A step of labeling among the window's edits; the edits of one step of the guide are one command. Their changes are
+/// in LabelEdit, in the same order.
 class LabelCommand : public QUndoCommand {
  public:
   /// `of`: the step of the guide; empty for none.

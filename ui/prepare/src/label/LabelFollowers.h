@@ -21,7 +21,7 @@ class LabelFollowers : public QObject {
 
   LabelFollowers(LabelSession& labels, LivePatient& live, CaseMeasuring& measuring, Wishes wishes, QObject* parent);
 
-  /// Nothing is on its way.
+  /// Tells whether no update is due.
   bool isAtRest() const { return !soon_.isActive() && !later_.isActive(); }
 
  Q_SIGNALS:

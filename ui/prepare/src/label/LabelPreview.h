@@ -24,10 +24,10 @@ class LabelPreview : public QObject {
 
   /// CT and labels never change meanwhile.
   void want(LabelStep step, std::shared_ptr<const CtVolume> ct, std::shared_ptr<const LabelMap> labels);
-  /// Nothing is shown, and what is computed is dropped.
+  /// Shows nothing and drops running computations.
   void clear();
 
-  /// Null for none.
+  /// The proposal; null for none.
   const std::shared_ptr<const Proposal>& proposal() const { return proposal_; }
   /// Label of the step; the proposal may contain others, too.
   std::uint8_t label() const { return label_; }

@@ -29,7 +29,7 @@ struct LabelRules {
 /// Labels that fill the body between named structures: overwriting nothing else spares earlier work.
 inline constexpr std::uint8_t kFilling[] = {kBackground, kFat, kMuscle, kSoftTissue};
 
-/// Soft tissue is everything else, as is what is not in the patient.
+/// Soft tissue is everything else, as is the space outside the patient.
 inline constexpr std::uint8_t kUnlabelled[] = {kBackground, kSoftTissue};
 
 /// The step with these rules, but for those it has itself.

@@ -49,12 +49,12 @@ class LabelSession : public QObject {
 
   /// Another case, null for none: edits are forgotten, a tool that runs is stopped.
   void setCase(std::shared_ptr<const PatientCase> patient);
-  /// The same case, written to disk with labels() as they were then.
+  /// Replaces the case by its saved state with labels() of that time.
   void replaceCase(std::shared_ptr<const PatientCase> patient);
 
   /// The labels as displayed. A case is open.
   const LabelMap& labels() const { return *seen(); }
-  /// The same, shared with views of this thread; announced by seenChanged() when it is another map.
+  /// The displayed labels, shared with views of this thread; seenChanged() announces another map.
   std::shared_ptr<const LabelMap> seen() const;
   /// labels() as they are now, for other threads.
   std::shared_ptr<const LabelMap> snapshot();
@@ -69,13 +69,13 @@ class LabelSession : public QObject {
 
   /// A tool is at work: nothing else is edited.
   bool isBusy() const { return busy_; }
-  /// Computes on another thread, as a long job of the window that can be cancelled, and writes what comes of it as one
-  /// step that can be undone and is recorded; rules() are added to the step's own. `done` hears of it, with kCancelled
-  /// where it was cancelled; other failures are told by failed(), too.
+  /// Computes a step on another thread, as a long job of the window that can be cancelled, and writes the result as
+  /// one undoable, recorded step; rules() are added to the step's own. Calls `done`, with kCancelled if it was
+  /// cancelled; other failures also emit failed().
   void run(LabelStep step, const QString& name, Done done = {});
-  /// The same for a step of a recipe(), which has the rules of its time: not rules(), so that it does the same again.
+  /// Runs a step of a recipe(), with its own rules instead of rules(), so that it has the same result again.
   void runAgain(LabelStep step, const QString& name, Done done);
-  /// Nothing is at work that a tool would end.
+  /// Tells whether no work is running that a tool would end.
   bool isFree() const;
   /// Stops the tool that run() began; nothing is changed.
   void cancel() { settle(); }
@@ -118,7 +118,7 @@ class LabelSession : public QObject {
     LabelSnapshots::Copies snapshots;
   };
 
-  /// False where the step was let go.
+  /// False if the step was discarded.
   bool undo();
   void redo();
   /// Why a label may not be edited now; empty where it may.

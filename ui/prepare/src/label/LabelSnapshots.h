@@ -9,18 +9,18 @@
 
 namespace insonate::prepare {
 
-/// Copies of a label map that is being written to, which never change while anybody holds them, for readers on other
-/// threads. Memory of copies that were let go is used again: only what has changed since is copied, so that one costs
-/// no more than the changes as a rule. For the thread that writes to the map.
+/// Constant copies of a label map that is being written to, for readers on other threads. Memory of released copies is
+/// reused: only changes since are copied, so that a snapshot normally costs no more than the changes. For the thread
+/// that writes to the map.
 class LabelSnapshots {
  public:
-  /// As many are held at once as a rule: by what is computed still of earlier labels, and by who takes the next. A
-  /// further one is made on the spot, which takes some hundredths of a second for a large map, and given back when it
-  /// is let go.
+  /// Number of snapshots normally held at once: one by computations on earlier labels, one by the next reader. A
+  /// further one is made at once, which takes some hundredths of a second for a large map, and freed when it is
+  /// released.
   static constexpr int kUsual = 2;
   using Copies = std::array<LabelMap, kUsual>;
 
-  /// The map lives longer, what was taken need not. `copies` are equal to it.
+  /// The map must outlive this, snapshots need not. `copies` are equal to it.
   LabelSnapshots(const LabelMap& labels, Copies copies);
 
   /// Say so after each change of voxels.

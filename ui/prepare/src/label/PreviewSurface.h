@@ -19,7 +19,7 @@ class PreviewSurface : public QObject {
   ~PreviewSurface() override;
 
  Q_SIGNALS:
-  /// Null for nothing to show.
+  /// Announces a surface; null for none.
   void made(std::shared_ptr<const insonate::Mesh> mesh);
 
  private:

@@ -6,15 +6,15 @@
 
 namespace insonate::prepare {
 
-/// Memory of proposals that nobody looks at any more, used again: those of a whole CT are tens of megabytes, which the
-/// system takes longer to give than a threshold to fill.
+/// Memory of unused proposals, for reuse: those of a whole CT are tens of megabytes, which the system takes longer to
+/// provide than a threshold takes to fill.
 class ProposalStore {
  public:
   ProposalStore();
 
   /// Returns a proposal to fill, with its former contents; it returns here from whichever thread releases it last.
   std::shared_ptr<Proposal> take();
-  /// Gives all memory back; what is looked at still, once it is let go.
+  /// Frees all memory; that of a displayed proposal once it is released.
   void forget();
 
  private:

@@ -24,9 +24,9 @@ class LivePatient : public QObject {
   explicit LivePatient(QObject* parent);
   ~LivePatient() override;
 
-  /// Null for none. `wishes` are the surfaces to begin with.
+  /// Sets the patient; null for none. `wishes` are the first surfaces.
   void setPatient(std::shared_ptr<const PatientCase> patient, std::vector<ui::SurfaceWish> wishes);
-  /// The same voxels in other memory: nothing is made anew but the live probe.
+  /// Replaces the patient by the same voxels in other memory: only the live probe is made again.
   void replacePatient(std::shared_ptr<const PatientCase> patient);
   void wantSurface(const ui::SurfaceWish& wish);
   /// Sets the tissues of the author's own labels.
@@ -34,7 +34,7 @@ class LivePatient : public QObject {
   /// Edited labels in place of the patient's: the image is made of them from now on, and these surfaces.
   /// `outsideMoved`: the probe stands on another skin, or on the first that there is.
   void setLabels(std::shared_ptr<const LabelMap> labels, std::vector<ui::SurfaceWish> wishes, bool outsideMoved);
-  /// Asleep, there is no probe and no scene; what was made stays.
+  /// While asleep, there is no probe and no scene; results stay.
   void setAwake(bool awake);
   /// Ends the threads.
   void stop();
@@ -51,13 +51,13 @@ class LivePatient : public QObject {
   const std::optional<StartPose>& start() const { return start_; }
   /// patientFromProbe; none before it is known.
   std::optional<Transform> pose() const;
-  /// The same where it stands on the skin, before it is pressed.
+  /// Pose on the skin, before pressing.
   std::optional<Transform> standing() const;
 
   const ImagingSetup& setup() const { return setup_; }
-  /// Null before the first picture.
+  /// The image on display; null before the first.
   const std::shared_ptr<const LiveFrame>& shown() const { return shown_; }
-  /// Nothing is on its way: surfaces that were wanted have come, and the image is of where the probe is, or says why
+  /// Tells whether all requested surfaces have arrived, and the image shows the probe's present pose, or says why
   /// there is none.
   bool isSettled() const;
   /// Why there is no image, or that one is on its way; empty otherwise.

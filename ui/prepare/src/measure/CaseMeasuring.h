@@ -36,21 +36,22 @@ class CaseMeasuring : public QObject {
   CaseMeasuring(ui::TaskBar& tasks, QObject* parent);
   ~CaseMeasuring() override;
 
-  /// Forgets what was measured; null for no case.
+  /// Sets the case and discards former measures; null for no case.
   void setCase(std::shared_ptr<const PatientCase> patient);
-  /// Edited labels in place of the case's; what was measured before stays until the new measures are there.
+  /// Sets edited labels in place of the case's; former measures stay until the new ones are ready.
   void setLabels(std::shared_ptr<const LabelMap> labels);
-  /// Labels are being edited: what runs ends and lets go of them, and nothing begins before setLabels().
+  /// Announces edits of the labels: the running measurement ends and releases them, and none begins before
+  /// setLabels().
   void awaitLabels();
   /// Edited targets, landmarks and start poses, and what labels mean, likewise.
   void setWords(const CasePlaces& places, const LabelTerms& terms);
-  /// While not allowed, nothing begins; what runs goes on.
+  /// While not allowed, no measurement begins; a running one continues.
   void setAllowed(bool allowed);
   /// Begins, or begins again after a cancel.
   void start();
 
   State state() const { return state_; }
-  /// Null before it is done.
+  /// The measures; null before they are ready.
   const std::shared_ptr<const CaseMeasures>& measures() const { return measures_; }
   /// Why there is nothing, a sentence.
   const QString& trouble() const { return trouble_; }

@@ -30,7 +30,7 @@ class LabellingMeasure : public QObject {
     std::function<bool()> there;
     std::vector<double> took_ms{};
   };
-  /// Between two: longer than an edit is followed by surfaces and check.
+  /// Pause between two tasks: longer than surfaces and check take after an edit.
   static constexpr double kRest_ms = 1000;
   struct Task {
     int repeats = 1;

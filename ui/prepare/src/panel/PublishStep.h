@@ -13,8 +13,8 @@ namespace insonate::prepare {
 
 class PrepareSession;
 
-/// The last step of a case: what was saved and is fit becomes the version that trainees get, and stays it until another
-/// one is published.
+/// The last step of a case: publishes the saved, fit case as the version that trainees get until another one is
+/// published.
 class PublishStep : public QWidget {
  public:
   /// Shows the published version in `mark`.

@@ -23,7 +23,7 @@ inline void putTerms(const LabelTerms& terms, CaseManifest& manifest) {
 
 inline constexpr LabelState kLabelStates[] = {LabelState::NotStarted, LabelState::InProgress, LabelState::Completed,
                                               LabelState::Flagged};
-/// The state as a word of the window, and as a glyph that tells it without colour.
+/// The state as a word, and as a glyph that shows it without color.
 QString stateWord(LabelState state);
 QIcon stateIcon(LabelState state);
 

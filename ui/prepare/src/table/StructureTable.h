@@ -15,8 +15,8 @@ namespace insonate::prepare {
 class PrepareSession;
 class StructureModel;
 
-/// The table of structures with what can be done to one of them. Space shows or hides, Enter chooses a color (unless a
-/// tool is in hand), F2 names one of the author's own. Where it is wide, it shows tissue, term and voxels, too.
+/// The table of structures with the commands for one of them. Space shows or hides, Enter chooses a color (unless a
+/// tool is in hand), F2 names one of the author's own. A wide table also shows tissue, term and voxels.
 class StructureTable : public QWidget {
  public:
   explicit StructureTable(PrepareSession& session, QWidget* parent = nullptr);

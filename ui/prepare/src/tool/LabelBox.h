@@ -17,7 +17,7 @@ class LabelBox : public QComboBox {
   void show(std::uint8_t label);
 
  Q_SIGNALS:
-  /// By the user.
+  /// The user chose a label.
   void chosen(std::uint8_t label);
 
  private:

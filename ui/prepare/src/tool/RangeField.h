@@ -20,7 +20,7 @@ class RangeField : public QWidget {
   void setRange(HuRange range);
 
  Q_SIGNALS:
-  /// By the user.
+  /// The user edited the range.
   void edited(insonate::HuRange range);
 
  protected:

@@ -26,7 +26,7 @@ class RangeStrip : public QWidget {
   QSize minimumSizeHint() const override { return {160, 56}; }
 
  Q_SIGNALS:
-  /// By the user's drag.
+  /// The user dragged the range.
   void dragged(insonate::HuRange range);
 
  protected:

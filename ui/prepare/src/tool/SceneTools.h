@@ -10,8 +10,8 @@ namespace insonate::prepare {
 class CaseViews;
 class ToolSession;
 
-/// Scissors over 3D: a left drag, or clicks, draw a line around what is cut along the view (not with Ctrl or Shift,
-/// which stay the view's own: turn and shift).
+/// Scissors over 3D: a left drag, or clicks, draw a line around the part to cut along the view (not with Ctrl or
+/// Shift, which keep turning and shifting the view).
 class SceneTools : public QObject {
  public:
   SceneTools(CaseViews& views, ToolSession& tools, QObject* parent);

@@ -13,9 +13,9 @@ namespace insonate::prepare {
 class CaseViews;
 class LabelPreview;
 
-/// The tool on the slices: takes the mouse from them, and from the guide, where the tool wants it (not with Ctrl or
-/// Shift, which stay the slice's own), and shows points, outline, brush and preview over all three. The
-/// status line tells what the tool points at.
+/// The tool on the slices: takes the mouse from them, and from the guide, if the tool uses it (not with Ctrl or Shift,
+/// which stay the slice's own), and shows points, outline, brush and preview over all three. The status line describes
+/// the voxel under the tool.
 class SliceTools : public QObject {
  public:
   SliceTools(CaseViews& views, ToolSession& tools, PrepareSession& session, QObject* parent);
@@ -31,7 +31,7 @@ class SliceTools : public QObject {
   bool released(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
   bool key(int key, bool act);
-  /// Nothing is pointed at where it is not given.
+  /// Sets the point under the tool; none if it is empty.
   void pointAt(std::optional<QPointF> at);
   void showMarks();
   void showPreview();

@@ -20,11 +20,11 @@ class ToolSession : public QObject {
  public:
   ToolSession(PrepareSession& session, QObject* parent);
 
-  /// Null where none is in hand: the mouse moves the crosshair then.
+  /// The tool in hand; null without one: then the mouse moves the crosshair.
   const Tool* tool() const { return tool_; }
-  /// By its id; an empty one lays it away. What was clicked for another is forgotten.
+  /// Selects a tool by its id; an empty id deselects it. Clicks for another tool are cleared.
   void choose(const QString& id);
-  /// The one before.
+  /// Selects the former tool.
   void chooseLast();
   const LabelTool& parameters() const { return parameters_; }
   void setNumber(const ToolNumber& number, double value);
@@ -40,7 +40,7 @@ class ToolSession : public QObject {
   bool cutsScene() const;
   /// Its points lie before 3D, and not on a slice.
   bool isDrawnInScene() const { return sceneLook_.has_value() && !points().empty(); }
-  /// A corner drawn over 3D; what is cut begins at the first corner's surface.
+  /// Adds a corner drawn over 3D; the cut begins at the first corner's surface.
   void addScenePoint(Vec3 patient_mm, const ScissorsView& look);
   void removeNearest(Vec3 patient_mm);
   /// The Hounsfield units around a place become the range.
@@ -57,7 +57,7 @@ class ToolSession : public QObject {
   bool isComplete() const;
   void preview();
   void apply();
-  /// Esc: stops what runs, else forgets what was clicked, else lays the tool away.
+  /// Esc: stops a running step, else clears the clicks, else deselects the tool.
   void leave();
 
  Q_SIGNALS:

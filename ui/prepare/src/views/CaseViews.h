@@ -42,7 +42,7 @@ class CaseViews : public QWidget {
   /// 3D shows what there is, in full detail.
   bool isAtRest() const { return !follow_.isActive() && !rest_.isActive(); }
   void setRested(std::function<void()> listener) { rested_ = std::move(listener); }
-  /// The same voxels in other memory.
+  /// Replaces the case by the same voxels in other memory.
   void replaceCase();
 
   /// A line that is drawn over 3D.

@@ -38,7 +38,7 @@ struct AttemptDigest {
   };
   std::vector<PlaceChange> places;     ///< the needle's place from each time on
   std::vector<AttemptMoment> moments;  ///< in order
-  /// None where parts are missing, and numbers would be wrong.
+  /// Score; empty if parts are missing, since numbers would be wrong.
   std::optional<AttemptScore> score;
   std::vector<std::string> troubles;
 

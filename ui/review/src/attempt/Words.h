@@ -12,9 +12,9 @@ QString clockOf(std::int64_t time_us);
 
 /// "completed", "abandoned", "abandoned: its recording broke off".
 QString wordsOf(AttemptStatus status);
-/// "20 Nov 2026, 14:05" in the user's time zone, of ISO 8601; as it is where it is none.
+/// Formats ISO 8601 as "20 Nov 2026, 14:05" in the user's time zone; other text is returned unchanged.
 QString dateOf(const std::string& begun);
-/// The procedure's title, or its id where it is not known.
+/// The procedure's title, or its id if it is unknown.
 QString titleOf(const AttemptHeader& header);
 
 }  // namespace insonate::review

@@ -15,9 +15,9 @@ class Account;
 
 namespace insonate::review {
 
-/// The classes of who is signed in, and the one that is looked at, without a widget. The store is asked on the
-/// account's thread; how far they are who are not known to be where they were comes for some people after the other,
-/// since all their attempts count for it.
+/// The classes of the signed-in user, and the selected one, without a widget. The store is queried on the account's
+/// thread. Outdated standings arrive for some people after the other, since each is computed from all attempts of the
+/// person.
 class ClassDesk : public QObject {
   Q_OBJECT
 
@@ -26,22 +26,22 @@ class ClassDesk : public QObject {
 
   void setAccount(ui::Account& account);
   ui::Account* account() const { return account_; }
-  /// Somebody is signed in and may ask.
+  /// Tells whether a user who may query classes is signed in.
   bool isSomebody() const;
-  /// Sees others: an instructor or administrator.
+  /// Tells whether the user may see others: an instructor or administrator.
   bool teaches() const;
   bool administers() const;
 
-  /// Asks anew; what is shown stays until the answer is there.
+  /// Queries again; the shown data stays until the answer arrives.
   void refresh();
   const std::vector<Cohort>& cohorts() const { return cohorts_; }
   int chosen() const { return chosen_; }
   void choose(int cohort);
 
-  /// Null until it is read; for a trainee always, whose curriculum is curriculum().
+  /// Facts of the class; null until they are read, and always for a trainee, whose curriculum is curriculum().
   const ClassFacts* facts() const { return facts_ ? &*facts_ : nullptr; }
   const Curriculum* curriculum() const;
-  /// Empty until then.
+  /// Heat map; empty until the facts are read.
   const HeatMap& heat() const;
   /// Something that was asked is not answered yet; standings do not count.
   bool isReading() const { return asking_ > 0; }

@@ -17,20 +17,20 @@ namespace insonate::review {
 QString titleWithUnit(const MetricMeaning& meaning);
 /// "1 person", "3 people"
 QString countOf(int count, const QString& one, const QString& many);
-/// With as many digits as a table needs.
+/// Number with the digits that a table needs.
 QString numberOf(double value);
 /// "20 Nov 2026" in the user's time zone.
 QString dayOf(std::int64_t time_us);
-/// "slipped", "stuck", or "" for nobody's concern.
+/// "slipped", "stuck", or "" without concern.
 QString concernWord(Concern concern);
-/// None while it is not known.
+/// Concern about a member; none while it is unknown.
 Concern concernOf(const Member& member);
 /// "skin to vein in 1.5 s, completed in 4.0 s"
 QString wordsOf(const AttemptFacts& attempt, const std::vector<Implausible>& flags);
 /// The level's title, or its name where the curriculum lacks it or is not known.
 QString levelTitle(const Curriculum* curriculum, const std::string& level);
 using ui::plainToolTip;
-/// "Passed", "Failed because ...", "Abandoned", "Voided: ...", with what the level asks, where it is known.
+/// "Passed", "Failed because ...", "Abandoned", "Voided: ...", with the level's rule, if known.
 QString outcomeOf(const AttemptFacts& attempt, const Curriculum* curriculum);
 
 }  // namespace insonate::review

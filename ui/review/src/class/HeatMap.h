@@ -20,14 +20,14 @@ struct HeatCell {
   int attempts = 0;             ///< that tell it
 };
 
-/// By Person::id, a cell for each of MetricBook::all().
+/// Cells by Person::id, one for each of MetricBook::all().
 using HeatMap = std::map<std::string, std::vector<HeatCell>>;
 
 /// Heat map of many people's attempts. Those that do not count (Judgement.h) are left out.
 HeatMap heatMapOf(std::span<const AttemptFacts> attempts);
 
-/// From dark blue (novice) over gray to yellow (expert), the colors of cividis (Nunez, Anderton, Renslow, PLoS ONE
-/// 2018, 13:e0199239): they rise in lightness too, and are told apart by all kinds of color vision.
+/// Maps dark blue (novice) over gray to yellow (expert), the colors of cividis (Nunez, Anderton, Renslow, PLoS ONE
+/// 2018, 13:e0199239): they rise in lightness too, and people with any kind of color vision can distinguish them.
 QColor heatColour(double share);
 /// Black or white, whichever is read better on it.
 QColor inkOn(const QColor& ground);

@@ -20,7 +20,7 @@ class MetricBook {
   const std::vector<MetricMeaning>& all() const { return all_; }
   /// Number of entries of all() that are points or have a norm.
   std::size_t comparable() const { return comparable_; }
-  /// With the norms of that procedure; without any where it is not known.
+  /// Meaning with the norms of that procedure; without norms if it is unknown.
   const MetricMeaning& in(const std::string& procedure, const MetricMeaning& meaning) const;
 
  private:
@@ -31,7 +31,7 @@ class MetricBook {
   std::map<std::string, std::map<std::string, MetricMeaning>> byProcedure_;
 };
 
-/// Missing where the attempt does not tell, or told by another definition.
+/// The attempt's value; empty if it is missing or was measured by another definition.
 std::optional<double> valueIn(const AttemptFacts& attempt, const MetricMeaning& meaning);
 /// 0 to 100 from novice to expert in the attempt's own procedure; of points they themselves.
 std::optional<double> shareIn(const AttemptFacts& attempt, const MetricMeaning& meaning);

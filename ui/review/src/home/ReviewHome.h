@@ -36,7 +36,7 @@ class ReviewHome final : public QWidget {
   bool isSettled() const;
   /// The next thing to do.
   QString statusText() const;
-  /// Offers to save what is shown.
+  /// Offers to save the page on display.
   void showSaving();
 
  Q_SIGNALS:

@@ -31,23 +31,23 @@ class JudgeDesk : public QObject {
   /// The recording that is about to be opened was chosen as that of an attempt.
   void expect(const QString& file, const QString& attempt);
 
-  /// None until it is known.
+  /// Origin of the recording; empty until it is known.
   const std::optional<RecordingOrigin>& origin() const { return origin_; }
   bool isReading() const { return reading_; }
-  /// The file is not what the attempt was recorded as: what is replayed is not theirs.
+  /// Tells whether the file differs from the recording of the attempt: then the replay is not the trainee's.
   bool isOther() const { return origin_ && origin_->attempt && !origin_->same; }
   /// Trainee of the attempt, or the reason why none is named.
   QString words() const;
   /// Tells whether the user may submit judgements of this attempt: it belongs to one of the user's trainees, and so
   /// does the recording.
   bool mayJudge() const;
-  /// True once the user has handed in this form about the attempt: a form is handed in once.
+  /// Tells whether the user has handed in this form about the attempt: a form is handed in once.
   bool hasHandedIn(const std::string& form) const;
   /// Key of the user's drafts.
   ui::FormSubject subject() const;
 
-  /// Once and for all; tells handedIn() or failed().
-  /// `stored` is called on the account's thread once the store has them, whoever sits here by then.
+  /// Hands in a form for good; emits handedIn() or failed(). `stored` is called on the account's thread once the store
+  /// has the form, whoever is signed in by then.
   void handIn(const Form& form, const FormAnswers& answers, std::function<void()> stored);
 
  Q_SIGNALS:

@@ -26,8 +26,8 @@ namespace insonate::review {
 class JudgeDesk;
 class JudgementTable;
 
-/// Checklists and ratings beside a replay: to fill in, and to read what was handed in. What is half filled in is kept
-/// as a draft while one scrubs, leaves the attempt, signs out or closes the window, and stands there again.
+/// Checklists and ratings beside a replay: to fill in, and to read handed-in ones. Unfinished answers are kept as a
+/// draft while the user scrubs, leaves the attempt, signs out or closes the window, and are shown again.
 class JudgePane final : public QWidget {
   Q_OBJECT
 

@@ -9,7 +9,7 @@ namespace insonate::review {
 
 /// "0.62", "n/a".
 QString coefficientOf(const std::optional<double>& value);
-/// "0.62 (0.10 to 0.85)", without an interval where there is none.
+/// "0.62 (0.10 to 0.85)", without an interval if there is none.
 QString coefficientOf(const std::optional<Estimate>& value);
 /// "95 %", "n/a", of a share.
 QString percentOf(const std::optional<double>& share);

@@ -35,7 +35,7 @@ class HistoryTable final : public QWidget {
   void show();
   void fill(int row, const KeptAttempt& attempt);
   void showChosen();
-  /// Empty where it is not on this computer.
+  /// File of the recording; empty if it is not on this computer.
   QString recordingOf(const KeptAttempt& attempt) const;
   const KeptAttempt* chosen() const;
   void replay();

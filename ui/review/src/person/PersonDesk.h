@@ -15,7 +15,7 @@ class Account;
 
 namespace insonate::review {
 
-/// The person who is looked at, without a widget.
+/// The selected person, without a widget.
 class PersonDesk : public QObject {
   Q_OBJECT
 
@@ -23,10 +23,10 @@ class PersonDesk : public QObject {
   explicit PersonDesk(QObject* parent = nullptr);
   void setAccount(ui::Account& account);
 
-  /// Asks for all of a person; "" for nobody.
+  /// Queries everything about a person; "" for nobody.
   void show(const std::string& person, const std::optional<Curriculum>& curriculum);
   void refresh();
-  /// Null until it is read.
+  /// Facts of the person; null until they are read.
   const PersonFacts* facts() const { return facts_ ? &*facts_ : nullptr; }
   /// Newest first, as far as they were asked for.
   const std::vector<KeptAttempt>& attempts() const { return attempts_; }
@@ -35,10 +35,11 @@ class PersonDesk : public QObject {
 
   /// Tells whether the user may void this person's attempts.
   bool mayVoid() const;
-  /// Why an attempt is implausible, for an instructor; empty: it is not, or who is signed in does not teach the person.
+  /// Reason why an attempt is implausible, for an instructor; empty if it is not, or if the user does not teach the
+  /// person.
   QString attentionReason(const AttemptFacts& attempt) const;
   void voidAttempt(const std::string& attempt, const QString& reason);
-  /// Counts one that nothing proves; by whoever may void it.
+  /// Makes an unproven attempt count; for users who may void it.
   void acceptAttempt(const std::string& attempt, const QString& reason);
 
   /// Account::address()

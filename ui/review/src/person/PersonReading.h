@@ -16,7 +16,7 @@ namespace insonate::review {
 /// Number of attempts on one page.
 inline constexpr int kPage = 200;
 
-/// All that Review tells of one person, asked on the account's thread.
+/// All facts that Review shows about one person, queried on the account's thread.
 struct PersonFacts {
   Person person{};
   std::optional<Curriculum> curriculum{};

@@ -26,7 +26,7 @@ class ReplayPicture : public QObject {
   void set(std::shared_ptr<const AttemptRecording> recording, std::shared_ptr<const PatientCase> patient);
   void want(std::int64_t time_us);
 
-  /// Null until there is one, and where nobody held the probe.
+  /// The image on display; null before the first, and while nobody held the probe.
   const std::shared_ptr<const LiveFrame>& shown() const { return shown_; }
   /// shown() is of the time that was wanted last.
   bool isSettled() const { return !maker_ || madeFor_us_ == wanted_us_; }

@@ -31,7 +31,7 @@ class ReplayScene : public QObject {
   /// Structures, CT and clipping plane of the view, and where they scroll.
   ui::ScenePanel& panel() { return *panel_; }
   QScrollArea& panelArea() { return *panelArea_; }
-  /// Nothing more will be drawn by itself.
+  /// Tells whether no further drawing is due.
   bool isAtRest() const { return !follow_.isActive() && !rest_.isActive(); }
   void setRested(std::function<void()> listener) { rested_ = std::move(listener); }
 

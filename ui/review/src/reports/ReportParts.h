@@ -18,11 +18,11 @@ class PaperColumn {
   /// Title and facts of the page, with a line below.
   void head(const QString& title, const QStringList& facts);
   void heading(const QString& words);
-  /// As high as it needs to be.
+  /// Writes a paragraph at the height that it needs.
   void paragraph(const QString& words, const QColor& colour);
-  /// In the present line; cut where it is wider.
+  /// Writes a cell in the present line; cut if it is too wide.
   void cell(double left, double width, const QString& words, const QColor& colour, int align = Qt::AlignLeft);
-  /// From the present line on, in as many as the words need; y() stays.
+  /// Writes lines from the present one on, as many as the words need; y() stays.
   void lines(double left, double width, const QString& words, const QColor& colour);
   /// Height of the text that lines() writes, one row at least.
   double heightOf(double width, const QString& words) const;

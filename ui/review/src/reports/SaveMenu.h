@@ -8,7 +8,7 @@ namespace insonate::review {
 class ClassDesk;
 class PersonDesk;
 
-/// Saves what is told of the class, or of the person: as a page, a table or statements.
+/// Saves the class's or the person's data: as a page, a table or statements.
 class SaveMenu final : public QMenu {
   Q_OBJECT
 

@@ -21,7 +21,7 @@ class MetricTableView : public QTableWidget {
   std::vector<MetricScore> scores_;
 };
 
-/// The order in which they are shown: those that can be compared first.
+/// Orders scores for display: those with norms first.
 std::vector<MetricScore> ordered(std::vector<MetricScore> scores);
 
 }  // namespace insonate::review

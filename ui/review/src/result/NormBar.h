@@ -8,7 +8,7 @@
 
 namespace insonate::review {
 
-/// Colors of what is painted of a result, for the screen or for paper.
+/// Colors of a painted result, for the screen or for paper.
 struct ResultInk {
   QColor text, quiet, line, band, good, accent, caution, danger;
 };

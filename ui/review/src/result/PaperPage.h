@@ -8,7 +8,7 @@
 
 namespace insonate::review {
 
-/// A page of A4, upright, is laid out in tenths of a millimeter.
+/// An A4 page, upright, laid out in tenths of a millimeter.
 namespace paper {
 inline constexpr double kWidth = 2100, kHeight = 2970, kMargin = 150;
 inline constexpr double kRow = 47, kTitle = 64, kText = 36, kSmall = 30;
@@ -21,7 +21,7 @@ QFont paperFont(double height, bool bold = false);
 /// Paints in tenths of a millimeter, on white.
 using PaperPainter = std::function<void(QPainter&)>;
 
-/// Paints the page into `place`, in whatever unit the painter has.
+/// Paints the page into `place`, in the painter's unit.
 void paintPage(QPainter& painter, const QRectF& place, const PaperPainter& paint);
 
 /// Writes a page, as PDF where the file ends in .pdf, else as a PNG of 150 dots an inch; beside its place first, and

@@ -13,8 +13,8 @@ class QPushButton;
 
 namespace insonate::ui {
 
-/// A few lines to fill in, and one button that does something with them, which takes a moment and may be
-/// refused: then the reason stands in the dialog, and what was filled in stays.
+/// A dialog with a few fields and one button, whose action takes a moment and may be refused: then the reason stands
+/// in the dialog, and the entries stay.
 class EntryDialog : public QDialog {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class EntryDialog : public QDialog {
     bool secret = false;
     QStringList choices{};  ///< one of these, instead of any text
   };
-  /// Tells `done` when it is over; it closes where that was well.
+  /// Performs the action and calls `done`; the dialog closes if it succeeded.
   using Action = std::function<void(const QStringList& texts, std::function<void(Result<void>)> done)>;
 
   EntryDialog(const QString& title, const QString& explanation, const std::vector<Entry>& entries,

@@ -11,7 +11,8 @@ class QWidget;
 
 namespace insonate::ui {
 
-/// A page to cut into strips: whom each is for, and the password. Names stand in it as they are, whatever they hold.
+/// Fills a page to cut into strips, each with a person's name and password. Names are inserted as plain text, whatever
+/// they contain.
 void fillPasswordPaper(QTextDocument& paper, const QString& cohort, const std::vector<FirstPassword>& passwords);
 
 /// Asks for a printer. Says where the page went: to a printer, or as a file that its owner alone can read; "" where the

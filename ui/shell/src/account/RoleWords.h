@@ -9,7 +9,7 @@ namespace insonate::ui {
 
 /// "trainee", "instructor", "administrator".
 QString wordOf(Role role);
-/// In the order of Role.
+/// Words in the order of Role.
 QStringList roleWords();
 /// Role of a word; a trainee's for any other.
 Role roleOf(const QString& word);

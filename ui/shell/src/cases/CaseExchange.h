@@ -15,14 +15,14 @@ namespace insonate::ui {
 
 class TaskBar;
 
-/// A case as it is open: what is kept, and what was changed since.
+/// The open case: its stored state, and its changes since.
 struct OpenCase {
   std::shared_ptr<const PatientCase> patient;
   std::vector<CaseEdit> edits;
 };
 
-/// The ways of an open case to other programs, of their labels into it, and of a part of it to a case of its own, as
-/// actions of a menu. All works on a copy with what is not saved yet.
+/// Menu actions that export an open case to other programs, import their labels into it, and crop it to a new case.
+/// All of them work on a copy that includes unsaved changes.
 class CaseExchange : public QObject {
   Q_OBJECT
 

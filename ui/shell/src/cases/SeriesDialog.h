@@ -40,7 +40,7 @@ class SeriesDialog : public QDialog {
   void arrange();
   void showChosen();
   void preview();
-  /// Only now it is known what the voxels say.
+  /// Shows facts that need the voxels, once they are read.
   void showRead();
   void showPicture();
   std::string chosenUid() const;

@@ -17,7 +17,7 @@ struct ChartInk {
 ChartInk screenChartInk();
 ChartInk paperChartInk();
 
-/// Puts an image into a plot, in place of what it showed.
+/// Replaces the contents of a plot.
 void fillPlot(QwtPlot& plot, const ChartPicture& picture, const ChartInk& ink);
 
 }  // namespace insonate::ui

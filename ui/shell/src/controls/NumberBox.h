@@ -11,8 +11,8 @@
 
 namespace insonate::ui {
 
-/// A QSpinBox or QDoubleSpinBox that says what it does not take: a letter is left out, and a number out of range comes
-/// to the nearest in it, each with a sentence under the field. Decimals may follow a comma or a point.
+/// A QSpinBox or QDoubleSpinBox that explains refused input: a letter is ignored, and a number out of range becomes
+/// the nearest permitted one, each with a sentence under the field. Decimals may follow a comma or a point.
 template <class SpinBox>
 class NumberBox : public SpinBox {
   using Value = decltype(std::declval<SpinBox>().value());

@@ -17,7 +17,7 @@ class QToolButton;
 
 namespace insonate::ui {
 
-/// One question of a form, with room for its answer and for what is wrong with it.
+/// One question of a form, with its answer and the error in it.
 class FormQuestion final : public QWidget {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class FormQuestion final : public QWidget {
   FormQuestion(const FormItem& item, bool takesNote, QWidget* parent = nullptr);
 
   const std::string& name() const { return name_; }
-  /// None: not answered.
+  /// The answer; empty without one.
   std::optional<Answer> answer() const;
   void setAnswer(const std::optional<Answer>& answer);
   /// Key of the note among the answers, and its text; empty without a note.

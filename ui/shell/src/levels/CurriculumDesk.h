@@ -17,27 +17,28 @@ namespace insonate::ui {
 
 class Account;
 
-/// The curricula of the store, and the one that is looked at or written, without a widget. A draft is saved in the
-/// store a moment after each change and when it is left. For the window's thread.
+/// The curricula of the store, and the selected one, without a widget. A draft is saved in the store a moment after
+/// each change and when it is left. For the window's thread.
 class CurriculumDesk : public QObject {
   Q_OBJECT
 
  public:
   explicit CurriculumDesk(Account& account, QObject* parent = nullptr);
-  /// Saves what is not saved yet, where the account is still there; the end of the program saves it, too.
+  /// Saves unsaved changes, if the account still exists; the end of the program saves them, too.
   ~CurriculumDesk() override;
 
   const std::vector<OfferedCurriculum>& offers() const { return offers_; }
   const std::vector<Cohort>& cohorts() const { return cohorts_; }
-  /// Null: none.
+  /// The selected offer; null: none.
   const OfferedCurriculum* chosen() const { return chosen_ ? &*chosen_ : nullptr; }
-  /// Once what was written is in the store; where that does not take it, the one that is looked at stays.
+  /// Selects a curriculum once the changes of the present one are stored; if the store refuses them, the present one
+  /// stays.
   void choose(const OfferedCurriculum& offer);
   /// `go` once all that was written is in the store, or another user has saved another; `refused` where the store does
   /// not take it.
   void afterSaving(std::function<void()> go, std::function<void()> refused);
 
-  /// Null while none is read.
+  /// The selected curriculum; null before it is read.
   const Curriculum* curriculum() const { return curriculum_ ? &*curriculum_ : nullptr; }
   bool isDraft() const { return curriculum_ && chosen_->kind == OfferedCurriculum::Kind::Draft; }
   /// Reasons why the draft cannot be published.
@@ -60,7 +61,7 @@ class CurriculumDesk : public QObject {
   void overwriteTheirs();
 
   void begin(const QString& name, std::function<void(Result<void>)> done);
-  /// A draft of the next version of the one that is looked at.
+  /// Begins a draft of the next version of the selected curriculum.
   void beginVersion();
   void discard();
   void publish(std::function<void(Result<void>)> done);

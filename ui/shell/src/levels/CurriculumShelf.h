@@ -11,7 +11,7 @@
 /// Queries about curricula to the store, on the account's thread.
 namespace insonate::ui {
 
-/// A curriculum that can be looked at.
+/// A curriculum that can be selected.
 struct OfferedCurriculum {
   enum class Kind {
     Draft,      ///< is being written; may be unfinished

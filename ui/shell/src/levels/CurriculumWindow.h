@@ -16,7 +16,7 @@ class LevelForm;
 class LevelList;
 class LevelStoryView;
 
-/// The curricula: what is published is looked at and given to classes, drafts are written and published. For
+/// The window of curricula: shows published ones and assigns them to classes, and edits and publishes drafts. For
 /// instructors and administrators.
 class CurriculumWindow : public QDialog {
   Q_OBJECT
@@ -24,7 +24,7 @@ class CurriculumWindow : public QDialog {
  public:
   CurriculumWindow(Account& account, QWidget* parent);
 
-  /// Once what was written is saved; where it cannot be, who closes is asked.
+  /// Closes once all changes are saved; if they cannot be saved, asks the user.
   void reject() override;
 
  private:

@@ -8,10 +8,10 @@
 
 namespace insonate::ui {
 
-/// A change of one level. It is told with the field it is of, as in CurriculumDesk::edit().
+/// A change of one level. It is reported with its field, as in CurriculumDesk::edit().
 using LevelEdit = std::function<void(Level&)>;
 
-/// Sets a text without moving the cursor of who is typing it.
+/// Sets a text without moving the cursor of a user who is typing.
 template <class Field>
 void showText(Field& field, const QString& text) {
   if (field.text() != text) field.setText(text);

@@ -34,7 +34,7 @@ class LevelForm final : public QWidget {
   void buildPlace(QFormLayout& form);
   void showPlace(const Level& level);
   void showPrerequisites(const Curriculum& curriculum, const Level& level);
-  /// Keeps the data of what is chosen.
+  /// Stores the data of the chosen entry.
   void addChoice(QComboBox* box, std::string Level::*member);
 
   const TeachingNames& known_;

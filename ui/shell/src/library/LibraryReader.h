@@ -18,9 +18,8 @@ QStringList casesIn(const QStringList& folders);
 /// Facts that are known without reading volumes: place, title, version; for a broken case, the reason.
 LibraryEntry listedCase(const QString& place, bool builtIn);
 
-/// Reads the case, or what is kept of it in `cache`, and fills in the rest: images, grade, fitness. Kept under what
-/// tells states of a case apart, without names or places. Takes seconds for a case that is new. For a thread of its
-/// own; null when told to stop.
+/// Reads the case, or its entry in `cache`, and fills in images, grade and fitness. Cached under a key of the case's
+/// state, without names or places. Takes seconds for a new case. For a thread of its own; null when stopped.
 LibraryEntry knownCase(LibraryEntry listed, const QString& cache, const Progress& progress);
 
 }  // namespace insonate::ui

@@ -18,8 +18,8 @@ namespace insonate::ui {
 class LibraryFilter;
 class LibraryModel;
 
-/// All cases at hand: those of the folders that the user has chosen, and the built-in necks, with what they show and
-/// how hard they are. They are looked at one after the other on a thread of its own while the window is open.
+/// All available cases: those of the folders that the user has chosen, and the built-in necks, with contents and
+/// difficulty. A thread reads them one after the other while the window is open.
 class LibraryWindow final : public QDialog {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class LibraryWindow final : public QDialog {
   explicit LibraryWindow(QWidget* parent);
   ~LibraryWindow() override;
 
-  /// Nothing is being looked at any more.
+  /// Tells whether all cases have been read.
   bool isDone() const { return done_; }
 
  Q_SIGNALS:

@@ -20,7 +20,7 @@ class ClippingControls : public QWidget {
  public:
   explicit ClippingControls(std::shared_ptr<views::SceneView> scene, QWidget* parent = nullptr);
 
-  /// Takes over what the scene has.
+  /// Shows the scene's present state.
   void refresh();
 
  Q_SIGNALS:

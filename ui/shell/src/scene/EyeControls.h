@@ -20,7 +20,7 @@ class EyeControls : public QWidget {
  public:
   explicit EyeControls(std::shared_ptr<views::SceneView> scene, QWidget* parent = nullptr);
 
-  /// Takes over what the scene has, and what its window can.
+  /// Shows the scene's present state, and the abilities of its window.
   void refresh();
   /// The numbers, which stay when the view is off; not the stereo mode, which belongs to a pair of glasses at hand.
   void save(QSettings& settings) const;

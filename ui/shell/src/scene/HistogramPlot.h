@@ -9,8 +9,8 @@
 
 namespace insonate::ui {
 
-/// The image of a histogram with the transfer function over it, and the hand on its nodes. It changes nothing itself:
-/// it asks, by edited(), and shows what it is given.
+/// Plot of a histogram with the transfer function over it, whose nodes can be dragged. It changes nothing itself: it
+/// requests changes by edited(), and shows the function that it is given.
 class HistogramPlot : public QWidget {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class HistogramPlot : public QWidget {
   const views::TransferFunction& function() const { return function_; }
   int selected() const { return selected_; }
   void select(int node);
-  /// In the middle of the wider side of the chosen node.
+  /// Adds a node in the middle of the wider side of the selected node.
   void addBeside();
   void removeSelected();
 

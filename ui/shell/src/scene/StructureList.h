@@ -21,7 +21,7 @@ class StructureList : public QWidget {
  public:
   explicit StructureList(std::shared_ptr<views::SceneView> scene, QWidget* parent = nullptr);
 
-  /// Takes over what the scene has.
+  /// Shows the scene's present state.
   void refresh();
 
  Q_SIGNALS:

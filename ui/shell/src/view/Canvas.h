@@ -24,7 +24,7 @@ class ViewWidget::Canvas final : public QWidget {
   Canvas(views::View& view, QWidget* parent);
   ~Canvas() override;
 
-  /// Tells the view its size, which makes it want to be rendered.
+  /// Passes the size to the view, which then requests a rendering.
   void fit();
   /// Draws the view and shows it, or has it drawn; onDrawn() follows either way. Nothing while it is being drawn: then
   /// it is to be asked for again after that.

@@ -12,7 +12,7 @@ namespace insonate::ui {
 
 class AccountMenu;
 
-/// The line on top: the product's name, the workspaces, the case, its menu, and who sits there.
+/// The top line: the product's name, the workspaces, the case, its menu, and the account.
 class HeaderBar : public QFrame {
   Q_OBJECT
 

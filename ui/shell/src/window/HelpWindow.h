@@ -24,7 +24,7 @@ class HelpWindow : public QDialog {
   explicit HelpWindow(QWidget* parent);
 
   void setShortcuts(const std::vector<ShortcutGroup>& groups);
-  /// A page by its file's name; the first where there is none of that name.
+  /// Shows a page by its file's name; the first page if none has that name.
   void showPage(const QString& name);
   void showKeys();
   QString shownText() const;

@@ -50,26 +50,25 @@ class AttemptControl : public QObject {
 
   State state() const { return state_; }
   bool isRunning() const { return state_ == State::Running; }
-  /// From its start until its end is written.
+  /// Tells whether an attempt is starting, running or being written.
   bool isBusy() const { return state_ != State::Idle && state_ != State::Over; }
   void start();
   void finish() { end(AttemptStatus::Completed); }
   void abandon() { end(AttemptStatus::Abandoned); }
-  /// Abandons this attempt and starts another, with the needle laid down and the probe at its start.
+  /// Abandons this attempt and starts another, with the needle put away and the probe at its start.
   void startAgain();
-  /// While it starts: the attempt waits for setSeal(), some seconds at most. Without a seal it begins, and proves
-  /// nothing.
+  /// Makes a starting attempt wait for setSeal(), some seconds at most. Without a seal it begins unproven.
   void awaitSeal() { sealIsDue_ = true; }
   /// Sets the attempt's identity in a store, and the key of its nonce.
   void setSeal(const RecordedFor& whose, const std::optional<RecordKey>& key);
-  /// The case or the program is left: what is being made is kept as abandoned, at once.
+  /// Ends a running attempt at once, as abandoned, because the case or the program is closed.
   void close();
-  /// From Over to Idle.
+  /// Changes from Over to Idle.
   void leave();
 
   /// Header of the attempt that began last.
   const AttemptHeader& header() const { return header_; }
-  /// As of a tenth of a second ago.
+  /// State of a tenth of a second ago.
   const AttemptView& view() const { return view_; }
   const AttemptScore& score() const { return score_; }
   AttemptStatus status() const { return status_; }

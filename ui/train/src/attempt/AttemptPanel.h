@@ -15,8 +15,8 @@ class StepList;
 class TrainSession;
 class VerdictView;
 
-/// Above the controls: which procedure is begun and how, then the steps with what to do and what went wrong, then the
-/// result. In a test nothing of it is told before the end.
+/// The panel above the controls: choice of the procedure, then steps with instructions and errors, then the result. In
+/// a test it discloses nothing before the end.
 class AttemptPanel final : public QWidget {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class AttemptPanel final : public QWidget {
   /// Beside the result.
   VerdictView& verdict() { return *verdict_; }
 
-  /// As high as what it tells, but no higher than this.
+  /// Maximum height; the panel takes as much as its text needs.
   void setMostHeight(int most_px);
 
  Q_SIGNALS:

@@ -17,7 +17,7 @@ NeedlePlace disclosed(NeedlePlace place, const Disclosure& disclosure);
 /// "guided", "hints", "test".
 QString wordOf(Assistance assistance);
 
-/// As a sentence begins.
+/// Capitalizes the first letter, for the beginning of a sentence.
 QString capital(const QString& words);
 
 /// "2:07".

@@ -11,12 +11,12 @@ struct AttemptView;
 
 namespace insonate::train {
 
-/// The steps of a procedure: what is done, what is due and how it is done, and what went wrong, the latest first.
+/// The steps of a procedure: done, due with instructions, and the errors, the latest first.
 class StepList final : public QWidget {
  public:
   explicit StepList(QWidget* parent = nullptr);
 
-  /// Without the steps: what went wrong alone. Returns whether it needs another height than before.
+  /// Shows an attempt; without the steps, only errors. Returns whether it needs another height than before.
   bool show(const Procedure& procedure, const AttemptView& view, bool withSteps);
 
  private:

@@ -25,7 +25,7 @@ class DeviceList final : public QWidget {
   /// Records the reports of devices on the bus, until it is called with an empty path. False if the file cannot be
   /// written.
   bool record(const std::filesystem::path& file);
-  /// A recording as a device; says what is wrong with it.
+  /// Adds a recording as a device; reports errors in it.
   void replay(const std::filesystem::path& file);
 
  private:

@@ -16,8 +16,8 @@ class DeviceList;
 class HandPlots;
 class HandSection;
 
-/// Haptic devices: what is there, which hand holds what, what it feels, and whether the servo keeps its pace. Beside
-/// the window, so that hands and image are seen together. Nothing runs for it while it is closed.
+/// Haptic devices: connections, assignment to hands, forces, and timing of the servo. A window of its own, so that
+/// hands and image are seen together. Costs nothing while it is closed.
 class DevicePanel final : public QDialog {
   Q_OBJECT
 

@@ -17,7 +17,7 @@ namespace insonate::train {
 
 class NumberField;
 
-/// One hand in the device panel: which device, how it becomes the tool, what it may push, and where it is.
+/// One hand in the device panel: its device, the mapping to the tool, force limits, and position.
 class HandSection final : public QFrame {
   Q_OBJECT
 

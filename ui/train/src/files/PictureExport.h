@@ -17,7 +17,7 @@
 
 namespace insonate::train {
 
-/// A file name for what is on display: case, date and time; without extension, fit for every file system.
+/// File name for the image on display: case, date and time; without extension, valid on every file system.
 QString exportName(const QString& caseTitle);
 
 /// Writes an image as PNG on a thread of its own, where `make` is called, too. `ended` is called on the window's
@@ -32,9 +32,9 @@ class PictureWriter : public QObject {
   std::thread thread_;
 };
 
-/// Writes images with their scale, and what is measured over each of them, as image-0001.png, image-0002.png, ...
-/// into a new folder and returns how many. The folder is there when all of them are; cancelled or failed, nothing is
-/// left. Refuses a folder that exists.
+/// Writes images with their scale and measurements as image-0001.png, image-0002.png, ... into a new folder and
+/// returns their number. The folder appears when all of them are written; after a failure or cancellation, nothing is
+/// left. Refuses an existing folder.
 Result<int> writeClip(const std::vector<std::shared_ptr<const LiveFrame>>& frames,
                       std::span<const views::Calliper> callipers, const std::filesystem::path& folder,
                       const Progress& progress);

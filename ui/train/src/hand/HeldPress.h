@@ -8,8 +8,8 @@ namespace insonate::train {
 
 class TrainSession;
 
-/// A press key that is held down: a step at once, then, after a moment, smoothly on until a key comes up, whoever has
-/// the keyboard by then.
+/// A press key that is held down: one step at once, then, after a moment, smooth motion until a key is released,
+/// wherever the keyboard focus is by then.
 class HeldPress final : public QObject {
  public:
   static constexpr int kBegins_ms = 250;
@@ -17,7 +17,7 @@ class HeldPress final : public QObject {
 
   explicit HeldPress(TrainSession& session, QObject* parent = nullptr);
 
-  /// `step_mm` below 0 lets go.
+  /// Begins a press; `step_mm` below 0 releases.
   void begin(double step_mm);
   void end();
 

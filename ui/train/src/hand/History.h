@@ -15,10 +15,10 @@ class History {
   /// Steps with one key that follow each other within this time are one, e.g. those of a slider that is dragged.
   static constexpr std::chrono::milliseconds kOneStep{1000};
 
-  /// False where it cannot be done now; nothing has changed then.
+  /// Exchanges the states; false if that is impossible now; then nothing has changed.
   using Exchange = std::function<bool()>;
 
-  /// `what` completes "Taken back: ". What was taken back before cannot be done again any more.
+  /// Adds a step; `what` completes "Undone: ". Steps that were undone before can no longer be redone.
   void add(std::string what, Exchange exchange, std::string key = {});
   /// The next step does not join the last one.
   void close() { open_ = false; }

@@ -30,7 +30,7 @@ class ProbeControl {
 
   /// The moves that follow, up to the next begin(), are one gesture.
   void begin() { gestureOpen_ = false; }
-  /// Called once in a gesture, when it has moved the probe, with where it was before.
+  /// Sets a listener that is called once in a gesture, when it has moved the probe, with the probe's former state.
   void setGestureBegan(std::function<void(const ProbeHandState& before)> listener) {
     gestureBegan_ = std::move(listener);
   }

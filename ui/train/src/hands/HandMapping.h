@@ -8,7 +8,7 @@ class QSettings;
 
 namespace insonate::train {
 
-/// From which side of the patient, who lies on the back, a device is used.
+/// Side of the patient, who lies supine, from which a device is used.
 enum class Stand { Head, Right, Left, Feet };
 
 /// The user's mapping of a device to a tool; kept for each device. Motion and force are one to one: only then do they
@@ -24,7 +24,7 @@ struct HandMapping {
 /// Such that the stylus held as `begin` holds the tool at `patientFromStart`. Limits come with the device.
 HandSetup setupOf(const HandMapping& mapping, const Transform& patientFromStart);
 
-/// In the group of the device; what is missing or out of range is the usual.
+/// Saves to the group of the device; missing or invalid values take their defaults when read.
 void save(const HandMapping& mapping, QSettings& settings);
 HandMapping restoredMapping(const QSettings& settings);
 

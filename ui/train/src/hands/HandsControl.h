@@ -29,8 +29,8 @@ struct NeedleShown {
   NeedleState state;
 };
 
-/// Both hands of this workspace: the needle held by mouse and keys, devices and the hands that hold them, a pedal.
-/// What is felt and punctured comes from the servo, whoever holds the needle. For the window's thread.
+/// Both hands of this workspace: the needle held by mouse and keys, devices and their hands, a pedal. Forces and
+/// punctures come from the servo for every kind of hand. For the window's thread.
 class HandsControl : public QObject {
   Q_OBJECT
 
@@ -47,10 +47,10 @@ class HandsControl : public QObject {
   void setCase(std::shared_ptr<const LabelMap> labels, const ProbeHand* hand, VesselNames vessels = {});
   /// Hears of each tick of the hands; meanwhile the probe is in one, also without a needle. Null for none.
   void setAttempt(std::shared_ptr<LiveAttempt> attempt);
-  /// In a test nobody says what the needle meets.
+  /// In a test, messages about the needle's contacts are suppressed.
   void setSilent(bool silent);
   void setImaging(LiveImaging* imaging) { session_->setImaging(imaging); }
-  /// Hands are empty while nobody looks.
+  /// Hands are empty while the workspace is not watched.
   void setWatched(bool watched);
   /// Reports the pose at which mouse and keys hold the probe, and the half width of its face.
   void probeMoved(const ProbeHand& hand, double halfWidth_mm);
@@ -62,9 +62,9 @@ class HandsControl : public QObject {
   const Transform& drivenPose() const { return driven_; }
 
   // The needle
-  /// In a hand: of mouse and keys, or of a device.
+  /// Tells whether a needle is in a hand, of mouse and keys or of a device.
   bool hasNeedle() const { return needle_.has_value(); }
-  /// As mouse and keys hold it; null for none, and in a real device.
+  /// The needle held by mouse and keys; null without one, and in a real device.
   const NeedleHand* needleHand() const { return wish_ ? &*wish_ : nullptr; }
   /// Insertion that mouse and keys aim at; the needle is moving there.
   double wantedAdvance_mm() const { return advance_mm_; }
@@ -83,11 +83,11 @@ class HandsControl : public QObject {
   /// The entry to the skin nearest to a point; while the needle is out.
   void needleTo(Vec3 patient_mm);
 
-  /// Frozen with the image: the needle stays where it is, in whatever hand, until it is let go.
+  /// Freezes the needle with the image: it stays in place in any hand until it is released.
   void setHeld(bool held);
 
   // Devices
-  /// By DeviceInfo::id; empty for mouse and keys. Remembered, also while the device is not there.
+  /// Assigns a device by DeviceInfo::id; empty for mouse and keys. Remembered, also while the device is not connected.
   void assign(Hand hand, const QString& device);
   QString assigned(Hand hand) const { return wanted_[hand]; }
   void assignPedal(const QString& device);
@@ -110,8 +110,8 @@ class HandsControl : public QObject {
   void handsChanged();  ///< what is in which hand
   void said(const QString& sentence);
   void pedalPressed(int button);
-  /// While the first button of the device with the needle is held: how far the stylus turned, in degrees, as the view
-  /// is to turn about the patient, to the right and up.
+  /// Emitted while the first button of the needle's device is held: rotation of the stylus, in degrees, by which the
+  /// view turns about the patient, to the right and up.
   void anatomyTurned(double across_deg, double up_deg);
   void drawButton(bool down);  ///< its second button
   void deviceEvent(const insonate::DeviceEvent& event);

@@ -13,7 +13,7 @@ namespace insonate::train {
 class NumberField;
 class TrainSession;
 
-/// The panel's section about the needle: taken up and laid down, its numbers to be typed, and what it meets.
+/// The panel's section about the needle: taking it up and putting it away, its editable numbers, and its contacts.
 class NeedleControls final : public QWidget {
   Q_OBJECT
 

@@ -15,7 +15,7 @@ QString sentenceOf(const NeedleEvent& event, const QString& vessel);
 /// probe's face along the image's depth axis, as the scale beside the image reads.
 QString wordsOf(const NeedleState& state, const QString& vessel, double imageDepth_mm);
 
-/// In a test: what the marks on the shaft and the hand tell, "inserted 22.3 mm, 0.6 N".
+/// Description in a test, by the marks on the shaft and the force in the hand: "inserted 22.3 mm, 0.6 N".
 QString plainWordsOf(const NeedleState& state);
 
 }  // namespace insonate::train

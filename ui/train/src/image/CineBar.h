@@ -12,8 +12,8 @@ namespace insonate::train {
 
 class TrainSession;
 
-/// Under the image: the last seconds of a frozen one, and what can be done with the image on display. Keeps its
-/// size whatever it shows.
+/// The bar under the image: the last seconds of a frozen one, and commands for the image on display. Its size is
+/// constant.
 class CineBar : public QWidget {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class CineBar : public QWidget {
   void setCalliper(int kind);
   void setCtBeside(bool shown);
   void setCtBesideOffered(bool offered);
-  /// Takes as little width as it can.
+  /// Reduces the width to a minimum.
   void setCompact(bool compact);
   /// Tells whether saved images include measurements.
   bool savesMeasurements() const;

@@ -22,7 +22,7 @@ class ImageInput : public QObject {
   ImageInput(TrainSession& session, views::UltrasoundView& view, QWidget& canvas, QObject* parent);
 
   CalliperTool& callipers() { return callipers_; }
-  /// Called when calipers changed by the mouse.
+  /// Sets a listener for calipers changed by the mouse.
   void setMeasured(std::function<void()> listener) { measured_ = std::move(listener); }
 
  protected:

@@ -34,12 +34,12 @@ struct AttemptAim {
 /// Facts that could not be stored on this computer; empty if they were.
 using KeptFacts = QFuture<std::optional<AttemptFacts>>;
 
-/// Writes each attempt of who is signed in into the store, as it begins and as it ends, by what its recording tells, of
-/// which the store keeps a copy. It is first written down on this computer, so that nothing is lost where the store
-/// cannot be reached; what waits is sent again once a minute, when a server is back and when its person signs in. Who
-/// signs out leaves their attempt, which is kept as abandoned. Of guests nothing is kept. Asks the store for the seal
-/// of the next attempt's recording beforehand, so that it begins at once, also while a server is away. For the window's
-/// thread, which waits for nothing.
+/// Stores each attempt of the signed-in user, at its beginning and its end, with the facts of its recording, of which
+/// the store keeps a copy. Facts are first written on this computer, so that nothing is lost while the store cannot be
+/// reached; waiting facts are sent once a minute, when a server is back and when their person signs in. Signing out
+/// ends an attempt as abandoned. Attempts of guests are not stored. Requests the seal of the next attempt's recording
+/// beforehand, so that it begins at once, also while a server is unreachable. For the window's thread; waits for
+/// nothing.
 class AttemptKeeper final : public QObject {
   Q_OBJECT
 
@@ -47,15 +47,15 @@ class AttemptKeeper final : public QObject {
   AttemptKeeper(AttemptControl& attempt, QString folder, QObject* parent = nullptr);
 
   void setAccount(ui::Account& account);
-  /// Asked as an attempt begins.
+  /// Sets the function that is asked for the aim as an attempt begins.
   void setAim(std::function<AttemptAim()> aim) { aim_ = std::move(aim); }
-  /// After the aim has become another one.
+  /// Prepares the next attempt after a change of the aim.
   void prepare();
 
  Q_SIGNALS:
-  /// An attempt of who is signed in ended; the store hears of it next.
+  /// Reports the end of an attempt of the signed-in user; the facts go to the store next.
   void ended(const insonate::AttemptFacts& facts);
-  /// The store has all that there is of who is signed in.
+  /// The store has all facts of the signed-in user.
   void allSent();
   /// Sentence about facts that could not be sent.
   void said(const QString& sentence);

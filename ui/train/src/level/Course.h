@@ -27,18 +27,18 @@ class Course final : public QObject {
   explicit Course(QString unsentFolder, QObject* parent = nullptr);
 
   void setAccount(ui::Account& account);
-  /// Attempts count for somebody.
+  /// Tells whether attempts count for a person.
   bool isSomebodys() const;
 
-  /// Null until it is known.
+  /// The curriculum; null until it is known.
   const Curriculum* curriculum() const { return known_ ? &known_->curriculum : nullptr; }
-  /// As words for people: the class, or that it comes with the program.
+  /// Origin in words: the class, or built-in.
   QString origin() const;
   /// The user's state in each level, in the curriculum's order.
   const std::vector<LevelProgress>& progress() const { return progress_; }
-  /// Null for one that the curriculum lacks.
+  /// Progress in a level; null if the curriculum lacks it.
   const LevelProgress* progressIn(std::string_view level) const;
-  /// In the order in which the store learnt of them.
+  /// Attempts in the order in which the store received them.
   std::vector<AttemptFacts> history() const { return known_ ? known_->history : std::vector<AttemptFacts>{}; }
   /// Why nothing is known, or not all, and what to do; empty: all is well.
   QString trouble() const { return trouble_; }
@@ -55,7 +55,7 @@ class Course final : public QObject {
   int chosen() const { return known_ ? known_->chosen : 0; }
   void choose(int choice);
 
-  /// Asks the store again; changed() tells when it has answered.
+  /// Queries the store again; changed() announces the answer.
   void refresh();
   /// An attempt that ended just now counts before the store has it.
   void add(const AttemptFacts& ended);

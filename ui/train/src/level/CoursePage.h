@@ -14,7 +14,8 @@ namespace insonate::train {
 class Course;
 class LevelControl;
 
-/// In the place of image and controls: the path of levels, one's attempts with their curve, and the questionnaire.
+/// The page in place of image and controls: the path of levels, the user's attempts with their curve, and the
+/// questionnaire.
 class CoursePage final : public QWidget {
   Q_OBJECT
 

@@ -21,7 +21,7 @@ namespace insonate::train {
 
 class Course;
 
-/// One's own attempts, the newest first, and how a metric came along over those that count.
+/// The user's own attempts, the newest first, and the curve of a metric over those that count.
 class HistoryPage final : public QWidget {
   Q_OBJECT
 

@@ -9,7 +9,7 @@ namespace insonate::train {
 
 class LevelControl;
 
-/// In the panel, before an attempt: which level it counts for and what it takes, or that one practices freely.
+/// The level before an attempt, with its rule, or free practice; in the panel.
 class LevelCard final : public QWidget {
   Q_OBJECT
 

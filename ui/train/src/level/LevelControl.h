@@ -28,7 +28,7 @@ class LevelControl final : public QObject {
  public:
   LevelControl(TrainSession& session, AttemptControl& attempt, Course& course, QObject* parent = nullptr);
 
-  /// Null while one practices freely.
+  /// The level; null in free practice.
   const Level* level() const { return level_ ? &*level_ : nullptr; }
   /// The level's case is not the one in the window.
   bool waitsForCase() const { return level_ && !fits(); }

@@ -32,7 +32,7 @@ QString masteryOf(const Level& level);
 /// Requirements of one attempt, without its standards: "completed, succeeded, without a critical error, ...".
 QString passOf(const PassRule& rule);
 
-/// An attempt at a level beside its rule, and what it changed.
+/// Result of an attempt at a level by its rule, and the changes that it made.
 struct Verdict {
   bool passed = false;
   QString headline{};  ///< "Passed", or why not

@@ -14,8 +14,8 @@ namespace insonate::train {
 class Course;
 class LevelControl;
 
-/// The path of levels: what is open, mastered, lapsed or locked and why, and what a level takes. One that is not locked
-/// can be practiced.
+/// The path of levels: open, mastered, lapsed or locked with the reason, and each level's rule. A level that is not
+/// locked can be practiced.
 class PathPage final : public QWidget {
   Q_OBJECT
 

@@ -13,7 +13,7 @@
 /// several at once.
 namespace insonate::train {
 
-/// In the folder of the recordings.
+/// Folder of unsent facts, inside that of the recordings.
 QString unsentFolder();
 /// File of the recording of such an attempt; empty: it has none, or its name leads out of the folder.
 QString recordingOf(const QString& folder, const AttemptFacts& facts);
@@ -24,7 +24,7 @@ Result<void> keepUnsent(const QString& folder, const AttemptFacts& facts);
 /// abandoned without metrics, as one that broke off. A file that cannot be read or scored stays in place and is left
 /// out.
 std::vector<AttemptFacts> unsentOf(const QString& folder, const std::string& person);
-/// The store has these: what was kept of the same attempt since stays.
+/// Removes facts that the store now has; later facts about the same attempt stay.
 void forgetUnsent(const QString& folder, const AttemptFacts& facts);
 
 }  // namespace insonate::train

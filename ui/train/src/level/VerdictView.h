@@ -8,7 +8,7 @@ namespace insonate::train {
 
 struct Verdict;
 
-/// After an attempt: whether it passed its level, which standards were met or missed, what it changed in the path.
+/// The verdict after an attempt: whether it passed its level, standards met and missed, and changes in the path.
 class VerdictView final : public QWidget {
  public:
   explicit VerdictView(QWidget* parent = nullptr);

@@ -20,8 +20,8 @@ namespace insonate::train {
 
 class TrainSession;
 
-/// Slides and turns the probe as a hand does, and times the images that come of it; from when some have come, so that
-/// what is made once (scenes, memory) is not counted.
+/// Slides and turns the probe as a hand does, and times the resulting images; the first ones are left out, since
+/// scenes and memory are made once.
 class LiveMeasure : public QObject {
  public:
   /// `done` is called once, on the window's thread.

@@ -13,7 +13,7 @@ class GainSliders : public QWidget {
  public:
   static constexpr double kMost_dB = 20;
 
-  /// Vertical: stacked. `name` is what it is called, `tooltip` what it does.
+  /// Vertical: stacked. `name` is the label, `tooltip` the explanation.
   GainSliders(Qt::Orientation along, const QString& name, const QString& tooltip, QWidget* parent = nullptr);
 
   void setValues(const std::array<double, 8>& gain_dB);  ///< each -20..20; calls nobody

@@ -7,8 +7,7 @@
 namespace insonate::train {
 
 /// One number with a unit that is typed, or stepped by arrows and, once it has the keyboard, by the wheel. Enter
-/// applies it; what is no number or out of range is refused with a sentence under it, and the number goes back to what
-/// it was.
+/// applies it; invalid input is refused with a sentence under it, and the former number is restored.
 class NumberField : public QLineEdit {
  public:
   struct Range {
@@ -18,7 +17,7 @@ class NumberField : public QLineEdit {
   /// `unit` as printed after the number, with its space where there is one.
   NumberField(const QString& name, const QString& unit, const Range& range, QWidget* parent = nullptr);
 
-  /// Not while a user types in it. Calls nobody.
+  /// Shows a value, unless the user is typing. Emits nothing.
   void show(double value);
   double value() const { return value_; }
   void setTyped(std::function<void(double value)> listener) { typed_ = std::move(listener); }

@@ -24,7 +24,7 @@ class Positions : public QWidget {
   explicit Positions(TrainSession& session, QWidget* parent = nullptr);
 
   int count() const;
-  /// From 0; nothing happens beyond the list.
+  /// Moves the probe to a position, counted from 0; no effect beyond the list.
   void recall(int place);
   /// Saves the probe's present position as one of the user's own.
   void saveCurrent();

@@ -17,11 +17,11 @@ class ProbeNumbers : public QWidget {
   explicit ProbeNumbers(QWidget* parent = nullptr);
 
   void show(const HandNumbers& numbers);
-  /// Called for numbers that a user types or steps.
+  /// Sets a listener for numbers that the user types or steps.
   void setTyped(std::function<void(HandAxis axis, double value)> listener) { typed_ = std::move(listener); }
-  /// Called for a place that a user types; patient LPS.
+  /// Sets a listener for a place that the user types; patient LPS.
   void setPlaced(std::function<void(Vec3 patient_mm)> listener) { placed_ = std::move(listener); }
-  /// Called with a sentence for what cannot be taken.
+  /// Sets a listener for sentences about refused input.
   void setRefused(std::function<void(const QString& sentence)> listener) { refused_ = std::move(listener); }
 
  private:

@@ -28,13 +28,13 @@ class FitCanvas : public QWidget {
   using Line = std::array<PixelPoint, 2>;
   void setLine(const std::optional<Line>& line);
   const std::optional<Line>& line() const { return line_; }
-  /// In the widget's pixels.
+  /// Position in the widget's pixels.
   QPointF placeOf(PixelPoint p) const { return widgetFrom(p); }
   /// Sets the next thing to do, shown while there is no image.
   void setInvitation(const QString& text);
 
   enum class Handle { None = -1, Left, Right, Face, End, LeftCorner, RightCorner, Whole };
-  /// In the widget's pixels; (0, 0) without a shape.
+  /// Position of a handle in the widget's pixels; (0, 0) without a shape.
   QPointF placeOf(Handle handle) const;
 
   QSize sizeHint() const override { return {720, 540}; }

@@ -21,8 +21,9 @@ namespace insonate::train {
 
 class FitCanvas;
 
-/// From a photograph or screen capture of a machine to a probe: a file, a drop or the clipboard is fitted on a thread
-/// of its own, shown with the fit over it, corrected by hand. The image is kept no longer than the dialog.
+/// Makes a probe from a photograph or screen capture of a scanner: an image from a file, a drop or the clipboard is
+/// fitted on a thread of its own, shown with the fit over it, and corrected by hand. The image is kept no longer than
+/// the dialog.
 class FitDialog : public QDialog {
   Q_OBJECT
 
@@ -37,7 +38,7 @@ class FitDialog : public QDialog {
   bool isWorking() const;
   QString message() const;
 
-  /// After Take over.
+  /// The probe, after Apply.
   const Probe& probe() const { return probe_; }
 
  protected:

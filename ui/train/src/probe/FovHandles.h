@@ -23,7 +23,7 @@ class FovHandles : public QObject {
 
   void setActive(bool active);
   bool isActive() const { return active_; }
-  /// While a handle is held, the image must keep its scale.
+  /// Tells whether a handle is held: then the image must keep its scale.
   bool isHeld() const { return held_; }
   /// Part of the imaging plane to show, with room to drag outward.
   views::PictureBounds roomFor(const views::PictureBounds& fieldOfView) const;

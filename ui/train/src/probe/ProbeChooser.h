@@ -10,7 +10,7 @@ namespace insonate::train {
 class ProbeLibrary;
 class TrainSession;
 
-/// The probe in use, from those that come with the program and the user's own, and the way to edit it.
+/// The probe in use, chosen from the built-in and the user's own ones, and the button that edits it.
 class ProbeChooser : public QWidget {
   Q_OBJECT
 

@@ -22,8 +22,8 @@ namespace insonate::train {
 class ProbeLibrary;
 class TrainSession;
 
-/// Every number of a probe, with the live image as its preview: what is valid is used at once, what is not is said
-/// beside the control. Undo is the session's.
+/// Every number of a probe, with the live image as its preview: valid values apply at once, errors are stated beside
+/// the control. Undo is the session's.
 class ProbeEditor : public ScrollingColumn {
   Q_OBJECT
 
@@ -32,7 +32,7 @@ class ProbeEditor : public ScrollingColumn {
 
   /// The probe as edited, valid or not.
   const Probe& draft() const { return draft_; }
-  /// Takes a whole probe over, e.g. from an image; the image's depth becomes the probe's own.
+  /// Replaces the whole draft, for example by a fitted probe; the image's depth becomes the probe's own.
   void take(const Probe& probe);
   /// Error in the draft, a sentence; empty while the draft is in use.
   QString problem() const;

@@ -21,11 +21,11 @@ class ProbeLibrary : public QObject {
     QString name, file;
     Probe probe;
   };
-  /// By name; files that hold no probe are left out.
+  /// Saved probes by name; files that hold no probe are left out.
   const std::vector<Entry>& entries() const { return entries_; }
   const Entry* find(const std::string& name) const;
 
-  /// Under the probe's name; a probe of that name is replaced. Refuses names of built-in probes.
+  /// Saves a probe under its name, replacing a probe of that name. Refuses names of built-in probes.
   Result<void> save(const Probe& probe);
   Result<void> rename(const std::string& name, const std::string& newName);
   Result<void> remove(const std::string& name);

@@ -23,12 +23,12 @@ class FourSlices : public QWidget {
   explicit FourSlices(QWidget* parent = nullptr);
   ~FourSlices() override;
 
-  /// As it is shown from now on; the crosshair goes to the probe with the next follow().
+  /// Sets the case; the crosshair moves to the probe with the next follow().
   void setCase(const std::shared_ptr<views::VtkCase>& patient);
   /// The probe's plane is the probe's; when the probe has moved, the crosshair goes to the middle of its picture.
   void follow(const std::shared_ptr<const ImagingSetup>& setup, const Transform& patientFromProbe);
   void setWindowLevel(views::WindowLevel value);
-  /// Called when the user changed window or level of one of them.
+  /// Sets a listener for window and level changed by the user.
   void setWindowChanged(const std::function<void(views::WindowLevel)>& listener);
   void setLabelOpacity(double opacity);
   void setLabelColour(std::uint8_t label, views::Colour colour);

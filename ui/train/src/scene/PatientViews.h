@@ -52,10 +52,10 @@ class PatientViews : public QWidget {
   /// Tabs with shorter words.
   void setCompact(bool compact);
   bool showsAllSlices() const;
-  /// Called when four slices begin to need more room than one, and when they cease to.
+  /// Sets a listener that is called when four slices begin to need more space than one, and when they cease to.
   void setRoomWanted(std::function<void(bool more)> listener) { roomWanted_ = std::move(listener); }
   FourSlices& allSlices() { return *four_; }
-  /// Null for a canvas that shows none.
+  /// The slice of a canvas; null if the canvas shows none.
   views::MprView* sliceOf(const QObject* canvas);
   /// One of views::windowLevelPresets().
   void setSliceWindow(int preset);
@@ -92,7 +92,7 @@ class PatientViews : public QWidget {
   void want();
   void follow();
   void showNeedle();
-  /// Without anatomy: no CT, and a whole skin that hides what is under it.
+  /// Shows or hides anatomy: hidden means no CT, and an opaque skin.
   void showDisclosure();
 
   TrainSession& session_;

@@ -16,7 +16,7 @@ struct TissueChoice {
 };
 bool operator==(const TissueChoice& a, const TissueChoice& b);
 
-/// Without heart or breath where those are off.
+/// Physiology of the choice, without heart or breath if those are off.
 Physiology physiologyOf(const TissueChoice& choice);
 
 void saveTissue(const TissueChoice& choice, QSettings& settings);

@@ -18,8 +18,8 @@ namespace insonate::train {
 
 class TrainSession;
 
-/// The line under the image: how hard the probe presses and what that does to the vessels, and what is shown of it.
-/// Without pressing, it is empty. Numbers change a few times a second, so that they can be read.
+/// The line under the image: the probe's force, its effect on the vessels, and the switches of overlays. Empty without
+/// pressure. Numbers change a few times a second, so that they can be read.
 class TissueStrip final : public QWidget {
   Q_OBJECT
 

@@ -7,13 +7,13 @@
 
 namespace insonate::train {
 
-/// Null where no such vessel is known in the plane.
+/// Area of a vessel; null if there is none in the plane.
 const LumenArea* lumenOf(const LivePress& press, Label label);
 
 /// Tells whether the probe's pressure is high enough for a number.
 bool presses(const LivePress& press);
 
-/// As the vessel is told in words and curves over the picture.
+/// Color of the vessel in text and curves over the image.
 QColor vesselColour(Label label);
 
 }  // namespace insonate::train

@@ -27,11 +27,11 @@ class CastProp : public vtkProp {
       void setNews(std::function<void()> news) {
     news_ = std::move(news);
   }
-  /// Null for none.
+  /// Sets the case; null for none.
   void setCase(const std::shared_ptr<const VtkCase>& patient);
   void setTransferFunction(const TransferFunction& function);
   void setClipping(const std::optional<ClippingPlane>& plane) { clipping_ = plane; }
-  /// While the scene moves, nothing is refined.
+  /// Sets whether the scene moves: then no image is refined.
   void setMoving(bool moving);
   /// Tells whether the last frame has all its rays.
   bool exact() const { return exact_; }
@@ -39,7 +39,7 @@ class CastProp : public vtkProp {
   /// Since then something has become ready.
   bool hasNews() const { return fresh_; }
 
-  /// Pixels from one ray to the next, along a side, where an image has so many and a ray takes so long.
+  /// Distance of rays in pixels, along a side, for an image of this many pixels and this time per ray.
   static double spacingFor(double pixels, double perRay_ms);
 
   double* GetBounds() override;

@@ -39,7 +39,7 @@ struct CastVolume {
   CastGrid fine, coarse;
 };
 
-/// Takes a tenth of a second for a large CT, on the caller's thread.
+/// Makes a volume; takes a tenth of a second for a large CT, on the caller's thread.
 std::shared_ptr<const CastVolume> makeCastVolume(std::shared_ptr<const PatientCase> patient);
 
 /// A patient's CT as a transfer function shows it, made ready for rays. Nothing of it changes any more.

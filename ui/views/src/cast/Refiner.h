@@ -17,8 +17,8 @@ struct CastPicture {
   std::vector<std::uint8_t> rgba;  ///< as RayCaster gives it
 };
 
-/// Casts what takes longer than a window may wait, on threads of low priority that it owns. All calls return at once;
-/// what is in work when its task is no longer wanted is left within a row.
+/// Casts rays that take longer than a window may wait, on threads of low priority that it owns. All calls return at
+/// once; work on a task that is no longer needed stops within a row.
 class Refiner {
  public:
   static constexpr int kEyes = 2;
@@ -32,9 +32,9 @@ class Refiner {
   /// The last one made; null before.
   std::shared_ptr<const CastVolume> volume() const;
 
-  /// Instead of what was wanted for this eye.
+  /// Replaces the request for this eye.
   void want(int eye, CastTask task);
-  /// Nothing is wanted any more.
+  /// Drops all requests.
   void rest();
   /// The last one made for this eye; null before.
   std::shared_ptr<const CastPicture> picture(int eye) const;

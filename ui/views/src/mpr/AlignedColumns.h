@@ -26,10 +26,10 @@ class AlignedColumns {
     std::array<int, 3> nearest;       ///< voxel, at 0 along its own axis
   };
 
-  /// False where rows are oblique to the grid.
+  /// Aligns with a plane; false if its rows are oblique to the grid.
   bool place(const VolumeGeometry& grid, const SlicePlane& plane);
 
-  /// None for a row outside the grid.
+  /// Samples of a row; none for a row outside the grid.
   std::optional<Row> row(const VolumeGeometry& grid, const SlicePlane& plane, int row) const;
   /// `line` is work space. The values of columns first() to end() are then hu(line, column).
   void mix(const CtVolume& ct, const Row& row, std::vector<float>& line) const;

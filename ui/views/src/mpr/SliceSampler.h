@@ -20,16 +20,16 @@ struct LabelPaint {
   double fill = 0, outline = 0;  ///< opacities, 0..1
 };
 
-/// CT and labels on a plane: trilinear CT in patient space, whatever the grid's spacing and direction, and the nearest
+/// CT and labels on a plane: trilinear CT in patient space, for any spacing and direction of the grid, and the nearest
 /// voxel's label, outlined where labels meet. Black outside the grid. Keeps its work space between calls.
 class SliceSampler {
  public:
   void setWindowLevel(const WindowLevel& value);
-  /// In pixels, at least 1; half of a line between two labels lies in each.
+  /// Sets the outlines' width in pixels, at least 1; half of a line between two labels lies in each.
   void setOutlineWidth(int width_px) { outline_px_ = width_px; }
   void setPaint(std::uint8_t label, const LabelPaint& paint) { paint_[label] = paint; }
 
-  /// Labels that are proposed in a block of the grid, 255 for none; laid over the others in their colours. Null
+  /// Sets labels that are proposed in a block of the grid, 255 for none; drawn over the others in their colors. Null
   /// without.
   void setProposal(const VoxelBox& box, const LabelMap* labels) { proposalBox_ = box, proposal_ = labels; }
 

@@ -22,7 +22,7 @@ class NameRows {
     std::size_t letters;  ///< that there is room for
   };
 
-  /// None where the name finds no room.
+  /// Places a name; none if it finds no room.
   std::optional<Place> put(DisplayPoint mark, std::size_t letters) {
     constexpr double kLetter = 0.58, kRow = 1.25, kGap = 0.85;  // of the size
     constexpr double kShare = 0.4;                              // of the view, for one name

@@ -31,7 +31,7 @@ class PictureQuad {
   struct Part {
     double left = 0, top = 0, right = 1, bottom = 1;
   };
-  /// Puts that part on this rectangle; left of right mirrors it.
+  /// Places that part on this rectangle; left of right mirrors it.
   void place(DisplayPoint topLeft, DisplayPoint bottomRight, int height_px, const Part& part);
   void show(bool visible);
 

@@ -4,7 +4,8 @@
 
 namespace insonate::views {
 
-/// A small cross, open at the middle, where another view is pointed at. It does not hide what it marks.
+/// Draws a small cross, open at the middle, at the point under the pointer of another view. It does not hide the
+/// point.
 void drawPointerMark(DisplayPoint at, double scale, Lines& lines);
 
 }  // namespace insonate::views

@@ -31,7 +31,7 @@ class Texts {
 
   void begin(int height_px);
   void put(DisplayPoint at, const std::string& words, const TextStyle& style);
-  /// Hides what was not put since begin().
+  /// Hides texts that were not put since begin().
   void end();
 
  private:

@@ -14,7 +14,7 @@ class vtkVolume;
 
 namespace insonate::views {
 
-/// The CT itself, ray cast: by the graphics card, or where there is none by a CastProp. Costs nothing while it is not
+/// The CT as a volume, ray cast: by the graphics card, or without one by a CastProp. Costs nothing while it is not
 /// visible.
 class CtVolumeActor {
  public:
@@ -28,9 +28,9 @@ class CtVolumeActor {
   void setCoarse(bool coarse);
   /// Sets whether there is no graphics card.
   void setSoftware(bool software);
-  /// Called on other threads when a better image can be drawn.
+  /// Sets a listener that is called on other threads when a better image can be drawn.
   void setNews(std::function<void()> news) { cast_->setNews(std::move(news)); }
-  /// Nothing is missing of what was drawn last.
+  /// Tells whether the last drawing is complete.
   bool exact() const { return !shown_ || !software_ || cast_->exact(); }
   /// Drawing it again would show more.
   bool hasNews() const { return shown_ && software_ && cast_->hasNews(); }

@@ -23,7 +23,8 @@ class CutFace {
   /// Sets whether the inside is filled; the wall is always drawn.
   void setFilled(bool filled);
   void setVisible(bool visible);
-  /// `lift_mm` toward what is cut away, so that of two that lie in each other the inner one is seen.
+  /// Cuts a surface; `lift_mm` moves the face toward the removed side, so that of two nested structures the inner one
+  /// is seen.
   void cut(const Surface& surface, const ClippingPlane& plane, double lift_mm);
   void clear();
   /// Line width, in device pixels.

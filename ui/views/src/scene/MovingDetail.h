@@ -11,15 +11,15 @@ class vtkRenderWindow;
 
 namespace insonate::views {
 
-/// Keeps a moving scene quick: it is drawn into a corner of its window and enlarged from there, in steps that follow
-/// from how long the last images took. What is left out are pixels, which is what a processor without a graphics card
-/// pays for. Images of a scene at rest are not touched.
+/// Keeps a moving scene fast: it is drawn into a corner of its window and enlarged from there, in steps that follow
+/// from the times of the last images. That saves pixels, the main cost for a processor without a graphics card. Images
+/// of a scene at rest are not affected.
 class MovingDetail {
  public:
   explicit MovingDetail(int step = 0);
   ~MovingDetail();
 
-  /// At the start of a window's image, and at the end of the renderer's.
+  /// Call at the start of a window's image, and at the end of the renderer's.
   void starts(vtkRenderer& renderer, bool moving);
   void ends(vtkRenderer& renderer);
   void release(vtkRenderWindow& window);

@@ -10,7 +10,7 @@ namespace insonate::views {
 /// Section of a closed surface by a plane: the inside as triangles, and its outline. Patient LPS mm.
 class PlaneCut {
  public:
-  /// Takes a few milliseconds for 100 000 triangles; allocates nothing after the first of a size.
+  /// Cuts a surface: a few milliseconds for 100 000 triangles; allocates nothing after the first of a size.
   void cut(const Surface& surface, const ClippingPlane& plane);
 
   /// x, y, z of each point, in the plane.

@@ -16,11 +16,11 @@ void stand(vtkCamera& camera, const CameraPlace& place);
 /// Near and far, so that the box lies between.
 void enclose(vtkCamera& camera, const double box[6]);
 
-/// With what was left open: the screen's height from the view's size, and its place from where the usual camera looks.
+/// Completes a coupling: the screen's height from the view's size, and its place from the default camera.
 HeadCoupling placed(HeadCoupling coupling, vtkCamera& usual, int width_px, int height_px);
 
-/// Puts the camera where the eye is, looking square at the screen's plane. `across_mm` is how far to the right of the
-/// middle between the eyes this one is.
+/// Places the camera at the eye, looking perpendicular to the screen's plane. `across_mm` is the eye's distance to the
+/// right of the middle between the eyes.
 void standBeforeScreen(vtkCamera& camera, const HeadCoupling& coupling, double across_mm);
 
 /// Then, with the camera's clipping range set: the screen is a window that the eye looks through. (VTK's own off-axis

@@ -29,7 +29,7 @@ class SceneStage {
   void attach(vtkRenderWindow& window);
   void detach(vtkRenderWindow& window);
 
-  /// The next images show this. What is given gets the memory of a state that is shown no more.
+  /// Sets the state of the next images. `next` receives the memory of a former state.
   void show(SceneState& next);
   /// Tells whether the renderer's next frame needs layout().
   bool due() const { return due_ || (now_.coupling && now_.stereo != Stereo::Off); }

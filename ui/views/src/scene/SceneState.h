@@ -31,8 +31,8 @@ struct CameraPlace {
   double angle_deg = 30;
 };
 
-/// All that an image of a scene follows from, as plain data: what the window's thread says, and hands to the one that
-/// draws. What is large is shared; a copy into one of the same case allocates nothing.
+/// State that determines an image of a scene, as plain data: written by the window's thread, passed to the drawing
+/// thread. Large parts are shared; a copy into a state of the same case allocates nothing.
 struct SceneState {
   int width_px = 1, height_px = 1;
   double scale = 1;

@@ -10,7 +10,7 @@
 
 namespace insonate::views {
 
-/// One label's surface, with a coarser one beside it where it is large.
+/// One label's surface, with a coarser one beside it if it is large.
 class Structure {
  public:
   Structure();

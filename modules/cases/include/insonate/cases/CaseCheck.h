@@ -28,7 +28,7 @@ struct Finding {
 /// Fails only when cancelled.
 Result<std::vector<Finding>> checkCase(const CaseView& patient, const Progress& progress = {});
 
-/// True without errors; warnings do not count.
+/// Tells whether there are no errors; warnings do not count.
 bool isFit(const std::vector<Finding>& findings);
 
 }  // namespace insonate

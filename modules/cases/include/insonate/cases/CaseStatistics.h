@@ -22,7 +22,8 @@ struct CaseStatistics {
   double volume_ml(std::uint8_t label) const { return static_cast<double>(voxels[label]) * voxel_mm3 / 1000; }
 };
 
-/// Goes once over CT and labels, which must be on one grid. Fails on a case without voxels, and when cancelled.
+/// Computes the statistics in one pass over CT and labels, which must be on one grid. Fails on a case without voxels,
+/// and when cancelled.
 Result<CaseStatistics> caseStatistics(const CaseView& patient, const Progress& progress = {});
 
 }  // namespace insonate

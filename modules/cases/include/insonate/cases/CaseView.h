@@ -27,7 +27,7 @@ struct CaseVolumes {
   std::shared_ptr<const CtVolume> ct;
   std::shared_ptr<const LabelMap> labels;
 
-  /// Null where the patient is.
+  /// Holds a patient's volumes; null if the patient is.
   CaseVolumes(const std::shared_ptr<const PatientCase>& patient)
       : CaseVolumes(patient, patient ? std::shared_ptr<const LabelMap>(patient, &patient->labels) : nullptr) {}
   CaseVolumes(const std::shared_ptr<const PatientCase>& patient, std::shared_ptr<const LabelMap> instead)

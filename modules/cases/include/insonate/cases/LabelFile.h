@@ -39,7 +39,7 @@ Result<LabelReadResult> readLabelMap(const std::filesystem::path& file);
 Result<LabelReadResult> importLabels(const PatientCase& patient, const std::filesystem::path& file,
                                      const std::filesystem::path& names = {}, const Progress& progress = {});
 
-/// Puts imported labels into the case they were imported for, and says so in its notes, without the names of segments.
+/// Replaces a case's labels by labels imported for it, and adds a note, without the names of segments.
 void takeLabels(LabelReadResult&& imported, PatientCase& patient);
 
 /// Refuses a name that writeLabelFile does not take.

@@ -14,10 +14,10 @@ struct LandmarkKind {
   bool onSkin;  ///< lies on the skin, not below it
 };
 
-/// In the order in which a form lists them.
+/// Kinds of landmarks, in the order of a form.
 std::span<const LandmarkKind> landmarkKinds();
 
-/// Null for a code that is not known here.
+/// Kind of a code; null if the code is unknown.
 const LandmarkKind* landmarkKind(std::string_view code);
 
 }  // namespace insonate

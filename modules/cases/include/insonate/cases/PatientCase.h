@@ -78,7 +78,7 @@ enum class LabelState : std::uint8_t { NotStarted, InProgress, Completed, Flagge
 /// "not started", "in progress", "completed", "flagged".
 std::string_view nameOf(LabelState state);
 
-/// By label.
+/// Progress by label.
 using LabelStates = std::map<std::uint8_t, LabelState>;
 
 /// The author's word, else what can be seen: begun, or not.
@@ -104,7 +104,7 @@ struct CaseManifest {
 };
 
 using LabelColour = std::array<std::uint8_t, 3>;  ///< sRGB
-/// By label.
+/// Color by label.
 using LabelColours = std::map<std::uint8_t, LabelColour>;
 
 /// A patient: CT and labels on one grid, and facts about them. Owns its volumes.
@@ -131,7 +131,7 @@ Result<CaseReadResult> readCase(const std::filesystem::path& folder);
 /// case already unless `replace`.
 Result<void> checkCaseTarget(const std::filesystem::path& folder, bool replace);
 
-/// True for a path of one of the files that make the case in `folder`, whether it exists yet or not, links included.
+/// Tells whether a path is one of the files of the case in `folder`, whether it exists yet or not, links included.
 bool isCaseFile(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 /// Writes the three files so that 3D Slicer and ITK-SNAP open them as they are, with ITK-SNAP's label description

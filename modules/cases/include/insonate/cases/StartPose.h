@@ -13,7 +13,7 @@ namespace insonate {
 /// where the label map is empty, everything denser than -300 HU. Fails when no skin is met.
 Result<StartPose> proposeStartPose(const CaseView& patient);
 
-/// The same over any target.
+/// Proposes a start pose over any target.
 Result<StartPose> poseOver(const CaseView& patient, const Target& target);
 
 /// The pose that `auto` means: the case's first start pose, else the proposed one.

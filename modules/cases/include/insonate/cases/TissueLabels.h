@@ -11,10 +11,10 @@ namespace insonate {
 /// None where the author has no labels of his own. Some hundredths of a second for a large CT.
 std::optional<LabelMap> inTissues(const OwnLabels& own, const LabelMap& labels);
 
-/// The same map where nothing is to be changed.
+/// Replaces own labels by their tissues; returns the same map if there are none.
 std::shared_ptr<const LabelMap> inTissues(const OwnLabels& own, std::shared_ptr<const LabelMap> labels);
 
-/// In its place.
+/// Replaces the patient's own labels by their tissues.
 void putTissues(PatientCase& patient);
 
 }  // namespace insonate

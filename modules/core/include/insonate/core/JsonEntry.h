@@ -21,7 +21,7 @@ class JsonEntry {
   std::string text(const char* key, bool needed = true);
   double number(const char* key, double low, double high);
   std::optional<double> numberIfThere(const char* key, double low, double high);
-  /// Without a fraction.
+  /// Returns a whole number.
   int whole(const char* key, int low, int high);
   std::optional<int> wholeIfThere(const char* key, int low, int high);
   bool flag(const char* key);

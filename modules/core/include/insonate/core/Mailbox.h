@@ -10,7 +10,7 @@
 
 namespace insonate {
 
-/// Hands the latest value from any thread to any thread: a value that has not been taken is replaced by the next. No
+/// Passes the latest value from any thread to any thread: a value that has not been taken is replaced by the next. No
 /// lock and no allocation: a thread waits only while more than 30 others are in the middle of post() or take(). A
 /// triple buffer for any number of writers.
 template <class T>

@@ -13,7 +13,7 @@ struct Preset {
   std::string_view name, text;
 };
 
-/// As insonate_embed() hands them out.
+/// Finds a preset among the files that insonate_embed() compiled in.
 template <class Files>
 std::vector<Preset> presetsOf(const Files& files) {
   std::vector<Preset> presets;

@@ -11,7 +11,7 @@ using Progress = std::function<bool(std::string_view doing, double fraction)>;
 
 inline constexpr std::string_view kCancelled = "Cancelled.";
 
-/// True unless the listener asks for cancellation.
+/// Reports progress; false if the listener asks for cancellation.
 inline bool report(const Progress& progress, std::string_view doing, double fraction) {
   return !progress || progress(doing, fraction);
 }

@@ -56,14 +56,14 @@ class AttemptStore {
   /// Makes an unproven, ended attempt count, on the word of the signed-in user, whose name and reason are in the audit
   /// log. For instructors and administrators, not for their own attempts. Accepting again is no error.
   Result<void> accept(const std::string& attempt, const std::string& reason) const;
-  /// Takes an ended attempt out of the count; instructors and administrators, not for their own.
+  /// Excludes an ended attempt from the count; for instructors and administrators, not for their own attempts.
   Result<void> voidAttempt(const std::string& attempt, const std::string& reason) const;
 
   Result<KeptAttempt> attempt(const std::string& id) const;
   /// Newest first, at most `count` (1..1000) that came before `before`; 0: the newest.
   Result<std::vector<KeptAttempt>> page(const std::string& person, int count, std::int64_t before = 0) const;
-  /// All of a person in the order of arrival, for unlocking and statistics. Without caseHash, workstation, recording,
-  /// recordingHash and handsHash, which those do not need.
+  /// Returns all attempts of a person in the order of arrival, for unlocking and statistics, without caseHash,
+  /// workstation, recording, recordingHash and handsHash.
   Result<std::vector<AttemptFacts>> history(const std::string& person) const;
   /// Returns the last `count` attempts (1..1000) at levels that count (Judgement.h) of each learner in a cohort,
   /// without free practice; grouped by person, each in the order of arrival, like history().

@@ -35,7 +35,7 @@ class ClassImport {
  public:
   explicit ClassImport(SignedIn by) : by_(std::move(by)) {}
 
-  /// In the order of lines. Changes nothing.
+  /// Returns the planned rows in the order of lines. Changes nothing.
   Result<std::vector<ClassImportRow>> plan(const std::string& cohort, const ClassList& list) const;
 
   /// New passwords for all whom a plan adds, in its order.

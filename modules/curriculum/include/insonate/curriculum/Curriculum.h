@@ -16,7 +16,7 @@ enum class Assistance {
   Hints,   ///< hints only when something goes wrong
   Test,    ///< neither
 };
-/// As in files: "guided", "hints", "test".
+/// Name in files: "guided", "hints", "test".
 std::string_view nameOf(Assistance assistance);
 
 /// The value that a metric has to reach in one attempt. A missing value, or one measured by another version of the

@@ -51,13 +51,13 @@ class CurriculumStore {
   /// written.
   static Result<CurriculumStore> open(const std::string& address, const StoreServices& services = {});
 
-  /// For people: the file, or the server without the password.
+  /// Name of the store for messages: the file, or the server without the password.
   const std::string& place() const;
   const std::string& workstation() const;
   /// Folder of the attempts' recordings, as ID.attempt; empty if none are kept.
   const std::filesystem::path& recordings() const;
 
-  /// False: this is a first run; ask for the administrator.
+  /// Tells whether there are accounts; false on a first run: ask for the administrator.
   Result<bool> hasPeople() const;
   /// Creates the first administrator and signs in. Fails if there are people already; `first.role` is ignored.
   Result<SignedIn> createFirstAdministrator(const NewPerson& first, const std::string& password) const;

@@ -18,13 +18,13 @@ class FormStore {
  public:
   explicit FormStore(SignedIn by) : by_(std::move(by)) {}
 
-  /// Gives the id. The same form once more is no error; another one of the same kind by the same rater about the same
-  /// attempt is refused.
+  /// Adds a form and returns its id. Adding the same form again is no error; another form of the same kind by the same
+  /// rater about the same attempt is refused.
   Result<std::string> add(const FilledForm& filled) const;
-  /// In the order in which they came.
+  /// Forms about a person, in the order of arrival.
   Result<std::vector<KeptForm>> ofPerson(const std::string& person) const;
   Result<std::vector<KeptForm>> ofAttempt(const std::string& attempt) const;
-  /// About all who learn in a cohort, of one kind of form; in the order in which they came.
+  /// Forms of one kind about all learners of a cohort, in the order of arrival.
   Result<std::vector<KeptForm>> ofCohort(const std::string& cohort, const std::string& form) const;
   /// Agreement of the raters over all attempts of a cohort: figures that disclose nobody's answers.
   Result<FormAgreement> agreement(const std::string& cohort, const Form& form) const;

@@ -26,12 +26,12 @@ inline constexpr double kFastToVein_s = 3;
 /// that for the whole attempt is a choice.
 inline constexpr double kShort_s = 10;
 
-/// As in JSON and tables: "fast_to_vein".
+/// Name in JSON and tables: "fast_to_vein".
 std::string_view idOf(Implausible flag);
-/// For an instructor: "skin to vein in 1.5 s".
+/// Description for an instructor: "skin to vein in 1.5 s".
 std::string wordsOf(Implausible flag, const AttemptFacts& facts);
 
-/// By an attempt's facts alone, so without SameValues. None for one that is open.
+/// Flags by an attempt's own facts, so without SameValues. None for an open attempt.
 std::vector<Implausible> implausibilities(const AttemptFacts& facts);
 
 /// Tells whether the metrics come from an attempt in which the needle reached the skin. Before that, many attempts

@@ -22,17 +22,17 @@ struct Judgement {
   bool reachesStandards(const PassRule& rule) const;
 };
 
-/// True for a completed attempt, and for one that was abandoned by the trainee or whose recording broke off. False for
-/// an open or voided attempt, and for one abandoned before the skin (its metric "passes" is 0): nothing was tried. A
-/// recording that broke off without a measurement counts: a trainee who ends the program must not choose which attempts
-/// count. An instructor voids the attempt where the device was to blame.
+/// Tells whether an attempt counts: a completed one, and one that the trainee abandoned or whose recording broke off.
+/// An open or voided attempt does not count, nor one abandoned before the skin (its metric "passes" is 0): nothing was
+/// tried. A recording that broke off without a measurement counts: a trainee who ends the program must not choose
+/// which attempts count. An instructor voids the attempt if the device was to blame.
 bool counts(const AttemptFacts& attempt);
 
-/// True for an abandoned attempt of which nothing was measured: its recording broke off (crash, power, full disk).
+/// Tells whether an attempt was abandoned without any measurement: its recording broke off (crash, power, full disk).
 bool hasBrokenOff(const AttemptFacts& attempt);
 
-/// True for a completed attempt that reached its aim. An abandoned attempt never did, although an older program may
-/// have stored it as a success.
+/// Tells whether an attempt was completed and reached its aim. An abandoned attempt never did, although an older
+/// program may have stored it as a success.
 bool isSuccess(const AttemptFacts& attempt);
 
 /// The level of a curriculum for which an attempt was made, in any version of it; null in free practice, for another

@@ -24,7 +24,7 @@ struct LearningCurve {
   Interval range = rangeOf(ValueKind::Any);  ///< of the metric; curve, plateau's interval and band stay within it
   std::array<double, 9> spread{};            ///< covariance of plateau, gain and rate, row by row
 
-  /// From the first attempt on.
+  /// Value of the curve at an attempt; the first is 1.
   double at(double attempt) const;
   /// Confidence interval of the curve there (delta method, t with attempts - 3 degrees of freedom).
   Interval bandAt(double attempt, double confidence = 0.95) const;

@@ -20,7 +20,7 @@ class PeopleStore {
 
   /// Themselves, or someone they may see.
   Result<Person> person(const std::string& id) const;
-  /// By name; administrators only.
+  /// Returns all people by name; administrators only.
   Result<std::vector<Person>> all() const;
 
   /// Adds a person, who must change `password` at the first sign-in. An administrator adds anyone; an instructor adds

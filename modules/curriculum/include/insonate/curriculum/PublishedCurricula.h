@@ -27,7 +27,7 @@ class PublishedCurricula {
  public:
   explicit PublishedCurricula(SignedIn by) : by_(std::move(by)) {}
 
-  /// By name, newest version first.
+  /// Returns all curricula by name, newest version first.
   Result<std::vector<CurriculumEntry>> list() const;
   /// Returns the text of a version; also fails if it is not the text that was published.
   Result<std::string> text(const std::string& name, int version) const;

@@ -15,12 +15,12 @@ class Session;
 class SignedIn {
  public:
   bool isGuest() const;
-  /// As they were when they signed in; of a guest all empty.
+  /// The user's data at sign-in; all empty for a guest.
   const Person& person() const;
-  /// Nothing but PeopleStore::changeOwnPassword() is allowed until they have.
+  /// Tells whether the user must first call PeopleStore::changeOwnPassword(); nothing else is allowed until then.
   bool mustChangePassword() const;
 
-  /// For the stores of this module.
+  /// Used by the stores of this module.
   explicit SignedIn(std::shared_ptr<store::Session> session);
   const std::shared_ptr<store::Session>& session() const { return session_; }
 

@@ -33,7 +33,7 @@ enum class ValueKind {
   Count,        ///< a whole number from 0 on
   YesNo,        ///< 0 or 1
 };
-/// With infinite ends where there is no limit.
+/// Permitted range, with infinite ends if there is no limit.
 Interval rangeOf(ValueKind kind);
 
 inline constexpr std::size_t kFewestForInterval = 5;
@@ -50,7 +50,7 @@ std::optional<double> meanValue(std::span<const double> values);
 /// Counts that are not whole, and shares between yes and no, are means of such values and belong to the others.
 std::optional<Estimate> meanOf(std::span<const double> values, ValueKind kind, double confidence = 0.95);
 
-/// With n - 1; none for fewer than two.
+/// Standard deviation with n - 1; empty for fewer than two values.
 std::optional<double> standardDeviation(std::span<const double> values);
 
 /// Type 7 of Hyndman and Fan (Am Stat 1996, 50:361), linear between order statistics, as R, NumPy and spreadsheets

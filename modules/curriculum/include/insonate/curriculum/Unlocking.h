@@ -35,7 +35,8 @@ struct LevelProgress {
   int standardsMet = 0;         ///< in the last attempt that counts
   std::vector<double> cusum{};  ///< LC-CUSUM score after each attempt; empty where the level has no such rule
   bool cusumSignalled = false;
-  /// Until then the state stays as it is if nothing is done, and so does the sentence unless it is of a mastered level.
+  /// Time until which the state stays the same without practice, and so does the sentence unless it is of a mastered
+  /// level.
   std::int64_t until_us = kForever_us;
 };
 

@@ -15,7 +15,7 @@ struct Address {
   int port = 5432;
 
   static Result<Address> parse(const std::string& text);
-  /// For people: without the password.
+  /// Address for messages, without the password.
   std::string place() const;
 };
 

@@ -72,7 +72,7 @@ Error sqliteSentence(int code, const std::string& words, const std::string& plac
     case SQLITE_LOCKED:
       return {place + " has been in use by another program for longer than 10 s. Nothing was changed; try again."};
     case SQLITE_FULL:
-      return {"The disk with " + place + " is full. Nothing of this was kept; free space and try again."};
+      return {"The disk with " + place + " is full. Nothing was stored; free space and try again."};
     case SQLITE_READONLY:
       return {place + " cannot be written. Give yourself the right to write the file and its folder."};
     case SQLITE_CANTOPEN:
@@ -82,7 +82,7 @@ Error sqliteSentence(int code, const std::string& words, const std::string& plac
       return {place + " is damaged or is not a curriculum's database. Put a backup in its place."};
     case SQLITE_IOERR:
       return {place + " could not be read or written (" + words +
-              "). Nothing of this was kept; check the disk and try again."};
+              "). Nothing was stored; check the disk and try again."};
     default:
       return {place + " refused this: " + words + ". Nothing was changed."};
   }
@@ -90,7 +90,8 @@ Error sqliteSentence(int code, const std::string& words, const std::string& plac
 
 Error serverSentence(const QString& code, const std::string& words, const std::string& place) {
   if (code.startsWith("28")) return {place + " does not accept this user or password: " + words};
-  if (code == "53100") return {"The disk of " + place + " is full. Nothing of this was kept; ask who runs the server."};
+  if (code == "53100")
+    return {"The disk of " + place + " is full. Nothing was stored; ask the server's administrator."};
   if (code == "55P03")
     return {place + " has been in use by another workstation for longer than 10 s. Nothing was changed; try again."};
   if (code == "42501") return {place + " does not give this user the rights for this: " + words};

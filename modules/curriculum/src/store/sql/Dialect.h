@@ -10,7 +10,7 @@ namespace insonate::store {
 
 enum class Way { Read, Write };
 
-/// In what SQLite and PostgreSQL differ; everything else is the same text of SQL for both.
+/// Differences between SQLite and PostgreSQL; everything else is the same SQL for both.
 struct Dialect {
   std::string_view name;          ///< as in the names of migrations
   std::string_view driver;        ///< of Qt

@@ -14,7 +14,7 @@ namespace insonate::store {
 /// Values as they are bound to a statement. Truth is 0 or 1; nothing is SQL's NULL.
 inline QVariant bound(std::string_view text) {
   if (text.empty()) return QVariant(QString(""));  // which is not NULL
-  // Texts to keep were checked; a zero byte in what is looked for would end the statement on its way to a server.
+  // Stored texts were checked; a zero byte in a search text would end the statement on its way to a server.
   return QVariant(
       QString::fromUtf8(text.data(), static_cast<int>(text.size())).replace(QChar('\0'), QChar::ReplacementCharacter));
 }

@@ -8,8 +8,8 @@
 
 namespace insonate::store {
 
-/// All or nothing. After a failure it does nothing more, gives no rows, and remembers the first error, so that only its
-/// end has to be looked at; what is left without commit() is undone.
+/// A transaction, all or nothing. After a failure it does nothing more, returns no rows, and keeps the first error, so
+/// that only its end needs a check; without commit() everything is undone.
 class Transaction {
  public:
   Transaction(Connection& connection, Way way);
@@ -26,7 +26,7 @@ class Transaction {
     std::vector<Row> found = asked(sql, {bound(values)...});
     return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
   }
-  /// The number in the first column of the first row; 0 where there is none.
+  /// The number in the first column of the first row; 0 without a row.
   template <class... Values>
   std::int64_t number(std::string_view sql, const Values&... values) {
     const auto found = row(sql, values...);

@@ -37,8 +37,7 @@ struct DeformationInput {
   /// Pose of the tissue plane in the patient; it carries the last solution over to this one after the probe has moved.
   /// Without it every question is solved from rest.
   std::optional<Transform> patientFromProbe;
-  /// Above 0: the face is moved along z until it presses with this force; else
-  /// it stays at z = 0.
+  /// Force of the face, if above 0: the face is moved along z until it presses with it; else it stays at z = 0.
   double force_N = 0;
 };
 
@@ -89,7 +88,7 @@ class DeformationModel {
   /// answer that is finite and one-to-one; `converged` says how good.
   virtual void solve(const DeformationInput& input, Deformation& answer) = 0;
 
-  /// Forgets the last solution, so that the next starts from rest.
+  /// Discards the last solution, so that the next starts from rest.
   virtual void reset() = 0;
 };
 

@@ -31,8 +31,7 @@ struct OutlineBend {
 class TissuePlane {
  public:
   virtual ~TissuePlane() = default;
-  /// For any points, as many as there are; `tissue` is as long as `at`. Called
-  /// on one thread at a time.
+  /// Samples the tissue at any number of points; `tissue` is as long as `at`. Called on one thread at a time.
   virtual void sample(std::span<const PlanePoint> at, std::span<PlaneTissue> tissue) const = 0;
   /// Curvature of the artery's or the vein's outline. A plane without knowledge beyond itself takes all vessels as
   /// perpendicular to it.

@@ -41,7 +41,7 @@ class Context : public std::enable_shared_from_this<Context> {
 
   /// Tells whether use() or Current::check() found the context lost; its contents are gone.
   bool lost() const { return lost_; }
-  /// As when the driver resets the card: from now on use() fails. For tests.
+  /// Simulates a reset of the card: from now on use() fails. For tests.
   void simulateLoss() { lost_ = true; }
 
  private:

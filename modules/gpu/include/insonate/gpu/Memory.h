@@ -27,7 +27,7 @@ class Buffer {
   void write(const Current& current, std::span<const std::byte> contents) const;
   /// Waits for running work. For tests; see ReadBack.
   void read(const Current& current, std::span<std::byte> contents) const;
-  /// As `layout(binding = slot) buffer` or, of up to 16 KB, `layout(binding = slot) uniform`.
+  /// Binds as `layout(binding = slot) buffer` or, up to 16 KB, `layout(binding = slot) uniform`.
   void bindStorage(const Current& current, unsigned slot) const;
   void bindUniform(const Current& current, unsigned slot) const;
 

@@ -61,8 +61,8 @@ class HapticDevice {
 
   /// One thread, the servo's: the latest state, where there is one that was not taken yet.
   virtual bool take(DeviceState& state) noexcept = 0;
-  /// The same thread: what to push with from now on, in the device's frame. It is held within the device's limits
-  /// and sent as zero when nothing has been pushed for 100 ms. Nothing goes to a device before the first push.
+  /// Sets the force from now on, in the device's frame; call on the thread of take(). It is limited to the device's
+  /// maximum and sent as zero when nothing was pushed for 100 ms. A device receives nothing before the first push.
   virtual void push(const Force& force) noexcept = 0;
 
   /// The device is in its home posture now: counts are taken from here. For devices without encoders: nothing.

@@ -28,15 +28,15 @@ class InputHand final : public HapticDevice {
   std::string trouble() const override { return {}; }
   DeviceCounters counters() const noexcept override { return {taken_.load(std::memory_order_relaxed), 0, 0, 0}; }
   bool take(DeviceState& state) noexcept override;
-  /// The same at another time (CLOCK_MONOTONIC) than now, which does not run backwards: for replays and tests.
+  /// Takes the state at another time (CLOCK_MONOTONIC), which must not decrease: for replays and tests.
   bool takeAt(std::int64_t now_ns, DeviceState& state) noexcept;
   void push(const Force&) noexcept override {}
 
   /// Takes the tool up or puts it away: ready, then streaming from the first take on; or absent. Starts absent.
   void hold(bool held) noexcept;
-  /// By so much more, in the device's frame (DeviceState.h): x to the right, y up, z to the user.
+  /// Moves by a distance in the device's frame (DeviceState.h): x to the right, y up, z to the user.
   void drag(Vec3 by_mm) noexcept;
-  /// About the device's axes through the stylus's origin, by the length of `by_rad`.
+  /// Turns about the device's axes through the stylus's origin, by the length of `by_rad`.
   void turn(Vec3 by_rad) noexcept;
   /// Sets the velocity for keys that are held down, until the next call.
   void glide(Vec3 velocity_mmps, Vec3 turning_radps) noexcept;

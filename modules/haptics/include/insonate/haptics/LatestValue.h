@@ -12,12 +12,12 @@ namespace insonate {
 template <class T>
 class LatestValue {
  public:
-  /// By the writer.
+  /// Writes a value; call on the writer's thread.
   void write(T value) {
     slots_[back_] = std::move(value);
     back_ = middle_.exchange(back_ | kFresh, std::memory_order_acq_rel) & kSlot;
   }
-  /// By the reader: the latest value, or a default one. Stays as it is until the reader reads again.
+  /// Returns the latest value, or a default one; call on the reader's thread. Constant until the next call.
   const T& read() noexcept {
     if (middle_.load(std::memory_order_relaxed) & kFresh)
       front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kSlot;

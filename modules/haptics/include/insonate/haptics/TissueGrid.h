@@ -32,8 +32,8 @@ class TissueGrid {
   static Result<std::shared_ptr<const TissueGrid>> make(const VolumeGeometry& geometry, const Sampler& sampler);
   /// The labels' own grid; surfaces lie between the voxels, rounded over about one of them. Seconds for 10 million.
   static Result<std::shared_ptr<const TissueGrid>> fromLabels(const LabelMap& labels, const Progress& progress = {});
-  /// Only what lies within `reach_mm` of a point along each of the map's axes. Distances are true as long as they are
-  /// below that to the edge. Fails where the map is not there at all, and when cancelled.
+  /// Makes a grid of the tissue within `reach_mm` of a point along each of the map's axes. Distances are exact as long
+  /// as they are below the distance to the edge. Fails if the map does not reach there, and when cancelled.
   static Result<std::shared_ptr<const TissueGrid>> fromLabels(const LabelMap& labels, Vec3 centre_mm, double reach_mm,
                                                               const Progress& progress = {});
 

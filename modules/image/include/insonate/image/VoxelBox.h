@@ -24,7 +24,7 @@ struct VoxelBox {
 /// The voxel whose center is nearest to a continuous index that is not far beyond a grid.
 std::array<int, 3> nearestVoxel(Vec3 index);
 
-/// All of a grid.
+/// Box of a whole grid.
 VoxelBox boxOf(const VolumeGeometry& geometry);
 /// Intersection of two boxes.
 VoxelBox intersected(const VoxelBox& a, const VoxelBox& b);

@@ -13,9 +13,8 @@
 
 namespace insonate {
 
-/// In the order of metricTable(). "The vein" is the target (AttemptHeader::vessels). "Access" is the first puncture of
-/// the vein in an attempt; a "pass" lasts from a
-/// puncture of the skin until the needle is out again.
+/// Metrics, in the order of metricTable(). "The vein" is the target (AttemptHeader::vessels). "Access" is the first
+/// puncture of the vein in an attempt; a "pass" lasts from a puncture of the skin until the needle is out again.
 enum class Metric {
   VeinPunctures,
   ArteryPunctures,
@@ -95,7 +94,7 @@ class AttemptMetrics {
 
   void take(const AttemptSample& sample);
   void take(const AttemptEvent& event);
-  /// As things stand.
+  /// Values at present.
   MetricValues values() const;
   NeedlePlace needle() const;
   /// Since when the syringe draws blood of the vein with the tip in one place, as tip_in_vein counts it; none: it does

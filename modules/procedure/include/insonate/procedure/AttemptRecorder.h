@@ -40,20 +40,21 @@ class AttemptRecorder {
   AttemptRecorder(const AttemptRecorder&) = delete;
   AttemptRecorder& operator=(const AttemptRecorder&) = delete;
 
-  /// By one thread, the servo's: neither waits, allocates nor throws. What finds no room, since the recorder's thread
-  /// had no processor for 4 s, is counted and left out. A sample older than the last one is left out, too.
+  /// Adds a sample; call on one thread, the servo's: neither waits, allocates nor throws. A sample without room, since
+  /// the recorder's thread had no processor for 4 s, is counted and left out. A sample older than the last one is left
+  /// out, too.
   void put(const AttemptSample& sample) noexcept;
   void put(const AttemptEvent& event) noexcept;
   /// Number of further entries that put() accepts now, for callers that run ahead of time and can wait. Call from the
   /// thread that calls put().
   std::size_t room() const noexcept;
-  /// By any other thread; kept after what the servo had put by then.
+  /// Adds an event; call on any other thread. It is stored after the samples that the servo had added by then.
   void note(const AttemptEvent& event);
   /// Settings from a time on, which must not lie before that of another change. By any thread but the servo's. What
   /// changes nothing is not kept.
   void note(const SettingsChange& change);
 
-  /// As of some milliseconds ago. Any thread.
+  /// Metrics of some milliseconds ago. Any thread.
   MetricValues metrics() const;
   /// Sentence about a disk error; the attempt and its metrics continue. Empty: no error. Any thread.
   std::string trouble() const;

@@ -23,7 +23,7 @@ struct BlockHead;
 struct PlacedBlock;
 }  // namespace record
 
-/// About a second of an attempt.
+/// Samples and events of about a second of an attempt.
 struct Stretch {
   using Entry = std::variant<AttemptSample, AttemptEvent>;
   struct Happened {
@@ -34,7 +34,7 @@ struct Stretch {
   std::vector<Happened> events;
   std::uint32_t samplesLost = 0;  ///< that the recorder had no room for, within this stretch or just before
 
-  /// Hands over what happened up to this time, samples and events in their order.
+  /// Passes on samples and events up to this time, in their order.
   void play(std::int64_t until_us, const std::function<void(const Entry&)>& take) const;
 };
 

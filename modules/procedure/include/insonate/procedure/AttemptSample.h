@@ -44,7 +44,7 @@ struct QuantisedSample {
 /// Quantizes a sample. A tool that is not finite or farther than kFarthest_mm from the origin counts as not held;
 /// other non-finite values count as unknown or 0, and large ones are clamped. Neither waits nor allocates.
 QuantisedSample quantised(const AttemptSample& sample) noexcept;
-/// The same on every machine: square roots and plain arithmetic.
+/// Inverse of quantised(). The same on every machine: square roots and plain arithmetic.
 AttemptSample restored(const QuantisedSample& sample) noexcept;
 
 }  // namespace insonate

@@ -44,7 +44,7 @@ class ProcedureRun {
   const std::vector<AttemptEvent>& milestones() const { return milestones_; }
   /// Name of the vessel that the tip is in, as vesselName(); empty: it is in none, or in one that is not known.
   std::string vesselIn() const;
-  /// As things stand.
+  /// Tells whether the procedure has succeeded so far.
   bool succeeded() const;
 
  private:

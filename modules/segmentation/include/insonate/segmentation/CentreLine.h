@@ -21,7 +21,7 @@ using CentreLine = std::vector<Vec3>;
 /// lines. Fails on an invalid grid, and when cancelled; a label without voxels gives no lines.
 Result<std::vector<CentreLine>> centreLines(const LabelMap& labels, std::uint8_t label, const Progress& progress = {});
 
-/// From a point to the nearest of the lines, mm; none where there is no line. Neither waits nor allocates.
+/// Distance from a point to the nearest of the lines, mm; empty without a line. Neither waits nor allocates.
 std::optional<double> distanceToCentre_mm(std::span<const CentreLine> lines, Vec3 patient_mm) noexcept;
 
 }  // namespace insonate

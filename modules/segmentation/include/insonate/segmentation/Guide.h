@@ -12,7 +12,7 @@
 
 namespace insonate {
 
-/// From one number to another.
+/// Range of a number.
 struct GuideRange {
   double low = 0, high = 0;
 };

@@ -16,7 +16,7 @@ Result<Selection> largestIslands(const Selection& of, int count, const Progress&
 /// Selects islands of at least this volume.
 Result<Selection> islandsFrom(const Selection& of, double least_mm3, const Progress& progress = {});
 
-/// The one that holds a point of the patient. Refuses a point outside all of them.
+/// Selects the island that contains a point of the patient. Fails if no island contains it.
 Result<Selection> islandAt(const Selection& of, Vec3 point_mm, const Progress& progress = {});
 
 /// The largest island gets the first label, the next one the second, ...; further ones stay as they are.

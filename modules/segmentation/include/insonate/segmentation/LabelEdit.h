@@ -41,10 +41,10 @@ struct LabelChange {
   std::size_t voxels = 0;
 };
 
-/// The one place through which labels are written. Remembers each step as the runs of voxels that it has changed, so
-/// that a step costs a few bytes a run and not a copy of the map: 100 steps, or as many of the latest as fit the
-/// memory allowed. Reads the CT and writes the label map of someone else, who keeps both alive and does not change
-/// them meanwhile; they are on one grid. Not for two threads at once.
+/// The only writer of labels. Stores each step as runs of changed voxels, so that a step costs a few bytes a run and
+/// not a copy of the map: 100 steps, or as many of the latest as fit into the permitted memory. Reads the CT and
+/// writes the label map of an owner, who keeps both alive and does not change them meanwhile; they are on one grid.
+/// Not for two threads at once.
 class LabelEdit {
  public:
   static constexpr std::size_t kMostSteps = 100;
@@ -53,7 +53,7 @@ class LabelEdit {
   LabelEdit(const CtVolume& ct, LabelMap& labels, std::size_t mostBytes = kMostBytes);
 
   const CtVolume& ct() const { return *ct_; }
-  /// The same voxels in other memory.
+  /// Replaces the CT by the same voxels in other memory.
   void setCt(const CtVolume& ct) { ct_ = &ct; }
   const LabelMap& labels() const { return labels_; }
 

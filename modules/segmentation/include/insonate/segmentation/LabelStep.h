@@ -159,7 +159,7 @@ Result<void> preview(const LabelStep& step, const CtVolume& ct, const LabelMap& 
 /// Rules of the step, for code that writes its proposal.
 EditRules rulesOf(const LabelStep& step);
 
-/// The same, written and remembered as one step. The step's own rules hold instead of the edit's.
+/// Proposes, writes and stores the step. The step's own rules apply instead of the edit's.
 Result<LabelChange> perform(const LabelStep& step, LabelEdit& edit, const Progress& progress = {});
 
 }  // namespace insonate

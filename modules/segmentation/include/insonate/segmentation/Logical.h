@@ -6,7 +6,7 @@ namespace insonate {
 
 enum class LogicalOperation { kAdd, kSubtract, kIntersect };
 
-/// In the box of both; the result has the box of the first, or of both where something is added.
+/// Combines two selections; the result has the box of the first, or of both for a union.
 Selection combined(const Selection& a, LogicalOperation operation, const Selection& b, const VolumeGeometry& geometry);
 
 /// Voxels of the box that are not selected.

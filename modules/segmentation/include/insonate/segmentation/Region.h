@@ -14,10 +14,10 @@ struct Selection {
   Volume<std::uint8_t> mask;  ///< its grid is that of the box; no voxels where the box is empty
 
   Selection() = default;
-  /// Nothing is chosen yet. The box lies in the grid.
+  /// Makes an empty selection. The box lies in the grid.
   Selection(const VolumeGeometry& geometry, const VoxelBox& where);
 
-  /// By indices of the whole grid.
+  /// Tells whether a voxel is selected, by indices of the whole grid.
   bool chosen(int i, int j, int k) const {
     return box.contains(i, j, k) && mask.at(i - box.first[0], j - box.first[1], k - box.first[2]);
   }
@@ -45,7 +45,8 @@ struct Proposal {
 
 /// Chosen voxels get the label, all others stay.
 Proposal painted(Selection chosen, std::uint8_t label);
-/// In the selection's block the label gets this shape: it takes the chosen voxels, and those it loses become `rest`.
+/// Proposal that gives the label this shape in the selection's block: it takes the selected voxels, and those it loses
+/// become `rest`.
 Proposal reshaped(Selection shape, const LabelMap& labels, std::uint8_t label, std::uint8_t rest);
 
 }  // namespace insonate

@@ -19,7 +19,7 @@ struct Confidence {
   double seed_mm = 2;       ///< radius of the ball around each seed where they are measured first
 };
 
-/// The same with a range that is learned: confidence-connected growing. `used` receives the last range, if not null.
+/// Grows with a learned range: confidence-connected growing. `used` receives the last range, if not null.
 Result<Selection> confidenceConnected(const CtVolume& ct, const VoxelBox& box, std::span<const Vec3> seeds_mm,
                                       const Confidence& confidence, const Progress& progress = {},
                                       HuRange* used = nullptr);

@@ -15,8 +15,8 @@ struct LabelScore {
   std::uint8_t label = 0;
   std::size_t voxels = 0, trueVoxels = 0;
   double dice = 0;  ///< 2 |A and B| / (|A| + |B|)
-  /// From the outermost voxels of each to the nearest outermost voxel of the other, both ways; none where one has no
-  /// voxel.
+  /// Distances from the outermost voxels of each to the nearest outermost voxel of the other, both ways; empty if
+  /// either has no voxel.
   std::optional<double> meanSurface_mm, p95Surface_mm;
 };
 

@@ -39,8 +39,8 @@ struct ImagingFrame {
   std::string engine, engineNote;  ///< that computed it, and what is to be said of it; see Engine::note()
 };
 
-/// From scene and pose to image: the engine and the display of one setup. Not for concurrent use of one object; uses
-/// the calling thread's TBB arena.
+/// Renders images from a scene and a pose: the engine and the display of one setup. Not for concurrent use of one
+/// object; uses the calling thread's TBB arena.
 class Imager {
  public:
   /// Fails on an unknown engine and on a probe or settings out of range.

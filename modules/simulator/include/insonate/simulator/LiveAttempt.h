@@ -52,9 +52,9 @@ class LiveAttempt final : public TickListener {
   /// Abandons an unfinished attempt. A HandsSession may keep the attempt alive until it ends.
   ~LiveAttempt() override;
 
-  /// By the servo: neither waits nor allocates.
+  /// Called by the servo: neither waits nor allocates.
   void ticked(const ServoSnapshot& tick) noexcept override;
-  /// By one thread, as often as the servo is shown the tissue.
+  /// Passes the surroundings; call on one thread, as often as the servo is shown the tissue.
   void show(Surroundings around);
   /// Passes the latest live image, null without one; call as often as show(), on the same thread. The attempt detects
   /// from it when the target vein is found.
@@ -63,13 +63,13 @@ class LiveAttempt final : public TickListener {
   /// Replaced, frozen, released or positioned. While frozen, images stand still and count as none.
   void tell(AttemptEventKind kind, double tilt_deg = 0);
   void setAspirating(bool on);
-  /// From now on; before, those of the header hold.
+  /// Sets the settings from now on; those of the header apply before.
   void setSettings(const AttemptSettings& settings);
 
   const Procedure& procedure() const;
   const std::filesystem::path& file() const;
   AttemptView view() const;
-  /// As things stand; of the whole attempt once it is finished.
+  /// Score at present; of the whole attempt once it is finished.
   AttemptScore score() const;
   /// A sentence once the disk refuses; empty: all is well.
   std::string trouble() const;

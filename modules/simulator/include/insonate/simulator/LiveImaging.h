@@ -128,14 +128,14 @@ class LiveImaging {
   /// Sets whether the following frames carry the model's mesh (LivePress::mesh), some hundred kilobytes each.
   void setKeepMesh(bool keep);
 
-  /// Once this returns, latest() and cine() stay as they are. Poses and setups are kept for later.
+  /// Freezes the image: once this returns, latest() and cine() are constant. Poses and setups are kept for later.
   void setFrozen(bool frozen);
 
   /// While resting, no frames are made, and scenes and their sources (some hundred megabytes) are released. Frames,
   /// pose and setups are kept, and the next frame comes as soon as a scene is built again.
   void setResting(bool resting);
 
-  /// Null until the first image is there.
+  /// The latest frame; null before the first.
   std::shared_ptr<const LiveFrame> latest() const;
 
   /// The frames of this long before the latest, oldest first, as far as cineBytes reaches. Empty before the first.

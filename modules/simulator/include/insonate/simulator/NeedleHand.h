@@ -45,9 +45,9 @@ class NeedleHand {
   /// so where elevation_mm is 0.
   HandMove slide(const Transform& patientFromProbe, double lateral_mm, double elevation_mm);
   HandMove moveTo(Vec3 patient_mm);
-  /// About the skin's normal; above 0 from heading toward inward x heading. The needle leaves the image plane.
+  /// Turns about the skin's normal; above 0 from heading toward inward x heading. The needle leaves the image plane.
   HandMove turn(double degrees);
-  /// Above 0: steeper to the skin. A needle in-plane stays so.
+  /// Tilts the needle; above 0: steeper to the skin. A needle in-plane stays so.
   HandMove tilt(double degrees);
   HandMove rotateBevel(double degrees);
   HandMove advance(double mm);
@@ -61,7 +61,7 @@ class NeedleHand {
   /// Largest distance of the shaft, from the entry to the needle's full length, from the probe's image plane.
   double offPlane_mm(const Transform& patientFromProbe) const;
 
-  /// Along the skin: 0 toward the patient's head, 90 toward the patient's left.
+  /// Heading along the skin: 0 toward the patient's head, 90 toward the patient's left.
   double heading_deg() const;
 
  private:

@@ -44,9 +44,9 @@ class ProbeHand {
   /// outside, if its size does not match its voxels, or if the pose is not rigid.
   static Result<ProbeHand> make(const LabelMap& labels, const Transform& patientFromProbe);
 
-  /// Over the skin, along the probe's own directions there; any length.
+  /// Slides over the skin, along the probe's own directions there; any length.
   HandMove slide(double lateral_mm, double elevation_mm);
-  /// About the probe's axis, from lateral toward elevation.
+  /// Rotates about the probe's axis, from lateral toward elevation.
   HandMove rotate(double degrees);
   HandMove tilt(double degrees);
   HandMove rock(double degrees);

@@ -52,7 +52,8 @@ struct SessionScript {
   std::vector<SessionAct> acts;
 };
 
-/// See modules/simulator/README.md for the form. Fails with a sentence that names the act, counted from 1.
+/// Reads a script; modules/simulator/README.md describes the form. Fails with a sentence that names the act, counted
+/// from 1.
 Result<SessionScript> readSessionScript(std::string_view json, const PatientCase& patient);
 
 /// The scripts that come along: resources/procedures/attempts.
@@ -71,8 +72,7 @@ struct SessionOutcome {
 /// Images on the way, as AttemptPictures makes them of the recording.
 struct SessionPictures {
   std::int64_t every_us = 1'000'000;  ///< of the script's time, a multiple of 1000; the first at the first multiple
-  /// Called where a probe is held, once for an image that is frozen; a failure ends the session. None: no images
-  /// are made.
+  /// Called while a probe is held, once for a frozen image; a failure ends the session. Empty: no images are made.
   std::function<Result<void>(const LiveFrame&)> take;
 };
 

@@ -25,7 +25,7 @@ class VesselNames {
   /// the case has none of them.
   VesselNames(const CaseManifest& manifest, const Procedure& procedure, Vec3 near_mm);
 
-  /// As in AttemptHeader::vessels.
+  /// Names as in AttemptHeader::vessels.
   std::vector<std::string> names() const;
   /// Vessel of this label at a point of the tissue at rest, as in AttemptEvent::vessel; `veins` are the center lines of
   /// all veins. Neither waits nor allocates.

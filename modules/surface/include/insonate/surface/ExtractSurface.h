@@ -33,7 +33,7 @@ std::vector<std::uint8_t> structuresIn(const LabelMap& labels);
 Result<Mesh> extractSurface(const LabelMap& labels, std::uint8_t label, const SurfaceOptions& options = {},
                             const Progress& progress = {});
 
-/// The same for all labeled voxels together: the patient as one sees them, smooth also where the label of the skin is
+/// Extracts the surface of all labeled voxels together: the visible body, smooth also where the label of the skin is
 /// thinner than a voxel or torn between slices.
 Result<Mesh> extractBody(const LabelMap& labels, const SurfaceOptions& options = {}, const Progress& progress = {});
 

@@ -32,8 +32,8 @@ enum class Hands { Person, PersonOrScript };
 /// older than the recording's, and where a script moved the hands that should be a person's.
 Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file, Hands hands = Hands::Person);
 
-/// The same for an attempt that has begun: id, person and level stay, and the version of its procedure is the one that
-/// it began by. Fails, with `facts` as they were, as factsOfRecording() does.
+/// Completes the facts of an attempt that has begun: id, person and level stay, and its procedure's version is the one
+/// that it began with. Fails like factsOfRecording(), leaving `facts` unchanged.
 Result<void> takeRecording(AttemptFacts& facts, const std::filesystem::path& file);
 
 }  // namespace insonate

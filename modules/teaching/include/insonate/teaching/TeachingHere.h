@@ -14,7 +14,7 @@ Result<TeachingNames> teachingNames();
 
 /// All metrics in the order of metricTable(), without what novices and experts reach.
 std::vector<MetricMeaning> metricMeanings();
-/// The same with the procedure's norms.
+/// Meanings of metrics with the procedure's norms.
 std::vector<MetricMeaning> metricMeanings(const Procedure& procedure);
 
 }  // namespace insonate

@@ -33,7 +33,7 @@ struct NeedleTissue {
   bool operator==(const NeedleTissue&) const = default;
 };
 
-/// By label. Labels that the table does not know read as soft tissue.
+/// Needle properties by label. Labels that the table does not know read as soft tissue.
 struct NeedleTable {
   std::string name;
   std::array<NeedleTissue, kLabelCount> tissues;

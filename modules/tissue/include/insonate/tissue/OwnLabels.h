@@ -16,7 +16,7 @@ struct OwnLabel {
   bool operator==(const OwnLabel&) const = default;
 };
 
-/// By number, kLabelCount to kLastOwnLabel.
+/// Own labels by number, kLabelCount to kLastOwnLabel.
 using OwnLabels = std::map<std::uint8_t, OwnLabel>;
 
 inline constexpr std::uint8_t kLastOwnLabel = 254;

@@ -7,8 +7,8 @@
 
 namespace insonate {
 
-/// All of a table, as a file that parseAcousticTable() and parseMechanicalTable() read back to the last bit. Without
-/// ranges and sources.
+/// Writes a whole table as a file that parseAcousticTable() and parseMechanicalTable() read back to the last bit,
+/// without ranges and sources.
 std::string textOf(const AcousticTable& table);
 std::string textOf(const MechanicalTable& table);
 

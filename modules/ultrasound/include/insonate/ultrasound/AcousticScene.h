@@ -35,7 +35,7 @@ class AcousticScene {
                                                            const Progress& progress = {},
                                                            std::vector<PointTarget> points = {},
                                                            double detail_mm = kFinestDetail_mm);
-  /// The same of a case that has more than one scene: what they share is computed once.
+  /// Makes a scene of a case with more than one scene: shared parts are computed once.
   static Result<std::shared_ptr<const AcousticScene>> make(const SceneSource& source, const AcousticTable& table,
                                                            const Region& region, const Progress& progress = {},
                                                            std::vector<PointTarget> points = {},

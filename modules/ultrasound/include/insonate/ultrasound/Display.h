@@ -8,10 +8,10 @@
 
 namespace insonate {
 
-/// From a linear envelope to the displayed image: electronic noise > looks averaged > ringing > clutter > TGC and gains
-/// > logarithm > speckle reduction > edge enhancement > persistence > gray map > scan conversion. Everything is
-/// allocated by the constructor; process() allocates nothing once the image has its size. The settings must be valid
-/// for the probe (see validate()). Not for concurrent use of one object. Uses the calling thread's TBB arena.
+/// Converts a linear envelope to the displayed image: electronic noise > looks averaged > ringing > clutter > TGC and
+/// gains > logarithm > speckle reduction > edge enhancement > persistence > gray map > scan conversion. The
+/// constructor allocates everything; process() allocates nothing once the image has its size. The settings must be
+/// valid for the probe (see validate()). Not for concurrent use of one object. Uses the calling thread's TBB arena.
 class Display {
  public:
   Display(const Probe& probe, const ImagingSettings& settings);
@@ -24,7 +24,7 @@ class Display {
   /// image. Electronic noise follows from `noiseSeed` and the settings' time_s alone: the same seed gives the same
   /// image.
   void process(const EnvelopeFrame& envelope, BModeImage& image, std::uint32_t noiseSeed = 0);
-  /// Forgets the previous picture.
+  /// Discards the previous image.
   void reset();
 
   struct Stages_ms {

@@ -67,7 +67,7 @@ Result<std::unique_ptr<Engine>> makeEngine(std::string_view name);
 /// frame renders all angles. Stills render all angles in each frame.
 enum class CompoundedAngles { InEachFrame, InTurn };
 
-/// The same for a probe and settings: where they ask for spatial compounding, an engine of each angle, else one.
+/// Makes the engine for a probe and settings: with spatial compounding, an engine for each angle, else one.
 Result<std::unique_ptr<Engine>> makeEngineFor(std::string_view name, const Probe& probe,
                                               const ImagingSettings& settings,
                                               CompoundedAngles angles = CompoundedAngles::InEachFrame);

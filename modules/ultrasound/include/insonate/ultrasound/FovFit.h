@@ -54,11 +54,11 @@ struct FovFit {
 /// or high, and if nothing looks like a field of view.
 Result<FovFit> fitFov(const GreyPicture& picture);
 
-/// From the middle of the face to the end, in pixels.
+/// Distance from the middle of the face to the end, in pixels.
 double depthOf_px(const FovShape& shape);
 /// A point of the field of view: across -1..1 from its left to its right as seen from the face, down 0..1.
 PixelPoint pointIn(const FovShape& shape, double across, double down);
-/// Once round, ready to be drawn as a closed line.
+/// Outline of the field of view as a closed line.
 std::vector<PixelPoint> outlineOf(const FovShape& shape);
 
 /// Makes a probe from an image: shape, angle, radii, width and the depth on display; all else is the base's.

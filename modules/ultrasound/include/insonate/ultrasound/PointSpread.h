@@ -17,7 +17,7 @@ double receiveAperture_mm(const Probe& probe, double range_mm);
 /// Gaussian of the probe's bandwidth. The other two are laws fitted to the field of an array and of a strip: within 10
 /// % of the engines' for linear arrays, 20 % for others; for callers that need only a width.
 double axialFwhm_mm(const Probe& probe, const ImagingSettings& settings);
-/// The same at a depth: receive filters of machines narrow with depth, as attenuation takes the high frequencies.
+/// Axial width at a depth: receive filters of machines narrow with depth, as attenuation takes the high frequencies.
 double axialFwhm_mm(const Probe& probe, const ImagingSettings& settings, double range_mm);
 double lateralFwhm_mm(const Probe& probe, const ImagingSettings& settings, double range_mm);
 /// Ratio of the beam's width at a depth to that at the set frequency: attenuation takes the high frequencies, and a

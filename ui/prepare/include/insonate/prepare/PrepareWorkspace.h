@@ -27,7 +27,7 @@ class PrepareWorkspace : public ui::Workspace {
   explicit PrepareWorkspace(ui::TaskBar& tasks, QWidget* parent = nullptr);
   ~PrepareWorkspace() override;
 
-  /// Ways to a case, offered where none is open; the first one is the usual choice. They belong to the caller.
+  /// Offers actions that open a case, while none is open; the first one is the default. The caller owns them.
   void offer(QAction* action);
   /// Offered beside an open case.
   void setCaseActions(QAction* open, QAction* import, QAction* reload);
@@ -48,8 +48,8 @@ class PrepareWorkspace : public ui::Workspace {
   void restoreLayout(QSettings& settings) override;
   void stop() override;
 
-  /// Looks at the open case and labels in it as an author does, `repeats` times each, while the workspace is shown;
-  /// tools but the brush are taken back. `done` comes later, unless the workspace goes first.
+  /// Measures looking at the open case and labeling in it, `repeats` times each, while the workspace is shown; results
+  /// of tools but the brush are undone. Calls `done` later, unless the workspace is gone by then.
   void measureLabelling(int repeats, std::function<void(std::vector<LabellingTime>)> done);
 
  protected:

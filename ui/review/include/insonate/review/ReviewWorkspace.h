@@ -12,9 +12,9 @@ class TaskBar;
 
 namespace insonate::review {
 
-/// The room where attempts are looked at again: the list of recordings, an attempt's replay beside the ultrasound and
-/// in 3D with a timeline, and its result. Asks the window for the case of an attempt (caseWanted()) where another one
-/// is open. Computing happens on other threads; nothing is computed while the room is not shown.
+/// The workspace that replays attempts: the list of recordings, an attempt's replay beside the ultrasound and in 3D
+/// with a timeline, and its result. Asks the window for the case of an attempt (caseWanted()) if another one is open.
+/// Computes on other threads, and nothing while it is hidden.
 class ReviewWorkspace : public ui::Workspace {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class ReviewWorkspace : public ui::Workspace {
   /// A way to a recording from elsewhere, beside the list. It belongs to the caller.
   void offer(QAction* action);
 
-  /// The open attempt's result as a page: PDF where the name ends in .pdf, else PNG. Tells written() or failed().
+  /// Saves the open attempt's result as a page: PDF if the name ends in .pdf, else PNG. Emits written() or failed().
   void saveResult(const QString& file);
 
   bool opensAttempts() const override { return true; }

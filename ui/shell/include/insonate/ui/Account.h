@@ -39,7 +39,7 @@ class Account : public QObject {
 
   State state() const { return state_; }
   bool isSignedIn() const { return state_ == State::SignedIn; }
-  /// As they were when they signed in; of a guest all empty.
+  /// The user's data at sign-in; all empty for a guest.
   const Person& person() const { return person_; }
   bool mustChangePassword() const { return session_ && session_->mustChangePassword(); }
   QString trouble() const { return trouble_; }
@@ -56,11 +56,11 @@ class Account : public QObject {
   /// Changes the password of the signed-in user.
   void changePassword(const QString& old, const QString& password, Done done);
   void changeDetails(const QString& fullName, const QString& email, Done done);
-  /// After it could not be reached.
+  /// Tries again to open a store that could not be reached.
   void reopen();
 
-  /// `done` is called once, later, unless `asker` is gone by then; with an error where another user has signed in
-  /// meanwhile, so that nobody sees another's answers. What `question` does is done in any case.
+  /// Calls `done` once, later, unless `asker` is gone by then; with an error if another user has signed in meanwhile,
+  /// so that nobody sees another's answers. The effects of `question` take place in any case.
   template <class T>
   void ask(const QObject* asker, std::function<Result<T>(const SignedIn&)> question,
            std::function<void(Result<T>)> done) {

@@ -16,7 +16,7 @@ enum class AreaForm {
 /// where the CT shows none.
 QString areaOf(const LumenArea& lumen, AreaForm form);
 
-/// For a screen reader: "85 square millimeters, 141 percent of the area in the CT".
+/// Text for a screen reader: "85 square millimeters, 141 percent of the area in the CT".
 QString spokenAreaOf(const LumenArea& lumen);
 
 }  // namespace insonate::ui

@@ -15,7 +15,7 @@ struct PlaceWords {
   QString sign, words;
   views::Colour colour;
 };
-/// `vessel`: the name of the vessel that the tip is in; empty where it is in none or the name is not known.
+/// `vessel`: the name of the vessel that the tip is in; empty if it is in none or the name is unknown.
 PlaceWords wordsOf(NeedlePlace place, const QString& vessel = {});
 
 /// Color of a finding; quiet if there is none.

@@ -48,7 +48,7 @@ class CaseLoader : public QObject {
   CaseLoader(TaskBar& tasks, QWidget* dialogParent);
   ~CaseLoader() override;
 
-  /// A folder or a file, of whatever kind.
+  /// Opens a folder or a file of any kind.
   void open(const QString& path);
   /// A built-in neck (cases/Phantom.h). It is made once and kept in the user's cache, so that the next start is quick.
   void openBuiltIn(const QString& variant);

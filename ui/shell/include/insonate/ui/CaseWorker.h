@@ -22,8 +22,8 @@ struct CaseWork {
   std::function<void(std::shared_ptr<const LabelMap>)> tissues;
   std::function<void(StartPose)> start;  ///< where the probe begins
   std::function<void(ProbeHand)> hand;
-  /// In place of both, where the case has no start pose and none is found: a hand on the skin that is nearest to the
-  /// front, and why. Where this is left empty, or there is no skin, failed() is called.
+  /// Called in place of both if the case has no start pose and none is found: a hand on the skin nearest to the front,
+  /// and the reason. If this is empty, or there is no skin, failed() is called.
   std::function<void(ProbeHand, QString)> unplaced;
   std::function<void(std::vector<std::uint8_t>)> structures;                     ///< the labels that occur
   std::function<void(std::uint8_t label, std::shared_ptr<const Mesh>)> surface;  ///< kSkin is the whole body's outside
@@ -40,8 +40,8 @@ struct SurfaceWish {
   std::shared_ptr<const LabelMap> labels{};
 };
 
-/// Computes on a thread of its own. The destructor asks it to stop and drops what was not delivered yet, without
-/// waiting: the step in work ends by itself, out of sight (see waitForJobs).
+/// Computes on a thread of its own. The destructor asks it to stop and drops undelivered results, without waiting: the
+/// running step ends in the background (see waitForJobs).
 class CaseWorker : public QObject {
  public:
   CaseWorker(std::shared_ptr<const PatientCase> patient, CaseWork work, std::vector<SurfaceWish> wishes);
@@ -50,7 +50,7 @@ class CaseWorker : public QObject {
   /// The probe is put on these labels in place of the patient's, e.g. when there is skin at last: what comes is as in
   /// the beginning. Of several that wait, the last counts.
   void place(std::shared_ptr<const LabelMap> labels);
-  /// Further surfaces, after those that were wanted before.
+  /// Requests further surfaces, after those requested before.
   void want(const std::vector<SurfaceWish>& wishes);
 
  private:

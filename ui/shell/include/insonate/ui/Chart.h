@@ -61,7 +61,7 @@ class Chart : public QWidget {
 
   void show(ChartPicture picture);
   const ChartPicture& picture() const { return picture_; }
-  /// Saves and tells written() or failed().
+  /// Saves the chart and emits written() or failed().
   void save(const QString& file);
 
  Q_SIGNALS:
@@ -82,10 +82,10 @@ class Chart : public QWidget {
   QAction* save_;
 };
 
-/// On paper, within `place`; `unit` of the painter is one pixel of a screen.
+/// Paints a chart on paper, within `place`; `unit` of the painter is one pixel of a screen.
 void paintChart(QPainter& painter, const QRectF& place, double unit, const ChartPicture& picture);
 
-/// By the ending: .png, .svg or .pdf; others are refused. Replaces the file when it is whole.
+/// Saves a chart by the ending: .png, .svg or .pdf; others are refused. Replaces the file when it is complete.
 Result<void> saveChart(const QString& file, const ChartPicture& picture);
 
 }  // namespace insonate::ui

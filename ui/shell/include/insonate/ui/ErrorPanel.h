@@ -8,8 +8,8 @@ class QToolButton;
 
 namespace insonate::ui {
 
-/// Says what went wrong and what to do, where the work is, without stopping it. Details fold out. Hidden while all is
-/// well; closed by its button or Escape.
+/// Shows an error and what to do beside the work, without stopping it. Details fold out. Hidden without an error;
+/// closed by its button or Escape.
 class ErrorPanel : public QFrame {
   Q_OBJECT
 

@@ -16,17 +16,17 @@ struct FormSubject {
   bool operator==(const FormSubject&) const = default;
 };
 
-/// Answers that were not sent yet, in a file of the user's for each subject and form, so that they outlive the program.
-/// Any thread; what is written, is written by another, one after the other.
+/// Unsent answers, in a file of the user's for each subject and form, so that they outlive the program. Any thread;
+/// another thread writes them, one after the other.
 class FormDraft {
  public:
   explicit FormDraft(QString folder);
-  /// Waits until what was kept is written.
+  /// Waits until all drafts are written.
   ~FormDraft();
 
   /// Returns the stored answers; empty without any.
   FormAnswers read(const FormSubject& subject, const Form& form) const;
-  /// Empty answers forget.
+  /// Stores a draft; empty answers delete it.
   void keep(const FormSubject& subject, const Form& form, const FormAnswers& answers);
 
  private:

@@ -22,8 +22,8 @@ class FormSheet final : public QWidget {
   FormAnswers answers() const;
   /// Shows answers; those to items that the form lacks or cannot show are ignored. Does not emit changed().
   void setAnswers(const FormAnswers& answers);
-  /// Says beside each question what keeps the answers from being stored, and gives the first of them the keyboard;
-  /// true where nothing does.
+  /// Shows beside each question the error that keeps the answers from being stored, and gives the first of them the
+  /// keyboard focus; true without errors.
   bool check();
 
  Q_SIGNALS:

@@ -43,7 +43,7 @@ class HistogramEditor : public QWidget {
   const views::TransferFunction& function() const;
   /// Sets the function, tidied(). Clears undo and redo. Emits functionChanged() if it differs.
   void setFunction(const views::TransferFunction& function);
-  /// By its name in views::transferPresets(), as one step that can be undone; unknown names are ignored.
+  /// Applies a preset by its name in views::transferPresets(), as one undoable step; unknown names are ignored.
   void choosePreset(const QString& name);
   /// Back to the preset that was chosen last.
   void reset();
@@ -57,9 +57,9 @@ class HistogramEditor : public QWidget {
  Q_SIGNALS:
   /// histogram() is another one.
   void counted();
-  /// After each change, also within a drag.
+  /// Emitted after each change, also within a drag.
   void functionChanged(const insonate::views::TransferFunction& function);
-  /// True while a node is dragged.
+  /// Emitted with true while a node is dragged.
   void movingChanged(bool moving);
 
  private:

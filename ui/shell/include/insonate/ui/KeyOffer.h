@@ -4,9 +4,8 @@
 
 namespace insonate::ui {
 
-/// For the event filter of an image whose keys come before the window's shortcuts. `key(event, act)` says whether the
-/// key is one of its own, and does what it stands for where `act`.
-/// @returns whether the event ends here
+/// For the event filter of an image whose keys take precedence over the window's shortcuts. `key(event, act)` returns
+/// whether the key is one of its own, and performs it if `act`. @returns whether the event ends here
 template <class Key>
 bool offerKey(QEvent& event, Key key) {
   if (event.type() == QEvent::KeyPress) return key(static_cast<QKeyEvent&>(event), true);

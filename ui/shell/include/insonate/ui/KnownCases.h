@@ -16,7 +16,7 @@ std::optional<QString> placeOfCase(const QString& nameOrTitle);
 /// Place from which a trainee gets this case: its published version, else the case itself.
 QString placeForTraining(const QString& place);
 
-/// The title of the built-in neck of this name; of others, what was given.
+/// The title of the built-in neck of this name; any other text is returned unchanged.
 QString titleOfCase(const QString& nameOrTitle);
 
 }  // namespace insonate::ui

@@ -26,26 +26,26 @@ class TaskBar;
 struct Loss;
 enum class LostBy;
 
-/// The frame around the workspaces: which one is shown, which case is open, what is being done and what went wrong.
-/// Remembers its place, the workspace and recent cases in the user's settings (QSettings of the application). Takes a
-/// case folder, a DICOM folder, a volume file or a recorded attempt that is dropped on it.
+/// The frame around the workspaces: the shown workspace, the open case, running jobs and errors. Remembers its place,
+/// the workspace and recent cases in the user's settings (QSettings of the application). Opens a dropped case folder,
+/// DICOM folder, volume file or recorded attempt.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
-  /// With the store of people at its usual place.
+  /// Opens the store of people at its default place.
   MainWindow();
   explicit MainWindow(std::unique_ptr<Account> account);
   ~MainWindow() override;
 
   /// `id` is what settings and the command line call it. The window owns the workspace. Add all before showing.
   void addWorkspace(const QString& id, const QString& title, const QString& iconName, Workspace* workspace);
-  /// False where there is no such workspace.
+  /// Shows a workspace; false if there is none with this id.
   bool showWorkspace(const QString& id);
   Workspace* currentWorkspace() const;
   QString currentId() const;
 
-  /// As it was when the window closed last.
+  /// Restores the layout of the last session.
   void restoreLayout();
 
   /// A case folder, a DICOM folder, a volume file, or a recorded attempt. Asks first where a case that is not saved,
@@ -60,13 +60,13 @@ class MainWindow : public QMainWindow {
   void openAttempt(const QString& file);
   /// Rereads the case from its folder; nothing for one that is not on disk.
   void reload();
-  /// Writes the case with all edits where it is kept; asks for a place where it is not kept anywhere.
+  /// Writes the case with all edits to its folder; asks for a folder if it has none.
   void saveCase();
   const LoadedCase& current() const { return case_; }
 
   /// A case is open, nothing is being done, and the workspace shows all of it.
   bool isReady() const;
-  /// Nothing more will come by itself.
+  /// Tells whether no further results are due.
   bool isComplete() const;
 
   QAction* openAction() const { return open_; }
@@ -81,7 +81,7 @@ class MainWindow : public QMainWindow {
   ErrorPanel& errors() { return *errors_; }
   QString statusText() const;
   QString caseTitle() const;
-  /// Without the question about what would be lost.
+  /// Closes without the question about unsaved changes.
   void closeAtOnce();
 
  Q_SIGNALS:

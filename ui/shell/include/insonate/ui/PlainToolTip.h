@@ -4,10 +4,11 @@
 
 namespace insonate::ui {
 
-/// In lines that a screen has room for, since a tooltip wraps nothing but rich text, and cut where it is endless.
+/// Wraps a tooltip into lines that fit on a screen, since Qt wraps rich text only, and cuts an endless one.
 QString plainToolTip(const QString& text);
 
-/// For a menu's entry or a button, where & would mark a key and a tab set off another: one line, cut where it is long.
+/// Caption of a menu's entry or a button, where & would mark a key and a tab separate another caption: one line, cut
+/// if it is long.
 QString plainCaption(const QString& text);
 
 }  // namespace insonate::ui

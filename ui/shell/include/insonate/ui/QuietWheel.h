@@ -5,8 +5,8 @@
 
 namespace insonate::ui {
 
-/// Lets the wheel scroll the panel that a number or a choice stands in, until it has the keyboard: who scrolls past a
-/// list of opacities does not change them.
+/// Lets the wheel scroll the panel around a number or a choice until that has the keyboard focus, so that scrolling
+/// past it does not change it.
 class QuietWheel final : public QObject {
  public:
   explicit QuietWheel(QWidget* watched) : QObject(watched) {

@@ -9,7 +9,7 @@ struct RecentCase {
   QString folder, title;
 };
 
-/// The latest first, at most ten, kept in the user's settings; those that are gone are left out.
+/// Recent cases, the latest first, at most ten, kept in the user's settings; missing ones are left out.
 std::vector<RecentCase> recentCases();
 void rememberCase(const RecentCase& opened);
 void forgetRecentCases();

@@ -47,9 +47,9 @@ class ScenePanel : public QWidget {
   HistogramEditor& histogram() { return *histogram_; }
 
   views::ColourScheme colourScheme() const { return scheme_; }
-  /// Gives all structures the scheme's colors, or with the usual scheme those of the case.
+  /// Applies the scheme's colors to all structures, or with the default scheme those of the case.
   void setColourScheme(views::ColourScheme scheme);
-  /// As the case's author chose, else all shown, with the colors of the scheme and the usual opacities.
+  /// Restores the author's choice, else shows all structures with the colors of the scheme and the default opacities.
   void showUsual();
 
   /// All but the clipping plane, which belongs to one patient.

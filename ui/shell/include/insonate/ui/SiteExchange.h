@@ -11,16 +11,17 @@ namespace insonate::ui {
 
 class Account;
 
-/// Brings this computer's store and its site's server together while the window is open: some seconds after somebody
-/// signs in or out, and every five minutes. Off the window's thread; without a server, or without a store here, it does
-/// nothing. What could not be sent waits. For the window's thread.
+/// Exchanges facts between this computer's store and its site's server while the window is open: some seconds after a
+/// user signs in or out, and every five minutes. Off the window's thread; no effect without a server or a store.
+/// Unsent facts wait. For the window's thread.
 class SiteExchange : public QObject {
   Q_OBJECT
 
  public:
   explicit SiteExchange(Account& account, QObject* parent = nullptr);
 
-  /// As in CurriculumStore, kept in the user's settings; empty: none. Its password stands in ~/.pgpass or PGPASSWORD.
+  /// Address of the server as in CurriculumStore, stored in the user's settings; empty: none. Its password is in
+  /// ~/.pgpass or PGPASSWORD.
   QString server() const;
   void setServer(const QString& address);
 

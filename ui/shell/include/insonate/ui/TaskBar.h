@@ -20,11 +20,11 @@ class QTimer;
 
 namespace insonate::ui {
 
-/// Runs one long job at a time on a thread of its own, and shows what it does, how far it is, and a Cancel. Hidden
-/// while there is nothing to do.
+/// Runs one long job at a time on a thread of its own, and shows its task, its progress and a Cancel. Hidden without a
+/// job.
 ///
-/// Cancelling hands `done` the error kCancelled at once and asks the job to stop; a job that is slow to notice ends
-/// unseen. For the window's thread, but for the work itself.
+/// Cancelling passes kCancelled to `done` at once and asks the job to stop; a job that is slow to notice ends in the
+/// background. For the window's thread, except for the work itself.
 class TaskBar : public QFrame {
   Q_OBJECT
 

@@ -23,7 +23,7 @@ void setRole(QWidget* widget, const char* role);
 
 QColor colour(views::Colour colour);
 
-/// A one-colored icon of resources/icons, dimmed where its button is disabled. Null where there is none of that name.
+/// A one-colored icon of resources/icons, dimmed while its button is disabled. Null if no icon has the name.
 QIcon icon(const QString& name, views::Colour colour = views::theme::kText);
 
 }  // namespace insonate::ui

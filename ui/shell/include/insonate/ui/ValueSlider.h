@@ -26,7 +26,7 @@ class ValueSlider : public QWidget {
               QWidget* parent = nullptr);
 
   double value() const { return value_; }
-  /// Kept within the range; tells valueChanged() when it differs. A number that is not finite is ignored.
+  /// Sets the value, clamped to the range; emits valueChanged() if it differs. A number that is not finite is ignored.
   void setValue(double value);
   const ValueRange& range() const { return range_; }
   /// The value is brought into the new range.

@@ -17,11 +17,11 @@ namespace insonate::ui {
 /// Asks for sharp images on dense displays. Call it once, before QApplication.
 void prepareGraphics();
 
-/// Shows one view in the window: hands it mouse, wheel and keys, tells it its size in device pixels, and renders it
-/// when it wants to be rendered, at most once for each pass of the event loop and 60 times a second; views that allow
-/// it are drawn by a thread of their own. A thin frame tells who has the keyboard.
+/// Shows one view in the window: passes mouse, wheel and keys to it, tells it its size in device pixels, and renders
+/// it on request, at most once for each pass of the event loop and 60 times a second; views that allow it are drawn by
+/// a thread of their own. A thin frame marks the keyboard focus.
 ///
-/// A double click or M lets the view fill its room, again or Escape gives the others back. The room is the nearest
+/// A double click or M lets the view fill its area; again or Escape restores the others. The area is the nearest
 /// parent with markViewRoom(), else the widget's parent.
 class ViewWidget : public QFrame {
   Q_OBJECT
@@ -39,12 +39,13 @@ class ViewWidget : public QFrame {
 
   void setMaximised(bool maximised);
   bool isMaximised() const { return maximised_; }
-  /// For views where a double click has another meaning.
+  /// Switches maximizing by a double click, for views in which it has another meaning.
   void setMaximiseOnDoubleClick(bool on) { maximiseOnDoubleClick_ = on; }
 
   /// Renderings so far.
   int renderings() const { return renderings_; }
-  /// A thread draws what was told last; others are drawn as soon as the event loop comes to it.
+  /// Tells whether a thread still draws the latest state; other views are drawn as soon as the event loop reaches
+  /// them.
   bool isDrawing() const;
 
  Q_SIGNALS:

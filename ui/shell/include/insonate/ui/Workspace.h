@@ -33,8 +33,8 @@ struct CaseOrigin {
 /// Changes a copy of a case, on another thread.
 using CaseEdit = std::function<void(PatientCase&)>;
 
-/// One of the window's rooms: Prepare, Train or Review. Made once and kept; the window shows one at a time, and what is
-/// hidden should cost no time (showEvent, hideEvent). Its actions() are listed in the window's View menu while it is
+/// One of the window's workspaces: Prepare, Train or Review. Made once and kept; the window shows one at a time, and a
+/// hidden one should cost no time (showEvent, hideEvent). The window's View menu lists its actions() while it is
 /// shown. For the window's thread only.
 class Workspace : public QWidget {
   Q_OBJECT
@@ -42,13 +42,14 @@ class Workspace : public QWidget {
  public:
   using QWidget::QWidget;
 
-  /// The case to work on, from now on; null when none is open. The case never changes while it is shared.
+  /// Sets the case to work on; null when none is open. The case is constant while it is shared.
   virtual void setCase(std::shared_ptr<const PatientCase> patient) = 0;
 
-  /// While no case is open: what is being opened, e.g. "Opening the built-in neck"; empty for nothing.
+  /// While no case is open: text about a case that is being opened, for example "Opening the built-in neck"; empty for
+  /// none.
   virtual void setOpening(const QString& /*what*/) {}
 
-  /// Told before setCase(), and when the case was saved elsewhere.
+  /// Called before setCase(), and when the case was saved elsewhere.
   virtual void setOrigin(const CaseOrigin&) {}
 
   /// Sets the account of the user; called once, before the workspace is shown.
@@ -71,7 +72,7 @@ class Workspace : public QWidget {
 
   /// Tells whether the workspace shows recorded attempts; the window hands them to the first workspace that does.
   virtual bool opensAttempts() const { return false; }
-  /// Shows a recorded attempt. Returns at once; what goes wrong is told by failed().
+  /// Shows a recorded attempt. Returns at once; failures are reported by failed().
   virtual void openAttempt(const QString& /*file*/) {}
 
   /// Sentence about the last event, or the next thing to do: shown in the status bar.
@@ -81,9 +82,10 @@ class Workspace : public QWidget {
   /// Why this engine, a sentence; empty where there is nothing to say.
   virtual QString engineNote() const { return {}; }
 
-  /// False until everything is on screen that belongs there, e.g. the first live image.
+  /// Tells whether everything is on screen that belongs there, for example the first live image.
   virtual bool isReady() const { return true; }
-  /// Nothing more will come by itself, e.g. surfaces after the first image. readyChanged() tells of it, too.
+  /// Tells whether all further results, for example surfaces after the first image, have arrived. readyChanged()
+  /// announces this, too.
   virtual bool isComplete() const { return isReady(); }
 
   /// The help page about this workspace: a file's name in resources/help without ".md".

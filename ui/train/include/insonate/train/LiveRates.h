@@ -31,9 +31,8 @@ struct OrbitRates {
 struct VolumeRates {
   double orbitPerSecond = 0, zoomPerSecond = 0, followPerSecond = 0;  ///< images; the last while the probe moves
   double exact_ms = 0;  ///< from the last of a movement to the image that lacks nothing; 600 ms at least
-  /// For how long the thread did not come to its events: as a rule with an image, at best, and at worst. On a machine
-  /// that others use, the program is answerable for the best one, and for the longest in the thread's own processor
-  /// time.
+  /// Longest time without events on the thread: usually with an image, at best, and at worst. On a shared machine the
+  /// program is responsible for the best one, and for the longest in the thread's own processor time.
   struct Holds {
     double median_ms = 0, least_ms = 0, longest_ms = 0, processor_ms = 0;
   };

@@ -28,11 +28,11 @@ class TrainWorkspace : public ui::Workspace {
   QString statusText() const override;
   QString engineText() const override;
   QString engineNote() const override;
-  /// From the first live image on.
+  /// Returns a sentence from the first live image on.
   QString endsWithTheCase() const override;
   QString blocksWorkspaceChange() const override;
   bool isReady() const override;
-  /// Once all surfaces are there.
+  /// Tells whether all surfaces are ready.
   bool isComplete() const override;
   QString helpPage() const override { return QStringLiteral("train"); }
   std::vector<ui::Shortcut> shortcuts() const override;
@@ -40,10 +40,10 @@ class TrainWorkspace : public ui::Workspace {
   void restoreLayout(QSettings& settings) override;
   void stop() override;
 
-  /// The image on display as PNG with its scale, and with what is measured unless the user does not want it. Goes on
-  /// in the background; written() or failed() tell the end.
+  /// Saves the image on display as PNG with its scale, and with measurements unless the user has switched them off.
+  /// Continues in the background; written() or failed() report the end.
   void savePicture(const std::filesystem::path& file);
-  /// The same of all that the screen shows of it, the CT beside it included, at the screen's resolution.
+  /// Saves the image as the screen shows it, the CT beside it included, at the screen's resolution.
   void saveScreen(const std::filesystem::path& file);
   /// The last seconds as numbered PNGs like that of savePicture() in a new folder, as one of tasks(); written() or
   /// failed() tell the end.
@@ -52,7 +52,7 @@ class TrainWorkspace : public ui::Workspace {
   /// Moves the linear probe with its own settings for a while and times the images on the screen, while 3D and CT
   /// follow or stand still. To be called when there is an image; `done` comes later, unless the workspace goes first.
   void measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done);
-  /// The same with a needle in the hand and 3D following.
+  /// Measures with a needle in the hand and 3D following.
   void measureHands(double seconds, std::function<void(HandRates)> done);
   /// Turns the patient in 3D, which takes its time.
   OrbitRates measureOrbit(int steps);

@@ -16,8 +16,8 @@ namespace insonate::views {
 
 class View;
 
-/// Draws a view out of sight on a thread of its own, so that the window's never waits for an image: it says what is to
-/// be seen, and finished pixels come back. For the window's thread, like the view.
+/// Draws a view on a thread of its own, so that the window's thread never waits for an image: the window passes the
+/// state, and finished pixels come back. For the window's thread, like the view.
 class DrawingThread {
  public:
   /// The view must say canDrawOnThread() and outlive this; it is attached to a window of its own, which no other
@@ -28,15 +28,14 @@ class DrawingThread {
   DrawingThread(const DrawingThread&) = delete;
   DrawingThread& operator=(const DrawingThread&) = delete;
 
-  /// While this is held, no thread draws. For whoever opens or ends another OpenGL window: VTK and its driver keep
-  /// things of the whole program, which ending one window has corrupted while another was drawn. Waits for images in
-  /// work.
+  /// While this is held, no thread draws. For code that opens or closes another OpenGL window: VTK and its driver keep
+  /// global state, which closing one window has corrupted while another was drawn. Waits for running images.
   [[nodiscard]] static std::unique_lock<std::mutex> pause();
 
   /// Has drawn what the view shows now, after the image in work; the latest wish counts. The answer numbers the wish,
   /// rising from 1.
   std::uint64_t want();
-  /// The same, and waits until it is drawn.
+  /// Requests a drawing, and waits until it is done.
   void drawNow();
 
   struct Drawn {
@@ -44,8 +43,8 @@ class DrawingThread {
     std::uint64_t wish = 0;  ///< the image shows what was to be seen with this one
     double took_ms = 0;      ///< from its beginning to its pixels
   };
-  /// Exchanges the last image for `drawn`, whose memory serves the next. False, and nothing changes, when there is
-  /// none since the last call.
+  /// Exchanges the last image for `drawn`, whose memory serves the next. False, without a change, if there is none
+  /// since the last call.
   bool take(Drawn& drawn);
 
  private:

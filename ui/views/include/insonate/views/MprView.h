@@ -23,13 +23,13 @@ namespace insonate::views {
 
 /// A slice of the CT with its labels. Left drag moves the crosshair (with shift also without a button), right drag
 /// changes window (across) and level (along), middle drag pans, the wheel and the arrow keys change the slice, the
-/// wheel with control zooms; g shows and hides labels, a and d change their opacity, r resets what is seen.
+/// wheel with control zooms; g shows and hides labels, a and d change their opacity, r resets the view.
 class MprView final : public View {
  public:
   explicit MprView(SliceKind kind);
   ~MprView() override;
 
-  /// Null shows an empty view. Resets slice, zoom and crosshair.
+  /// Sets the case; null shows an empty view. Resets slice, zoom and crosshair.
   void setCase(std::shared_ptr<const VtkCase> patient);
 
   void setKind(SliceKind kind);
@@ -39,15 +39,15 @@ class MprView final : public View {
   /// The field of view to outline on an oblique view; none for no outline.
   void setFan(std::optional<Probe> probe, const ImagingSettings& settings = {});
 
-  /// On an oblique view: lies as these bounds lie in an UltrasoundView of the same size, and shows nothing outside the
-  /// field of view; does not zoom or pan. None for a slice of its own.
+  /// Aligns an oblique view with these bounds in an UltrasoundView of the same size, and shows nothing outside the
+  /// field of view; it does not zoom or pan then. None for a slice of its own.
   void setPicture(std::optional<PictureBounds> bounds);
   /// Marks the place that is pointed at in another view, where the slice passes through it; none for no mark.
   void setPointer(std::optional<Vec3> position_mm);
   /// Numbered points, shown where the slice passes by within 3 mm.
   void setMarks(std::vector<Vec3> positions_mm);
   bool showsMark(Vec3 position_mm) const;
-  /// Drawn with their values where the slice passes through them, numbered in this order.
+  /// Sets calipers, which are drawn with their values where the slice passes through them, numbered in this order.
   void setCallipers(std::vector<SliceCalliper> callipers);
 
   /// Sets the crosshair, patient LPS mm; the slice shown is the one through it (oblique: the probe's plane).
@@ -64,7 +64,7 @@ class MprView final : public View {
   void setLabelColour(std::uint8_t label, Colour colour);
   void setLabelVisible(std::uint8_t label, bool visible);
   void setLabelsVisible(bool visible);
-  /// Only their outlines, whatever the opacity.
+  /// Shows only their outlines, at any opacity.
   void setLabelOutlines(bool only) { setLabelStyle({.fill = !only, .outline = true}); }
   void setLabelStyle(const LabelStyle& style);
   /// Sets the opacity of the fill, 0..1; outlines are stronger.

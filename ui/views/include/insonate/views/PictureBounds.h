@@ -12,7 +12,7 @@ struct PicturePlacement {
   double px_per_mm = 10, left_px = 0, top_px = 0, right_px = 0, bottom_px = 0;
 };
 
-/// As large as fits with room for the depth scale and the bars beside it; `scale` is device pixels to a logical one.
+/// Largest placement with room for the depth scale and the bars beside it; `scale` is device pixels to a logical one.
 /// Displays of one size place the same bounds at the same pixels.
 PicturePlacement placementOf(const PictureBounds& bounds, int width_px, int height_px, double scale);
 

@@ -29,7 +29,7 @@ enum class Viewpoint { Anterior, Posterior, Left, Right, Superior, Inferior };
 /// LeftEye and RightEye show the image of one eye alone. QuadBuffer needs a window that was made for shutter glasses.
 enum class Stereo { Off, Anaglyph, SideBySide, Interlaced, Checkerboard, LeftEye, RightEye, QuadBuffer };
 
-/// Keeps the side that the normal points to. Patient LPS mm.
+/// Clipping plane; keeps the side that the normal points to. Patient LPS mm.
 struct ClippingPlane {
   Vec3 point_mm, normal{0, 0, 1};
 };
@@ -50,8 +50,9 @@ struct Clipping {
 /// A physical screen standing in the patient's space, and the eye before it: head-coupled view. Screen frame:
 /// millimeters, origin at the middle of what the view fills of the screen, x right, y up, z toward the viewer.
 struct HeadCoupling {
-  /// Rigid, or scaled to show the patient larger or smaller. None: the screen stands where the usual camera looks,
-  /// square to it, as large as what that camera sees there; so turning, panning and zooming go on working.
+  /// Rigid, or scaled to show the patient larger or smaller. None: the screen stands at the default camera's focal
+  /// point, perpendicular to its direction, as large as that camera's view there; so turning, panning and zooming
+  /// still work.
   std::optional<Transform> patientFromScreen;
   double width_mm = 520;
   double height_mm = 0;         ///< 0 for the view's own shape

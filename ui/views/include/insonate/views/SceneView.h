@@ -26,7 +26,7 @@ class SceneView final : public View {
   SceneView();
   ~SceneView() override;
 
-  /// For CT rendering and picking; may be null.
+  /// Sets the case for CT rendering and picking; may be null.
   void setCase(std::shared_ptr<const VtkCase> patient);
 
   /// Copies the surface of a label; an empty one removes it. Color and opacity stay what they are set to (at first the
@@ -42,7 +42,8 @@ class SceneView final : public View {
   Colour colour(std::uint8_t label) const;
   double opacity(std::uint8_t label) const;
   bool isVisible(std::uint8_t label) const;
-  /// Called after surfaces came or went, and after color, opacity or visibility of one changed.
+  /// Sets a listener that is called after surfaces were added or removed, and after color, opacity or visibility of
+  /// one changed.
   void setStructuresChanged(std::function<void()> listener);
 
   /// The CT itself, ray cast; nothing without a case. At first not visible, and bone.
@@ -86,31 +87,31 @@ class SceneView final : public View {
 
   /// Looks from this side at all surfaces, hidden ones too, so that hiding one does not move the camera.
   void look(Viewpoint from);
-  /// Turns about what is looked at, in degrees: to the right and up.
+  /// Turns about the focal point, in degrees: to the right and up.
   void orbit(double across_deg, double up_deg);
   void pan(double across_px, double down_px);
   void zoom(double factor);
 
-  /// While the scene moves it is drawn coarser, as far as it needs to be quick; dragging in the view does this by
-  /// itself.
+  /// Sets whether the scene moves: then it is drawn coarser, as far as speed requires; dragging in the view does this
+  /// by itself.
   void setMoving(bool moving);
   bool isMoving() const;
   /// Tells whether the last rendering is complete. Without a graphics card, a CT at rest is drawn with few rays first;
   /// all of them are cast in the background, and setWake()'s listener is called when they can be rendered.
   bool isExact() const;
-  /// Renders at rest until the image is exact, or so long; for images that are kept, not for the live window. False
-  /// where it is not exact then.
+  /// Renders at rest until the image is exact, or for this long; for saved images, not for the live window. False if
+  /// it is not exact then.
   bool renderExactly(double patience_s = 60);
 
   void setStereo(Stereo stereo);
   Stereo stereo() const;
   /// Tells whether the window can show it; without a window, all but QuadBuffer.
   bool supports(Stereo stereo);
-  /// None, or an eye nearer than 1 mm to the screen, for the usual camera, which is kept meanwhile. Cheap enough to be
-  /// called for every message of a head tracker.
+  /// Sets an eye for the default camera, which is kept meanwhile; none, or an eye nearer than 1 mm to the screen, ends
+  /// the coupling. Cheap enough for every message of a head tracker.
   void setHeadCoupling(std::optional<HeadCoupling> coupling);
   const std::optional<HeadCoupling>& headCoupling() const;
-  /// Patient LPS mm, toward the viewer: what a plane square to the view has as its normal.
+  /// Direction toward the viewer in patient LPS: the normal of a plane that faces the viewer.
   Vec3 towardViewer() const;
 
   /// The first labeled voxel of the case under a display point that is visible, and as opaque as this; nothing is
@@ -127,7 +128,7 @@ class SceneView final : public View {
   /// OpenGL's name of the renderer; empty before the first frame.
   std::string graphics() const;
 
-  /// True: everything said is plain data, which is handed over for each picture.
+  /// True: the state is plain data, which is passed on for each image.
   bool canDrawOnThread() const override { return true; }
 
   bool pressed(const Pointer& pointer) override;
@@ -150,7 +151,7 @@ class SceneView final : public View {
   struct Drawing;
   void frame();
   vtkCamera& aimed();
-  /// Under a display point, from the near plane (-1) to the far one (1).
+  /// Point under a display point, from the near plane (-1) to the far one (1).
   Vec3 along(DisplayPoint at, double depth);
   void clip();
   void structuresChanged();

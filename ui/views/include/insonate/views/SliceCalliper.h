@@ -13,7 +13,7 @@ struct SliceCalliper {
   std::array<Vec3, 3> points_mm;  ///< a distance uses two
 };
 
-/// In the plane's own millimeters, to be measured: lateral to the right of the display, axial down.
+/// Converts a caliper to the plane's own millimeters for measuring: lateral to the right of the display, axial down.
 Calliper onSlice(const SliceCalliper& calliper, const SliceAxes& axes);
 PicturePoint onSlice(Vec3 patient_mm, const SliceAxes& axes);
 /// The patient point of a place on the slice that passes through `through_mm`.

@@ -20,7 +20,7 @@ inline constexpr Colour kText{0xd9, 0xdf, 0xe5};
 /// Still 7:1 on everything that text stands on.
 inline constexpr Colour kQuiet{0xb0, 0xba, 0xc3};
 inline constexpr Colour kAccent{0x4a, 0xa3, 0xd8};
-/// The accent where it is text.
+/// The accent color of text.
 inline constexpr Colour kLink{0x86, 0xc8, 0xf0};
 inline constexpr Colour kGood{0x4c, 0xaf, 0x7d};
 inline constexpr Colour kCaution{0xe0, 0xa3, 0x3a};

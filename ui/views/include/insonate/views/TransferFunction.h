@@ -35,7 +35,8 @@ struct TransferFunction {
   Colour colourAt(double hu) const;
 };
 
-/// Nodes in order, within their ranges, apart by the least gap, and no more than there may be; what is not finite goes.
+/// Returns the nodes in order, within their ranges, apart by the minimum gap, and up to the maximum number; non-finite
+/// ones are removed.
 TransferFunction tidied(TransferFunction function);
 
 struct TransferPreset {

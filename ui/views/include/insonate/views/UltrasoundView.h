@@ -53,14 +53,14 @@ class UltrasoundView final : public View {
   void setPointer(std::optional<PicturePoint> point);
   /// Words over the image that say why it is not the usual one, or in its place what to wait for; empty for none.
   void setNotice(const std::string& words);
-  /// Drawn with their values, numbered in this order.
+  /// Sets calipers, which are drawn with their values, numbered in this order.
   void setCallipers(std::vector<Calliper> callipers);
 
-  /// Drawn over the image, in the accent color; an empty guide for none.
+  /// Sets a guide, drawn over the image in the accent color; an empty guide for none.
   void setGuide(PictureGuide guide);
 
-  /// Over the image: some of the mesh's lines, and how hard its cells are squeezed, in colors with their scale.
-  /// Copies; to be called with each image, which it does not lay out again.
+  /// Sets an overlay: some of the mesh's lines, and the pressure in its cells, in colors with their scale. Copies;
+  /// call with each image, which it does not lay out again.
   void setTissue(const PictureTissue& tissue, bool grid, bool pressure);
 
   /// Display pixels to the image's mm and back, also outside the picture.

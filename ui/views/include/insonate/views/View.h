@@ -38,20 +38,21 @@ class View {
 
   /// Renders the window now; where a DrawingThread does that, waits for it. Nothing happens without a window.
   void render();
-  /// Waits until what was rendered is there: graphics go on behind the caller's back.
+  /// Waits until the rendered image is complete: graphics cards work asynchronously.
   void finish();
   /// Tells whether a DrawingThread can draw it.
   virtual bool canDrawOnThread() const { return false; }
-  /// Has a DrawingThread come behind the window's: where other views are what one looks at. Before it is first drawn.
+  /// Lowers the priority of a DrawingThread below the window's, if other views matter more. Call before it is first
+  /// drawn.
   void lowerThreadPriority() { behind_ = true; }
   bool hasLowerPriority() const { return behind_; }
 
-  /// Called when the view wants to be rendered again; called often, so collect before rendering.
+  /// Sets a listener that is called when the view needs rendering; called often, so collect before rendering.
   void setRenderWanted(std::function<void()> listener) { renderWanted_ = std::move(listener); }
-  /// For changes that views see by themselves, e.g. of what they share.
+  /// Requests a rendering, for changes that views detect themselves, for example in shared state.
   void wantRender() const;
-  /// Called on other threads when they have made something that is to be rendered: pass it on to the window's thread.
-  /// After this returns, the listener before is not called any more.
+  /// Sets a listener that is called on other threads when they have results to render: pass it on to the window's
+  /// thread. After this returns, the former listener is not called any more.
   void setWake(std::function<void()> listener);
 
   /// Input; true when the view made use of it.
@@ -61,28 +62,28 @@ class View {
   /// Positive notches are away from the user; fractions come from touch pads.
   virtual bool wheel(const Pointer&, double /*notches*/) { return false; }
   virtual bool key(Key) { return false; }
-  /// For a moment there was no wheel and no key: what was drawn coarser for them may be exact again.
+  /// Called after a moment without wheel and keys: drawings that were coarser for them may become exact again.
   virtual void rested() {}
 
   vtkRenderer* renderer() { return renderer_; }
 
  protected:
-  /// Brings what is drawn up to date. Called at the start of a rendering after changed() or resize().
+  /// Updates the drawing. Called at the start of a rendering after changed() or resize().
   virtual void layout() = 0;
-  /// True when something shared with other views has changed since the last layout.
+  /// Tells whether state shared with other views has changed since the last layout.
   virtual bool outOfDate() const { return false; }
   virtual void attached(vtkRenderWindow&) {}
   virtual void detached(vtkRenderWindow&) {}
 
-  /// An image comes about in three steps: the window's thread hands over what is to be seen, whoever draws takes it,
-  /// and draws. The first two are never at work at once; the last may be while the view is told other things.
+  /// A frame is made in three steps: the window's thread passes the state, the drawing thread takes it, and draws. The
+  /// first two never run at once; the last may run while the view receives a new state.
   virtual void handOver() {}
   virtual void takeOver() {}
   virtual void draw();
   void changed();
   double scale() const { return scale_; }
   vtkRenderWindow* window();
-  /// From any thread.
+  /// Wakes the window; call from any thread.
   void wake();
 
  private:

@@ -22,9 +22,10 @@ class VtkCase {
   ~VtkCase();
 
   const PatientCase& patient() const { return *patient_; }
-  /// For who reads voxels on other threads.
+  /// The patient, for readers on other threads.
   const std::shared_ptr<const PatientCase>& shared() const { return patient_; }
-  /// The same voxels in other memory, e.g. a copy with another title. False for another grid, and nothing changes.
+  /// Replaces the patient by the same voxels in other memory, for example a copy with another title. False for another
+  /// grid, without a change.
   bool setPatient(std::shared_ptr<const PatientCase> patient);
   /// Hounsfield units; origin, spacing and direction of the patient's grid (LPS mm), oblique and left-handed ones too.
   vtkImageData* ct() const;
