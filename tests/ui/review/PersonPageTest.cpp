@@ -65,7 +65,7 @@ TEST_F(PersonPageTest, LcCusumIsDrawnOnlyWhereTheLevelAsksForIt) {
   showAnna();
   choose("levelShown", "First jugular line");
   EXPECT_TRUE(chart("cusumChart").isEmpty());
-  EXPECT_EQ(chart("cusumChart").words, "n/a: this level asks for none; 2 passes in a row master it.");
+  EXPECT_EQ(chart("cusumChart").words, "n/a: this level does not use it; 2 consecutive passes master it.");
   choose("levelShown", QString::fromStdString(test.title));
   const ui::ChartPicture& cusum = chart("cusumChart");
   ASSERT_EQ(cusum.lines.size(), 2U) << cusum.words.toStdString();

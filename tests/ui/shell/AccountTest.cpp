@@ -204,7 +204,7 @@ TEST_F(AccountWindow, AnInstructorSeesTheOwnClassOnly) {
   auto* table = people->findChild<QTableWidget*>("peopleTable");
   ASSERT_TRUE(waitUntil([&] { return classes->count() == 1 && table->rowCount() == 2; }));
   EXPECT_EQ(classes->item(0)->text(), "Mine");
-  EXPECT_EQ(row(*table, 0)[3], "instructor, teaches");
+  EXPECT_EQ(row(*table, 0)[3], "instructor, teacher");
   EXPECT_FALSE(people->findChild<QPushButton*>("peopleAddClass")->isVisible());
   EXPECT_FALSE(people->findChild<QPushButton*>("peopleDisable")->isVisible());
 }

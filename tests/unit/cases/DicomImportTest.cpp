@@ -235,7 +235,7 @@ TEST_F(DicomImport, StrayFilesAreSetAsideWithAReason) {
   std::vector<std::string> reasons;
   for (const SetAside& s : listing->setAside) reasons.push_back(s.file.filename().string() + ": " + s.reason);
   EXPECT_THAT(reasons, testing::UnorderedElementsAre(
-                           "notes.dcm: named like DICOM, but it is none", "README: neither DICOM nor a volume",
+                           "notes.dcm: named like DICOM, but not a DICOM file", "README: neither DICOM nor a volume",
                            HasSubstr("scout: a scout"), HasSubstr("capture: a secondary capture"),
                            HasSubstr("seg: a DICOM segmentation"), HasSubstr("report: a structured report")));
   EXPECT_EQ(imported().ct.voxels, ct.voxels);

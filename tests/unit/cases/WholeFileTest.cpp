@@ -144,7 +144,8 @@ TEST_F(WholeFile, NiftiWithoutAFrameIsNoted) {
   ASSERT_TRUE(imported) << imported.error().message;
   EXPECT_THAT(imported->series.warnings, testing::Contains(HasSubstr("does not state its orientation")));
   test::writeText(folder / "b.nii", test::niftiOf(ct, test::kRas, 1, 0));
-  EXPECT_THAT(importSeries(folder / "b.nii")->series.warnings, testing::Each(testing::Not(HasSubstr("its orientation"))));
+  EXPECT_THAT(importSeries(folder / "b.nii")->series.warnings,
+              testing::Each(testing::Not(HasSubstr("its orientation"))));
 }
 
 TEST_F(WholeFile, VoxelsThatNoScannerMakesAreRefusedBeforeTheyAreRead) {

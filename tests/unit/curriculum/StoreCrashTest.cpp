@@ -252,8 +252,7 @@ TEST(StoreOnFullDisk, RefusesWithASentenceAndKeepsWhatItHad) {
       facts.level = std::string(1000, 'x');
       if (const auto begun = AttemptStore(anna).begin(facts); !begun) refusal = begun.error().message;
     }
-    if (refusal.find("Nothing was stored") == std::string::npos)
-      throw std::runtime_error("refused by: " + refusal);
+    if (refusal.find("Nothing was stored") == std::string::npos) throw std::runtime_error("refused by: " + refusal);
     if (!AttemptStore(anna).history(anna.person().id)) throw std::runtime_error("cannot be read any more");
   });
   EXPECT_TRUE(writer.waitUntilDone());

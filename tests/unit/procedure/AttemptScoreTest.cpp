@@ -124,7 +124,7 @@ TEST(AttemptScore, WithoutSuccessHalfAtMost) {
   const AttemptScore score = scoreOf(attempt, small());
   EXPECT_EQ(of(score, Metric::TimeToAccess).share, std::nullopt);
   EXPECT_EQ(score.points, 50);
-  EXPECT_EQ(score.advice, "The attempt ended before 'Puncture the vein' was done: practise that step next.");
+  EXPECT_EQ(score.advice, "The attempt ended before 'Puncture the vein' was done: practice that step next.");
 }
 
 TEST(AttemptScore, NothingToScore) {
