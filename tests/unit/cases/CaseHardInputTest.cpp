@@ -106,7 +106,7 @@ TEST_F(HardCase, VoxelsThatNoScannerMakesAreRefused) {
                      "type: short\ndimension: 3\nsizes: 4 4 4\nspace: left-posterior-superior\n"
                      "space directions: (0.001,0,0) (0,0.001,0) (0,0,0.001)\nspace origin: (0,0,0)\n",
                      test::bytesOf(std::vector<short>(64)));
-  EXPECT_THAT(errorOf(), AllOf(HasSubstr("0.001 mm"), HasSubstr("metres?")));
+  EXPECT_THAT(errorOf(), AllOf(HasSubstr("0.001 mm"), HasSubstr("meters?")));
 }
 
 TEST_F(HardCase, AFileIsNoCase) {

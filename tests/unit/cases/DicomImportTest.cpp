@@ -135,7 +135,7 @@ TEST_F(DicomImport, PixelsThatNoScannerMakesAreRefused) {
   write(test::noiseCt(test::grid({4, 4, 3})));
   for (const fs::path& file : files())
     test::editDicom(file, [](DataSet& data) { test::setText(data, Tag(0x0028, 0x0030), VR::DS, "0.001\\0.001"); });
-  EXPECT_THAT(refusal(), testing::AllOf(HasSubstr("0.001 mm"), HasSubstr("metres?")));
+  EXPECT_THAT(refusal(), testing::AllOf(HasSubstr("0.001 mm"), HasSubstr("meters?")));
   const auto listing = listSeries(series);
   ASSERT_TRUE(listing);
   EXPECT_FALSE(listing->series.at(0).geometryKnown);

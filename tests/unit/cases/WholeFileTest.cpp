@@ -153,7 +153,7 @@ TEST_F(WholeFile, VoxelsThatNoScannerMakesAreRefusedBeforeTheyAreRead) {
   VolumeGeometry metres = kLargeGrid;
   metres.spacing_mm = {0.5, 0.0015, 2};
   test::writeText(folder / "a.mha", test::metaHeader(metres, "1 0 0 0 1 0 0 0 1") + "ElementDataFile = LOCAL\n");
-  EXPECT_THAT(importSeries(folder / "a.mha").error().message, AllOf(HasSubstr("0.0015 mm"), HasSubstr("metres?")));
+  EXPECT_THAT(importSeries(folder / "a.mha").error().message, AllOf(HasSubstr("0.0015 mm"), HasSubstr("meters?")));
 }
 
 TEST_F(WholeFile, ALabelMapIsNoCt) {

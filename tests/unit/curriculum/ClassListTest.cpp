@@ -54,7 +54,7 @@ TEST(ClassList, EachWrongLineIsToldAndCostsItselfAlone) {
   std::vector<std::string> sentences;
   for (const ClassListTrouble& trouble : list.troubles) sentences.push_back(trouble.sentence);
   EXPECT_THAT(sentences,
-              ElementsAre(HasSubstr("Line 2: Nobody is named"), HasSubstr("Line 3: 'b at x.org' is no e-mail"),
+              ElementsAre(HasSubstr("Line 2: The name is missing"), HasSubstr("Line 3: 'b at x.org' is no e-mail"),
                           HasSubstr("Line 4: There is neither user name"), HasSubstr("Line 5: A name to sign in has"),
                           HasSubstr("Line 7: This is the same person as in line 6"),
                           HasSubstr("Line 8: This is the same person as in line 6"),

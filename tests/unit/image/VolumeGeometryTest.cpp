@@ -109,7 +109,7 @@ TEST(CheckVoxelSize, RefusesWhatNoScannerMakesAndNamesIt) {
   ASSERT_FALSE(metres);
   EXPECT_NE(metres.error().message.find("0.0015 mm"), std::string::npos) << metres.error().message;
   EXPECT_NE(metres.error().message.find("axis 2"), std::string::npos);
-  EXPECT_NE(metres.error().message.find("metres?"), std::string::npos);
+  EXPECT_NE(metres.error().message.find("meters?"), std::string::npos);
   EXPECT_FALSE(checkVoxelSize({1, 1, 500}));
   EXPECT_FALSE(checkVoxelSize({std::numeric_limits<double>::quiet_NaN(), 1, 1}));
 }

@@ -129,7 +129,7 @@ TEST_F(DamagedRecording, ABadChangeOfSettingsIsSaid) {
   EXPECT_EQ(recording->settingsAt(2'999'999), "as it began");
   EXPECT_THAT(recording->settingsAt(3'000'000).error().message, HasSubstr("how it was set at 3.0 s is not known"));
   ASSERT_EQ(recording->troubles().size(), 1u);
-  EXPECT_THAT(recording->troubles()[0], HasSubstr("how it was set from 3.0 s on is not known"));
+  EXPECT_THAT(recording->troubles()[0], HasSubstr("how it was set from 3.0 s on is unknown"));
   broken.erase(at, size);  // and one that is gone
   EXPECT_FALSE(with(broken)->settingsAt(3'000'000));
   EXPECT_EQ(with(broken)->metricsUntil(), metrics);

@@ -77,7 +77,7 @@ void planVolume(const RawVolume& raw, FoundSeries& found, VolumeSeries& volume) 
   SeriesInfo& info = found.info;
   if (!raw.oriented)
     info.warnings.push_back(
-        "The file does not say how it lies in the patient; its axes are taken as left, posterior, superior.");
+        "The file does not state its orientation; its axes are assumed to be left, posterior, superior.");
   if (raw.size[2] == 1) info.warnings.push_back("There is only one slice.");
   info.refusal = whyNoCt(raw);
   if (auto ok = checkVoxelSize(spacingOf(raw)); !ok && info.refusal.empty()) info.refusal = ok.error().message;
