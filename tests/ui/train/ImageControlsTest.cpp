@@ -58,7 +58,7 @@ TEST_F(TrainWindow, AMachineBringsItsSettingsUntilOneIsChanged) {
   EXPECT_EQ(session_->settings().noise_dB, -38);
   EXPECT_EQ(session_->settings().depth_mm, 33);
   EXPECT_EQ(child<ui::ValueSlider>("noise")->value(), -38);
-  EXPECT_EQ(child<QComboBox>("grayMap")->currentText(), "bright");
+  EXPECT_EQ(child<QComboBox>("grayMap")->currentText(), "contrast");
   EXPECT_EQ(machine->currentText(), "hand-held, 2024");
   choose(child<QComboBox>("grayMap"), "dark");
   EXPECT_EQ(session_->settings().grayMap, GrayMap::Dark);

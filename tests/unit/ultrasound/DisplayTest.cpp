@@ -137,7 +137,7 @@ struct MapCase {
   int middle;
 };
 const MapCase kMaps[]{{GrayMap::Linear, "linear", 128},     {GrayMap::Soft, "soft", 102},
-                      {GrayMap::Contrast, "contrast", 116}, {GrayMap::Bright, "bright", 166},
+                      {GrayMap::Contrast, "contrast", 116}, {GrayMap::Bright, "bright", 143},
                       {GrayMap::Dark, "dark", 77},          {GrayMap::Flat, "flat", 134}};
 
 TEST_F(DisplayTest, EachGrayMapRisesFromBlackToWhiteThroughItsMiddle) {

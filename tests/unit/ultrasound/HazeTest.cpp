@@ -59,6 +59,27 @@ TEST_F(HazeTest, EchoesComeAgainAtTwiceTheirDepth) {
   EXPECT_GT(level_dB(image, -10, 10, 18), level_dB(image, -10, 10, 26) + 4);
 }
 
+/// The survey of real necks: gray in the shadow of bone over that of the tissue above, 0.33 to 0.52.
+TEST_F(HazeTest, BoneShinesOnIntoItsShadow) {
+  const auto bone = [](double x, double z) {
+    if (std::abs(x) > 5) return 0.0;
+    return z < 15 ? 0.0 : z < 15.5 ? 32.0 : -60.0;
+  };
+  const BModeImage image = display(probe, settings, frameOf(probe, settings, bone));
+  const auto share = [&](double depth_mm) {
+    return (level_dB(image, -2, 2, depth_mm) - kBlack_dB) / (level_dB(image, -2, 2, 12) - kBlack_dB);
+  };
+  EXPECT_GT(share(18), 0.33);
+  EXPECT_LT(share(18), 0.52);
+  EXPECT_LT(share(26), share(18)) << "it fades";
+}
+
+TEST_F(HazeTest, FasciaLeavesALumenBelowItDark) {
+  const auto lumen = [](double, double z) { return z > 14 ? -60.0 : z > 13.7 ? 20.0 : -4.0; };
+  const BModeImage image = display(probe, settings, frameOf(probe, settings, lumen));
+  EXPECT_LT(level_dB(image, -10, 10, 19), -16);
+}
+
 TEST_F(HazeTest, DriftsFromPlaceToPlaceAndIsTheSameInAllFrames) {
   const auto lumen = [](double, double z) { return z > 10 ? -60.0 : 8.0; };
   const EnvelopeFrame frame = frameOf(probe, settings, lumen);

@@ -51,7 +51,7 @@ struct Display::Impl {
   ImagingSettings settings;
   DisplayPlan plan;
   Plane power, levels;
-  Plane blockPower, blockLevels;
+  Plane blockPower, strongPower, blockLevels;
   Haze haze;
   Plane shade;  ///< one row: dB of each scanline
   std::optional<ElectronicNoise> noise;
@@ -70,6 +70,7 @@ Display::Impl::Impl(const Probe& probe, const ImagingSettings& imaging)
       power(plan.samples, plan.scanlines),
       levels(plan.samples, plan.scanlines),
       blockPower(static_cast<int>(plan.blocks.size()), plan.scanlines),
+      strongPower(blockPower.rows(), plan.scanlines),
       blockLevels(blockPower.rows(), plan.scanlines),
       haze(probe, imaging, plan),
       shade(1, plan.scanlines),
@@ -97,20 +98,24 @@ bool Display::Impl::fits(const EnvelopeFrame& envelope) const {
 void Display::Impl::compoundBlock(const EnvelopeFrame& envelope, int looks, int b) {
   const Block& block = plan.blocks[b];
   std::fill_n(blockPower.row(b), Plane::padded(plan.scanlines), 0.0F);
+  std::fill_n(strongPower.row(b), Plane::padded(plan.scanlines), 0.0F);
   for (int k = block.first; k < block.first + block.count; ++k) {
     CompoundRow task{.looks = looks,
                      .columns = plan.scanlines,
                      .contact = face ? face->contact(b) : nullptr,
                      .gain = plan.rowGain[k],
                      .ceiling = static_cast<float>(powerOf(kHazeCeiling_dB)),
+                     .strongCeiling = b < plan.longHazeFrom ? 0 : static_cast<float>(powerOf(kHazeLongCeiling_dB)),
                      .power = power.row(k),
-                     .sum = blockPower.row(b)};
+                     .sum = blockPower.row(b),
+                     .strong = strongPower.row(b)};
     for (int l = 0; l < looks; ++l) task.look[l] = envelope.look(l) + std::size_t(k) * plan.scanlines;
     if (noise && looks > 0) task.noise = noise->row(k);
     compoundRow(task);
     if (face && looks > 0) face->addTo(power.row(k), k, plan.rowGain[k]);
   }
-  scaleRow(blockPower.row(b), 1 / static_cast<float>(block.count), plan.scanlines);
+  for (Plane* mean : {&blockPower, &strongPower})
+    scaleRow(mean->row(b), 1 / static_cast<float>(block.count), plan.scanlines);
 }
 
 /// Streaks below bright places near the skin: how far the top of each scanline stands out from its neighbourhood.
@@ -204,7 +209,7 @@ void Display::Impl::process(const EnvelopeFrame& envelope, std::uint32_t noiseSe
   const int looks = fits(envelope) ? envelope.looks : 0;
   if (noise && looks > 0) noise->draw(noiseSeed);
   overBlocks([&](int b) { compoundBlock(envelope, looks, b); });
-  if (settings.effects.clutter) haze.follow(blockPower, face ? &*face : nullptr);
+  if (settings.effects.clutter) haze.follow(blockPower, strongPower, face ? &*face : nullptr);
   if (settings.effects.attenuation) findShade();
   stages.compound = lap_ms();
   overBlocks([&](int b) { compressBlock(b); });

@@ -78,6 +78,8 @@ DisplayPlan::DisplayPlan(const Probe& probe, const ImagingSettings& settings)
     blocks.push_back(makeBlock(probe, settings, grid, first, std::min(blockRows, samples - first), block_mm));
   hazeDecay = static_cast<float>(std::exp(-block_mm / kHazeTail_mm));
   hazeGrainDecay = static_cast<float>(std::exp(-block_mm / kHazeGrain_mm));
+  longHazeFrom = static_cast<int>(std::ceil(kHazeLongFrom_mm / block_mm));
+  hazeLongDecay = static_cast<float>(std::exp(-block_mm / kHazeLongTail_mm));
 
   for (int k = 0; k < samples; ++k) {
     const double depth_cm = grid.range_mm(k) / 10;

@@ -22,9 +22,13 @@ inline constexpr double kHazeSmoothShare = 0.6;  ///< the rest is modulated by t
 inline constexpr double kHazeGrain = 0.3;        ///< share modulated by the speckle of each sample
 inline constexpr double kHazeGrain_mm = 0.7;     ///< tail of the local mean that speckle is compared with
 inline constexpr double kHazeCeiling_dB = 6;     ///< echoes above this leak no more than this
-inline constexpr double kSideLobes_dB = -23;     ///< of the echoes beside
-inline constexpr double kTwice_dB = -27;         ///< of the echoes of half the depth, on their second way
-inline constexpr double kSmear_mm = 1.8;         ///< in which either falls to 1/e along the face
+/// Haze behind strong reflectors, such that the shadow of bone has 0.33 to 0.52 of the gray of the tissue above.
+inline constexpr double kHazeLongShare_dB = -28, kHazeLongTail_mm = 6;
+inline constexpr double kHazeLongFrom_mm = 3;      ///< echoes above are the skin's and the face's
+inline constexpr double kHazeLongCeiling_dB = 30;  ///< echoes above this leak no more than this
+inline constexpr double kSideLobes_dB = -23;       ///< of the echoes beside
+inline constexpr double kTwice_dB = -27;           ///< of the echoes of half the depth, on their second way
+inline constexpr double kSmear_mm = 1.8;           ///< in which either falls to 1/e along the face
 inline constexpr double kDriftReach_dB = 3, kDriftLateral_mm = 2.4, kDriftAxial_mm = 1.5;
 
 /// Share of the level, in dB, that an aperture smaller than the full one lacks and that the machine does not make up
@@ -82,15 +86,16 @@ struct DisplayPlan {
   std::vector<float> rowOffset_dB;  ///< gain and sliders
   int axialStride;                  ///< rows between the 5 taps of plain smoothing
   float axialWeight[3];
-  int edgeRows;                      ///< half a pulse
-  float hazeDecay, hazeGrainDecay;   ///< per block
-  std::vector<float> line_dB;        ///< lateral gain of each scanline; empty where it is 0 throughout
-  std::vector<float> edgeShade_dB;   ///< [scanline]
-  std::vector<float> shadeShare;     ///< [row] of the shade of scanlines
-  int shadeFirst = 0, shadeEnd = 0;  ///< blocks that cast streaks
-  int streakNarrow, streakWide;      ///< scanlines each side
-  float low_dB, high_dB;             ///< levels kept
-  float black_dB, perLevel;          ///< level share = (dB - black_dB) * perLevel
+  int edgeRows;                                    ///< half a pulse
+  float hazeDecay, hazeGrainDecay, hazeLongDecay;  ///< per block
+  int longHazeFrom = 0;                            ///< first block that shines on behind strong reflectors
+  std::vector<float> line_dB;                      ///< lateral gain of each scanline; empty where it is 0 throughout
+  std::vector<float> edgeShade_dB;                 ///< [scanline]
+  std::vector<float> shadeShare;                   ///< [row] of the shade of scanlines
+  int shadeFirst = 0, shadeEnd = 0;                ///< blocks that cast streaks
+  int streakNarrow, streakWide;                    ///< scanlines each side
+  float low_dB, high_dB;                           ///< levels kept
+  float black_dB, perLevel;                        ///< level share = (dB - black_dB) * perLevel
 
   void planShade(const Probe& probe, const ImagingSettings& settings, const BeamGrid& grid);
 

@@ -13,7 +13,7 @@ constexpr std::array kCurves{
     GrayMapCurve{GrayMap::Soft, "soft", "a slight S: darks a little darker, brights kept apart", 0.387F, 1.039F,
                  -0.426F},
     GrayMapCurve{GrayMap::Contrast, "contrast", "a steep S: dark lumens, bright walls", 0.15F, 2.2F, -1.35F},
-    GrayMapCurve{GrayMap::Bright, "bright", "middle grays lifted", 1.8F, -1.2F, 0.4F},
+    GrayMapCurve{GrayMap::Bright, "bright", "middle grays lifted, darks kept dark", 0.6F, 1.7F, -1.3F},
     GrayMapCurve{GrayMap::Dark, "dark", "middle grays lowered", 0.2F, 0.8F, 0},
     GrayMapCurve{GrayMap::Flat, "flat", "a reversed S: detail in darks and brights, little between", 1.6F, -1.6F, 1},
 };

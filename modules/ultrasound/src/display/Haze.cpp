@@ -31,6 +31,7 @@ Haze::Haze(const Probe& probe, const ImagingSettings& settings, const DisplayPla
     : plan_(&plan),
       tail_(static_cast<int>(plan.blocks.size()), plan.scanlines),
       grain_(tail_.rows(), plan.scanlines),
+      longTail_(tail_.rows(), plan.scanlines),
       haze_(tail_.rows(), plan.scanlines),
       drift_(tail_.rows(), plan.scanlines),
       smeared_(1, plan.scanlines) {
@@ -45,27 +46,34 @@ Haze::Haze(const Probe& probe, const ImagingSettings& settings, const DisplayPla
   }
 }
 
-void Haze::follow(Plane& blockPower, const FaceEchoes* face) {
+void Haze::follow(Plane& blockPower, Plane& strongPower, const FaceEchoes* face) {
   blockPower.extendRow(0);
+  strongPower.extendRow(0);
   for (int b = 0; b < haze_.rows(); ++b) {
     smear(blockPower, face ? face->contact(b) : nullptr, b);
     hazeRow({.power = blockPower.row(b),
+             .strong = strongPower.row(b),
              .tailAbove = b == 0 ? blockPower.row(0) : tail_.row(b - 1),
              .grainAbove = b == 0 ? blockPower.row(0) : grain_.row(b - 1),
+             .longAbove = b == 0 ? strongPower.row(0) : longTail_.row(b - 1),
              .stride = plan_->blocks[b].hazeStride,
              .spread = plan_->blocks[b].hazeSpread,
              .tailDecay = plan_->hazeDecay,
              .grainDecay = plan_->hazeGrainDecay,
+             .longDecay = plan_->hazeLongDecay,
              .share = powerOf(kHazeShare_dB),
+             .longShare = powerOf(kHazeLongShare_dB),
              .smoothShare = static_cast<float>(kHazeSmoothShare),
              .smeared = smeared_.row(0),
              .drift = drift_.row(b),
              .columns = plan_->scanlines,
              .tail = tail_.row(b),
              .grain = grain_.row(b),
+             .longTail = longTail_.row(b),
              .haze = haze_.row(b)});
     tail_.extendRow(b);
     grain_.extendRow(b);
+    longTail_.extendRow(b);
   }
 }
 

@@ -85,9 +85,11 @@ void compoundRow(const CompoundRow& t) {
   else
     compoundLooks<false>(t);
   const F d;
-  const auto ceiling = hn::Set(d, t.ceiling);
+  const auto ceiling = hn::Set(d, t.ceiling), strongCeiling = hn::Set(d, t.strongCeiling);
   overPadded(t.columns, [&](int i) {
-    hn::Store(hn::Add(hn::Load(d, t.sum + i), hn::Min(hn::Load(d, t.power + i), ceiling)), d, t.sum + i);
+    const auto power = hn::Load(d, t.power + i);
+    hn::Store(hn::Add(hn::Load(d, t.sum + i), hn::Min(power, ceiling)), d, t.sum + i);
+    hn::Store(hn::Add(hn::Load(d, t.strong + i), hn::Min(power, strongCeiling)), d, t.strong + i);
   });
 }
 
@@ -103,8 +105,10 @@ void ringingRow(const RingingRow& t) {
 void hazeRow(const HazeRow& t) {
   const F d;
   const auto side = hn::Set(d, t.spread), middle = hn::Set(d, 1 - 2 * t.spread);
-  const auto tailDecay = hn::Set(d, t.tailDecay), grainDecay = hn::Set(d, t.grainDecay);
-  const auto share = hn::Set(d, t.share), smooth = hn::Set(d, t.smoothShare), rough = hn::Set(d, 1 - t.smoothShare);
+  const auto tailDecay = hn::Set(d, t.tailDecay), grainDecay = hn::Set(d, t.grainDecay),
+             longDecay = hn::Set(d, t.longDecay);
+  const auto share = hn::Set(d, t.share), longShare = hn::Set(d, t.longShare), smooth = hn::Set(d, t.smoothShare),
+             rough = hn::Set(d, 1 - t.smoothShare);
   const auto tiny = hn::Set(d, 1e-20F), most = hn::Set(d, 4.0F);
   const auto half = hn::Set(d, 0.5F);
   const auto carried = [&](const float* above, int i) {
@@ -120,8 +124,11 @@ void hazeRow(const HazeRow& t) {
     const auto grain = mix(power, carried(t.grainAbove, i), grainDecay);
     hn::Store(tail, d, t.tail + i);
     hn::Store(grain, d, t.grain + i);
+    const auto longTail = mix(hn::Load(d, t.strong + i), carried(t.longAbove, i), longDecay);
+    hn::Store(longTail, d, t.longTail + i);
     const auto speckle = hn::Min(hn::Div(power, hn::Max(grain, tiny)), most);
-    const auto even = hn::Mul(hn::Add(hn::Mul(share, tail), hn::Load(d, t.smeared + i)), hn::Load(d, t.drift + i));
+    const auto tails = hn::Add(hn::Mul(share, tail), hn::Mul(longShare, longTail));
+    const auto even = hn::Mul(hn::Add(tails, hn::Load(d, t.smeared + i)), hn::Load(d, t.drift + i));
     hn::Store(hn::Mul(even, hn::Add(smooth, hn::Mul(rough, speckle))), d, t.haze + i);
   });
 }

@@ -31,9 +31,9 @@ struct CompoundRow {
   const float* contact = nullptr;  ///< share of the amplitude that a scanline keeps; null for all of it
   NoiseRow noise = {};             ///< none where null
   float gain;
-  float ceiling;  ///< of what goes into the sum
+  float ceiling, strongCeiling;  ///< of each sample's part in the sums
   float* power;
-  float* sum;  ///< += min(power, ceiling) over a padded row
+  float *sum, *strong;  ///< += min(power, ceiling), += min(power, strongCeiling) over a padded row
 };
 void compoundRow(const CompoundRow& task);
 
@@ -46,19 +46,21 @@ struct RingingRow {
 };
 void ringingRow(const RingingRow& task);
 
-/// One block of the haze: both tails carried down from the block above, and what they leave here.
+/// One block of the haze: the tails carried down from the block above, and the haze that they leave here.
 struct HazeRow {
   const float* power;       ///< mean of the block
+  const float* strong;      ///< mean of the block, strong echoes included
   const float* tailAbove;   ///< with margins
   const float* grainAbove;  ///< with margins
+  const float* longAbove;   ///< with margins
   int stride;               ///< scanlines to the neighbors
   float spread;             ///< to each neighbor
-  float tailDecay, grainDecay;
-  float share, smoothShare;
+  float tailDecay, grainDecay, longDecay;
+  float share, longShare, smoothShare;
   const float* smeared;  ///< added to the tail
   const float* drift;    ///< strength of both
   int columns;
-  float *tail, *grain, *haze;
+  float *tail, *grain, *longTail, *haze;
 };
 void hazeRow(const HazeRow& task);
 
