@@ -98,10 +98,9 @@ bool ProcedureRun::complete(std::int64_t time_us, const AttemptEvent* event) {
 }
 
 void ProcedureRun::watchRules(std::int64_t time_us, const std::string& vessel) {
-  const MetricValues values = metrics_.values();
   for (std::size_t i = 0; i < told_.size(); ++i) {
     const MetricLimit& limit = procedure_.rules[i].limit;
-    const auto value = values[limit.metric];
+    const auto value = metrics_.value(limit.metric);
     if (!limit.isBeyond(value)) continue;
     const bool isCount = definitionOf(limit.metric).unit.empty();
     if (told_[i] && !(isCount && *value > *told_[i])) continue;
@@ -115,9 +114,8 @@ std::optional<std::size_t> ProcedureRun::due() const {
 }
 
 bool ProcedureRun::succeeded() const {
-  const MetricValues values = metrics_.values();
   return std::ranges::all_of(procedure_.success,
-                             [&](const MetricLimit& limit) { return limit.isBeyond(values[limit.metric]); });
+                             [&](const MetricLimit& limit) { return limit.isBeyond(metrics_.value(limit.metric)); });
 }
 
 }  // namespace insonate

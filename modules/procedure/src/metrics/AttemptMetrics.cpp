@@ -50,6 +50,7 @@ struct AttemptMetrics::State {
   void followRest(const AttemptSample& sample);
   void drawBlood(const AttemptSample& sample);
   metrics::Punctures* structure(const AttemptEvent& event);
+  std::optional<double> probeValue(Metric metric) const;
   std::array<metrics::Punctures*, 4> structures() { return {&vein, &otherVein, &artery, &lung}; }
 
   PictureField picture;
@@ -226,39 +227,83 @@ std::optional<std::int64_t> AttemptMetrics::drawingBlood_us() const {
   return state_->drawing ? std::optional(state_->drawing->since_us) : std::nullopt;
 }
 
-MetricValues AttemptMetrics::values() const {
+std::optional<double> AttemptMetrics::State::probeValue(Metric metric) const {
+  switch (metric) {
+    case Metric::ProbePath:
+      return probe.path_mm();
+    case Metric::ProbeTranslations:
+      return probe.translations();
+    case Metric::ProbeRotations:
+      return probe.rotations();
+    case Metric::ProbeForceMean:
+      return probe.forceMean_N();
+    case Metric::ProbeForceMost:
+      return probe.forceMost_N();
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<double> AttemptMetrics::value(Metric metric) const {
   const State& s = *state_;
+  const auto given = [](bool known, double value) { return known ? std::optional(value) : std::nullopt; };
   const bool pierced = s.passes > 0;
-  MetricValues values;
-  values[Metric::VeinPunctures] = s.vein.count();
-  values[Metric::ArteryPunctures] = s.artery.count();
-  values[Metric::DoublePunctures] = s.vein.through();
-  values[Metric::TimeToVein] = s.timeToVein_s;
-  values[Metric::UsedNeedleInsertions] = s.usedInsertions;
-  values[Metric::TimeToAccess] = secondsBetween(s.firstSkin_us, s.access_us);
-  values[Metric::AttemptTime] = secondsBetween(s.first_us, s.last_us);
-  values[Metric::Passes] = s.passes;
-  values[Metric::Redirections] = s.needle.redirections();
-  values[Metric::LungPunctures] = s.lung.count();
-  values[Metric::BoneContacts] = s.boneContacts;
-  if (pierced) values[Metric::NeedlePath] = s.needle.path_mm();
-  values[Metric::NeedleInefficiency] = s.needle.inefficiency_percent();
-  values[Metric::PathDeviation] = s.needle.deviation_mm();
-  values[Metric::InsertionAngle] = s.angle_deg;
-  if (s.picture.sliceHalf_mm > 0) values[Metric::TipInPicture] = s.sight.percent();
-  values[Metric::AspirationWhileAdvancing] = s.needle.aspirating_percent();
-  values[Metric::VeinCentreDistance] = s.veinCentre_mm;
-  if (pierced) values[Metric::TipInVein] = s.vein.inside() || s.drawn ? 1 : 0;
-  values[Metric::NearestArtery] = s.nearestArtery_mm;
-  values[Metric::NearestLung] = s.nearestLung_mm;
-  values[Metric::ProbePath] = s.probe.path_mm();
-  values[Metric::ProbeTranslations] = s.probe.translations();
-  values[Metric::ProbeRotations] = s.probe.rotations();
-  values[Metric::ProbeForceMean] = s.probe.forceMean_N();
-  values[Metric::ProbeForceMost] = s.probe.forceMost_N();
-  values[Metric::OtherVeinPunctures] = s.otherVein.count();
-  if (s.hasTarget) values[Metric::VeinChecks] = s.veinChecks;
-  return values;
+  switch (metric) {
+    case Metric::VeinPunctures:
+      return s.vein.count();
+    case Metric::ArteryPunctures:
+      return s.artery.count();
+    case Metric::DoublePunctures:
+      return s.vein.through();
+    case Metric::TimeToVein:
+      return s.timeToVein_s;
+    case Metric::UsedNeedleInsertions:
+      return s.usedInsertions;
+    case Metric::TimeToAccess:
+      return secondsBetween(s.firstSkin_us, s.access_us);
+    case Metric::AttemptTime:
+      return secondsBetween(s.first_us, s.last_us);
+    case Metric::Passes:
+      return s.passes;
+    case Metric::Redirections:
+      return s.needle.redirections();
+    case Metric::LungPunctures:
+      return s.lung.count();
+    case Metric::BoneContacts:
+      return s.boneContacts;
+    case Metric::NeedlePath:
+      return given(pierced, s.needle.path_mm());
+    case Metric::NeedleInefficiency:
+      return s.needle.inefficiency_percent();
+    case Metric::PathDeviation:
+      return s.needle.deviation_mm();
+    case Metric::InsertionAngle:
+      return s.angle_deg;
+    case Metric::TipInPicture:
+      return s.picture.sliceHalf_mm > 0 ? s.sight.percent() : std::nullopt;
+    case Metric::AspirationWhileAdvancing:
+      return s.needle.aspirating_percent();
+    case Metric::VeinCentreDistance:
+      return s.veinCentre_mm;
+    case Metric::TipInVein:
+      return given(pierced, s.vein.inside() || s.drawn ? 1 : 0);
+    case Metric::NearestArtery:
+      return s.nearestArtery_mm;
+    case Metric::NearestLung:
+      return s.nearestLung_mm;
+    case Metric::OtherVeinPunctures:
+      return s.otherVein.count();
+    case Metric::VeinChecks:
+      return given(s.hasTarget, s.veinChecks);
+    default:
+      return s.probeValue(metric);
+  }
+}
+
+MetricValues AttemptMetrics::values() const {
+  MetricValues all;
+  for (const MetricDefinition& one : metricTable()) all[one.metric] = value(one.metric);
+  return all;
 }
 
 }  // namespace insonate

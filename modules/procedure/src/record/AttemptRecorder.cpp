@@ -35,8 +35,9 @@ struct AttemptRecorder::State {
         follower(std::move(also)),
         file(std::move(begun)),
         chain(std::move(links)),
-        pass(header.picture, !header.vessels.empty()),
-        settings(header.settings) {}
+        settings(header.settings) {
+    if (!follower) pass.emplace(header.picture, !header.vessels.empty());
+  }
 
   void run();
   void drain();
@@ -54,7 +55,7 @@ struct AttemptRecorder::State {
   // The recorder's thread; after it has ended, finish().
   record::RecordFile file;
   record::ChainWriter chain;
-  AttemptMetrics pass;
+  std::optional<AttemptMetrics> pass;  ///< none where the follower computes them
   Stretch open;
   Clock::time_point opened;
   std::int64_t lastSample_us = 0, end_us = 0;
@@ -96,8 +97,9 @@ void AttemptRecorder::State::drain() {
   ring.drain([&](const record::RingEntry& entry) { std::visit([&](const auto& what) { take(what); }, entry); });
   for (const AttemptEvent& event : noted) take(event);
   if (Clock::now() - opened > std::chrono::microseconds(kStretch_us)) close();
+  const MetricValues now = follower ? follower->metrics() : pass->values();
   const std::lock_guard lock(mutex);
-  values = pass.values();
+  values = now;
 }
 
 void AttemptRecorder::State::take(const AttemptSample& sample) {
@@ -107,16 +109,20 @@ void AttemptRecorder::State::take(const AttemptSample& sample) {
   open.samples.push_back(quantised(sample));
   lastSample_us = sample.time_us, end_us = std::max(end_us, lastSample_us);
   const AttemptSample kept = restored(open.samples.back());
-  pass.take(kept);
-  if (follower) follower->take(kept);
+  if (follower)
+    follower->take(kept);
+  else
+    pass->take(kept);
 }
 
 void AttemptRecorder::State::take(const AttemptEvent& event) {
   if (open.samples.empty() && open.events.empty()) opened = Clock::now();
   open.events.push_back({static_cast<std::uint32_t>(open.samples.size()), event});
   end_us = std::max(end_us, event.time_us);
-  pass.take(event);
-  if (follower) follower->take(event);
+  if (follower)
+    follower->take(event);
+  else
+    pass->take(event);
 }
 
 void AttemptRecorder::State::take(const SettingsChange& change) {

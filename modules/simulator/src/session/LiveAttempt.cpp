@@ -34,6 +34,10 @@ class Following final : public AttemptFollower {
     run_.take(event);
     events_.push_back(event);
   }
+  MetricValues metrics() const override {
+    const std::lock_guard lock(mutex_);
+    return run_.metrics().values();
+  }
 
   const Procedure& procedure() const { return run_.procedure(); }
   AttemptView view() const {

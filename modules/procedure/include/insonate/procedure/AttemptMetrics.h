@@ -94,8 +94,9 @@ class AttemptMetrics {
 
   void take(const AttemptSample& sample);
   void take(const AttemptEvent& event);
-  /// Values at present.
+  /// Values at present; one of them, for callers that ask at each sample.
   MetricValues values() const;
+  std::optional<double> value(Metric metric) const;
   NeedlePlace needle() const;
   /// Since when the syringe draws blood of the vein with the tip in one place, as tip_in_vein counts it; none: it does
   /// not.

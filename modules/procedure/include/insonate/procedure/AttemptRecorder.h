@@ -15,12 +15,15 @@
 
 namespace insonate {
 
-/// Hears what a recorder has written, rounded as a replay reads it and in its order, on the recorder's thread.
+/// Receives the samples and events that a recorder has written, rounded as a replay reads them and in its order, and
+/// computes their metrics in the recorder's place. All functions are called on the recorder's thread.
 class AttemptFollower {
  public:
   virtual ~AttemptFollower() = default;
   virtual void take(const AttemptSample& sample) = 0;
   virtual void take(const AttemptEvent& event) = 0;
+  /// Metrics of the stream so far, as AttemptMetrics computes them.
+  virtual MetricValues metrics() const = 0;
 };
 
 /// Writes an attempt as it happens, on a thread of its own, and computes its metrics from the written samples, so that
