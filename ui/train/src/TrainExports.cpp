@@ -33,24 +33,25 @@ void TrainWorkspace::Parts::startWriting(std::function<QImage()> make, const std
 }
 
 void TrainWorkspace::Parts::savePicture(const std::filesystem::path& file) {
-  if (!session.shown()) return session.say(tr("There is no image yet."));
-  startWriting([frame = session.shown(), callipers = measurements()] { return scaledPicture(frame->image, callipers); },
-               file);
+  if (!model.live.shown()) return model.status.say(tr("There is no image yet."));
+  startWriting(
+      [frame = model.live.shown(), callipers = measurements()] { return scaledPicture(frame->image, callipers); },
+      file);
 }
 
 void TrainWorkspace::Parts::saveScreen(const std::filesystem::path& file) {
-  if (!session.shown()) return session.say(tr("There is no image yet."));
+  if (!model.live.shown()) return model.status.say(tr("There is no image yet."));
   startWriting([screen = pictures_->grab().toImage()] { return screen; }, file);
 }
 
 void TrainWorkspace::Parts::saveClip(const std::filesystem::path& folder) {
-  session.setFrozen(true);
-  if (session.cine().empty()) return session.say(tr("There is no image yet."));
+  model.live.setFrozen(true);
+  if (model.live.cine().empty()) return model.status.say(tr("There is no image yet."));
   ui::TaskBar& tasks = workspace_.tasks();
-  if (tasks.isRunning()) return session.say(tr("Wait until the other job is done, or cancel it."));
+  if (tasks.isRunning()) return model.status.say(tr("Wait until the other job is done, or cancel it."));
   tasks.run<int>(
       tr("Saving the clip"),
-      [frames = session.cine(), callipers = measurements(), folder](const Progress& progress) {
+      [frames = model.live.cine(), callipers = measurements(), folder](const Progress& progress) {
         return writeClip(frames, callipers, folder, progress);
       },
       [this, folder](Result<int> result) {
@@ -58,7 +59,7 @@ void TrainWorkspace::Parts::saveClip(const std::filesystem::path& folder) {
           Q_EMIT workspace_.written(tr("Clip saved as a folder of %1 PNG images.").arg(*result),
                                     QString::fromStdString(folder.string()));
         else if (result.error().message == kCancelled)
-          session.say(tr("The clip was not saved."));
+          model.status.say(tr("The clip was not saved."));
         else
           Q_EMIT workspace_.failed(QString::fromStdString(result.error().message), tr("The images are still here."),
                                    {});
@@ -67,7 +68,7 @@ void TrainWorkspace::Parts::saveClip(const std::filesystem::path& folder) {
 }
 
 QString TrainWorkspace::Parts::askFile(const QString& title, const QString& ending) {
-  const QString name = exportName(QString::fromStdString(session.patient()->manifest.title)) + ending;
+  const QString name = exportName(QString::fromStdString(model.patientCase.patient()->manifest.title)) + ending;
   QString file =
       QFileDialog::getSaveFileName(&workspace_, title, QDir(exportFolder).filePath(name), tr("PNG image (*.png)"));
   if (file.isEmpty()) return {};
@@ -77,17 +78,17 @@ QString TrainWorkspace::Parts::askFile(const QString& title, const QString& endi
 }
 
 void TrainWorkspace::Parts::askPicture() {
-  if (!session.shown()) return session.say(tr("There is no image yet."));
-  const bool wasFrozen = session.isFrozen();
-  session.setFrozen(true);  // The image that the user saw, whatever the dialog takes.
+  if (!model.live.shown()) return model.status.say(tr("There is no image yet."));
+  const bool wasFrozen = model.live.isFrozen();
+  model.live.setFrozen(true);  // The image that the user saw, whatever the dialog takes.
   const QString file = askFile(tr("Save the image"), ".png");
   if (!file.isEmpty()) savePicture(file.toStdString());
   // With measurements the image stays frozen, since they belong to it.
-  if (!wasFrozen && input_->callipers().done().empty()) session.setFrozen(false);
+  if (!wasFrozen && input_->callipers().done().empty()) model.live.setFrozen(false);
 }
 
 void TrainWorkspace::Parts::askScreen() {
-  if (!session.shown()) return session.say(tr("There is no image yet."));
+  if (!model.live.shown()) return model.status.say(tr("There is no image yet."));
   // As it was when it was asked for, whatever the dialog takes.
   const QImage screen = pictures_->grab().toImage();
   const QString file = askFile(tr("Save what the screen shows of the image"), "-screen.png");
@@ -95,12 +96,12 @@ void TrainWorkspace::Parts::askScreen() {
 }
 
 void TrainWorkspace::Parts::askClip() {
-  session.setFrozen(true);
+  model.live.setFrozen(true);
   const QString folder = QFileDialog::getExistingDirectory(
       &workspace_, tr("Save the clip: a new folder of numbered PNG images, made in"), exportFolder);
-  if (folder.isEmpty() || !session.patient()) return;
+  if (folder.isEmpty() || !model.patientCase.patient()) return;
   exportFolder = folder;
-  const QString name = exportName(QString::fromStdString(session.patient()->manifest.title));
+  const QString name = exportName(QString::fromStdString(model.patientCase.patient()->manifest.title));
   saveClip(QDir(folder).filePath(name).toStdString());
 }
 

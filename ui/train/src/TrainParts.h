@@ -1,7 +1,7 @@
 #pragma once
 
-#include "TrainSession.h"
 #include "files/PictureExport.h"
+#include "model/TrainModel.h"
 
 #include <insonate/train/TrainWorkspace.h>
 #include <insonate/views/UltrasoundView.h>
@@ -61,7 +61,7 @@ class TrainWorkspace::Parts : public QObject {
   /// Stops listening to canvases: the mouse leaves a canvas that is destroyed, when other views may be gone.
   void releaseCanvases();
 
-  TrainSession& session;  ///< a child of the workspace, gone after its widgets
+  TrainModel& model;  ///< a child of the workspace, gone after its widgets
   QSplitter* columns = nullptr;
   ControlsPanel* panel = nullptr;
   AttemptControl* attempt = nullptr;

@@ -24,14 +24,14 @@ constexpr int kRoomy_px = 1260;
 
 TrainWorkspace::TrainWorkspace(QWidget* parent) : ui::Workspace(parent), parts_(std::make_unique<Parts>(*this)) {
   setObjectName("train");
-  parts_->session.setAwake(false);
+  parts_->model.live.setAwake(false);
 }
 
 TrainWorkspace::~TrainWorkspace() {
   parts_->endAttempt();
-  parts_->session.stop();
+  parts_->model.patientCase.stop();
   parts_->releaseCanvases();
-  // The widgets refer to the session: they go first.
+  // The widgets refer to the model: they go first.
   delete parts_->devices;
   delete parts_->columns;
 }
@@ -57,11 +57,11 @@ void TrainWorkspace::caseSaved(std::shared_ptr<const PatientCase> patient) {
 }
 
 QString TrainWorkspace::statusText() const {
-  return parts_->session.message();
+  return parts_->model.status.message();
 }
 
 QString TrainWorkspace::engineNote() const {
-  const auto frame = parts_->session.shown();
+  const auto frame = parts_->model.live.shown();
   return frame ? QString::fromStdString(frame->engineNote) : QString();
 }
 
@@ -70,7 +70,7 @@ QString TrainWorkspace::engineText() const {
 }
 
 bool TrainWorkspace::isComplete() const {
-  return parts_->ready && parts_->session.surfacesThere();
+  return parts_->ready && parts_->model.patientCase.surfacesThere();
 }
 
 QString TrainWorkspace::endsWithTheCase() const {
@@ -79,7 +79,7 @@ QString TrainWorkspace::endsWithTheCase() const {
 }
 
 QString TrainWorkspace::blocksWorkspaceChange() const {
-  if (parts_->session.disclosure().anatomy) return {};
+  if (parts_->model.disclosure.current().anatomy) return {};
   return tr("A test is in progress: Prepare and Review would show where the vessels are. End the attempt first.");
 }
 
@@ -138,12 +138,12 @@ void TrainWorkspace::restoreLayout(QSettings& settings) {
   parts_->attempt->restore(settings);
   settings.endGroup();
   // Restoring the last session's state must not be undoable.
-  parts_->session.history().clear();
+  parts_->model.history.clear();
 }
 
 void TrainWorkspace::stop() {
   parts_->endAttempt();
-  parts_->session.stop();
+  parts_->model.patientCase.stop();
 }
 
 void TrainWorkspace::savePicture(const std::filesystem::path& file) {
@@ -184,15 +184,15 @@ void TrainWorkspace::resizeEvent(QResizeEvent* event) {
 }
 
 void TrainWorkspace::showEvent(QShowEvent* event) {
-  parts_->session.setAwake(true);
-  parts_->session.setWatched(!parts_->isCourseShown());
+  parts_->model.live.setAwake(true);
+  parts_->model.live.setWatched(!parts_->isCourseShown());
   ui::Workspace::showEvent(event);
   parts_->reportProblem();
 }
 
 void TrainWorkspace::hideEvent(QHideEvent* event) {
-  parts_->session.setWatched(false);
-  parts_->session.setAwake(parts_->attempt->isRunning());
+  parts_->model.live.setWatched(false);
+  parts_->model.live.setAwake(parts_->attempt->isRunning());
   ui::Workspace::hideEvent(event);
 }
 
