@@ -2,6 +2,7 @@
 
 #include "attempt/AttemptControl.h"
 #include "attempt/AttemptStrip.h"
+#include "files/ImageExports.h"
 #include "hand/HeldPress.h"
 #include "hand/KeyTable.h"
 #include "hands/NeedleControls.h"
@@ -84,6 +85,8 @@ TrainWorkspace::Parts::Parts(TrainWorkspace& workspace) : model(*new TrainModel(
     pointer_->addSlice(four.slice(n), *four.widget(n).focusProxy());
     four.widget(n).focusProxy()->installEventFilter(&workspace);
   }
+  exports =
+      new ImageExports({model.patientCase, model.live, model.status, *cine_, *input_, *pictures_}, workspace, this);
   held_ = new HeldPress(model.motion, this);
   buildActions();
   connectParts();
@@ -193,9 +196,6 @@ void TrainWorkspace::Parts::connectParts() {
   connect(cine_, &CineBar::clearCallipers, this, [this] { clearCallipers(); });
   connect(cine_, &CineBar::ctBesideChosen, this, [this](bool on) { setCtBeside(on); });
   connect(&model.imaging, &ImagingModel::setupChanged, this, [this] { showNotice(); });
-  connect(cine_, &CineBar::savePicture, this, [this] { askPicture(); });
-  connect(cine_, &CineBar::saveScreen, this, [this] { askScreen(); });
-  connect(cine_, &CineBar::saveClip, this, [this] { askClip(); });
   connect(&rate_, &QTimer::timeout, this, [this] { showRate(); });
   showCase();
 }
@@ -311,7 +311,7 @@ void TrainWorkspace::Parts::act(const KeyRow& row, bool wide, bool repeated) {
     case Command::LaterPicture:
       return model.live.showCine(model.live.cineIndex() + 1);
     case Command::SavePicture:
-      return askPicture();
+      return exports->askPicture();
     case Command::MeasureDistance:
       return chooseCalliper(int(views::CalliperKind::Distance));
     case Command::MeasureEllipse:

@@ -1,6 +1,7 @@
 #include "TrainParts.h"
 #include "attempt/AttemptControl.h"
 #include "devices/DevicePanel.h"
+#include "files/ImageExports.h"
 #include "hand/KeyTable.h"
 #include "panel/ControlsPanel.h"
 #include "scene/PatientViews.h"
@@ -98,7 +99,7 @@ std::vector<ui::Shortcut> TrainWorkspace::shortcuts() const {
 void TrainWorkspace::saveLayout(QSettings& settings) const {
   settings.setValue("leftHanded", parts_->isLeftHanded());
   settings.setValue("ctBeside", parts_->isCtBeside());
-  settings.setValue("exportFolder", parts_->exportFolder);
+  parts_->exports->save(settings);
   settings.setValue("labelOpacity", parts_->patient->mpr().labelOpacity());
   const bool allSlices = parts_->patient->showsAllSlices();
   // Four slices take their room again when they are back.
@@ -122,7 +123,7 @@ void TrainWorkspace::restoreLayout(QSettings& settings) {
   // First the order, then the widths.
   parts_->setLeftHanded(settings.value("leftHanded", false).toBool());
   parts_->setCtBeside(settings.value("ctBeside", false).toBool());
-  parts_->exportFolder = settings.value("exportFolder").toString();
+  parts_->exports->restore(settings);
   parts_->patient->mpr().setLabelOpacity(settings.value("labelOpacity", 0).toDouble());
   parts_->columns->restoreState(settings.value("columns").toByteArray());
   parts_->patient->splitter().restoreState(settings.value("patientViews").toByteArray());
@@ -147,15 +148,15 @@ void TrainWorkspace::stop() {
 }
 
 void TrainWorkspace::savePicture(const std::filesystem::path& file) {
-  parts_->savePicture(file);
+  parts_->exports->savePicture(file);
 }
 
 void TrainWorkspace::saveScreen(const std::filesystem::path& file) {
-  parts_->saveScreen(file);
+  parts_->exports->saveScreen(file);
 }
 
 void TrainWorkspace::saveClip(const std::filesystem::path& folder) {
-  parts_->saveClip(folder);
+  parts_->exports->saveClip(folder);
 }
 
 void TrainWorkspace::measureHands(double seconds, std::function<void(HandRates)> done) {
