@@ -102,7 +102,7 @@ TEST_F(AttemptByDevice, ANeedleInADeviceIsFrozenDrawnOutAndReplacedAtTheTray) {
   ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Vein; }));
 
   key(Qt::Key_Space);
-  ASSERT_TRUE(session_->isFrozen());
+  ASSERT_TRUE(model_->live.isFrozen());
   QTest::qWait(100);
   const Vec3 frozen = tip();
   moveBy(axis * 12 + Vec3{0, 0, 4}, 0.5);

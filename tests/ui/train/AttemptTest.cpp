@@ -33,7 +33,7 @@ TEST_F(TrainAttempt, AWholeOneByKeysIsGuidedScoredAndKept) {
   ASSERT_GE(tilted, 0);
   positions->setCurrentIndex(tilted);
   Q_EMIT positions->activated(tilted);
-  EXPECT_EQ(session_->tissue().body.tilt_deg, 15);
+  EXPECT_EQ(model_->imaging.tissue().body.tilt_deg, 15);
   EXPECT_TRUE(waitFor([&] { return text("attemptDue").contains("Find the vein"); }));
   for (int i = 0; i < 20; ++i) key(Qt::Key_Plus);
   EXPECT_TRUE(waitFor([&] { return text("attemptDue").contains("Puncture the skin"); })) << "the vein is compressed";
@@ -105,18 +105,18 @@ TEST_F(TrainAttempt, AProcedureThatTheCaseIsNotForIsToldAndDoesNotBegin) {
 TEST_F(TrainAttempt, ACaseThatIsSavedMeanwhileComesAfterTheAttempt) {
   openWide();
   start();
-  const auto before = session_->patient();
+  const auto before = model_->patientCase.patient();
   auto edited = std::make_shared<PatientCase>(*before);
   std::ranges::replace(edited->labels.voxels, std::uint8_t{kVein}, std::uint8_t{kMuscle});
   workspace_->caseSaved(edited);
-  EXPECT_EQ(session_->patient(), before);
+  EXPECT_EQ(model_->patientCase.patient(), before);
   EXPECT_TRUE(workspace_->statusText().contains("the former version")) << workspace_->statusText().toStdString();
   QTest::qWait(300);
   EXPECT_TRUE(attempt_->isRunning());
   finish();
-  EXPECT_EQ(session_->patient(), before) << "its result still stands there";
+  EXPECT_EQ(model_->patientCase.patient(), before) << "its result still stands there";
   child<QPushButton>("attemptLeave")->click();
-  ASSERT_TRUE(waitFor([&] { return session_->patient() == edited; }));
+  ASSERT_TRUE(waitFor([&] { return model_->patientCase.patient() == edited; }));
   EXPECT_EQ(recorded()->header().caseHash, voxelHashOf(*before));
 }
 
@@ -181,7 +181,7 @@ TEST_F(TrainAttempt, OnTheBuiltInNeckByKeysAlone) {
   auto neck = makePhantom(phantomVariants().front().name, 1);
   ASSERT_TRUE(neck);
   workspace_->setCase(std::make_shared<const PatientCase>(std::move(*neck)));
-  ASSERT_TRUE(waitFor([&] { return workspace_->isReady() && session_->handReady(); }));
+  ASSERT_TRUE(waitFor([&] { return workspace_->isReady() && model_->motion.isReady(); }));
   ASSERT_TRUE(waitFor([&] { return hands().session().tissueReady(); }));
   start();
   for (int i = 0; i < 3; ++i) key(Qt::Key_Left);
@@ -193,7 +193,7 @@ TEST_F(TrainAttempt, OnTheBuiltInNeckByKeysAlone) {
   for (int i = 0; i < 20; ++i) key(Qt::Key_Minus);
   key(Qt::Key_I);
   // Steeper until it points at the vein, as seen in the image.
-  const Vec3 vein_mm = session_->patient()->manifest.targets.front().position_mm;
+  const Vec3 vein_mm = model_->patientCase.patient()->manifest.targets.front().position_mm;
   const auto off_mm = [&] {
     const Transform needle = hands().needleHand()->patientFromNeedle();
     return norm(cross(needle.linear.column[2], vein_mm - needle.offset));
@@ -223,12 +223,12 @@ TEST_F(TrainAttempt, OnTheBuiltInNeckByKeysAlone) {
 TEST_F(TrainAttempt, TheSettingsOfThePicturesAreKeptAndEachChangeOfThem) {
   openWide();
   start();
-  ImagingSettings brighter = session_->settings();
+  ImagingSettings brighter = model_->imaging.settings();
   brighter.gain_dB = 7;
-  session_->setSettings(brighter);
-  TissueChoice tilted = session_->tissue();
+  model_->imaging.setSettings(brighter);
+  TissueChoice tilted = model_->imaging.tissue();
   tilted.body.tilt_deg = 10;
-  session_->setTissue(tilted);
+  model_->imaging.setTissue(tilted);
   finish();
   const auto recording = recorded();
   const auto begun = parseAttemptSettings(recording->header().settings);

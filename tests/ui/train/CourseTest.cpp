@@ -219,7 +219,7 @@ TEST_F(TrainCourse, WhoSignsOutWhileSendingTheQuestionnaireFindsNoDraft) {
 
 TEST_F(TrainCourse, KeysGoToThePageWhileItIsShown) {
   openWide();
-  const Transform before = session_->pose();
+  const Transform before = model_->motion.pose();
   key(Qt::Key_J);
   ASSERT_TRUE(shown("course"));
   auto* levels = child<QListWidget>("levels");
@@ -228,11 +228,11 @@ TEST_F(TrainCourse, KeysGoToThePageWhileItIsShown) {
   QTest::keyClick(levels, Qt::Key_Down);
   EXPECT_EQ(levels->currentRow(), 1);
   QTest::keyClick(workspace_.get(), Qt::Key_Left);
-  EXPECT_EQ(session_->pose(), before) << "the probe is out of sight";
+  EXPECT_EQ(model_->motion.pose(), before) << "the probe is out of sight";
   QTest::keyClick(workspace_.get(), Qt::Key_J);
   EXPECT_FALSE(shown("course"));
   QTest::keyClick(workspace_.get(), Qt::Key_Left);
-  EXPECT_NE(session_->pose(), before);
+  EXPECT_NE(model_->motion.pose(), before);
 }
 
 class HostileCourse : public TrainCourse {

@@ -60,10 +60,10 @@ TEST_F(TrainDevices, SimulatedDevicesAreListedAndHoldProbeAndNeedle) {
   EXPECT_TRUE(in<QLabel>("needleHand", "state").text().contains("no needle") ||
               waitFor([&] { return !in<QLabel>("needleHand", "state").text().isEmpty(); }));
   // Mouse and keys lead the hand; the image follows the device.
-  session_->typed(HandAxis::Press, 4);
-  EXPECT_TRUE(waitFor([&] { return session_->shown()->press.force_N > 0.2 && now().output.skinForce_N > 0.2; }));
+  model_->motion.typed(HandAxis::Press, 4);
+  EXPECT_TRUE(waitFor([&] { return model_->live.shown()->press.force_N > 0.2 && now().output.skinForce_N > 0.2; }));
   EXPECT_TRUE(waitFor([&] { return in<QLabel>("probeHand", "force").text().contains(" N"); }));
-  EXPECT_LT(session_->pose().offset.y, 4) << "the skin pushes the hand back";
+  EXPECT_LT(model_->motion.pose().offset.y, 4) << "the skin pushes the hand back";
   auto* plots = panel().findChild<HandPlots*>("handPlots");
   EXPECT_TRUE(waitFor([&] { return plots->points() > 5; }));
   EXPECT_TRUE(waitFor([&] { return in<QLabel>("probeHand", "state").text().contains("in use"); }));
@@ -111,7 +111,7 @@ TEST_F(TrainDevices, WhatIsSetForADeviceIsKept) {
   workspace_->saveLayout(settings);
   TrainWorkspace other;
   other.restoreLayout(settings);
-  const HandsControl& restored = other.findChild<TrainSession*>()->hands();
+  const HandsControl& restored = other.findChild<TrainModel*>()->hands;
   EXPECT_EQ(restored.assigned(kNeedleHand), "simulated:Desktop#1");
   EXPECT_EQ(restored.assigned(kProbeHand), QString());
   const HandMapping mapping = restored.mapping("simulated:Desktop#1");
@@ -140,9 +140,9 @@ TEST_F(TrainDevices, BeginHerePutsTheToolAtItsStart) {
   ASSERT_TRUE(waitFor([&] { return now().present[kProbeHand]; }));
   simulated("simulated:Desktop#1").want({0, {30, 10, 0}, {}});
   ASSERT_TRUE(waitFor([&] { return norm(now().states[kProbeHand].deviceFromStylus.offset - Vec3{30, 10, 0}) < 1; }));
-  ASSERT_TRUE(waitFor([&] { return norm(session_->pose().offset) > 20; }));
+  ASSERT_TRUE(waitFor([&] { return norm(model_->motion.pose().offset) > 20; }));
   in<QPushButton>("probeHand", "beginHere").click();
-  EXPECT_TRUE(waitFor([&] { return norm(session_->pose().offset) < 1.5; })) << norm(session_->pose().offset);
+  EXPECT_TRUE(waitFor([&] { return norm(model_->motion.pose().offset) < 1.5; })) << norm(model_->motion.pose().offset);
 }
 
 /// A pedal that the test steps on.
@@ -173,12 +173,12 @@ TEST_F(TrainDevices, APedalFreezesAndMakesLiveAgain) {
   ASSERT_TRUE(waitFor([&] { return combo.findData("test:pedal") >= 0; }));
   choose(combo, "test:pedal");
   QTest::qWait(100);
-  EXPECT_FALSE(session_->isFrozen());
+  EXPECT_FALSE(model_->live.isFrozen());
   for (const bool frozen : {true, false}) {
     pedal->down = 1;
-    EXPECT_TRUE(waitFor([&] { return session_->isFrozen() == frozen; }));
+    EXPECT_TRUE(waitFor([&] { return model_->live.isFrozen() == frozen; }));
     QTest::qWait(100);
-    EXPECT_EQ(session_->isFrozen(), frozen) << "once a step";
+    EXPECT_EQ(model_->live.isFrozen(), frozen) << "once a step";
     pedal->down = 0;
     QTest::qWait(100);
   }
@@ -208,7 +208,7 @@ TEST_F(TrainDevices, ClosesWhileBothHandsAreFull) {
   choose(in<QComboBox>("needleHand", "device"), "simulated:Touch#1");
   overTheVein();
   type("needle_depth", "20");
-  session_->typed(HandAxis::Press, 5);
+  model_->motion.typed(HandAxis::Press, 5);
   QTest::qWait(300);
   workspace_ = nullptr;
   QTest::qWait(50);

@@ -1,5 +1,5 @@
 #include "LevelWindow.h"
-#include "attempt/Disclosure.h"
+#include "model/Disclosure.h"
 #include "panel/EffectWords.h"
 #include "scene/PatientViews.h"
 
@@ -43,14 +43,14 @@ class TrainDisclosure : public LevelWindow {
     };
     for (const LabelInfo& info : labelTable())
       if (info.label != kBackground && info.label != kSkin) add(ui::qt(info.name));
-    const CaseManifest& manifest = session_->patient()->manifest;
+    const CaseManifest& manifest = model_->patientCase.patient()->manifest;
     for (const NamedVessel& vessel : manifest.vessels) {
       add(ui::qt(vessel.name));
       for (const QString& word : ui::qt(vessel.name).split(' ')) add(word);
     }
     for (const StartPose& pose : manifest.startPoses) add(ui::qt(pose.name));
     for (const NeedlePlace place : {NeedlePlace::Vein, NeedlePlace::WrongPlace}) add(ui::wordsOf(place).words);
-    for (const EffectLayer& layer : effectLayers(session_->settings())) add("only " + effectWords(layer.name));
+    for (const EffectLayer& layer : effectLayers(model_->imaging.settings())) add("only " + effectWords(layer.name));
     for (const char* words : {"airway", "lung", "cartilage", "in soft tissue", "on bone", "posterior wall", "puncture"})
       add(words);
     // "right" is a side, too.
@@ -101,15 +101,15 @@ class TrainDisclosure : public LevelWindow {
     key(Qt::Key_Return, Qt::ControlModifier);
     ASSERT_TRUE(waitFor([&] { return attempt_->isRunning(); })) << workspace_->statusText().toStdString();
     look("begun");
-    session_->moveTo({0, 0, 0});
-    session_->typed(HandAxis::Press, 3);
+    model_->motion.moveTo({0, 0, 0});
+    model_->motion.typed(HandAxis::Press, 3);
     ASSERT_TRUE(waitFor([&] {
-      const LivePress& press = session_->shown()->press;
+      const LivePress& press = model_->live.shown()->press;
       return press.force_N > 0.1 && !press.lumens.empty();
     }));
     look("compressed");
     tryEverything("compressed");
-    session_->typed(HandAxis::Press, 0);
+    model_->motion.typed(HandAxis::Press, 0);
     overTheVein();
     drive(NeedlePlace::Underway, "5");
     look("in tissue");
@@ -148,8 +148,8 @@ TEST_F(TrainTest, TellsNothingThatTheImageDoesNotTell) {
   EXPECT_GT(seen_, 5000);
   EXPECT_TRUE(found_.empty()) << foundWords();
 
-  EXPECT_EQ(session_->effect(), TrainSession::kWholeModel);
-  EXPECT_TRUE(session_->shown()->press.mesh.nodes.empty()) << "grid and pressure";
+  EXPECT_EQ(model_->imaging.effect(), ImagingModel::kWholeModel);
+  EXPECT_TRUE(model_->live.shown()->press.mesh.nodes.empty()) << "grid and pressure";
   auto* views = static_cast<PatientViews*>(child<ui::ViewWidget>("sceneView")->parentWidget()->parentWidget());
   for (const LabelInfo& info : labelTable())
     EXPECT_EQ(views->scene().isVisible(info.label), info.label == kSkin) << info.name;
@@ -174,12 +174,12 @@ TEST_F(TrainTest, BeginsWithTheWholeImageAndNoWayBackToAnEffect) {
   open(std::make_shared<const PatientCase>(namedCase()));
   levels_->choose("first");
   key(Qt::Key_N);
-  ASSERT_NE(session_->effect(), TrainSession::kWholeModel);
+  ASSERT_NE(model_->imaging.effect(), ImagingModel::kWholeModel);
   key(Qt::Key_Return, Qt::ControlModifier);
   ASSERT_TRUE(waitFor([&] { return attempt_->isRunning(); }));
-  EXPECT_EQ(session_->effect(), TrainSession::kWholeModel);
+  EXPECT_EQ(model_->imaging.effect(), ImagingModel::kWholeModel);
   key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(session_->effect(), TrainSession::kWholeModel);
+  EXPECT_EQ(model_->imaging.effect(), ImagingModel::kWholeModel);
 }
 
 class TrainPractice : public TrainDisclosure {

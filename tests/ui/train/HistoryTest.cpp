@@ -1,4 +1,4 @@
-#include "hand/History.h"
+#include "model/History.h"
 
 #include <gtest/gtest.h>
 

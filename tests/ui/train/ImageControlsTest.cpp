@@ -9,7 +9,7 @@ TEST_F(TrainWindow, EachSliderChangesItsSetting) {
   set("persistence", 0.4), set("speckleReduction", 0.75), set("edgeEnhancement", 0.3), set("noise", -37);
   set("dynamicFilter", 0.7);
   set("steering", -7), set("ringing", 33), set("poorContactLeft", 2.5), set("poorContactRight", 4);
-  const ImagingSettings& settings = session_->settings();
+  const ImagingSettings& settings = model_->imaging.settings();
   EXPECT_EQ(settings.depth_mm, 60);
   EXPECT_EQ(settings.gain_dB, 7);
   EXPECT_EQ(settings.frequency_MHz, 9);
@@ -34,12 +34,12 @@ TEST_F(TrainWindow, EachSliderChangesItsSetting) {
 TEST_F(TrainWindow, LateralGainIsDrawnFromLeftToRight) {
   auto* lateral = child<QWidget>("lateralGain");
   QTest::mouseClick(lateral, Qt::LeftButton, {}, {lateral->width() - 1, 0});
-  EXPECT_EQ(session_->settings().lateralGain_dB[7], 20);
-  EXPECT_EQ(session_->settings().lateralGain_dB[0], 0);
+  EXPECT_EQ(model_->imaging.settings().lateralGain_dB[7], 20);
+  EXPECT_EQ(model_->imaging.settings().lateralGain_dB[0], 0);
   QTest::keyClick(lateral, Qt::Key_Left);
   QTest::keyClick(lateral, Qt::Key_Down);
-  EXPECT_EQ(session_->settings().lateralGain_dB[6], -1);
-  EXPECT_EQ(session_->settings().tgc_dB, (std::array<double, 8>{})) << "the other sliders stay";
+  EXPECT_EQ(model_->imaging.settings().lateralGain_dB[6], -1);
+  EXPECT_EQ(model_->imaging.settings().tgc_dB, (std::array<double, 8>{})) << "the other sliders stay";
 }
 
 void choose(QComboBox* list, const QString& text) {
@@ -54,32 +54,32 @@ TEST_F(TrainWindow, AMachineBringsItsSettingsUntilOneIsChanged) {
   EXPECT_EQ(machine->currentIndex(), -1);
   child<ui::ValueSlider>("depth")->setValue(33);
   choose(machine, "hand-held, 2024");
-  EXPECT_EQ(session_->settings().scanlines, 128);
-  EXPECT_EQ(session_->settings().noise_dB, -38);
-  EXPECT_EQ(session_->settings().depth_mm, 33);
+  EXPECT_EQ(model_->imaging.settings().scanlines, 128);
+  EXPECT_EQ(model_->imaging.settings().noise_dB, -38);
+  EXPECT_EQ(model_->imaging.settings().depth_mm, 33);
   EXPECT_EQ(child<ui::ValueSlider>("noise")->value(), -38);
   EXPECT_EQ(child<QComboBox>("grayMap")->currentText(), "contrast");
   EXPECT_EQ(machine->currentText(), "hand-held, 2024");
   choose(child<QComboBox>("grayMap"), "dark");
-  EXPECT_EQ(session_->settings().grayMap, GrayMap::Dark);
+  EXPECT_EQ(model_->imaging.settings().grayMap, GrayMap::Dark);
   EXPECT_EQ(machine->currentIndex(), -1) << "a setting is not the machine's any more";
-  session_->undo();
-  session_->undo();
-  EXPECT_EQ(session_->settings().scanlines, ImagingSettings{}.scanlines);
+  undoStep(model_->history, model_->status);
+  undoStep(model_->history, model_->status);
+  EXPECT_EQ(model_->imaging.settings().scanlines, ImagingSettings{}.scanlines);
 }
 
 TEST_F(TrainWindow, HowTheImageWasMadeComesBack) {
   choose(child<QComboBox>("machine"), "cart, 2008");
   child<ui::ValueSlider>("poorContactLeft")->setValue(3);
-  ImagingSettings drawn = session_->settings();
+  ImagingSettings drawn = model_->imaging.settings();
   drawn.lateralGain_dB[3] = -6;
-  session_->setSettings(drawn);
+  model_->imaging.setSettings(drawn);
   const test::TemporaryFolder folder;
   QSettings stored(QString::fromStdString((folder / "settings.ini").string()), QSettings::IniFormat);
   workspace_->saveLayout(stored);
   TrainWorkspace other;
   other.restoreLayout(stored);
-  const ImagingSettings& back = other.findChild<TrainSession*>()->settings();
+  const ImagingSettings& back = other.findChild<TrainModel*>()->imaging.settings();
   EXPECT_EQ(other.findChild<QComboBox*>("machine")->currentText(), "cart, 2008");
   EXPECT_EQ(back.scanlines, 192);
   EXPECT_EQ(back.poorContactLeft_mm, 3);
@@ -87,7 +87,7 @@ TEST_F(TrainWindow, HowTheImageWasMadeComesBack) {
   stored.setValue("grayMap", 99);
   stored.setValue("scanlines", -3);
   other.restoreLayout(stored);
-  EXPECT_TRUE(validate(back, other.findChild<TrainSession*>()->probe())) << "whatever was stored";
+  EXPECT_TRUE(validate(back, other.findChild<TrainModel*>()->imaging.probe())) << "whatever was stored";
 }
 
 TEST_F(TrainWindow, CompoundingIsChosenByTheNumberOfAngles) {
@@ -95,7 +95,7 @@ TEST_F(TrainWindow, CompoundingIsChosenByTheNumberOfAngles) {
   EXPECT_EQ(compounding->currentText(), "off");
   compounding->setCurrentIndex(compounding->findData(3));
   Q_EMIT compounding->activated(compounding->currentIndex());
-  EXPECT_EQ(session_->settings().compoundingAngles, 3);
+  EXPECT_EQ(model_->imaging.settings().compoundingAngles, 3);
 }
 
 }  // namespace

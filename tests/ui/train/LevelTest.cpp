@@ -68,7 +68,7 @@ TEST_F(TrainLevel, AWholeOneFromChoosingItToTheNextThatOpens) {
   EXPECT_TRUE(text("levelRule").contains("without a critical error")) << text("levelRule").toStdString();
   EXPECT_FALSE(shown("attemptProcedure"));
   EXPECT_EQ(attempt_->assistance(), Assistance::Guided);
-  EXPECT_EQ(session_->tissue().body.tilt_deg, 15) << "as the level wants it";
+  EXPECT_EQ(model_->imaging.tissue().body.tilt_deg, 15) << "as the level wants it";
 
   makeAttempt();
   EXPECT_TRUE(text("levelVerdict").contains("Passed")) << text("levelVerdict").toStdString();
@@ -268,11 +268,11 @@ TEST_F(TrainLevel, ACaseThatIsSavedMeanwhileDoesNotChangeUnderALevel) {
   openWide();
   practise(0);
   ASSERT_TRUE(levels_->level());
-  const auto before = session_->patient();
+  const auto before = model_->patientCase.patient();
   auto edited = std::make_shared<PatientCase>(*before);
   std::ranges::replace(edited->labels.voxels, std::uint8_t{kVein}, std::uint8_t{kMuscle});
   workspace_->caseSaved(edited);
-  EXPECT_EQ(session_->patient(), before) << "nobody is at an attempt, but the level is begun";
+  EXPECT_EQ(model_->patientCase.patient(), before) << "nobody is at an attempt, but the level is begun";
   EXPECT_TRUE(workspace_->statusText().contains("the former version")) << workspace_->statusText().toStdString();
   levels_->leave();
   EXPECT_TRUE(levels_->level() == nullptr);
@@ -281,7 +281,7 @@ TEST_F(TrainLevel, ACaseThatIsSavedMeanwhileDoesNotChangeUnderALevel) {
 TEST_F(TrainLevel, AnAuthorsDraftOfTheSameTitleIsNotTheLevelsCase) {
   const auto folder = std::filesystem::path(home_.filePath("wide").toStdString());
   openWide();
-  const PatientCase wide = *session_->patient();
+  const PatientCase wide = *model_->patientCase.patient();
   ASSERT_TRUE(saveCaseVersion(wide, folder, "2026-11-22", ""));
   ASSERT_TRUE(publishCase(wide, folder, "2026-11-22"));
   signIn();

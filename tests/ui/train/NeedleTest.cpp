@@ -31,7 +31,7 @@ TEST_F(TrainNeedle, KeysTakeItUpAimItAndLayItDown) {
   const double heading_deg = hands().needleHand()->heading_deg();
   key(Qt::Key_E, Qt::AltModifier | Qt::ShiftModifier);
   EXPECT_NEAR(hands().needleHand()->heading_deg(), heading_deg + 10, 0.5);
-  EXPECT_EQ(session_->numbers().rotation_deg, 0) << "the probe stays";
+  EXPECT_EQ(model_->motion.numbers().rotation_deg, 0) << "the probe stays";
   child<QPushButton>("needleAcross")->click();
   EXPECT_EQ(held().angle_deg, NeedleHand::kTaken_deg);
   key(Qt::Key_I);

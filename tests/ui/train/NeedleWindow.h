@@ -38,14 +38,14 @@ class NeedleWindow : public TrainWindow {
   }
 
   void open(const std::shared_ptr<const PatientCase>& patient) {
-    ImagingSettings quick = session_->settings();
+    ImagingSettings quick = model_->imaging.settings();
     quick.scanlines = 48, quick.samples = 200, quick.elevationPlanes = 1, quick.looks = 1;
     quick.width = 128, quick.height = 96;
-    session_->setSettings(quick);
+    model_->imaging.setSettings(quick);
     said_.clear();
     QObject::connect(&hands(), &HandsControl::said, workspace_.get(), [this](const QString& words) { said_ << words; });
     workspace_->setCase(patient);
-    ASSERT_TRUE(waitFor([&] { return workspace_->isReady() && session_->handReady(); }));
+    ASSERT_TRUE(waitFor([&] { return workspace_->isReady() && model_->motion.isReady(); }));
     ASSERT_TRUE(waitFor([&] { return hands().session().tissueReady(); }));
   }
 
@@ -66,7 +66,7 @@ class NeedleWindow : public TrainWindow {
     QTest::keyClick(line, Qt::Key_Return);
   }
   bool waitFor(const std::function<bool()>& done) { return QTest::qWaitFor(done, kPatience_ms); }
-  HandsControl& hands() { return session_->hands(); }
+  HandsControl& hands() { return model_->hands; }
   const NeedleHandState& held() { return hands().needleHand()->state(); }
   NeedleState lying() { return hands().needle() ? hands().needle()->state : NeedleState{}; }
   /// Number of times that a sentence with these words was said.

@@ -22,20 +22,20 @@ class ProbeNumbersTyped : public TrainWindow {
 TEST_F(ProbeNumbersTyped, EnterApplies) {
   openCase();
   type("tilt", "12.5");
-  EXPECT_NEAR(session_->numbers().tilt_deg, 12.5, 1e-6);
+  EXPECT_NEAR(model_->motion.numbers().tilt_deg, 12.5, 1e-6);
   EXPECT_EQ(text("tilt").toStdString(), "12.5°");
   type("rock", "-3,5 °");
-  EXPECT_NEAR(session_->numbers().rock_deg, -3.5, 1e-6) << "with a comma and the unit";
+  EXPECT_NEAR(model_->motion.numbers().rock_deg, -3.5, 1e-6) << "with a comma and the unit";
   type("x", "6");
-  EXPECT_NEAR(session_->numbers().skin_mm.x, 6, 0.2);
-  EXPECT_NEAR(session_->numbers().tilt_deg, 12.5, 1e-6) << "angles stay";
+  EXPECT_NEAR(model_->motion.numbers().skin_mm.x, 6, 0.2);
+  EXPECT_NEAR(model_->motion.numbers().tilt_deg, 12.5, 1e-6) << "angles stay";
   key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_NEAR(session_->numbers().skin_mm.x, 0, 0.2);
+  EXPECT_NEAR(model_->motion.numbers().skin_mm.x, 0, 0.2);
 }
 
 TEST_F(ProbeNumbersTyped, WhatIsWrongIsSaidAndChangesNothing) {
   openCase();
-  const ProbeHandState start = session_->handState();
+  const ProbeHandState start = model_->motion.state();
   type("tilt", "steep");
   EXPECT_TRUE(workspace_->statusText().contains("tilt takes a number from -60.0° to 60.0°"))
       << workspace_->statusText().toStdString();
@@ -44,25 +44,25 @@ TEST_F(ProbeNumbersTyped, WhatIsWrongIsSaidAndChangesNothing) {
       << workspace_->statusText().toStdString();
   EXPECT_EQ(QToolTip::text(), workspace_->statusText()) << "under the field, too";
   EXPECT_EQ(text("tilt").toStdString(), "0.0°");
-  EXPECT_EQ(session_->handState(), start);
+  EXPECT_EQ(model_->motion.state(), start);
   type("tilt", "30", Qt::Key_Escape);
-  EXPECT_EQ(session_->handState(), start);
+  EXPECT_EQ(model_->motion.state(), start);
 }
 
 TEST_F(ProbeNumbersTyped, APlaceInTheAirGoesToTheNearestSkinAndSaysSo) {
   openCase();
   type("y", "-6");
-  EXPECT_NEAR(session_->numbers().skin_mm.y, 0, 1);
+  EXPECT_NEAR(model_->motion.numbers().skin_mm.y, 0, 1);
   EXPECT_TRUE(workspace_->statusText().contains("nearest skin")) << workspace_->statusText().toStdString();
 }
 
 TEST_F(ProbeNumbersTyped, ArrowsStep) {
   openCase();
   QTest::keyClick(child<NumberField>("tilt"), Qt::Key_Up);
-  EXPECT_NEAR(session_->numbers().tilt_deg, 1, 1e-6);
-  const double press_mm = session_->numbers().press_mm;
+  EXPECT_NEAR(model_->motion.numbers().tilt_deg, 1, 1e-6);
+  const double press_mm = model_->motion.numbers().press_mm;
   QTest::keyClick(child<NumberField>("press"), Qt::Key_Up);
-  EXPECT_NEAR(session_->numbers().press_mm, press_mm + 0.5, 1e-6);
+  EXPECT_NEAR(model_->motion.numbers().press_mm, press_mm + 0.5, 1e-6);
 }
 
 }  // namespace

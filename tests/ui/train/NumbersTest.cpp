@@ -35,7 +35,7 @@ class TrainNumbers : public AttemptWindow {
     review::ReviewWorkspace review(tasks);
     review.resize(1200, 760);
     review.show();
-    review.setCase(session_->patient());
+    review.setCase(model_->patientCase.patient());
     review.openAttempt(attempt_->file());
     auto* table = review.findChild<QTableWidget*>("metrics");
     auto* timeline = review.findChild<QWidget*>("timeline");
@@ -90,7 +90,7 @@ double sharePlainly(const AttemptRecording& recording) {
 /// An advance of 16 mm at 30 degrees ends 8 mm deep; the probe looks away from the tip for a while.
 TEST_F(TrainNumbers, AreTheSameInPanelEventsMetricsAndReview) {
   openWide();
-  session_->typed(HandAxis::Press, 0);
+  model_->motion.typed(HandAxis::Press, 0);
   start();
   key(Qt::Key_I);
   type("needle_angle", "30");
@@ -104,12 +104,12 @@ TEST_F(TrainNumbers, AreTheSameInPanelEventsMetricsAndReview) {
   EXPECT_NEAR(lying().depth_mm, 16, 0.6);
   EXPECT_TRUE(child<QLineEdit>("needle_depth")->text().startsWith("16.0"));
   QTest::qWait(600);
-  session_->moveTo({0, 0, 12});
+  model_->motion.moveTo({0, 0, 12});
   QTest::qWait(900);
-  session_->moveTo({0, 0, 0});
+  model_->motion.moveTo({0, 0, 0});
   QTest::qWait(300);
   key(Qt::Key_Space);
-  ASSERT_TRUE(session_->isFrozen());
+  ASSERT_TRUE(model_->live.isFrozen());
   EXPECT_TRUE(waitFor([&] { return panel(Metric::InsertionAngle) == "30.0°"; }))
       << panel(Metric::InsertionAngle).toStdString();
   QTest::qWait(500);  // the share stands still
@@ -146,7 +146,7 @@ TEST_F(TrainNumbers, AreTheSameInPanelEventsMetricsAndReview) {
 /// Square over a vein 12 mm beside the image's plane: advance, insertion length and depth are the same 12 mm.
 TEST_F(TrainNumbers, OfTheVeinAreTheSameWhereverTheyAreTold) {
   openWide();
-  session_->typed(HandAxis::Press, 0);
+  model_->motion.typed(HandAxis::Press, 0);
   start();
   overTheVein();
   type("needle_depth", "12");

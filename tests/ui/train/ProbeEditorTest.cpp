@@ -1,4 +1,4 @@
-#include "TrainSession.h"
+#include "model/TrainModel.h"
 #include "probe/FitCanvas.h"
 #include "probe/FitDialog.h"
 #include "probe/FovHandles.h"
@@ -44,21 +44,21 @@ class ProbeEditing : public testing::Test {
     workspace_ = std::make_unique<TrainWorkspace>();
     workspace_->resize(1100, 700);
     workspace_->show();
-    session_ = workspace_->findChild<TrainSession*>();
+    model_ = workspace_->findChild<TrainModel*>();
     editor_ = workspace_->findChild<ProbeEditor*>();
     handles_ = workspace_->findChild<FovHandles*>();
-    ASSERT_TRUE(session_ && editor_ && handles_);
+    ASSERT_TRUE(model_ && editor_ && handles_);
     canvas_ = workspace_->findChild<ui::ViewWidget*>("ultrasoundView")->focusProxy();
   }
 
   /// Small images of few scanlines, so that they come quickly.
   void openCase() {
-    ImagingSettings quick = session_->settings();
+    ImagingSettings quick = model_->imaging.settings();
     quick.scanlines = 48, quick.samples = 200, quick.elevationPlanes = 1, quick.looks = 1;
     quick.width = 128, quick.height = 96;
-    session_->setSettings(quick);
+    model_->imaging.setSettings(quick);
     workspace_->setCase(std::make_shared<const PatientCase>(test::smallCase()));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return workspace_->isReady() && session_->handReady(); }, kPatience_ms));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return workspace_->isReady() && model_->motion.isReady(); }, kPatience_ms));
   }
   void edit() {
     child<QPushButton>("editProbe")->click();
@@ -71,11 +71,11 @@ class ProbeEditing : public testing::Test {
     QApplication::processEvents();
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
-          const Probe &shown = session_->shown()->setup->probe, &wanted = session_->probe();
+          const Probe &shown = model_->live.shown()->setup->probe, &wanted = model_->imaging.probe();
           const QSize canvas_px = canvas_->size() * canvas_->devicePixelRatioF();
           return shown.shape == wanted.shape && shown.fovAngle_deg == wanted.fovAngle_deg &&
                  shown.faceRadius_mm == wanted.faceRadius_mm &&
-                 session_->shown()->setup->settings.depth_mm == session_->settings().depth_mm &&
+                 model_->live.shown()->setup->settings.depth_mm == model_->imaging.settings().depth_mm &&
                  QSize(view.width_px(), view.height_px()) == canvas_px;
         },
         kPatience_ms));
@@ -111,7 +111,7 @@ class ProbeEditing : public testing::Test {
   }
 
   std::unique_ptr<TrainWorkspace> workspace_;
-  TrainSession* session_ = nullptr;
+  TrainModel* model_ = nullptr;
   ProbeEditor* editor_ = nullptr;
   FovHandles* handles_ = nullptr;
   QWidget* canvas_ = nullptr;
@@ -123,18 +123,18 @@ TEST_F(ProbeEditing, EverySliderOfTheShapeReachesThePicture) {
     auto* shapes = child<QComboBox>("probeShape");
     shapes->setCurrentIndex(int(shape));
     Q_EMIT shapes->activated(int(shape));
-    EXPECT_EQ(session_->probe().shape, shape);
+    EXPECT_EQ(model_->imaging.probe().shape, shape);
     for (const ProbeField& field : probeFields()) {
       auto* slider = child<ui::ValueSlider>(std::string(field.name).c_str());
       ASSERT_TRUE(slider) << field.name;
       EXPECT_EQ(!slider->isHidden(), applies(field, shape)) << field.name;
       EXPECT_FALSE(slider->toolTip().isEmpty());
       if (!applies(field, shape)) continue;
-      const double before = session_->probe().*field.member;
+      const double before = model_->imaging.probe().*field.member;
       slider->setValue(before * 0.98 + slider->range().step);
       EXPECT_EQ(editor_->draft().*field.member, slider->value()) << field.name;
       if (editor_->problem().isEmpty()) {
-        EXPECT_EQ(session_->probe().*field.member, slider->value()) << field.name;
+        EXPECT_EQ(model_->imaging.probe().*field.member, slider->value()) << field.name;
       }
       slider->setValue(before);
     }
@@ -144,81 +144,81 @@ TEST_F(ProbeEditing, EverySliderOfTheShapeReachesThePicture) {
 TEST_F(ProbeEditing, ApodizationReachesThePicture) {
   edit();
   auto* weights = child<QComboBox>("apodization");
-  const Apodization before = session_->probe().apodization;
+  const Apodization before = model_->imaging.probe().apodization;
   EXPECT_EQ(weights->currentIndex(), int(before));
   for (const Apodization apodization : {Apodization::Hann, Apodization::Tukey, Apodization::Uniform}) {
     weights->setCurrentIndex(int(apodization));
     Q_EMIT weights->activated(int(apodization));
-    EXPECT_EQ(session_->probe().apodization, apodization);
+    EXPECT_EQ(model_->imaging.probe().apodization, apodization);
   }
-  session_->undo();
-  EXPECT_EQ(session_->probe().apodization, before) << "changes of one control are undone as a whole";
+  undoStep(model_->history, model_->status);
+  EXPECT_EQ(model_->imaging.probe().apodization, before) << "changes of one control are undone as a whole";
   EXPECT_EQ(weights->currentIndex(), int(before));
 }
 
 TEST_F(ProbeEditing, WhatIsOutOfOrderIsSaidBesideTheControl) {
   edit();
-  const double used = session_->probe().minDepth_mm;
+  const double used = model_->imaging.probe().minDepth_mm;
   child<ui::ValueSlider>("minDepth_mm")->setValue(100);
   EXPECT_TRUE(editor_->problem().contains("depth")) << editor_->problem().toStdString();
-  EXPECT_EQ(session_->probe().minDepth_mm, used) << "the picture goes on with the last valid probe";
+  EXPECT_EQ(model_->imaging.probe().minDepth_mm, used) << "the picture goes on with the last valid probe";
   EXPECT_FALSE(child<QPushButton>("saveProbe")->isEnabled());
   child<ui::ValueSlider>("minDepth_mm")->setValue(10);
   EXPECT_TRUE(editor_->problem().isEmpty());
-  EXPECT_EQ(session_->probe().minDepth_mm, 10);
+  EXPECT_EQ(model_->imaging.probe().minDepth_mm, 10);
 }
 
 TEST_F(ProbeEditing, DraggingHandlesChangesTheFieldOfView) {
   openCase();
-  ASSERT_TRUE(session_->setProbe("curvilinear"));
+  ASSERT_TRUE(model_->imaging.setProbe("curvilinear"));
   edit();
   settle();
-  const double alpha = session_->probe().fovAngle_deg;
+  const double alpha = model_->imaging.probe().fovAngle_deg;
   QPointF from = place(FovHandles::Handle::RightSide);
   drag(*canvas_, from, from + QPointF(-40, 0));
-  EXPECT_LT(session_->probe().fovAngle_deg, alpha - 3);
-  EXPECT_EQ(child<ui::ValueSlider>("fovAngle_deg")->value(), session_->probe().fovAngle_deg);
+  EXPECT_LT(model_->imaging.probe().fovAngle_deg, alpha - 3);
+  EXPECT_EQ(child<ui::ValueSlider>("fovAngle_deg")->value(), model_->imaging.probe().fovAngle_deg);
   settle();
-  const double narrower = session_->probe().fovAngle_deg;
+  const double narrower = model_->imaging.probe().fovAngle_deg;
   from = place(FovHandles::Handle::LeftSide);
   drag(*canvas_, from, from + QPointF(-20, 0));
-  EXPECT_GT(session_->probe().fovAngle_deg, narrower + 1) << "outward on the other side";
-  EXPECT_LT(session_->probe().fovAngle_deg, alpha + 10);
+  EXPECT_GT(model_->imaging.probe().fovAngle_deg, narrower + 1) << "outward on the other side";
+  EXPECT_LT(model_->imaging.probe().fovAngle_deg, alpha + 10);
   settle();
 
-  const double r1 = session_->probe().faceRadius_mm;
+  const double r1 = model_->imaging.probe().faceRadius_mm;
   from = place(FovHandles::Handle::Face);
   drag(*canvas_, from, from + QPointF(25, 0));
-  EXPECT_GT(session_->probe().faceRadius_mm, r1 + 2);
+  EXPECT_GT(model_->imaging.probe().faceRadius_mm, r1 + 2);
   settle();
-  const double depth = session_->settings().depth_mm;
+  const double depth = model_->imaging.settings().depth_mm;
   from = place(FovHandles::Handle::Depth);
   drag(*canvas_, from, from + QPointF(0, -60));
-  EXPECT_LT(session_->settings().depth_mm, depth - 5);
-  EXPECT_EQ(session_->probe().defaultDepth_mm, session_->settings().depth_mm);
+  EXPECT_LT(model_->imaging.settings().depth_mm, depth - 5);
+  EXPECT_EQ(model_->imaging.probe().defaultDepth_mm, model_->imaging.settings().depth_mm);
 
-  session_->undo();
-  EXPECT_EQ(session_->settings().depth_mm, depth) << "a drag is taken back as a whole";
-  session_->undo();
-  EXPECT_EQ(session_->probe().faceRadius_mm, r1);
-  session_->redo();
-  EXPECT_GT(session_->probe().faceRadius_mm, r1 + 2);
+  undoStep(model_->history, model_->status);
+  EXPECT_EQ(model_->imaging.settings().depth_mm, depth) << "a drag is taken back as a whole";
+  undoStep(model_->history, model_->status);
+  EXPECT_EQ(model_->imaging.probe().faceRadius_mm, r1);
+  redoStep(model_->history, model_->status);
+  EXPECT_GT(model_->imaging.probe().faceRadius_mm, r1 + 2);
 }
 
 TEST_F(ProbeEditing, HandlesMoveByKeys) {
   openCase();
   edit();
-  const double width = session_->probe().width_mm;
+  const double width = model_->imaging.probe().width_mm;
   QTest::keyClick(canvas_, Qt::Key_Right, Qt::ControlModifier);
-  EXPECT_EQ(session_->probe().width_mm, width) << "none is chosen";
+  EXPECT_EQ(model_->imaging.probe().width_mm, width) << "none is chosen";
   QTest::keyClick(canvas_, Qt::Key_G);
   QTest::keyClick(canvas_, Qt::Key_Right, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_NEAR(session_->probe().width_mm, width + 5, 1e-9);
+  EXPECT_NEAR(model_->imaging.probe().width_mm, width + 5, 1e-9);
   QTest::keyClick(canvas_, Qt::Key_G);
   QTest::keyClick(canvas_, Qt::Key_G);
-  const double depth = session_->settings().depth_mm;
+  const double depth = model_->imaging.settings().depth_mm;
   QTest::keyClick(canvas_, Qt::Key_Up, Qt::ControlModifier);
-  EXPECT_NEAR(session_->settings().depth_mm, depth - 1, 1e-9) << "a straight face has no handle";
+  EXPECT_NEAR(model_->imaging.settings().depth_mm, depth - 1, 1e-9) << "a straight face has no handle";
   child<QPushButton>("probeDone")->click();
   EXPECT_FALSE(handles_->isActive());
   EXPECT_FALSE(editor_->isVisible());
@@ -236,7 +236,7 @@ TEST_F(ProbeEditing, PresetsAreSavedRenamedDeletedAndRemembered) {
   child<ui::ValueSlider>("width_mm")->setValue(50);
   EXPECT_EQ(list->currentText(), "Ward 3, edited");
   child<QPushButton>("resetProbe")->click();
-  EXPECT_EQ(session_->probe().width_mm, 44);
+  EXPECT_EQ(model_->imaging.probe().width_mm, 44);
   EXPECT_EQ(list->currentText(), "Ward 3");
 
   const test::TemporaryFolder folder;
@@ -244,8 +244,8 @@ TEST_F(ProbeEditing, PresetsAreSavedRenamedDeletedAndRemembered) {
   workspace_->saveLayout(settings);
   TrainWorkspace other;
   other.restoreLayout(settings);
-  EXPECT_EQ(other.findChild<TrainSession*>()->probe().name, "Ward 3");
-  EXPECT_EQ(other.findChild<TrainSession*>()->probe().width_mm, 44);
+  EXPECT_EQ(other.findChild<TrainModel*>()->imaging.probe().name, "Ward 3");
+  EXPECT_EQ(other.findChild<TrainModel*>()->imaging.probe().width_mm, 44);
 
   rename("Ward 4");
   child<QPushButton>("renameProbe")->click();
@@ -254,7 +254,7 @@ TEST_F(ProbeEditing, PresetsAreSavedRenamedDeletedAndRemembered) {
   child<QPushButton>("deleteProbe")->click();
   EXPECT_EQ(list->count(), 4) << "three built-in, and the one in use";
   EXPECT_EQ(list->currentText(), "Ward 4, edited");
-  session_->setProbe("linear");
+  model_->imaging.setProbe("linear");
   EXPECT_EQ(list->count(), 3);
 }
 
@@ -293,17 +293,17 @@ TEST_F(ProbeEditing, APictureBecomesTheProbe) {
   EXPECT_GT(fit->shape()->alpha_deg, 62) << "corners can be corrected";
   dialog->findChild<ui::ValueSlider*>("fitDepth")->setValue(100);
   dialog->findChild<QPushButton*>("fitTake")->click();
-  EXPECT_EQ(session_->probe().shape, ProbeShape::Curvilinear);
+  EXPECT_EQ(model_->imaging.probe().shape, ProbeShape::Curvilinear);
   EXPECT_EQ(name->text(), "Ward 9") << "typed without Enter";
-  EXPECT_GT(session_->probe().fovAngle_deg, 62);
-  EXPECT_NEAR(session_->settings().depth_mm, 100, 0.1);
-  EXPECT_NEAR(editor_->draft().faceRadius_mm, session_->probe().faceRadius_mm, 0.06);
+  EXPECT_GT(model_->imaging.probe().fovAngle_deg, 62);
+  EXPECT_NEAR(model_->imaging.settings().depth_mm, 100, 0.1);
+  EXPECT_NEAR(editor_->draft().faceRadius_mm, model_->imaging.probe().faceRadius_mm, 0.06);
   EXPECT_TRUE(editor_->problem().isEmpty());
   EXPECT_TRUE(child<QPushButton>("saveProbe")->isEnabled());
 }
 
 TEST_F(ProbeEditing, TwoMarksOfThePictureGiveItsScale) {
-  FitDialog dialog(session_->probe());
+  FitDialog dialog(model_->imaging.probe());
   dialog.show();
   QApplication::clipboard()->setImage(captured(0));
   dialog.paste();
@@ -340,25 +340,25 @@ TEST_F(ProbeEditing, TwoMarksOfThePictureGiveItsScale) {
 
 TEST_F(ProbeEditing, ChangesAreTakenBackWithoutACase) {
   edit();
-  const double before = session_->probe().width_mm;
+  const double before = model_->imaging.probe().width_mm;
   child<ui::ValueSlider>("width_mm")->setValue(before + 6);
   QTest::keyClick(workspace_.get(), Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(session_->probe().width_mm, before);
+  EXPECT_EQ(model_->imaging.probe().width_mm, before);
   QTest::keyClick(workspace_.get(), Qt::Key_Y, Qt::ControlModifier);
-  EXPECT_EQ(session_->probe().width_mm, before + 6);
+  EXPECT_EQ(model_->imaging.probe().width_mm, before + 6);
   const test::TemporaryFolder folder;
   QSettings settings(QString::fromStdString((folder / "layout.ini").string()), QSettings::IniFormat);
   workspace_->saveLayout(settings);
   TrainWorkspace other;
   other.restoreLayout(settings);
-  auto* restored = other.findChild<TrainSession*>();
-  const Probe as = restored->probe();
-  restored->undo();
-  EXPECT_EQ(restored->probe().width_mm, as.width_mm) << "how it was left is not taken back";
+  auto* restored = other.findChild<TrainModel*>();
+  const Probe as = restored->imaging.probe();
+  undoStep(restored->history, restored->status);
+  EXPECT_EQ(restored->imaging.probe().width_mm, as.width_mm) << "how it was left is not taken back";
 }
 
 TEST_F(ProbeEditing, PastedDroppedBadAndCancelled) {
-  const Probe before = session_->probe();
+  const Probe before = model_->imaging.probe();
   FitDialog dialog(before);
   dialog.show();
   QApplication::clipboard()->setText("no image");

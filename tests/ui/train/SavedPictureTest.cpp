@@ -50,7 +50,7 @@ class SavedFromTheWindow : public SavedPicture {
     QObject::connect(workspace_.get(), &ui::Workspace::written, [this] { ++written_; });
     openCase();
     key(Qt::Key_Space);  // one and the same image
-    plain_ = scaledPicture(session_->shown()->image);
+    plain_ = scaledPicture(model_->live.shown()->image);
   }
   void measure() {
     key(Qt::Key_L);
@@ -91,7 +91,7 @@ TEST_F(SavedFromTheWindow, EveryPictureOfAClipHasTheMeasurementsUnlessTheyAreNot
   const QImage measured = picture("measured.png");
   for (const bool wanted : {true, false}) {
     const auto clip = saved(wanted ? "with" : "without", &TrainWorkspace::saveClip);
-    const auto& frames = session_->cine();
+    const auto& frames = model_->live.cine();
     for (std::size_t n = 0; n < frames.size(); ++n) {
       char name[24];
       std::snprintf(name, sizeof name, "picture-%04d.png", int(n) + 1);

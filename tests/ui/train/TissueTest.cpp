@@ -17,10 +17,10 @@ namespace {
 class TrainTissue : public TrainWindow {
  protected:
   void press(double mm) {
-    session_->typed(HandAxis::Press, mm);
+    model_->motion.typed(HandAxis::Press, mm);
     settle();
   }
-  const LivePress& now() { return session_->shown()->press; }
+  const LivePress& now() { return model_->live.shown()->press; }
   double veinShare() {
     return now().lumens.empty() ? -1 : now().lumens.front().area_mm2 / now().lumens.front().rest_mm2;
   }
@@ -82,10 +82,10 @@ TEST_F(TrainTissue, PostureAndVenousPressureWidenTheVein) {
   auto* posture = child<QComboBox>("posture");
   posture->setCurrentIndex(posture->findData(25.0));
   Q_EMIT posture->activated(posture->currentIndex());
-  EXPECT_EQ(session_->tissue().body.tilt_deg, 25);
+  EXPECT_EQ(model_->imaging.tissue().body.tilt_deg, 25);
   EXPECT_TRUE(waitFor([&] { return veinShare() > supine + 0.03; })) << supine << " to " << veinShare();
   key(Qt::Key_Z);
-  EXPECT_EQ(session_->tissue().body.tilt_deg, 0);
+  EXPECT_EQ(model_->imaging.tissue().body.tilt_deg, 0);
   EXPECT_EQ(posture->currentData().toDouble(), 0);
   EXPECT_TRUE(waitFor([&] { return std::abs(veinShare() - supine) < 0.02; })) << supine << " to " << veinShare();
   child<ui::ValueSlider>("centralVenous")->setValue(12);
@@ -98,19 +98,19 @@ TEST_F(TrainTissue, WithoutAModelNothingGivesWay) {
   model->setCurrentIndex(model->findData("none"));
   Q_EMIT model->activated(model->currentIndex());
   press(4);
-  ASSERT_TRUE(waitFor([&] { return session_->shown()->setup->mechanics.model == "none"; }));
+  ASSERT_TRUE(waitFor([&] { return model_->live.shown()->setup->mechanics.model == "none"; }));
   EXPECT_EQ(now().force_N, 0);
   key(Qt::Key_Z);
   key(Qt::Key_Z);
-  EXPECT_EQ(session_->tissue().model, "elastic");
+  EXPECT_EQ(model_->imaging.tissue().model, "elastic");
 }
 
 TEST_F(TrainTissue, AHeartMovesTheVesselsWhileSomebodyLooks) {
   openCase();
   press(2);
   child<QCheckBox>("breathing")->click();
-  ASSERT_TRUE(session_->tissue().breathing);
-  const auto pictures = [&] { return session_->shown()->number; };
+  ASSERT_TRUE(model_->imaging.tissue().breathing);
+  const auto pictures = [&] { return model_->live.shown()->number; };
   const auto before = pictures();
   EXPECT_TRUE(waitFor([&] { return pictures() > before + 10; })) << "nobody moves the probe";
   const auto expectRest = [&](const char* where) {
@@ -195,16 +195,16 @@ TEST_F(TrainTissue, TheCurveLeavesOutWhatAModelOnItsWayExaggerates) {
 
 TEST_F(TrainTissue, HoldingTheKeyPressesSmoothlyUntilItComesUp) {
   openCase();
-  const double before = session_->numbers().press_mm;
+  const double before = model_->motion.numbers().press_mm;
   QTest::keyPress(canvas_, Qt::Key_Plus);
-  EXPECT_NEAR(session_->numbers().press_mm, before + 0.5, 1e-6);
-  EXPECT_TRUE(waitFor([&] { return session_->numbers().press_mm > before + 1; }));
+  EXPECT_NEAR(model_->motion.numbers().press_mm, before + 0.5, 1e-6);
+  EXPECT_TRUE(waitFor([&] { return model_->motion.numbers().press_mm > before + 1; }));
   QTest::keyRelease(canvas_, Qt::Key_Plus);
-  const double held = session_->numbers().press_mm;
+  const double held = model_->motion.numbers().press_mm;
   QTest::qWait(HeldPress::kBegins_ms + 100);
-  EXPECT_EQ(session_->numbers().press_mm, held);
+  EXPECT_EQ(model_->motion.numbers().press_mm, held);
   key(Qt::Key_Z);
-  EXPECT_NEAR(session_->numbers().press_mm, before, 1e-6) << "one gesture";
+  EXPECT_NEAR(model_->motion.numbers().press_mm, before, 1e-6) << "one gesture";
 }
 
 TEST_F(TrainTissue, ArterialPressureThatCannotBeIsRefused) {
@@ -216,30 +216,30 @@ TEST_F(TrainTissue, ArterialPressureThatCannotBeIsRefused) {
     QTest::keyClick(systolic, Qt::Key_Return);
   };
   type("150");
-  EXPECT_EQ(session_->tissue().body.systolic_mmHg, 150);
+  EXPECT_EQ(model_->imaging.tissue().body.systolic_mmHg, 150);
   type("60");
-  EXPECT_EQ(session_->tissue().body.systolic_mmHg, 150) << "below the diastolic pressure";
+  EXPECT_EQ(model_->imaging.tissue().body.systolic_mmHg, 150) << "below the diastolic pressure";
   EXPECT_FALSE(workspace_->statusText().isEmpty());
 }
 
 TEST_F(TrainTissue, ChoicesAreRemembered) {
-  TissueChoice choice = session_->tissue();
+  TissueChoice choice = model_->imaging.tissue();
   choice.model = "column";
   choice.body.tilt_deg = 15, choice.body.centralVenous_mmHg = 7, choice.body.systolic_mmHg = 140;
   choice.breathing = true;
-  session_->setTissue(choice);
+  model_->imaging.setTissue(choice);
   child<QAction>("tissuePlot")->trigger();
   QSettings settings;
   workspace_->saveLayout(settings);
   TrainWorkspace other;
   other.restoreLayout(settings);
-  EXPECT_EQ(other.findChild<TrainSession*>()->tissue(), choice);
+  EXPECT_EQ(other.findChild<TrainModel*>()->imaging.tissue(), choice);
   EXPECT_TRUE(other.findChild<QAction*>("tissuePlot")->isChecked());
   settings.setValue("tissue/model", "jelly");
   settings.setValue("tissue/systolic_mmHg", 10);
   other.restoreLayout(settings);
-  EXPECT_EQ(other.findChild<TrainSession*>()->tissue().model, "elastic");
-  EXPECT_EQ(other.findChild<TrainSession*>()->tissue().body.systolic_mmHg, 120);
+  EXPECT_EQ(other.findChild<TrainModel*>()->imaging.tissue().model, "elastic");
+  EXPECT_EQ(other.findChild<TrainModel*>()->imaging.tissue().body.systolic_mmHg, 120);
 }
 
 TEST_F(TrainTissue, ClosesWhilePressing) {

@@ -52,7 +52,7 @@ TEST_F(TrainLayout, TheCtStandsBesideThePictureAtTheSameScale) {
   ASSERT_TRUE(QTest::qWaitFor(
       [&] { return std::abs(1 / slice(beside()).plane().mm_per_px - ultrasound().px_per_mm()) < 1e-6; }));
   const auto same = [&] {
-    const Vec3 place = session_->shown()->patientFromProbe * Vec3{5, 0, 15};
+    const Vec3 place = model_->live.shown()->patientFromProbe * Vec3{5, 0, 15};
     const views::DisplayPoint here = slice(beside()).displayFromPatient(place);
     const views::DisplayPoint there = ultrasound().displayFromPicture({5, 15});
     return std::hypot(here.x - there.x, here.y - there.y) < 1e-3;
@@ -204,7 +204,7 @@ TEST_F(TrainLayout, AllSlicesAtOnceHaveOneCrosshair) {
   key(Qt::Key_X);
   ASSERT_TRUE(all->isVisible());
   EXPECT_NEAR(all->width(), picture()->width(), 24) << "as much room as the picture";
-  const auto middle = [&] { return session_->pose() * Vec3{0, 0, session_->settings().depth_mm / 2}; };
+  const auto middle = [&] { return model_->motion.pose() * Vec3{0, 0, model_->imaging.settings().depth_mm / 2}; };
   const auto crosshairAt = [&](Vec3 place) {
     for (std::size_t n = 0; n < FourSlices::kCount; ++n)
       if (norm(all->slice(n).crosshair_mm() - place) > 1e-6) return false;
@@ -270,10 +270,10 @@ TEST_F(TrainLayout, KeysInTheSliceAreTheSlices) {
   openCase();
   QWidget* canvas = mpr()->focusProxy();
   views::MprView& view = slice(mpr());
-  const ProbeHandState start = session_->handState();
+  const ProbeHandState start = model_->motion.state();
   QTest::keyClick(canvas, Qt::Key_D);
   EXPECT_NEAR(view.labelOpacity(), 0.05, 1e-9);
-  EXPECT_EQ(session_->handState(), start) << "and not the probe's";
+  EXPECT_EQ(model_->motion.state(), start) << "and not the probe's";
   for (auto* button : workspace_->findChildren<QAbstractButton*>())
     if (button->accessibleName() == "Axial slice") button->click();
   ASSERT_EQ(view.kind(), views::SliceKind::Axial);
@@ -281,7 +281,7 @@ TEST_F(TrainLayout, KeysInTheSliceAreTheSlices) {
   const double z_mm = view.crosshair_mm().z;
   QTest::keyClick(canvas, Qt::Key_Up);
   EXPECT_NEAR(view.crosshair_mm().z, z_mm + 1, 0.6);
-  EXPECT_EQ(session_->handState(), start);
+  EXPECT_EQ(model_->motion.state(), start);
   const double there_mm = view.crosshair_mm().z;
   QTest::qWait(300);
   EXPECT_EQ(view.crosshair_mm().z, there_mm) << "a probe at rest leaves the slice to the user";

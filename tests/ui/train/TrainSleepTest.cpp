@@ -12,22 +12,22 @@ TEST_F(TrainSleep, HiddenItMakesNoPicturesAndGoesOnWhenShown) {
   settle();
   workspace_->hide();
   QTest::qWait(kLonger_ms);  // an image that had begun when the workspace was hidden still arrives
-  const auto before = session_->shown();
-  session_->move(HandAxis::Lateral, 3);
+  const auto before = model_->live.shown();
+  model_->motion.move(HandAxis::Lateral, 3);
   QTest::qWait(kLonger_ms);
-  EXPECT_EQ(session_->shown(), before) << "the last picture stays";
+  EXPECT_EQ(model_->live.shown(), before) << "the last picture stays";
   workspace_->show();
   settle();
-  EXPECT_NE(session_->shown(), before);
+  EXPECT_NE(model_->live.shown(), before);
 }
 
 TEST_F(TrainSleep, ACaseThatComesWhileItIsHiddenIsImagedOnceItIsShown) {
   workspace_->hide();
   workspace_->setCase(patient());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return session_->handReady(); }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return model_->motion.isReady(); }, kPatience_ms));
   QTest::qWait(kLonger_ms);
-  EXPECT_EQ(session_->status().scenesBuilt, 0);
-  EXPECT_EQ(session_->shown(), nullptr);
+  EXPECT_EQ(model_->live.status().scenesBuilt, 0);
+  EXPECT_EQ(model_->live.shown(), nullptr);
   workspace_->show();
   EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->isReady(); }, kPatience_ms))
       << workspace_->statusText().toStdString();
@@ -37,7 +37,7 @@ TEST_F(TrainSleep, AnAttemptGoesOnBehindAnotherWorkspace) {
   openWide();
   start();
   workspace_->hide();
-  session_->move(HandAxis::Lateral, 3);
+  model_->motion.move(HandAxis::Lateral, 3);
   settle();
   EXPECT_TRUE(attempt_->isRunning());
 }

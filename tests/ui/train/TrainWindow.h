@@ -1,6 +1,6 @@
 #pragma once
 
-#include "TrainSession.h"
+#include "model/TrainModel.h"
 
 #include <insonate/simulator/ProbePose.h>
 #include <insonate/train/TrainWorkspace.h>
@@ -36,13 +36,13 @@ class TrainWindow : public testing::Test {
     workspace_ = std::make_unique<TrainWorkspace>();
     workspace_->resize(1100, 700);
     workspace_->show();
-    session_ = workspace_->findChild<TrainSession*>();
-    ASSERT_TRUE(session_);
+    model_ = workspace_->findChild<TrainModel*>();
+    ASSERT_TRUE(model_);
     // Vessels that move all the time let no image be the last one.
-    TissueChoice still = session_->tissue();
+    TissueChoice still = model_->imaging.tissue();
     still.pulse = still.breathing = false;
-    session_->setTissue(still);
-    session_->history().clear();
+    model_->imaging.setTissue(still);
+    model_->history.clear();
     canvas_ = workspace_->findChild<ui::ViewWidget*>("ultrasoundView")->focusProxy();
   }
 
@@ -53,12 +53,12 @@ class TrainWindow : public testing::Test {
 
   /// Small images of few scanlines, so that they come quickly.
   void openCase() {
-    ImagingSettings quick = session_->settings();
+    ImagingSettings quick = model_->imaging.settings();
     quick.scanlines = 48, quick.samples = 200, quick.elevationPlanes = 1, quick.looks = 1;
     quick.width = 128, quick.height = 96;
-    session_->setSettings(quick);
+    model_->imaging.setSettings(quick);
     workspace_->setCase(patient());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return workspace_->isReady() && session_->handReady(); }, kPatience_ms))
+    ASSERT_TRUE(QTest::qWaitFor([&] { return workspace_->isReady() && model_->motion.isReady(); }, kPatience_ms))
         << workspace_->statusText().toStdString();
   }
 
@@ -79,8 +79,8 @@ class TrainWindow : public testing::Test {
   void settle() {
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
-          return session_->shown()->patientFromProbe == session_->pose() &&
-                 session_->shown()->setup->settings.depth_mm == session_->settings().depth_mm;
+          return model_->live.shown()->patientFromProbe == model_->motion.pose() &&
+                 model_->live.shown()->setup->settings.depth_mm == model_->imaging.settings().depth_mm;
         },
         kPatience_ms));
   }
@@ -93,7 +93,7 @@ class TrainWindow : public testing::Test {
   }
 
   std::unique_ptr<TrainWorkspace> workspace_;
-  TrainSession* session_ = nullptr;
+  TrainModel* model_ = nullptr;
   QWidget* canvas_ = nullptr;
 };
 

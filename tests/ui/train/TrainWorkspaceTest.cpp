@@ -11,9 +11,9 @@ namespace {
 TEST_F(TrainWindow, FirstPictureArrives) {
   EXPECT_FALSE(workspace_->isReady());
   openCase();
-  ASSERT_TRUE(session_->shown());
-  EXPECT_EQ(session_->shown()->image.width, 128);
-  EXPECT_GT(std::ranges::max(session_->shown()->image.grey), 40) << "something is seen";
+  ASSERT_TRUE(model_->live.shown());
+  EXPECT_EQ(model_->live.shown()->image.width, 128);
+  EXPECT_GT(std::ranges::max(model_->live.shown()->image.grey), 40) << "something is seen";
   EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->engineText().contains("up to date"); }, kPatience_ms));
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
@@ -28,106 +28,106 @@ TEST_F(TrainWindow, SettingsReachThePicture) {
   openCase();
   child<ui::ValueSlider>("depth")->setValue(30);
   settle();
-  EXPECT_EQ(session_->shown()->setup->settings.depth_mm, 30);
+  EXPECT_EQ(model_->live.shown()->setup->settings.depth_mm, 30);
 }
 
 TEST_F(TrainWindow, FocusStaysWithinTheDepth) {
   child<ui::ValueSlider>("depth")->setValue(60);
   child<ui::ValueSlider>("focus")->setValue(55);
   child<ui::ValueSlider>("depth")->setValue(25);
-  EXPECT_EQ(session_->settings().focus_mm, 25);
+  EXPECT_EQ(model_->imaging.settings().focus_mm, 25);
   EXPECT_EQ(child<ui::ValueSlider>("focus")->value(), 25);
 }
 
 TEST_F(TrainWindow, ProbeBringsItsDepthAndKeepsTheGain) {
   child<ui::ValueSlider>("gain")->setValue(5);
-  ASSERT_TRUE(session_->setProbe("curvilinear"));
-  EXPECT_EQ(session_->settings().depth_mm, 120);
-  EXPECT_EQ(session_->settings().gain_dB, 5);
+  ASSERT_TRUE(model_->imaging.setProbe("curvilinear"));
+  EXPECT_EQ(model_->imaging.settings().depth_mm, 120);
+  EXPECT_EQ(model_->imaging.settings().gain_dB, 5);
   EXPECT_EQ(child<ui::ValueSlider>("depth")->range().most, 300);
   EXPECT_EQ(child<QComboBox>("probe")->currentText(), "curvilinear");
-  EXPECT_FALSE(session_->setProbe("no such probe"));
+  EXPECT_FALSE(model_->imaging.setProbe("no such probe"));
 }
 
 TEST_F(TrainWindow, KeysMoveTheProbe) {
   openCase();
-  const Vec3 start = session_->numbers().skin_mm;
+  const Vec3 start = model_->motion.numbers().skin_mm;
   key(Qt::Key_Right);
-  EXPECT_NEAR(session_->numbers().skin_mm.x - start.x, 1, 0.1);
+  EXPECT_NEAR(model_->motion.numbers().skin_mm.x - start.x, 1, 0.1);
   key(Qt::Key_Left, Qt::ShiftModifier);
-  EXPECT_NEAR(session_->numbers().skin_mm.x - start.x, -4, 0.2);
+  EXPECT_NEAR(model_->motion.numbers().skin_mm.x - start.x, -4, 0.2);
   key(Qt::Key_W);
-  EXPECT_NEAR(session_->numbers().tilt_deg, 1, 1e-6);
+  EXPECT_NEAR(model_->motion.numbers().tilt_deg, 1, 1e-6);
   key(Qt::Key_D, Qt::ShiftModifier);
-  EXPECT_NEAR(session_->numbers().rock_deg, 5, 1e-6);
+  EXPECT_NEAR(model_->motion.numbers().rock_deg, 5, 1e-6);
   key(Qt::Key_E);
-  EXPECT_NEAR(session_->numbers().rotation_deg, 2, 0.5);
-  const double press_mm = session_->numbers().press_mm;
+  EXPECT_NEAR(model_->motion.numbers().rotation_deg, 2, 0.5);
+  const double press_mm = model_->motion.numbers().press_mm;
   key(Qt::Key_Plus);
-  EXPECT_NEAR(session_->numbers().press_mm, press_mm + 0.5, 1e-6);
+  EXPECT_NEAR(model_->motion.numbers().press_mm, press_mm + 0.5, 1e-6);
   settle();
-  EXPECT_EQ(session_->shown()->patientFromProbe, session_->pose());
+  EXPECT_EQ(model_->live.shown()->patientFromProbe, model_->motion.pose());
 }
 
 TEST_F(TrainWindow, UndoAndHomeRestoreThePose) {
   openCase();
-  const ProbeHandState start = session_->handState();
+  const ProbeHandState start = model_->motion.state();
   key(Qt::Key_Right);
   key(Qt::Key_W);
   key(Qt::Key_Z, Qt::ControlModifier);
   key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(session_->handState(), start);
+  EXPECT_EQ(model_->motion.state(), start);
   key(Qt::Key_Right, Qt::ShiftModifier);
   key(Qt::Key_Home);
-  EXPECT_LT(norm(session_->pose().offset - session_->start().position_mm), 1e-6);
+  EXPECT_LT(norm(model_->motion.pose().offset - model_->patientCase.start().position_mm), 1e-6);
 }
 
 TEST_F(TrainWindow, UndoAndRedoGoThroughMovesAndSettingsInOrder) {
   openCase();
-  const ProbeHandState start = session_->handState();
-  const double depth_mm = session_->settings().depth_mm;
+  const ProbeHandState start = model_->motion.state();
+  const double depth_mm = model_->imaging.settings().depth_mm;
   key(Qt::Key_Right, Qt::ShiftModifier);
-  const ProbeHandState moved = session_->handState();
+  const ProbeHandState moved = model_->motion.state();
   child<ui::ValueSlider>("depth")->setValue(30);
   key(Qt::Key_Z);
-  EXPECT_EQ(session_->settings().depth_mm, depth_mm);
+  EXPECT_EQ(model_->imaging.settings().depth_mm, depth_mm);
   EXPECT_EQ(child<ui::ValueSlider>("depth")->value(), depth_mm);
   EXPECT_EQ(workspace_->statusText(), "Undone: setting of the image.");
-  EXPECT_EQ(session_->handState(), moved);
+  EXPECT_EQ(model_->motion.state(), moved);
   key(Qt::Key_Z);
-  EXPECT_EQ(session_->handState(), start);
+  EXPECT_EQ(model_->motion.state(), start);
   key(Qt::Key_Y);
   key(Qt::Key_Y, Qt::ControlModifier);
-  EXPECT_EQ(session_->handState(), moved);
-  EXPECT_EQ(session_->settings().depth_mm, 30);
+  EXPECT_EQ(model_->motion.state(), moved);
+  EXPECT_EQ(model_->imaging.settings().depth_mm, 30);
   settle();
-  ASSERT_TRUE(session_->setProbe("phased"));
+  ASSERT_TRUE(model_->imaging.setProbe("phased"));
   key(Qt::Key_Z);
-  EXPECT_EQ(session_->probe().name, "linear");
-  EXPECT_EQ(session_->settings().depth_mm, 30);
+  EXPECT_EQ(model_->imaging.probe().name, "linear");
+  EXPECT_EQ(model_->imaging.settings().depth_mm, 30);
 }
 
 TEST_F(TrainWindow, AFrozenProbeIsNotMovedByUndo) {
   openCase();
   key(Qt::Key_Right);
-  const ProbeHandState moved = session_->handState();
+  const ProbeHandState moved = model_->motion.state();
   settle();
   key(Qt::Key_Space);
   key(Qt::Key_Z);
-  EXPECT_EQ(session_->handState(), moved);
+  EXPECT_EQ(model_->motion.state(), moved);
   EXPECT_TRUE(workspace_->statusText().contains("frozen"));
 }
 
 TEST_F(TrainWindow, MouseOnThePictureMovesTheProbe) {
   openCase();
   const QPoint middle = canvas_->rect().center();
-  const ProbeHandState start = session_->handState();
+  const ProbeHandState start = model_->motion.state();
   drag(Qt::LeftButton, middle, middle + QPoint(40, 0));
-  EXPECT_GT(session_->handState().skin_mm.x, start.skin_mm.x + 0.5);
+  EXPECT_GT(model_->motion.state().skin_mm.x, start.skin_mm.x + 0.5);
   key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(session_->handState(), start) << "a drag is undone as a whole";
+  EXPECT_EQ(model_->motion.state(), start) << "a drag is undone as a whole";
   drag(Qt::RightButton, middle, middle + QPoint(40, 0));
-  EXPECT_NEAR(session_->numbers().rotation_deg, 10, 1);
+  EXPECT_NEAR(model_->motion.numbers().rotation_deg, 10, 1);
 }
 
 TEST_F(TrainWindow, PositionsAreSavedAndRecalled) {
@@ -136,13 +136,13 @@ TEST_F(TrainWindow, PositionsAreSavedAndRecalled) {
   EXPECT_EQ(list->count(), 1);
   key(Qt::Key_Right, Qt::ShiftModifier);
   key(Qt::Key_W);
-  const Transform saved = session_->pose();
+  const Transform saved = model_->motion.pose();
   child<QPushButton>("savePosition")->click();
   EXPECT_EQ(list->count(), 2);
   key(Qt::Key_1);
-  EXPECT_LT(norm(session_->pose().offset - session_->start().position_mm), 1e-6);
+  EXPECT_LT(norm(model_->motion.pose().offset - model_->patientCase.start().position_mm), 1e-6);
   key(Qt::Key_2);
-  EXPECT_LT(norm(session_->pose().offset - saved.offset), 1e-6);
+  EXPECT_LT(norm(model_->motion.pose().offset - saved.offset), 1e-6);
 
   test::TemporaryFolder folder;
   const QString file = QString::fromStdString((folder / "layout.ini").string());
@@ -158,16 +158,16 @@ TEST_F(TrainWindow, PositionsAreSavedAndRecalled) {
 }
 
 TEST_F(TrainWindow, SettingsAreRemembered) {
-  ASSERT_TRUE(session_->setProbe("phased"));
+  ASSERT_TRUE(model_->imaging.setProbe("phased"));
   child<ui::ValueSlider>("gain")->setValue(9);
   test::TemporaryFolder folder;
   QSettings settings(QString::fromStdString((folder / "layout.ini").string()), QSettings::IniFormat);
   workspace_->saveLayout(settings);
   TrainWorkspace other;
   other.restoreLayout(settings);
-  const auto* session = other.findChild<TrainSession*>();
-  EXPECT_EQ(session->probe().name, "phased");
-  EXPECT_EQ(session->settings().gain_dB, 9);
+  const auto* model = other.findChild<TrainModel*>();
+  EXPECT_EQ(model->imaging.probe().name, "phased");
+  EXPECT_EQ(model->imaging.settings().gain_dB, 9);
 }
 
 TEST_F(TrainWindow, FreezeHoldsThePicture) {
@@ -175,18 +175,18 @@ TEST_F(TrainWindow, FreezeHoldsThePicture) {
   key(Qt::Key_Right);
   settle();
   key(Qt::Key_Space);
-  ASSERT_TRUE(session_->isFrozen());
+  ASSERT_TRUE(model_->live.isFrozen());
   EXPECT_TRUE(child<QPushButton>("freeze")->isChecked());
-  const auto held = session_->shown();
-  const ProbeHandState state = session_->handState();
+  const auto held = model_->live.shown();
+  const ProbeHandState state = model_->motion.state();
   key(Qt::Key_Right);
   child<ui::ValueSlider>("gain")->setValue(12);
   QTest::qWait(300);
-  EXPECT_EQ(session_->shown(), held);
-  EXPECT_EQ(session_->handState(), state) << "the probe is held, too";
+  EXPECT_EQ(model_->live.shown(), held);
+  EXPECT_EQ(model_->motion.state(), state) << "the probe is held, too";
   key(Qt::Key_F);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return session_->shown() != held; }, kPatience_ms));
-  EXPECT_EQ(session_->shown()->setup->settings.gain_dB, 12);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return model_->live.shown() != held; }, kPatience_ms));
+  EXPECT_EQ(model_->live.shown()->setup->settings.gain_dB, 12);
 }
 
 TEST_F(TrainWindow, CineStepsThroughTheLastPictures) {
@@ -196,18 +196,18 @@ TEST_F(TrainWindow, CineStepsThroughTheLastPictures) {
     settle();
   }
   key(Qt::Key_Space);
-  ASSERT_GE(session_->cine().size(), 3u);
-  const int last = session_->cineIndex();
-  EXPECT_EQ(last, int(session_->cine().size()) - 1);
+  ASSERT_GE(model_->live.cine().size(), 3u);
+  const int last = model_->live.cineIndex();
+  EXPECT_EQ(last, int(model_->live.cine().size()) - 1);
   key(Qt::Key_Comma);
-  EXPECT_EQ(session_->cineIndex(), last - 1);
-  EXPECT_EQ(session_->shown(), session_->cine()[last - 1]);
+  EXPECT_EQ(model_->live.cineIndex(), last - 1);
+  EXPECT_EQ(model_->live.shown(), model_->live.cine()[last - 1]);
   EXPECT_EQ(child<QSlider>("cine")->value(), last - 1);
   key(Qt::Key_Period);
   key(Qt::Key_Period);
-  EXPECT_EQ(session_->cineIndex(), last) << "the end is the end";
+  EXPECT_EQ(model_->live.cineIndex(), last) << "the end is the end";
   child<QSlider>("cine")->setValue(0);
-  EXPECT_EQ(session_->shown(), session_->cine().front());
+  EXPECT_EQ(model_->live.shown(), model_->live.cine().front());
 }
 
 TEST_F(TrainWindow, PictureAndClipAreWritten) {
@@ -224,15 +224,15 @@ TEST_F(TrainWindow, PictureAndClipAreWritten) {
   EXPECT_EQ(written, "Image saved as picture.png.");
   EXPECT_EQ(place, QString::fromStdString(folder.path().string()));
   const QImage picture(QString::fromStdString((folder / "picture.png").string()));
-  const BModeImage& image = session_->shown()->image;
+  const BModeImage& image = model_->live.shown()->image;
   const QPoint origin = pictureOrigin(image);
   ASSERT_GE(picture.width(), origin.x() + image.width);
   for (const QPoint at : {QPoint(3, 5), QPoint(100, 40), QPoint(127, 95)})
     EXPECT_EQ(qGray(picture.pixel(origin + at)), image.grey[std::size_t(at.y()) * image.width + at.x()]);
   int ticks = 0;
   for (int y = origin.y() - 2; y < picture.height(); ++y) ticks += qGray(picture.pixel(origin.x() - 6, y)) > 60;
-  EXPECT_GE(ticks, int(session_->settings().depth_mm / 10)) << "a mark every centimetre at least";
-  EXPECT_NEAR(1000.0 / picture.dotsPerMeterX(), session_->shown()->image.pixel_mm, 1e-3);
+  EXPECT_GE(ticks, int(model_->imaging.settings().depth_mm / 10)) << "a mark every centimetre at least";
+  EXPECT_NEAR(1000.0 / picture.dotsPerMeterX(), model_->live.shown()->image.pixel_mm, 1e-3);
   workspace_->savePicture(folder / "no" / "such" / "folder.png");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, kPatience_ms));
   EXPECT_TRUE(failed.contains("does not exist")) << failed.toStdString();
@@ -252,10 +252,10 @@ TEST_F(TrainWindow, OneEffectCanBeSeenAlone) {
   openCase();
   auto* effects = child<QComboBox>("effect");
   ASSERT_GT(effects->count(), 3);
-  session_->setEffect(effects->itemData(1).toString().toStdString());
-  const auto whole = session_->shown();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return session_->shown() != whole; }, kPatience_ms));
-  session_->setEffect(TrainSession::kWholeModel);
+  model_->imaging.setEffect(effects->itemData(1).toString().toStdString());
+  const auto whole = model_->live.shown();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return model_->live.shown() != whole; }, kPatience_ms));
+  model_->imaging.setEffect(ImagingModel::kWholeModel);
   EXPECT_EQ(effects->currentIndex(), 0);
 }
 
@@ -282,21 +282,21 @@ TEST_F(TrainWindow, AProbeWithoutAStartIsPlacedByTheUser) {
   QStringList failures;
   QObject::connect(workspace_.get(), &ui::Workspace::failed, [&](const QString& what) { failures << what; });
   workspace_->setCase(cutCase());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return session_->isUnplaced(); }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return model_->motion.isUnplaced(); }, kPatience_ms));
   EXPECT_TRUE(failures.isEmpty()) << failures.join(' ').toStdString();
   EXPECT_TRUE(child<QWidget>("placeOffer")->isVisible());
   EXPECT_FALSE(child<QWidget>("ultrasoundView")->isVisible());
   EXPECT_TRUE(workspace_->isReady()) << "nothing comes by itself";
   child<QPushButton>("placeOnSkin")->click();
   EXPECT_FALSE(child<QWidget>("placeOffer")->isVisible());
-  EXPECT_TRUE(session_->handReady());
-  EXPECT_NEAR(session_->handState().skin_mm.x, 5.5, 1.5);
-  EXPECT_NEAR(session_->handState().tilt_deg, 0, 1e-6) << "square to the skin";
-  EXPECT_NEAR(session_->handState().rock_deg, 0, 1e-6);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return session_->shown() && workspace_->isReady(); }, kPatience_ms));
+  EXPECT_TRUE(model_->motion.isReady());
+  EXPECT_NEAR(model_->motion.state().skin_mm.x, 5.5, 1.5);
+  EXPECT_NEAR(model_->motion.state().tilt_deg, 0, 1e-6) << "square to the skin";
+  EXPECT_NEAR(model_->motion.state().rock_deg, 0, 1e-6);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return model_->live.shown() && workspace_->isReady(); }, kPatience_ms));
   workspace_->setCase(patient());
   EXPECT_FALSE(child<QWidget>("placeOffer")->isVisible());
-  EXPECT_FALSE(session_->isUnplaced());
+  EXPECT_FALSE(model_->motion.isUnplaced());
 }
 
 TEST_F(TrainWindow, WhatACaseLacksIsToldOnceTrainIsSeen) {
@@ -332,12 +332,12 @@ TEST_F(TrainWindow, WhatHappenedIsSaidForSomeSeconds) {
   child<QPushButton>("savePosition")->click();
   EXPECT_TRUE(workspace_->statusText().startsWith("Position saved"));
   EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().startsWith("Drag on the image"); },
-                              TrainSession::kSaid_ms + 3000));
+                              StatusLine::kSaid_ms + 3000));
   key(Qt::Key_Space);
   key(Qt::Key_Right);
   EXPECT_TRUE(workspace_->statusText().contains("live again")) << workspace_->statusText().toStdString();
   EXPECT_TRUE(
-      QTest::qWaitFor([&] { return workspace_->statusText().startsWith("Frozen."); }, TrainSession::kSaid_ms + 3000));
+      QTest::qWaitFor([&] { return workspace_->statusText().startsWith("Frozen."); }, StatusLine::kSaid_ms + 3000));
 }
 
 TEST_F(TrainWindow, AnotherCaseReplacesEverything) {
@@ -346,8 +346,8 @@ TEST_F(TrainWindow, AnotherCaseReplacesEverything) {
   key(Qt::Key_Space);
   workspace_->setCase(nullptr);
   EXPECT_FALSE(workspace_->isReady());
-  EXPECT_FALSE(session_->isFrozen());
-  EXPECT_FALSE(session_->shown());
+  EXPECT_FALSE(model_->live.isFrozen());
+  EXPECT_FALSE(model_->live.shown());
   EXPECT_EQ(child<QListWidget>("positions")->count(), 0);
   key(Qt::Key_Right);
   key(Qt::Key_Home);
@@ -375,7 +375,7 @@ TEST_F(TrainWindow, ACaseWithoutABodySaysSo) {
   workspace_->setCase(empty);
   EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().contains('.'); }, kPatience_ms));
   QTest::qWait(200);
-  EXPECT_FALSE(session_->handReady());
+  EXPECT_FALSE(model_->motion.isReady());
 }
 
 }  // namespace

@@ -50,11 +50,11 @@ class LeftColumn final : public QWidget {
 
 QWidget* TrainWorkspace::Parts::buildLeft() {
   left_ = new QStackedWidget;
-  panel = new ControlsPanel(session, *library_);
-  editor_ = new ProbeEditor(session, *library_);
+  panel = new ControlsPanel(model, *library_);
+  editor_ = new ProbeEditor(model.status, model.imaging, *library_);
   left_->addWidget(panel);
   left_->addWidget(editor_);
-  attemptPanel_ = new AttemptPanel(session, *attempt, *levels_);
+  attemptPanel_ = new AttemptPanel(model.disclosure, model.patientCase, model.imaging, model.live, *attempt, *levels_);
   leftColumn_ = new LeftColumn(attemptPanel_, left_);
   leftColumn_->setObjectName("trainPanel");
   return leftColumn_;
@@ -62,18 +62,18 @@ QWidget* TrainWorkspace::Parts::buildLeft() {
 
 void TrainWorkspace::Parts::setCase(std::shared_ptr<const PatientCase> opened) {
   saved_ = nullptr;
-  session.setCase(std::move(opened), origin);
+  model.patientCase.setCase(std::move(opened), origin);
 }
 
 void TrainWorkspace::Parts::takeSaved(std::shared_ptr<const PatientCase> edited) {
   saved_ = std::move(edited);
   takeWaiting();
-  if (saved_) session.say(tr("The case was saved in Prepare. This attempt continues with the former version."));
+  if (saved_) model.status.say(tr("The case was saved in Prepare. This attempt continues with the former version."));
 }
 
 void TrainWorkspace::Parts::takeWaiting() {
   if (!saved_ || attempt->state() != AttemptControl::State::Idle || (levels_ && levels_->level())) return;
-  session.setCase(std::exchange(saved_, nullptr), origin);
+  model.patientCase.setCase(std::exchange(saved_, nullptr), origin);
 }
 
 void TrainWorkspace::Parts::connectAttempt() {
@@ -85,20 +85,20 @@ void TrainWorkspace::Parts::connectAttempt() {
           this, [this] { takeWaiting(); }, Qt::QueuedConnection);
   });
   connect(attempt, &AttemptControl::viewChanged, this, [this] { showAttempt(); });
-  connect(&session, &TrainSession::disclosureChanged, this, [this] { showDisclosure(); });
+  connect(&model.disclosure, &DisclosureModel::changed, this, [this] { showDisclosure(); });
   // A new needle is taken by touching the tray, with the pointer or with the needle itself.
   patient->setTrayTaken([this] { attempt->replaceNeedle(); });
-  connect(&session.hands(), &HandsControl::needleChanged, this, [this] {
-    const auto& held = session.hands().needle();
+  connect(&model.hands, &HandsControl::needleChanged, this, [this] {
+    const auto& held = model.hands.needle();
     const bool used = attempt->isRunning() && attempt->view().needle == NeedlePlace::Used;
     const bool touches = used && held && patient->isOnTray(held->patientFromNeedle.offset);
     // Once a touch: the view hears of the new needle a little later.
     if (!std::exchange(touchesTray_, touches) && touches) attempt->replaceNeedle();
   });
   // Buttons of the device that holds the needle.
-  connect(&session.hands(), &HandsControl::anatomyTurned, this,
+  connect(&model.hands, &HandsControl::anatomyTurned, this,
           [this](double across_deg, double up_deg) { patient->turn(across_deg, up_deg); });
-  connect(&session.hands(), &HandsControl::drawButton, attempt, &AttemptControl::setAspirating);
+  connect(&model.hands, &HandsControl::drawButton, attempt, &AttemptControl::setAspirating);
   connect(attemptPanel_, &AttemptPanel::courseWanted, this, [this] { showCourse(true); });
   connect(attemptPanel_, &AttemptPanel::reviewWanted, &workspace_, &TrainWorkspace::attemptWanted);
 }
@@ -107,12 +107,12 @@ void TrainWorkspace::Parts::showAttempt() {
   const bool made =
       attempt->state() != AttemptControl::State::Idle && attempt->state() != AttemptControl::State::Starting;
   const NeedlePlace place = made ? attempt->view().needle : NeedlePlace::Clean;
-  patient->setNeedleColour(ui::wordsOf(disclosed(place, session.disclosure())).colour);
+  patient->setNeedleColour(ui::wordsOf(disclosed(place, model.disclosure.current())).colour);
   patient->setTrayVisible(attempt->isRunning());
 }
 
 void TrainWorkspace::Parts::showDisclosure() {
-  const bool anatomy = session.disclosure().anatomy;
+  const bool anatomy = model.disclosure.current().anatomy;
   if (!anatomy && isCtBeside()) setCtBeside(false);
   cine_->setCtBesideOffered(anatomy);
   besideAction_->setEnabled(anatomy);

@@ -20,13 +20,14 @@ namespace insonate::train {
 void TrainWorkspace::Parts::buildCourse() {
   // The workspace's, so that they hear of an attempt that ends with everything else.
   course_ = new Course(unsentFolder(), &workspace_);
-  levels_ = new LevelControl(session, *attempt, *course_, &workspace_);
+  levels_ =
+      new LevelControl(model.status, model.patientCase, model.imaging, model.motion, *attempt, *course_, &workspace_);
   keeper_ = new AttemptKeeper(*attempt, unsentFolder(), &workspace_);
   keeper_->setAim([this] { return levels_->aim(); });
   connect(levels_, &LevelControl::caseWanted, &workspace_, &TrainWorkspace::caseWanted);
   connect(levels_, &LevelControl::changed, this, [this] { takeWaiting(); });
   connect(levels_, &LevelControl::changed, keeper_, &AttemptKeeper::prepare);
-  connect(keeper_, &AttemptKeeper::said, &session, &TrainSession::say);
+  connect(keeper_, &AttemptKeeper::said, &model.status, &StatusLine::say);
   connect(keeper_, &AttemptKeeper::allSent, course_, &Course::refresh);
   connect(keeper_, &AttemptKeeper::ended, this, [this](const AttemptFacts& facts) { judgeAttempt(facts); });
   connect(attempt, &AttemptControl::begun, this, [this] {
@@ -61,7 +62,7 @@ void TrainWorkspace::Parts::showCourse(bool on) {
     workspace_.layout()->addWidget(coursePage_);
     connect(coursePage_, &CoursePage::left, this, [this] { showCourse(false); });
     connect(coursePage_, &CoursePage::attemptWanted, &workspace_, &TrainWorkspace::attemptWanted);
-    connect(coursePage_, &CoursePage::said, &session, &TrainSession::say);
+    connect(coursePage_, &CoursePage::said, &model.status, &StatusLine::say);
     connect(coursePage_, &CoursePage::written, &workspace_, &TrainWorkspace::written);
     connect(coursePage_, &CoursePage::failed, &workspace_,
             [this](const QString& what, const QString& advice) { Q_EMIT workspace_.failed(what, advice, {}); });
@@ -70,9 +71,9 @@ void TrainWorkspace::Parts::showCourse(bool on) {
   columns->setVisible(!on);
   coursePage_->setVisible(on);
   courseAction_->setChecked(on);
-  session.setWatched(!on);
+  model.live.setWatched(!on);
   on ? coursePage_->takeKeyboard() : workspace_.setFocus();
-  session.setHint(on ? tr("Enter starts the marked level. J returns to the image.") : QString());
+  model.status.setHint(on ? tr("Enter starts the marked level. J returns to the image.") : QString());
 }
 
 }  // namespace insonate::train

@@ -35,8 +35,8 @@ void TrainWorkspace::Parts::setLeftHanded(bool on) {
 
 void TrainWorkspace::Parts::showDevices() {
   if (!devices) {
-    devices = new DevicePanel(session.hands(), &workspace_);
-    connect(devices, &DevicePanel::refused, &session, &TrainSession::say);
+    devices = new DevicePanel(model.hands, &workspace_);
+    connect(devices, &DevicePanel::refused, &model.status, &StatusLine::say);
   }
   devices->show();
   devices->raise();
@@ -61,7 +61,7 @@ void TrainWorkspace::Parts::expandPatientColumn(bool more) {
 }
 
 void TrainWorkspace::Parts::setCtBeside(bool on) {
-  if (on && !session.mayShowAnatomy()) return besideAction_->setChecked(false);
+  if (on && !model.disclosure.mayShowAnatomy()) return besideAction_->setChecked(false);
   besideAction_->setChecked(on);
   // Leaving full size would bring back what was there before.
   for (ui::ViewWidget* view : {imageWidget_, &beside_->widget(), &patient->sceneWidget(), &patient->mprWidget()})
@@ -83,7 +83,7 @@ QWidget* TrainWorkspace::Parts::buildOffer() {
   place->setObjectName("placeOnSkin");
   place->setToolTip(tr("Moves the probe to the skin in front, as near to the middle of the scan as possible"));
   ui::setRole(place, "primary");
-  connect(place, &QPushButton::clicked, this, [this] { session.placeOnSkin(); });
+  connect(place, &QPushButton::clicked, this, [this] { model.motion.placeOnSkin(); });
   auto* box = new QVBoxLayout(offer);
   box->setContentsMargins(ui::kLargeGap, ui::kLargeGap, ui::kLargeGap, ui::kLargeGap);
   box->setSpacing(ui::kLargeGap);
@@ -102,7 +102,7 @@ QWidget* TrainWorkspace::Parts::buildOffer() {
 }
 
 void TrainWorkspace::Parts::showOffer() {
-  const bool there = session.patient() != nullptr, waits = there && session.isUnplaced();
+  const bool there = model.patientCase.patient() != nullptr, waits = there && model.motion.isUnplaced();
   offer_->setVisible(waits);
   pictures_->setVisible(there && !waits);
   // Without an image, this is all there is to see; the image comes once the probe is placed.
@@ -111,7 +111,7 @@ void TrainWorkspace::Parts::showOffer() {
 }
 
 void TrainWorkspace::Parts::showVesselNote() {
-  vesselNote_->setVisible(session.patient() && session.lacksVessels());
+  vesselNote_->setVisible(model.patientCase.patient() && model.patientCase.lacksVessels());
 }
 
 void TrainWorkspace::Parts::showOpening(const QString& what) {

@@ -28,7 +28,7 @@ void TrainWorkspace::Parts::chooseCalliper(int kind) {
   for (std::size_t n = 0; n < FourSlices::kCount; ++n) views.push_back(&patient->allSlices().widget(n));
   for (ui::ViewWidget* view : views) view->focusProxy()->setCursor(off ? Qt::ArrowCursor : Qt::CrossCursor);
   showCallipers();
-  session.setHint(off ? QString() : tr("Click on image or CT from point to point, or drag. Esc ends measuring."));
+  model.status.setHint(off ? QString() : tr("Click on image or CT from point to point, or drag. Esc ends measuring."));
 }
 
 void TrainWorkspace::Parts::clearCallipers() {
@@ -52,7 +52,7 @@ void TrainWorkspace::Parts::clearCallipers() {
                    std::ranges::any_of(measureSlices_, [](const auto* slice) { return !slice->callipers().empty(); });
   History::Exchange clear = exchange;
   clear();
-  if (any) session.history().add(tr("removal of the measurements").toStdString(), std::move(clear));
+  if (any) model.history.add(tr("removal of the measurements").toStdString(), std::move(clear));
 }
 
 }  // namespace insonate::train

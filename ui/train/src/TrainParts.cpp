@@ -2,6 +2,7 @@
 
 #include "attempt/AttemptControl.h"
 #include "attempt/AttemptStrip.h"
+#include "files/ImageExports.h"
 #include "hand/HeldPress.h"
 #include "hand/KeyTable.h"
 #include "hands/NeedleControls.h"
@@ -50,17 +51,16 @@ constexpr int kRate_ms = 250;  // often enough to be true, seldom enough to be r
 
 }  // namespace
 
-TrainWorkspace::Parts::Parts(TrainWorkspace& workspace)
-    : session(*new TrainSession(&workspace)), workspace_(workspace) {
+TrainWorkspace::Parts::Parts(TrainWorkspace& workspace) : model(*new TrainModel(&workspace)), workspace_(workspace) {
   columns = new QSplitter(Qt::Horizontal, &workspace);
   columns->setObjectName("trainColumns");
   columns->setChildrenCollapsible(false);
   library_ = new ProbeLibrary({}, this);
-  attempt = new AttemptControl(session, {}, &workspace);
+  attempt = new AttemptControl(model, {}, &workspace);
   buildCourse();
   columns->addWidget(buildLeft());
   columns->addWidget(buildCentre());
-  patient = new PatientViews(session, columns);
+  patient = new PatientViews(model, columns);
   columns->addWidget(patient);
   columns->setStretchFactor(0, 0);
   columns->setStretchFactor(1, 3);
@@ -77,15 +77,17 @@ TrainWorkspace::Parts::Parts(TrainWorkspace& workspace)
   measureSlices_ = {new SliceMeasure(patient->mpr(), slice, this), new SliceMeasure(beside_->view(), beside, this)};
   for (std::size_t n = 0; n < FourSlices::kCount; ++n)
     measureSlices_.push_back(new SliceMeasure(four.slice(n), *four.widget(n).focusProxy(), this));
-  input_ = new ImageInput(session, *image_, picture, this);
-  pointer_ = new LinkedPointer(session, *image_, picture, this);
+  input_ = new ImageInput(model.imaging, model.motion, model.needle, *image_, picture, this);
+  pointer_ = new LinkedPointer(model.patientCase, model.live, *image_, picture, this);
   pointer_->addSlice(patient->mpr(), slice);
   pointer_->addSlice(beside_->view(), beside);
   for (std::size_t n = 0; n < FourSlices::kCount; ++n) {
     pointer_->addSlice(four.slice(n), *four.widget(n).focusProxy());
     four.widget(n).focusProxy()->installEventFilter(&workspace);
   }
-  held_ = new HeldPress(session, this);
+  exports =
+      new ImageExports({model.patientCase, model.live, model.status, *cine_, *input_, *pictures_}, workspace, this);
+  held_ = new HeldPress(model.motion, this);
   buildActions();
   connectParts();
   connectProbe();
@@ -93,10 +95,10 @@ TrainWorkspace::Parts::Parts(TrainWorkspace& workspace)
 }
 
 TrainWorkspace::Parts::~Parts() {
-  delete attempt;  // before the session, which it acts on
+  delete attempt;  // before the model, which it acts on
   measure_ = nullptr;
   volumeMeasure_ = nullptr;
-  session.stop();
+  model.patientCase.stop();
 }
 
 void TrainWorkspace::Parts::releaseCanvases() {
@@ -116,12 +118,12 @@ QWidget* TrainWorkspace::Parts::buildCentre() {
   empty_->setObjectName("emptyState");
   empty_->setAlignment(Qt::AlignCenter);
   empty_->setWordWrap(true);
-  cine_ = new CineBar(session, centre);
+  cine_ = new CineBar(model.patientCase, model.live, centre);
   auto* box = new QVBoxLayout(centre);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(0);
   box->addWidget(empty_, 1);
-  beside_ = new CtBeside(session, centre);
+  beside_ = new CtBeside(model.patientCase, model.live, centre);
   pictures_ = new EqualPanes(centre);
   pictures_->add(imageWidget_);
   pictures_->add(&beside_->widget());
@@ -129,9 +131,9 @@ QWidget* TrainWorkspace::Parts::buildCentre() {
   offer_ = buildOffer();
   box->addWidget(offer_, 1);
   box->addWidget(vesselNote_);
-  tissue = new TissueShown(session, *image_, centre);
+  tissue = new TissueShown(model.status, model.disclosure, model.patientCase, model.live, *image_, centre);
   box->addWidget(&tissue->curve());
-  box->addWidget(new AttemptStrip(session, *attempt, centre));
+  box->addWidget(new AttemptStrip(model.disclosure, model.hands, model.patientCase, *attempt, centre));
   box->addWidget(&tissue->strip());
   box->addWidget(cine_);
   return centre;
@@ -165,22 +167,22 @@ void TrainWorkspace::Parts::reportProblem() {
 void TrainWorkspace::Parts::connectParts() {
   for (ui::ViewWidget* view : {imageWidget_, &beside_->widget(), &patient->sceneWidget(), &patient->mprWidget()})
     view->focusProxy()->installEventFilter(&workspace_);
-  connect(&session, &TrainSession::caseChanged, this, [this] {
+  connect(&model.patientCase, &CaseModel::caseChanged, this, [this] {
     trouble_.clear();
     showCase();
   });
-  connect(&session, &TrainSession::pictureShown, this, [this] { showPicture(); });
-  connect(&session, &TrainSession::structuresKnown, this, [this] { showVesselNote(); });
-  connect(&session, &TrainSession::placingChanged, this, [this] { showOffer(); });
-  connect(&session, &TrainSession::surfacesDone, this, [this] { Q_EMIT workspace_.readyChanged(); });
-  connect(&session, &TrainSession::messageChanged, this, [this] { Q_EMIT workspace_.statusChanged(); });
-  connect(&session, &TrainSession::failed, this, [this](const QString& what) {
+  connect(&model.live, &LiveModel::pictureShown, this, [this] { showPicture(); });
+  connect(&model.patientCase, &CaseModel::structuresKnown, this, [this] { showVesselNote(); });
+  connect(&model.motion, &ProbeMotion::placingChanged, this, [this] { showOffer(); });
+  connect(&model.patientCase, &CaseModel::surfacesDone, this, [this] { Q_EMIT workspace_.readyChanged(); });
+  connect(&model.status, &StatusLine::messageChanged, this, [this] { Q_EMIT workspace_.statusChanged(); });
+  connect(&model.patientCase, &CaseModel::failed, this, [this](const QString& what) {
     trouble_ = what;
     reportProblem();
   });
-  connect(&session, &TrainSession::frozenChanged, this, [this] {
-    image_->setFrozen(session.isFrozen());
-    if (!session.isFrozen()) {
+  connect(&model.live, &LiveModel::frozenChanged, this, [this] {
+    image_->setFrozen(model.live.isFrozen());
+    if (!model.live.isFrozen()) {
       // Measurements lay on another image.
       input_->callipers().clear();
       showCallipers();
@@ -193,10 +195,7 @@ void TrainWorkspace::Parts::connectParts() {
   connect(cine_, &CineBar::calliperChosen, this, [this](int kind) { chooseCalliper(kind); });
   connect(cine_, &CineBar::clearCallipers, this, [this] { clearCallipers(); });
   connect(cine_, &CineBar::ctBesideChosen, this, [this](bool on) { setCtBeside(on); });
-  connect(&session, &TrainSession::setupChanged, this, [this] { showNotice(); });
-  connect(cine_, &CineBar::savePicture, this, [this] { askPicture(); });
-  connect(cine_, &CineBar::saveScreen, this, [this] { askScreen(); });
-  connect(cine_, &CineBar::saveClip, this, [this] { askClip(); });
+  connect(&model.imaging, &ImagingModel::setupChanged, this, [this] { showNotice(); });
   connect(&rate_, &QTimer::timeout, this, [this] { showRate(); });
   showCase();
 }
@@ -209,12 +208,12 @@ void TrainWorkspace::Parts::showCase() {
   input_->callipers().clear();
   for (SliceMeasure* slice : measureSlices_) slice->setCallipers({});
   showCallipers();
-  empty_->setVisible(!session.patient());
+  empty_->setVisible(!model.patientCase.patient());
   showOffer();
   showVesselNote();
   showOpening({});
   showNotice();
-  if (session.patient())
+  if (model.patientCase.patient())
     rate_.start(kRate_ms);
   else
     rate_.stop();
@@ -224,7 +223,7 @@ void TrainWorkspace::Parts::showCase() {
 }
 
 void TrainWorkspace::Parts::showPicture() {
-  const LiveFrame& frame = *session.shown();
+  const LiveFrame& frame = *model.live.shown();
   image_->setImage(frame.image);
   if (frame.setup != shape_ && !(fov_ && fov_->isHeld())) {
     shape_ = frame.setup;
@@ -244,36 +243,38 @@ void TrainWorkspace::Parts::showPicture() {
 }
 
 void TrainWorkspace::Parts::showRate() {
-  const bool onCard = session.shown() && session.shown()->engine == "glsl";
+  const bool onCard = model.live.shown() && model.live.shown()->engine == "glsl";
   QString text = onCard ? tr("graphics card") : tr("processor");
-  const LiveStatus status = session.status();
-  if (session.isUnplaced())
+  const LiveStatus status = model.live.status();
+  if (model.motion.isUnplaced())
     text.clear();
-  else if (session.isFrozen())
+  else if (model.live.isFrozen())
     text += tr("   frozen");
   else if (status.state == LiveState::Starting || status.state == LiveState::WaitingForScene)
     text += tr("   building the scene");
   else if (status.state == LiveState::Outside)
     text += tr("   outside the patient");
-  else if (session.shown() && session.imagesPerSecond() < kAtRest)
+  else if (model.live.shown() && model.live.imagesPerSecond() < kAtRest)
     // A probe at rest needs no images; that is no slow engine.
-    text += tr("   image is up to date   %1 ms").arg(session.shown()->frame_ms, 4, 'f', 1);
-  else if (session.shown())
-    text += tr("   %1 fps   %2 ms").arg(session.imagesPerSecond(), 3, 'f', 0).arg(session.shown()->frame_ms, 4, 'f', 1);
+    text += tr("   image is up to date   %1 ms").arg(model.live.shown()->frame_ms, 4, 'f', 1);
+  else if (model.live.shown())
+    text += tr("   %1 fps   %2 ms")
+                .arg(model.live.imagesPerSecond(), 3, 'f', 0)
+                .arg(model.live.shown()->frame_ms, 4, 'f', 1);
   if (text == engineText) return;
   engineText = text;
   Q_EMIT workspace_.statusChanged();
 }
 
 void TrainWorkspace::Parts::showNotice() {
-  const std::string& effect = session.effect();
-  const bool alone = effect != TrainSession::kWholeModel;
+  const std::string& effect = model.imaging.effect();
+  const bool alone = effect != ImagingModel::kWholeModel;
   QString words = alone ? tr("ONLY %1").arg(effectWords(effect)) : QString();
-  if (!session.shown()) words = tr("Building the first image ...");
+  if (!model.live.shown()) words = tr("Building the first image ...");
   image_->setNotice(words.toStdString());
   if (std::exchange(effectAlone_, alone) == alone && !alone) return;
-  session.say(alone ? tr("The image shows one effect only; 0 shows the whole image.")
-                    : tr("The whole image is shown."));
+  model.status.say(alone ? tr("The image shows one effect only; 0 shows the whole image.")
+                         : tr("The whole image is shown."));
 }
 
 bool TrainWorkspace::Parts::key(const QKeyEvent& event, bool doIt) {
@@ -282,7 +283,7 @@ bool TrainWorkspace::Parts::key(const QKeyEvent& event, bool doIt) {
   const bool always =
       row && (row->command == Command::Undo || row->command == Command::Redo || row->command == Command::ShowCourse);
   if (row && isCourseShown() && row->command != Command::ShowCourse) return false;
-  if (!row || (!session.patient() && !always)) return false;
+  if (!row || (!model.patientCase.patient() && !always)) return false;
   if (row->command == Command::StopMeasuring && !input_->callipers().kind()) return false;
   if (doIt) act(*row, event.modifiers() & Qt::ShiftModifier, event.isAutoRepeat());
   return true;
@@ -292,25 +293,25 @@ void TrainWorkspace::Parts::act(const KeyRow& row, bool wide, bool repeated) {
   switch (row.command) {
     case Command::Move:
       if (row.axis == HandAxis::Press) return repeated ? void() : held_->begin(row.step);
-      if (!repeated) session.beginGesture();
-      return session.move(row.axis, wide ? row.wide : row.step);
+      if (!repeated) model.motion.beginGesture();
+      return model.motion.move(row.axis, wide ? row.wide : row.step);
     case Command::Freeze:
-      if (!repeated) session.setFrozen(!session.isFrozen());
+      if (!repeated) model.live.setFrozen(!model.live.isFrozen());
       return;
     case Command::Home:
-      return session.home();
+      return model.motion.home();
     case Command::Recall:
       return panel->positions().recall(row.place);
     case Command::Undo:
-      return session.undo();
+      return undoStep(model.history, model.status);
     case Command::Redo:
-      return session.redo();
+      return redoStep(model.history, model.status);
     case Command::EarlierPicture:
-      return session.showCine(session.cineIndex() - 1);
+      return model.live.showCine(model.live.cineIndex() - 1);
     case Command::LaterPicture:
-      return session.showCine(session.cineIndex() + 1);
+      return model.live.showCine(model.live.cineIndex() + 1);
     case Command::SavePicture:
-      return askPicture();
+      return exports->askPicture();
     case Command::MeasureDistance:
       return chooseCalliper(int(views::CalliperKind::Distance));
     case Command::MeasureEllipse:
@@ -322,21 +323,21 @@ void TrainWorkspace::Parts::act(const KeyRow& row, bool wide, bool repeated) {
     case Command::ClearMeasures:
       return clearCallipers();
     case Command::NextEffect:
-      return session.stepEffect(wide ? -1 : 1);
+      return model.imaging.stepEffect(wide ? -1 : 1);
     case Command::WholePicture:
-      return session.setEffect(TrainSession::kWholeModel);
+      return model.imaging.setEffect(ImagingModel::kWholeModel);
     case Command::CtBeside:
       return setCtBeside(!isCtBeside());
     case Command::ShowTissue:
-      return session.mayShowAnatomy() ? tissue->toggle(row.place) : void();
+      return model.disclosure.mayShowAnatomy() ? tissue->toggle(row.place) : void();
     case Command::AllSlices:
-      return session.mayShowAnatomy() ? patient->setAllSlices(!patient->showsAllSlices()) : void();
+      return model.disclosure.mayShowAnatomy() ? patient->setAllSlices(!patient->showsAllSlices()) : void();
     case Command::SliceWindow:
       return patient->setSliceWindow(row.place);
     case Command::TakeNeedle:
-      return repeated ? void() : session.toggleNeedle();
+      return repeated ? void() : model.needle.toggle();
     case Command::MoveNeedle:
-      return session.moveNeedle(row.needle, wide ? row.wide : row.step);
+      return model.needle.move(row.needle, wide ? row.wide : row.step);
     case Command::Attempt:
       return repeated ? void() : attempt->isRunning() ? attempt->finish() : attempt->start();
     case Command::Draw:
@@ -346,7 +347,7 @@ void TrainWorkspace::Parts::act(const KeyRow& row, bool wide, bool repeated) {
     case Command::ShowCourse:
       return repeated ? void() : showCourse(!isCourseShown());
     case Command::CutAtNeedle:
-      return !repeated && session.mayShowAnatomy() ? patient->toggleCutAtNeedle() : void();
+      return !repeated && model.disclosure.mayShowAnatomy() ? patient->toggleCutAtNeedle() : void();
   }
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "TrainSession.h"
-#include "files/PictureExport.h"
+#include "model/TrainModel.h"
 
 #include <insonate/train/TrainWorkspace.h>
 #include <insonate/views/UltrasoundView.h>
@@ -42,6 +41,7 @@ class DevicePanel;
 class EqualPanes;
 class FovHandles;
 class HeldPress;
+class ImageExports;
 class LevelControl;
 class ImageInput;
 class LinkedPointer;
@@ -61,14 +61,14 @@ class TrainWorkspace::Parts : public QObject {
   /// Stops listening to canvases: the mouse leaves a canvas that is destroyed, when other views may be gone.
   void releaseCanvases();
 
-  TrainSession& session;  ///< a child of the workspace, gone after its widgets
+  TrainModel& model;  ///< a child of the workspace, gone after its widgets
   QSplitter* columns = nullptr;
   ControlsPanel* panel = nullptr;
   AttemptControl* attempt = nullptr;
   PatientViews* patient = nullptr;
   TissueShown* tissue = nullptr;
+  ImageExports* exports = nullptr;
   QString engineText;
-  QString exportFolder;            ///< where images went last
   DevicePanel* devices = nullptr;  ///< once it was asked for
   bool ready = false;
 
@@ -102,9 +102,6 @@ class TrainWorkspace::Parts : public QObject {
   bool key(const QKeyEvent& event, bool act);
   /// Handles keys of the table for canvases, and moves the keyboard focus to the image with the mouse.
   bool canvasEvent(QObject* canvas, QEvent* event);
-  void savePicture(const std::filesystem::path& file);
-  void saveScreen(const std::filesystem::path& file);
-  void saveClip(const std::filesystem::path& folder);
   void measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done);
   void measureHands(double seconds, std::function<void(HandRates)> done);
   OrbitRates measureOrbit(int steps);
@@ -137,12 +134,6 @@ class TrainWorkspace::Parts : public QObject {
   void connectProbe();
   void editProbe(bool on);
   void fitToPicture();
-  void askPicture();
-  void askScreen();
-  QString askFile(const QString& title, const QString& ending);
-  void startWriting(std::function<QImage()> make, const std::filesystem::path& file);
-  std::vector<views::Calliper> measurements() const;
-  void askClip();
 
   TrainWorkspace& workspace_;
   std::shared_ptr<views::UltrasoundView> image_;
@@ -170,10 +161,9 @@ class TrainWorkspace::Parts : public QObject {
   AttemptKeeper* keeper_ = nullptr;
   CoursePage* coursePage_ = nullptr;           ///< once it was asked for
   std::shared_ptr<const ImagingSetup> shape_;  ///< of the image as laid out
-  std::vector<std::unique_ptr<PictureWriter>> writers_;
-  std::shared_ptr<const PatientCase> saved_;  ///< waits for the end of what a trainee does
-  QString trouble_;                           ///< that was not told yet
-  QList<int> widthsBefore_;                   ///< of the columns, before the patient's had more room
+  std::shared_ptr<const PatientCase> saved_;   ///< waits for the end of what a trainee does
+  QString trouble_;                            ///< that was not told yet
+  QList<int> widthsBefore_;                    ///< of the columns, before the patient's had more room
   bool effectAlone_ = false;
   bool touchesTray_ = false;  ///< the used needle, in a hand
   std::unique_ptr<LiveMeasure> measure_;

@@ -10,7 +10,7 @@ namespace insonate::train {
 
 void TrainWorkspace::Parts::measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done) {
   patient->setFollowing(viewsFollow);
-  measure_ = std::make_unique<LiveMeasure>(session, *imageWidget_, seconds,
+  measure_ = std::make_unique<LiveMeasure>(model.imaging, model.live, model.motion, *imageWidget_, seconds,
                                            [this, done = std::move(done)](const LiveRates& rates) {
                                              patient->setFollowing(true);
                                              done(rates);
@@ -18,7 +18,7 @@ void TrainWorkspace::Parts::measureLive(double seconds, bool viewsFollow, std::f
 }
 
 void TrainWorkspace::Parts::measureHands(double seconds, std::function<void(HandRates)> done) {
-  HandsControl& hands = session.hands();
+  HandsControl& hands = model.hands;
   hands.takeNeedle(NeedlePlane::Along);
   measureLive(seconds, true, [&hands, done = std::move(done)](const LiveRates& live) {
     const TickTiming ticks = hands.session().timing();
@@ -35,7 +35,7 @@ OrbitRates TrainWorkspace::Parts::measureOrbit(int steps) {
 }
 
 void TrainWorkspace::Parts::measureVolume(double seconds, std::function<void(VolumeRates)> done) {
-  volumeMeasure_ = std::make_unique<SceneMeasure>(session, patient->sceneWidget(), seconds, std::move(done));
+  volumeMeasure_ = std::make_unique<SceneMeasure>(model.motion, patient->sceneWidget(), seconds, std::move(done));
 }
 
 }  // namespace insonate::train

@@ -1,6 +1,7 @@
 #include "TrainParts.h"
 #include "attempt/AttemptControl.h"
 #include "devices/DevicePanel.h"
+#include "files/ImageExports.h"
 #include "hand/KeyTable.h"
 #include "panel/ControlsPanel.h"
 #include "scene/PatientViews.h"
@@ -24,14 +25,14 @@ constexpr int kRoomy_px = 1260;
 
 TrainWorkspace::TrainWorkspace(QWidget* parent) : ui::Workspace(parent), parts_(std::make_unique<Parts>(*this)) {
   setObjectName("train");
-  parts_->session.setAwake(false);
+  parts_->model.live.setAwake(false);
 }
 
 TrainWorkspace::~TrainWorkspace() {
   parts_->endAttempt();
-  parts_->session.stop();
+  parts_->model.patientCase.stop();
   parts_->releaseCanvases();
-  // The widgets refer to the session: they go first.
+  // The widgets refer to the model: they go first.
   delete parts_->devices;
   delete parts_->columns;
 }
@@ -57,11 +58,11 @@ void TrainWorkspace::caseSaved(std::shared_ptr<const PatientCase> patient) {
 }
 
 QString TrainWorkspace::statusText() const {
-  return parts_->session.message();
+  return parts_->model.status.message();
 }
 
 QString TrainWorkspace::engineNote() const {
-  const auto frame = parts_->session.shown();
+  const auto frame = parts_->model.live.shown();
   return frame ? QString::fromStdString(frame->engineNote) : QString();
 }
 
@@ -70,7 +71,7 @@ QString TrainWorkspace::engineText() const {
 }
 
 bool TrainWorkspace::isComplete() const {
-  return parts_->ready && parts_->session.surfacesThere();
+  return parts_->ready && parts_->model.patientCase.surfacesThere();
 }
 
 QString TrainWorkspace::endsWithTheCase() const {
@@ -79,7 +80,7 @@ QString TrainWorkspace::endsWithTheCase() const {
 }
 
 QString TrainWorkspace::blocksWorkspaceChange() const {
-  if (parts_->session.disclosure().anatomy) return {};
+  if (parts_->model.disclosure.current().anatomy) return {};
   return tr("A test is in progress: Prepare and Review would show where the vessels are. End the attempt first.");
 }
 
@@ -98,7 +99,7 @@ std::vector<ui::Shortcut> TrainWorkspace::shortcuts() const {
 void TrainWorkspace::saveLayout(QSettings& settings) const {
   settings.setValue("leftHanded", parts_->isLeftHanded());
   settings.setValue("ctBeside", parts_->isCtBeside());
-  settings.setValue("exportFolder", parts_->exportFolder);
+  parts_->exports->save(settings);
   settings.setValue("labelOpacity", parts_->patient->mpr().labelOpacity());
   const bool allSlices = parts_->patient->showsAllSlices();
   // Four slices take their room again when they are back.
@@ -122,7 +123,7 @@ void TrainWorkspace::restoreLayout(QSettings& settings) {
   // First the order, then the widths.
   parts_->setLeftHanded(settings.value("leftHanded", false).toBool());
   parts_->setCtBeside(settings.value("ctBeside", false).toBool());
-  parts_->exportFolder = settings.value("exportFolder").toString();
+  parts_->exports->restore(settings);
   parts_->patient->mpr().setLabelOpacity(settings.value("labelOpacity", 0).toDouble());
   parts_->columns->restoreState(settings.value("columns").toByteArray());
   parts_->patient->splitter().restoreState(settings.value("patientViews").toByteArray());
@@ -138,24 +139,24 @@ void TrainWorkspace::restoreLayout(QSettings& settings) {
   parts_->attempt->restore(settings);
   settings.endGroup();
   // Restoring the last session's state must not be undoable.
-  parts_->session.history().clear();
+  parts_->model.history.clear();
 }
 
 void TrainWorkspace::stop() {
   parts_->endAttempt();
-  parts_->session.stop();
+  parts_->model.patientCase.stop();
 }
 
 void TrainWorkspace::savePicture(const std::filesystem::path& file) {
-  parts_->savePicture(file);
+  parts_->exports->savePicture(file);
 }
 
 void TrainWorkspace::saveScreen(const std::filesystem::path& file) {
-  parts_->saveScreen(file);
+  parts_->exports->saveScreen(file);
 }
 
 void TrainWorkspace::saveClip(const std::filesystem::path& folder) {
-  parts_->saveClip(folder);
+  parts_->exports->saveClip(folder);
 }
 
 void TrainWorkspace::measureHands(double seconds, std::function<void(HandRates)> done) {
@@ -184,15 +185,15 @@ void TrainWorkspace::resizeEvent(QResizeEvent* event) {
 }
 
 void TrainWorkspace::showEvent(QShowEvent* event) {
-  parts_->session.setAwake(true);
-  parts_->session.setWatched(!parts_->isCourseShown());
+  parts_->model.live.setAwake(true);
+  parts_->model.live.setWatched(!parts_->isCourseShown());
   ui::Workspace::showEvent(event);
   parts_->reportProblem();
 }
 
 void TrainWorkspace::hideEvent(QHideEvent* event) {
-  parts_->session.setWatched(false);
-  parts_->session.setAwake(parts_->attempt->isRunning());
+  parts_->model.live.setWatched(false);
+  parts_->model.live.setAwake(parts_->attempt->isRunning());
   ui::Workspace::hideEvent(event);
 }
 

@@ -1,7 +1,7 @@
 #include "AttemptControl.h"
 
-#include "../TrainSession.h"
-#include "Disclosure.h"
+#include "../model/Disclosure.h"
+#include "../model/TrainModel.h"
 
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/simulator/AttemptOrigin.h>
@@ -31,31 +31,31 @@ bool isThere(const T& future) {
 
 }  // namespace
 
-AttemptControl::AttemptControl(TrainSession& session, QString folder, QObject* parent)
-    : QObject(parent), session_(session), folder_(std::move(folder)) {
+AttemptControl::AttemptControl(TrainModel& model, QString folder, QObject* parent)
+    : QObject(parent), model_(model), folder_(std::move(folder)) {
   if (folder_.isEmpty()) folder_ = ui::attemptsFolder();
   // They come with the program.
   for (const std::string& name : procedurePresetNames())
     if (auto procedure = loadProcedure(name)) procedures_.push_back(std::move(*procedure));
   timer_.setInterval(kLook_ms);
   connect(&timer_, &QTimer::timeout, this, [this] { look(); });
-  connect(&session_, &TrainSession::caseChanged, this, [this] {
+  connect(&model_.patientCase, &CaseModel::caseChanged, this, [this] {
     hash_ = {};
     close();
   });
-  connect(&session_, &TrainSession::pictureShown, this, [this] {
+  connect(&model_.live, &LiveModel::pictureShown, this, [this] {
     if (!hash_.valid()) hashCase();
   });
-  connect(&session_, &TrainSession::frozenChanged, this, [this] {
-    if (isRunning()) attempt_->tell(session_.isFrozen() ? AttemptEventKind::Frozen : AttemptEventKind::Released);
+  connect(&model_.live, &LiveModel::frozenChanged, this, [this] {
+    if (isRunning()) attempt_->tell(model_.live.isFrozen() ? AttemptEventKind::Frozen : AttemptEventKind::Released);
   });
-  connect(&session_, &TrainSession::tissueChanged, this, [this] {
-    const double tilt_deg = session_.tissue().body.tilt_deg;
+  connect(&model_.imaging, &ImagingModel::tissueChanged, this, [this] {
+    const double tilt_deg = model_.imaging.tissue().body.tilt_deg;
     if (std::exchange(tilt_deg_, tilt_deg) != tilt_deg && isRunning())
       attempt_->tell(AttemptEventKind::Positioned, tilt_deg);
     settingsChanged();
   });
-  connect(&session_, &TrainSession::setupChanged, this, [this] { settingsChanged(); });
+  connect(&model_.imaging, &ImagingModel::setupChanged, this, [this] { settingsChanged(); });
 }
 
 AttemptControl::~AttemptControl() {
@@ -65,7 +65,7 @@ AttemptControl::~AttemptControl() {
 
 /// Dragging changes settings with each frame: they are recorded ten times a second.
 void AttemptControl::settingsChanged() {
-  if (!isRunning() || !session_.shown()) return;
+  if (!isRunning() || !model_.live.shown()) return;
   settingsDue_ = sinceSettings_.isValid() && sinceSettings_.elapsed() < kLook_ms;
   if (!settingsDue_) keepSettings();
 }
@@ -73,7 +73,7 @@ void AttemptControl::settingsChanged() {
 void AttemptControl::keepSettings() {
   settingsDue_ = false;
   sinceSettings_.start();
-  AttemptSettings now = session_.attemptSettings();
+  AttemptSettings now = model_.live.attemptSettings();
   now.bloodTime_s = bloodTime_s_;
   attempt_->setSettings(now);
 }
@@ -92,8 +92,8 @@ void AttemptControl::setAssistance(Assistance assistance) {
 
 QString AttemptControl::unfit() const {
   if (!obstacle_.isEmpty()) return obstacle_;
-  if (!session_.patient() || !session_.structures()) return {};
-  const auto fits = checkFits(procedure(), session_.patient()->manifest, *session_.structures());
+  if (!model_.patientCase.patient() || !model_.patientCase.structures()) return {};
+  const auto fits = checkFits(procedure(), model_.patientCase.patient()->manifest, *model_.patientCase.structures());
   return fits ? QString() : QString::fromStdString(fits.error().message);
 }
 
@@ -104,14 +104,14 @@ void AttemptControl::setObstacle(const QString& why) {
 /// After the first image, which nothing is to delay.
 void AttemptControl::hashCase() {
   const auto task = std::make_shared<std::packaged_task<std::string()>>(
-      [patient = session_.patient()] { return voxelHashOf(*patient); });
+      [patient = model_.patientCase.patient()] { return voxelHashOf(*patient); });
   hash_ = task->get_future().share();
   QThreadPool::globalInstance()->start([task] { (*task)(); });
 }
 
 void AttemptControl::close() {
   if (isRunning()) {
-    session_.hands().setAttempt(nullptr);
+    model_.hands.setAttempt(nullptr);
     status_ = AttemptStatus::Abandoned;
     conclude(attempt_->finish(status_));
   }
@@ -122,19 +122,19 @@ void AttemptControl::close() {
 void AttemptControl::show(State state) {
   state_ = state;
   isBusy() ? timer_.start() : timer_.stop();
-  session_.setDisclosure(disclosureOf(assistance_, state == State::Starting || state == State::Running));
+  model_.disclosure.set(disclosureOf(assistance_, state == State::Starting || state == State::Running));
   Q_EMIT stateChanged();
 }
 
 void AttemptControl::start() {
   if (isBusy()) return;
-  if (!obstacle_.isEmpty()) return session_.say(obstacle_);
-  if (!session_.shown() || !session_.handReady() || !session_.structures())
-    return session_.say(tr("Wait for the first image; then the attempt can begin."));
-  if (const QString why = unfit(); !why.isEmpty()) return session_.say(why);
-  session_.setFrozen(false);
+  if (!obstacle_.isEmpty()) return model_.status.say(obstacle_);
+  if (!model_.live.shown() || !model_.motion.isReady() || !model_.patientCase.structures())
+    return model_.status.say(tr("Wait for the first image; then the attempt can begin."));
+  if (const QString why = unfit(); !why.isEmpty()) return model_.status.say(why);
+  model_.live.setFrozen(false);
   // A new needle, ready to be taken up.
-  session_.hands().layNeedleDown();
+  model_.hands.layNeedleDown();
   Q_EMIT needleReplaced();
   whose_ = {}, key_.reset(), sealIsDue_ = false;
   sinceStart_.start();
@@ -150,7 +150,7 @@ void AttemptControl::setSeal(const RecordedFor& whose, const std::optional<Recor
 
 std::filesystem::path AttemptControl::newFile() const {
   QString plain = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd HHmmss ")) +
-                  QString::fromStdString(session_.patient()->manifest.title).simplified().left(60);
+                  QString::fromStdString(model_.patientCase.patient()->manifest.title).simplified().left(60);
   for (QChar& one : plain)
     if (!one.isLetterOrNumber() && one != QLatin1Char('-')) one = QLatin1Char(' ');
   const auto path = [&](int number) {
@@ -166,11 +166,11 @@ std::filesystem::path AttemptControl::newFile() const {
 
 void AttemptControl::begin() {
   const QString title = QCoreApplication::applicationName() + QLatin1Char(' ') + QCoreApplication::applicationVersion();
-  header_ = headerOf(procedure(), *session_.patient(), session_.probe(), title.toStdString());
-  VesselNames vessels(session_.patient()->manifest, procedure(), session_.targetNear_mm());
+  header_ = headerOf(procedure(), *model_.patientCase.patient(), model_.imaging.probe(), title.toStdString());
+  VesselNames vessels(model_.patientCase.patient()->manifest, procedure(), model_.motion.targetNear_mm());
   header_.vessels = vessels.names();
   header_.caseHash = hash_.get();
-  const AttemptSettings settings = session_.attemptSettings();
+  const AttemptSettings settings = model_.live.attemptSettings();
   bloodTime_s_ = settings.bloodTime_s;
   header_.engine = settings.setup.engine;
   header_.settings = textOf(settings);
@@ -180,19 +180,19 @@ void AttemptControl::begin() {
                                                " for attempts cannot be made; check that you may " + "write there.");
   if (!started) {
     show(State::Idle);
-    return session_.say(QString::fromStdString(started.error().message));
+    return model_.status.say(QString::fromStdString(started.error().message));
   }
   attempt_ = std::move(*started);
   trouble_.clear();
   view_ = attempt_->view();
-  tilt_deg_ = session_.tissue().body.tilt_deg;
+  tilt_deg_ = model_.imaging.tissue().body.tilt_deg;
   if (tilt_deg_ != 0) attempt_->tell(AttemptEventKind::Positioned, tilt_deg_);
   attempt_->setAspirating(aspirating_);
-  session_.hands().setAttempt(attempt_);
+  model_.hands.setAttempt(attempt_);
   show(State::Running);
   Q_EMIT begun();
-  session_.say(assistance_ == Assistance::Test ? tr("The test has begun. Ctrl+Return finishes it.")
-                                               : tr("The attempt has begun. Ctrl+Return finishes it."));
+  model_.status.say(assistance_ == Assistance::Test ? tr("The test has begun. Ctrl+Return finishes it.")
+                                                    : tr("The attempt has begun. Ctrl+Return finishes it."));
   Q_EMIT viewChanged();
 }
 
@@ -200,7 +200,7 @@ void AttemptControl::end(AttemptStatus status) {
   if (!isRunning()) return;
   setAspirating(false);
   if (settingsDue_) keepSettings();
-  session_.hands().setAttempt(nullptr);
+  model_.hands.setAttempt(nullptr);
   status_ = status;
   writing_ = std::async(std::launch::async, [attempt = attempt_, status] { return attempt->finish(status); });
   show(State::Writing);
@@ -210,7 +210,7 @@ void AttemptControl::conclude(const Result<MetricValues>& kept) {
   file_ = kept ? QString::fromStdString(attempt_->file().string()) : QString();
   view_ = attempt_->view();
   score_ = attempt_->score();
-  if (!kept) session_.say(QString::fromStdString(kept.error().message));
+  if (!kept) model_.status.say(QString::fromStdString(kept.error().message));
   Q_EMIT ended();
 }
 
@@ -219,8 +219,8 @@ void AttemptControl::startAgain() {
     again_ = true;
     return abandon();
   }
-  session_.setFrozen(false);
-  session_.home();
+  model_.live.setFrozen(false);
+  model_.motion.home();
   start();
 }
 
@@ -239,11 +239,11 @@ void AttemptControl::look() {
   view_ = attempt_->view();
   if (const std::string trouble = attempt_->trouble(); trouble != trouble_) {
     trouble_ = trouble;
-    session_.say(QString::fromStdString(trouble));
+    model_.status.say(QString::fromStdString(trouble));
   }
   if (state_ == State::Writing && isThere(writing_)) {
     conclude(writing_.get());
-    show(session_.patient() ? State::Over : State::Idle);
+    show(model_.patientCase.patient() ? State::Over : State::Idle);
     if (std::exchange(again_, false)) startAgain();
   }
   Q_EMIT viewChanged();
@@ -256,19 +256,20 @@ void AttemptControl::setAspirating(bool on) {
 }
 
 void AttemptControl::replaceNeedle() {
-  const auto& held = session_.hands().needle();
-  if (held && held->state.inBody) return session_.say(tr("Withdraw the needle from the skin before taking a new one."));
+  const auto& held = model_.hands.needle();
+  if (held && held->state.inBody)
+    return model_.status.say(tr("Withdraw the needle from the skin before taking a new one."));
   if (isRunning()) attempt_->tell(AttemptEventKind::NeedleReplaced);
   setAspirating(false);
   Q_EMIT needleReplaced();
-  if (session_.hands().needleHand()) session_.takeNeedle(session_.hands().needlePlane());
-  session_.say(tr("A new needle."));
+  if (model_.hands.needleHand()) model_.needle.take(model_.hands.needlePlane());
+  model_.status.say(tr("A new needle."));
 }
 
 void AttemptControl::position(double tilt_deg) {
-  TissueChoice choice = session_.tissue();
+  TissueChoice choice = model_.imaging.tissue();
   choice.body.tilt_deg = tilt_deg;
-  session_.setTissue(choice);
+  model_.imaging.setTissue(choice);
 }
 
 void AttemptControl::save(QSettings& settings) const {

@@ -17,7 +17,7 @@ class QSettings;
 
 namespace insonate::train {
 
-class TrainSession;
+struct TrainModel;
 
 /// An attempt at a procedure, from its start to its result, recorded in the user's folder; one that is left by closing
 /// the case or the program is kept as abandoned. Knows no widget. For the window's thread.
@@ -34,7 +34,7 @@ class AttemptControl : public QObject {
   };
 
   /// An empty folder is ui::attemptsFolder().
-  explicit AttemptControl(TrainSession& session, QString folder = {}, QObject* parent = nullptr);
+  explicit AttemptControl(TrainModel& model, QString folder = {}, QObject* parent = nullptr);
   ~AttemptControl() override;
 
   // Choice of the next attempt
@@ -106,7 +106,7 @@ class AttemptControl : public QObject {
   void show(State state);
   std::filesystem::path newFile() const;
 
-  TrainSession& session_;
+  TrainModel& model_;
   QString folder_, file_, obstacle_;
   std::vector<Procedure> procedures_;
   std::size_t chosen_ = 0;

@@ -1,9 +1,12 @@
 #include "AttemptPanel.h"
 
-#include "../TrainSession.h"
 #include "../level/LevelCard.h"
 #include "../level/LevelControl.h"
 #include "../level/VerdictView.h"
+#include "../model/CaseModel.h"
+#include "../model/Disclosure.h"
+#include "../model/ImagingModel.h"
+#include "../model/LiveModel.h"
 #include "AttemptControl.h"
 #include "AttemptWords.h"
 #include "StepList.h"
@@ -44,8 +47,15 @@ QComboBox* choice(const char* object, const QString& name, const QString& says) 
 
 }  // namespace
 
-AttemptPanel::AttemptPanel(TrainSession& session, AttemptControl& attempt, LevelControl& levels, QWidget* parent)
-    : QWidget(parent), session_(session), attempt_(attempt), levels_(levels) {
+AttemptPanel::AttemptPanel(DisclosureModel& disclosure, CaseModel& patientCase, ImagingModel& imaging, LiveModel& live,
+                           AttemptControl& attempt, LevelControl& levels, QWidget* parent)
+    : QWidget(parent),
+      disclosure_(disclosure),
+      patientCase_(patientCase),
+      imaging_(imaging),
+      live_(live),
+      attempt_(attempt),
+      levels_(levels) {
   setObjectName("attemptPanel");
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(12, 8, 12, 8);
@@ -58,13 +68,13 @@ AttemptPanel::AttemptPanel(TrainSession& session, AttemptControl& attempt, Level
   connect(&attempt_, &AttemptControl::viewChanged, this, [this] { refreshRunning(); });
   connect(&attempt_, &AttemptControl::aspiratingChanged, this, [this] { draw_->setChecked(attempt_.isAspirating()); });
   connect(&levels_, &LevelControl::changed, this, [this] { refreshBegin(); });
-  connect(&session_, &TrainSession::caseChanged, this, [this] { refreshBegin(); });
-  connect(&session_, &TrainSession::structuresKnown, this, [this] { refreshBegin(); });
-  connect(&session_, &TrainSession::pictureShown, this, [this] {
+  connect(&patientCase_, &CaseModel::caseChanged, this, [this] { refreshBegin(); });
+  connect(&patientCase_, &CaseModel::structuresKnown, this, [this] { refreshBegin(); });
+  connect(&live_, &LiveModel::pictureShown, this, [this] {
     const bool waits = attempt_.state() == State::Idle && !start_->isEnabled() && unfit_->text().isEmpty();
     if (waits) refreshBegin();
   });
-  connect(&session_, &TrainSession::tissueChanged, this, [this] { refreshRunning(); });
+  connect(&imaging_, &ImagingModel::tissueChanged, this, [this] { refreshRunning(); });
   refresh();
 }
 
@@ -215,7 +225,7 @@ void AttemptPanel::refreshBegin() {
   const QString unfit = attempt_.unfit();
   unfit_->setText(unfit);
   unfit_->setVisible(!unfit.isEmpty());
-  start_->setEnabled(session_.shown() && session_.structures() && unfit.isEmpty() && attempt_.state() == State::Idle);
+  start_->setEnabled(live_.shown() && patientCase_.structures() && unfit.isEmpty() && attempt_.state() == State::Idle);
   start_->setText(attempt_.state() == State::Starting ? tr("Starting ...") : tr("Start"));
 }
 
@@ -223,7 +233,7 @@ void AttemptPanel::refreshRunning() {
   const AttemptView& view = attempt_.view();
   const State state = attempt_.state();
   const QString procedure = QString::fromStdString(attempt_.procedure().title);
-  const Disclosure& told = session_.disclosure();
+  const Disclosure& told = disclosure_.current();
   if (state == State::Idle || state == State::Starting) head_->setText(tr("Attempt"));
   if (state == State::Over || state == State::Writing) head_->setText(tr("Attempt, %1").arg(clockOf(view.time_s)));
   if (state != State::Running) return;
@@ -232,7 +242,7 @@ void AttemptPanel::refreshRunning() {
                             : tr("%1, %2").arg(capital(wordOf(attempt_.assistance())), clockOf(view.time_s)));
   head_->setToolTip(told.anatomy ? procedure : QString());
   scroll_->setVisible(told.findings);
-  const double tilt_deg = session_.tissue().body.tilt_deg;
+  const double tilt_deg = imaging_.tissue().body.tilt_deg;
   position_->setCurrentIndex(position_->findData(tilt_deg));
   if (!told.findings) return fit();
   const bool other = steps_->show(attempt_.procedure(), view, told.steps);

@@ -12,7 +12,10 @@ namespace insonate::train {
 class AttemptControl;
 class LevelControl;
 class StepList;
-class TrainSession;
+class CaseModel;
+class DisclosureModel;
+class ImagingModel;
+class LiveModel;
 class VerdictView;
 
 /// The panel above the controls: choice of the procedure, then steps with instructions and errors, then the result. In
@@ -21,7 +24,8 @@ class AttemptPanel final : public QWidget {
   Q_OBJECT
 
  public:
-  AttemptPanel(TrainSession& session, AttemptControl& attempt, LevelControl& levels, QWidget* parent = nullptr);
+  AttemptPanel(DisclosureModel& disclosure, CaseModel& patientCase, ImagingModel& imaging, LiveModel& live,
+               AttemptControl& attempt, LevelControl& levels, QWidget* parent = nullptr);
 
   /// Beside the result.
   VerdictView& verdict() { return *verdict_; }
@@ -51,7 +55,10 @@ class AttemptPanel final : public QWidget {
   void refreshResult();
   void fit();
 
-  TrainSession& session_;
+  DisclosureModel& disclosure_;
+  CaseModel& patientCase_;
+  ImagingModel& imaging_;
+  LiveModel& live_;
   AttemptControl& attempt_;
   LevelControl& levels_;
   int most_px_ = 400;

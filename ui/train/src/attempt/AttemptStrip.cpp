@@ -1,6 +1,8 @@
 #include "AttemptStrip.h"
 
-#include "../TrainSession.h"
+#include "../hands/HandsControl.h"
+#include "../model/CaseModel.h"
+#include "../model/Disclosure.h"
 #include "AttemptControl.h"
 #include "AttemptWords.h"
 #include "SyringeView.h"
@@ -19,8 +21,14 @@ constexpr int kWithTime_px = 640, kWithWords_px = 800, kWithVessel_px = 1000;
 
 }  // namespace
 
-AttemptStrip::AttemptStrip(TrainSession& session, AttemptControl& attempt, QWidget* parent)
-    : QWidget(parent), session_(session), attempt_(attempt), row_(new QHBoxLayout(this)) {
+AttemptStrip::AttemptStrip(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase,
+                           AttemptControl& attempt, QWidget* parent)
+    : QWidget(parent),
+      disclosure_(disclosure),
+      hands_(hands),
+      patientCase_(patientCase),
+      attempt_(attempt),
+      row_(new QHBoxLayout(this)) {
   setObjectName("attemptStrip");
   row_->setContentsMargins(8, 4, 8, 0);
   row_->setSpacing(12);
@@ -35,7 +43,7 @@ AttemptStrip::AttemptStrip(TrainSession& session, AttemptControl& attempt, QWidg
   needle_ = number("attemptNeedle", QStringLiteral("▲ wrong place"), {});
   needle_->setTextFormat(Qt::RichText);
   drawn_ = number("attemptDrawn", {}, tr("Content of the syringe (B)"));
-  syringe_ = new SyringeView(session, attempt, this);
+  syringe_ = new SyringeView(disclosure_, hands_, patientCase_, attempt, this);
   row_->addWidget(syringe_);
   // The wide one must not keep its column wide.
   setMinimumWidth(200);
@@ -68,7 +76,7 @@ void AttemptStrip::refresh() {
   const bool made = attempt_.isRunning() || attempt_.state() == State::Writing;
   setVisible(made || attempt_.isAspirating());
   const MetricValues& metrics = attempt_.view().metrics;
-  const bool told = made && session_.disclosure().anatomy;
+  const bool told = made && disclosure_.current().anatomy;
   for (QLabel* label : {vein_, artery_, double_, used_}) label->setVisible(told);
   toVein_->setVisible(told && width() >= kWithTime_px);
   time_->setVisible(made);
@@ -85,7 +93,7 @@ void AttemptStrip::refresh() {
 
 void AttemptStrip::refreshNeedle() {
   const NeedlePlace place = attempt_.view().needle;
-  const Disclosure& told = session_.disclosure();
+  const Disclosure& told = disclosure_.current();
   const QString vessel = told.anatomy ? QString::fromStdString(attempt_.view().vessel) : QString();
   const ui::PlaceWords named = ui::wordsOf(disclosed(place, told), vessel);
   const ui::PlaceWords words = width() >= kWithVessel_px ? named : ui::wordsOf(disclosed(place, told));

@@ -9,13 +9,16 @@ namespace insonate::train {
 
 class AttemptControl;
 class SyringeView;
-class TrainSession;
+class CaseModel;
+class DisclosureModel;
+class HandsControl;
 
 /// The line under the image while an attempt is made: time, the thesis's five metrics, the needle, the syringe. In a
 /// test only what the hands themselves would know.
 class AttemptStrip final : public QWidget {
  public:
-  AttemptStrip(TrainSession& session, AttemptControl& attempt, QWidget* parent = nullptr);
+  AttemptStrip(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase, AttemptControl& attempt,
+               QWidget* parent = nullptr);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -25,7 +28,9 @@ class AttemptStrip final : public QWidget {
   void refresh();
   void refreshNeedle();
 
-  TrainSession& session_;
+  DisclosureModel& disclosure_;
+  HandsControl& hands_;
+  CaseModel& patientCase_;
   AttemptControl& attempt_;
   QHBoxLayout* row_;
   QLabel *time_, *vein_, *artery_, *double_, *toVein_, *used_, *needle_, *drawn_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Disclosure.h"
+#include "../model/Disclosure.h"
 
 #include <insonate/curriculum/Curriculum.h>
 #include <insonate/procedure/AttemptScore.h>

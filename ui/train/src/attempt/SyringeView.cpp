@@ -1,6 +1,8 @@
 #include "SyringeView.h"
 
-#include "../TrainSession.h"
+#include "../hands/HandsControl.h"
+#include "../model/CaseModel.h"
+#include "../model/Disclosure.h"
 #include "AttemptControl.h"
 
 #include <insonate/ui/Theme.h>
@@ -46,8 +48,9 @@ SyringeView::Content drawnFrom(Label tissue) {
   }
 }
 
-SyringeView::SyringeView(TrainSession& session, AttemptControl& attempt, QWidget* parent)
-    : QWidget(parent), session_(session), attempt_(attempt) {
+SyringeView::SyringeView(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase,
+                         AttemptControl& attempt, QWidget* parent)
+    : QWidget(parent), disclosure_(disclosure), hands_(hands), patientCase_(patientCase), attempt_(attempt) {
   setObjectName("syringe");
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   timer_.setInterval(kFrame_ms);
@@ -57,8 +60,8 @@ SyringeView::SyringeView(TrainSession& session, AttemptControl& attempt, QWidget
     tell();
   });
   connect(&attempt_, &AttemptControl::needleReplaced, this, [this] { empty(); });
-  connect(&session_, &TrainSession::caseChanged, this, [this] { empty(); });
-  connect(&session_, &TrainSession::disclosureChanged, this, [this] { tell(); });
+  connect(&patientCase_, &CaseModel::caseChanged, this, [this] { empty(); });
+  connect(&disclosure_, &DisclosureModel::changed, this, [this] { tell(); });
   tell();
 }
 
@@ -74,7 +77,7 @@ void SyringeView::empty() {
 
 void SyringeView::draw() {
   const double step_s = std::min(0.2, double(clock_.restart()) / 1000);
-  const auto& needle = session_.hands().needle();
+  const auto& needle = hands_.needle();
   const Content now = needle && needle->state.inBody ? drawnFrom(needle->state.in) : Content::Nothing;
   if (now == Content::Nothing) return;
   const bool other = std::exchange(content_, now) != now;
@@ -88,7 +91,7 @@ void SyringeView::draw() {
 }
 
 void SyringeView::tell() {
-  setToolTip(session_.disclosure().anatomy ? tr("Content of the syringe (B): dark red, non-pulsatile blood is venous, "
+  setToolTip(disclosure_.current().anatomy ? tr("Content of the syringe (B): dark red, non-pulsatile blood is venous, "
                                                 "bright red, pulsatile blood arterial, air comes from lung or airway")
                                            : tr("Content of the syringe (B)"));
   setAccessibleName(tr("Syringe: %1").arg(words()));

@@ -11,7 +11,9 @@ class QPaintEvent;
 namespace insonate::train {
 
 class AttemptControl;
-class TrainSession;
+class CaseModel;
+class DisclosureModel;
+class HandsControl;
 
 /// Content of the syringe while it aspirates: dark red, non-pulsatile blood from a vein, bright red, pulsatile
 /// blood from an artery, air from lung and airway, nothing from elsewhere. It stays there until another needle is
@@ -22,7 +24,8 @@ class SyringeView final : public QWidget {
  public:
   enum class Content { Nothing, DarkBlood, BrightBlood, Air };
 
-  SyringeView(TrainSession& session, AttemptControl& attempt, QWidget* parent = nullptr);
+  SyringeView(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase, AttemptControl& attempt,
+              QWidget* parent = nullptr);
 
   Content content() const { return content_; }
   double level() const { return level_; }  ///< 0..1
@@ -41,7 +44,9 @@ class SyringeView final : public QWidget {
   void empty();
   void tell();
 
-  TrainSession& session_;
+  DisclosureModel& disclosure_;
+  HandsControl& hands_;
+  CaseModel& patientCase_;
   AttemptControl& attempt_;
   Content content_ = Content::Nothing;
   double level_ = 0, beat_ = 0;

@@ -1,6 +1,6 @@
 #include "HeldPress.h"
 
-#include "../TrainSession.h"
+#include "../model/ProbeMotion.h"
 
 #include <QCoreApplication>
 #include <QKeyEvent>
@@ -8,11 +8,11 @@
 namespace insonate::train {
 namespace {
 
-constexpr int kTick_ms = 16;
+constexpr int kPressTick_ms = 16;
 
 }  // namespace
 
-HeldPress::HeldPress(TrainSession& session, QObject* parent) : QObject(parent), session_(session) {
+HeldPress::HeldPress(ProbeMotion& motion, QObject* parent) : QObject(parent), motion_(motion) {
   connect(&timer_, &QTimer::timeout, this, [this] { goOn(); });
 }
 
@@ -20,10 +20,10 @@ void HeldPress::begin(double step_mm) {
   end();
   direction_ = step_mm < 0 ? -1 : 1;
   told_s_ = 0;
-  session_.beginGesture();
-  session_.move(HandAxis::Press, step_mm);
+  motion_.beginGesture();
+  motion_.move(HandAxis::Press, step_mm);
   clock_.start();
-  timer_.start(kTick_ms);
+  timer_.start(kPressTick_ms);
   QCoreApplication::instance()->installEventFilter(this);
 }
 
@@ -35,7 +35,7 @@ void HeldPress::end() {
 void HeldPress::goOn() {
   const double held_s = double(clock_.elapsed() - kBegins_ms) / 1000;
   if (held_s <= 0) return;
-  session_.move(HandAxis::Press, direction_ * kSpeed_mmPerS * (held_s - told_s_));
+  motion_.move(HandAxis::Press, direction_ * kSpeed_mmPerS * (held_s - told_s_));
   told_s_ = held_s;
 }
 

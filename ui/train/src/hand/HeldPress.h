@@ -6,7 +6,7 @@
 
 namespace insonate::train {
 
-class TrainSession;
+class ProbeMotion;
 
 /// A press key that is held down: one step at once, then, after a moment, smooth motion until a key is released,
 /// wherever the keyboard focus is by then.
@@ -15,7 +15,7 @@ class HeldPress final : public QObject {
   static constexpr int kBegins_ms = 250;
   static constexpr double kSpeed_mmPerS = 4;
 
-  explicit HeldPress(TrainSession& session, QObject* parent = nullptr);
+  explicit HeldPress(ProbeMotion& motion, QObject* parent = nullptr);
 
   /// Begins a press; `step_mm` below 0 releases.
   void begin(double step_mm);
@@ -27,7 +27,7 @@ class HeldPress final : public QObject {
  private:
   void goOn();
 
-  TrainSession& session_;
+  ProbeMotion& motion_;
   QTimer timer_;
   QElapsedTimer clock_;
   double direction_ = 1, told_s_ = 0;

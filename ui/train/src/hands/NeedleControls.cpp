@@ -1,7 +1,11 @@
 #include "NeedleControls.h"
 
-#include "../TrainSession.h"
+#include "../model/Disclosure.h"
+#include "../model/NeedleMotion.h"
+#include "../model/ProbeMotion.h"
+#include "../model/StatusLine.h"
 #include "../panel/NumberField.h"
+#include "HandsControl.h"
 #include "NeedleWords.h"
 
 #include <insonate/ui/Theme.h>
@@ -43,7 +47,9 @@ QPushButton* choice(const char* object, const QString& text, const QString& says
 
 }  // namespace
 
-NeedleControls::NeedleControls(TrainSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+NeedleControls::NeedleControls(StatusLine& status, DisclosureModel& disclosure, HandsControl& hands,
+                               ProbeMotion& motion, NeedleMotion& needle, QWidget* parent)
+    : QWidget(parent), status_(status), disclosure_(disclosure), hands_(hands), motion_(motion), needle_(needle) {
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(4);
@@ -76,15 +82,15 @@ NeedleControls::NeedleControls(TrainSession& session, QWidget* parent) : QWidget
   const auto taken = [this](QPushButton* button, NeedlePlane plane) {
     connect(button, &QPushButton::clicked, this, [this, plane](bool on) {
       if (on)
-        session_.takeNeedle(plane);
+        needle_.take(plane);
       else
-        session_.hands().layNeedleDown();
+        hands_.layNeedleDown();
       refresh();
     });
   };
   taken(along_, NeedlePlane::Along);
   taken(across_, NeedlePlane::Across);
-  connect(&session_.hands(), &HandsControl::needleChanged, this, [this] { refresh(); });
+  connect(&hands_, &HandsControl::needleChanged, this, [this] { refresh(); });
   refresh();
 }
 
@@ -103,8 +109,8 @@ QWidget* NeedleControls::buildNumbers() {
     field->setObjectName(QStringLiteral("needle_") + QLatin1String(row.object));
     field->setAccessibleName(tr("Needle, %1").arg(tr(row.name)));
     field->setToolTip(QString::fromUtf8(row.says) + tr("\nEnter applies, arrows and wheel step."));
-    field->setTyped([this, axis = row.axis](double value) { session_.typedNeedle(axis, value); });
-    field->setRefused([this](const QString& sentence) { session_.say(sentence); });
+    field->setTyped([this, axis = row.axis](double value) { needle_.set(axis, value); });
+    field->setRefused([this](const QString& sentence) { status_.say(sentence); });
     fields_[i] = field;
     auto* name = new QLabel(tr(row.name), all);
     ui::setRole(name, "quiet");
@@ -116,13 +122,13 @@ QWidget* NeedleControls::buildNumbers() {
 }
 
 void NeedleControls::refresh() {
-  const HandsControl& hands = session_.hands();
+  const HandsControl& hands = hands_;
   const NeedleHand* held = hands.needleHand();
   along_->setChecked(held && hands.needlePlane() == NeedlePlane::Along);
   across_->setChecked(held && hands.needlePlane() == NeedlePlane::Across);
   numbers_->setVisible(held);
   words_->setVisible(hands.hasNeedle());
-  words_->setToolTip(session_.disclosure().anatomy
+  words_->setToolTip(disclosure_.current().anatomy
                          ? tr("Tissue at the tip; insertion length along the shaft from the skin, in mm; depth of the "
                               "tip on the image's scale, in mm; resistance in N")
                          : tr("Insertion length along the shaft from the skin, in mm; resistance in N"));
@@ -134,10 +140,10 @@ void NeedleControls::refresh() {
 }
 
 QString NeedleControls::wordsNow(const NeedleShown& needle) const {
-  const HandsControl& hands = session_.hands();
-  if (!session_.disclosure().anatomy) return plainWordsOf(needle.state);
+  const HandsControl& hands = hands_;
+  if (!disclosure_.current().anatomy) return plainWordsOf(needle.state);
   const Vec3 tip_mm = needle.patientFromNeedle.offset;
-  return wordsOf(needle.state, hands.vesselAt(needle.state.in, tip_mm), (inverted(session_.pose()) * tip_mm).z);
+  return wordsOf(needle.state, hands.vesselAt(needle.state.in, tip_mm), (inverted(motion_.pose()) * tip_mm).z);
 }
 
 }  // namespace insonate::train

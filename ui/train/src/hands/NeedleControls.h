@@ -11,14 +11,19 @@ class QPushButton;
 namespace insonate::train {
 
 class NumberField;
-class TrainSession;
+class DisclosureModel;
+class HandsControl;
+class NeedleMotion;
+class ProbeMotion;
+class StatusLine;
 
 /// The panel's section about the needle: taking it up and putting it away, its editable numbers, and its contacts.
 class NeedleControls final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit NeedleControls(TrainSession& session, QWidget* parent = nullptr);
+  NeedleControls(StatusLine& status, DisclosureModel& disclosure, HandsControl& hands, ProbeMotion& motion,
+                 NeedleMotion& needle, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   void devicesWanted();
@@ -28,7 +33,11 @@ class NeedleControls final : public QWidget {
   void refresh();
   QString wordsNow(const NeedleShown& needle) const;
 
-  TrainSession& session_;
+  StatusLine& status_;
+  DisclosureModel& disclosure_;
+  HandsControl& hands_;
+  ProbeMotion& motion_;
+  NeedleMotion& needle_;
   QPushButton *along_ = nullptr, *across_ = nullptr;
   QWidget* numbers_ = nullptr;
   std::array<NumberField*, 4> fields_{};

@@ -1,6 +1,7 @@
 #include "CineBar.h"
 
-#include "../TrainSession.h"
+#include "../model/CaseModel.h"
+#include "../model/LiveModel.h"
 
 #include <insonate/ui/Theme.h>
 
@@ -28,9 +29,10 @@ constexpr Measure kMeasures[] = {{"Distance\tL", "Two points, in mm"},
 
 }  // namespace
 
-CineBar::CineBar(TrainSession& session, QWidget* parent)
+CineBar::CineBar(CaseModel& patientCase, LiveModel& live, QWidget* parent)
     : QWidget(parent),
-      session_(session),
+      patientCase_(patientCase),
+      live_(live),
       slider_(new QSlider(Qt::Horizontal, this)),
       time_(new QLabel(this)),
       measure_(new QPushButton(tr("Measure"), this)),
@@ -66,10 +68,10 @@ CineBar::CineBar(TrainSession& session, QWidget* parent)
   save_->setFocusPolicy(Qt::TabFocus);
   row->addWidget(save_);
 
-  connect(slider_, &QSlider::valueChanged, &session_, &TrainSession::showCine);
-  connect(&session_, &TrainSession::frozenChanged, this, &CineBar::refresh);
-  connect(&session_, &TrainSession::caseChanged, this, &CineBar::refresh);
-  connect(&session_, &TrainSession::pictureShown, this, &CineBar::refreshTime);
+  connect(slider_, &QSlider::valueChanged, &live_, &LiveModel::showCine);
+  connect(&live_, &LiveModel::frozenChanged, this, &CineBar::refresh);
+  connect(&patientCase_, &CaseModel::caseChanged, this, &CineBar::refresh);
+  connect(&live_, &LiveModel::pictureShown, this, &CineBar::refreshTime);
   refresh();
 }
 
@@ -135,24 +137,24 @@ void CineBar::setCtBeside(bool shown) {
 }
 
 void CineBar::refresh() {
-  const bool frozen = session_.isFrozen();
+  const bool frozen = live_.isFrozen();
   const QSignalBlocker quiet(slider_);
   slider_->setEnabled(frozen);
-  slider_->setRange(0, frozen ? std::max(0, int(session_.cine().size()) - 1) : 0);
-  slider_->setValue(session_.cineIndex());
+  slider_->setRange(0, frozen ? std::max(0, int(live_.cine().size()) - 1) : 0);
+  slider_->setValue(live_.cineIndex());
   refreshTime();
 }
 
 void CineBar::refreshTime() {
-  save_->setEnabled(session_.shown() != nullptr);
-  time_->setVisible(!compact_ || session_.isFrozen());
-  if (!session_.isFrozen() || session_.cine().empty()) {
-    time_->setText(session_.shown() ? tr("live") : QString());
+  save_->setEnabled(live_.shown() != nullptr);
+  time_->setVisible(!compact_ || live_.isFrozen());
+  if (!live_.isFrozen() || live_.cine().empty()) {
+    time_->setText(live_.shown() ? tr("live") : QString());
     return;
   }
   const QSignalBlocker quiet(slider_);
-  slider_->setValue(session_.cineIndex());
-  const double ago_s = session_.cine().back()->time_s - session_.shown()->time_s;
+  slider_->setValue(live_.cineIndex());
+  const double ago_s = live_.cine().back()->time_s - live_.shown()->time_s;
   time_->setText(ago_s < 0.005 ? tr("now") : tr("-%1 s").arg(ago_s, 0, 'f', 2));
 }
 

@@ -10,7 +10,8 @@ class QSlider;
 
 namespace insonate::train {
 
-class TrainSession;
+class CaseModel;
+class LiveModel;
 
 /// The bar under the image: the last seconds of a frozen one, and commands for the image on display. Its size is
 /// constant.
@@ -18,7 +19,7 @@ class CineBar : public QWidget {
   Q_OBJECT
 
  public:
-  explicit CineBar(TrainSession& session, QWidget* parent = nullptr);
+  CineBar(CaseModel& patientCase, LiveModel& live, QWidget* parent = nullptr);
 
   /// Selects a caliper (views::CalliperKind), or none with -1.
   void setCalliper(int kind);
@@ -43,7 +44,8 @@ class CineBar : public QWidget {
   void refresh();
   void refreshTime();
 
-  TrainSession& session_;
+  CaseModel& patientCase_;
+  LiveModel& live_;
   QSlider* slider_;
   QLabel* time_;
   QAction* measures_[3];

@@ -1,6 +1,7 @@
 #include "CtBeside.h"
 
-#include "../TrainSession.h"
+#include "../model/CaseModel.h"
+#include "../model/LiveModel.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/ViewWidget.h>
@@ -17,9 +18,10 @@ constexpr int kSoonest_ms = 33, kLatest_ms = 400;
 
 }  // namespace
 
-CtBeside::CtBeside(TrainSession& session, QWidget* parent)
+CtBeside::CtBeside(CaseModel& patientCase, LiveModel& live, QWidget* parent)
     : QObject(parent),
-      session_(session),
+      patientCase_(patientCase),
+      live_(live),
       view_(std::make_shared<views::MprView>(views::SliceKind::Oblique)),
       widget_(new ui::ViewWidget(view_, tr("CT in the plane of the image"), parent)) {
   widget_->setObjectName(QStringLiteral("ctBeside"));
@@ -31,9 +33,9 @@ CtBeside::CtBeside(TrainSession& session, QWidget* parent)
   for (const std::uint8_t label : {kSkin, kFat, kSoftTissue}) view_->setLabelVisible(label, false);
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, [this] { follow(); });
-  connect(&session_, &TrainSession::caseChanged, this, [this] { showCase(); });
-  connect(&session_, &TrainSession::tissuesKnown, this, [this] { showCase(); });
-  connect(&session_, &TrainSession::pictureShown, this, [this] { want(); });
+  connect(&patientCase_, &CaseModel::caseChanged, this, [this] { showCase(); });
+  connect(&patientCase_, &CaseModel::tissuesKnown, this, [this] { showCase(); });
+  connect(&live_, &LiveModel::pictureShown, this, [this] { want(); });
 }
 
 void CtBeside::setShown(bool shown) {
@@ -44,12 +46,12 @@ void CtBeside::setShown(bool shown) {
 void CtBeside::showCase() {
   timer_.stop();
   shape_ = nullptr;
-  const bool there = shown_ && session_.patient();
+  const bool there = shown_ && patientCase_.patient();
   // The labels are known before the first image.
   std::shared_ptr<views::VtkCase> tissues;
-  if (there && session_.tissueLabels()) {
-    tissues = std::make_shared<views::VtkCase>(session_.patient());
-    tissues->setLabels(session_.tissueLabels());
+  if (there && patientCase_.tissueLabels()) {
+    tissues = std::make_shared<views::VtkCase>(patientCase_.patient());
+    tissues->setLabels(patientCase_.tissueLabels());
   }
   view_->setCase(tissues);
   view_->setPicture(std::nullopt);
@@ -68,7 +70,7 @@ void CtBeside::want() {
 
 void CtBeside::follow() {
   sinceFollowed_.start();
-  const auto& frame = session_.shown();
+  const auto& frame = live_.shown();
   if (!frame) return;
   view_->setProbePose(frame->patientFromProbe);
   if (frame->setup == shape_) return;

@@ -15,13 +15,14 @@ class QWidget;
 
 namespace insonate::train {
 
-class TrainSession;
+class CaseModel;
+class LiveModel;
 
 /// The CT beside the ultrasound image: the same plane at the same scale, cut to the field of view, with the outlines
 /// of the structures. Follows the image that is shown as often as it can without slowing it.
 class CtBeside : public QObject {
  public:
-  CtBeside(TrainSession& session, QWidget* parent);
+  CtBeside(CaseModel& patientCase, LiveModel& live, QWidget* parent);
 
   ui::ViewWidget& widget() { return *widget_; }
   views::MprView& view() { return *view_; }
@@ -33,7 +34,8 @@ class CtBeside : public QObject {
   void want();
   void follow();
 
-  TrainSession& session_;
+  CaseModel& patientCase_;
+  LiveModel& live_;
   std::shared_ptr<views::MprView> view_;
   ui::ViewWidget* widget_;
   std::shared_ptr<const ImagingSetup> shape_;

@@ -1,7 +1,9 @@
 #include "ImageInput.h"
 
-#include "../TrainSession.h"
 #include "../hand/KeyTable.h"
+#include "../model/ImagingModel.h"
+#include "../model/NeedleMotion.h"
+#include "../model/ProbeMotion.h"
 
 #include <QDateTime>
 #include <QMouseEvent>
@@ -16,8 +18,9 @@ constexpr qint64 kOneTurnOfWheel_ms = 600;  // notches closer than this are undo
 
 }  // namespace
 
-ImageInput::ImageInput(TrainSession& session, views::UltrasoundView& view, QWidget& canvas, QObject* parent)
-    : QObject(parent), session_(session), view_(view), canvas_(canvas) {
+ImageInput::ImageInput(ImagingModel& imaging, ProbeMotion& motion, NeedleMotion& needle, views::UltrasoundView& view,
+                       QWidget& canvas, QObject* parent)
+    : QObject(parent), imaging_(imaging), motion_(motion), needle_(needle), view_(view), canvas_(canvas) {
   canvas.installEventFilter(this);
 }
 
@@ -59,7 +62,7 @@ bool ImageInput::pressed(const QMouseEvent& event) {
   if (held_ != Qt::NoButton) return true;
   held_ = event.button();
   last_ = event.localPos();
-  session_.beginGesture();
+  motion_.beginGesture();
   return true;
 }
 
@@ -75,12 +78,12 @@ bool ImageInput::moved(const QMouseEvent& event) {
   const double mmPerPx = canvas_.devicePixelRatioF() / std::max(0.1, view_.px_per_mm());
   const bool shift = event.modifiers() & Qt::ShiftModifier;
   if (held_ == Qt::LeftButton) {
-    session_.slide(by.x() * mmPerPx, by.y() * mmPerPx);
+    motion_.slide(by.x() * mmPerPx, by.y() * mmPerPx);
   } else if (held_ == Qt::RightButton && shift) {
-    if (by.x() != 0) session_.move(HandAxis::Rock, by.x() * kDrag_degPerPx);
-    if (by.y() != 0) session_.move(HandAxis::Tilt, -by.y() * kDrag_degPerPx);
+    if (by.x() != 0) motion_.move(HandAxis::Rock, by.x() * kDrag_degPerPx);
+    if (by.y() != 0) motion_.move(HandAxis::Tilt, -by.y() * kDrag_degPerPx);
   } else if (held_ == Qt::RightButton && by.x() != 0) {
-    session_.move(HandAxis::Rotation, by.x() * kDrag_degPerPx);
+    motion_.move(HandAxis::Rotation, by.x() * kDrag_degPerPx);
   }
   return true;
 }
@@ -100,20 +103,20 @@ bool ImageInput::wheel(const QWheelEvent& event) {
   const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / kNotch;
   if (notches == 0) return true;
   if (event.modifiers() & Qt::ShiftModifier) {
-    session_.moveNeedle(NeedleAxis::Advance, -notches * kWheelNeedle_mm);
+    needle_.move(NeedleAxis::Advance, -notches * kWheelNeedle_mm);
     return true;
   }
   if (event.modifiers() & Qt::ControlModifier) {
     // Away from the user comes nearer, as in maps.
-    ImagingSettings settings = session_.settings();
+    ImagingSettings settings = imaging_.settings();
     settings.depth_mm -= notches * kWheelDepth_mm;
-    session_.setSettings(settings);
+    imaging_.setSettings(settings);
     return true;
   }
   const qint64 now = QDateTime::currentMSecsSinceEpoch();
-  if (now - lastWheel_ms_ > kOneTurnOfWheel_ms) session_.beginGesture();
+  if (now - lastWheel_ms_ > kOneTurnOfWheel_ms) motion_.beginGesture();
   lastWheel_ms_ = now;
-  session_.move(HandAxis::Press, notches * kWheelPress_mm);
+  motion_.move(HandAxis::Press, notches * kWheelPress_mm);
   return true;
 }
 

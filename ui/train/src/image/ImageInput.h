@@ -14,12 +14,15 @@ class QWheelEvent;
 
 namespace insonate::train {
 
-class TrainSession;
+class ImagingModel;
+class NeedleMotion;
+class ProbeMotion;
 
 /// Mouse on the ultrasound image: the mouse is the probe. With a caliper chosen, left clicks measure instead.
 class ImageInput : public QObject {
  public:
-  ImageInput(TrainSession& session, views::UltrasoundView& view, QWidget& canvas, QObject* parent);
+  ImageInput(ImagingModel& imaging, ProbeMotion& motion, NeedleMotion& needle, views::UltrasoundView& view,
+             QWidget& canvas, QObject* parent);
 
   CalliperTool& callipers() { return callipers_; }
   /// Sets a listener for calipers changed by the mouse.
@@ -36,7 +39,9 @@ class ImageInput : public QObject {
   bool measuring(const QMouseEvent& event) const;
   views::PicturePoint pictureAt(const QMouseEvent& event) const;
 
-  TrainSession& session_;
+  ImagingModel& imaging_;
+  ProbeMotion& motion_;
+  NeedleMotion& needle_;
   views::UltrasoundView& view_;
   QWidget& canvas_;
   CalliperTool callipers_;

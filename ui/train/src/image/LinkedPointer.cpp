@@ -11,10 +11,11 @@ constexpr double kNear_mm = 1;
 
 }  // namespace
 
-LinkedPointer::LinkedPointer(TrainSession& session, views::UltrasoundView& picture, QWidget& canvas, QObject* parent)
-    : QObject(parent), session_(session), picture_(picture), canvas_(canvas) {
+LinkedPointer::LinkedPointer(CaseModel& patientCase, LiveModel& live, views::UltrasoundView& picture, QWidget& canvas,
+                             QObject* parent)
+    : QObject(parent), patientCase_(patientCase), live_(live), picture_(picture), canvas_(canvas) {
   canvas.installEventFilter(this);
-  connect(&session_, &TrainSession::caseChanged, this, [this] { mark(nullptr, std::nullopt); });
+  connect(&patientCase_, &CaseModel::caseChanged, this, [this] { mark(nullptr, std::nullopt); });
 }
 
 void LinkedPointer::addSlice(views::MprView& slice, QWidget& canvas) {
@@ -36,11 +37,11 @@ bool LinkedPointer::eventFilter(QObject* watched, QEvent* event) {
 }
 
 std::optional<Vec3> LinkedPointer::placeAt(QObject* canvas, views::DisplayPoint at) const {
-  if (!session_.shown()) return std::nullopt;
+  if (!live_.shown()) return std::nullopt;
   if (canvas == &canvas_) {
     if (!picture_.onPicture(at)) return std::nullopt;
     const views::PicturePoint point = picture_.pictureFromDisplay(at);
-    return session_.shown()->patientFromProbe * Vec3{point.lateral_mm, 0, point.axial_mm};
+    return live_.shown()->patientFromProbe * Vec3{point.lateral_mm, 0, point.axial_mm};
   }
   for (const Slice& slice : slices_)
     if (canvas == slice.canvas) return slice.view->patientFromDisplay(at);
@@ -50,8 +51,8 @@ std::optional<Vec3> LinkedPointer::placeAt(QObject* canvas, views::DisplayPoint 
 void LinkedPointer::mark(QObject* from, std::optional<Vec3> patient_mm) {
   for (const Slice& slice : slices_) slice.view->setPointer(slice.canvas == from ? std::nullopt : patient_mm);
   std::optional<views::PicturePoint> inPicture;
-  if (patient_mm && from != &canvas_ && session_.shown()) {
-    const Vec3 place = inverted(session_.shown()->patientFromProbe) * *patient_mm;
+  if (patient_mm && from != &canvas_ && live_.shown()) {
+    const Vec3 place = inverted(live_.shown()->patientFromProbe) * *patient_mm;
     const views::PicturePoint point{place.x, place.z};
     if (std::abs(place.y) < kNear_mm && picture_.onPicture(picture_.displayFromPicture(point))) inPicture = point;
   }

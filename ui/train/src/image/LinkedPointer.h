@@ -1,6 +1,7 @@
 #pragma once
 
-#include "../TrainSession.h"
+#include "../model/CaseModel.h"
+#include "../model/LiveModel.h"
 
 #include <insonate/views/MprView.h>
 #include <insonate/views/UltrasoundView.h>
@@ -16,7 +17,8 @@ namespace insonate::train {
 /// Marks the place under the pointer in the image or in a slice of the CT in the other views.
 class LinkedPointer : public QObject {
  public:
-  LinkedPointer(TrainSession& session, views::UltrasoundView& picture, QWidget& canvas, QObject* parent);
+  LinkedPointer(CaseModel& patientCase, LiveModel& live, views::UltrasoundView& picture, QWidget& canvas,
+                QObject* parent);
   /// The slice must outlive this.
   void addSlice(views::MprView& slice, QWidget& canvas);
 
@@ -31,7 +33,8 @@ class LinkedPointer : public QObject {
   std::optional<Vec3> placeAt(QObject* canvas, views::DisplayPoint at) const;
   void mark(QObject* from, std::optional<Vec3> patient_mm);
 
-  TrainSession& session_;
+  CaseModel& patientCase_;
+  LiveModel& live_;
   views::UltrasoundView& picture_;
   QWidget& canvas_;
   std::vector<Slice> slices_;

@@ -1,7 +1,10 @@
 #include "LevelControl.h"
 
-#include "../TrainSession.h"
 #include "../attempt/AttemptControl.h"
+#include "../model/CaseModel.h"
+#include "../model/ImagingModel.h"
+#include "../model/ProbeMotion.h"
+#include "../model/StatusLine.h"
 #include "Course.h"
 
 #include <insonate/simulator/AttemptStart.h>
@@ -13,29 +16,36 @@
 #include <utility>
 
 namespace insonate::train {
-LevelControl::LevelControl(TrainSession& session, AttemptControl& attempt, Course& course, QObject* parent)
-    : QObject(parent), session_(session), attempt_(attempt), course_(course) {
-  connect(&session_, &TrainSession::caseChanged, this, [this] { caseChanged(); });
+LevelControl::LevelControl(StatusLine& status, CaseModel& patientCase, ImagingModel& imaging, ProbeMotion& motion,
+                           AttemptControl& attempt, Course& course, QObject* parent)
+    : QObject(parent),
+      status_(status),
+      patientCase_(patientCase),
+      imaging_(imaging),
+      motion_(motion),
+      attempt_(attempt),
+      course_(course) {
+  connect(&patientCase_, &CaseModel::caseChanged, this, [this] { caseChanged(); });
   connect(&course_, &Course::changed, this, [this] { courseChanged(); });
   connect(&attempt_, &AttemptControl::stateChanged, this, [this] {
     if (attempt_.state() == AttemptControl::State::Starting) {
       arrange();
       beginWithoutStore();
     } else if (!attempt_.isBusy()) {
-      session_.releaseStart();
+      motion_.releaseStart();
     }
   });
 }
 
 bool LevelControl::fits() const {
-  const auto& patient = session_.patient();
+  const auto& patient = patientCase_.patient();
   if (!patient) return false;
   const QString title = ui::qt(patient->manifest.title);
   if (title != ui::titleOfCase(ui::qt(level_->caseName))) return false;
   // An author's draft may have the same title: a level is practiced on the published version.
   const auto place = ui::placeOfCase(ui::qt(level_->caseName));
   if (!place) return true;
-  const ui::CaseOrigin& origin = session_.origin();
+  const ui::CaseOrigin& origin = patientCase_.origin();
   if (ui::builtInNames().contains(*place)) return origin.builtIn;
   return QFileInfo(origin.folder) == QFileInfo(ui::placeForTraining(*place));
 }
@@ -49,8 +59,8 @@ void LevelControl::choose(const std::string& name) {
   const Level* level = course_.curriculum() ? course_.curriculum()->level(name) : nullptr;
   const LevelProgress* progress = course_.progressIn(name);
   if (!level || !progress) return;
-  if (progress->state == LevelState::Locked) return session_.say(ui::qt(progress->why));
-  if (attempt_.isBusy()) return session_.say(tr("Finish the attempt first, or abandon it."));
+  if (progress->state == LevelState::Locked) return status_.say(ui::qt(progress->why));
+  if (attempt_.isBusy()) return status_.say(tr("Finish the attempt first, or abandon it."));
   attempt_.leave();
   level_ = *level;
   arrange();
@@ -62,7 +72,7 @@ void LevelControl::openCase() {
   if (!level_) return;
   if (const auto place = ui::placeOfCase(ui::qt(level_->caseName)))
     return Q_EMIT caseWanted(ui::placeForTraining(*place));
-  session_.say(
+  status_.say(
       tr("The case '%1' of this level is not known here. Open it once (Ctrl+O).").arg(ui::qt(level_->caseName)));
 }
 
@@ -73,9 +83,9 @@ void LevelControl::leave() {
 }
 
 void LevelControl::caseChanged() {
-  if (!level_ || !session_.patient()) return;
+  if (!level_ || !patientCase_.patient()) return;
   if (!fits()) {
-    session_.say(tr("'%1' needs another case: this is free practice now.").arg(ui::qt(level_->title)));
+    status_.say(tr("'%1' needs another case: this is free practice now.").arg(ui::qt(level_->title)));
     return leave();
   }
   arrange();
@@ -99,19 +109,19 @@ void LevelControl::arrange() {
                            : QString());
   const auto& positions = attempt_.procedure().positions;
   const auto position = std::ranges::find(positions, level_->position, &PatientPosition::name);
-  if (position != positions.end() && !waitsForCase() && session_.tissue().body.tilt_deg != position->tilt_deg)
+  if (position != positions.end() && !waitsForCase() && imaging_.tissue().body.tilt_deg != position->tilt_deg)
     attempt_.position(position->tilt_deg);
 }
 
 /// On the vein, a level would ask for no more than to push the needle in.
 void LevelControl::beginWithoutStore() {
-  const auto home = level_ ? session_.handAtStart() : std::nullopt;
+  const auto home = level_ ? motion_.handAtStart() : std::nullopt;
   if (!home) return;
-  const VesselNames vessels(session_.patient()->manifest, attempt_.procedure(), home->pose().offset);
+  const VesselNames vessels(patientCase_.patient()->manifest, attempt_.procedure(), home->pose().offset);
   std::uniform_int_distribution<int> any(0, kAttemptStarts - (place_ < 0 ? 1 : 2));
   const int drawn = any(random_);
   place_ = place_ >= 0 && drawn >= place_ ? drawn + 1 : drawn;
-  session_.beginAt(attemptStart(*home, vessels, {}, place_, random_()));
+  motion_.beginAt(attemptStart(*home, vessels, {}, place_, random_()));
 }
 
 }  // namespace insonate::train

@@ -18,7 +18,10 @@ namespace insonate::train {
 
 class AttemptControl;
 class Course;
-class TrainSession;
+class CaseModel;
+class ImagingModel;
+class ProbeMotion;
+class StatusLine;
 
 /// The level that is practiced, or none: then one practices freely. A level brings its case, procedure, position and
 /// assistance, and is left when another case is opened. Knows no widget. For the window's thread.
@@ -26,7 +29,8 @@ class LevelControl final : public QObject {
   Q_OBJECT
 
  public:
-  LevelControl(TrainSession& session, AttemptControl& attempt, Course& course, QObject* parent = nullptr);
+  LevelControl(StatusLine& status, CaseModel& patientCase, ImagingModel& imaging, ProbeMotion& motion,
+               AttemptControl& attempt, Course& course, QObject* parent = nullptr);
 
   /// The level; null in free practice.
   const Level* level() const { return level_ ? &*level_ : nullptr; }
@@ -52,7 +56,10 @@ class LevelControl final : public QObject {
   void arrange();
   void beginWithoutStore();
 
-  TrainSession& session_;
+  StatusLine& status_;
+  CaseModel& patientCase_;
+  ImagingModel& imaging_;
+  ProbeMotion& motion_;
   AttemptControl& attempt_;
   Course& course_;
   std::optional<Level> level_;

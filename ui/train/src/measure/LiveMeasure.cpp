@@ -1,6 +1,8 @@
 #include "LiveMeasure.h"
 
-#include "../TrainSession.h"
+#include "../model/ImagingModel.h"
+#include "../model/LiveModel.h"
+#include "../model/ProbeMotion.h"
 
 #include <insonate/core/ProcessorTime.h>
 #include <insonate/ui/ViewWidget.h>
@@ -27,12 +29,12 @@ double quantile(std::vector<double>& values, double share) {
 
 }  // namespace
 
-LiveMeasure::LiveMeasure(TrainSession& session, ui::ViewWidget& image, double seconds,
-                         std::function<void(LiveRates)> done)
-    : session_(session), seconds_(seconds), done_(std::move(done)) {
-  session_.setProbe("linear");
-  session_.setSettings(settingsFor(session_.probe()));
-  connect(&session_, &TrainSession::pictureShown, this, [this] { arrived(); });
+LiveMeasure::LiveMeasure(ImagingModel& imaging, LiveModel& live, ProbeMotion& motion, ui::ViewWidget& image,
+                         double seconds, std::function<void(LiveRates)> done)
+    : imaging_(imaging), live_(live), motion_(motion), seconds_(seconds), done_(std::move(done)) {
+  imaging_.setProbe("linear");
+  imaging_.setSettings(settingsFor(imaging_.probe()));
+  connect(&live_, &LiveModel::pictureShown, this, [this] { arrived(); });
   connect(&image, &ui::ViewWidget::rendered, this, [this] { drawn(); });
   connect(&hand_, &QTimer::timeout, this, [this] { move(); });
   clock_.start();
@@ -51,19 +53,19 @@ void LiveMeasure::begin() {
 /// Back and forth along a sine: 42 mm/s at most.
 void LiveMeasure::move() {
   const double now_s = double(clock_.elapsed()) / 1e3;
-  const bool ready = latency_ms_.size() >= kFirst && !session_.status().buildingScene;
+  const bool ready = latency_ms_.size() >= kFirst && !live_.status().buildingScene;
   if (!begun_ && (ready || now_s >= kPatience_s)) begin();
   if (begun_ && now_s >= begun_ms_ / 1e3 + seconds_) return finish();
   const auto at = [](double t_s) { return std::sin(2 * std::numbers::pi * t_s / kPeriod_s); };
   const double part = at(now_s) - at(moved_s_);
   moved_s_ = now_s;
-  session_.slide(kReach_mm * part, 0);
-  session_.move(HandAxis::Rotation, kTurn_deg * part);
-  sent_.emplace_back(session_.pose(), double(clock_.nsecsElapsed()) / 1e6);
+  motion_.slide(kReach_mm * part, 0);
+  motion_.move(HandAxis::Rotation, kTurn_deg * part);
+  sent_.emplace_back(motion_.pose(), double(clock_.nsecsElapsed()) / 1e6);
 }
 
 void LiveMeasure::arrived() {
-  const auto& frame = session_.shown();
+  const auto& frame = live_.shown();
   const auto of = std::ranges::find(sent_, frame->patientFromProbe, &std::pair<Transform, double>::first);
   if (of == sent_.end()) return;
   shown_ms_ = of->second;

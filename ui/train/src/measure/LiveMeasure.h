@@ -18,14 +18,17 @@ class ViewWidget;
 
 namespace insonate::train {
 
-class TrainSession;
+class ImagingModel;
+class LiveModel;
+class ProbeMotion;
 
 /// Slides and turns the probe as a hand does, and times the resulting images; the first ones are left out, since
 /// scenes and memory are made once.
 class LiveMeasure : public QObject {
  public:
   /// `done` is called once, on the window's thread.
-  LiveMeasure(TrainSession& session, ui::ViewWidget& image, double seconds, std::function<void(LiveRates)> done);
+  LiveMeasure(ImagingModel& imaging, LiveModel& live, ProbeMotion& motion, ui::ViewWidget& image, double seconds,
+              std::function<void(LiveRates)> done);
 
  private:
   void move();
@@ -34,7 +37,9 @@ class LiveMeasure : public QObject {
   void drawn();
   void finish();
 
-  TrainSession& session_;
+  ImagingModel& imaging_;
+  LiveModel& live_;
+  ProbeMotion& motion_;
   const double seconds_;
   std::function<void(LiveRates)> done_;
   bool begun_ = false;

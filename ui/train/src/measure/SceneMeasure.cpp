@@ -1,6 +1,6 @@
 #include "SceneMeasure.h"
 
-#include "../TrainSession.h"
+#include "../model/ProbeMotion.h"
 
 #include <insonate/core/ProcessorTime.h>
 #include <insonate/ui/ViewWidget.h>
@@ -27,9 +27,9 @@ double wave(double t_s) {
 
 }  // namespace
 
-SceneMeasure::SceneMeasure(TrainSession& session, ui::ViewWidget& scene, double seconds,
+SceneMeasure::SceneMeasure(ProbeMotion& motion, ui::ViewWidget& scene, double seconds,
                            std::function<void(VolumeRates)> done)
-    : session_(session),
+    : motion_(motion),
       widget_(scene),
       scene_(static_cast<views::SceneView&>(scene.view())),
       seconds_(seconds),
@@ -61,7 +61,7 @@ void SceneMeasure::move(double part_s) {
   const double before_s = std::exchange(moved_s_, part_s);
   if (part_ == Part::Orbit) scene_.orbit(kTurn_degps * (part_s - before_s), 0);
   if (part_ == Part::Zoom) scene_.zoom(std::exp(kNearer * (wave(part_s) - wave(before_s))));
-  if (part_ == Part::Follow) session_.slide(kWaveReach_mm * (wave(part_s) - wave(before_s)), 0);
+  if (part_ == Part::Follow) motion_.slide(kWaveReach_mm * (wave(part_s) - wave(before_s)), 0);
 }
 
 void SceneMeasure::tick() {

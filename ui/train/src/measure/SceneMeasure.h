@@ -17,14 +17,14 @@ class SceneView;
 
 namespace insonate::train {
 
-class TrainSession;
+class ProbeMotion;
 
 /// Turns the patient with the CT cast in 3D, comes nearer, lets it rest, and moves the probe before it; counts the
 /// images, and how long the window's thread is away from its events meanwhile.
 class SceneMeasure : public QObject {
  public:
   /// `seconds` for each movement. `done` is called once, on the window's thread.
-  SceneMeasure(TrainSession& session, ui::ViewWidget& scene, double seconds, std::function<void(VolumeRates)> done);
+  SceneMeasure(ProbeMotion& motion, ui::ViewWidget& scene, double seconds, std::function<void(VolumeRates)> done);
   ~SceneMeasure() override;
 
  private:
@@ -36,7 +36,7 @@ class SceneMeasure : public QObject {
   void move(double part_s);
   void finish();
 
-  TrainSession& session_;
+  ProbeMotion& motion_;
   ui::ViewWidget& widget_;
   views::SceneView& scene_;
   const double seconds_;

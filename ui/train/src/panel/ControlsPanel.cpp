@@ -1,7 +1,7 @@
 #include "ControlsPanel.h"
 
-#include "../TrainSession.h"
 #include "../hands/NeedleControls.h"
+#include "../model/TrainModel.h"
 #include "../probe/ProbeChooser.h"
 #include "../tissue/TissueControls.h"
 #include "EffectWords.h"
@@ -103,32 +103,32 @@ QVBoxLayout* column(QWidget* widget) {
 
 }  // namespace
 
-ControlsPanel::ControlsPanel(TrainSession& session, ProbeLibrary& library, QWidget* parent)
-    : ScrollingColumn(parent), session_(session), library_(library) {
+ControlsPanel::ControlsPanel(TrainModel& model, ProbeLibrary& library, QWidget* parent)
+    : ScrollingColumn(parent), model_(model), library_(library) {
   setObjectName("trainControls");
   auto* inner = new QWidget;
   auto* box = new QVBoxLayout(inner);
   box->setContentsMargins(12, 8, 12, 8);
   box->setSpacing(12);
   box->addWidget(buildPlace());
-  needle_ = new NeedleControls(session_);
+  needle_ = new NeedleControls(model_.status, model_.disclosure, model_.hands, model_.motion, model_.needle);
   box->addWidget(needle_);
   box->addWidget(buildPicture());
-  auto* tissue = new TissueControls(session_);
+  auto* tissue = new TissueControls(model_.status, model_.imaging);
   box->addWidget(tissue);
   anatomy_.push_back(tissue);
   box->addStretch();
   setParts(inner, buildFreeze());
   setMinimumWidth(inner->minimumSizeHint().width() + 16);
 
-  connect(&session_, &TrainSession::setupChanged, this, [this] { refresh(); });
-  connect(&session_, &TrainSession::handMoved, this, [this] { numbers_->show(session_.numbers()); });
-  connect(&session_, &TrainSession::frozenChanged, this, [this] { refreshFreeze(); });
-  connect(&session_, &TrainSession::disclosureChanged, this, [this] {
-    for (QWidget* one : anatomy_) one->setVisible(session_.disclosure().anatomy);
+  connect(&model_.imaging, &ImagingModel::setupChanged, this, [this] { refresh(); });
+  connect(&model_.motion, &ProbeMotion::handMoved, this, [this] { numbers_->show(model_.motion.numbers()); });
+  connect(&model_.live, &LiveModel::frozenChanged, this, [this] { refreshFreeze(); });
+  connect(&model_.disclosure, &DisclosureModel::changed, this, [this] {
+    for (QWidget* one : anatomy_) one->setVisible(model_.disclosure.current().anatomy);
   });
-  connect(&session_, &TrainSession::caseChanged, this, [this] { refreshFreeze(); });
-  connect(&session_, &TrainSession::pictureShown, this, [this] {
+  connect(&model_.patientCase, &CaseModel::caseChanged, this, [this] { refreshFreeze(); });
+  connect(&model_.live, &LiveModel::pictureShown, this, [this] {
     if (!freeze_->isEnabled()) refreshFreeze();
   });
   refresh();
@@ -138,11 +138,11 @@ ControlsPanel::ControlsPanel(TrainSession& session, ProbeLibrary& library, QWidg
 QWidget* ControlsPanel::buildPlace() {
   auto* place = new QWidget;
   auto* box = column(place);
-  positions_ = new Positions(session_, place);
+  positions_ = new Positions(model_.status, model_.history, model_.patientCase, model_.motion, place);
   numbers_ = new ProbeNumbers(place);
-  numbers_->setTyped([this](HandAxis axis, double value) { session_.typed(axis, value); });
-  numbers_->setPlaced([this](Vec3 patient_mm) { session_.placed(patient_mm); });
-  numbers_->setRefused([this](const QString& sentence) { session_.say(sentence); });
+  numbers_->setTyped([this](HandAxis axis, double value) { model_.motion.typed(axis, value); });
+  numbers_->setPlaced([this](Vec3 patient_mm) { model_.motion.placed(patient_mm); });
+  numbers_->setRefused([this](const QString& sentence) { model_.status.say(sentence); });
   box->addWidget(ui::heading(tr("Position")));
   box->addWidget(positions_);
   anatomy_.push_back(positions_);
@@ -154,8 +154,9 @@ QWidget* ControlsPanel::buildPlace() {
 void ControlsPanel::addSliders(QVBoxLayout& box, std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     const SliderRow& row = kSliders[i];
-    auto* slider = new ui::ValueSlider(tr(row.name), tr(row.unit),
-                                       rangeOf(row.field, session_.probe(), session_.settings()), tr(row.hint));
+    auto* slider =
+        new ui::ValueSlider(tr(row.name), tr(row.unit),
+                            rangeOf(row.field, model_.imaging.probe(), model_.imaging.settings()), tr(row.hint));
     slider->setObjectName(row.object);
     connect(slider, &ui::ValueSlider::valueChanged, this,
             [this, field = row.field](double value) { change(field, value); });
@@ -182,9 +183,9 @@ QWidget* ControlsPanel::buildPicture() {
   auto* picture = new QWidget;
   auto* box = column(picture);
   box->addWidget(ui::heading(tr("Image")));
-  probe_ = new ProbeChooser(session_, library_);
+  probe_ = new ProbeChooser(model_.imaging, library_);
   box->addWidget(labelled(tr("probe"), probe_));
-  box->addWidget(labelled(tr("machine"), new MachineChooser(session_)));
+  box->addWidget(labelled(tr("machine"), new MachineChooser(model_.imaging)));
   buildProcessing(*box);
   look_ = new QComboBox;
   look_->setObjectName("look");
@@ -204,13 +205,13 @@ QWidget* ControlsPanel::buildPicture() {
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   }
   connect(look_, qOverload<int>(&QComboBox::activated), this, [this] {
-    Settings settings = session_.settings();
+    Settings settings = model_.imaging.settings();
     settings.look = Look(look_->currentData().toInt());
-    session_.setEffect(TrainSession::kWholeModel);
-    session_.setSettings(settings);
+    model_.imaging.setEffect(ImagingModel::kWholeModel);
+    model_.imaging.setSettings(settings);
   });
   connect(effect_, qOverload<int>(&QComboBox::activated), this,
-          [this] { session_.setEffect(effect_->currentData().toString().toStdString()); });
+          [this] { model_.imaging.setEffect(effect_->currentData().toString().toStdString()); });
   return picture;
 }
 
@@ -236,9 +237,9 @@ void ControlsPanel::buildProcessing(QVBoxLayout& box) {
                           Qt::ToolTipRole);
   }
   connect(grayMap_, qOverload<int>(&QComboBox::activated), this, [this] {
-    Settings settings = session_.settings();
+    Settings settings = model_.imaging.settings();
     settings.grayMap = GrayMap(grayMap_->currentData().toInt());
-    session_.setSettings(settings);
+    model_.imaging.setSettings(settings);
   });
   box.addWidget(labelled(tr("gray map"), grayMap_));
   compounding_ = new QComboBox;
@@ -248,18 +249,18 @@ void ControlsPanel::buildProcessing(QVBoxLayout& box) {
   compounding_->addItem(tr("off"), 1);
   for (const int angles : {3, 5}) compounding_->addItem(tr("%1 angles").arg(angles), angles);
   connect(compounding_, qOverload<int>(&QComboBox::activated), this, [this] {
-    Settings settings = session_.settings();
+    Settings settings = model_.imaging.settings();
     settings.compoundingAngles = compounding_->currentData().toInt();
-    session_.setSettings(settings);
+    model_.imaging.setSettings(settings);
   });
   box.addWidget(labelled(tr("compounding"), compounding_));
 }
 
 GainSliders* ControlsPanel::gains(std::array<double, 8> Settings::*field, GainSliders* sliders) {
   sliders->setChanged([this, field, sliders] {
-    Settings settings = session_.settings();
+    Settings settings = model_.imaging.settings();
     settings.*field = sliders->values();
-    session_.setSettings(settings);
+    model_.imaging.setSettings(settings);
   });
   return sliders;
 }
@@ -275,22 +276,22 @@ QWidget* ControlsPanel::buildFreeze() {
   freeze_->setToolTip(tr("Freezes the image, or makes it live again (Space)"));
   freeze_->setMinimumHeight(36);
   box->addWidget(freeze_);
-  connect(freeze_, &QPushButton::clicked, &session_, &TrainSession::setFrozen);
+  connect(freeze_, &QPushButton::clicked, &model_.live, &LiveModel::setFrozen);
   return foot;
 }
 
 void ControlsPanel::change(double Settings::*field, double value) {
   if (refreshing_) return;
-  Settings settings = session_.settings();
+  Settings settings = model_.imaging.settings();
   settings.*field = value;
-  session_.setSettings(settings);
+  model_.imaging.setSettings(settings);
 }
 
 void ControlsPanel::refresh() {
   refreshing_ = true;
-  const Settings& settings = session_.settings();
+  const Settings& settings = model_.imaging.settings();
   for (const Slider& slider : sliders_) {
-    slider.widget->setRange(rangeOf(slider.field, session_.probe(), settings));
+    slider.widget->setRange(rangeOf(slider.field, model_.imaging.probe(), settings));
     slider.widget->setValue(settings.*slider.field);
   }
   tgc_->setValues(settings.tgc_dB);
@@ -302,39 +303,41 @@ void ControlsPanel::refresh() {
   effect_->addItem(tr("the whole image"), QString());
   for (const EffectLayer& layer : effectLayers(settings))
     effect_->addItem(tr("only %1").arg(effectWords(layer.name)), QString::fromStdString(layer.name));
-  effect_->setCurrentIndex(std::max(0, effect_->findData(QString::fromStdString(session_.effect()))));
+  effect_->setCurrentIndex(std::max(0, effect_->findData(QString::fromStdString(model_.imaging.effect()))));
   refreshing_ = false;
 }
 
 void ControlsPanel::refreshFreeze() {
-  freeze_->setEnabled(session_.shown() != nullptr);
-  freeze_->setChecked(session_.isFrozen());
-  freeze_->setText(session_.isFrozen() ? tr("Unfreeze") : tr("Freeze"));
+  freeze_->setEnabled(model_.live.shown() != nullptr);
+  freeze_->setChecked(model_.live.isFrozen());
+  freeze_->setText(model_.live.isFrozen() ? tr("Unfreeze") : tr("Freeze"));
 }
 
 void ControlsPanel::save(QSettings& settings) const {
-  settings.setValue("probe", probe_->key().isEmpty() ? QString::fromStdString(session_.probe().name) : probe_->key());
-  for (const SliderRow& row : kSliders) settings.setValue(row.object, session_.settings().*row.field);
+  settings.setValue("probe",
+                    probe_->key().isEmpty() ? QString::fromStdString(model_.imaging.probe().name) : probe_->key());
+  for (const SliderRow& row : kSliders) settings.setValue(row.object, model_.imaging.settings().*row.field);
   for (const auto& [key, field] : kGains) {
     QVariantList list;
-    for (double value : session_.settings().*field) list << value;
+    for (double value : model_.imaging.settings().*field) list << value;
     settings.setValue(key, list);
   }
-  settings.setValue("grayMap", int(session_.settings().grayMap));
-  for (const auto& [key, field] : kCounts) settings.setValue(key, session_.settings().*field);
-  settings.setValue("look", int(session_.settings().look));
+  settings.setValue("grayMap", int(model_.imaging.settings().grayMap));
+  for (const auto& [key, field] : kCounts) settings.setValue(key, model_.imaging.settings().*field);
+  settings.setValue("look", int(model_.imaging.settings().look));
   settings.beginGroup("tissue");
-  saveTissue(session_.tissue(), settings);
+  saveTissue(model_.imaging.tissue(), settings);
   settings.endGroup();
   positions_->save(settings);
   settings.beginGroup("hands");
-  session_.hands().save(settings);
+  model_.hands.save(settings);
   settings.endGroup();
 }
 
 void ControlsPanel::restore(QSettings& settings) {
-  session_.setProbe(settings.value("probe", QString::fromStdString(session_.probe().name)).toString().toStdString());
-  Settings all = session_.settings();
+  model_.imaging.setProbe(
+      settings.value("probe", QString::fromStdString(model_.imaging.probe().name)).toString().toStdString());
+  Settings all = model_.imaging.settings();
   for (const SliderRow& row : kSliders) {
     bool ok = false;
     const double value = settings.value(row.object).toDouble(&ok);
@@ -349,13 +352,13 @@ void ControlsPanel::restore(QSettings& settings) {
   if (grayMap_->findData(map) >= 0) all.grayMap = GrayMap(map);
   for (const auto& [key, field] : kCounts) all.*field = settings.value(key, all.*field).toInt();
   all.look = settings.value("look").toInt() == int(Look::Thesis) ? Look::Thesis : Look::Coherent;
-  session_.setSettings(all);
+  model_.imaging.setSettings(all);
   settings.beginGroup("tissue");
-  session_.setTissue(restoredTissue(settings));
+  model_.imaging.setTissue(restoredTissue(settings));
   settings.endGroup();
   positions_->restore(settings);
   settings.beginGroup("hands");
-  session_.hands().restore(settings);
+  model_.hands.restore(settings);
   settings.endGroup();
 }
 

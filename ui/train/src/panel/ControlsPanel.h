@@ -25,12 +25,12 @@ class Positions;
 class ProbeChooser;
 class ProbeLibrary;
 class ProbeNumbers;
-class TrainSession;
+struct TrainModel;
 
 /// The narrow panel: where the probe is, and how the image is made, the most used first; freeze at its foot.
 class ControlsPanel : public ScrollingColumn {
  public:
-  ControlsPanel(TrainSession& session, ProbeLibrary& library, QWidget* parent = nullptr);
+  ControlsPanel(TrainModel& model, ProbeLibrary& library, QWidget* parent = nullptr);
 
   Positions& positions() { return *positions_; }
   ProbeChooser& probes() { return *probe_; }
@@ -54,7 +54,7 @@ class ControlsPanel : public ScrollingColumn {
   void refreshFreeze();
   void change(double ImagingSettings::*field, double value);
 
-  TrainSession& session_;
+  TrainModel& model_;
   ProbeLibrary& library_;
   Positions* positions_ = nullptr;
   ProbeNumbers* numbers_ = nullptr;

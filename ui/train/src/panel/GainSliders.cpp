@@ -12,7 +12,7 @@
 namespace insonate::train {
 namespace {
 
-constexpr int kSliders = 8;
+constexpr int kGainSliders = 8;
 constexpr int kSliderRow_px = 14, kSliderMargin_px = 6, kLength_px = 120, kSideBySide_px = 64;
 
 }  // namespace
@@ -26,7 +26,7 @@ GainSliders::GainSliders(Qt::Orientation along, const QString& name, const QStri
 }
 
 QSize GainSliders::sizeHint() const {
-  return isStacked() ? QSize{kLength_px, kSliders * kSliderRow_px} : QSize{kLength_px, kSideBySide_px};
+  return isStacked() ? QSize{kLength_px, kGainSliders * kSliderRow_px} : QSize{kLength_px, kSideBySide_px};
 }
 
 void GainSliders::setValues(const std::array<double, 8>& gain_dB) {
@@ -36,7 +36,7 @@ void GainSliders::setValues(const std::array<double, 8>& gain_dB) {
 
 int GainSliders::sliderAt(QPoint place) const {
   const double share = isStacked() ? double(place.y()) / height() : double(place.x()) / width();
-  return std::clamp(int(std::floor(share * kSliders)), 0, kSliders - 1);
+  return std::clamp(int(std::floor(share * kGainSliders)), 0, kGainSliders - 1);
 }
 
 double GainSliders::gainAt(QPoint place) const {
@@ -47,7 +47,7 @@ double GainSliders::gainAt(QPoint place) const {
 }
 
 QPointF GainSliders::placeOf(double slider, double gain_dB) const {
-  const double share = (gain_dB + kMost_dB) / (2 * kMost_dB), along = (slider + 0.5) / kSliders;
+  const double share = (gain_dB + kMost_dB) / (2 * kMost_dB), along = (slider + 0.5) / kGainSliders;
   if (isStacked()) return {kSliderMargin_px + (width() - 2 * kSliderMargin_px) * share, along * height()};
   return {along * width(), height() - kSliderMargin_px - (height() - 2 * kSliderMargin_px) * share};
 }
@@ -67,16 +67,16 @@ void GainSliders::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor line = ui::colour(views::theme::kLine), accent = ui::colour(views::theme::kAccent);
   QPainterPath curve(placeOf(0, gain_dB_[0]));
-  for (int i = 0; i < kSliders; ++i) {
+  for (int i = 0; i < kGainSliders; ++i) {
     painter.setPen(QPen(line, 2));
     painter.drawLine(placeOf(i, -kMost_dB), placeOf(i, kMost_dB));
     curve.lineTo(placeOf(i, gain_dB_[i]));
   }
   painter.setPen(QPen(line, 1));
-  painter.drawLine(placeOf(-0.4, 0), placeOf(kSliders - 0.6, 0));
+  painter.drawLine(placeOf(-0.4, 0), placeOf(kGainSliders - 0.6, 0));
   painter.setPen(QPen(accent, 1.5));
   painter.drawPath(curve);
-  for (int i = 0; i < kSliders; ++i) {
+  for (int i = 0; i < kGainSliders; ++i) {
     const bool current = hasFocus() && i == slider_;
     painter.setPen(Qt::NoPen);
     painter.setBrush(current ? palette().color(QPalette::Text) : accent);
@@ -108,7 +108,7 @@ void GainSliders::keyPressEvent(QKeyEvent* event) {
   if (key == before)
     slider_ = std::max(0, slider_ - 1);
   else if (key == after)
-    slider_ = std::min(kSliders - 1, slider_ + 1);
+    slider_ = std::min(kGainSliders - 1, slider_ + 1);
   else if (key == less)
     change(slider_, gain_dB_[slider_] - 1);
   else if (key == more)

@@ -1,13 +1,13 @@
 #include "MachineChooser.h"
 
-#include "../TrainSession.h"
+#include "../model/ImagingModel.h"
 
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ultrasound/Machine.h>
 
 namespace insonate::train {
 
-MachineChooser::MachineChooser(TrainSession& session, QWidget* parent) : QComboBox(parent), session_(session) {
+MachineChooser::MachineChooser(ImagingModel& imaging, QWidget* parent) : QComboBox(parent), imaging_(imaging) {
   setObjectName("machine");
   setFocusPolicy(Qt::TabFocus);
   new ui::QuietWheel(this);
@@ -19,15 +19,15 @@ MachineChooser::MachineChooser(TrainSession& session, QWidget* parent) : QComboB
     setItemData(count() - 1, QString::fromStdString(machine.about), Qt::ToolTipRole);
   }
   connect(this, qOverload<int>(&QComboBox::activated), this, [this] {
-    const auto settings = settingsOf(currentData().toString().toStdString(), session_.probe(), session_.settings());
-    if (settings) session_.setSettings(*settings);
+    const auto settings = settingsOf(currentData().toString().toStdString(), imaging_.probe(), imaging_.settings());
+    if (settings) imaging_.setSettings(*settings);
   });
-  connect(&session_, &TrainSession::setupChanged, this, &MachineChooser::showCurrent);
+  connect(&imaging_, &ImagingModel::setupChanged, this, &MachineChooser::showCurrent);
   showCurrent();
 }
 
 void MachineChooser::showCurrent() {
-  const Machine* machine = machineOf(session_.settings(), session_.probe());
+  const Machine* machine = machineOf(imaging_.settings(), imaging_.probe());
   setCurrentIndex(machine ? findData(QString::fromStdString(machine->name)) : -1);
 }
 

@@ -4,18 +4,18 @@
 
 namespace insonate::train {
 
-class TrainSession;
+class ImagingModel;
 
 /// The class of machines whose settings the image has; choosing one takes them. Shows none once a setting that the
 /// machine decides is another.
 class MachineChooser : public QComboBox {
  public:
-  explicit MachineChooser(TrainSession& session, QWidget* parent = nullptr);
+  explicit MachineChooser(ImagingModel& imaging, QWidget* parent = nullptr);
 
  private:
   void showCurrent();
 
-  TrainSession& session_;
+  ImagingModel& imaging_;
 };
 
 }  // namespace insonate::train

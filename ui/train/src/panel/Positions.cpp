@@ -1,6 +1,9 @@
 #include "Positions.h"
 
-#include "../TrainSession.h"
+#include "../model/CaseModel.h"
+#include "../model/History.h"
+#include "../model/ProbeMotion.h"
+#include "../model/StatusLine.h"
 
 #include <insonate/simulator/ProbePose.h>
 
@@ -40,9 +43,12 @@ bool readNumbers(const QVariantList& all, StartPose& pose) {
 
 }  // namespace
 
-Positions::Positions(TrainSession& session, QWidget* parent)
+Positions::Positions(StatusLine& status, History& history, CaseModel& patientCase, ProbeMotion& motion, QWidget* parent)
     : QWidget(parent),
-      session_(session),
+      status_(status),
+      history_(history),
+      patientCase_(patientCase),
+      motion_(motion),
       list_(new QListWidget(this)),
       saveButton_(new QPushButton(tr("Save position"), this)),
       menuButton_(new QPushButton(this)) {
@@ -77,8 +83,8 @@ Positions::Positions(TrainSession& session, QWidget* parent)
   connect(list_, &QListWidget::itemClicked, this, [this] { recall(list_->currentRow()); });
   connect(list_, &QListWidget::itemActivated, this, [this] { recall(list_->currentRow()); });
   connect(saveButton_, &QPushButton::clicked, this, [this] { saveCurrent(); });
-  connect(&session_, &TrainSession::caseChanged, this, [this] { refresh(); });
-  connect(&session_, &TrainSession::handMoved, this, [this] {
+  connect(&patientCase_, &CaseModel::caseChanged, this, [this] { refresh(); });
+  connect(&motion_, &ProbeMotion::handMoved, this, [this] {
     if (!saveButton_->isEnabled()) refresh();
   });
   refresh();
@@ -91,7 +97,7 @@ QMenu* Positions::buildMenu() {
       if (list_->currentRow() >= 0)
         act(list_->currentRow());
       else
-        session_.say(tr("Choose a position of the list first."));
+        status_.say(tr("Choose a position of the list first."));
     });
   };
   add(tr("Rename\tF2"), [this](int place) {
@@ -104,25 +110,25 @@ QMenu* Positions::buildMenu() {
 }
 
 QString Positions::caseKey() const {
-  if (!session_.patient()) return {};
-  const auto& size = session_.patient()->labels.geometry.size;
+  if (!patientCase_.patient()) return {};
+  const auto& size = patientCase_.patient()->labels.geometry.size;
   QCryptographicHash hash(QCryptographicHash::Sha1);
-  hash.addData(QByteArray::fromStdString(session_.patient()->manifest.title));
-  hash.addData(QByteArray::fromStdString(session_.patient()->manifest.source));
+  hash.addData(QByteArray::fromStdString(patientCase_.patient()->manifest.title));
+  hash.addData(QByteArray::fromStdString(patientCase_.patient()->manifest.source));
   for (int n : size) hash.addData(QByteArray::number(n) + ' ');
   return QString::fromLatin1(hash.result().toHex().left(16));
 }
 
 std::vector<StartPose> Positions::ofCase() const {
-  if (!session_.patient()) return {};
-  auto poses = session_.patient()->manifest.startPoses;
-  if (poses.empty() && session_.handReady()) poses.push_back(session_.start());
+  if (!patientCase_.patient()) return {};
+  auto poses = patientCase_.patient()->manifest.startPoses;
+  if (poses.empty() && motion_.isReady()) poses.push_back(patientCase_.start());
   return poses;
 }
 
 std::vector<StartPose> Positions::all() const {
   auto poses = ofCase();
-  if (!session_.patient()) return poses;
+  if (!patientCase_.patient()) return poses;
   const auto own = own_.value(caseKey());
   poses.insert(poses.end(), own.begin(), own.end());
   return poses;
@@ -146,7 +152,7 @@ void Positions::refresh() {
   }
   list_->setCurrentRow(current < list_->count() ? current : -1);
   refreshing_ = false;
-  saveButton_->setEnabled(session_.handReady());
+  saveButton_->setEnabled(motion_.isReady());
   const int row_px = list_->count() ? list_->sizeHintForRow(0) : fontMetrics().height() + 4;
   list_->setFixedHeight(kRowsShown * row_px + 2 * list_->frameWidth());
 }
@@ -155,7 +161,7 @@ void Positions::recall(int place) {
   const auto poses = all();
   if (place < 0 || place >= int(poses.size())) return;
   list_->setCurrentRow(place);
-  session_.goTo(poses[place]);
+  motion_.goTo(poses[place]);
 }
 
 void Positions::change(Own next, const QString& what, int current) {
@@ -167,25 +173,25 @@ void Positions::change(Own next, const QString& what, int current) {
   };
   History::Exchange now = exchange;
   now();
-  session_.history().add(what.toStdString(), std::move(now));
+  history_.add(what.toStdString(), std::move(now));
   if (current < list_->count()) list_->setCurrentRow(current);
 }
 
 void Positions::saveCurrent() {
-  if (!session_.handReady()) return;
-  StartPose pose = poseOf(session_.pose());
+  if (!motion_.isReady()) return;
+  StartPose pose = poseOf(motion_.pose());
   Own own = own_.value(caseKey());
   pose.name = tr("my position %1").arg(own.size() + 1).toStdString();
   own.push_back(pose);
   change(std::move(own), tr("saving of a position"), list_->count());
-  session_.say(tr("Position saved as %1; F2 in the list names it.").arg(list_->count()));
+  status_.say(tr("Position saved as %1; F2 in the list names it.").arg(list_->count()));
 }
 
 std::optional<std::size_t> Positions::ownAt(int place) {
   const int first = int(ofCase().size());
   if (place < 0 || place >= list_->count()) return std::nullopt;
   if (place >= first) return std::size_t(place - first);
-  session_.say(tr("Positions of the case stay as they are; your own can be changed."));
+  status_.say(tr("Positions of the case stay as they are; your own can be changed."));
   return std::nullopt;
 }
 
@@ -195,7 +201,7 @@ void Positions::remove(int place) {
   Own own = own_.value(caseKey());
   own.erase(own.begin() + long(*index));
   change(std::move(own), tr("removal of a position"), std::max(0, std::min(place, list_->count() - 2)));
-  session_.say(tr("Position removed; Ctrl+Z restores it."));
+  status_.say(tr("Position removed; Ctrl+Z restores it."));
 }
 
 void Positions::rename(int place, const QString& name) {

@@ -16,12 +16,16 @@ class QSettings;
 
 namespace insonate::train {
 
-class TrainSession;
+class CaseModel;
+class History;
+class ProbeMotion;
+class StatusLine;
 
 /// Places for the probe to go back to: those of the case, then the user's own, which are remembered for each case.
 class Positions : public QWidget {
  public:
-  explicit Positions(TrainSession& session, QWidget* parent = nullptr);
+  Positions(StatusLine& status, History& history, CaseModel& patientCase, ProbeMotion& motion,
+            QWidget* parent = nullptr);
 
   int count() const;
   /// Moves the probe to a position, counted from 0; no effect beyond the list.
@@ -51,7 +55,10 @@ class Positions : public QWidget {
   std::vector<StartPose> ofCase() const;
   std::vector<StartPose> all() const;
 
-  TrainSession& session_;
+  StatusLine& status_;
+  History& history_;
+  CaseModel& patientCase_;
+  ProbeMotion& motion_;
   QListWidget* list_;
   QPushButton* saveButton_;
   QPushButton* menuButton_;

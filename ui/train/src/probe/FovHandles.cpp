@@ -1,6 +1,8 @@
 #include "FovHandles.h"
 
-#include "../TrainSession.h"
+#include "../model/History.h"
+#include "../model/ImagingModel.h"
+#include "../model/StatusLine.h"
 
 #include <insonate/ui/KeyOffer.h>
 
@@ -13,10 +15,10 @@
 namespace insonate::train {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180;
-constexpr double kCatch_px = 14;  // logical pixels round a handle
-constexpr double kRoom = 0.12;    // of the field of view, for dragging outward
-constexpr double kWide = 5;       // Shift
+constexpr double kRadiansPerDegree = std::numbers::pi / 180;
+constexpr double kHandleReach_px = 14;  // logical pixels round a handle
+constexpr double kRoom = 0.12;          // of the field of view, for dragging outward
+constexpr double kWide = 5;             // Shift
 constexpr int kParts = 48;
 
 bool isFan(const Probe& probe) {
@@ -26,7 +28,7 @@ bool isFan(const Probe& probe) {
 /// A point of the field of view: across -1..1, at a range from the face.
 views::PicturePoint pointAt(const Probe& probe, double across, double range_mm) {
   if (!isFan(probe)) return {across * probe.width_mm / 2, range_mm};
-  const double angle = across * probe.fovAngle_deg / 2 * kRadians, reach = probe.faceRadius_mm + range_mm;
+  const double angle = across * probe.fovAngle_deg / 2 * kRadiansPerDegree, reach = probe.faceRadius_mm + range_mm;
   return {reach * std::sin(angle), reach * std::cos(angle) - probe.faceRadius_mm};
 }
 
@@ -43,10 +45,11 @@ std::string number(double value, const char* unit) {
 
 }  // namespace
 
-FovHandles::FovHandles(TrainSession& session, views::UltrasoundView& view, QWidget& canvas, QObject* parent)
-    : QObject(parent), session_(session), view_(view), canvas_(canvas) {
+FovHandles::FovHandles(StatusLine& status, History& history, ImagingModel& imaging, views::UltrasoundView& view,
+                       QWidget& canvas, QObject* parent)
+    : QObject(parent), status_(status), history_(history), imaging_(imaging), view_(view), canvas_(canvas) {
   canvas.installEventFilter(this);
-  connect(&session_, &TrainSession::setupChanged, this, &FovHandles::refresh);
+  connect(&imaging_, &ImagingModel::setupChanged, this, &FovHandles::refresh);
 }
 
 void FovHandles::setActive(bool active) {
@@ -68,8 +71,8 @@ views::PictureBounds FovHandles::roomFor(const views::PictureBounds& fov) const 
 }
 
 views::PicturePoint FovHandles::placeOf(Handle handle) const {
-  const Probe& probe = session_.probe();
-  const double depth = session_.settings().depth_mm;
+  const Probe& probe = imaging_.probe();
+  const double depth = imaging_.settings().depth_mm;
   switch (handle) {
     case Handle::RightSide:
       return pointAt(probe, 1, depth / 2);
@@ -88,8 +91,8 @@ views::DisplayPoint FovHandles::displayOf(Handle handle) const {
 
 void FovHandles::refresh() {
   if (!active_) return;
-  const Probe& probe = session_.probe();
-  const double depth = session_.settings().depth_mm;
+  const Probe& probe = imaging_.probe();
+  const double depth = imaging_.settings().depth_mm;
   views::PictureGuide guide;
   for (int k = 0; k <= kParts; ++k) guide.outline.push_back(pointAt(probe, 2.0 * k / kParts - 1, 0));
   for (int k = kParts; k >= 0; --k) guide.outline.push_back(pointAt(probe, 2.0 * k / kParts - 1, depth));
@@ -120,9 +123,9 @@ views::DisplayPoint FovHandles::pointOf(const QMouseEvent& event) const {
 FovHandles::Handle FovHandles::nearest(const QMouseEvent& event) const {
   const views::DisplayPoint at = pointOf(event);
   Handle best = Handle::None;
-  double least = kCatch_px * canvas_.devicePixelRatioF();
+  double least = kHandleReach_px * canvas_.devicePixelRatioF();
   for (const Handle handle : {Handle::RightSide, Handle::LeftSide, Handle::Face, Handle::Depth}) {
-    if (handle == Handle::Face && !isFan(session_.probe())) continue;
+    if (handle == Handle::Face && !isFan(imaging_.probe())) continue;
     const views::DisplayPoint place = displayOf(handle);
     const double far = std::hypot(place.x - at.x, place.y - at.y);
     if (far < least) least = far, best = handle;
@@ -131,31 +134,32 @@ FovHandles::Handle FovHandles::nearest(const QMouseEvent& event) const {
 }
 
 void FovHandles::drag(views::PicturePoint to) {
-  Probe probe = session_.probe();
+  Probe probe = imaging_.probe();
   switch (chosen_) {
     case Handle::RightSide:
     case Handle::LeftSide: {
       const double across = chosen_ == Handle::RightSide ? to.lateral_mm : -to.lateral_mm;
       if (isFan(probe))
-        setWithin(probe, &Probe::fovAngle_deg, 2 * std::atan2(across, to.axial_mm + probe.faceRadius_mm) / kRadians);
+        setWithin(probe, &Probe::fovAngle_deg,
+                  2 * std::atan2(across, to.axial_mm + probe.faceRadius_mm) / kRadiansPerDegree);
       else
         setWithin(probe, &Probe::width_mm, 2 * across);
       break;
     }
     case Handle::Face:
       // The corner stays under the mouse: it lies r1 sin(alpha / 2) beside the axis.
-      setWithin(probe, &Probe::faceRadius_mm, to.lateral_mm / std::sin(probe.fovAngle_deg / 2 * kRadians),
+      setWithin(probe, &Probe::faceRadius_mm, to.lateral_mm / std::sin(probe.fovAngle_deg / 2 * kRadiansPerDegree),
                 probe.shape == ProbeShape::Curvilinear ? 5 : 0);
       break;
     default:
       probe.defaultDepth_mm = std::clamp(std::round(to.axial_mm * 10) / 10, probe.minDepth_mm, probe.maxDepth_mm);
   }
-  if (auto used = session_.useProbe(probe, "handle " + std::to_string(int(chosen_))); !used)
-    session_.say(QString::fromStdString(used.error().message));
+  if (auto used = imaging_.useProbe(probe, "handle " + std::to_string(int(chosen_))); !used)
+    status_.say(QString::fromStdString(used.error().message));
 }
 
 void FovHandles::step(double amount) {
-  Probe probe = session_.probe();
+  Probe probe = imaging_.probe();
   switch (chosen_) {
     case Handle::None:
       return;
@@ -171,10 +175,10 @@ void FovHandles::step(double amount) {
                 probe.shape == ProbeShape::Curvilinear ? 5 : 0);
       break;
     case Handle::Depth:
-      probe.defaultDepth_mm = std::clamp(session_.settings().depth_mm + amount, probe.minDepth_mm, probe.maxDepth_mm);
+      probe.defaultDepth_mm = std::clamp(imaging_.settings().depth_mm + amount, probe.minDepth_mm, probe.maxDepth_mm);
   }
-  if (auto used = session_.useProbe(probe, "handle " + std::to_string(int(chosen_))); !used)
-    session_.say(QString::fromStdString(used.error().message));
+  if (auto used = imaging_.useProbe(probe, "handle " + std::to_string(int(chosen_))); !used)
+    status_.say(QString::fromStdString(used.error().message));
 }
 
 bool FovHandles::key(const QKeyEvent& event, bool act) {
@@ -182,7 +186,7 @@ bool FovHandles::key(const QKeyEvent& event, bool act) {
   if (event.key() == Qt::Key_G && !control) {
     if (!act) return true;
     do chosen_ = Handle((int(chosen_) + 1) % 4);
-    while (chosen_ == Handle::Face && !isFan(session_.probe()));
+    while (chosen_ == Handle::Face && !isFan(imaging_.probe()));
     refresh();
     return true;
   }
@@ -202,7 +206,7 @@ bool FovHandles::eventFilter(QObject* watched, QEvent* event) {
       if (handle == Handle::None) return false;
       canvas_.setFocus(Qt::MouseFocusReason);
       chosen_ = handle, held_ = true;
-      session_.history().close();
+      history_.close();
       refresh();
       return true;
     }

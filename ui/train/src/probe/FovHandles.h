@@ -11,7 +11,9 @@ class QMouseEvent;
 
 namespace insonate::train {
 
-class TrainSession;
+class History;
+class ImagingModel;
+class StatusLine;
 
 /// Handles on the live image that change the probe's field of view: its angle (or width), the face's radius, the
 /// depth. Dragged with the mouse; with the keyboard, G goes from handle to handle and Ctrl with the arrows moves it.
@@ -19,7 +21,8 @@ class FovHandles : public QObject {
   Q_OBJECT
 
  public:
-  FovHandles(TrainSession& session, views::UltrasoundView& view, QWidget& canvas, QObject* parent);
+  FovHandles(StatusLine& status, History& history, ImagingModel& imaging, views::UltrasoundView& view, QWidget& canvas,
+             QObject* parent);
 
   void setActive(bool active);
   bool isActive() const { return active_; }
@@ -47,7 +50,9 @@ class FovHandles : public QObject {
   void step(double amount);
   void refresh();
 
-  TrainSession& session_;
+  StatusLine& status_;
+  History& history_;
+  ImagingModel& imaging_;
   views::UltrasoundView& view_;
   QWidget& canvas_;
   bool active_ = false, held_ = false;

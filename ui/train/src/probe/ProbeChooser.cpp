@@ -1,6 +1,6 @@
 #include "ProbeChooser.h"
 
-#include "../TrainSession.h"
+#include "../model/ImagingModel.h"
 #include "ProbeLibrary.h"
 
 #include <insonate/ui/QuietWheel.h>
@@ -23,8 +23,8 @@ bool sameProbe(const Probe& a, const Probe& b) {
 
 }  // namespace
 
-ProbeChooser::ProbeChooser(TrainSession& session, ProbeLibrary& library, QWidget* parent)
-    : QWidget(parent), session_(session), library_(library), list_(new QComboBox), edit_(new QPushButton(tr("Edit"))) {
+ProbeChooser::ProbeChooser(ImagingModel& imaging, ProbeLibrary& library, QWidget* parent)
+    : QWidget(parent), imaging_(imaging), library_(library), list_(new QComboBox), edit_(new QPushButton(tr("Edit"))) {
   list_->setObjectName("probe");
   list_->setFocusPolicy(Qt::TabFocus);
   new ui::QuietWheel(list_);
@@ -42,11 +42,11 @@ ProbeChooser::ProbeChooser(TrainSession& session, ProbeLibrary& library, QWidget
   row->addWidget(edit_);
   connect(list_, qOverload<int>(&QComboBox::activated), this, [this] {
     const QString key = list_->currentData().toString();
-    if (!key.isEmpty()) session_.setProbe(key.toStdString());
+    if (!key.isEmpty()) imaging_.setProbe(key.toStdString());
   });
   connect(edit_, &QPushButton::clicked, this, &ProbeChooser::editWanted);
   connect(&library_, &ProbeLibrary::changed, this, &ProbeChooser::fill);
-  connect(&session_, &TrainSession::setupChanged, this, &ProbeChooser::showCurrent);
+  connect(&imaging_, &ImagingModel::setupChanged, this, &ProbeChooser::showCurrent);
   fill();
 }
 
@@ -68,7 +68,7 @@ void ProbeChooser::fill() {
 }
 
 void ProbeChooser::showCurrent() {
-  const Probe& now = session_.probe();
+  const Probe& now = imaging_.probe();
   const QString name = QString::fromStdString(now.name);
   int at = list_->findData(name, kName);
   const ProbeLibrary::Entry* own = library_.find(now.name);

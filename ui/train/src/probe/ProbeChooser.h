@@ -8,14 +8,14 @@ class QPushButton;
 namespace insonate::train {
 
 class ProbeLibrary;
-class TrainSession;
+class ImagingModel;
 
 /// The probe in use, chosen from the built-in and the user's own ones, and the button that edits it.
 class ProbeChooser : public QWidget {
   Q_OBJECT
 
  public:
-  ProbeChooser(TrainSession& session, ProbeLibrary& library, QWidget* parent = nullptr);
+  ProbeChooser(ImagingModel& imaging, ProbeLibrary& library, QWidget* parent = nullptr);
 
   QComboBox& list() { return *list_; }
   /// Argument for loadProbe(), to be remembered.
@@ -28,7 +28,7 @@ class ProbeChooser : public QWidget {
   void fill();
   void showCurrent();
 
-  TrainSession& session_;
+  ImagingModel& imaging_;
   ProbeLibrary& library_;
   QComboBox* list_;
   QPushButton* edit_;

@@ -1,6 +1,7 @@
 #include "ProbeEditor.h"
 
-#include "../TrainSession.h"
+#include "../model/ImagingModel.h"
+#include "../model/StatusLine.h"
 #include "ProbeLibrary.h"
 
 #include <insonate/ui/Theme.h>
@@ -64,8 +65,8 @@ QPushButton* button(const QString& text, const char* object, const QString& tip)
 
 }  // namespace
 
-ProbeEditor::ProbeEditor(TrainSession& session, ProbeLibrary& library, QWidget* parent)
-    : ScrollingColumn(parent), session_(session), library_(library), draft_(session.probe()) {
+ProbeEditor::ProbeEditor(StatusLine& status, ImagingModel& imaging, ProbeLibrary& library, QWidget* parent)
+    : ScrollingColumn(parent), status_(status), imaging_(imaging), library_(library), draft_(imaging_.probe()) {
   setObjectName("probeEditor");
   auto* inner = new QWidget;
   auto* box = new QVBoxLayout(inner);
@@ -75,11 +76,11 @@ ProbeEditor::ProbeEditor(TrainSession& session, ProbeLibrary& library, QWidget* 
   buildNumbers(*box);
   box->addStretch();
   setParts(inner, buildFoot());
-  connect(&session_, &TrainSession::setupChanged, this, [this] {
-    if (!refreshing_) show(session_.probe());
+  connect(&imaging_, &ImagingModel::setupChanged, this, [this] {
+    if (!refreshing_) show(imaging_.probe());
   });
   connect(&library_, &ProbeLibrary::changed, this, &ProbeEditor::showButtons);
-  show(session_.probe());
+  show(imaging_.probe());
 }
 
 void ProbeEditor::buildHead(QVBoxLayout& box) {
@@ -200,7 +201,7 @@ void ProbeEditor::complain(const QString& sentence, QWidget* beside) {
 void ProbeEditor::use(const std::string& what, QWidget* beside) {
   if (refreshing_) return;
   refreshing_ = true;
-  const auto used = session_.useProbe(draft_, what);
+  const auto used = imaging_.useProbe(draft_, what);
   refreshing_ = false;
   complain(used ? QString() : QString::fromStdString(used.error().message), beside);
   showButtons();
@@ -271,14 +272,14 @@ void ProbeEditor::take(const Probe& probe) {
   draft_ = probe;
   use("picture", nullptr);
   if (!problem().isEmpty()) return;
-  ImagingSettings settings = session_.settings();
+  ImagingSettings settings = imaging_.settings();
   settings.depth_mm = probe.defaultDepth_mm;
-  if (settings.depth_mm != session_.settings().depth_mm) session_.setSettings(settings);
+  if (settings.depth_mm != imaging_.settings().depth_mm) imaging_.setSettings(settings);
   show(Probe(draft_));
 }
 
 bool ProbeEditor::report(const Result<void>& result, const QString& said) {
-  if (result) session_.say(said);
+  if (result) status_.say(said);
   complain(result ? QString() : QString::fromStdString(result.error().message), nullptr);
   showButtons();
   return result.has_value();

@@ -20,15 +20,16 @@ class ValueSlider;
 namespace insonate::train {
 
 class ProbeLibrary;
-class TrainSession;
+class ImagingModel;
+class StatusLine;
 
 /// Every number of a probe, with the live image as its preview: valid values apply at once, errors are stated beside
-/// the control. Undo is the session's.
+/// the control. Undo is the history's.
 class ProbeEditor : public ScrollingColumn {
   Q_OBJECT
 
  public:
-  ProbeEditor(TrainSession& session, ProbeLibrary& library, QWidget* parent = nullptr);
+  ProbeEditor(StatusLine& status, ImagingModel& imaging, ProbeLibrary& library, QWidget* parent = nullptr);
 
   /// The probe as edited, valid or not.
   const Probe& draft() const { return draft_; }
@@ -67,7 +68,8 @@ class ProbeEditor : public ScrollingColumn {
   void complain(const QString& sentence, QWidget* beside);
   bool report(const Result<void>& result, const QString& done);
 
-  TrainSession& session_;
+  StatusLine& status_;
+  ImagingModel& imaging_;
   ProbeLibrary& library_;
   Probe draft_;
   std::string savedName_;  ///< of the user's probe that is being edited; empty for none

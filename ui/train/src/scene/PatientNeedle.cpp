@@ -1,5 +1,5 @@
 // The part of the patient's views that is about the needle, and about what an attempt shows and hides.
-#include "../TrainSession.h"
+#include "../model/TrainModel.h"
 #include "PatientViews.h"
 #include "SceneInput.h"
 
@@ -53,7 +53,7 @@ Transform trayBeside(const PatientCase& patient, Vec3 probe_mm) {
 }  // namespace
 
 void PatientViews::showNeedle() {
-  const auto& held = session_.hands().needle();
+  const auto& held = model_.hands.needle();
   const auto pose = held ? std::optional(held->patientFromNeedle) : std::nullopt;
   if (sameAsSeen(pose, needle_)) return;
   needle_ = pose;
@@ -77,7 +77,7 @@ void PatientViews::turn(double across_deg, double up_deg) {
 
 void PatientViews::setTrayVisible(bool visible) {
   if (visible == tray_.has_value()) return;
-  tray_ = visible ? std::optional(trayBeside(*session_.patient(), poseNow().offset)) : std::nullopt;
+  tray_ = visible ? std::optional(trayBeside(*model_.patientCase.patient(), poseNow().offset)) : std::nullopt;
   input_->setTray(tray_);
   scene_->setTray(tray_);
 }
@@ -96,19 +96,19 @@ void PatientViews::toggleCutAtNeedle() {
   // Another cut, made in the panel meanwhile, is the user's.
   const auto before = std::exchange(needleCut_, std::nullopt);
   if (before && *before == scene_->clipping()) return scene_->setClipping({});
-  if (!needle_ || !session_.patient()) return session_.say(tr("Take up the needle first (I)."));
+  if (!needle_ || !model_.patientCase.patient()) return model_.status.say(tr("Take up the needle first (I)."));
   const Vec3 shaft = needle_->linear.column[2], seen = scene_->towardViewer();
   const Vec3 toward = seen - shaft * dot(seen, shaft);
   if (norm(toward) < 0.1)
-    return session_.say(tr("The view looks along the needle: drag beside the patient to turn it, then press H."));
+    return model_.status.say(tr("The view looks along the needle: drag beside the patient to turn it, then press H."));
   views::Clipping cut;
   cut.kind = views::ClippingKind::Free;
   cut.direction = -normalized(toward);
-  const Vec3 middle_mm = session_.patient()->ct.geometry.centre_mm();
+  const Vec3 middle_mm = model_.patientCase.patient()->ct.geometry.centre_mm();
   cut.offset_mm = dot(cut.direction, needle_->offset - middle_mm) + kBeforeCut_mm;
   scene_->setClipping(cut);
   needleCut_ = cut;
-  session_.say(tr("Opened along the needle. Drag beside the patient to turn it; H closes it."));
+  model_.status.say(tr("Opened along the needle. Drag beside the patient to turn it; H closes it."));
 }
 
 QWidget* PatientViews::buildSilence() {
@@ -120,7 +120,7 @@ QWidget* PatientViews::buildSilence() {
 }
 
 void PatientViews::showDisclosure() {
-  const bool hidden = !session_.disclosure().anatomy;
+  const bool hidden = !model_.disclosure.current().anatomy;
   if (hidden == looksBefore_.has_value()) return;
   below_->setCurrentIndex(hidden ? 1 : 0);
   if (hidden) {

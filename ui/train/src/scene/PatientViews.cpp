@@ -1,6 +1,6 @@
 #include "PatientViews.h"
 
-#include "../TrainSession.h"
+#include "../model/TrainModel.h"
 #include "FourSlices.h"
 #include "SceneInput.h"
 #include "SliceMenu.h"
@@ -53,9 +53,9 @@ constexpr SliceEntry kSliceEntries[] = {
 
 }  // namespace
 
-PatientViews::PatientViews(TrainSession& session, QWidget* parent)
+PatientViews::PatientViews(TrainModel& model, QWidget* parent)
     : QWidget(parent),
-      session_(session),
+      model_(model),
       scene_(std::make_shared<views::SceneView>()),
       mpr_(std::make_shared<views::MprView>(views::SliceKind::Oblique)) {
   mpr_->setLabelOpacity(0);
@@ -73,21 +73,22 @@ PatientViews::PatientViews(TrainSession& session, QWidget* parent)
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->addWidget(splitter_);
-  input_ = new SceneInput(session_, *scene_, *sceneWidget_->focusProxy(), this);
+  input_ = new SceneInput(model_.hands, model_.motion, model_.needle, *scene_, *sceneWidget_->focusProxy(), this);
 
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, [this] { follow(); });
   rest_.setSingleShot(true);
   rest_.setInterval(kRest_ms);
   connect(&rest_, &QTimer::timeout, this, [this] { scene_->setMoving(false); });
-  connect(&session_, &TrainSession::caseChanged, this, [this] { showCase(); });
-  connect(&session_, &TrainSession::tissuesKnown, this, [this] { case_->setLabels(session_.tissueLabels()); });
-  connect(&session_, &TrainSession::surfaceMade, this,
+  connect(&model_.patientCase, &CaseModel::caseChanged, this, [this] { showCase(); });
+  connect(&model_.patientCase, &CaseModel::tissuesKnown, this,
+          [this] { case_->setLabels(model_.patientCase.tissueLabels()); });
+  connect(&model_.patientCase, &CaseModel::surfaceMade, this,
           [this](int label, const std::shared_ptr<const Mesh>& mesh) { showSurface(label, *mesh); });
-  connect(&session_, &TrainSession::pictureShown, this, [this] { want(); });
-  connect(&session_, &TrainSession::handMoved, this, [this] { want(); });
-  connect(&session_.hands(), &HandsControl::needleChanged, this, [this] { want(); });
-  connect(&session_, &TrainSession::disclosureChanged, this, [this] { showDisclosure(); });
+  connect(&model_.live, &LiveModel::pictureShown, this, [this] { want(); });
+  connect(&model_.motion, &ProbeMotion::handMoved, this, [this] { want(); });
+  connect(&model_.hands, &HandsControl::needleChanged, this, [this] { want(); });
+  connect(&model_.disclosure, &DisclosureModel::changed, this, [this] { showDisclosure(); });
 }
 
 PatientViews::~PatientViews() = default;
@@ -233,12 +234,12 @@ void PatientViews::setSliceKind(views::SliceKind kind) {
 
 Transform PatientViews::poseNow() const {
   // The image of a moving probe is a moment old; the probe itself is where the hand has it.
-  const bool live = !session_.isFrozen() && session_.handReady();
-  return live ? session_.pose() : session_.shown()->patientFromProbe;
+  const bool live = !model_.live.isFrozen() && model_.motion.isReady();
+  return live ? model_.motion.pose() : model_.live.shown()->patientFromProbe;
 }
 
 void PatientViews::sliceToProbe() {
-  const auto& frame = session_.shown();
+  const auto& frame = model_.live.shown();
   if (!frame || mpr_->kind() == views::SliceKind::Oblique || slicedAt_ == poseNow()) return;
   slicedAt_ = poseNow();
   mpr_->setCrosshair(*slicedAt_ * Vec3{0, 0, frame->setup->settings.depth_mm / 2});
@@ -267,12 +268,12 @@ void PatientViews::showCase() {
   slicedAt_.reset();
   cameraDue_ = false;
   shape_ = nullptr;
-  case_ = session_.patient() ? std::make_shared<views::VtkCase>(session_.patient()) : nullptr;
+  case_ = model_.patientCase.patient() ? std::make_shared<views::VtkCase>(model_.patientCase.patient()) : nullptr;
   for (const LabelInfo& info : labelTable()) scene_->setSurface(info.label, {});
   scene_->setCase(case_);
   setTrayVisible(false);
   if (std::exchange(needleCut_, std::nullopt)) scene_->setClipping({});
-  scenePanel_->setCase(session_.patient());
+  scenePanel_->setCase(model_.patientCase.patient());
   scene_->setProbe(std::nullopt);
   scene_->setImage({});
   // The slice waits for the probe: before, it has no plane to show.
@@ -294,7 +295,7 @@ void PatientViews::showSurface(int label, const Mesh& mesh) {
 void PatientViews::placeCamera() {
   // From the probe's side and above, so that its plane is seen, with room for the probe.
   const double side =
-      session_.shown()->patientFromProbe.offset.x < session_.patient()->ct.geometry.centre_mm().x ? 1 : -1;
+      model_.live.shown()->patientFromProbe.offset.x < model_.patientCase.patient()->ct.geometry.centre_mm().x ? 1 : -1;
   scene_->look(views::Viewpoint::Anterior);
   scene_->orbit(side * kAcross_deg, kUp_deg);
   scene_->zoom(kRoomForProbe);
@@ -323,15 +324,15 @@ void PatientViews::want() {
 
 void PatientViews::follow() {
   sinceFollowed_.start();
-  const auto& frame = session_.shown();
-  if (!frame && !session_.handReady()) return;
+  const auto& frame = model_.live.shown();
+  if (!frame && !model_.motion.isReady()) return;
   if (!std::exchange(sliceShown_, true)) {
     mpr_->setCase(case_);
     four_->setCase(case_);
   }
   if (!frame) {
-    mpr_->setFan(session_.probe(), session_.settings());
-    mpr_->setProbePose(session_.pose());
+    mpr_->setFan(model_.imaging.probe(), model_.imaging.settings());
+    mpr_->setProbePose(model_.motion.pose());
     return;
   }
   if (frame->setup != shape_) {

@@ -30,13 +30,13 @@ namespace insonate::train {
 class FourSlices;
 class SceneInput;
 class SliceMenu;
-class TrainSession;
+struct TrainModel;
 
 /// The patient beside the image: in 3D with probe and image plane, and as CT slices. Both follow the probe as often
 /// as they can without slowing the ultrasound picture.
 class PatientViews : public QWidget {
  public:
-  explicit PatientViews(TrainSession& session, QWidget* parent = nullptr);
+  explicit PatientViews(TrainModel& model, QWidget* parent = nullptr);
   ~PatientViews() override;
 
   views::SceneView& scene() { return *scene_; }
@@ -95,7 +95,7 @@ class PatientViews : public QWidget {
   /// Shows or hides anatomy: hidden means no CT, and an opaque skin.
   void showDisclosure();
 
-  TrainSession& session_;
+  TrainModel& model_;
   std::shared_ptr<views::SceneView> scene_;
   std::shared_ptr<views::MprView> mpr_;
   std::shared_ptr<views::VtkCase> case_;

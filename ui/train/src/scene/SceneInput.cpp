@@ -1,7 +1,9 @@
 #include "SceneInput.h"
 
-#include "../TrainSession.h"
 #include "../hand/KeyTable.h"
+#include "../hands/HandsControl.h"
+#include "../model/NeedleMotion.h"
+#include "../model/ProbeMotion.h"
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -10,8 +12,9 @@
 
 namespace insonate::train {
 
-SceneInput::SceneInput(TrainSession& session, views::SceneView& view, QWidget& canvas, QObject* parent)
-    : QObject(parent), session_(session), view_(view), canvas_(canvas) {
+SceneInput::SceneInput(HandsControl& hands, ProbeMotion& motion, NeedleMotion& needle, views::SceneView& view,
+                       QWidget& canvas, QObject* parent)
+    : QObject(parent), hands_(hands), motion_(motion), needle_(needle), view_(view), canvas_(canvas) {
   canvas.installEventFilter(this);
 }
 
@@ -51,17 +54,17 @@ bool SceneInput::pressed(const QMouseEvent& event) {
     return true;
   }
   const auto picked = left || right ? view_.pick(pointer(event).at) : std::nullopt;
-  if (picked && left && session_.isUnplaced()) {
-    session_.placeOnSkin();
-    session_.moveTo(picked->position_mm);
+  if (picked && left && motion_.isUnplaced()) {
+    motion_.placeOnSkin();
+    motion_.moveTo(picked->position_mm);
   }
   if (picked && left && event.modifiers().testFlag(Qt::ControlModifier)) {
     drag_ = Drag::Needle;
     return true;
   }
-  if (picked && session_.handReady()) {
+  if (picked && motion_.isReady()) {
     drag_ = left ? Drag::Slide : Drag::Rotate;
-    session_.beginGesture();
+    motion_.beginGesture();
     return true;
   }
   if (right) return false;
@@ -96,11 +99,11 @@ bool SceneInput::moved(const QMouseEvent& event) {
   const QPointF by = event.localPos() - last_;
   last_ = event.localPos();
   if (drag_ == Drag::Rotate) {
-    session_.move(HandAxis::Rotation, by.x() * kDrag_degPerPx);
+    motion_.move(HandAxis::Rotation, by.x() * kDrag_degPerPx);
   } else if (drag_ == Drag::Needle) {
-    if (const auto picked = view_.pick(pointer(event).at)) session_.hands().needleTo(picked->position_mm);
+    if (const auto picked = view_.pick(pointer(event).at)) hands_.needleTo(picked->position_mm);
   } else if (const auto picked = view_.pick(pointer(event).at)) {
-    session_.moveTo(picked->position_mm);
+    motion_.moveTo(picked->position_mm);
   }
   return true;
 }
@@ -109,7 +112,7 @@ bool SceneInput::wheel(const QWheelEvent& event) {
   if (!event.modifiers().testFlag(Qt::ShiftModifier)) return false;
   constexpr double kNotch = 120;  // in eighths of a degree, as Qt counts
   const QPoint turned = event.angleDelta();
-  session_.moveNeedle(NeedleAxis::Advance, -(turned.y() != 0 ? turned.y() : turned.x()) / kNotch * kWheelNeedle_mm);
+  needle_.move(NeedleAxis::Advance, -(turned.y() != 0 ? turned.y() : turned.x()) / kNotch * kWheelNeedle_mm);
   return true;
 }
 

@@ -14,13 +14,16 @@ class QWheelEvent;
 
 namespace insonate::train {
 
-class TrainSession;
+class HandsControl;
+class NeedleMotion;
+class ProbeMotion;
 
 /// Mouse in 3D: on the skin it has the probe, with Ctrl the needle's entry, beside the body and with the middle button
 /// the camera.
 class SceneInput : public QObject {
  public:
-  SceneInput(TrainSession& session, views::SceneView& view, QWidget& canvas, QObject* parent);
+  SceneInput(HandsControl& hands, ProbeMotion& motion, NeedleMotion& needle, views::SceneView& view, QWidget& canvas,
+             QObject* parent);
 
   /// Sets the tray's place; none: there is no tray.
   void setTray(const std::optional<Transform>& patientFromTray) { tray_ = patientFromTray; }
@@ -38,7 +41,9 @@ class SceneInput : public QObject {
   bool wheel(const QWheelEvent& event);
   views::Pointer pointer(const QMouseEvent& event) const;
 
-  TrainSession& session_;
+  HandsControl& hands_;
+  ProbeMotion& motion_;
+  NeedleMotion& needle_;
   views::SceneView& view_;
   QWidget& canvas_;
   bool isOnTray(const QMouseEvent& event);

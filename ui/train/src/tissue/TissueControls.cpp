@@ -1,6 +1,7 @@
 #include "TissueControls.h"
 
-#include "../TrainSession.h"
+#include "../model/ImagingModel.h"
+#include "../model/StatusLine.h"
 #include "../panel/NumberField.h"
 
 #include <insonate/simulator/TissueMechanics.h>
@@ -41,7 +42,8 @@ const Model kModels[] = {{"elastic", "elastic"}, {"column", "columns (thesis)"},
 
 }  // namespace
 
-TissueControls::TissueControls(TrainSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+TissueControls::TissueControls(StatusLine& status, ImagingModel& imaging, QWidget* parent)
+    : QWidget(parent), status_(status), imaging_(imaging) {
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(4);
@@ -69,7 +71,7 @@ TissueControls::TissueControls(TrainSession& session, QWidget* parent) : QWidget
   chosen(posture_, [](TissueChoice& to, const QVariant& picked) { to.body.tilt_deg = picked.toDouble(); });
   connect(venous_, &ui::ValueSlider::valueChanged, this,
           [this](double mmHg) { change([&](TissueChoice& to) { to.body.centralVenous_mmHg = mmHg; }); });
-  connect(&session_, &TrainSession::tissueChanged, this, [this] { refresh(); });
+  connect(&imaging_, &ImagingModel::tissueChanged, this, [this] { refresh(); });
   refresh();
 }
 
@@ -104,7 +106,7 @@ QWidget* TissueControls::buildPressures() {
     number->setToolTip(
         tr("%1 pressure of the arteries at the heart, in mmHg.\nEnter applies, arrows and wheel step.").arg(name));
     number->setTyped([this, which](double mmHg) { change([&](TissueChoice& to) { to.body.*which = mmHg; }); });
-    number->setRefused([this](const QString& sentence) { session_.say(sentence); });
+    number->setRefused([this](const QString& sentence) { status_.say(sentence); });
     return number;
   };
   systolic_ = field("systolic", tr("Systolic"), 40, 260, &Physiology::systolic_mmHg);
@@ -145,14 +147,14 @@ QWidget* TissueControls::buildSwitches() {
 
 void TissueControls::change(const std::function<void(TissueChoice&)>& edit) {
   if (refreshing_) return;
-  TissueChoice choice = session_.tissue();
+  TissueChoice choice = imaging_.tissue();
   edit(choice);
-  session_.setTissue(choice);
+  imaging_.setTissue(choice);
 }
 
 void TissueControls::refresh() {
   refreshing_ = true;
-  const TissueChoice& now = session_.tissue();
+  const TissueChoice& now = imaging_.tissue();
   model_->setCurrentIndex(model_->findData(QString::fromStdString(now.model)));
   const auto nearest = std::ranges::min_element(
       kPostures, {}, [&](const Posture& one) { return std::abs(one.tilt_deg - now.body.tilt_deg); });

@@ -15,12 +15,13 @@ class ValueSlider;
 namespace insonate::train {
 
 class NumberField;
-class TrainSession;
+class ImagingModel;
+class StatusLine;
 
 /// The panel's section about what the probe presses on: the model, and the patient's blood and posture.
 class TissueControls final : public QWidget {
  public:
-  explicit TissueControls(TrainSession& session, QWidget* parent = nullptr);
+  TissueControls(StatusLine& status, ImagingModel& imaging, QWidget* parent = nullptr);
 
  private:
   QWidget* labelled(const QString& name, QWidget* widget);
@@ -30,7 +31,8 @@ class TissueControls final : public QWidget {
   void change(const std::function<void(TissueChoice&)>& edit);
   void refresh();
 
-  TrainSession& session_;
+  StatusLine& status_;
+  ImagingModel& imaging_;
   QComboBox *model_ = nullptr, *posture_ = nullptr;
   ui::ValueSlider* venous_ = nullptr;
   NumberField *systolic_ = nullptr, *diastolic_ = nullptr;

@@ -1,6 +1,9 @@
 #include "TissueShown.h"
 
-#include "../TrainSession.h"
+#include "../model/CaseModel.h"
+#include "../model/Disclosure.h"
+#include "../model/LiveModel.h"
+#include "../model/StatusLine.h"
 #include "AreaPlot.h"
 #include "TissueStrip.h"
 
@@ -17,13 +20,20 @@ constexpr const char* kKeys[TissueStrip::kShows] = {"tissueGrid", "tissuePressur
 
 }  // namespace
 
-TissueShown::TissueShown(TrainSession& session, views::UltrasoundView& image, QWidget* column)
-    : QObject(column), session_(session), image_(image), strip_(new TissueStrip(session, column)) {
+TissueShown::TissueShown(StatusLine& status, DisclosureModel& disclosure, CaseModel& patientCase, LiveModel& live,
+                         views::UltrasoundView& image, QWidget* column)
+    : QObject(column),
+      status_(status),
+      disclosure_(disclosure),
+      patientCase_(patientCase),
+      live_(live),
+      image_(image),
+      strip_(new TissueStrip(disclosure_, patientCase_, live_, column)) {
   curve_ = buildCurve(column);
   connect(strip_, &TissueStrip::shownChanged, this, [this] { choose(); });
-  connect(&session_, &TrainSession::pictureShown, this, [this] { showPicture(); });
-  connect(&session_, &TrainSession::disclosureChanged, this, [this] { choose(); });
-  connect(&session_, &TrainSession::caseChanged, this, [this] {
+  connect(&live_, &LiveModel::pictureShown, this, [this] { showPicture(); });
+  connect(&disclosure_, &DisclosureModel::changed, this, [this] { choose(); });
+  connect(&patientCase_, &CaseModel::caseChanged, this, [this] {
     plot_->clear();
     choose();
   });
@@ -53,22 +63,22 @@ void TissueShown::toggle(int what) {
 }
 
 bool TissueShown::shows(int what) const {
-  return session_.disclosure().anatomy && strip_->shows(TissueStrip::Show(what));
+  return disclosure_.current().anatomy && strip_->shows(TissueStrip::Show(what));
 }
 
 void TissueShown::choose() {
   const bool mesh = shows(TissueStrip::kGrid) || shows(TissueStrip::kPressure);
-  session_.setMeshWanted(mesh);
-  curve_->setVisible(session_.patient() && shows(TissueStrip::kPlot));
-  if (mesh && session_.isFrozen() && session_.shown() && session_.shown()->press.mesh.nodes.empty())
-    session_.say(tr("The frozen image came without its mesh; the live one shows it."));
+  live_.setMeshWanted(mesh);
+  curve_->setVisible(patientCase_.patient() && shows(TissueStrip::kPlot));
+  if (mesh && live_.isFrozen() && live_.shown() && live_.shown()->press.mesh.nodes.empty())
+    status_.say(tr("The frozen image came without its mesh; the live one shows it."));
   showPicture();
 }
 
 void TissueShown::showPicture() {
-  const auto& frame = session_.shown();
+  const auto& frame = live_.shown();
   // Kept while it is hidden, too, for who looks later.
-  if (frame && !session_.isFrozen())
+  if (frame && !live_.isFrozen())
     plot_->add(frame->press);
   else if (frame)
     plot_->show(frame->press);

@@ -11,14 +11,18 @@ namespace insonate::train {
 
 class AreaPlot;
 class TissueStrip;
-class TrainSession;
+class CaseModel;
+class DisclosureModel;
+class LiveModel;
+class StatusLine;
 
 /// Display of the tissue's mechanics in the image's column: the strip of numbers, the curve, and grid and pressure
 /// over the image, which are requested only while they are shown.
 class TissueShown final : public QObject {
  public:
   /// The widgets are made in `column`, for a layout to take.
-  TissueShown(TrainSession& session, views::UltrasoundView& image, QWidget* column);
+  TissueShown(StatusLine& status, DisclosureModel& disclosure, CaseModel& patientCase, LiveModel& live,
+              views::UltrasoundView& image, QWidget* column);
 
   TissueStrip& strip() { return *strip_; }
   QWidget& curve() { return *curve_; }
@@ -34,7 +38,10 @@ class TissueShown final : public QObject {
   /// Chosen, and disclosed.
   bool shows(int what) const;
 
-  TrainSession& session_;
+  StatusLine& status_;
+  DisclosureModel& disclosure_;
+  CaseModel& patientCase_;
+  LiveModel& live_;
   views::UltrasoundView& image_;
   TissueStrip* strip_;
   AreaPlot* plot_ = nullptr;

@@ -1,6 +1,8 @@
 #include "TissueStrip.h"
 
-#include "../TrainSession.h"
+#include "../model/CaseModel.h"
+#include "../model/Disclosure.h"
+#include "../model/LiveModel.h"
 #include "VesselAreas.h"
 
 #include <insonate/ui/Theme.h>
@@ -41,9 +43,11 @@ QLabel* number(const char* object, const QString& says, QWidget* parent) {
 
 }  // namespace
 
-TissueStrip::TissueStrip(TrainSession& session, QWidget* parent)
+TissueStrip::TissueStrip(DisclosureModel& disclosure, CaseModel& patientCase, LiveModel& live, QWidget* parent)
     : QWidget(parent),
-      session_(session),
+      disclosure_(disclosure),
+      patientCase_(patientCase),
+      live_(live),
       force_(number("pressForce", tr("Force with which the tissue presses back on the probe, in N"), this)),
       indentation_(number("pressIndentation", tr("Indentation of the probe from first contact, in mm"), this)),
       vein_(number(
@@ -67,9 +71,9 @@ TissueStrip::TissueStrip(TrainSession& session, QWidget* parent)
   soon_.setSingleShot(true);
   soon_.setInterval(kReadable_ms);
   connect(&soon_, &QTimer::timeout, this, [this] { refresh(); });
-  connect(&session_, &TrainSession::pictureShown, this, [this] { follow(); });
-  connect(&session_, &TrainSession::caseChanged, this, [this] { refresh(); });
-  connect(&session_, &TrainSession::disclosureChanged, this, [this] { refresh(); });
+  connect(&live_, &LiveModel::pictureShown, this, [this] { follow(); });
+  connect(&patientCase_, &CaseModel::caseChanged, this, [this] { refresh(); });
+  connect(&disclosure_, &DisclosureModel::changed, this, [this] { refresh(); });
   reserve();
   refresh();
 }
@@ -142,10 +146,10 @@ void TissueStrip::follow() {
 }
 
 void TissueStrip::refresh() {
-  setVisible(session_.patient() != nullptr);
+  setVisible(patientCase_.patient() != nullptr);
   for (QWidget* one : {static_cast<QWidget*>(vein_), static_cast<QWidget*>(artery_), static_cast<QWidget*>(menu_)})
-    one->setVisible(session_.disclosure().anatomy);
-  const LivePress* press = session_.shown() ? &session_.shown()->press : nullptr;
+    one->setVisible(disclosure_.current().anatomy);
+  const LivePress* press = live_.shown() ? &live_.shown()->press : nullptr;
   if (press && !presses(*press)) press = nullptr;
   // A model that does not come to rest has no force to tell: what it gives then may be many times too much.
   const bool known = press && (press->settled || press->force_N <= kMostUnsettled_N);

@@ -16,7 +16,9 @@ struct LivePress;
 
 namespace insonate::train {
 
-class TrainSession;
+class CaseModel;
+class DisclosureModel;
+class LiveModel;
 
 /// The line under the image: the probe's force, its effect on the vessels, and the switches of overlays. Empty without
 /// pressure. Numbers change a few times a second, so that they can be read.
@@ -26,7 +28,7 @@ class TissueStrip final : public QWidget {
  public:
   enum Show { kGrid, kPressure, kPlot, kShows };
 
-  explicit TissueStrip(TrainSession& session, QWidget* parent = nullptr);
+  TissueStrip(DisclosureModel& disclosure, CaseModel& patientCase, LiveModel& live, QWidget* parent = nullptr);
 
   bool shows(Show what) const;
   void setShown(Show what, bool on);
@@ -44,7 +46,9 @@ class TissueStrip final : public QWidget {
   void refresh();
   void showVessel(QLabel& label, const LivePress* press, int vessel, const QString& name) const;
 
-  TrainSession& session_;
+  DisclosureModel& disclosure_;
+  CaseModel& patientCase_;
+  LiveModel& live_;
   QTimer soon_;
   QLabel *force_, *indentation_, *vein_, *artery_;
   QPushButton* menu_;

@@ -1,8 +1,21 @@
 #include "History.h"
 
+#include "StatusLine.h"
+
+#include <QString>
 #include <utility>
 
 namespace insonate::train {
+
+namespace {
+
+void sayOutcome(History::Outcome outcome, const History& history, StatusLine& status, const QString& done,
+                const QString& nothing) {
+  if (outcome == History::Outcome::Done) status.say(done.arg(QString::fromStdString(history.lastWords())));
+  if (outcome == History::Outcome::Nothing) status.say(nothing);
+}
+
+}  // namespace
 
 void History::add(std::string what, Exchange exchange, std::string key) {
   const auto now = std::chrono::steady_clock::now();
@@ -29,6 +42,16 @@ History::Outcome History::go(std::vector<Step>& from, std::vector<Step>& to) {
   to.push_back(std::move(from.back()));
   from.pop_back();
   return Outcome::Done;
+}
+
+void undoStep(History& history, StatusLine& status) {
+  sayOutcome(history.undo(), history, status, StatusLine::tr("Undone: %1."),
+             StatusLine::tr("There is nothing to undo."));
+}
+
+void redoStep(History& history, StatusLine& status) {
+  sayOutcome(history.redo(), history, status, StatusLine::tr("Redone: %1."),
+             StatusLine::tr("There is nothing to redo."));
 }
 
 }  // namespace insonate::train

@@ -7,6 +7,8 @@
 
 namespace insonate::train {
 
+class StatusLine;
+
 /// The user's undoable steps of every kind, in one order. A step exchanges the present state with the former one, so
 /// that the same step serves undo and redo. For one thread.
 class History {
@@ -42,5 +44,10 @@ class History {
   bool open_ = false;  ///< the last step may still be joined
   std::chrono::steady_clock::time_point lastAdded_;
 };
+
+/// Undoes the last step and says which it was, or that there is none.
+void undoStep(History& history, StatusLine& status);
+/// Applies the step undone last again, and says which it was, or that there is none.
+void redoStep(History& history, StatusLine& status);
 
 }  // namespace insonate::train

@@ -2,11 +2,15 @@
 
 #include <insonate/curriculum/Curriculum.h>
 
+#include <QObject>
+
 namespace insonate::train {
+
+class StatusLine;
 
 /// Parts of the screen that tell more than the ultrasound image and a real procedure do. A real procedure shows skin
 /// and tools from outside, the marks on the shaft, forces in the hand, the blood in the syringe and the time. Each
-/// widget that shows more asks TrainSession::disclosure().
+/// widget that shows more asks DisclosureModel.
 struct Disclosure {
   bool steps = true;     ///< what to do now, and the attempt's metrics so far
   bool findings = true;  ///< what went wrong
@@ -20,5 +24,25 @@ struct Disclosure {
 
 /// Everything outside an attempt.
 Disclosure disclosureOf(Assistance assistance, bool inAttempt);
+
+/// Disclosure that applies now.
+class DisclosureModel : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit DisclosureModel(StatusLine& status, QObject* parent = nullptr);
+
+  const Disclosure& current() const { return current_; }
+  void set(const Disclosure& disclosure);
+  /// Tells whether anatomy is disclosed; if not, says so to the user.
+  bool mayShowAnatomy();
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  StatusLine& status_;
+  Disclosure current_;
+};
 
 }  // namespace insonate::train

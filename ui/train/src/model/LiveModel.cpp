@@ -1,0 +1,174 @@
+#include "LiveModel.h"
+
+#include "../hands/HandsControl.h"
+#include "CaseModel.h"
+#include "ImagingModel.h"
+#include "StatusLine.h"
+
+#include <insonate/cases/CaseView.h>
+#include <insonate/simulator/ProbePose.h>
+#include <insonate/tissue/NeedleTable.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace insonate::train {
+
+LiveModel::LiveModel(CaseModel& patientCase, ImagingModel& imaging, HandsControl& hands, StatusLine& status,
+                     QObject* parent)
+    : QObject(parent), case_(patientCase), imaging_(imaging), hands_(hands), status_(status), feed_([this] {
+        news();
+      }) {
+  connect(&case_, &CaseModel::stopping, this, [this] { stop(); });
+  connect(&case_, &CaseModel::emptied, this, [this] { empty(); });
+  connect(&case_, &CaseModel::caseShown, this, [this] {
+    if (std::exchange(wasFrozen_, false)) Q_EMIT frozenChanged();
+  });
+  connect(&case_, &CaseModel::startKnown, this, [this] { start(); });
+  connect(&case_, &CaseModel::failed, this, [this](const QString& why) { failure_ = why.toStdString(); });
+  connect(&imaging_, &ImagingModel::setupChanged, this, [this] { sendSetup(); });
+  connect(&imaging_, &ImagingModel::physiologyChanged, this, [this] { updateTissueRequest(); });
+  connect(&hands_, &HandsControl::pedalPressed, this, [this](int button) {
+    if (button == 0) setFrozen(!frozen_);
+  });
+}
+
+LiveModel::~LiveModel() {
+  stop();
+}
+
+void LiveModel::stop() {
+  hands_.setImaging(nullptr);
+  feed_.set(nullptr);
+}
+
+void LiveModel::empty() {
+  hands_.setHeld(false);
+  shown_ = nullptr;
+  cine_.clear();
+  cineIndex_ = 0;
+  failure_.clear();
+  wasFrozen_ = std::exchange(frozen_, false);
+}
+
+void LiveModel::start() {
+  const StartPose& start = case_.start();
+  const auto pose = patientFromProbe(start.position_mm, start.axial, start.lateral);
+  if (!pose) return status_.say(QString::fromStdString(pose.error().message));
+  auto live =
+      LiveImaging::make(CaseVolumes(case_.patient(), case_.tissueLabels()), imaging_.setup(), *pose, liveOptions());
+  if (!live) return case_.fail(QString::fromStdString(live.error().message));
+  feed_.set(std::move(*live));
+  hands_.setImaging(feed_.live());
+  updateTissueRequest();
+}
+
+void LiveModel::sendSetup() {
+  if (!feed_.live()) return;
+  if (auto ok = feed_.live()->setSetup(imaging_.setup()); !ok) status_.say(QString::fromStdString(ok.error().message));
+}
+
+void LiveModel::setPose(const Transform& patientFromProbe) {
+  if (feed_.live()) feed_.live()->setPose(patientFromProbe);
+}
+
+bool LiveModel::checkLive() {
+  if (frozen_) status_.say(tr("The image is frozen. Space makes it live again."));
+  return !frozen_;
+}
+
+void LiveModel::news() {
+  if (!feed_.live()) return;
+  const LiveStatus now = feed_.live()->status();
+  if (now.message != failure_) {
+    failure_ = now.message;
+    if (!failure_.empty()) status_.say(QString::fromStdString(failure_));
+  }
+  if (!frozen_) show(feed_.live()->latest());
+}
+
+void LiveModel::show(std::shared_ptr<const LiveFrame> frame) {
+  if (!frame || frame == shown_) return;
+  const bool first = !shown_;
+  shown_ = std::move(frame);
+  if (first) status_.say(tr("Drag on the image to slide the probe, press with + and -. Keys: ?"));
+  Q_EMIT pictureShown();
+  if (!first) return;
+  case_.wantSurfaces();
+  Q_EMIT firstShown();
+}
+
+void LiveModel::setFrozen(bool frozen) {
+  if (frozen == frozen_ || !feed_.live() || !shown_) return;
+  feed_.live()->setFrozen(frozen);
+  hands_.setHeld(frozen);
+  frozen_ = frozen;
+  cine_ = frozen ? feed_.live()->cine(kCine_s) : decltype(cine_){};
+  cineIndex_ = std::max(0, int(cine_.size()) - 1);
+  Q_EMIT frozenChanged();
+  status_.say(frozen ? tr("Frozen. Comma and period step through the last seconds.") : tr("Live."));
+  show(frozen && !cine_.empty() ? cine_.back() : feed_.live()->latest());
+}
+
+void LiveModel::showCine(int index) {
+  if (!frozen_ || cine_.empty()) return;
+  cineIndex_ = std::clamp(index, 0, int(cine_.size()) - 1);
+  show(cine_[cineIndex_]);
+}
+
+LiveStatus LiveModel::status() const {
+  return feed_.live() ? feed_.live()->status() : LiveStatus{};
+}
+
+double LiveModel::imagesPerSecond() const {
+  return feed_.live() ? feed_.live()->imagesPerSecond() : 0;
+}
+
+bool LiveModel::pulsates() const {
+  return watched_ && (imaging_.tissue().pulse || imaging_.tissue().breathing);
+}
+
+LiveOptions LiveModel::liveOptions() const {
+  LiveOptions options;
+  options.physiology = physiologyOf(imaging_.tissue());
+  options.pulsating = pulsates();
+  options.resting = !awake_;
+  return options;
+}
+
+AttemptSettings LiveModel::attemptSettings() const {
+  AttemptSettings all;
+  all.setup = imaging_.setup();
+  all.setup.engine = shown_->engine;
+  all.physiology = physiologyOf(imaging_.tissue());
+  all.pulsating = pulsates();
+  all.bloodTime_s = shown_->time_s;
+  all.needle = needlePresetNames().front();
+  return all;
+}
+
+void LiveModel::setMeshWanted(bool wanted) {
+  if (std::exchange(meshWanted_, wanted) != wanted) updateTissueRequest();
+}
+
+void LiveModel::setWatched(bool watched) {
+  hands_.setWatched(watched);
+  if (std::exchange(watched_, watched) != watched) updateTissueRequest();
+}
+
+void LiveModel::setAwake(bool awake) {
+  awake_ = awake;
+  if (feed_.live()) feed_.live()->setResting(!awake);
+}
+
+void LiveModel::updateTissueRequest() {
+  LiveImaging* live = feed_.live();
+  if (!live) return;
+  live->setKeepMesh(meshWanted_ && watched_);
+  live->setPulsating(pulsates());
+  // Also where it is the same: a probe at rest then makes an image with its mesh.
+  if (auto ok = live->setPhysiology(physiologyOf(imaging_.tissue())); !ok)
+    status_.say(QString::fromStdString(ok.error().message));
+}
+
+}  // namespace insonate::train

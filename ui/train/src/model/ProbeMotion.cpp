@@ -1,0 +1,193 @@
+#include "ProbeMotion.h"
+
+#include "../hands/HandsControl.h"
+#include "CaseModel.h"
+#include "Disclosure.h"
+#include "History.h"
+#include "ImagingModel.h"
+#include "LiveModel.h"
+#include "StatusLine.h"
+
+#include <insonate/simulator/ProbePose.h>
+#include <insonate/simulator/TissueMechanics.h>
+#include <insonate/ui/Text.h>
+
+#include <utility>
+
+namespace insonate::train {
+
+ProbeMotion::ProbeMotion(const Models& models, QObject* parent) : QObject(parent), models_(models) {
+  connectCase();
+  connectHands();
+  control_.setGestureBegan([this](const ProbeHandState& before) { rememberMove(before); });
+  models_.status.setState([this] { return stateInWords(); });
+}
+
+void ProbeMotion::connectCase() {
+  const CaseModel* patientCase = &models_.patientCase;
+  connect(patientCase, &CaseModel::emptied, this, [this] {
+    control_.setHand(std::nullopt);
+    models_.hands.setCase(nullptr, nullptr);
+    models_.history.clear();
+    levelStart_.reset();
+    unplaced_.reset();
+  });
+  connect(patientCase, &CaseModel::handMade, this, [this](const ProbeHand& hand) {
+    control_.setHand(hand);
+    giveHands();
+    Q_EMIT handMoved();
+  });
+  connect(patientCase, &CaseModel::startMissing, this, [this](const ProbeHand& hand) {
+    unplaced_ = hand;
+    Q_EMIT placingChanged();
+  });
+  connect(&models_.live, &LiveModel::firstShown, this, [this] { giveHands(); });
+  connect(&models_.imaging, &ImagingModel::setupChanged, this, [this] { giveProbe(); });
+}
+
+void ProbeMotion::connectHands() {
+  HandsControl& hands = models_.hands;
+  connect(&hands, &HandsControl::said, &models_.status, &StatusLine::say);
+  connect(&hands, &HandsControl::probeDriven, this, [this] {
+    // Numbers and 3D follow; the image does by itself.
+    if (!models_.hands.probeFollowsMouse()) control_.follow(models_.hands.drivenPose());
+    Q_EMIT handMoved();
+  });
+  connect(&models_.disclosure, &DisclosureModel::changed, this,
+          [this] { models_.hands.setSilent(!models_.disclosure.current().anatomy); });
+}
+
+std::optional<QString> ProbeMotion::stateInWords() const {
+  if (!models_.patientCase.patient()) return QString();
+  if (!models_.live.failure().empty()) return QString::fromStdString(models_.live.failure());
+  if (unplaced_) return tr("Place the probe: press the button, or click on the skin in 3D.");
+  if (!models_.live.shown()) return tr("Building the first scene.");
+  if (models_.live.isFrozen()) return tr("Frozen. Comma and period step through the last seconds.");
+  return std::nullopt;
+}
+
+/// Once the image and the skin are there.
+void ProbeMotion::giveHands() {
+  if (!models_.live.shown() || !control_.ready()) return;
+  giveProbe();
+  models_.hands.setCase(models_.patientCase.tissueLabels(), control_.hand(),
+                        VesselNames(models_.patientCase.patient()->manifest, {}, control_.hand()->pose().offset));
+}
+
+void ProbeMotion::giveProbe() {
+  static const TissueMechanics kUsual;  // its tables say nothing of a face
+  if (control_.ready())
+    models_.hands.probeMoved(*control_.hand(), faceOf(models_.imaging.probe(), kUsual).width_mm / 2);
+}
+
+ProbeHandState ProbeMotion::state() const {
+  return control_.hand() ? control_.hand()->state() : ProbeHandState{};
+}
+
+Transform ProbeMotion::pose() const {
+  if (models_.hands.drivesProbe()) return models_.hands.drivenPose();
+  return control_.hand() ? control_.hand()->pose() : Transform{};
+}
+
+bool ProbeMotion::mayMove() {
+  if (!models_.live.checkLive()) return false;
+  if (!models_.hands.probeFollowsMouse())
+    models_.status.say(
+        tr("A device holds the probe. Put mouse and keyboard into that hand under Devices to move it here."));
+  return models_.hands.probeFollowsMouse();
+}
+
+void ProbeMotion::moved(HandMove result) {
+  if (!result.done()) models_.status.say(ui::qt(result.stopped));
+  if (!control_.ready()) return;
+  if (!models_.hands.drivesProbe()) models_.live.setPose(pose());
+  giveProbe();
+  Q_EMIT handMoved();
+}
+
+void ProbeMotion::move(HandAxis axis, double amount) {
+  if (mayMove()) moved(control_.move(axis, amount));
+}
+
+void ProbeMotion::slide(double lateral_mm, double elevation_mm) {
+  if (mayMove()) moved(control_.slide(lateral_mm, elevation_mm));
+}
+
+void ProbeMotion::typed(HandAxis axis, double value) {
+  control_.begin();
+  if (mayMove()) moved(control_.set(axis, value));
+  if (models_.live.isFrozen()) Q_EMIT handMoved();  // The number goes back to what it was.
+}
+
+void ProbeMotion::moveTo(Vec3 patient_mm) {
+  if (mayMove()) moved(control_.moveTo(patient_mm));
+}
+
+void ProbeMotion::placed(Vec3 patient_mm) {
+  constexpr double kOnSkin_mm = 0.5;
+  control_.begin();
+  if (mayMove()) {
+    moved(control_.moveTo(patient_mm));
+    const double off_mm = norm(numbers().skin_mm - patient_mm);
+    if (control_.ready() && off_mm > kOnSkin_mm)
+      models_.status.say(
+          tr("That place is not on the skin; the probe is at the nearest skin, %1 mm away.").arg(off_mm, 0, 'f', 1));
+  }
+  Q_EMIT handMoved();  // Numbers that could not be reached go back.
+}
+
+void ProbeMotion::goTo(const StartPose& pose) {
+  if (!models_.disclosure.mayShowAnatomy()) return;
+  if (levelStart_)
+    return models_.status.say(tr("In a level, find the vein from where the attempt began (Home goes back there)."));
+  control_.begin();
+  if (mayMove()) moved(control_.setPose(pose));
+}
+
+void ProbeMotion::home() {
+  if (!models_.patientCase.patient() || !control_.ready()) return;
+  control_.begin();
+  if (mayMove()) moved(levelStart_ ? control_.setPose(*levelStart_) : control_.setPose(models_.patientCase.start()));
+}
+
+void ProbeMotion::beginAt(const ProbeHandState& state) {
+  if (!control_.ready() || !models_.hands.probeFollowsMouse()) return;
+  levelStart_ = state;
+  control_.restore(state);
+  moved({});
+  models_.history.clear();
+}
+
+Vec3 ProbeMotion::targetNear_mm() const {
+  const auto home = levelStart_ ? handAtStart() : std::nullopt;
+  return home ? home->pose().offset : pose().offset;
+}
+
+std::optional<ProbeHand> ProbeMotion::handAtStart() const {
+  if (!control_.hand()) return std::nullopt;
+  ProbeHand hand = *control_.hand();
+  const StartPose& start = models_.patientCase.start();
+  if (const auto pose = patientFromProbe(start.position_mm, start.axial, start.lateral)) hand.setPose(*pose);
+  return hand;
+}
+
+void ProbeMotion::rememberMove(const ProbeHandState& before) {
+  models_.history.add(tr("move of the probe").toStdString(), [this, other = before]() mutable {
+    if (!mayMove()) return false;
+    const ProbeHandState now = state();
+    control_.restore(std::exchange(other, now));
+    moved({});
+    return true;
+  });
+}
+
+void ProbeMotion::placeOnSkin() {
+  if (!unplaced_) return;
+  control_.setHand(std::exchange(unplaced_, std::nullopt));
+  models_.patientCase.setStart(poseOf(pose()));
+  Q_EMIT placingChanged();
+  Q_EMIT handMoved();
+  models_.status.say(tr("The probe is on the skin in front. Drag on the skin in 3D to put it elsewhere."));
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "../hands/HandsControl.h"
+#include "CaseModel.h"
+#include "Disclosure.h"
+#include "History.h"
+#include "ImagingModel.h"
+#include "LiveModel.h"
+#include "NeedleMotion.h"
+#include "ProbeMotion.h"
+#include "StatusLine.h"
+
+#include <QObject>
+
+namespace insonate::train {
+
+/// The state that the features of the workspace share. It holds the parts and has no logic; a class takes the parts
+/// that it uses. Knows no widget. Each part receives the signals of earlier parts before any widget does.
+struct TrainModel : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit TrainModel(QObject* parent) : QObject(parent) {}
+
+  StatusLine status;
+  History history;
+  DisclosureModel disclosure{status};
+  HandsControl hands;  ///< needle, devices and pedal
+  CaseModel patientCase{status};
+  ImagingModel imaging{disclosure, history, status};
+  LiveModel live{patientCase, imaging, hands, status};
+  ProbeMotion motion{{patientCase, imaging, live, disclosure, hands, history, status}};
+  NeedleMotion needle{hands, live};
+};
+
+}  // namespace insonate::train
