@@ -5,7 +5,7 @@
 namespace insonate::prepare {
 
 void PrepareWorkspace::Parts::measureLabelling(int repeats, std::function<void(std::vector<LabellingTime>)> done) {
-  measure_ = std::make_unique<LabellingMeasure>(session, *tools_, *views, repeats, std::move(done));
+  measure_ = std::make_unique<LabellingMeasure>(shared, *tools_, *views, repeats, std::move(done));
 }
 
 }  // namespace insonate::prepare

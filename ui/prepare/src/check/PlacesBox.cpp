@@ -1,6 +1,14 @@
 #include "PlacesBox.h"
 
-#include "../PrepareSession.h"
+#include "../label/LabelSession.h"
+#include "../live/LivePatient.h"
+#include "../model/Notice.h"
+#include "../model/OpenCase.h"
+#include "../model/PrepareModel.h"
+#include "../places/PlacesEditor.h"
+#include "../structures/StructureList.h"
+#include "../structures/TermsEditor.h"
+#include "../viewing/Crosshair.h"
 #include "VesselNaming.h"
 
 #include <insonate/cases/Landmarks.h>
@@ -31,9 +39,9 @@ constexpr int kListHeight_px = 190;
 
 }  // namespace
 
-PlacesBox::PlacesBox(PrepareSession& session, QWidget* parent)
+PlacesBox::PlacesBox(PrepareModel& shared, QWidget* parent)
     : QWidget(parent),
-      session_(session),
+      shared_(shared),
       list_(new QTreeWidget),
       kind_(new QComboBox),
       add_(ui::pushButton("placeAdd", tr("Mark"), tr("Marks the place at the crosshair; a start pose at the probe"))),
@@ -59,8 +67,8 @@ PlacesBox::PlacesBox(PrepareSession& session, QWidget* parent)
   connect(list_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
     if (!showing_) rename(item);
   });
-  connect(&session_, &PrepareSession::caseChanged, this, [this] { refresh(); });
-  connect(&session_, &PrepareSession::placesChanged, this, [this] { refresh(); });
+  connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] { refresh(); });
+  connect(&shared_.places, &PlacesEditor::changed, this, [this] { refresh(); });
   refresh();
 }
 
@@ -118,7 +126,7 @@ void PlacesBox::refresh() {
   const bool had = chosen(before);
   showing_ = true;
   list_->clear();
-  const CasePlaces& places = session_.places();
+  const CasePlaces& places = shared_.places.value();
   const auto heading = [this](const QString& words) {
     auto* item = new QTreeWidgetItem(list_, {words});
     item->setFlags(Qt::ItemIsEnabled);
@@ -162,39 +170,39 @@ void PlacesBox::refreshButtons() {
   for (QPushButton* each : {show_, put_, remove_}) each->setEnabled(any);
   first_->setEnabled(any && (one.kind == Kind::Target || one.kind == Kind::StartPose) && one.index > 0);
   split_->setEnabled(any && one.kind == Kind::Vessel);
-  add_->setEnabled(session_.patient() != nullptr);
+  add_->setEnabled(shared_.openCase.patient() != nullptr);
 }
 
 void PlacesBox::change(const QString& what, const std::function<void(CasePlaces&)>& how) {
-  CasePlaces places = session_.places();
+  CasePlaces places = shared_.places.value();
   how(places);
-  session_.setPlaces(std::move(places), what);
+  shared_.places.set(std::move(places), what);
 }
 
 void PlacesBox::add() {
   const QString what = kind_->currentData().toString(), name = kind_->currentText();
-  const Vec3 here_mm = session_.crosshair_mm();
+  const Vec3 here_mm = shared_.crosshair.position_mm();
   if (what == kStartPoseKind) {
-    const auto pose = session_.live().standing();
-    if (!pose) return session_.say(tr("The probe has no position yet. Click on the skin first."));
+    const auto pose = shared_.live.standing();
+    if (!pose) return shared_.notice.say(tr("The probe has no position yet. Click on the skin first."));
     return change(tr("start pose"), [&](CasePlaces& places) {
       places.startPoses.push_back(poseOf(*pose));
       places.startPoses.back().name = tr("start %1").arg(places.startPoses.size()).toStdString();
     });
   }
-  if (what == kVesselKind) return nameVesselAt(session_, {here_mm}, name);
+  if (what == kVesselKind) return nameVesselAt(shared_, {here_mm}, name);
   if (what == kTargetKind) return addTarget();
   addLandmark(what.toStdString(), name);
 }
 
 /// A target in a vessel with a name bears that name.
 void PlacesBox::addTarget() {
-  const Vec3 here_mm = session_.crosshair_mm();
-  const LabelMap& labels = session_.labelling().labels();
+  const Vec3 here_mm = shared_.crosshair.position_mm();
+  const LabelMap& labels = shared_.labelling.labels();
   const std::uint8_t label =
-      tissueOf(session_.terms().own, sampleNearest(labels, labels.geometry.indexFromPatient() * here_mm));
+      tissueOf(shared_.terms.value().own, sampleNearest(labels, labels.geometry.indexFromPatient() * here_mm));
   if (label != kVein && label != kArtery)
-    return session_.say(tr("A target lies in a vein or an artery. Put the crosshair into the vessel first."));
+    return shared_.notice.say(tr("A target lies in a vein or an artery. Put the crosshair into the vessel first."));
   change(tr("target"), [&](CasePlaces& places) {
     std::string name = structureName(label).toStdString();
     for (const NamedVessel& vessel : places.vessels)
@@ -205,8 +213,8 @@ void PlacesBox::addTarget() {
 
 /// A neck has one of each that is known; marked again, it moves.
 void PlacesBox::addLandmark(const std::string& code, const QString& name) {
-  const Vec3 here_mm = session_.crosshair_mm();
-  const auto& before = session_.places().landmarks;
+  const Vec3 here_mm = shared_.crosshair.position_mm();
+  const auto& before = shared_.places.value().landmarks;
   const auto same = code.empty() ? before.end() : std::ranges::find(before, code, &Landmark::code);
   if (same == before.end())
     return change(tr("landmark"), [&](CasePlaces& places) {
@@ -215,26 +223,26 @@ void PlacesBox::addLandmark(const std::string& code, const QString& name) {
   const auto index = same - before.begin();
   const QString told = ui::qt(same->name);
   change(tr("landmark"), [&](CasePlaces& places) { places.landmarks[std::size_t(index)].position_mm = here_mm; });
-  session_.say(tr("\"%1\" was marked before and has moved to the crosshair; Ctrl+Z undoes it.").arg(told));
+  shared_.notice.say(tr("\"%1\" was marked before and has moved to the crosshair; Ctrl+Z undoes it.").arg(told));
 }
 
 void PlacesBox::show() {
   Chosen one{};
   if (!chosen(one)) return;
-  const CasePlaces& places = session_.places();
+  const CasePlaces& places = shared_.places.value();
   switch (one.kind) {
     case Kind::Target:
-      session_.select(places.targets[one.index].label);
-      return session_.setCrosshair(places.targets[one.index].position_mm);
+      shared_.structures.select(places.targets[one.index].label);
+      return shared_.crosshair.moveTo(places.targets[one.index].position_mm);
     case Kind::Vessel: {
       const NamedVessel& vessel = places.vessels[one.index];
-      session_.select(vessel.label);
-      return session_.setCrosshair(vessel.course[vessel.course.size() / 2].position_mm);
+      shared_.structures.select(vessel.label);
+      return shared_.crosshair.moveTo(vessel.course[vessel.course.size() / 2].position_mm);
     }
     case Kind::Landmark:
-      return session_.setCrosshair(places.landmarks[one.index].position_mm);
+      return shared_.crosshair.moveTo(places.landmarks[one.index].position_mm);
     case Kind::StartPose:
-      return session_.goTo(places.startPoses[one.index]);
+      return shared_.crosshair.goTo(places.startPoses[one.index]);
   }
 }
 
@@ -242,10 +250,11 @@ void PlacesBox::moveHere() {
   Chosen one{};
   if (!chosen(one)) return;
   if (one.kind == Kind::Vessel)
-    return nameVesselAt(session_, {session_.crosshair_mm()}, ui::qt(session_.places().vessels[one.index].name));
-  const auto pose = session_.live().standing();
+    return nameVesselAt(shared_, {shared_.crosshair.position_mm()},
+                        ui::qt(shared_.places.value().vessels[one.index].name));
+  const auto pose = shared_.live.standing();
   change(tr("place"), [&](CasePlaces& places) {
-    const Vec3 here_mm = session_.crosshair_mm();
+    const Vec3 here_mm = shared_.crosshair.position_mm();
     if (one.kind == Kind::Target) places.targets[one.index].position_mm = here_mm;
     if (one.kind == Kind::Landmark) places.landmarks[one.index].position_mm = here_mm;
     if (one.kind != Kind::StartPose || !pose) return;
@@ -269,8 +278,8 @@ void PlacesBox::makeFirst() {
 void PlacesBox::split() {
   Chosen one{};
   if (!chosen(one) || one.kind != Kind::Vessel) return;
-  auto parts = splitVessel(session_.places().vessels[one.index], session_.crosshair_mm());
-  if (!parts) return session_.say(ui::qt(parts.error().message));
+  auto parts = splitVessel(shared_.places.value().vessels[one.index], shared_.crosshair.position_mm());
+  if (!parts) return shared_.notice.say(ui::qt(parts.error().message));
   parts->second.name += ", part 2";
   change(tr("vessel split"), [&](CasePlaces& places) {
     const auto at = places.vessels.begin() + std::ptrdiff_t(one.index);

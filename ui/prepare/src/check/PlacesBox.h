@@ -1,5 +1,7 @@
 #pragma once
 
+#include "CasePlaces.h"
+
 #include <QString>
 #include <QWidget>
 #include <functional>
@@ -11,8 +13,7 @@ class QTreeWidgetItem;
 
 namespace insonate::prepare {
 
-class PrepareSession;
-struct CasePlaces;
+struct PrepareModel;
 
 /// Kinds that PlacesBox marks beside landmarks, whose kinds are their codes.
 inline const QString kTargetKind = QStringLiteral("target"), kStartPoseKind = QStringLiteral("start pose"),
@@ -24,7 +25,7 @@ class PlacesBox : public QWidget {
   Q_OBJECT
 
  public:
-  explicit PlacesBox(PrepareSession& session, QWidget* parent = nullptr);
+  explicit PlacesBox(PrepareModel& shared, QWidget* parent = nullptr);
   /// This kind is to be marked next.
   void offer(const QString& kind);
 
@@ -54,7 +55,7 @@ class PlacesBox : public QWidget {
   void change(const QString& what, const std::function<void(CasePlaces&)>& how);
   bool chosen(Chosen& one) const;
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   QTreeWidget* list_;
   QComboBox* kind_;
   QPushButton *add_, *show_, *put_, *first_, *split_, *remove_;

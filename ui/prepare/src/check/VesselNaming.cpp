@@ -1,6 +1,11 @@
 #include "VesselNaming.h"
 
-#include "../PrepareSession.h"
+#include "../label/LabelSession.h"
+#include "../model/Notice.h"
+#include "../model/OpenCase.h"
+#include "../model/PrepareModel.h"
+#include "../places/PlacesEditor.h"
+#include "../structures/TermsEditor.h"
 
 #include <insonate/simulator/VesselNaming.h>
 #include <insonate/tissue/Labels.h>
@@ -26,18 +31,19 @@ Result<NamedVessel> namedAt(const LabelMap& labels, const OwnLabels& own, const 
 
 }  // namespace
 
-void nameVesselAt(PrepareSession& session, std::vector<Vec3> places_mm, const QString& name) {
-  if (places_mm.empty() || !session.patient()) return;
-  QtConcurrent::run([self = QPointer(&session), patient = session.patient(), labels = session.labelling().snapshot(),
-                     own = session.terms().own, places_mm = std::move(places_mm), name] {
+void nameVesselAt(PrepareModel& shared, std::vector<Vec3> places_mm, const QString& name) {
+  if (places_mm.empty() || !shared.openCase.patient()) return;
+  QtConcurrent::run([self = QPointer(&shared.openCase), shared, patient = shared.openCase.patient(),
+                     labels = shared.labelling.snapshot(), own = shared.terms.value().own,
+                     places_mm = std::move(places_mm), name] {
     auto vessel = namedAt(*labels, own, places_mm, name.toStdString());
-    QMetaObject::invokeMethod(qApp, [self, patient, name, vessel = std::move(vessel)] {
+    QMetaObject::invokeMethod(qApp, [self, shared, patient, name, vessel = std::move(vessel)] {
       if (!self || self->patient() != patient) return;
-      if (!vessel) return self->say(ui::qt(vessel.error().message));
-      CasePlaces places = self->places();
+      if (!vessel) return shared.notice.say(ui::qt(vessel.error().message));
+      CasePlaces places = shared.places.value();
       putVessel(*vessel, places.vessels);
-      self->setPlaces(std::move(places), PrepareSession::tr("name of a vessel"));
-      self->say(PrepareSession::tr("The %1 has its name; Ctrl+Z removes it.").arg(name));
+      shared.places.set(std::move(places), PlacesEditor::tr("name of a vessel"));
+      shared.notice.say(PlacesEditor::tr("The %1 has its name; Ctrl+Z removes it.").arg(name));
     });
   });
 }

@@ -1,23 +1,21 @@
 #include "LabelCommand.h"
 
-#include "LabelSession.h"
-
 #include <utility>
 
 namespace insonate::prepare {
 
 void LabelCommand::undo() {
   int undone = 0;
-  while (undone < steps_ && session_.undo()) ++undone;
+  while (undone < steps_ && undo_()) ++undone;
   if (undone == steps_) return;
   // All or nothing; the stack forgets it, too.
-  for (; undone > 0; --undone) session_.redo();
+  for (; undone > 0; --undone) redo_();
   setObsolete(true);
 }
 
 void LabelCommand::redo() {
   if (std::exchange(isDone_, false)) return;
-  for (int step = 0; step < steps_; ++step) session_.redo();
+  for (int step = 0; step < steps_; ++step) redo_();
 }
 
 bool LabelCommand::mergeWith(const QUndoCommand* next) {

@@ -62,6 +62,12 @@ void LabelSession::setRules(const LabelRules& rules) {
   Q_EMIT rulesChanged();
 }
 
+void LabelSession::setLocked(std::uint8_t label, bool locked) {
+  LabelRules rules = rules_;
+  rules.locked.set(label, locked);
+  setRules(rules);
+}
+
 void LabelSession::setBusy(bool busy) {
   if (busy == std::exchange(busy_, busy)) return;
   Q_EMIT busyChanged();
@@ -180,7 +186,7 @@ void LabelSession::settle() {
 
 void LabelSession::record(LabelStep step, const QString& name) {
   undone_.clear();
-  auto* made = new LabelCommand(*this, name, step.of);
+  auto* made = new LabelCommand([this] { return undo(); }, [this] { redo(); }, name, step.of);
   steps_.push_back({std::move(step), ++states_});
   undo_.push(made);
 }

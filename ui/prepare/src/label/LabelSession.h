@@ -63,6 +63,8 @@ class LabelSession : public QObject {
 
   const LabelRules& rules() const { return rules_; }
   void setRules(const LabelRules& rules);
+  /// Tools leave a locked label as it is.
+  void setLocked(std::uint8_t label, bool locked);
 
   /// Copies what the first edit needs on another thread, so that it does not wait for it.
   void getReady();
@@ -105,7 +107,6 @@ class LabelSession : public QObject {
   void failed(const QString& sentence);
 
  private:
-  friend class LabelCommand;
   struct Writing {
     LabelStep step;
     QString name;

@@ -53,6 +53,8 @@ class CaseMeasuring : public QObject {
   State state() const { return state_; }
   /// The measures; null before they are ready.
   const std::shared_ptr<const CaseMeasures>& measures() const { return measures_; }
+  /// Tells whether the measures have voxels of a label; false before they are ready.
+  bool hasVoxels(std::uint8_t label) const { return measures_ && measures_->statistics.voxels[label] > 0; }
   /// Why there is nothing, a sentence.
   const QString& trouble() const { return trouble_; }
 

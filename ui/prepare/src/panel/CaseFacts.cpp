@@ -1,6 +1,8 @@
 #include "CaseFacts.h"
 
-#include "../PrepareSession.h"
+#include "../measure/CaseMeasuring.h"
+#include "../model/OpenCase.h"
+#include "../model/PrepareModel.h"
 
 #include <insonate/ui/Theme.h>
 #include <insonate/views/SlicePlane.h>
@@ -42,8 +44,7 @@ QString breakable(const QString& text) {
 
 }  // namespace
 
-CaseFacts::CaseFacts(PrepareSession& session, QWidget* parent)
-    : QWidget(parent), session_(session), title_(new QLineEdit) {
+CaseFacts::CaseFacts(PrepareModel& shared, QWidget* parent) : QWidget(parent), shared_(shared), title_(new QLineEdit) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   form->setHorizontalSpacing(ui::kGap);
@@ -67,11 +68,11 @@ CaseFacts::CaseFacts(PrepareSession& session, QWidget* parent)
   source_ = addFact(*form, tr("source"));
   notes_ = addFact(*form, tr("import"));
   notes_->setObjectName(QStringLiteral("caseNotes"));
-  connect(title_, &QLineEdit::editingFinished, this, [this] { session_.setTitle(title_->text()); });
-  connect(&session_, &PrepareSession::titleChanged, this, [this] { title_->setText(session_.title()); });
-  connect(&session_, &PrepareSession::caseChanged, this, [this] { showCase(); });
-  connect(&session_, &PrepareSession::originChanged, this, [this] { showOrigin(); });
-  connect(&session_.measuring(), &CaseMeasuring::changed, this, [this] { showMeasures(); });
+  connect(title_, &QLineEdit::editingFinished, this, [this] { shared_.openCase.setTitle(title_->text()); });
+  connect(&shared_.openCase, &OpenCase::titleChanged, this, [this] { title_->setText(shared_.openCase.title()); });
+  connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] { showCase(); });
+  connect(&shared_.openCase, &OpenCase::originChanged, this, [this] { showOrigin(); });
+  connect(&shared_.measuring, &CaseMeasuring::changed, this, [this] { showMeasures(); });
   showCase();
 }
 
@@ -90,8 +91,8 @@ QLabel* CaseFacts::addFact(QFormLayout& form, const QString& name) {
 }
 
 void CaseFacts::showCase() {
-  const auto& patient = session_.patient();
-  title_->setText(session_.title());
+  const auto& patient = shared_.openCase.patient();
+  title_->setText(shared_.openCase.title());
   if (!patient) return;
   const VolumeGeometry& grid = patient->ct.geometry;
   size_->setText(QStringLiteral("%1 x %2 x %3").arg(grid.size[0]).arg(grid.size[1]).arg(grid.size[2]));
@@ -105,21 +106,22 @@ void CaseFacts::showCase() {
 }
 
 void CaseFacts::showOrigin() {
-  const ui::CaseOrigin& origin = session_.origin();
+  const ui::CaseOrigin& origin = shared_.openCase.origin();
   place_->setText(origin.builtIn                ? tr("comes with Insonate")
                   : !origin.versionOf.isEmpty() ? tr("an earlier version of %1").arg(QDir(origin.versionOf).dirName())
                   : origin.folder.isEmpty()     ? tr("not saved yet")
                                                 : QDir(origin.folder).dirName());
   place_->setToolTip(origin.versionOf.isEmpty() ? origin.folder : origin.versionOf);
   QStringList notes = origin.notes;
-  if (session_.patient())
-    for (const std::string& note : session_.patient()->manifest.importNotes) notes << QString::fromStdString(note);
+  if (shared_.openCase.patient())
+    for (const std::string& note : shared_.openCase.patient()->manifest.importNotes)
+      notes << QString::fromStdString(note);
   notes.removeDuplicates();
   notes_->setText(notes.isEmpty() ? tr("nothing was changed") : notes.join(QLatin1Char('\n')));
 }
 
 void CaseFacts::showMeasures() {
-  const auto& measures = session_.measuring().measures();
+  const auto& measures = shared_.measuring.measures();
   range_->setText(measures ? tr("%1 to %2 HU").arg(measures->statistics.least_HU).arg(measures->statistics.most_HU)
                            : tr("..."));
 }

@@ -8,12 +8,12 @@ class QLineEdit;
 
 namespace insonate::prepare {
 
-class PrepareSession;
+struct PrepareModel;
 
 /// Facts about the case; its title can be changed.
 class CaseFacts : public QWidget {
  public:
-  explicit CaseFacts(PrepareSession& session, QWidget* parent = nullptr);
+  explicit CaseFacts(PrepareModel& shared, QWidget* parent = nullptr);
 
  private:
   QLabel* addFact(QFormLayout& form, const QString& name);
@@ -21,7 +21,7 @@ class CaseFacts : public QWidget {
   void showOrigin();
   void showMeasures();
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   QLineEdit* title_;
   QLabel *size_, *spacing_, *orientation_, *range_, *place_, *source_, *notes_;
 };

@@ -11,14 +11,14 @@ class TaskBar;
 
 namespace insonate::prepare {
 
-class PrepareSession;
+struct PrepareModel;
 
 /// The last step of a case: publishes the saved, fit case as the version that trainees get until another one is
 /// published.
 class PublishStep : public QWidget {
  public:
   /// Shows the published version in `mark`.
-  PublishStep(PrepareSession& session, ui::TaskBar& tasks, QLabel& mark, QWidget* parent = nullptr);
+  PublishStep(PrepareModel& shared, ui::TaskBar& tasks, QLabel& mark, QWidget* parent = nullptr);
 
  private:
   QString obstacle() const;
@@ -26,7 +26,7 @@ class PublishStep : public QWidget {
   void refresh();
   void readVersions();
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   ui::TaskBar& tasks_;
   QLabel& mark_;
   QPushButton* publish_;

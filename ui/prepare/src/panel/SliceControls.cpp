@@ -1,6 +1,7 @@
 #include "SliceControls.h"
 
-#include "../PrepareSession.h"
+#include "../model/PrepareModel.h"
+#include "../viewing/SliceSettings.h"
 
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Text.h>
@@ -38,9 +39,9 @@ const std::array<Style, 3>& styles() {
 
 }  // namespace
 
-SliceControls::SliceControls(PrepareSession& session, QWidget* parent)
+SliceControls::SliceControls(PrepareModel& shared, QWidget* parent)
     : QWidget(parent),
-      session_(session),
+      shared_(shared),
       preset_(new QComboBox),
       window_(new ui::ValueSlider(tr("window"), tr("HU"), {1, 3000, 350, 10, 0},
                                   tr("range of Hounsfield units from black to white; right drag across a slice"))),
@@ -82,49 +83,49 @@ SliceControls::SliceControls(PrepareSession& session, QWidget* parent)
 
   connect(preset_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
     const auto presets = views::windowLevelPresets();
-    if (index < int(presets.size())) session_.setWindowLevel(presets[std::size_t(index)].value);
+    if (index < int(presets.size())) shared_.slices.setWindowLevel(presets[std::size_t(index)].value);
   });
   const auto typed = [this] {
-    if (!showing_) session_.setWindowLevel({window_->value(), level_->value()});
+    if (!showing_) shared_.slices.setWindowLevel({window_->value(), level_->value()});
   };
   connect(window_, &ui::ValueSlider::valueChanged, this, typed);
   connect(level_, &ui::ValueSlider::valueChanged, this, typed);
   connect(opacity_, &ui::ValueSlider::valueChanged, this, [this](double percent) {
-    if (!showing_) session_.setLabelOpacity(percent / kPercent);
+    if (!showing_) shared_.slices.setLabelOpacity(percent / kPercent);
   });
   connect(style_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
     const Style& chosen = styles()[std::size_t(index)];
-    session_.setLabelStyle({chosen.fill, chosen.outline, session_.labelStyle().thickness_px});
+    shared_.slices.setLabelStyle({chosen.fill, chosen.outline, shared_.slices.labelStyle().thickness_px});
   });
   connect(width_, &ui::ValueSlider::valueChanged, this, [this](double px) {
-    views::LabelStyle style = session_.labelStyle();
+    views::LabelStyle style = shared_.slices.labelStyle();
     style.thickness_px = int(px);
-    if (!showing_) session_.setLabelStyle(style);
+    if (!showing_) shared_.slices.setLabelStyle(style);
   });
-  connect(places_, &QCheckBox::toggled, this, [this](bool on) { session_.setPlacesShown(on); });
-  connect(labels_, &QCheckBox::toggled, this, [this](bool on) { session_.setLabelsShown(on); });
-  connect(&session_, &PrepareSession::slicesChanged, this, [this] { refresh(); });
+  connect(places_, &QCheckBox::toggled, this, [this](bool on) { shared_.slices.setPlacesShown(on); });
+  connect(labels_, &QCheckBox::toggled, this, [this](bool on) { shared_.slices.setLabelsShown(on); });
+  connect(&shared_.slices, &SliceSettings::changed, this, [this] { refresh(); });
   refresh();
 }
 
 void SliceControls::refresh() {
   showing_ = true;
-  const views::WindowLevel& value = session_.windowLevel();
+  const views::WindowLevel& value = shared_.slices.windowLevel();
   const auto presets = views::windowLevelPresets();
   int index = 0;
   while (index < int(presets.size()) && presets[std::size_t(index)].value != value) ++index;
   preset_->setCurrentIndex(index);
   window_->setValue(value.window_HU);
   level_->setValue(value.level_HU);
-  opacity_->setValue(kPercent * session_.labelOpacity());
-  labels_->setChecked(session_.labelsShown());
-  const views::LabelStyle& style = session_.labelStyle();
+  opacity_->setValue(kPercent * shared_.slices.labelOpacity());
+  labels_->setChecked(shared_.slices.labelsShown());
+  const views::LabelStyle& style = shared_.slices.labelStyle();
   for (std::size_t n = 0; n < styles().size(); ++n)
     if (styles()[n].fill == style.fill && styles()[n].outline == style.outline) style_->setCurrentIndex(int(n));
   opacity_->setEnabled(style.fill);
   width_->setValue(style.thickness_px);
   width_->setEnabled(style.outline);
-  places_->setChecked(session_.placesShown());
+  places_->setChecked(shared_.slices.placesShown());
   showing_ = false;
 }
 

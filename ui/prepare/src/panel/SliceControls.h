@@ -11,17 +11,17 @@ class ValueSlider;
 
 namespace insonate::prepare {
 
-class PrepareSession;
+struct PrepareModel;
 
 /// Display of the slices: window and level of the CT, and the labels over it.
 class SliceControls : public QWidget {
  public:
-  explicit SliceControls(PrepareSession& session, QWidget* parent = nullptr);
+  explicit SliceControls(PrepareModel& shared, QWidget* parent = nullptr);
 
  private:
   void refresh();
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   QComboBox* preset_;
   ui::ValueSlider *window_, *level_, *opacity_;
   QComboBox* style_;

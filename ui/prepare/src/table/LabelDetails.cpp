@@ -1,6 +1,10 @@
 #include "LabelDetails.h"
 
-#include "../PrepareSession.h"
+#include "../edit/Structures.h"
+#include "../measure/CaseMeasuring.h"
+#include "../model/PrepareModel.h"
+#include "../structures/StructureList.h"
+#include "../structures/TermsEditor.h"
 #include "Swatch.h"
 
 #include <insonate/tissue/Labels.h>
@@ -30,9 +34,9 @@ QComboBox* choice(const char* object, const QString& name, int letters, const QS
 
 }  // namespace
 
-LabelDetails::LabelDetails(PrepareSession& session, QWidget* parent)
+LabelDetails::LabelDetails(PrepareModel& shared, QWidget* parent)
     : QWidget(parent),
-      session_(session),
+      shared_(shared),
       // "in progress" is read whole; the tissue gets what is left.
       state_(choice("labelState", tr("State of the selected structure"), 11,
                     tr("Progress on the selected structure (S sets the next state); saved with the case"))),
@@ -50,19 +54,20 @@ LabelDetails::LabelDetails(PrepareSession& session, QWidget* parent)
   grid->addWidget(term_, 1, 0, 1, 2);
   grid->setColumnStretch(1, 1);
   connect(state_, qOverload<int>(&QComboBox::activated), this,
-          [this](int row) { session_.setState(session_.selected(), kLabelStates[row]); });
-  connect(tissue_, qOverload<int>(&QComboBox::activated), this,
-          [this](int row) { session_.setTissue(session_.selected(), std::uint8_t(tissue_->itemData(row).toInt())); });
-  connect(&session_, &PrepareSession::structuresChanged, this, [this] { refresh(); });
-  connect(&session_, &PrepareSession::selectedChanged, this, [this] { refresh(); });
-  connect(&session_, &PrepareSession::termsChanged, this, [this] { refresh(); });
-  connect(&session_.measuring(), &CaseMeasuring::changed, this, [this] { refresh(); });
+          [this](int row) { shared_.terms.setState(shared_.structures.selected(), kLabelStates[row]); });
+  connect(tissue_, qOverload<int>(&QComboBox::activated), this, [this](int row) {
+    shared_.terms.setTissue(shared_.structures.selected(), std::uint8_t(tissue_->itemData(row).toInt()));
+  });
+  connect(&shared_.structures, &StructureList::changed, this, [this] { refresh(); });
+  connect(&shared_.structures, &StructureList::selectedChanged, this, [this] { refresh(); });
+  connect(&shared_.terms, &TermsEditor::changed, this, [this] { refresh(); });
+  connect(&shared_.measuring, &CaseMeasuring::changed, this, [this] { refresh(); });
   refresh();
 }
 
 void LabelDetails::refresh() {
-  const std::uint8_t label = session_.selected();
-  const auto& there = session_.structures();
+  const std::uint8_t label = shared_.structures.selected();
+  const auto& there = shared_.structures.labels();
   const bool any = std::ranges::find(there, label) != there.end();
   state_->setEnabled(any);
   tissue_->setEnabled(any && isOwnLabel(label));
@@ -71,10 +76,10 @@ void LabelDetails::refresh() {
           ? tr("Tissue of the structure: sets its look in ultrasound, its stiffness and its resistance to the needle")
           : tr("Structures of the label table are their own tissue; Add makes one of your own"));
   if (!any) return term_->setText(tr("Choose a structure, or add one."));
-  const std::uint8_t tissue = tissueOf(session_.terms().own, label);
-  state_->setCurrentIndex(int(session_.stateOf(label)));
+  const std::uint8_t tissue = tissueOf(shared_.terms.value().own, label);
+  state_->setCurrentIndex(int(shared_.terms.stateOf(label)));
   tissue_->setCurrentIndex(tissue_->findData(int(knownLabel(tissue))));
-  const auto& measures = session_.measuring().measures();
+  const auto& measures = shared_.measuring.measures();
   const qulonglong voxels = measures ? measures->statistics.voxels[label] : 0;
   term_->setText(tr("%1; %2 voxels").arg(termOf(tissue), QLocale().toString(voxels)));
 }

@@ -7,17 +7,17 @@ class QLabel;
 
 namespace insonate::prepare {
 
-class PrepareSession;
+struct PrepareModel;
 
 /// Details of the selected structure: state, tissue, term and voxels, in words.
 class LabelDetails : public QWidget {
  public:
-  explicit LabelDetails(PrepareSession& session, QWidget* parent = nullptr);
+  explicit LabelDetails(PrepareModel& shared, QWidget* parent = nullptr);
 
  private:
   void refresh();
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   QComboBox *state_, *tissue_;
   QLabel* term_;
 };

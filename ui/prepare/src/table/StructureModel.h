@@ -8,14 +8,14 @@
 
 namespace insonate::prepare {
 
-class PrepareSession;
+struct PrepareModel;
 
 /// The structures of a case as rows. Names of the author's own can be edited.
 class StructureModel : public QAbstractTableModel {
  public:
   enum Column { kEye, kLock, kColour, kName, kState, kVolume, kTissue, kTerm, kVoxels, kColumns };
 
-  StructureModel(PrepareSession& session, QObject* parent);
+  StructureModel(PrepareModel& shared, QObject* parent);
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -37,7 +37,7 @@ class StructureModel : public QAbstractTableModel {
   QString volume(std::uint8_t label) const;
   QString voxels(std::uint8_t label) const;
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   QIcon locked_, unlocked_;
   QIcon shown_, unseen_, hidden_;  ///< unseen: shown, but of no opacity
   std::array<QIcon, std::size(kLabelStates)> states_;

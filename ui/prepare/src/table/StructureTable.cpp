@@ -1,6 +1,11 @@
 #include "StructureTable.h"
 
-#include "../PrepareSession.h"
+#include "../label/LabelSession.h"
+#include "../model/OpenCase.h"
+#include "../model/PrepareModel.h"
+#include "../structures/StructureAppearance.h"
+#include "../structures/StructureList.h"
+#include "../structures/TermsEditor.h"
 #include "LabelDetails.h"
 #include "StructureModel.h"
 
@@ -29,10 +34,10 @@ constexpr double kPercent = 100;
 
 }  // namespace
 
-StructureTable::StructureTable(PrepareSession& session, QWidget* parent)
+StructureTable::StructureTable(PrepareModel& shared, QWidget* parent)
     : QWidget(parent),
-      session_(session),
-      model_(new StructureModel(session, this)),
+      shared_(shared),
+      model_(new StructureModel(shared, this)),
       table_(new QTableView),
       opacity_(new ui::ValueSlider(tr("in 3D"), QStringLiteral("%"), {0, kPercent, kPercent, 5, 0},
                                    tr("opacity of the selected structure in 3D"))),
@@ -46,7 +51,7 @@ StructureTable::StructureTable(PrepareSession& session, QWidget* parent)
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kGap);
   box->addWidget(table_, 1);
-  box->addWidget(new LabelDetails(session_));
+  box->addWidget(new LabelDetails(shared_));
   auto* opacities = new QHBoxLayout;
   opacities->setSpacing(ui::kGap);
   opacities->addWidget(opacity_);
@@ -54,15 +59,15 @@ StructureTable::StructureTable(PrepareSession& session, QWidget* parent)
   box->addLayout(opacities);
   box->addWidget(buildButtons());
   connect(opacity_, &ui::ValueSlider::valueChanged, this, [this](double percent) {
-    if (!showing_) session_.setOpacity(session_.selected(), percent / kPercent);
+    if (!showing_) shared_.appearance.setOpacity(shared_.structures.selected(), percent / kPercent);
   });
   connect(onSlices_, &ui::ValueSlider::valueChanged, this, [this](double percent) {
-    if (!showing_) session_.setShareOnSlices(session_.selected(), percent / kPercent);
+    if (!showing_) shared_.appearance.setShareOnSlices(shared_.structures.selected(), percent / kPercent);
   });
-  connect(&session_, &PrepareSession::structuresChanged, this, [this] { showSelected(); });
-  connect(&session_, &PrepareSession::selectedChanged, this, [this] { showSelected(); });
-  connect(&session_, &PrepareSession::lookChanged, this, [this](int label) {
-    if (label == session_.selected()) showSelected();
+  connect(&shared_.structures, &StructureList::changed, this, [this] { showSelected(); });
+  connect(&shared_.structures, &StructureList::selectedChanged, this, [this] { showSelected(); });
+  connect(&shared_.appearance, &StructureAppearance::lookChanged, this, [this](int label) {
+    if (label == shared_.structures.selected()) showSelected();
   });
   showSelected();
 }
@@ -97,7 +102,7 @@ void StructureTable::buildTable() {
   table_->installEventFilter(this);
   connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) { clicked(index); });
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& index) {
-    if (!showing_ && index.isValid()) session_.select(model_->labelAt(index.row()));
+    if (!showing_ && index.isValid()) shared_.structures.select(model_->labelAt(index.row()));
   });
 }
 
@@ -140,9 +145,10 @@ QWidget* StructureTable::buildButtons() {
   remove_->setToolTip(
       tr("Changes all voxels of the selected structure to soft tissue; removes an own structure without voxels from "
          "the list. Ctrl+Z undoes it"));
-  connect(remove_, &QPushButton::clicked, this, [this] { session_.removeVoxels(session_.selected()); });
-  connect(only_, &QPushButton::clicked, this, [this] { session_.showOnly(session_.selected()); });
-  connect(all_, &QPushButton::clicked, this, [this] { session_.showAll(); });
+  connect(remove_, &QPushButton::clicked, this,
+          [this] { shared_.structures.removeVoxels(shared_.structures.selected()); });
+  connect(only_, &QPushButton::clicked, this, [this] { shared_.appearance.showOnly(shared_.structures.selected()); });
+  connect(all_, &QPushButton::clicked, this, [this] { shared_.appearance.showAll(); });
   for (QPushButton* button : {add, remove_, only_, all_}) {
     button->setMinimumWidth(0);
     box->addWidget(button, 1);
@@ -152,21 +158,22 @@ QWidget* StructureTable::buildButtons() {
 
 void StructureTable::clicked(const QModelIndex& index) {
   const std::uint8_t label = model_->labelAt(index.row());
-  session_.select(label);
-  if (index.column() == StructureModel::kEye) session_.setVisible(label, !session_.look(label).visible);
+  shared_.structures.select(label);
+  if (index.column() == StructureModel::kEye)
+    shared_.appearance.setVisible(label, !shared_.appearance.look(label).visible);
   if (index.column() == StructureModel::kColour) chooseColour();
-  if (index.column() == StructureModel::kState) session_.toNextState(label);
+  if (index.column() == StructureModel::kState) shared_.structures.toNextState(label);
   if (index.column() == StructureModel::kLock)
-    session_.setLocked(label, !session_.labelling().rules().locked.test(label));
+    shared_.labelling.setLocked(label, !shared_.labelling.rules().locked.test(label));
 }
 
 void StructureTable::fillAdd(QMenu& menu) {
   menu.clear();
-  const auto& there = session_.structures();
+  const auto& there = shared_.structures.labels();
   for (const LabelInfo& info : labelTable()) {
     if (info.label == kBackground || std::ranges::find(there, info.label) != there.end()) continue;
-    QAction* action =
-        menu.addAction(session_.nameOf(info.label), this, [this, label = info.label] { session_.addStructure(label); });
+    QAction* action = menu.addAction(shared_.terms.nameOf(info.label), this,
+                                     [this, label = info.label] { shared_.structures.add(label); });
     action->setToolTip(termOf(info.label));
   }
   int next = kLabelCount;
@@ -174,38 +181,38 @@ void StructureTable::fillAdd(QMenu& menu) {
   if (next > kLastOwnLabel) return;
   menu.addSeparator();
   QAction* another = menu.addAction(tr("Another structure ..."), this, [this, next] {
-    session_.addStructure(std::uint8_t(next));
+    shared_.structures.add(std::uint8_t(next));
     rename();
   });
   another->setToolTip(tr("Adds a structure of your own, with name, color and tissue: label %1").arg(next));
 }
 
 void StructureTable::rename() {
-  const int row = model_->rowOf(session_.selected());
+  const int row = model_->rowOf(shared_.structures.selected());
   if (row < 0) return;
   table_->setFocus();
   table_->edit(model_->index(row, StructureModel::kName));
 }
 
 void StructureTable::chooseColour() {
-  const std::uint8_t label = session_.selected();
+  const std::uint8_t label = shared_.structures.selected();
   if (model_->rowOf(label) < 0) return;
-  auto* dialog = new QColorDialog(ui::colour(session_.look(label).colour), this);
+  auto* dialog = new QColorDialog(ui::colour(shared_.appearance.look(label).colour), this);
   dialog->setObjectName(QStringLiteral("structureColour"));
-  dialog->setWindowTitle(tr("Color of %1").arg(session_.nameOf(label)));
+  dialog->setWindowTitle(tr("Color of %1").arg(shared_.terms.nameOf(label)));
   dialog->setOption(QColorDialog::DontUseNativeDialog);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QColorDialog::colorSelected, this, [this, label](const QColor& c) {
-    session_.setColour(label, {std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())});
+    shared_.appearance.setColour(label, {std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())});
   });
   // A color of this case is not one of the next.
-  connect(&session_, &PrepareSession::caseChanged, dialog, &QDialog::reject);
+  connect(&shared_.openCase, &OpenCase::caseChanged, dialog, &QDialog::reject);
   dialog->open();
 }
 
 void StructureTable::showSelected() {
   showing_ = true;
-  const std::uint8_t label = session_.selected();
+  const std::uint8_t label = shared_.structures.selected();
   const int row = model_->rowOf(label);
   if (row >= 0) table_->setCurrentIndex(model_->index(row, StructureModel::kName));
   for (QWidget* one : {static_cast<QWidget*>(opacity_), static_cast<QWidget*>(onSlices_), static_cast<QWidget*>(only_),
@@ -213,9 +220,9 @@ void StructureTable::showSelected() {
     one->setEnabled(row >= 0);
   if (row >= 0) {
     opacity_->setRange({0, kPercent, kPercent * defaultOpacity(label), 5, 0});
-    opacity_->setValue(kPercent * session_.look(label).opacity);
+    opacity_->setValue(kPercent * shared_.appearance.look(label).opacity);
     onSlices_->setRange({0, kPercent, kPercent * defaultShareOnSlices(label), 5, 0});
-    onSlices_->setValue(kPercent * session_.look(label).onSlices);
+    onSlices_->setValue(kPercent * shared_.appearance.look(label).onSlices);
   }
   showing_ = false;
 }
@@ -223,9 +230,9 @@ void StructureTable::showSelected() {
 bool StructureTable::eventFilter(QObject* watched, QEvent* event) {
   if (watched != table_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
   const int key = static_cast<QKeyEvent*>(event)->key();
-  const std::uint8_t label = session_.selected();
+  const std::uint8_t label = shared_.structures.selected();
   if (key == Qt::Key_Space) {
-    session_.setVisible(label, !session_.look(label).visible);
+    shared_.appearance.setVisible(label, !shared_.appearance.look(label).visible);
     return true;
   }
   if ((key == Qt::Key_Return || key == Qt::Key_Enter) && !toolInHand_) {

@@ -12,14 +12,14 @@ class ValueSlider;
 
 namespace insonate::prepare {
 
-class PrepareSession;
+struct PrepareModel;
 class StructureModel;
 
 /// The table of structures with the commands for one of them. Space shows or hides, Enter chooses a color (unless a
 /// tool is in hand), F2 names one of the author's own. A wide table also shows tissue, term and voxels.
 class StructureTable : public QWidget {
  public:
-  explicit StructureTable(PrepareSession& session, QWidget* parent = nullptr);
+  explicit StructureTable(PrepareModel& shared, QWidget* parent = nullptr);
 
   /// Asks for a color of the selected structure.
   void chooseColour();
@@ -40,7 +40,7 @@ class StructureTable : public QWidget {
   void fillAdd(QMenu& menu);
   void showSelected();
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   StructureModel* model_;
   QTableView* table_;
   ui::ValueSlider *opacity_, *onSlices_;

@@ -1,24 +1,27 @@
 #include "LabelBox.h"
 
-#include "../PrepareSession.h"
+#include "../model/PrepareModel.h"
+#include "../structures/StructureAppearance.h"
+#include "../structures/StructureList.h"
+#include "../structures/TermsEditor.h"
 #include "../table/Swatch.h"
 
 #include <insonate/ui/QuietWheel.h>
 
 namespace insonate::prepare {
 
-LabelBox::LabelBox(PrepareSession& session, const QString& name, const QString& hint) : session_(session) {
+LabelBox::LabelBox(PrepareModel& shared, const QString& name, const QString& hint) : shared_(shared) {
   new ui::QuietWheel(this);
   setAccessibleName(name);
   setToolTip(hint);
   setPlaceholderText(tr("choose a label"));
   setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   setMinimumContentsLength(8);
-  connect(&session_, &PrepareSession::structuresChanged, this, [this] { fill(); });
-  connect(&session_, &PrepareSession::termsChanged, this, [this] { fill(); });
-  connect(&session_, &PrepareSession::lookChanged, this, [this](int label) {
+  connect(&shared_.structures, &StructureList::changed, this, [this] { fill(); });
+  connect(&shared_.terms, &TermsEditor::changed, this, [this] { fill(); });
+  connect(&shared_.appearance, &StructureAppearance::lookChanged, this, [this](int label) {
     const int row = findData(label);
-    if (row >= 0) setItemIcon(row, swatch(session_.look(std::uint8_t(label)).colour));
+    if (row >= 0) setItemIcon(row, swatch(shared_.appearance.look(std::uint8_t(label)).colour));
   });
   connect(this, qOverload<int>(&QComboBox::activated), this, [this](int row) {
     label_ = std::uint8_t(itemData(row).toInt());
@@ -29,8 +32,8 @@ LabelBox::LabelBox(PrepareSession& session, const QString& name, const QString& 
 
 void LabelBox::fill() {
   clear();
-  for (const std::uint8_t label : session_.structures())
-    addItem(swatch(session_.look(label).colour), session_.nameOf(label), int(label));
+  for (const std::uint8_t label : shared_.structures.labels())
+    addItem(swatch(shared_.appearance.look(label).colour), shared_.terms.nameOf(label), int(label));
   show(label_);
 }
 

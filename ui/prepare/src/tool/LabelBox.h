@@ -4,14 +4,14 @@
 
 namespace insonate::prepare {
 
-class PrepareSession;
+struct PrepareModel;
 
 /// One of the case's structures, by name and colour.
 class LabelBox : public QComboBox {
   Q_OBJECT
 
  public:
-  LabelBox(PrepareSession& session, const QString& name, const QString& hint);
+  LabelBox(PrepareModel& shared, const QString& name, const QString& hint);
 
   /// Shows a label; nothing where the case has none of it.
   void show(std::uint8_t label);
@@ -23,7 +23,7 @@ class LabelBox : public QComboBox {
  private:
   void fill();
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   std::uint8_t label_ = 0;
 };
 

@@ -1,6 +1,8 @@
 #include "RulesBox.h"
 
-#include "../PrepareSession.h"
+#include "../label/LabelSession.h"
+#include "../model/PrepareModel.h"
+#include "../structures/StructureList.h"
 #include "LabelBox.h"
 #include "RangeField.h"
 
@@ -21,12 +23,12 @@ constexpr HuRange kUsual_HU{-20, 300};
 
 }  // namespace
 
-RulesBox::RulesBox(PrepareSession& session, QWidget* parent)
+RulesBox::RulesBox(PrepareModel& shared, QWidget* parent)
     : QWidget(parent),
-      session_(session),
+      shared_(shared),
       over_(ui::choiceBox("ruleOver", tr("Labels that may be overwritten"),
                           tr("Labels that tools may overwrite; locked and hidden labels always stay unchanged"))),
-      inside_(new LabelBox(session, tr("Label to overwrite"), tr("Only this label is overwritten"))),
+      inside_(new LabelBox(shared, tr("Label to overwrite"), tr("Only this label is overwritten"))),
       limited_(new QCheckBox(tr("only where the CT is"))),
       range_(new RangeField(QStringLiteral("editable"))) {
   // In the order of LabelRules::Over.
@@ -51,11 +53,11 @@ RulesBox::RulesBox(PrepareSession& session, QWidget* parent)
 }
 
 void RulesBox::connectParts() {
-  LabelSession& labels = session_.labelling();
+  LabelSession& labels = shared_.labelling;
   connect(over_, qOverload<int>(&QComboBox::activated), this, [this, &labels](int index) {
     LabelRules rules = labels.rules();
     rules.over = LabelRules::Over(index);
-    if (rules.inside == kBackground) rules.inside = session_.selected();
+    if (rules.inside == kBackground) rules.inside = shared_.structures.selected();
     labels.setRules(rules);
   });
   connect(inside_, &LabelBox::chosen, this, [&labels](std::uint8_t label) {
@@ -83,7 +85,7 @@ void RulesBox::setHistogram(const views::HuHistogram& histogram) {
 }
 
 void RulesBox::refresh() {
-  const LabelRules& rules = session_.labelling().rules();
+  const LabelRules& rules = shared_.labelling.rules();
   over_->setCurrentIndex(int(rules.over));
   inside_->setVisible(rules.over == LabelRules::Over::Inside);
   inside_->show(rules.inside);

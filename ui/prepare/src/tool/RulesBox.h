@@ -12,13 +12,13 @@ struct HuHistogram;
 namespace insonate::prepare {
 
 class LabelBox;
-class PrepareSession;
+struct PrepareModel;
 class RangeField;
 
 /// Rules for every tool: the labels that it may overwrite, and the range in which the CT must be.
 class RulesBox : public QWidget {
  public:
-  explicit RulesBox(PrepareSession& session, QWidget* parent = nullptr);
+  explicit RulesBox(PrepareModel& shared, QWidget* parent = nullptr);
 
   void setHistogram(const views::HuHistogram& histogram);
 
@@ -26,7 +26,7 @@ class RulesBox : public QWidget {
   void connectParts();
   void refresh();
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   QComboBox* over_;
   LabelBox* inside_;
   QCheckBox* limited_;

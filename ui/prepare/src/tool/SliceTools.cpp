@@ -1,6 +1,10 @@
 #include "SliceTools.h"
 
-#include "../PrepareSession.h"
+#include "../label/LabelSession.h"
+#include "../model/OpenCase.h"
+#include "../model/PrepareModel.h"
+#include "../viewing/Crosshair.h"
+#include "../viewing/StatusLine.h"
 #include "../views/CaseViews.h"
 
 #include <insonate/ui/ViewWidget.h>
@@ -20,13 +24,13 @@ bool isPlain(const QMouseEvent& event) {
 
 }  // namespace
 
-SliceTools::SliceTools(CaseViews& views, ToolSession& tools, PrepareSession& session, QObject* parent)
-    : QObject(parent), views_(views), tools_(tools), session_(session), preview_(session.labelling().preview()) {
+SliceTools::SliceTools(CaseViews& views, ToolSession& tools, PrepareModel& shared, QObject* parent)
+    : QObject(parent), views_(views), tools_(tools), shared_(shared), preview_(shared.labelling.preview()) {
   for (int slice = 0; slice < CaseViews::kSlices; ++slice)
     views_.widgets()[std::size_t(slice)]->focusProxy()->installEventFilter(this);
   connect(&tools_, &ToolSession::toolChanged, this, [this] { pointAt(tools_.tool() ? pointer_ : std::nullopt); });
   // Another slice has come under the pointer.
-  connect(&session_, &PrepareSession::crosshairMoved, this, [this] { pointAt(pointer_); });
+  connect(&shared_.crosshair, &Crosshair::moved, this, [this] { pointAt(pointer_); });
   connect(&tools_, &ToolSession::pointsChanged, this, [this] { showMarks(); });
   connect(&tools_, &ToolSession::parametersChanged, this, [this] { showMarks(); });
   connect(&preview_, &LabelPreview::changed, this, [this] { showPreview(); });
@@ -143,8 +147,8 @@ bool SliceTools::wheel(const QWheelEvent& event) {
 void SliceTools::pointAt(std::optional<QPointF> at) {
   pointer_ = at;
   pointer_mm_.reset();
-  if (at && session_.patient()) pointer_mm_ = placeOf(under_, *at);
-  session_.pointAt(pointer_mm_);
+  if (at && shared_.openCase.patient()) pointer_mm_ = placeOf(under_, *at);
+  shared_.statusLine.pointAt(pointer_mm_);
   showMarks();
 }
 

@@ -18,7 +18,7 @@ class LabelPreview;
 /// the voxel under the tool.
 class SliceTools : public QObject {
  public:
-  SliceTools(CaseViews& views, ToolSession& tools, PrepareSession& session, QObject* parent);
+  SliceTools(CaseViews& views, ToolSession& tools, PrepareModel& shared, QObject* parent);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -38,7 +38,7 @@ class SliceTools : public QObject {
 
   CaseViews& views_;
   ToolSession& tools_;
-  PrepareSession& session_;
+  PrepareModel& shared_;
   const LabelPreview& preview_;
   std::optional<QPointF> pointer_;
   std::optional<Vec3> pointer_mm_;

@@ -1,6 +1,9 @@
 #include "ToolPanel.h"
 
-#include "../PrepareSession.h"
+#include "../label/LabelSession.h"
+#include "../model/PrepareModel.h"
+#include "../structures/StructureAppearance.h"
+#include "../structures/StructureList.h"
 #include "LabelBox.h"
 #include "RangeField.h"
 #include "RulesBox.h"
@@ -25,15 +28,15 @@ constexpr int kSlow_ms = 400;
 
 }  // namespace
 
-ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* parent)
+ToolPanel::ToolPanel(PrepareModel& shared, ToolSession& tools, QWidget* parent)
     : QWidget(parent),
-      session_(session),
+      shared_(shared),
       tools_(tools),
       name_(new QLabel),
       advice_(new QLabel),
       told_(ui::paragraph("toolTold", "problem")),
-      label_(new LabelBox(session, tr("Label the tool is for"), tr("The label that the tool writes (Q, W)"))),
-      rules_(new RulesBox(session)),
+      label_(new LabelBox(shared, tr("Label the tool is for"), tr("The label that the tool writes (Q, W)"))),
+      rules_(new RulesBox(shared)),
       histogram_(std::make_unique<views::HuHistogram>()),
       preview_(ui::pushButton("toolPreview", tr("Preview"),
                               tr("Shows the result on the slices and in 3D without writing it"))),
@@ -52,11 +55,11 @@ ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* paren
   slow_.setSingleShot(true);
   slow_.setInterval(kSlow_ms);
   connect(&slow_, &QTimer::timeout, this, [this] { preview_->setText(tr("Computing ...")); });
-  connect(&session_.labelling().preview(), &LabelPreview::computingChanged, this, [this] { showComputing(); });
+  connect(&shared_.labelling.preview(), &LabelPreview::computingChanged, this, [this] { showComputing(); });
   connect(preview_, &QPushButton::clicked, this, [this] { tools_.preview(); });
   connect(apply_, &QPushButton::clicked, this, [this] { tools_.apply(); });
   connect(leave_, &QPushButton::clicked, this, [this] { tools_.leave(); });
-  connect(label_, &LabelBox::chosen, this, [this](std::uint8_t label) { session_.select(label); });
+  connect(label_, &LabelBox::chosen, this, [this](std::uint8_t label) { shared_.structures.select(label); });
   connect(&tools_, &ToolSession::toolChanged, this, [this] { build(); });
   connect(&tools_, &ToolSession::parametersChanged, this, [this] { refresh(); });
   connect(&tools_, &ToolSession::pointsChanged, this, [this] { refresh(); });
@@ -64,8 +67,8 @@ ToolPanel::ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* paren
     told_->setText(sentence);
     told_->setVisible(!sentence.isEmpty());
   });
-  connect(&session_, &PrepareSession::selectedChanged, this, [this] { refresh(); });
-  connect(&session_, &PrepareSession::lookChanged, this, [this] { refresh(); });
+  connect(&shared_.structures, &StructureList::selectedChanged, this, [this] { refresh(); });
+  connect(&shared_.appearance, &StructureAppearance::lookChanged, this, [this] { refresh(); });
   build();
 }
 
@@ -73,7 +76,7 @@ ToolPanel::~ToolPanel() = default;
 
 /// Shows that a preview takes a while; nothing flickers while it follows a slider.
 void ToolPanel::showComputing() {
-  if (session_.labelling().preview().isComputing()) return slow_.start();
+  if (shared_.labelling.preview().isComputing()) return slow_.start();
   slow_.stop();
   preview_->setText(tr("Preview"));
 }
@@ -134,7 +137,7 @@ void ToolPanel::addRange(QVBoxLayout& box) {
   connect(range_, &RangeField::edited, &tools_, &ToolSession::setRange);
   shown_.push_back([this] {
     range_->setRange(tools_.tool()->range->get(tools_.parameters()));
-    range_->setColour(session_.look(session_.selected()).colour);
+    range_->setColour(shared_.appearance.look(shared_.structures.selected()).colour);
   });
 }
 
@@ -142,7 +145,7 @@ void ToolPanel::addOther(QVBoxLayout& box) {
   const ToolLabel& other = *tools_.tool()->other;
   auto* row = new QHBoxLayout;
   auto* name = new QLabel(other.name);
-  auto* field = new LabelBox(session_, other.hint, other.hint);
+  auto* field = new LabelBox(shared_, other.hint, other.hint);
   field->setObjectName(QStringLiteral("toolOther"));
   name->setBuddy(field);
   row->addWidget(name);
@@ -177,11 +180,11 @@ void ToolPanel::refresh() {
   for (const auto& show : shown_) show();
   showing_ = false;
   name_->setText(tool->name);
-  label_->show(session_.selected());
+  label_->show(shared_.structures.selected());
   const int missing = tool->leastPoints - int(tools_.points().size());
   // Points on other slices are not seen.
   const bool clicked = tool->input == ToolInput::Points && !tools_.points().empty();
-  advice_->setText(session_.selected() == kBackground
+  advice_->setText(shared_.structures.selected() == kBackground
                        ? tr("Choose a label in the table on the left first, or add one there.")
                    : clicked ? tr("%1 Clicks so far: %2.").arg(tool->advice).arg(tools_.points().size())
                              : tool->advice);

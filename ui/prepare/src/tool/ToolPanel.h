@@ -17,7 +17,7 @@ struct HuHistogram;
 namespace insonate::prepare {
 
 class LabelBox;
-class PrepareSession;
+struct PrepareModel;
 class RangeField;
 class RulesBox;
 class ToolSession;
@@ -27,7 +27,7 @@ struct ToolNumber;
 /// The tool in hand, and nothing of others: what to do, its parameters, preview and apply.
 class ToolPanel : public QWidget {
  public:
-  ToolPanel(PrepareSession& session, ToolSession& tools, QWidget* parent = nullptr);
+  ToolPanel(PrepareModel& shared, ToolSession& tools, QWidget* parent = nullptr);
   ~ToolPanel() override;
 
   /// Sets the histogram of the case's CT.
@@ -43,7 +43,7 @@ class ToolPanel : public QWidget {
   void refresh();
   void showComputing();
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   ToolSession& tools_;
   QLabel *name_, *advice_;
   QLabel* told_;  ///< why nothing came of it, whole: the status bar shares its room with jobs

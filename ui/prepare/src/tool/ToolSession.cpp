@@ -1,6 +1,11 @@
 #include "ToolSession.h"
 
-#include "../PrepareSession.h"
+#include "../label/LabelSession.h"
+#include "../model/Notice.h"
+#include "../model/OpenCase.h"
+#include "../model/PrepareModel.h"
+#include "../structures/StructureList.h"
+#include "../structures/TermsEditor.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/views/SlicePlane.h>
@@ -23,13 +28,13 @@ double ml(std::size_t voxels, Vec3 spacing_mm) {
 
 }  // namespace
 
-ToolSession::ToolSession(PrepareSession& session, QObject* parent) : QObject(parent), session_(session) {
-  connect(&session_, &PrepareSession::caseChanged, this, [this] { choose({}); });
-  connect(&session_, &PrepareSession::selectedChanged, this, [this] { changed(); });
-  connect(&session_.labelling(), &LabelSession::busyChanged, this, &ToolSession::pointsChanged);
-  connect(&session_.labelling(), &LabelSession::failed, this, &ToolSession::told);
+ToolSession::ToolSession(PrepareModel& shared, QObject* parent) : QObject(parent), shared_(shared) {
+  connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] { choose({}); });
+  connect(&shared_.structures, &StructureList::selectedChanged, this, [this] { changed(); });
+  connect(&shared_.labelling, &LabelSession::busyChanged, this, &ToolSession::pointsChanged);
+  connect(&shared_.labelling, &LabelSession::failed, this, &ToolSession::told);
   // The preview must equal the result of Enter.
-  connect(&session_.labelling(), &LabelSession::rulesChanged, this, [this] { changed(); });
+  connect(&shared_.labelling, &LabelSession::rulesChanged, this, [this] { changed(); });
 }
 
 void ToolSession::choose(const QString& id) {
@@ -37,8 +42,8 @@ void ToolSession::choose(const QString& id) {
   const auto found = std::ranges::find(table, id, &Tool::id);
   const Tool* const next = found == table.end() ? nullptr : &*found;
   if (next == tool_) return;
-  session_.labelling().endStroke();
-  session_.labelling().preview().clear();
+  shared_.labelling.endStroke();
+  shared_.labelling.preview().clear();
   if (tool_) {
     last_ = tool_->id;
     if (auto* points = pointsOf(parameters_)) points->clear();
@@ -47,7 +52,7 @@ void ToolSession::choose(const QString& id) {
   sceneLook_.reset();
   tool_ = next;
   if (tool_) {
-    session_.labelling().getReady();
+    shared_.labelling.getReady();
     const auto kept = kept_.find(id);
     parameters_ = kept == kept_.end() ? tool_->usual : kept->second;
     for (const ToolNumber& number : tool_->numbers)
@@ -71,11 +76,11 @@ void ToolSession::changed() {
   if (isComplete() && (clicked || isPreviewWanted()))
     preview();
   else
-    session_.labelling().preview().clear();
+    shared_.labelling.preview().clear();
 }
 
 bool ToolSession::isPreviewWanted() const {
-  const LabelPreview& preview = session_.labelling().preview();
+  const LabelPreview& preview = shared_.labelling.preview();
   return preview.proposal() || preview.isComputing();
 }
 
@@ -107,8 +112,8 @@ void ToolSession::setOther(std::uint8_t label) {
 
 ui::ValueRange ToolSession::rangeOf(const ToolNumber& number) const {
   ui::ValueRange range = number.range;
-  if (!session_.patient()) return range;
-  const VolumeGeometry& grid = session_.patient()->ct.geometry;
+  if (!shared_.openCase.patient()) return range;
+  const VolumeGeometry& grid = shared_.openCase.patient()->ct.geometry;
   const Vec3& voxel_mm = grid.spacing_mm;
   const double finest_mm = std::min({voxel_mm.x, voxel_mm.y, voxel_mm.z});
   if (number.fromAVoxel) {
@@ -170,8 +175,8 @@ void ToolSession::removeNearest(Vec3 patient_mm) {
 
 void ToolSession::takeRange(Vec3 patient_mm) {
   auto* threshold = std::get_if<step::Threshold>(&parameters_);
-  if (!tool_ || !threshold || !session_.patient()) return;
-  const CtVolume& ct = session_.patient()->ct;
+  if (!tool_ || !threshold || !shared_.openCase.patient()) return;
+  const CtVolume& ct = shared_.openCase.patient()->ct;
   const int hu = int(std::lround(sampleLinear(ct, ct.geometry.indexFromPatient() * patient_mm)));
   threshold->range_HU = {hu - kAround_HU, hu + kAround_HU};
   Q_EMIT parametersChanged();
@@ -180,7 +185,7 @@ void ToolSession::takeRange(Vec3 patient_mm) {
 
 int ToolSession::axisOf(views::SliceKind slice) const {
   const Vec3 normal = views::sliceAxes(slice).normal;
-  const auto& axes = session_.patient()->ct.geometry.direction.column;
+  const auto& axes = shared_.openCase.patient()->ct.geometry.direction.column;
   int best = 0;
   for (int axis = 1; axis < 3; ++axis)
     if (std::abs(dot(axes[axis], normal)) > std::abs(dot(axes[best], normal))) best = axis;
@@ -189,9 +194,9 @@ int ToolSession::axisOf(views::SliceKind slice) const {
 
 void ToolSession::fillIn(LabelTool& tool) const {
   std::vector<std::uint8_t> structures, filling;
-  for (const std::uint8_t label : session_.structures()) {
+  for (const std::uint8_t label : shared_.structures.labels()) {
     const bool fills = std::ranges::find(kFilling, label) != std::end(kFilling);
-    if (session_.labelling().rules().mayEdit(label)) (fills ? filling : structures).push_back(label);
+    if (shared_.labelling.rules().mayEdit(label)) (fills ? filling : structures).push_back(label);
   }
   if (auto* s = std::get_if<step::Paint>(&tool); s && s->sliceAxis) s->sliceAxis = axisOf(slice_);
   if (auto* s = std::get_if<step::Draw>(&tool)) s->sliceAxis = axisOf(slice_);
@@ -213,7 +218,7 @@ LabelStep ToolSession::step() const {
   LabelStep step;
   step.tool = parameters_;
   fillIn(step.tool);
-  step.label = session_.selected();
+  step.label = shared_.structures.selected();
   if (tool_->erases) {
     step.over = std::vector<std::uint8_t>{step.label};
     step.label = step.rest;
@@ -223,23 +228,24 @@ LabelStep ToolSession::step() const {
 
 bool ToolSession::beginStroke(Vec3 patient_mm, views::SliceKind slice) {
   if (!tool_ || tool_->input != ToolInput::Brush) return false;
-  if (session_.selected() == kBackground) {
-    session_.say(tr("Choose a label in the table on the left first, or add one there."));
+  if (shared_.structures.selected() == kBackground) {
+    shared_.notice.say(tr("Choose a label in the table on the left first, or add one there."));
     return false;
   }
   slice_ = slice;
-  if (!session_.labelling().beginStroke(step(), tr("%1 %2").arg(tool_->name, session_.nameOf(session_.selected()))))
+  if (!shared_.labelling.beginStroke(step(),
+                                     tr("%1 %2").arg(tool_->name, shared_.terms.nameOf(shared_.structures.selected()))))
     return false;
   strokeTo(patient_mm);
   return true;
 }
 
 void ToolSession::strokeTo(Vec3 patient_mm) {
-  session_.labelling().strokeTo(patient_mm);
+  shared_.labelling.strokeTo(patient_mm);
 }
 
 void ToolSession::endStroke() {
-  session_.labelling().endStroke();
+  shared_.labelling.endStroke();
 }
 
 double ToolSession::brushRadius_mm() const {
@@ -262,37 +268,37 @@ void ToolSession::scaleBrush(double factor) {
 
 bool ToolSession::isComplete() const {
   const bool lacksOther = tool_ && tool_->other && tool_->other->get(parameters_) == kBackground;
-  return tool_ && !lacksOther && tool_->input != ToolInput::Brush && session_.selected() != kBackground &&
-         !session_.labelling().isBusy() && int(points().size()) >= tool_->leastPoints;
+  return tool_ && !lacksOther && tool_->input != ToolInput::Brush && shared_.structures.selected() != kBackground &&
+         !shared_.labelling.isBusy() && int(points().size()) >= tool_->leastPoints;
 }
 
 void ToolSession::preview() {
-  if (isComplete()) session_.labelling().wantPreview(step());
+  if (isComplete()) shared_.labelling.wantPreview(step());
 }
 
 void ToolSession::apply() {
   if (!isComplete()) return;
   Q_EMIT told({});
-  const QString what = tr("%1 %2").arg(tool_->name, session_.nameOf(session_.selected()));
-  session_.labelling().run(step(), what, [this, what](const Result<LabelChange>& change) {
+  const QString what = tr("%1 %2").arg(tool_->name, shared_.terms.nameOf(shared_.structures.selected()));
+  shared_.labelling.run(step(), what, [this, what](const Result<LabelChange>& change) {
     if (!change && change.error().message == kCancelled)
-      return session_.say(tr("%1: stopped; no label was changed.").arg(what));
+      return shared_.notice.say(tr("%1: stopped; no label was changed.").arg(what));
     if (!change) return;
     if (auto* points = pointsOf(parameters_)) points->clear();
     Q_EMIT pointsChanged();
     if (change->voxels == 0)
       return Q_EMIT told(tr("Nothing changed: all voxels had the label already, or may not be overwritten."));
-    const QString volume = volumeText(ml(change->voxels, session_.patient()->ct.geometry.spacing_mm));
-    session_.say(tr("%1: %2 ml changed; Ctrl+Z undoes it.").arg(what, volume));
+    const QString volume = volumeText(ml(change->voxels, shared_.openCase.patient()->ct.geometry.spacing_mm));
+    shared_.notice.say(tr("%1: %2 ml changed; Ctrl+Z undoes it.").arg(what, volume));
   });
 }
 
 void ToolSession::leave() {
-  if (session_.labelling().isBusy()) return session_.labelling().cancel();
+  if (shared_.labelling.isBusy()) return shared_.labelling.cancel();
   auto* points = tool_ ? pointsOf(parameters_) : nullptr;
   if ((points && !points->empty()) || isPreviewWanted()) {
     if (points) points->clear();
-    session_.labelling().preview().clear();
+    shared_.labelling.preview().clear();
     Q_EMIT pointsChanged();
     return;
   }

@@ -10,7 +10,7 @@
 
 namespace insonate::prepare {
 
-class PrepareSession;
+struct PrepareModel;
 
 /// The tool that is in the author's hand: its parameters, the points that were clicked for it, its preview. Preview,
 /// Enter and Esc mean the same for all tools. For the window's thread.
@@ -18,7 +18,7 @@ class ToolSession : public QObject {
   Q_OBJECT
 
  public:
-  ToolSession(PrepareSession& session, QObject* parent);
+  ToolSession(PrepareModel& shared, QObject* parent);
 
   /// The tool in hand; null without one: then the mouse moves the crosshair.
   const Tool* tool() const { return tool_; }
@@ -75,7 +75,7 @@ class ToolSession : public QObject {
   /// One is shown, or will be.
   bool isPreviewWanted() const;
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   const Tool* tool_ = nullptr;
   LabelTool parameters_;
   std::map<QString, LabelTool> kept_;  ///< parameters of tools that were used

@@ -1,6 +1,15 @@
 #include "CaseViews.h"
 
-#include "../PrepareSession.h"
+#include "../label/LabelSession.h"
+#include "../live/LivePatient.h"
+#include "../measure/CaseMeasuring.h"
+#include "../model/OpenCase.h"
+#include "../model/PrepareModel.h"
+#include "../places/PlacesEditor.h"
+#include "../structures/StructureAppearance.h"
+#include "../structures/StructureList.h"
+#include "../viewing/Crosshair.h"
+#include "../viewing/SliceSettings.h"
 #include "MarkedPlaces.h"
 
 #include <insonate/tissue/Labels.h>
@@ -33,10 +42,10 @@ constexpr std::array<Slice, CaseViews::kSlices> kKinds{
 
 }  // namespace
 
-CaseViews::CaseViews(PrepareSession& session, QWidget* parent)
+CaseViews::CaseViews(PrepareModel& shared, QWidget* parent)
     : QWidget(parent),
-      session_(session),
-      previewSurface_(session.labelling().preview(), this),
+      shared_(shared),
+      previewSurface_(shared.labelling.preview(), this),
       scene_(std::make_shared<views::SceneView>()) {
   scene_->lowerThreadPriority();
   setObjectName(QStringLiteral("caseViews"));
@@ -52,19 +61,19 @@ CaseViews::CaseViews(PrepareSession& session, QWidget* parent)
     scene_->setMoving(false);
     if (rested_) rested_();
   });
-  connect(&session_, &PrepareSession::caseChanged, this, [this] { showCase(); });
-  connect(&session_, &PrepareSession::lookChanged, this, [this](int label) { showLook(label); });
-  connect(&session_, &PrepareSession::slicesChanged, this, [this] { showSlices(); });
-  connect(&session_, &PrepareSession::crosshairMoved, this, [this] { showCrosshair(); });
-  connect(&session_, &PrepareSession::placesChanged, this, [this] { showPlaces(); });
+  connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] { showCase(); });
+  connect(&shared_.appearance, &StructureAppearance::lookChanged, this, [this](int label) { showLook(label); });
+  connect(&shared_.slices, &SliceSettings::changed, this, [this] { showSlices(); });
+  connect(&shared_.crosshair, &Crosshair::moved, this, [this] { showCrosshair(); });
+  connect(&shared_.places, &PlacesEditor::changed, this, [this] { showPlaces(); });
   connect(&previewSurface_, &PreviewSurface::made, this,
           [this](const std::shared_ptr<const Mesh>& mesh) { showPreview(mesh.get()); });
-  connect(&session_.labelling(), &LabelSession::seenChanged, this, [this] { showSeen(); });
-  connect(&session_.labelling(), &LabelSession::changed, this, [this](const LabelChange& change) {
+  connect(&shared_.labelling, &LabelSession::seenChanged, this, [this] { showSeen(); });
+  connect(&shared_.labelling, &LabelSession::changed, this, [this](const LabelChange& change) {
     if (case_) case_->labelsChanged(change.box);
     for (const auto& slice : slices_) slice->wantRender();
   });
-  const LivePatient& live = session_.live();
+  const LivePatient& live = shared_.live;
   connect(&live, &LivePatient::surfaceMade, this,
           [this](int label, const std::shared_ptr<const Mesh>& mesh) { showSurface(label, *mesh); });
   const auto want = [this] {
@@ -125,23 +134,23 @@ void CaseViews::buildEmpty() {
     empty_->setVisible(isUnlabelled());
     followProbe();
   };
-  connect(&session_.measuring(), &CaseMeasuring::changed, this, refresh);
-  connect(&session_, &PrepareSession::structuresChanged, this, refresh);
+  connect(&shared_.measuring, &CaseMeasuring::changed, this, refresh);
+  connect(&shared_.structures, &StructureList::changed, this, refresh);
 }
 
 bool CaseViews::isUnlabelled() const {
-  return session_.measuring().measures() && session_.structures().empty();
+  return shared_.measuring.measures() && shared_.structures.labels().empty();
 }
 
 void CaseViews::connectSlices() {
   for (const auto& slice : slices_) {
-    slice->setCrosshairMoved([this](Vec3 position_mm) { session_.setCrosshair(position_mm); });
-    slice->setWindowLevelChanged([this](views::WindowLevel value) { session_.setWindowLevel(value); });
+    slice->setCrosshairMoved([this](Vec3 position_mm) { shared_.crosshair.moveTo(position_mm); });
+    slice->setWindowLevelChanged([this](views::WindowLevel value) { shared_.slices.setWindowLevel(value); });
   }
 }
 
 void CaseViews::showCase() {
-  case_ = session_.patient() ? std::make_shared<views::VtkCase>(session_.patient()) : nullptr;
+  case_ = shared_.openCase.patient() ? std::make_shared<views::VtkCase>(shared_.openCase.patient()) : nullptr;
   cameraPlaced_ = false;
   for (int label = 1; label < 256; ++label) scene_->setSurface(std::uint8_t(label), {});
   scene_->setCase(case_);
@@ -155,19 +164,19 @@ void CaseViews::showCase() {
 }
 
 void CaseViews::showSeen() {
-  if (!case_ || case_->shared() != session_.patient()) return;
-  case_->setLabels(session_.labelling().seen());
+  if (!case_ || case_->shared() != shared_.openCase.patient()) return;
+  case_->setLabels(shared_.labelling.seen());
 }
 
 void CaseViews::replaceCase() {
   if (!case_) return;
-  case_->setPatient(session_.patient());
+  case_->setPatient(shared_.openCase.patient());
   showSeen();
 }
 
 void CaseViews::showLook(int label) {
   const auto value = std::uint8_t(label);
-  const StructureLook& look = session_.look(value);
+  const StructureLook& look = shared_.appearance.look(value);
   scene_->setColour(value, look.colour);
   scene_->setOpacity(value, look.opacity);
   scene_->setVisible(value, look.visible && look.opacity > 0);
@@ -180,16 +189,16 @@ void CaseViews::showLook(int label) {
 
 void CaseViews::showSlices() {
   for (const auto& slice : slices_) {
-    if (slice->windowLevel() != session_.windowLevel()) slice->setWindowLevel(session_.windowLevel());
-    slice->setLabelOpacity(session_.labelOpacity());
-    slice->setLabelsVisible(session_.labelsShown());
-    slice->setLabelStyle(session_.labelStyle());
+    if (slice->windowLevel() != shared_.slices.windowLevel()) slice->setWindowLevel(shared_.slices.windowLevel());
+    slice->setLabelOpacity(shared_.slices.labelOpacity());
+    slice->setLabelsVisible(shared_.slices.labelsShown());
+    slice->setLabelStyle(shared_.slices.labelStyle());
   }
   showPlaces();
 }
 
 void CaseViews::showCrosshair() {
-  for (const auto& slice : slices_) slice->setCrosshair(session_.crosshair_mm());
+  for (const auto& slice : slices_) slice->setCrosshair(shared_.crosshair.position_mm());
 }
 
 void CaseViews::showSurface(int label, const Mesh& mesh) {
@@ -203,8 +212,8 @@ void CaseViews::showPreview(const Mesh* mesh) {
   constexpr double kFaded = 0.35;
   // One surface would hide the other.
   if (faded_ != 0) showLook(faded_);
-  faded_ = mesh ? session_.selected() : std::uint8_t{0};
-  if (faded_ != 0) scene_->setOpacity(faded_, kFaded * session_.look(faded_).opacity);
+  faded_ = mesh ? shared_.structures.selected() : std::uint8_t{0};
+  if (faded_ != 0) scene_->setOpacity(faded_, kFaded * shared_.appearance.look(faded_).opacity);
   if (!mesh) return scene_->setSurface(kPreview, {});
   scene_->setColour(kPreview, views::theme::kAccent);
   scene_->setOpacity(kPreview, 1);
@@ -226,7 +235,7 @@ void CaseViews::setClicks(const std::vector<Vec3>& clicks_mm) {
 }
 
 void CaseViews::showPlaces() {
-  const MarkedPlaces marked = session_.placesShown() ? markedPlaces(session_.places()) : MarkedPlaces{};
+  const MarkedPlaces marked = shared_.slices.placesShown() ? markedPlaces(shared_.places.value()) : MarkedPlaces{};
   for (const auto& slice : slices_) slice->setPlaces(marked.places);
   std::vector<views::ScenePath> paths = marked.paths;
   for (const Vec3& click_mm : clicks_mm_) addCross(paths, click_mm, views::theme::kText);
@@ -237,16 +246,16 @@ void CaseViews::showPlaces() {
 void CaseViews::placeCamera() {
   scene_->look(views::Viewpoint::Anterior);
   // From the side where the probe is.
-  const auto pose = session_.live().pose();
-  const bool right = pose && pose->offset.x < session_.patient()->ct.geometry.centre_mm().x;
+  const auto pose = shared_.live.pose();
+  const bool right = pose && pose->offset.x < shared_.openCase.patient()->ct.geometry.centre_mm().x;
   scene_->orbit(right ? kAcross_deg : -kAcross_deg, kUp_deg);
   cameraPlaced_ = true;
 }
 
 void CaseViews::followProbe() {
-  const LivePatient& live = session_.live();
+  const LivePatient& live = shared_.live;
   const auto pose = live.pose();
-  if (!session_.patient() || !pose) return;
+  if (!shared_.openCase.patient() || !pose) return;
   // There is no skin for it to stand on.
   if (isUnlabelled()) {
     scene_->setProbe(std::nullopt);
@@ -267,7 +276,7 @@ void CaseViews::pickAt(QPoint at) {
   constexpr double kSeenThrough = 0.5;
   auto picked = scene_->pick(point, kSeenThrough);
   if (!picked) picked = scene_->pick(point);
-  if (picked) session_.setCrosshair(picked->position_mm);
+  if (picked) shared_.crosshair.moveTo(picked->position_mm);
 }
 
 bool CaseViews::eventFilter(QObject* watched, QEvent* event) {

@@ -23,7 +23,7 @@ class ViewWidget;
 
 namespace insonate::prepare {
 
-class PrepareSession;
+struct PrepareModel;
 
 /// The patient four times: axial, coronal and sagittal slices with one crosshair, and 3D with the probe. A click on a
 /// structure in 3D puts the crosshair there.
@@ -31,7 +31,7 @@ class CaseViews : public QWidget {
  public:
   static constexpr int kSlices = 3;
 
-  explicit CaseViews(PrepareSession& session, QWidget* parent = nullptr);
+  explicit CaseViews(PrepareModel& shared, QWidget* parent = nullptr);
   ~CaseViews() override;
 
   const std::shared_ptr<views::SceneView>& sharedScene() { return scene_; }
@@ -74,7 +74,7 @@ class CaseViews : public QWidget {
   bool isUnlabelled() const;
   void pickAt(QPoint at);
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   PreviewSurface previewSurface_;
   std::uint8_t faded_ = 0;  ///< label that is drawn fainter beside its preview; 0 for none
   std::vector<Vec3> sceneLine_mm_, clicks_mm_;
