@@ -1,9 +1,9 @@
 #pragma once
 
-#include "label/LabelFollowers.h"
-#include "label/LabelSession.h"
+#include "check/CaseMeasuring.h"
+#include "labels/LabelFollowers.h"
+#include "labels/LabelSession.h"
 #include "live/LivePatient.h"
-#include "measure/CaseMeasuring.h"
 #include "model/Notice.h"
 #include "model/OpenCase.h"
 #include "model/PrepareModel.h"

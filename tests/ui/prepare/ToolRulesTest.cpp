@@ -1,6 +1,6 @@
 #include "ToolsWindow.h"
-#include "tool/RangeStrip.h"
-#include "tool/Tool.h"
+#include "tools/RangeStrip.h"
+#include "tools/Tool.h"
 
 #include <QMenu>
 #include <QSpinBox>

@@ -1,5 +1,5 @@
 #include "ToolsWindow.h"
-#include "tool/Tool.h"
+#include "tools/Tool.h"
 
 #include <cmath>
 

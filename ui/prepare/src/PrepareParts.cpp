@@ -1,14 +1,14 @@
 #include "PrepareParts.h"
 
 #include "KeyTable.h"
+#include "check/CaseMeasuring.h"
 #include "check/FindingsList.h"
 #include "guide/GuidePointer.h"
 #include "guide/GuideSession.h"
-#include "label/LabelFollowers.h"
-#include "label/LabelSession.h"
+#include "labels/LabelFollowers.h"
+#include "labels/LabelSession.h"
 #include "live/LivePatient.h"
 #include "live/UltrasoundPane.h"
-#include "measure/CaseMeasuring.h"
 #include "measure/LabellingMeasure.h"
 #include "model/OpenCase.h"
 #include "panel/PathPanel.h"
@@ -16,14 +16,14 @@
 #include "publish/CaseChanges.h"
 #include "structures/StructureAppearance.h"
 #include "structures/StructureList.h"
-#include "table/StructureTable.h"
-#include "tool/SceneTools.h"
-#include "tool/SliceTools.h"
-#include "tool/ToolBar.h"
+#include "structures/StructureTable.h"
+#include "tools/SceneTools.h"
+#include "tools/SliceTools.h"
+#include "tools/ToolBar.h"
+#include "viewing/CaseViews.h"
 #include "viewing/Crosshair.h"
 #include "viewing/SliceSettings.h"
 #include "viewing/StatusLine.h"
-#include "views/CaseViews.h"
 
 #include <insonate/ui/EmptyWorkspace.h>
 #include <insonate/ui/HistogramEditor.h>
@@ -293,6 +293,10 @@ void PrepareWorkspace::Parts::restoreLayout(QSettings& settings) {
   right_->scene().restore(settings);
   settings.endGroup();
   shared.appearance.restoreHabits(settings);
+}
+
+void PrepareWorkspace::Parts::measureLabelling(int repeats, std::function<void(std::vector<LabellingTime>)> done) {
+  measure_ = std::make_unique<LabellingMeasure>(shared, *tools_, *views, repeats, std::move(done));
 }
 
 }  // namespace insonate::prepare

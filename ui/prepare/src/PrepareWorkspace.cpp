@@ -5,8 +5,8 @@
 #include "model/OpenCase.h"
 #include "panel/PathPanel.h"
 #include "publish/CaseChanges.h"
+#include "viewing/CaseViews.h"
 #include "viewing/StatusLine.h"
-#include "views/CaseViews.h"
 
 #include <insonate/prepare/PrepareWorkspace.h>
 #include <insonate/ui/EmptyWorkspace.h>

@@ -1,11 +1,11 @@
 #include "FindingsList.h"
 
-#include "../measure/CaseMeasuring.h"
 #include "../model/PrepareModel.h"
+#include "../places/PlacesBox.h"
 #include "../structures/StructureList.h"
 #include "../structures/TermsEditor.h"
 #include "../viewing/Crosshair.h"
-#include "PlacesBox.h"
+#include "CaseMeasuring.h"
 
 #include <insonate/ui/Theme.h>
 

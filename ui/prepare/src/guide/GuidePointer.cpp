@@ -1,6 +1,6 @@
 #include "GuidePointer.h"
 
-#include "../label/LabelSession.h"
+#include "../labels/LabelSession.h"
 #include "../model/PrepareModel.h"
 #include "../structures/TermsEditor.h"
 #include "GuideSession.h"

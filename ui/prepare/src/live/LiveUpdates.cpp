@@ -1,6 +1,6 @@
 #include "LiveUpdates.h"
 
-#include "../label/LabelSession.h"
+#include "../labels/LabelSession.h"
 #include "../model/OpenCase.h"
 #include "../structures/StructureAppearance.h"
 #include "../structures/TermsEditor.h"

@@ -1,9 +1,9 @@
 #include "UltrasoundPane.h"
 
-#include "../edit/Structures.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
 #include "../places/PlacesEditor.h"
+#include "../structures/Structures.h"
 #include "../viewing/Crosshair.h"
 #include "LivePatient.h"
 

@@ -1,13 +1,13 @@
 #include "LabellingMeasure.h"
 
-#include "../label/LabelSession.h"
+#include "../labels/LabelSession.h"
 #include "../live/LivePatient.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
 #include "../structures/StructureList.h"
-#include "../tool/ToolSession.h"
+#include "../tools/ToolSession.h"
+#include "../viewing/CaseViews.h"
 #include "../viewing/Crosshair.h"
-#include "../views/CaseViews.h"
 
 #include <insonate/core/ProcessorTime.h>
 #include <insonate/tissue/Labels.h>

@@ -1,14 +1,14 @@
 #include "PathPanel.h"
 
+#include "../check/CaseMeasuring.h"
 #include "../check/FindingsList.h"
 #include "../guide/GuidePage.h"
 #include "../guide/GuideSession.h"
-#include "../measure/CaseMeasuring.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
+#include "../publish/PublishStep.h"
 #include "../structures/StructureList.h"
-#include "../table/StructureTable.h"
-#include "PublishStep.h"
+#include "../structures/StructureTable.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/Theme.h>

@@ -1,15 +1,15 @@
 #include "RightColumn.h"
 
+#include "../case/CaseFacts.h"
 #include "../check/DifficultyBox.h"
 #include "../check/FindingsList.h"
-#include "../check/PlacesBox.h"
 #include "../live/UltrasoundPane.h"
+#include "../places/PlacesBox.h"
 #include "../recipe/RecipeBox.h"
-#include "../tool/ToolPanel.h"
-#include "../tool/ToolSession.h"
-#include "CaseFacts.h"
+#include "../tools/ToolPanel.h"
+#include "../tools/ToolSession.h"
+#include "../viewing/SliceControls.h"
 #include "Section.h"
-#include "SliceControls.h"
 
 #include <insonate/ui/HistogramEditor.h>
 #include <insonate/ui/ScenePanel.h>

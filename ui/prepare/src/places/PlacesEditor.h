@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../check/CasePlaces.h"
+#include "CasePlaces.h"
 
 #include <QObject>
 #include <QString>

@@ -1,6 +1,6 @@
 #include "CaseChanges.h"
 
-#include "../label/LabelSession.h"
+#include "../labels/LabelSession.h"
 #include "../model/OpenCase.h"
 #include "../places/PlacesEditor.h"
 #include "../structures/StructureAppearance.h"

@@ -1,6 +1,6 @@
 #include "RecipeBox.h"
 
-#include "../label/LabelSession.h"
+#include "../labels/LabelSession.h"
 #include "../model/Notice.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"

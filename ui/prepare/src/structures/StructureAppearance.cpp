@@ -1,6 +1,6 @@
 #include "StructureAppearance.h"
 
-#include "../label/LabelSession.h"
+#include "../labels/LabelSession.h"
 #include "../model/OpenCase.h"
 #include "StructureList.h"
 #include "TermsEditor.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../edit/Structures.h"
+#include "Structures.h"
 
 #include <insonate/views/Theme.h>
 

@@ -1,7 +1,7 @@
 #include "StructureList.h"
 
-#include "../label/LabelSession.h"
-#include "../measure/CaseMeasuring.h"
+#include "../check/CaseMeasuring.h"
+#include "../labels/LabelSession.h"
 #include "../model/Notice.h"
 #include "../model/OpenCase.h"
 #include "TermsEditor.h"

@@ -1,10 +1,10 @@
 #include "TermsEditor.h"
 
-#include "../edit/Structures.h"
-#include "../measure/CaseMeasuring.h"
+#include "../check/CaseMeasuring.h"
 #include "../model/Notice.h"
 #include "../model/OpenCase.h"
 #include "../model/ValueEdit.h"
+#include "Structures.h"
 
 #include <insonate/tissue/Labels.h>
 

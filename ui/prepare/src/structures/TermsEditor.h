@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../table/LabelTerms.h"
+#include "LabelTerms.h"
 
 #include <QObject>
 #include <QString>

@@ -1,6 +1,6 @@
 #include "StatusLine.h"
 
-#include "../label/LabelSession.h"
+#include "../labels/LabelSession.h"
 #include "../live/LivePatient.h"
 #include "../model/Notice.h"
 #include "../model/OpenCase.h"

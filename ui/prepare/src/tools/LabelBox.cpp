@@ -3,8 +3,8 @@
 #include "../model/PrepareModel.h"
 #include "../structures/StructureAppearance.h"
 #include "../structures/StructureList.h"
+#include "../structures/Swatch.h"
 #include "../structures/TermsEditor.h"
-#include "../table/Swatch.h"
 
 #include <insonate/ui/QuietWheel.h>
 

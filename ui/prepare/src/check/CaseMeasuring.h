@@ -1,7 +1,7 @@
 #pragma once
 
-#include "../check/CasePlaces.h"
-#include "../table/LabelTerms.h"
+#include "../places/CasePlaces.h"
+#include "../structures/LabelTerms.h"
 
 #include <insonate/cases/CaseCheck.h>
 #include <insonate/cases/CaseStatistics.h>

@@ -1,14 +1,14 @@
 #include "PlacesBox.h"
 
-#include "../label/LabelSession.h"
+#include "../labels/LabelSession.h"
 #include "../live/LivePatient.h"
 #include "../model/Notice.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
-#include "../places/PlacesEditor.h"
 #include "../structures/StructureList.h"
 #include "../structures/TermsEditor.h"
 #include "../viewing/Crosshair.h"
+#include "PlacesEditor.h"
 #include "VesselNaming.h"
 
 #include <insonate/cases/Landmarks.h>

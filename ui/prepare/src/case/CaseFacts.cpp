@@ -1,6 +1,6 @@
 #include "CaseFacts.h"
 
-#include "../measure/CaseMeasuring.h"
+#include "../check/CaseMeasuring.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
 

@@ -1,16 +1,16 @@
 #include "CaseViews.h"
 
-#include "../label/LabelSession.h"
+#include "../check/CaseMeasuring.h"
+#include "../labels/LabelSession.h"
 #include "../live/LivePatient.h"
-#include "../measure/CaseMeasuring.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
 #include "../places/PlacesEditor.h"
 #include "../structures/StructureAppearance.h"
 #include "../structures/StructureList.h"
-#include "../viewing/Crosshair.h"
-#include "../viewing/SliceSettings.h"
+#include "Crosshair.h"
 #include "MarkedPlaces.h"
+#include "SliceSettings.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/Theme.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../edit/Structures.h"
+#include "../structures/Structures.h"
 #include "LabelPreview.h"
 #include "LabelRules.h"
 #include "LabelSnapshots.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../check/CasePlaces.h"
+#include "../places/CasePlaces.h"
 
 #include <insonate/views/NamedPlace.h>
 #include <insonate/views/SceneOptions.h>

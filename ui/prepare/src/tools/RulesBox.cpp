@@ -1,6 +1,6 @@
 #include "RulesBox.h"
 
-#include "../label/LabelSession.h"
+#include "../labels/LabelSession.h"
 #include "../model/PrepareModel.h"
 #include "../structures/StructureList.h"
 #include "LabelBox.h"

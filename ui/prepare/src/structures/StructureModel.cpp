@@ -1,12 +1,12 @@
 #include "StructureModel.h"
 
-#include "../label/LabelSession.h"
-#include "../measure/CaseMeasuring.h"
+#include "../check/CaseMeasuring.h"
+#include "../labels/LabelSession.h"
 #include "../model/PrepareModel.h"
-#include "../structures/StructureAppearance.h"
-#include "../structures/StructureList.h"
-#include "../structures/TermsEditor.h"
+#include "StructureAppearance.h"
+#include "StructureList.h"
 #include "Swatch.h"
+#include "TermsEditor.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/Theme.h>

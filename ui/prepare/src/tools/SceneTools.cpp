@@ -1,6 +1,6 @@
 #include "SceneTools.h"
 
-#include "../views/CaseViews.h"
+#include "../viewing/CaseViews.h"
 #include "ToolSession.h"
 
 #include <insonate/ui/ViewWidget.h>

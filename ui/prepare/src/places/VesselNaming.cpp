@@ -1,11 +1,11 @@
 #include "VesselNaming.h"
 
-#include "../label/LabelSession.h"
+#include "../labels/LabelSession.h"
 #include "../model/Notice.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
-#include "../places/PlacesEditor.h"
 #include "../structures/TermsEditor.h"
+#include "PlacesEditor.h"
 
 #include <insonate/simulator/VesselNaming.h>
 #include <insonate/tissue/Labels.h>

@@ -1,11 +1,11 @@
 #include "SliceTools.h"
 
-#include "../label/LabelSession.h"
+#include "../labels/LabelSession.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
+#include "../viewing/CaseViews.h"
 #include "../viewing/Crosshair.h"
 #include "../viewing/StatusLine.h"
-#include "../views/CaseViews.h"
 
 #include <insonate/ui/ViewWidget.h>
 

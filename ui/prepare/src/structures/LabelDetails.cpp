@@ -1,11 +1,11 @@
 #include "LabelDetails.h"
 
-#include "../edit/Structures.h"
-#include "../measure/CaseMeasuring.h"
+#include "../check/CaseMeasuring.h"
 #include "../model/PrepareModel.h"
-#include "../structures/StructureList.h"
-#include "../structures/TermsEditor.h"
+#include "StructureList.h"
+#include "Structures.h"
 #include "Swatch.h"
+#include "TermsEditor.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/QuietWheel.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../label/PreviewSurface.h"
+#include "../labels/PreviewSurface.h"
 
 #include <insonate/surface/Mesh.h>
 #include <insonate/views/MprView.h>

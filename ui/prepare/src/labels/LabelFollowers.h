@@ -1,7 +1,7 @@
 #pragma once
 
+#include "../check/CaseMeasuring.h"
 #include "../live/LivePatient.h"
-#include "../measure/CaseMeasuring.h"
 #include "LabelSession.h"
 
 #include <QObject>

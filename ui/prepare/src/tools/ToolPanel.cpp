@@ -1,6 +1,6 @@
 #include "ToolPanel.h"
 
-#include "../label/LabelSession.h"
+#include "../labels/LabelSession.h"
 #include "../model/PrepareModel.h"
 #include "../structures/StructureAppearance.h"
 #include "../structures/StructureList.h"

@@ -1,16 +1,62 @@
 #include "LabelSession.h"
 
-#include "LabelCommand.h"
-
 #include <insonate/ui/TaskBar.h>
 
 #include <tbb/parallel_for_each.h>
 
 #include <QPointer>
+#include <QUndoCommand>
 #include <QtConcurrent/QtConcurrentRun>
+#include <functional>
+#include <string>
 #include <utility>
 
 namespace insonate::prepare {
+namespace {
+
+/// A step of labeling among the window's edits; the edits of one step of the guide are one command. Their changes are
+/// in LabelEdit, in the same order.
+class LabelCommand : public QUndoCommand {
+ public:
+  /// `undo` and `redo` apply to one recorded step; `undo` returns false if the step was discarded. `of`: the step of
+  /// the guide; empty for none.
+  LabelCommand(std::function<bool()> undo, std::function<void()> redo, const QString& name, std::string of)
+      : QUndoCommand(name), undo_(std::move(undo)), redo_(std::move(redo)), of_(std::move(of)) {}
+  void undo() override;
+  void redo() override;
+  int id() const override { return 2; }
+  bool mergeWith(const QUndoCommand* next) override;
+
+ private:
+  std::function<bool()> undo_;
+  std::function<void()> redo_;
+  std::string of_;
+  int steps_ = 1;
+  bool isDone_ = true;  ///< by the tool, before the command was made
+};
+
+void LabelCommand::undo() {
+  int undone = 0;
+  while (undone < steps_ && undo_()) ++undone;
+  if (undone == steps_) return;
+  // All or nothing; the stack forgets it, too.
+  for (; undone > 0; --undone) redo_();
+  setObsolete(true);
+}
+
+void LabelCommand::redo() {
+  if (std::exchange(isDone_, false)) return;
+  for (int step = 0; step < steps_; ++step) redo_();
+}
+
+bool LabelCommand::mergeWith(const QUndoCommand* next) {
+  const auto& other = static_cast<const LabelCommand&>(*next);
+  if (of_.empty() || of_ != other.of_) return false;
+  steps_ += other.steps_;
+  return true;
+}
+
+}  // namespace
 
 LabelSession::LabelSession(ui::TaskBar& tasks, QUndoStack& undo, QObject* parent)
     : QObject(parent), tasks_(tasks), undo_(undo), preview_(this) {

@@ -1,13 +1,13 @@
 #include "StructureTable.h"
 
-#include "../label/LabelSession.h"
+#include "../labels/LabelSession.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
-#include "../structures/StructureAppearance.h"
-#include "../structures/StructureList.h"
-#include "../structures/TermsEditor.h"
 #include "LabelDetails.h"
+#include "StructureAppearance.h"
+#include "StructureList.h"
 #include "StructureModel.h"
+#include "TermsEditor.h"
 
 #include <insonate/tissue/OwnLabels.h>
 #include <insonate/ui/PassLetters.h>
