@@ -32,8 +32,8 @@ MAX_FUNCTION_LINES = 60
 LONG_FUNCTIONS = {
     ("modules/cases/src/phantom/Variants.cpp", "variantModels"): "a table",
     ("modules/ultrasound/src/cpu/Cells-inl.h", "computeCellRow"): "one loop, whose parts share their registers",
-    ("ui/prepare/src/tool/ToolTable.cpp", "growing"): "a table",
-    ("ui/prepare/src/tool/ToolTable.cpp", "shaping"): "a table",
+    ("ui/prepare/src/tools/ToolTable.cpp", "growing"): "a table",
+    ("ui/prepare/src/tools/ToolTable.cpp", "shaping"): "a table",
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

@@ -32,7 +32,7 @@ class CheckPage : public PrepareWindow {
     return QTest::qWaitFor([&] { return workspace_->isReady() && condition(); }, kPatience_ms);
   }
   bool finds(const std::string& code) {
-    const auto& measures = session_->measuring().measures();
+    const auto& measures = shared_->measuring.measures();
     return measures && std::ranges::any_of(measures->findings, [&](const Finding& f) { return f.code == code; });
   }
   QString text(const char* label) { return child<QLabel>(label)->text(); }
@@ -49,43 +49,43 @@ TEST_F(CheckPage, VerdictAndGroupsSayWhatIsMissing) {
 
 TEST_F(CheckPage, ALandmarkIsMarkedShownMovedNamedAndRemoved) {
   openCase();
-  session_->setCrosshair({5, 6, 1});
+  shared_->crosshair.moveTo({5, 6, 1});
   mark("cricoid cartilage");
-  ASSERT_EQ(session_->places().landmarks.size(), 1u);
-  EXPECT_EQ(session_->places().landmarks[0].code, "cricoid");
-  EXPECT_EQ(session_->places().landmarks[0].position_mm, (Vec3{5, 6, 1}));
+  ASSERT_EQ(shared_->places.value().landmarks.size(), 1u);
+  EXPECT_EQ(shared_->places.value().landmarks[0].code, "cricoid");
+  EXPECT_EQ(shared_->places.value().landmarks[0].position_mm, (Vec3{5, 6, 1}));
   EXPECT_TRUE(workspace_->unsavedEdit());
 
-  session_->setCrosshair({-5, 8, 2});
+  shared_->crosshair.moveTo({-5, 8, 2});
   places()->setCurrentItem(item("cricoid cartilage"));
   press("placeShow");
-  EXPECT_EQ(session_->crosshair_mm(), (Vec3{5, 6, 1}));
-  session_->setCrosshair({-5, 8, 2});
+  EXPECT_EQ(shared_->crosshair.position_mm(), (Vec3{5, 6, 1}));
+  shared_->crosshair.moveTo({-5, 8, 2});
   press("placePut");
-  EXPECT_EQ(session_->places().landmarks[0].position_mm, (Vec3{-5, 8, 2}));
+  EXPECT_EQ(shared_->places.value().landmarks[0].position_mm, (Vec3{-5, 8, 2}));
   item("cricoid cartilage")->setText(0, "cricoid, front");
-  EXPECT_TRUE(QTest::qWaitFor([&] { return session_->places().landmarks[0].name == "cricoid, front"; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return shared_->places.value().landmarks[0].name == "cricoid, front"; }));
   places()->setCurrentItem(item("cricoid, front"));
   press("placeRemove");
-  EXPECT_TRUE(session_->places().landmarks.empty());
-  for (int n = 0; n < 4; ++n) session_->undoStack().undo();
+  EXPECT_TRUE(shared_->places.value().landmarks.empty());
+  for (int n = 0; n < 4; ++n) shared_->openCase.undoStack().undo();
   EXPECT_FALSE(workspace_->unsavedEdit()) << "each was taken back";
 }
 
 TEST_F(CheckPage, ALandmarkThatIsMarkedAgainMovesAndAnotherOneIsAnother) {
   openCase();
   for (const char* kind : {"cricoid cartilage", "right clavicle, inner end"}) mark(kind);
-  session_->setCrosshair({-5, 8, 2});
+  shared_->crosshair.moveTo({-5, 8, 2});
   mark("cricoid cartilage");
-  ASSERT_EQ(session_->places().landmarks.size(), 2u) << "a neck has one cricoid";
-  EXPECT_EQ(session_->places().landmarks[0].position_mm, (Vec3{-5, 8, 2}));
-  EXPECT_EQ(session_->message(),
+  ASSERT_EQ(shared_->places.value().landmarks.size(), 2u) << "a neck has one cricoid";
+  EXPECT_EQ(shared_->places.value().landmarks[0].position_mm, (Vec3{-5, 8, 2}));
+  EXPECT_EQ(shared_->statusLine.text(),
             "\"cricoid cartilage\" was marked before and has moved to the crosshair; Ctrl+Z undoes it.");
-  session_->undoStack().undo();
-  ASSERT_EQ(session_->places().landmarks.size(), 2u);
-  EXPECT_NE(session_->places().landmarks[0].position_mm, (Vec3{-5, 8, 2}));
+  shared_->openCase.undoStack().undo();
+  ASSERT_EQ(shared_->places.value().landmarks.size(), 2u);
+  EXPECT_NE(shared_->places.value().landmarks[0].position_mm, (Vec3{-5, 8, 2}));
   for (int n = 0; n < 2; ++n) mark("another landmark");
-  EXPECT_EQ(session_->places().landmarks.size(), 4u) << "what the author names may be there twice";
+  EXPECT_EQ(shared_->places.value().landmarks.size(), 4u) << "what the author names may be there twice";
 }
 
 TEST_F(CheckPage, ATargetGoesIntoAVesselOnlyAndTheCheckFollows) {
@@ -93,14 +93,14 @@ TEST_F(CheckPage, ATargetGoesIntoAVesselOnlyAndTheCheckFollows) {
   without->manifest.targets.clear();
   openCase(without);
   EXPECT_TRUE(finds("no_target"));
-  session_->setCrosshair({20, 20, 0});
+  shared_->crosshair.moveTo({20, 20, 0});
   mark("target of the puncture");
-  EXPECT_TRUE(session_->places().targets.empty());
+  EXPECT_TRUE(shared_->places.value().targets.empty());
   EXPECT_TRUE(workspace_->statusText().contains("vein or an artery"));
-  session_->setCrosshair({0, 12, 0});
+  shared_->crosshair.moveTo({0, 12, 0});
   mark("target of the puncture");
-  ASSERT_EQ(session_->places().targets.size(), 1u);
-  EXPECT_EQ(session_->places().targets[0].label, kVein);
+  ASSERT_EQ(shared_->places.value().targets.size(), 1u);
+  EXPECT_EQ(shared_->places.value().targets[0].label, kVein);
   EXPECT_TRUE(checkedAgain([this] { return !finds("no_target"); })) << "without being asked";
 }
 
@@ -109,12 +109,12 @@ TEST_F(CheckPage, AVesselIsNamedShownSplitRenamedAndRemoved) {
   without->manifest.vessels.clear();
   openCase(without);
   EXPECT_TRUE(finds("no_vessel_names"));
-  const auto& vessels = session_->places().vessels;
-  session_->setCrosshair({20, 20, 0});
+  const auto& vessels = shared_->places.value().vessels;
+  shared_->crosshair.moveTo({20, 20, 0});
   mark("right internal jugular vein");
   EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().contains("no vein or artery"); }, kPatience_ms));
   EXPECT_TRUE(vessels.empty());
-  session_->setCrosshair({0, 12, 0});
+  shared_->crosshair.moveTo({0, 12, 0});
   mark("right internal jugular vein");
   ASSERT_TRUE(QTest::qWaitFor([&] { return vessels.size() == 1; }, kPatience_ms));
   EXPECT_LT(distanceToCourse_mm(vessels[0], {0, 12, 0}), 1);
@@ -131,29 +131,29 @@ TEST_F(CheckPage, AVesselIsNamedShownSplitRenamedAndRemoved) {
   press("placeRemove");
   EXPECT_EQ(vessels.size(), 1u);
   mark("target of the puncture");
-  EXPECT_EQ(session_->places().targets.back().name, "right internal jugular vein");
-  for (int n = 0; n < 5; ++n) session_->undoStack().undo();
+  EXPECT_EQ(shared_->places.value().targets.back().name, "right internal jugular vein");
+  for (int n = 0; n < 5; ++n) shared_->openCase.undoStack().undo();
   EXPECT_TRUE(vessels.empty()) << "each can be undone";
 }
 
 TEST_F(CheckPage, StartPosesAreSeveralAndOneIsTheFirst) {
   openCase();
-  session_->setCrosshair({10, 1, 0});
+  shared_->crosshair.moveTo({10, 1, 0});
   ASSERT_TRUE(QTest::qWaitFor([&] { return workspace_->isReady(); }, kPatience_ms));
   mark("start pose of the probe");
-  ASSERT_EQ(session_->places().startPoses.size(), 2u);
-  EXPECT_NEAR(session_->places().startPoses[1].position_mm.x, 10, 1.5);
+  ASSERT_EQ(shared_->places.value().startPoses.size(), 2u);
+  EXPECT_NEAR(shared_->places.value().startPoses[1].position_mm.x, 10, 1.5);
   places()->setCurrentItem(item("start 2"));
   press("placeFirst");
-  EXPECT_EQ(session_->places().startPoses[0].name, "start 2");
-  EXPECT_EQ(session_->live().start()->name, "start 2");
+  EXPECT_EQ(shared_->places.value().startPoses[0].name, "start 2");
+  EXPECT_EQ(shared_->live.start()->name, "start 2");
   PatientCase copy = *patient();
   workspace_->unsavedEdit()(copy);
   EXPECT_EQ(copy.manifest.startPoses[0].name, "start 2");
   EXPECT_EQ(copy.manifest.startPoses[1].name, "over the vein");
-  session_->setCrosshair({-10, 1, 0});
-  session_->goToStart();
-  EXPECT_NEAR(session_->live().standing()->offset.x, 10, 1.5);
+  shared_->crosshair.moveTo({-10, 1, 0});
+  shared_->crosshair.goToStart();
+  EXPECT_NEAR(shared_->live.standing()->offset.x, 10, 1.5);
 }
 
 TEST_F(CheckPage, DifficultyShowsItsMeasuresAndTheAuthorsGradeGoesBefore) {
@@ -165,9 +165,9 @@ TEST_F(CheckPage, DifficultyShowsItsMeasuresAndTheAuthorsGradeGoesBefore) {
   EXPECT_EQ(grade->currentText(), "as estimated");
   grade->setCurrentIndex(grade->findText("hard"));
   Q_EMIT grade->activated(grade->currentIndex());
-  EXPECT_EQ(session_->places().difficulty, "hard");
+  EXPECT_EQ(shared_->places.value().difficulty, "hard");
   EXPECT_TRUE(checkedAgain([this] { return finds("difficulty_differs"); }));
-  session_->undoStack().undo();
+  shared_->openCase.undoStack().undo();
   EXPECT_EQ(grade->currentText(), "as estimated");
 }
 
@@ -175,10 +175,10 @@ TEST_F(CheckPage, PressingFlattensTheVeinAndIsNotKeptAsTheStart) {
   auto without = std::make_shared<PatientCase>(*patient());
   without->manifest.startPoses.clear();
   openCase(without);
-  ASSERT_TRUE(session_->live().standing());
+  ASSERT_TRUE(shared_->live.standing());
   child<ui::ValueSlider>("press")->setValue(6);
   const auto pressed = [&] {
-    const auto frame = session_->live().shown();
+    const auto frame = shared_->live.shown();
     if (!frame || frame->press.force_N <= 0) return false;
     return std::ranges::any_of(frame->press.lumens, [](const LumenArea& lumen) {
       return lumen.label == kVein && lumen.area_mm2 < 0.8 * lumen.rest_mm2;
@@ -188,8 +188,8 @@ TEST_F(CheckPage, PressingFlattensTheVeinAndIsNotKeptAsTheStart) {
   EXPECT_TRUE(text("pressed").contains("vein")) << text("pressed").toStdString();
   EXPECT_TRUE(text("pressed").contains(" N"));
   press("keepStart");
-  ASSERT_EQ(session_->places().startPoses.size(), 1u);
-  EXPECT_NEAR(session_->places().startPoses[0].position_mm.y, 0, 1) << "on the skin, not in it";
+  ASSERT_EQ(shared_->places.value().startPoses.size(), 1u);
+  EXPECT_NEAR(shared_->places.value().startPoses[0].position_mm.y, 0, 1) << "on the skin, not in it";
   openCase();
   EXPECT_EQ(child<ui::ValueSlider>("press")->value(), 0) << "another case is not pressed";
 }
@@ -264,7 +264,7 @@ TEST_F(Publish, TraineesGetWhatWasPublishedWhateverIsSavedLater) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return publishedVersion(place) == 1; }, kPatience_ms));
   EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText().contains("version 1"); }, kPatience_ms));
 
-  session_->removeVoxels(kThyroid);
+  shared_->structures.removeVoxels(kThyroid);
   ASSERT_TRUE(QTest::qWaitFor([&] { return workspace_->unsavedEdit() && workspace_->isReady(); }, kPatience_ms));
   EXPECT_FALSE(enabled()) << "not saved";
   PatientCase changed = *fit();
@@ -277,28 +277,28 @@ TEST_F(Publish, TraineesGetWhatWasPublishedWhateverIsSavedLater) {
 
 TEST_F(CheckPage, TheProbeStandsOnTheSkinAsItIsEdited) {
   openCase();
-  ASSERT_TRUE(session_->live().standing());
-  const Vec3 before_mm = session_->live().standing()->offset;
+  ASSERT_TRUE(shared_->live.standing());
+  const Vec3 before_mm = shared_->live.standing()->offset;
   LabelStep cut;
   cut.tool = step::Paint{.points_mm = {before_mm - Vec3{0, 12, 0}}, .radius_mm = 18};
   cut.label = kBackground;
   std::optional<Result<LabelChange>> made;
-  session_->labelling().run(std::move(cut), "cut", [&](const Result<LabelChange>& change) { made = change; });
+  shared_->labelling.run(std::move(cut), "cut", [&](const Result<LabelChange>& change) { made = change; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return made.has_value(); }, kPatience_ms));
   ASSERT_TRUE(*made) << made->error().message;
   ASSERT_TRUE((*made)->labels.test(kBackground)) << (*made)->voxels;
-  ASSERT_TRUE(QTest::qWaitFor([&] { return session_->live().standing()->offset.y > before_mm.y + 3; }, kPatience_ms))
-      << session_->live().standing()->offset.y;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shared_->live.standing()->offset.y > before_mm.y + 3; }, kPatience_ms))
+      << shared_->live.standing()->offset.y;
 }
 
 TEST_F(CheckPage, AFindingSelectsItsStructure) {
   auto crumbs = std::make_shared<PatientCase>(*patient());
   crumbs->labels.at(40, 30, 8) = kVein;
   openCase(crumbs);
-  session_->select(kBone);
+  shared_->structures.select(kBone);
   press("place-vein_fragments");
-  EXPECT_EQ(session_->selected(), kVein);
-  EXPECT_EQ(session_->crosshair_mm(), (Vec3{16, 24, 0}));
+  EXPECT_EQ(shared_->structures.selected(), kVein);
+  EXPECT_EQ(shared_->crosshair.position_mm(), (Vec3{16, 24, 0}));
 }
 
 }  // namespace

@@ -107,17 +107,17 @@ TEST_F(Guiding, TheKeyboardStaysWithTheGuideWhenItsButtonGoes) {
   const int step = guide_->current();
   QTest::keyClick(list, Qt::Key_G);
   QTest::keyClick(list, Qt::Key_C);
-  EXPECT_FALSE(session_->labelsShown()) << "letters are keys of the room";
+  EXPECT_FALSE(shared_->slices.labelsShown()) << "letters are keys of the room";
   EXPECT_EQ(guide_->current(), step) << "and look for no step";
 }
 
 TEST_F(Guiding, LabelsThatWereHiddenToFindTheVeinComeBackWithIt) {
   choose("vein-right");
   key(Qt::Key_G);
-  ASSERT_FALSE(session_->labelsShown());
+  ASSERT_FALSE(shared_->slices.labelsShown());
   makeVein();
-  session_->setCrosshair({0, 12, 0});
-  EXPECT_TRUE(session_->labelsShown());
+  shared_->crosshair.moveTo({0, 12, 0});
+  EXPECT_TRUE(shared_->slices.labelsShown());
   EXPECT_TRUE(workspace_->statusText().endsWith("vein")) << workspace_->statusText().toStdString();
 }
 
@@ -132,16 +132,16 @@ TEST_F(Guiding, ABareImportIsToldOfNoLabelsAndItsUltrasoundComesWithTheSkin) {
   EXPECT_TRUE(child<QLabel>("sceneEmpty")->isVisible()) << "3D says what to do";
   EXPECT_THAT(child<QLabel>("sceneEmpty")->text().toStdString(), HasSubstr("guide's first step"));
   EXPECT_THAT(child<QLabel>("ultrasoundState")->text().toStdString(), HasSubstr("no skin"));
-  session_->setCrosshair({9, 12, 3});
+  shared_->crosshair.moveTo({9, 12, 3});
   run();
-  const auto stands = [&] { return session_->live().standing() && session_->live().shown(); };
+  const auto stands = [&] { return shared_->live.standing() && shared_->live.shown(); };
   EXPECT_FALSE(child<QLabel>("sceneEmpty")->isVisible());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return stands() && session_->live().state().isEmpty(); }, kPatience_ms))
-      << session_->live().state().toStdString();
-  EXPECT_LT(norm(session_->live().standing()->offset - Vec3{9, 0, 3}), 2) << "on the skin nearest to the crosshair";
-  EXPECT_EQ(session_->crosshair_mm(), (Vec3{9, 12, 3})) << "nobody is taken away from where he looks";
-  session_->setCrosshair({-9, 12, -3});
-  EXPECT_LT(norm(session_->live().standing()->offset - Vec3{-9, 0, -3}), 2) << "and it follows";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return stands() && shared_->live.state().isEmpty(); }, kPatience_ms))
+      << shared_->live.state().toStdString();
+  EXPECT_LT(norm(shared_->live.standing()->offset - Vec3{9, 0, 3}), 2) << "on the skin nearest to the crosshair";
+  EXPECT_EQ(shared_->crosshair.position_mm(), (Vec3{9, 12, 3})) << "nobody is taken away from where he looks";
+  shared_->crosshair.moveTo({-9, 12, -3});
+  EXPECT_LT(norm(shared_->live.standing()->offset - Vec3{-9, 0, -3}), 2) << "and it follows";
 }
 
 TEST_F(Guiding, ClicksAreShownMovedAndRemoved) {
@@ -221,7 +221,7 @@ TEST_F(Guiding, AnEarlierStepIsDoneAgainWithoutLossOfLaterOnes) {
   run();
   EXPECT_NE(voxels(), before) << "the vein begins elsewhere";
   EXPECT_EQ(count(kArtery), artery);
-  EXPECT_EQ(session_->labelling().recipe().steps.size(), 2u) << "nothing is recorded twice";
+  EXPECT_EQ(shared_->labelling.recipe().steps.size(), 2u) << "nothing is recorded twice";
   EXPECT_EQ(guide_->state(1), State::Done);
   EXPECT_NE(guide_->state(2), State::ToDo);
   child<QAction>("undo")->trigger();
@@ -288,27 +288,27 @@ TEST_F(Guiding, AStepThatFailsLeavesWhatWasThere) {
 
 TEST_F(Guiding, DoingAnEarlierStepAgainKeepsColoursTitleAndPlaces) {
   makeVein(2.5);
-  session_->setColour(kVein, {1, 2, 3});
-  session_->setTitle("Mine");
-  CasePlaces places = session_->places();
+  shared_->appearance.setColour(kVein, {1, 2, 3});
+  shared_->openCase.setTitle("Mine");
+  CasePlaces places = shared_->places.value();
   places.difficulty = "hard";
-  session_->setPlaces(places, "difficulty");
+  shared_->places.set(places, "difficulty");
   makeArtery();
   const std::size_t artery = count(kArtery);
   ASSERT_GT(artery, 0U);
-  session_->setVisible(kBone, false);
+  shared_->appearance.setVisible(kBone, false);
   choose("vein-right");
   click({2.5, 12, -7}, Qt::RightButton);
   click({0, 12, -2});
   run();
-  EXPECT_EQ(session_->look(kVein).colour, (views::Colour{1, 2, 3}));
-  EXPECT_FALSE(session_->look(kBone).visible);
-  EXPECT_EQ(session_->title(), "Mine");
-  EXPECT_EQ(session_->places().difficulty, "hard");
+  EXPECT_EQ(shared_->appearance.look(kVein).colour, (views::Colour{1, 2, 3}));
+  EXPECT_FALSE(shared_->appearance.look(kBone).visible);
+  EXPECT_EQ(shared_->openCase.title(), "Mine");
+  EXPECT_EQ(shared_->places.value().difficulty, "hard");
   EXPECT_NE(guide_->state(2), State::ToDo);
   EXPECT_EQ(count(kArtery), artery) << "made again as it was";
   child<QAction>("undo")->trigger();
-  EXPECT_NE(session_->title(), "Mine") << "and it is one step to take back";
+  EXPECT_NE(shared_->openCase.title(), "Mine") << "and it is one step to take back";
 }
 
 TEST_F(Guiding, WhatWasPaintedIsMadeAgainThoughItIsLockedNow) {
@@ -316,16 +316,16 @@ TEST_F(Guiding, WhatWasPaintedIsMadeAgainThoughItIsLockedNow) {
   child<QPushButton>("guideCorrect")->click();
   drag({2.5, 12, 0}, {8, 20, 0});
   makeArtery();
-  session_->setLocked(kArtery, true);
+  shared_->labelling.setLocked(kArtery, true);
   const std::size_t artery = count(kArtery);
   choose("vein-right");
   drag({2.5, 12, -7}, {1.5, 12, -7});
   run();
   EXPECT_EQ(count(kArtery), artery) << "made again, with the rules of its time";
-  EXPECT_EQ(session_->labelling().recipe().steps.size(), 3u);
-  EXPECT_EQ(session_->labelling().labels().at(session_->labelling().labels().geometry.size[0] / 2, 0, 0),
+  EXPECT_EQ(shared_->labelling.recipe().steps.size(), 3u);
+  EXPECT_EQ(shared_->labelling.labels().at(shared_->labelling.labels().geometry.size[0] / 2, 0, 0),
             unlabelled()->labels.at(unlabelled()->labels.geometry.size[0] / 2, 0, 0));
-  EXPECT_TRUE(session_->labelling().rules().locked.test(kArtery));
+  EXPECT_TRUE(shared_->labelling.rules().locked.test(kArtery));
 }
 
 TEST_F(Guiding, ClicksOnTheOtherSideAreDoubted) {

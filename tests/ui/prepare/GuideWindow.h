@@ -54,7 +54,7 @@ class Guiding : public PrepareWindow {
     ASSERT_EQ(guide_->step().name, name);
   }
   QPoint placeOf(Vec3 patient_mm) {
-    session_->setCrosshair(patient_mm);
+    shared_->crosshair.moveTo(patient_mm);
     const views::DisplayPoint at = axial().displayFromPatient(patient_mm);
     const double ratio = canvas("Axial slice")->devicePixelRatioF();
     return {int(at.x / ratio), int(at.y / ratio)};
@@ -87,7 +87,7 @@ class Guiding : public PrepareWindow {
     run();
   }
   void save(const std::filesystem::path& folder) {
-    auto saved = std::make_shared<PatientCase>(*session_->patient());
+    auto saved = std::make_shared<PatientCase>(*shared_->openCase.patient());
     workspace_->unsavedEdit()(*saved);
     ASSERT_TRUE(writeCase(*saved, folder));
     ui::CaseOrigin origin;
@@ -102,9 +102,9 @@ class Guiding : public PrepareWindow {
     openCase(std::make_shared<const PatientCase>(std::move(back->patient)));
   }
   std::size_t count(std::uint8_t label) {
-    return std::size_t(std::ranges::count(session_->labelling().labels().voxels, label));
+    return std::size_t(std::ranges::count(shared_->labelling.labels().voxels, label));
   }
-  const std::vector<std::uint8_t>& voxels() { return session_->labelling().labels().voxels; }
+  const std::vector<std::uint8_t>& voxels() { return shared_->labelling.labels().voxels; }
 
   GuideSession* guide_ = nullptr;
 };

@@ -26,7 +26,7 @@ class Labelling : public PrepareWindow {
   void SetUp() override {
     PrepareWindow::SetUp();
     openCase();
-    labels_ = &session_->labelling();
+    labels_ = &shared_->labelling;
     QObject::connect(labels_, &LabelSession::failed, labels_, [this](const QString& text) { said_ = text; });
   }
   bool stroke(std::uint8_t label, std::vector<Vec3> points_mm) {
@@ -63,9 +63,9 @@ TEST_F(Labelling, AStrokeChangesExactlyTheVoxelsAroundItsLine) {
       }
   ASSERT_TRUE(stroke(kArtery, {a, b}));
   EXPECT_EQ(voxels(), expected.voxels);
-  EXPECT_EQ(session_->undoStack().count(), 1) << "one stroke, one step";
+  EXPECT_EQ(shared_->openCase.undoStack().count(), 1) << "one stroke, one step";
   EXPECT_TRUE(labels_->isChanged());
-  EXPECT_NE(std::ranges::find(session_->structures(), std::uint8_t{kArtery}), session_->structures().end());
+  EXPECT_NE(std::ranges::find(shared_->structures.labels(), std::uint8_t{kArtery}), shared_->structures.labels().end());
   EXPECT_EQ(patient()->labels.voxels, test::smallCase().labels.voxels) << "the case itself never changes";
 }
 
@@ -73,15 +73,15 @@ TEST_F(Labelling, UndoTakesStrokesToolsAndColoursInTheOrderInWhichTheyCame) {
   const auto before = voxels();
   stroke(kArtery, {{-10, 10, 0}});
   const auto painted = voxels();
-  session_->setColour(kArtery, {1, 2, 3});
+  shared_->appearance.setColour(kArtery, {1, 2, 3});
   ASSERT_TRUE(runToEnd(thresholdOf(kCartilage, 800, 1000)));
   const auto thresholded = voxels();
   EXPECT_NE(thresholded, painted);
   child<QAction>("undo")->trigger();
   EXPECT_EQ(voxels(), painted);
-  EXPECT_EQ(session_->look(kArtery).colour, (views::Colour{1, 2, 3}));
+  EXPECT_EQ(shared_->appearance.look(kArtery).colour, (views::Colour{1, 2, 3}));
   child<QAction>("undo")->trigger();
-  EXPECT_NE(session_->look(kArtery).colour, (views::Colour{1, 2, 3}));
+  EXPECT_NE(shared_->appearance.look(kArtery).colour, (views::Colour{1, 2, 3}));
   EXPECT_EQ(voxels(), painted);
   child<QAction>("undo")->trigger();
   EXPECT_EQ(voxels(), before);
@@ -120,17 +120,17 @@ TEST_F(Labelling, SixtyStepsGoBackAndForth) {
   std::uniform_real_distribution<double> x(-20, 20), y(2, 24), z(-7, 7);
   for (int n = 0; n < 60; ++n) {
     stroke(n % 2 ? kArtery : kThyroid, {{x(random), y(random), z(random)}, {x(random), y(random), z(random)}});
-    if (n % 7 == 0) session_->setVisible(kBone, !session_->look(kBone).visible);
+    if (n % 7 == 0) shared_->appearance.setVisible(kBone, !shared_->appearance.look(kBone).visible);
     states.push_back(voxels());
   }
   const auto seen = [&] { return std::ranges::find(states, voxels()) != states.end(); };
-  while (session_->undoStack().canUndo()) {
-    session_->undoStack().undo();
+  while (shared_->openCase.undoStack().canUndo()) {
+    shared_->openCase.undoStack().undo();
     ASSERT_TRUE(seen());
   }
   EXPECT_EQ(voxels(), states.front());
   EXPECT_TRUE(labels_->recipe().steps.empty());
-  while (session_->undoStack().canRedo()) session_->undoStack().redo();
+  while (shared_->openCase.undoStack().canRedo()) shared_->openCase.undoStack().redo();
   EXPECT_EQ(voxels(), states.back());
   EXPECT_EQ(labels_->recipe().steps.size(), 60u);
 }
@@ -138,9 +138,9 @@ TEST_F(Labelling, SixtyStepsGoBackAndForth) {
 TEST_F(Labelling, MoreStepsThanAreRememberedUndoAsFarAsTheyGo) {
   for (int n = 0; n < 130; ++n) stroke(n % 2 ? kArtery : kThyroid, {{0, 12, 0}});
   int undone = 0;
-  while (session_->undoStack().canUndo()) session_->undoStack().undo(), ++undone;
-  EXPECT_EQ(undone, PrepareSession::kMostUndo);
-  while (session_->undoStack().canRedo()) session_->undoStack().redo();
+  while (shared_->openCase.undoStack().canUndo()) shared_->openCase.undoStack().undo(), ++undone;
+  EXPECT_EQ(undone, OpenCase::kMostUndo);
+  while (shared_->openCase.undoStack().canRedo()) shared_->openCase.undoStack().redo();
   EXPECT_EQ(labels_->labels().at(24, 18, 8), kArtery);
 }
 
@@ -148,7 +148,7 @@ TEST_F(Labelling, LockedAndHiddenLabelsStay) {
   LabelRules rules = labels_->rules();
   rules.locked.set(kVein);
   labels_->setRules(rules);
-  session_->setVisible(kBone, false);
+  shared_->appearance.setVisible(kBone, false);
   stroke(kArtery, {{0, 12, 0}, {0, 30, 0}});
   const auto& now = labels_->labels();
   for (std::size_t v = 0; v < now.voxels.size(); ++v) {
@@ -175,7 +175,7 @@ TEST_F(Labelling, ACancelledToolLeavesTheLabelsAsTheyWere) {
   EXPECT_EQ(result->error().message, kCancelled);
   QTest::qWait(200);
   EXPECT_EQ(voxels(), before);
-  EXPECT_FALSE(session_->undoStack().canUndo());
+  EXPECT_FALSE(shared_->openCase.undoStack().canUndo());
   EXPECT_TRUE(stroke(kArtery, {{0, 12, 0}}));
 }
 
@@ -185,7 +185,7 @@ TEST_F(Labelling, UndoWhileAToolRunsEndsItFirst) {
     stroke(kArtery, {{0, 12, 0}});
     labels_->run(thresholdOf(kThyroid, 0, 2000), "threshold");
     QTest::qWait(wait_ms);
-    while (session_->undoStack().canUndo()) session_->undoStack().undo();
+    while (shared_->openCase.undoStack().canUndo()) shared_->openCase.undoStack().undo();
     EXPECT_FALSE(labels_->isBusy());
     EXPECT_EQ(voxels(), before);
     QTest::qWait(30);
@@ -229,7 +229,7 @@ TEST_F(Labelling, WhatWasDoneReplaysToTheSameVoxels) {
   stroke(kArtery, {{-10, 10, 0}, {-4, 14, 0}, {2, 20, 3}});
   ASSERT_TRUE(runToEnd(thresholdOf(kCartilage, 800, 1000)));
   stroke(kThyroid, {{10, 10, 0}});
-  session_->undoStack().undo();
+  shared_->openCase.undoStack().undo();
   const auto recipe = readRecipe(textOf(labels_->recipe()));
   ASSERT_TRUE(recipe) << recipe.error().message;
   ASSERT_EQ(recipe->steps.size(), 2u);
@@ -241,16 +241,16 @@ TEST_F(Labelling, WhatWasDoneReplaysToTheSameVoxels) {
 
 TEST_F(Labelling, SurfacesTheLivePictureAndTheCheckFollow) {
   EXPECT_TRUE(scene().structures().size() > 0);
-  const auto pictured = session_->live().shown();
+  const auto pictured = shared_->live.shown();
   stroke(kArtery, {{0, 8, -4}, {0, 8, 4}});
   EXPECT_FALSE(workspace_->isReady());
   ASSERT_TRUE(QTest::qWaitFor([&] { return workspace_->isReady(); }, kPatience_ms));
   const auto& all = scene().structures();
   EXPECT_NE(std::ranges::find(all, std::uint8_t{kArtery}), all.end()) << "it has a surface";
-  EXPECT_NE(session_->live().shown(), pictured);
-  EXPECT_EQ(session_->measuring().measures()->statistics.voxels[kArtery],
+  EXPECT_NE(shared_->live.shown(), pictured);
+  EXPECT_EQ(shared_->measuring.measures()->statistics.voxels[kArtery],
             std::size_t(std::ranges::count(labels_->labels().voxels, kArtery)));
-  session_->undoStack().undo();
+  shared_->openCase.undoStack().undo();
   ASSERT_TRUE(QTest::qWaitFor([&] { return workspace_->isReady(); }, kPatience_ms));
   const auto& left = scene().structures();
   EXPECT_EQ(std::ranges::find(left, std::uint8_t{kArtery}), left.end()) << "what is gone has none";

@@ -64,15 +64,15 @@ TEST_F(LabelSpeed, OfALargeCase) {
   const double volumes_MB = double(patient->ct.voxels.size()) * 3 / (1 << 20);
   workspace_->setCase(patient);
   // Surfaces and ultrasound have tables of their own.
-  session_->stop();
-  session_->addStructure(kArtery);
+  workspace_->stop();
+  shared_->structures.add(kArtery);
   QTest::qWait(500);
   const Vec3 middle = patient->ct.geometry.centre_mm();
   std::vector<double> slices, dabs;
   for (int n = 1; n <= 30; ++n)
-    slices.push_back(cost_ms([&] { session_->setCrosshair(middle + Vec3{0.5 * n, -0.5 * n, 0.7 * n}); }));
+    slices.push_back(cost_ms([&] { shared_->crosshair.moveTo(middle + Vec3{0.5 * n, -0.5 * n, 0.7 * n}); }));
   key(Qt::Key_1);
-  const auto at = [&](int n) { return pointOf(session_->crosshair_mm() + Vec3{-30.0 + 1.5 * n, 10, 0}); };
+  const auto at = [&](int n) { return pointOf(shared_->crosshair.position_mm() + Vec3{-30.0 + 1.5 * n, 10, 0}); };
   QWidget* axialCanvas = canvas("Axial slice");
   QTest::qWait(500);
   const double first = cost_ms([&] { QTest::mousePress(axialCanvas, Qt::LeftButton, {}, at(0)); });
@@ -85,7 +85,7 @@ TEST_F(LabelSpeed, OfALargeCase) {
   EXPECT_GT(count(kArtery), 1000u);
   key(Qt::Key_5);
   std::vector<double> previews;
-  auto& preview = session_->labelling().preview();
+  auto& preview = shared_->labelling.preview();
   ASSERT_TRUE(QTest::qWaitFor([&] { return preview.proposal() != nullptr; }, kPatience_ms));
   for (int n = 0; n < 9; ++n) {
     QTest::qWait(1500);
@@ -122,7 +122,8 @@ class LongEditing : public LabelSpeed {
   }
   void stroke(int number) {
     const auto at = [&](int n) {
-      return pointOf(session_->crosshair_mm() + Vec3{-50 + 5.0 * (number % 20) + n, -30 + 6.0 * (number / 20), 0});
+      return pointOf(shared_->crosshair.position_mm() +
+                     Vec3{-50 + 5.0 * (number % 20) + n, -30 + 6.0 * (number / 20), 0});
     };
     QWidget* axialCanvas = canvas("Axial slice");
     QTest::mousePress(axialCanvas, Qt::LeftButton, {}, at(0));
@@ -137,7 +138,7 @@ class LongEditing : public LabelSpeed {
     LabelStep step;
     step.tool = tool;
     step.label = kArtery;
-    session_->labelling().run(step, "filter");
+    shared_->labelling.run(step, "filter");
     ASSERT_TRUE(done());
     QTest::qWait(1000);
   }
@@ -156,7 +157,7 @@ TEST_F(LongEditing, KeepsItsMemory) {
   const auto patient = large();
   const double volumes_MB = double(patient->ct.voxels.size()) * 3 / (1 << 20);
   openCase(patient);
-  session_->addStructure(kArtery);
+  shared_->structures.add(kArtery);
   key(Qt::Key_1);
   const double opened = held(volumes_MB);
   test::Pauses pauses;
@@ -165,14 +166,14 @@ TEST_F(LongEditing, KeepsItsMemory) {
   for (int n = kStrokes / 2; n < kStrokes; ++n) stroke(n);
   const double painted = held(volumes_MB), strokes_ms = pauses.longest_ms();
   for (int n = 0; n < kUndos; ++n) {
-    session_->undoStack().undo();
+    shared_->openCase.undoStack().undo();
     QTest::qWait(20);
   }
   const double undone = held(volumes_MB), undos_ms = pauses.longest_ms();
   EXPECT_GT(count(kArtery), 1000u);
   for (const LabelTool& tool : filters()) filter(tool);
   const double end = held(volumes_MB), filters_ms = pauses.longest_ms();
-  const double undo_MB = double(session_->labelling().undoBytes()) / (1 << 20);
+  const double undo_MB = double(shared_->labelling.undoBytes()) / (1 << 20);
   std::printf(
       "512x512x300, longest work of the window's thread: %d strokes %.0f ms, %d undos %.0f ms, ten filters %.0f ms; "
       "memory in times the volumes: opened %.1f, after 100 strokes %.1f, 200 %.1f, undone %.1f, filtered %.1f, at "

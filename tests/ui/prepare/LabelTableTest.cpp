@@ -38,7 +38,7 @@ class LabelTable : public PrepareWindow {
     QApplication::processEvents();
   }
   PatientCase saved() {
-    PatientCase copy = *session_->patient();
+    PatientCase copy = *shared_->openCase.patient();
     if (const ui::CaseEdit edit = workspace_->unsavedEdit()) edit(copy);
     return copy;
   }
@@ -46,17 +46,17 @@ class LabelTable : public PrepareWindow {
 
 TEST_F(LabelTable, AStructureOfOnesOwnIsNamedAtOnceAndCanBeTakenBack) {
   openCase();
-  const std::size_t before = session_->structures().size();
+  const std::size_t before = shared_->structures.labels().size();
   addOwn();
-  EXPECT_EQ(session_->selected(), kOwn);
+  EXPECT_EQ(shared_->structures.selected(), kOwn);
   type("left  external\njugular");
   EXPECT_EQ(cell(kOwn, kName), "left external jugular");
-  EXPECT_EQ(session_->stateOf(kOwn), LabelState::NotStarted);
+  EXPECT_EQ(shared_->terms.stateOf(kOwn), LabelState::NotStarted);
   EXPECT_EQ(saved().manifest.ownLabels, (OwnLabels{{kOwn, {"left external jugular", kSoftTissue}}}));
   child<QAction>("undo")->trigger();
   EXPECT_EQ(cell(kOwn, kName), "label 16");
   child<QAction>("undo")->trigger();
-  EXPECT_EQ(session_->structures().size(), before);
+  EXPECT_EQ(shared_->structures.labels().size(), before);
   EXPECT_FALSE(workspace_->unsavedEdit());
   child<QAction>("redo")->trigger();
   child<QAction>("redo")->trigger();
@@ -78,11 +78,11 @@ TEST_F(LabelTable, WhoChoseTheTableWhileItIsMeasuredStaysThere) {
 
 TEST_F(LabelTable, ATissueIsChosenForOnesOwnOnly) {
   openCase();
-  session_->select(kVein);
+  shared_->structures.select(kVein);
   EXPECT_FALSE(child<QComboBox>("labelTissue")->isEnabled());
   EXPECT_EQ(child<QComboBox>("labelTissue")->currentText(), "vein");
   EXPECT_TRUE(child<QLabel>("labelTerm")->text().startsWith("SNOMED CT 29092000, Vein;"));
-  session_->addStructure(kOwn);
+  shared_->structures.add(kOwn);
   choose("labelTissue", child<QComboBox>("labelTissue")->findText("bone"));
   EXPECT_EQ(saved().manifest.ownLabels.at(kOwn).tissue, kBone);
   EXPECT_EQ(cell(kOwn, kTissue), "bone");
@@ -94,10 +94,10 @@ TEST_F(LabelTable, ATissueIsChosenForOnesOwnOnly) {
 
 TEST_F(LabelTable, StatesAreChangedByClickKeyAndChoice) {
   openCase();
-  EXPECT_EQ(session_->stateOf(kVein), LabelState::InProgress) << "nobody has said so, but it is begun";
+  EXPECT_EQ(shared_->terms.stateOf(kVein), LabelState::InProgress) << "nobody has said so, but it is begun";
   EXPECT_FALSE(workspace_->unsavedEdit());
   clickCell(kVein, kState);
-  EXPECT_EQ(session_->stateOf(kVein), LabelState::Completed);
+  EXPECT_EQ(shared_->terms.stateOf(kVein), LabelState::Completed);
   EXPECT_EQ(cell(kVein, kState, Qt::AccessibleTextRole), "vein: completed") << "a word beside the glyph";
   EXPECT_TRUE(workspace_->statusText().contains("vein: completed"));
   key(Qt::Key_S);
@@ -105,22 +105,22 @@ TEST_F(LabelTable, StatesAreChangedByClickKeyAndChoice) {
   choose("labelState", 0);
   EXPECT_EQ(saved().manifest.states, (LabelStates{{kVein, LabelState::NotStarted}}));
   for (int n = 0; n < 3; ++n) child<QAction>("undo")->trigger();
-  EXPECT_EQ(session_->stateOf(kVein), LabelState::InProgress);
+  EXPECT_EQ(shared_->terms.stateOf(kVein), LabelState::InProgress);
   EXPECT_FALSE(workspace_->unsavedEdit());
 }
 
 TEST_F(LabelTable, HostileNamesDoNoHarm) {
   openCase();
-  session_->addStructure(kOwn);
-  session_->setName(kOwn, QString(10'000, QLatin1Char('x')));
+  shared_->structures.add(kOwn);
+  shared_->terms.setName(kOwn, QString(10'000, QLatin1Char('x')));
   EXPECT_EQ(cell(kOwn, kName).size(), 64);
-  session_->setName(kOwn, "<img src='x'><b>a</b>\n\"\\");
+  shared_->terms.setName(kOwn, "<img src='x'><b>a</b>\n\"\\");
   EXPECT_EQ(cell(kOwn, kName), "<img src='x'><b>a</b> '/");
-  session_->setName(kOwn, "vein");
+  shared_->terms.setName(kOwn, "vein");
   EXPECT_EQ(cell(kOwn, kName), "<img src='x'><b>a</b> '/") << "two of one name";
   EXPECT_TRUE(workspace_->statusText().contains("with the name vein already"))
       << workspace_->statusText().toStdString();
-  session_->setName(kVein, "artery");
+  shared_->terms.setName(kVein, "artery");
   EXPECT_EQ(cell(kVein, kName), "vein") << "the label table's names stay";
 }
 
@@ -144,12 +144,12 @@ TEST_F(LabelTable, AWideTableShowsTissueTermAndVoxels) {
 
 TEST_F(LabelTable, ClearForgetsOneOfOnesOwnThatHasNoVoxels) {
   openCase();
-  session_->addStructure(kOwn);
+  shared_->structures.add(kOwn);
   child<QPushButton>("clearLabel")->click();
-  EXPECT_TRUE(session_->terms().own.empty());
-  EXPECT_NE(session_->selected(), kOwn);
+  EXPECT_TRUE(shared_->terms.value().own.empty());
+  EXPECT_NE(shared_->structures.selected(), kOwn);
   child<QAction>("undo")->trigger();
-  EXPECT_TRUE(session_->terms().own.contains(kOwn));
+  EXPECT_TRUE(shared_->terms.value().own.contains(kOwn));
 }
 
 }  // namespace

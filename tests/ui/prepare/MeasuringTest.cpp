@@ -1,4 +1,4 @@
-#include "measure/CaseMeasuring.h"
+#include "check/CaseMeasuring.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/TaskBar.h>

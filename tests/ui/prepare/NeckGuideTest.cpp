@@ -100,18 +100,18 @@ TEST_F(GuidingANeck, DoneThroughTheWindowItReplaysByTheCommandToEveryVoxel) {
   };
   for (const auto* step : {"vein-right", "artery-right"}) {
     choose(step);
-    const std::size_t before = session_->places().vessels.size();
+    const std::size_t before = shared_->places.value().vessels.size();
     child<QPushButton>("guideAccept")->click();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return session_->places().vessels.size() > before; }, kPatience_ms)) << step;
+    EXPECT_TRUE(QTest::qWaitFor([&] { return shared_->places.value().vessels.size() > before; }, kPatience_ms)) << step;
   }
-  EXPECT_THAT(named(session_->places().vessels),
+  EXPECT_THAT(named(shared_->places.value().vessels),
               testing::ElementsAre("right internal jugular vein", "right common carotid artery"));
   choose("vein-right");
   child<QPushButton>("guideCorrect")->click();
   drag(middleAt(kJugular, target_mm.z), middleAt(kJugular, target_mm.z) + Vec3{-6, 0, 0});
   choose("automatic");
   run();  // all that was made after it is made again
-  EXPECT_EQ(session_->labelling().recipe().steps.size(), 3u) << "the CT tells what is there already";
+  EXPECT_EQ(shared_->labelling.recipe().steps.size(), 3u) << "the CT tells what is there already";
   save(folder.path() / "made");
 
   ASSERT_TRUE(readCase(folder.path() / "made"));

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "PrepareSession.h"
-#include "views/CaseViews.h"
+#include "SharedModel.h"
+#include "viewing/CaseViews.h"
 
 #include <insonate/prepare/PrepareWorkspace.h>
 #include <insonate/tissue/Labels.h>
@@ -29,6 +29,7 @@
 #include <QTableView>
 #include <QToolButton>
 #include <QtTest/QTest>
+#include <optional>
 
 namespace insonate::prepare {
 
@@ -44,8 +45,7 @@ class PrepareWindow : public testing::Test {
     workspace_->show();
     workspace_->activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(workspace_.get()));
-    session_ = workspace_->findChild<PrepareSession*>();
-    ASSERT_TRUE(session_);
+    shared_.emplace(modelOf(*workspace_));
   }
 
   static std::shared_ptr<const PatientCase> patient() {
@@ -67,7 +67,7 @@ class PrepareWindow : public testing::Test {
   }
   QTableView* table() { return child<QTableView>("structures"); }
   int rowOf(std::uint8_t label) {
-    const auto& all = session_->structures();
+    const auto& all = shared_->structures.labels();
     return int(std::ranges::find(all, label) - all.begin());
   }
   void clickCell(std::uint8_t label, int column) {
@@ -83,7 +83,7 @@ class PrepareWindow : public testing::Test {
 
   ui::TaskBar tasks_;
   std::unique_ptr<PrepareWorkspace> workspace_;
-  PrepareSession* session_ = nullptr;
+  std::optional<PrepareModel> shared_;
 };
 
 }  // namespace insonate::prepare

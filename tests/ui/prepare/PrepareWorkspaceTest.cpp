@@ -49,24 +49,24 @@ TEST_F(PrepareWindow, WhatTheImportSaidStaysWithTheCase) {
 TEST_F(PrepareWindow, WhatHappenedIsSaidForSomeSeconds) {
   const QString before = workspace_->statusText();
   EXPECT_FALSE(before.isEmpty());
-  session_->say("Something happened.");
+  shared_->notice.say("Something happened.");
   EXPECT_EQ(workspace_->statusText(), "Something happened.");
-  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText() == before; }, PrepareSession::kSaid_ms + 3000))
+  EXPECT_TRUE(QTest::qWaitFor([&] { return workspace_->statusText() == before; }, Notice::kShown_ms + 3000))
       << workspace_->statusText().toStdString();
 }
 
 TEST_F(PrepareWindow, OneCrosshairForAllSlices) {
   openCase();
-  session_->setCrosshair({3, 10, -2});
+  shared_->crosshair.moveTo({3, 10, -2});
   EXPECT_EQ(axial().crosshair_mm(), (Vec3{3, 10, -2}));
   EXPECT_TRUE(workspace_->statusText().contains("vein")) << workspace_->statusText().toStdString();
   key(Qt::Key_Up);
-  EXPECT_NEAR(session_->crosshair_mm().z, -1, 1e-6);
+  EXPECT_NEAR(shared_->crosshair.position_mm().z, -1, 1e-6);
   QTest::keyClick(canvas("Coronal slice"), Qt::Key_Up);
-  EXPECT_NEAR(session_->crosshair_mm().y, 11, 1e-6);
-  EXPECT_EQ(axial().crosshair_mm(), session_->crosshair_mm());
-  session_->setCrosshair({1000, 0, 0});
-  EXPECT_NEAR(session_->crosshair_mm().x, 24.5, 1e-6) << "within the volume";
+  EXPECT_NEAR(shared_->crosshair.position_mm().y, 11, 1e-6);
+  EXPECT_EQ(axial().crosshair_mm(), shared_->crosshair.position_mm());
+  shared_->crosshair.moveTo({1000, 0, 0});
+  EXPECT_NEAR(shared_->crosshair.position_mm().x, 24.5, 1e-6) << "within the volume";
 }
 
 TEST_F(PrepareWindow, WindowAndLevelByPresetNumberAndDrag) {
@@ -75,7 +75,7 @@ TEST_F(PrepareWindow, WindowAndLevelByPresetNumberAndDrag) {
   EXPECT_EQ(preset->count(), 6);
   preset->setCurrentIndex(1);
   Q_EMIT preset->activated(1);
-  EXPECT_EQ(session_->windowLevel(), (views::WindowLevel{1000, 400}));
+  EXPECT_EQ(shared_->slices.windowLevel(), (views::WindowLevel{1000, 400}));
   EXPECT_EQ(axial().windowLevel(), (views::WindowLevel{1000, 400}));
   EXPECT_EQ(child<ui::ValueSlider>("window")->value(), 1000);
   child<ui::ValueSlider>("level")->setValue(300);
@@ -90,29 +90,29 @@ TEST_F(PrepareWindow, WindowAndLevelByPresetNumberAndDrag) {
   send(QEvent::MouseButtonPress, from, Qt::RightButton, Qt::RightButton);
   send(QEvent::MouseMove, to, Qt::NoButton, Qt::RightButton);
   send(QEvent::MouseButtonRelease, to, Qt::RightButton, Qt::NoButton);
-  EXPECT_GT(session_->windowLevel().window_HU, 1000);
-  EXPECT_EQ(child<ui::ValueSlider>("window")->value(), std::round(session_->windowLevel().window_HU));
+  EXPECT_GT(shared_->slices.windowLevel().window_HU, 1000);
+  EXPECT_EQ(child<ui::ValueSlider>("window")->value(), std::round(shared_->slices.windowLevel().window_HU));
 }
 
 TEST_F(PrepareWindow, LabelKeysWorkInEverySlice) {
   openCase();
   key(Qt::Key_D);
-  EXPECT_NEAR(session_->labelOpacity(), 0.3, 1e-9);
+  EXPECT_NEAR(shared_->slices.labelOpacity(), 0.3, 1e-9);
   EXPECT_NEAR(axial().labelOpacity(), 0.3, 1e-9);
   QTest::keyClick(canvas("Sagittal slice"), Qt::Key_A);
   QTest::keyClick(canvas("Scene"), Qt::Key_A);
   EXPECT_NEAR(axial().labelOpacity(), 0.2, 1e-9);
   key(Qt::Key_G);
-  EXPECT_FALSE(session_->labelsShown());
+  EXPECT_FALSE(shared_->slices.labelsShown());
   EXPECT_FALSE(child<QCheckBox>("labelsShown")->isChecked());
   child<QCheckBox>("labelsShown")->click();
-  EXPECT_TRUE(session_->labelsShown());
+  EXPECT_TRUE(shared_->slices.labelsShown());
   child<ui::ValueSlider>("labelOpacity")->setValue(80);
   EXPECT_NEAR(axial().labelOpacity(), 0.8, 1e-9);
   key(Qt::Key_W);
-  EXPECT_EQ(session_->selected(), session_->structures()[1]);
+  EXPECT_EQ(shared_->structures.selected(), shared_->structures.labels()[1]);
   QTest::keyClick(table(), Qt::Key_Q);
-  EXPECT_EQ(session_->selected(), session_->structures()[0]) << "also where the table has the keyboard";
+  EXPECT_EQ(shared_->structures.selected(), shared_->structures.labels()[0]) << "also where the table has the keyboard";
 }
 
 TEST_F(PrepareWindow, AFindingBringsTheCrosshairToItsPlace) {
@@ -121,7 +121,7 @@ TEST_F(PrepareWindow, AFindingBringsTheCrosshairToItsPlace) {
   openCase(wrong);
   auto* button = child<QPushButton>("place-target_label");
   button->click();
-  EXPECT_EQ(session_->crosshair_mm(), (Vec3{10, 20, 3}));
+  EXPECT_EQ(shared_->crosshair.position_mm(), (Vec3{10, 20, 3}));
   child<QPushButton>("toFindings")->click();
   auto* fold = child<QToolButton>("section-check");
   EXPECT_TRUE(fold->isChecked());
@@ -131,31 +131,31 @@ TEST_F(PrepareWindow, AFindingBringsTheCrosshairToItsPlace) {
 
 TEST_F(PrepareWindow, TheUltrasoundFollowsTheCrosshair) {
   openCase();
-  const auto first = session_->live().shown();
+  const auto first = shared_->live.shown();
   ASSERT_TRUE(first);
   EXPECT_GT(std::ranges::max(first->image.grey), 40) << "something is seen";
-  session_->setCrosshair({12, 15, 0});
-  const auto atRest = [&] { return session_->live().isSettled() && session_->live().shown()->press.settled; };
+  shared_->crosshair.moveTo({12, 15, 0});
+  const auto atRest = [&] { return shared_->live.isSettled() && shared_->live.shown()->press.settled; };
   ASSERT_TRUE(QTest::qWaitFor(atRest, kPatience_ms));
-  const Vec3 probe_mm = session_->live().shown()->patientFromProbe.offset;
+  const Vec3 probe_mm = shared_->live.shown()->patientFromProbe.offset;
   EXPECT_NEAR(probe_mm.x, 12, 1.5);
   EXPECT_NEAR(probe_mm.y, 0, 1.5) << "on the skin";
-  const auto number = session_->live().shown()->number;
+  const auto number = shared_->live.shown()->number;
   QTest::qWait(300);
-  EXPECT_EQ(session_->live().shown()->number, number) << "held still, it costs nothing";
+  EXPECT_EQ(shared_->live.shown()->number, number) << "held still, it costs nothing";
   key(Qt::Key_Home);
-  EXPECT_EQ(session_->crosshair_mm(), (Vec3{0, 0, 0}));
+  EXPECT_EQ(shared_->crosshair.position_mm(), (Vec3{0, 0, 0}));
 }
 
 TEST_F(PrepareWindow, HiddenItMakesNoPictures) {
   openCase();
   workspace_->hide();
-  const auto last = session_->live().shown();
-  session_->setCrosshair({5, 15, 0});
+  const auto last = shared_->live.shown();
+  shared_->crosshair.moveTo({5, 15, 0});
   QTest::qWait(300);
-  EXPECT_EQ(session_->live().shown(), last);
+  EXPECT_EQ(shared_->live.shown(), last);
   workspace_->show();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return session_->live().shown() != last; }, kPatience_ms));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return shared_->live.shown() != last; }, kPatience_ms));
 }
 
 TEST_F(PrepareWindow, AViewFillsTheMiddleAndComesBack) {

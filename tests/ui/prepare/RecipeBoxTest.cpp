@@ -24,15 +24,14 @@ class RecipeWindow : public Tools {
   QString file(const char* name) const { return folder_.filePath(QLatin1String(name)); }
   bool replayed() {
     return QTest::qWaitFor(
-        [&] { return !session_->labelling().isBusy() && child<QPushButton>("recipeReplay")->isEnabled(); },
-        kPatience_ms);
+        [&] { return !shared_->labelling.isBusy() && child<QPushButton>("recipeReplay")->isEnabled(); }, kPatience_ms);
   }
   QTemporaryDir folder_;
 };
 
 TEST_F(RecipeWindow, StepsAreListedSavedAndReplayedToTheSameVoxels) {
   EXPECT_FALSE(child<QPushButton>("recipeSave")->isEnabled()) << "nothing was done";
-  session_->addStructure(kArtery);
+  shared_->structures.add(kArtery);
   key(Qt::Key_1);
   drag({-14, 12, 0}, {-8, 14, 0});
   child<QAction>("tool-margin")->trigger();
@@ -43,14 +42,14 @@ TEST_F(RecipeWindow, StepsAreListedSavedAndReplayedToTheSameVoxels) {
   const auto made = labels().voxels;
   choose("recipeSave", "recipeSaveDialog", file("steps.json"));
   ASSERT_TRUE(loadRecipe(file("steps.json").toStdString()));
-  session_->undoStack().undo();
-  session_->undoStack().undo();
+  shared_->openCase.undoStack().undo();
+  shared_->openCase.undoStack().undo();
   ASSERT_EQ(labels().voxels, patient()->labels.voxels);
   choose("recipeReplay", "recipeReplayDialog", file("steps.json"));
   ASSERT_TRUE(replayed());
   EXPECT_EQ(labels().voxels, made);
-  session_->undoStack().undo();
-  session_->undoStack().undo();
+  shared_->openCase.undoStack().undo();
+  shared_->openCase.undoStack().undo();
   EXPECT_EQ(labels().voxels, patient()->labels.voxels);
 }
 
@@ -82,7 +81,7 @@ TEST_F(RecipeWindow, ACancelLeavesTheLabelsAsTheyWere) {
   tasks_.cancel();
   ASSERT_TRUE(replayed());
   EXPECT_EQ(labels().voxels, patient()->labels.voxels);
-  EXPECT_TRUE(session_->terms().own.empty()) << "nor are its names";
+  EXPECT_TRUE(shared_->terms.value().own.empty()) << "nor are its names";
   EXPECT_TRUE(workspace_->statusText().contains("as they were")) << workspace_->statusText().toStdString();
 }
 
@@ -95,7 +94,7 @@ TEST_F(RecipeWindow, NamesOfItsLabelsComeWithARecipe) {
   std::ofstream(file("port.json").toStdString()) << textOf(recipe);
   choose("recipeReplay", "recipeReplayDialog", file("port.json"));
   ASSERT_TRUE(replayed());
-  EXPECT_EQ(session_->terms().own, recipe.labels);
+  EXPECT_EQ(shared_->terms.value().own, recipe.labels);
   EXPECT_TRUE(child<QListWidget>("recipeSteps")->item(0)->text().contains("port"));
   choose("recipeSave", "recipeSaveDialog", file("again.json"));
   EXPECT_EQ(loadRecipe(file("again.json").toStdString())->labels, recipe.labels);

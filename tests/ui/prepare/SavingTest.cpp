@@ -1,4 +1,4 @@
-#include "PrepareSession.h"
+#include "SharedModel.h"
 
 #include <insonate/cases/CaseTitle.h>
 #include <insonate/cases/CaseVersions.h>
@@ -23,6 +23,7 @@
 #include <QtTest/QTest>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 namespace insonate::prepare {
 namespace {
@@ -43,7 +44,7 @@ class Saving : public testing::Test {
     window_.showWorkspace("prepare");
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
     QApplication::setActiveWindow(&window_);  // without a window manager, activation may come later or never
-    session_ = workspace_->findChild<PrepareSession*>();
+    shared_.emplace(modelOf(*workspace_));
     window_.open(QString::fromStdString(case_.string()));
     ASSERT_TRUE(until([this] { return window_.isReady(); }));
   }
@@ -67,15 +68,15 @@ class Saving : public testing::Test {
   fs::path case_;
   ui::MainWindow window_;
   PrepareWorkspace* workspace_ = nullptr;
-  PrepareSession* session_ = nullptr;
+  std::optional<PrepareModel> shared_;
 };
 
 TEST_F(Saving, WritesColoursAndTitleToTheCasesFolder) {
   EXPECT_FALSE(saveAction()->isEnabled());
-  session_->setColour(kVein, kChosen);
-  session_->setTitle("Renamed");
+  shared_->appearance.setColour(kVein, kChosen);
+  shared_->openCase.setTitle("Renamed");
   EXPECT_TRUE(window_.caseTitle().contains("changed"));
-  session_->setCrosshair({4, 9, 2});
+  shared_->crosshair.moveTo({4, 9, 2});
   ASSERT_TRUE(saveAction()->isEnabled());
   QTest::keyClick(workspace_, Qt::Key_S, Qt::ControlModifier);
   ASSERT_TRUE(until([this] { return !edited(); }));
@@ -83,9 +84,9 @@ TEST_F(Saving, WritesColoursAndTitleToTheCasesFolder) {
   EXPECT_EQ(readCase(case_)->patient.manifest.title, "Renamed");
   EXPECT_EQ(window_.caseTitle(), "Renamed");
   EXPECT_EQ(window_.current().patient->colours.size(), 1U) << "other workspaces have them, too";
-  EXPECT_EQ(session_->crosshair_mm(), (Vec3{4, 9, 2})) << "saving moves nothing";
-  EXPECT_TRUE(session_->undoStack().canUndo());
-  session_->undoStack().undo(), session_->undoStack().undo();
+  EXPECT_EQ(shared_->crosshair.position_mm(), (Vec3{4, 9, 2})) << "saving moves nothing";
+  EXPECT_TRUE(shared_->openCase.undoStack().canUndo());
+  shared_->openCase.undoStack().undo(), shared_->openCase.undoStack().undo();
   EXPECT_TRUE(edited()) << "taken back after saving is a change again";
 }
 
@@ -96,10 +97,10 @@ TEST_F(Saving, ACaseThatNobodyNamedIsCalledAsItsFolder) {
   ASSERT_TRUE(writeCase(imported, folder));
   window_.open(QString::fromStdString(folder.string()));
   ASSERT_TRUE(until([this] { return window_.caseTitle() == "Imported CT"; }));
-  session_->setColour(kVein, kChosen);
+  shared_->appearance.setColour(kVein, kChosen);
   window_.saveCase();
   ASSERT_TRUE(until([this] { return window_.caseTitle() == "short neck"; }));
-  EXPECT_EQ(session_->title(), "short neck");
+  EXPECT_EQ(shared_->openCase.title(), "short neck");
   EXPECT_FALSE(edited());
 }
 
@@ -108,7 +109,7 @@ TEST_F(Saving, WhatSomebodyElseSavedMeanwhileIsKeptAndSaid) {
   theirs.labels.voxels[0] = kVein;
   ASSERT_TRUE(saveCaseVersion(theirs, case_, "2026-11-22", ""));
   const auto save = [&](views::Colour colour) {
-    session_->setColour(kVein, colour);
+    shared_->appearance.setColour(kVein, colour);
     window_.saveCase();
     EXPECT_TRUE(until([this] { return !edited(); }));
     return window_.statusText();
@@ -123,8 +124,8 @@ TEST_F(Saving, WhatSomebodyElseSavedMeanwhileIsKeptAndSaid) {
 }
 
 TEST_F(Saving, ClosesAtOnceWithoutChangesAndAsksWithThem) {
-  session_->setVisible(kVein, false);
-  session_->setColour(kVein, kChosen);
+  shared_->appearance.setVisible(kVein, false);
+  shared_->appearance.setColour(kVein, kChosen);
   EXPECT_FALSE(window_.close());
   EXPECT_TRUE(window_.isVisible());
   answer("keep");
@@ -139,14 +140,14 @@ TEST_F(Saving, ClosesAtOnceWithoutChangesAndAsksWithThem) {
 }
 
 TEST_F(Saving, NothingAskedWithoutChanges) {
-  session_->setVisible(kVein, false);
+  shared_->appearance.setVisible(kVein, false);
   EXPECT_TRUE(window_.close());
   EXPECT_FALSE(question());
 }
 
 TEST_F(Saving, WhatIsHiddenOrTranslucentIsWrittenToo) {
-  session_->setVisible(kBone, false);
-  session_->setOpacity(kVein, 0.35);
+  shared_->appearance.setVisible(kBone, false);
+  shared_->appearance.setOpacity(kVein, 0.35);
   ASSERT_TRUE(saveAction()->isEnabled());
   QTest::keyClick(workspace_, Qt::Key_S, Qt::ControlModifier);
   ASSERT_TRUE(until([this] { return !workspace_->quietEdit(); }));
@@ -155,9 +156,9 @@ TEST_F(Saving, WhatIsHiddenOrTranslucentIsWrittenToo) {
   EXPECT_FALSE(shown.at(kBone).visible);
   EXPECT_NEAR(shown.at(kVein).opacity, 0.35, 1e-9);
   EXPECT_TRUE(shown.at(kVein).visible);
-  session_->setVisible(kBone, true);
-  session_->setCase(std::make_shared<const PatientCase>(readCase(case_)->patient));
-  EXPECT_FALSE(session_->look(kBone).visible) << "a case looks as it was saved, whatever was looked at since";
+  shared_->appearance.setVisible(kBone, true);
+  shared_->openCase.setCase(std::make_shared<const PatientCase>(readCase(case_)->patient));
+  EXPECT_FALSE(shared_->appearance.look(kBone).visible) << "a case looks as it was saved, whatever was looked at since";
   EXPECT_FALSE(workspace_->quietEdit());
 }
 
@@ -165,7 +166,7 @@ TEST_F(Saving, ACaseThatIsNowhereIsAskedAboutOnce) {
   Q_EMIT workspace_->caseMade(std::make_shared<const PatientCase>(test::smallCase()));
   ASSERT_TRUE(until([this] { return window_.isReady(); }));
   EXPECT_TRUE(saveAction()->isEnabled());
-  session_->setColour(kVein, kChosen);
+  shared_->appearance.setColour(kVein, kChosen);
   EXPECT_FALSE(window_.close());
   EXPECT_EQ(window_.findChildren<QDialog*>().size(), 1);
   answer("goOn");
@@ -184,20 +185,20 @@ TEST_F(Saving, WhereTheProbeIsBecomesTheStartOfACaseThatHasNone) {
   QApplication::processEvents();
   for (const auto* label : keep->parentWidget()->findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly))
     EXPECT_TRUE(label->wordWrap() || label->width() >= label->sizeHint().width()) << label->text().toStdString();
-  session_->setCrosshair({8, 3, 2});
+  shared_->crosshair.moveTo({8, 3, 2});
   ASSERT_TRUE(until([this] { return window_.isReady(); }));
-  ASSERT_TRUE(session_->live().pose());
-  const Transform stood = *session_->live().pose();
+  ASSERT_TRUE(shared_->live.pose());
+  const Transform stood = *shared_->live.pose();
   EXPECT_EQ(keep->text(), "Begin here");
   keep->click();
   EXPECT_TRUE(workspace_->statusText().startsWith("The case begins here")) << workspace_->statusText().toStdString();
   EXPECT_FALSE(keep->isVisible());
   EXPECT_TRUE(edited());
-  session_->undoStack().undo();
+  shared_->openCase.undoStack().undo();
   EXPECT_TRUE(keep->isVisible());
   EXPECT_FALSE(edited());
-  EXPECT_TRUE(session_->live().start()) << "found by itself, as before";
-  session_->undoStack().redo();
+  EXPECT_TRUE(shared_->live.start()) << "found by itself, as before";
+  shared_->openCase.undoStack().redo();
   saveAction()->trigger();
   ASSERT_TRUE(until([this] { return !edited() && !window_.tasks().isRunning(); }));
   const auto read = readCase(case_);
@@ -212,12 +213,12 @@ TEST_F(Saving, WhereTheProbeIsBecomesTheStartOfACaseThatHasNone) {
     EXPECT_LT(norm(begins->linear.column[axis] - stood.linear.column[axis]), 1e-4) << "and as it was held";
   EXPECT_FALSE(keep->isVisible());
   QTest::keyClick(&window_, Qt::Key_F5);
-  ASSERT_TRUE(until([this] { return window_.isReady() && session_->live().start(); }));
-  EXPECT_EQ(session_->live().start()->position_mm, start.position_mm) << "the case opens there";
+  ASSERT_TRUE(until([this] { return window_.isReady() && shared_->live.start(); }));
+  EXPECT_EQ(shared_->live.start()->position_mm, start.position_mm) << "the case opens there";
 }
 
 TEST_F(Saving, EditedLabelsAreAskedAboutWrittenAndReadBack) {
-  LabelSession& labels = session_->labelling();
+  LabelSession& labels = shared_->labelling;
   LabelStep step;
   step.tool = step::Paint{.radius_mm = 3};
   step.label = kArtery;
@@ -235,14 +236,14 @@ TEST_F(Saving, EditedLabelsAreAskedAboutWrittenAndReadBack) {
   EXPECT_EQ(read->patient.labels.voxels, labels.labels().voxels);
   EXPECT_GT(std::ranges::count(read->patient.labels.voxels, kArtery), 0);
   EXPECT_EQ(window_.current().patient->labels.voxels, labels.labels().voxels) << "Train has them, too";
-  session_->undoStack().undo();
+  shared_->openCase.undoStack().undo();
   EXPECT_TRUE(edited()) << "taken back after saving is a change again";
-  session_->undoStack().redo();
+  shared_->openCase.undoStack().redo();
   EXPECT_FALSE(edited());
 }
 
 TEST_F(Saving, WhatIsPaintedWhileItIsWrittenIsAChangeAfterwards) {
-  LabelSession& labels = session_->labelling();
+  LabelSession& labels = shared_->labelling;
   LabelStep step;
   step.tool = step::Paint{.radius_mm = 3};
   step.label = kArtery;
@@ -261,7 +262,7 @@ TEST_F(Saving, WhatIsPaintedWhileItIsWrittenIsAChangeAfterwards) {
 }
 
 TEST_F(Saving, DiscardLeavesTheFolderAlone) {
-  session_->setColour(kVein, kChosen);
+  shared_->appearance.setColour(kVein, kChosen);
   window_.close();
   answer("goOn");
   ASSERT_TRUE(until([this] { return !window_.isVisible(); }));
@@ -274,19 +275,19 @@ TEST_F(Saving, ReloadRereadsTheFolder) {
   ASSERT_TRUE(writeCase(relabelled, case_));
   QTest::keyClick(&window_, Qt::Key_F5);
   ASSERT_TRUE(until([this] {
-    return session_->patient()->labels.voxels[0] == 0 && window_.isReady() && session_->structures().size() == 4 &&
-           session_->structures()[1] == kArtery;
+    return shared_->openCase.patient()->labels.voxels[0] == 0 && window_.isReady() &&
+           shared_->structures.labels().size() == 4 && shared_->structures.labels()[1] == kArtery;
   }));
 
-  session_->setColour(kArtery, kChosen);
+  shared_->appearance.setColour(kArtery, kChosen);
   window_.reloadAction()->trigger();
   answer("goOn");
   ASSERT_TRUE(until([this] { return window_.isReady() && !edited(); }));
-  EXPECT_NE(session_->look(kArtery).colour, kChosen);
+  EXPECT_NE(shared_->appearance.look(kArtery).colour, kChosen);
 }
 
 TEST_F(Saving, AFolderThatCannotBeWrittenGivesASentenceAndKeepsTheChanges) {
-  session_->setColour(kVein, kChosen);
+  shared_->appearance.setColour(kVein, kChosen);
   fs::remove_all(case_);
   std::ofstream(case_) << "in the way";
   saveAction()->trigger();
@@ -299,7 +300,7 @@ TEST_F(Saving, AFolderThatCannotBeWrittenGivesASentenceAndKeepsTheChanges) {
 TEST_F(Saving, AReadOnlyFolderGivesASentence) {
   if (geteuid() == 0) GTEST_SKIP() << "the superuser may write everywhere";
   fs::permissions(home_.path(), fs::perms::owner_read | fs::perms::owner_exec);
-  session_->setColour(kVein, kChosen);
+  shared_->appearance.setColour(kVein, kChosen);
   saveAction()->trigger();
   EXPECT_TRUE(until([this] { return window_.errors().isVisible(); }));
   EXPECT_TRUE(edited());

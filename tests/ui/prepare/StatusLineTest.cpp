@@ -23,7 +23,7 @@ class StatusLine : public Tools {
 
 TEST_F(StatusLine, TellsOfTheCrosshairAndFollowsEveryEditUnderIt) {
   EXPECT_TRUE(says("vein")) << heard_;
-  session_->addStructure(kArtery);
+  shared_->structures.add(kArtery);
   key(Qt::Key_1);
   drag({0, 12, 0}, {1, 12, 0});
   QEvent leave(QEvent::Leave);
@@ -36,9 +36,9 @@ TEST_F(StatusLine, TellsOfTheCrosshairAndFollowsEveryEditUnderIt) {
 }
 
 TEST_F(StatusLine, TellsWhatAToolPointsAtAsItIsPainted) {
-  session_->setCrosshair({20, 30, 0});
+  shared_->crosshair.moveTo({20, 30, 0});
   ASSERT_TRUE(says("bone")) << heard_;
-  session_->addStructure(kArtery);
+  shared_->structures.add(kArtery);
   key(Qt::Key_1);
   hover({-12, 14, 0});
   EXPECT_TRUE(says("soft tissue")) << heard_;
@@ -59,10 +59,10 @@ TEST_F(StatusLine, AnotherSliceUnderAStillPointerIsToldOf) {
 }
 
 TEST_F(StatusLine, ANewNameIsReadAtOnce) {
-  session_->addStructure(test::kOwnLabel);
+  shared_->structures.add(test::kOwnLabel);
   key(Qt::Key_1);
   drag({0, 12, 0}, {1, 12, 0});
-  session_->setName(test::kOwnLabel, "anterior jugular");
+  shared_->terms.setName(test::kOwnLabel, "anterior jugular");
   EXPECT_TRUE(says("anterior jugular")) << heard_;
   child<QAction>("undo")->trigger();
   EXPECT_FALSE(says("anterior jugular")) << heard_;
@@ -75,7 +75,7 @@ TEST_F(StatusLine, ACaseWithoutAPlaceToBeginIsEnteredInTheMiddleOfAVoxel) {
   grid.size = {48, 40, 16};
   even.ct = CtVolume(grid, -1000), even.labels = LabelMap(grid);
   workspace_->setCase(std::make_shared<const PatientCase>(std::move(even)));
-  const Vec3 index = grid.indexFromPatient() * session_->crosshair_mm();
+  const Vec3 index = grid.indexFromPatient() * shared_->crosshair.position_mm();
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(index[axis], grid.size[axis] / 2, 1e-9);
 }
 

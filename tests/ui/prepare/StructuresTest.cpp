@@ -8,32 +8,32 @@ TEST_F(PrepareWindow, TheEyeHidesInThreeDimensionsAndOnSlices) {
   EXPECT_TRUE(scene().isVisible(kVein));
   clickCell(kVein, kEye);
   EXPECT_FALSE(scene().isVisible(kVein));
-  EXPECT_FALSE(session_->look(kVein).visible);
-  EXPECT_EQ(session_->selected(), kVein);
+  EXPECT_FALSE(shared_->appearance.look(kVein).visible);
+  EXPECT_EQ(shared_->structures.selected(), kVein);
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(scene().isVisible(kVein));
   key(Qt::Key_Y, Qt::ControlModifier);
   EXPECT_FALSE(scene().isVisible(kVein));
   QTest::keyClick(table(), Qt::Key_Space);
-  EXPECT_TRUE(session_->look(kVein).visible);
+  EXPECT_TRUE(shared_->appearance.look(kVein).visible);
   key(Qt::Key_H);
-  EXPECT_FALSE(session_->look(kVein).visible);
+  EXPECT_FALSE(shared_->appearance.look(kVein).visible);
   EXPECT_FALSE(workspace_->unsavedEdit()) << "what is seen is not the case's";
 }
 
 TEST_F(PrepareWindow, OnlyThisAndShowAllAreOneStepEach) {
   openCase();
-  session_->select(kBone);
+  shared_->structures.select(kBone);
   child<QPushButton>("showOnly")->click();
-  EXPECT_TRUE(session_->look(kBone).visible);
-  EXPECT_FALSE(session_->look(kVein).visible);
-  EXPECT_FALSE(session_->look(kSkin).visible);
+  EXPECT_TRUE(shared_->appearance.look(kBone).visible);
+  EXPECT_FALSE(shared_->appearance.look(kVein).visible);
+  EXPECT_FALSE(shared_->appearance.look(kSkin).visible);
   child<QPushButton>("showAll")->click();
-  EXPECT_TRUE(session_->look(kVein).visible);
+  EXPECT_TRUE(shared_->appearance.look(kVein).visible);
   child<QAction>("undo")->trigger();
   child<QAction>("undo")->trigger();
-  EXPECT_TRUE(session_->look(kSkin).visible);
-  EXPECT_FALSE(session_->undoStack().canUndo());
+  EXPECT_TRUE(shared_->appearance.look(kSkin).visible);
+  EXPECT_FALSE(shared_->openCase.undoStack().canUndo());
 }
 
 TEST_F(PrepareWindow, AColourIsChosenInADialogAndBelongsToTheCase) {
@@ -44,7 +44,7 @@ TEST_F(PrepareWindow, AColourIsChosenInADialogAndBelongsToTheCase) {
   auto* dialog = child<QColorDialog>("structureColour");
   dialog->setCurrentColor(QColor(10, 200, 30));
   dialog->accept();
-  EXPECT_EQ(session_->look(kVein).colour, (views::Colour{10, 200, 30}));
+  EXPECT_EQ(shared_->appearance.look(kVein).colour, (views::Colour{10, 200, 30}));
   EXPECT_EQ(scene().colour(kVein), (views::Colour{10, 200, 30}));
   EXPECT_TRUE(told);
   const ui::CaseEdit edit = workspace_->unsavedEdit();
@@ -63,7 +63,7 @@ TEST_F(PrepareWindow, ACaseBringsItsColours) {
   openCase(own);
   EXPECT_EQ(scene().colour(kVein), (views::Colour{1, 2, 3}));
   EXPECT_FALSE(workspace_->unsavedEdit());
-  session_->setColour(kVein, {0, 151, 206});
+  shared_->appearance.setColour(kVein, {0, 151, 206});
   PatientCase copy = *own;
   workspace_->unsavedEdit()(copy);
   EXPECT_TRUE(copy.colours.empty()) << "the label table's need no place in the case";
@@ -71,17 +71,17 @@ TEST_F(PrepareWindow, ACaseBringsItsColours) {
 
 TEST_F(PrepareWindow, OpacityOfADragIsOneStep) {
   openCase();
-  session_->select(kBone);
+  shared_->structures.select(kBone);
   auto* slider = child<ui::ValueSlider>("structureOpacity");
   EXPECT_EQ(slider->value(), 100);
   for (const double percent : {90.0, 60.0, 40.0}) slider->setValue(percent);
   EXPECT_DOUBLE_EQ(scene().opacity(kBone), 0.4);
-  EXPECT_EQ(session_->undoStack().count(), 1);
+  EXPECT_EQ(shared_->openCase.undoStack().count(), 1);
   child<QAction>("undo")->trigger();
   EXPECT_EQ(slider->value(), 100);
   child<QAction>("redo")->trigger();
   EXPECT_EQ(slider->value(), 40) << "the end of the drag";
-  session_->select(kVein);
+  shared_->structures.select(kVein);
   EXPECT_EQ(slider->value(), 100);
 }
 
@@ -89,8 +89,8 @@ TEST_F(PrepareWindow, OpacityOfADragIsOneStep) {
 TEST_F(PrepareWindow, AnArteryIsToldFromTheMuscleAroundItOnEveryGrey) {
   openCase();
   const auto over = [&](std::uint8_t label, double grey) {
-    const StructureLook& look = session_->look(label);
-    const double share = session_->labelOpacity() * look.onSlices;
+    const StructureLook& look = shared_->appearance.look(label);
+    const double share = shared_->slices.labelOpacity() * look.onSlices;
     const auto mixed = [&](std::uint8_t part) { return (1 - share) * grey + share * part; };
     return Vec3{mixed(look.colour.red), mixed(look.colour.green), mixed(look.colour.blue)};
   };
@@ -107,7 +107,7 @@ TEST_F(PrepareWindow, ASurfaceIsMadeWhenItBeginsToBeSeen) {
   };
   EXPECT_TRUE(has(kVein));
   EXPECT_FALSE(has(kSoftTissue)) << "it fills the body and would hide everything";
-  session_->setOpacity(kSoftTissue, 0.3);
+  shared_->appearance.setOpacity(kSoftTissue, 0.3);
   EXPECT_TRUE(QTest::qWaitFor([&] { return has(kSoftTissue); }, kPatience_ms));
 }
 
@@ -116,7 +116,7 @@ TEST_F(PrepareWindow, TheTitleCanBeChangedAndTakenBack) {
   auto* title = child<QLineEdit>("caseTitle");
   title->setText("  Another   name ");
   Q_EMIT title->editingFinished();
-  EXPECT_EQ(session_->title(), "Another name");
+  EXPECT_EQ(shared_->openCase.title(), "Another name");
   PatientCase copy = *patient();
   workspace_->unsavedEdit()(copy);
   EXPECT_EQ(copy.manifest.title, "Another name");
@@ -130,9 +130,9 @@ TEST_F(PrepareWindow, TheTitleCanBeChangedAndTakenBack) {
 
 TEST_F(PrepareWindow, RemembersHowOneLooks) {
   openCase();
-  session_->setVisible(kBone, false);
-  session_->setOpacity(kVein, 0.5);
-  session_->setWindowLevel({1500, -600});
+  shared_->appearance.setVisible(kBone, false);
+  shared_->appearance.setOpacity(kVein, 0.5);
+  shared_->slices.setWindowLevel({1500, -600});
   child<QToolButton>("section-slices")->click();
   test::TemporaryFolder folder;
   QSettings settings(QString::fromStdString((folder / "layout.ini").string()), QSettings::IniFormat);
@@ -141,10 +141,10 @@ TEST_F(PrepareWindow, RemembersHowOneLooks) {
   PrepareWorkspace other(tasks);
   other.restoreLayout(settings);
   other.setCase(patient());
-  auto* session = other.findChild<PrepareSession*>();
-  EXPECT_FALSE(session->look(kBone).visible);
-  EXPECT_DOUBLE_EQ(session->look(kVein).opacity, 0.5);
-  EXPECT_EQ(session->windowLevel(), (views::WindowLevel{1500, -600}));
+  const PrepareModel shared = modelOf(other);
+  EXPECT_FALSE(shared.appearance.look(kBone).visible);
+  EXPECT_DOUBLE_EQ(shared.appearance.look(kVein).opacity, 0.5);
+  EXPECT_EQ(shared.slices.windowLevel(), (views::WindowLevel{1500, -600}));
   EXPECT_FALSE(other.findChild<QToolButton*>("section-slices")->isChecked());
 }
 

@@ -1,6 +1,6 @@
 #include "ToolsWindow.h"
-#include "tool/RangeStrip.h"
-#include "tool/Tool.h"
+#include "tools/RangeStrip.h"
+#include "tools/Tool.h"
 
 #include <QMenu>
 #include <QSpinBox>
@@ -21,28 +21,28 @@ class ToolRules : public Tools {
   }
   /// Labels under a stroke of the brush, before and after it.
   void paintOverEverything() {
-    session_->addStructure(kArtery);
+    shared_->structures.add(kArtery);
     key(Qt::Key_1);
     child<ui::ValueSlider>("tool-radius")->setValue(9);
     drag({-4, 12, 0}, {4, 30, 0});
   }
   std::size_t was(std::uint8_t label) const { return std::size_t(std::ranges::count(patient()->labels.voxels, label)); }
   bool previewed() {
-    return QTest::qWaitFor([&] { return session_->labelling().preview().proposal() != nullptr; }, kPatience_ms);
+    return QTest::qWaitFor([&] { return shared_->labelling.preview().proposal() != nullptr; }, kPatience_ms);
   }
 };
 
 TEST_F(ToolRules, ABrushOverEverythingTakesFromEveryLabelButLockedAndHiddenOnes) {
-  session_->setLocked(kBone, true);
-  session_->setVisible(kVein, false);
+  shared_->labelling.setLocked(kBone, true);
+  shared_->appearance.setVisible(kVein, false);
   paintOverEverything();
   EXPECT_EQ(count(kBone), was(kBone)) << "locked";
   EXPECT_EQ(count(kVein), was(kVein)) << "hidden";
   EXPECT_LT(count(kSoftTissue), was(kSoftTissue));
   EXPECT_GT(count(kArtery), 0u);
   child<QAction>("undo")->trigger();
-  session_->setLocked(kBone, false);
-  session_->setVisible(kVein, true);
+  shared_->labelling.setLocked(kBone, false);
+  shared_->appearance.setVisible(kVein, true);
   key(Qt::Key_1);
   drag({-4, 12, 0}, {4, 30, 0});
   EXPECT_LT(count(kBone), was(kBone));
@@ -83,11 +83,11 @@ TEST_F(ToolRules, OutsideTheEditableRangeNoToolWrites) {
     ASSERT_EQ(patient()->ct.voxels[n], 900);
   }
   child<QCheckBox>("ruleLimited")->click();
-  EXPECT_FALSE(session_->labelling().rules().editable);
+  EXPECT_FALSE(shared_->labelling.rules().editable);
 }
 
 TEST_F(ToolRules, EitherEndOfTheRangeIsDraggedOnTheHistogram) {
-  session_->addStructure(kCartilage);
+  shared_->structures.add(kCartilage);
   key(Qt::Key_5);
   ASSERT_TRUE(previewed()) << "the range is shown at once";
   auto* strip = child<RangeStrip>("tool-strip");
@@ -128,8 +128,8 @@ TEST_F(ToolRules, OtsuPartsTheHistogramInTheRange) {
 TEST_F(ToolRules, TheLabelOfTheToolIsChosenInItsPanel) {
   key(Qt::Key_1);
   choose("toolFor", structureName(kBone));
-  EXPECT_EQ(session_->selected(), kBone);
-  session_->select(kVein);
+  EXPECT_EQ(shared_->structures.selected(), kBone);
+  shared_->structures.select(kVein);
   EXPECT_EQ(child<QComboBox>("toolFor")->currentText(), structureName(kVein));
 }
 
@@ -149,7 +149,7 @@ TEST_F(ToolRules, SmoothingBeginsAtAVoxelAndSaysHowMuchItChanged) {
   coarse->ct.geometry.spacing_mm = coarse->labels.geometry.spacing_mm = {3.21, 3.21, 5};
   coarse->labels.at(5, 20, 8) = kVein;  // a speck
   openCase(coarse);
-  session_->select(kVein);
+  shared_->structures.select(kVein);
   child<QAction>("tool-median")->trigger();
   auto* radius = child<ui::ValueSlider>("tool-radius");
   EXPECT_DOUBLE_EQ(radius->range().least, 3.3);
@@ -160,20 +160,20 @@ TEST_F(ToolRules, SmoothingBeginsAtAVoxelAndSaysHowMuchItChanged) {
   for (std::size_t v = 0; v < labels().voxels.size(); ++v) changed += labels().voxels[v] != coarse->labels.voxels[v];
   ASSERT_GT(changed, 0u);
   const QString volume = QString::number(double(changed) * 3.21 * 3.21 * 5 / 1000, 'f', 2);
-  EXPECT_EQ(session_->message(), "Median vein: " + volume + " ml changed; Ctrl+Z undoes it.");
+  EXPECT_EQ(shared_->statusLine.text(), "Median vein: " + volume + " ml changed; Ctrl+Z undoes it.");
 }
 
 TEST_F(ToolRules, WhatIsStoppedChangesNothingAndSaysSo) {
   const auto before = labels().voxels;
-  const int steps = session_->undoStack().count();
+  const int steps = shared_->openCase.undoStack().count();
   child<QAction>("tool-levelset")->trigger();
   child<ui::ValueSlider>("tool-rounds")->setValue(1000);
   child<QPushButton>("toolApply")->click();
   child<QPushButton>("toolLeave")->click();
   ASSERT_TRUE(done());
   EXPECT_EQ(labels().voxels, before);
-  EXPECT_EQ(session_->undoStack().count(), steps);
-  EXPECT_EQ(session_->message(), "Level set vein: stopped; no label was changed.");
+  EXPECT_EQ(shared_->openCase.undoStack().count(), steps);
+  EXPECT_EQ(shared_->statusLine.text(), "Level set vein: stopped; no label was changed.");
 }
 
 TEST_F(ToolRules, WhatLiesNearAnotherLabelIsTakenAway) {
@@ -221,7 +221,7 @@ TEST_F(ToolRules, ThePaletteIsWrittenInTheWindowsOwnSize) {
 }
 
 TEST_F(ToolRules, EnterInARangeEndsTheNumberAndTheWindowHasItsKeysAgain) {
-  session_->addStructure(kArtery);
+  shared_->structures.add(kArtery);
   key(Qt::Key_5);
   auto* from = child<QSpinBox>("tool-from");
   from->setFocus();
@@ -230,7 +230,7 @@ TEST_F(ToolRules, EnterInARangeEndsTheNumberAndTheWindowHasItsKeysAgain) {
   QTest::keyClick(from, Qt::Key_Return);
   EXPECT_EQ(from->value(), 800) << "what is typed stays";
   EXPECT_EQ(child<QSpinBox>("tool-to")->value(), 800) << "and the other end gives way";
-  EXPECT_FALSE(session_->labelling().isBusy());
+  EXPECT_FALSE(shared_->labelling.isBusy());
   EXPECT_EQ(count(kArtery), 0u) << "nothing is written yet";
   EXPECT_FALSE(from->hasFocus());
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_1);

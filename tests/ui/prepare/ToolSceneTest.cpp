@@ -1,5 +1,5 @@
 #include "ToolsWindow.h"
-#include "tool/Tool.h"
+#include "tools/Tool.h"
 
 #include <cmath>
 
@@ -47,7 +47,7 @@ TEST_F(ToolScene, ALineDrawnOver3DTakesFromTheLabelWhatIsSeenInIt) {
   child<QAction>("tool-cut")->trigger();
   const std::vector<QPoint> box = boxAroundVein();
   dragInScene(box);
-  ASSERT_TRUE(comes([&] { return session_->labelling().preview().proposal() != nullptr; })) << "shown when it is drawn";
+  ASSERT_TRUE(comes([&] { return shared_->labelling.preview().proposal() != nullptr; })) << "shown when it is drawn";
   key(Qt::Key_Return);
   ASSERT_TRUE(done());
   EXPECT_LT(count(kVein), std::size_t(std::ranges::count(patient()->labels.voxels, kVein)));
@@ -72,8 +72,8 @@ TEST_F(ToolScene, ALineDrawnOver3DTakesFromTheLabelWhatIsSeenInIt) {
 }
 
 TEST_F(ToolScene, ScissorsGoAsDeepAsTheyAreSet) {
-  session_->select(kBone);
-  for (const std::uint8_t before : {kSkin, kVein}) session_->setVisible(before, false);
+  shared_->structures.select(kBone);
+  for (const std::uint8_t before : {kSkin, kVein}) shared_->appearance.setVisible(before, false);
   child<QAction>("tool-cut")->trigger();
   child<ui::ValueSlider>("tool-depth")->setValue(5);
   const QSize size = canvas("Scene")->size();
@@ -98,15 +98,15 @@ TEST_F(ToolScene, WithoutScissorsADragTurns3D) {
 }
 
 TEST_F(ToolScene, APreviewIsSeenIn3DAndShowsNothingThatMayNotBeWritten) {
-  session_->addStructure(kArtery);
+  shared_->structures.add(kArtery);
   key(Qt::Key_5);
   child<QSpinBox>("tool-to")->setValue(1000);
   constexpr std::uint8_t kPreview = 255;
   const auto has3D = [&] { return std::ranges::count(scene().structures(), kPreview) > 0; };
   EXPECT_TRUE(comes(has3D));
-  session_->setLocked(kBone, true);
+  shared_->labelling.setLocked(kBone, true);
   const auto proposed = [&] {
-    const auto& proposal = session_->labelling().preview().proposal();
+    const auto& proposal = shared_->labelling.preview().proposal();
     return proposal ? int(std::ranges::count(proposal->labels.voxels, kArtery)) : -1;
   };
   EXPECT_TRUE(comes([&] { return proposed() == 0; })) << "only bone is so bright, and it is locked";
@@ -114,7 +114,7 @@ TEST_F(ToolScene, APreviewIsSeenIn3DAndShowsNothingThatMayNotBeWritten) {
 }
 
 TEST_F(ToolScene, LabelsAreFilledOutlinedOrBothAndEachAsStrongAsWanted) {
-  session_->setCrosshair({20, 30, 0});
+  shared_->crosshair.moveTo({20, 30, 0});
   const Vec3 inVein{0, 14, 0};  // beside the mark of the target, at any zoom
   ASSERT_TRUE(comes([&] { return !isGrey(pixel(inVein)); })) << "filled";
   auto* style = child<QComboBox>("labelStyle");
@@ -128,23 +128,23 @@ TEST_F(ToolScene, LabelsAreFilledOutlinedOrBothAndEachAsStrongAsWanted) {
   choose(style->findText("fill"));
   EXPECT_TRUE(comes([&] { return !isGrey(pixel(inVein)); }));
   EXPECT_FALSE(child<ui::ValueSlider>("outlineWidth")->isEnabled());
-  session_->select(kVein);
+  shared_->structures.select(kVein);
   child<ui::ValueSlider>("structureOnSlices")->setValue(0);
   EXPECT_TRUE(comes([&] { return isGrey(pixel(inVein)); }));
   EXPECT_FALSE(isGrey(pixel({0, 30, 0}))) << "of the vein only";
-  session_->undoStack().undo();
+  shared_->openCase.undoStack().undo();
   EXPECT_TRUE(comes([&] { return !isGrey(pixel(inVein)); }));
 }
 
 TEST_F(ToolScene, TargetsAreMarkedOnSlicesWhileLabelling) {
-  session_->setCrosshair({20, 30, 0});
+  shared_->crosshair.moveTo({20, 30, 0});
   const auto marked = [&] { return isOrange(pixel({0, 12, 0}, {6, 0})) || isOrange(pixel({0, 12, 0}, {5, 0})); };
   EXPECT_TRUE(comes(marked));
   child<QCheckBox>("placesShown")->click();
   EXPECT_TRUE(comes([&] { return !marked(); }));
   child<QCheckBox>("placesShown")->click();
   EXPECT_TRUE(comes(marked));
-  session_->setCrosshair({20, 30, 7});
+  shared_->crosshair.moveTo({20, 30, 7});
   EXPECT_TRUE(comes([&] { return !marked(); })) << "7 mm away";
 }
 

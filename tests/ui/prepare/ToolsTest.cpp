@@ -1,5 +1,5 @@
 #include "ToolsWindow.h"
-#include "tool/Tool.h"
+#include "tools/Tool.h"
 
 #include <gmock/gmock.h>
 
@@ -11,7 +11,7 @@ namespace insonate::prepare {
 namespace {
 
 TEST_F(Tools, APaintedStrokeIsExactlyTheCircleAlongItInItsSlice) {
-  session_->addStructure(kArtery);
+  shared_->structures.add(kArtery);
   key(Qt::Key_1);
   const Vec3 a = placeOf({-14, 12, 0}), b = placeOf({-8, 14, 0});
   LabelMap expected = patient()->labels;
@@ -24,7 +24,7 @@ TEST_F(Tools, APaintedStrokeIsExactlyTheCircleAlongItInItsSlice) {
     }
   drag({-14, 12, 0}, {-8, 14, 0});
   EXPECT_EQ(labels().voxels, expected.voxels);
-  session_->undoStack().undo();
+  shared_->openCase.undoStack().undo();
   EXPECT_EQ(labels().voxels, patient()->labels.voxels);
   auto* shape = child<QComboBox>("tool-shape");
   shape->setCurrentIndex(shape->findText("sphere"));
@@ -54,7 +54,7 @@ TEST_F(Tools, ConnectedGrowingFromAClickIsShownAppliedAndTakenBack) {
   auto* apply = child<QPushButton>("toolApply");
   EXPECT_FALSE(apply->isEnabled()) << "nothing is clicked yet";
   EXPECT_EQ(child<QPushButton>("toolLeave")->text(), "Cancel");
-  session_->addStructure(kCartilage);
+  shared_->structures.add(kCartilage);
   click({0, 30, 0});
   click({10, 10, 0});
   click({10, 10, 0}, Qt::RightButton);
@@ -62,12 +62,12 @@ TEST_F(Tools, ConnectedGrowingFromAClickIsShownAppliedAndTakenBack) {
   EXPECT_TRUE(child<QLabel>("toolAdvice")->text().endsWith("Clicks so far: 1."));
   child<QSpinBox>("tool-to")->setValue(1000);
   child<QPushButton>("toolPreview")->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return session_->labelling().preview().proposal() != nullptr; }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shared_->labelling.preview().proposal() != nullptr; }, kPatience_ms));
   EXPECT_EQ(labels().voxels, patient()->labels.voxels) << "only shown";
   key(Qt::Key_Return);
   ASSERT_TRUE(done());
   EXPECT_EQ(count(kCartilage), std::size_t(std::ranges::count(patient()->ct.voxels, 900)));
-  EXPECT_FALSE(session_->labelling().preview().proposal());
+  EXPECT_FALSE(shared_->labelling.preview().proposal());
   child<QAction>("undo")->trigger();
   EXPECT_EQ(labels().voxels, patient()->labels.voxels);
 }
@@ -83,8 +83,8 @@ TEST_F(Tools, EnterInTheTableAppliesTheToolWhoseLabelWasChosenThere) {
 }
 
 TEST_F(Tools, AClickShowsAtOnceWhatComesOfIt) {
-  const auto shown = [&] { return session_->labelling().preview().proposal() != nullptr; };
-  session_->addStructure(kCartilage);
+  const auto shown = [&] { return shared_->labelling.preview().proposal() != nullptr; };
+  shared_->structures.add(kCartilage);
   child<QAction>("tool-march")->trigger();
   click({0, 30, 0});
   EXPECT_TRUE(QTest::qWaitFor(shown, kPatience_ms));
@@ -94,19 +94,19 @@ TEST_F(Tools, AClickShowsAtOnceWhatComesOfIt) {
 }
 
 TEST_F(Tools, APreviewThatTakesAWhileSaysSoAndEscapeEndsIt) {
-  session_->select(kSoftTissue);
+  shared_->structures.select(kSoftTissue);
   child<QAction>("tool-levelset")->trigger();
   child<ui::ValueSlider>("tool-rounds")->setValue(1000);
   auto* preview = child<QPushButton>("toolPreview");
   preview->click();
-  ASSERT_TRUE(session_->labelling().preview().isComputing());
+  ASSERT_TRUE(shared_->labelling.preview().isComputing());
   EXPECT_TRUE(QTest::qWaitFor([&] { return preview->text() == "Computing ..."; }, kPatience_ms));
   key(Qt::Key_Escape);
-  EXPECT_FALSE(session_->labelling().preview().isComputing());
+  EXPECT_FALSE(shared_->labelling.preview().isComputing());
   EXPECT_EQ(preview->text(), "Preview");
   EXPECT_TRUE(child<QToolButton>("tool-grow")->isChecked()) << "the tool stays in hand";
   key(Qt::Key_7);
-  EXPECT_FALSE(session_->labelling().preview().isComputing()) << "another tool shows nothing that nobody asked for";
+  EXPECT_FALSE(shared_->labelling.preview().isComputing()) << "another tool shows nothing that nobody asked for";
 }
 
 TEST_F(Tools, WhyNothingCameOfAToolIsReadWholeInItsPanel) {
@@ -123,11 +123,11 @@ TEST_F(Tools, WhyNothingCameOfAToolIsReadWholeInItsPanel) {
 }
 
 TEST_F(Tools, WithoutALabelThePanelSaysWhereToGetOne) {
-  session_->select(kBackground);
+  shared_->structures.select(kBackground);
   key(Qt::Key_5);
   EXPECT_FALSE(child<QPushButton>("toolApply")->isEnabled());
   EXPECT_THAT(child<QLabel>("toolAdvice")->text().toStdString(), testing::HasSubstr("or add one"));
-  session_->select(kVein);
+  shared_->structures.select(kVein);
   EXPECT_THAT(child<QLabel>("toolAdvice")->text().toStdString(), testing::HasSubstr("in the range"));
 }
 
@@ -135,8 +135,8 @@ TEST_F(Tools, ThresholdFollowsItsSlidersAndAClick) {
   key(Qt::Key_5);
   click({0, 30, 0});
   EXPECT_EQ(child<QSpinBox>("tool-from")->value(), 840);
-  session_->addStructure(kCartilage);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return session_->labelling().preview().proposal() != nullptr; }, kPatience_ms));
+  shared_->structures.add(kCartilage);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shared_->labelling.preview().proposal() != nullptr; }, kPatience_ms));
   child<QPushButton>("toolApply")->click();
   ASSERT_TRUE(done());
   EXPECT_EQ(count(kBone), 0u);
@@ -144,7 +144,7 @@ TEST_F(Tools, ThresholdFollowsItsSlidersAndAClick) {
 }
 
 TEST_F(Tools, ADrawnOutlineIsFilledByEnter) {
-  session_->addStructure(kArtery);
+  shared_->structures.add(kArtery);
   key(Qt::Key_3);
   for (const Vec3 corner : {Vec3{-14.5, 9.5, 0}, Vec3{-8.5, 9.5, 0}, Vec3{-8.5, 15.5, 0}, Vec3{-14.5, 15.5, 0}})
     click(corner);
@@ -156,10 +156,10 @@ TEST_F(Tools, ADrawnOutlineIsFilledByEnter) {
 }
 
 TEST_F(Tools, EscapeForgetsClicksThenLaysTheToolAway) {
-  const Vec3 before = session_->crosshair_mm();
+  const Vec3 before = shared_->crosshair.position_mm();
   key(Qt::Key_6);
   click({10, 10, 0});
-  EXPECT_EQ(session_->crosshair_mm(), before) << "the tool has the mouse";
+  EXPECT_EQ(shared_->crosshair.position_mm(), before) << "the tool has the mouse";
   EXPECT_TRUE(child<QPushButton>("toolApply")->isEnabled());
   key(Qt::Key_Escape);
   EXPECT_FALSE(child<QPushButton>("toolApply")->isEnabled());
@@ -167,7 +167,7 @@ TEST_F(Tools, EscapeForgetsClicksThenLaysTheToolAway) {
   key(Qt::Key_Escape);
   EXPECT_TRUE(child<QToolButton>("tool-none")->isChecked());
   click({10, 10, 0});
-  EXPECT_NE(session_->crosshair_mm(), before);
+  EXPECT_NE(shared_->crosshair.position_mm(), before);
 }
 
 TEST_F(Tools, EveryToolIsInThePaletteAndItsPanelSaysWhatToDo) {
@@ -194,14 +194,14 @@ TEST_F(Tools, TheTableAddsLocksAndClearsLabels) {
   EXPECT_TRUE(menu->actions().front()->toolTip().startsWith("SNOMED"));
   menu->actions().front()->trigger();
   EXPECT_EQ(table()->model()->rowCount(), before + 1);
-  session_->select(kVein);
+  shared_->structures.select(kVein);
   key(Qt::Key_L);
-  EXPECT_TRUE(session_->labelling().rules().locked.test(kVein));
+  EXPECT_TRUE(shared_->labelling.rules().locked.test(kVein));
   child<QPushButton>("clearLabel")->click();
   ASSERT_TRUE(done());
   EXPECT_GT(count(kVein), 0u) << "it is locked";
   clickCell(kVein, kLock);
-  EXPECT_FALSE(session_->labelling().rules().locked.test(kVein));
+  EXPECT_FALSE(shared_->labelling.rules().locked.test(kVein));
   child<QPushButton>("clearLabel")->click();
   ASSERT_TRUE(done());
   EXPECT_EQ(count(kVein), 0u);
@@ -225,7 +225,7 @@ TEST_F(Tools, AToolInHandHasMouseAndKeysBeforeTheGuideAndSaysSo) {
       remarks, [](const QLabel* label) { return label->isVisible() && label->text().contains("the guide waits"); }));
   key(Qt::Key_Backspace);
   EXPECT_FALSE(child<QPushButton>("toolApply")->isEnabled()) << "its last click is taken back";
-  session_->addStructure(kCartilage);
+  shared_->structures.add(kCartilage);
   click({0, 30, 0});
   child<QSpinBox>("tool-to")->setValue(1000);
   key(Qt::Key_Return);

@@ -10,8 +10,8 @@ class Tools : public PrepareWindow {
   void SetUp() override {
     PrepareWindow::SetUp();
     openCase();
-    session_->select(kVein);
-    session_->setCrosshair({0, 12, 0});
+    shared_->structures.select(kVein);
+    shared_->crosshair.moveTo({0, 12, 0});
     QApplication::processEvents();
   }
   QPoint pointOf(Vec3 patient_mm) {
@@ -34,9 +34,9 @@ class Tools : public PrepareWindow {
     QApplication::sendEvent(canvas("Axial slice"), &move);
     QTest::mouseRelease(canvas("Axial slice"), Qt::LeftButton, {}, pointOf(to_mm));
   }
-  const LabelMap& labels() const { return session_->labelling().labels(); }
+  const LabelMap& labels() const { return shared_->labelling.labels(); }
   bool done() {
-    return QTest::qWaitFor([&] { return !session_->labelling().isBusy(); }, kPatience_ms);
+    return QTest::qWaitFor([&] { return !shared_->labelling.isBusy(); }, kPatience_ms);
   }
   std::size_t count(std::uint8_t label) const { return std::size_t(std::ranges::count(labels().voxels, label)); }
 };

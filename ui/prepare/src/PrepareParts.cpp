@@ -1,18 +1,29 @@
 #include "PrepareParts.h"
 
 #include "KeyTable.h"
+#include "check/CaseMeasuring.h"
 #include "check/FindingsList.h"
 #include "guide/GuidePointer.h"
 #include "guide/GuideSession.h"
+#include "labels/LabelFollowers.h"
+#include "labels/LabelSession.h"
+#include "live/LivePatient.h"
 #include "live/UltrasoundPane.h"
 #include "measure/LabellingMeasure.h"
+#include "model/OpenCase.h"
 #include "panel/PathPanel.h"
 #include "panel/RightColumn.h"
-#include "table/StructureTable.h"
-#include "tool/SceneTools.h"
-#include "tool/SliceTools.h"
-#include "tool/ToolBar.h"
-#include "views/CaseViews.h"
+#include "publish/CaseChanges.h"
+#include "structures/StructureAppearance.h"
+#include "structures/StructureList.h"
+#include "structures/StructureTable.h"
+#include "tools/SceneTools.h"
+#include "tools/SliceTools.h"
+#include "tools/ToolBar.h"
+#include "viewing/CaseViews.h"
+#include "viewing/Crosshair.h"
+#include "viewing/SliceSettings.h"
+#include "viewing/StatusLine.h"
 
 #include <insonate/ui/EmptyWorkspace.h>
 #include <insonate/ui/HistogramEditor.h>
@@ -27,7 +38,6 @@
 #include <QSplitter>
 #include <QStackedLayout>
 #include <QVBoxLayout>
-#include <cmath>
 
 namespace insonate::prepare {
 namespace {
@@ -38,21 +48,19 @@ constexpr int kLeft_px = 284, kRight_px = 362;
 }  // namespace
 
 PrepareWorkspace::Parts::Parts(PrepareWorkspace& workspace, ui::TaskBar& tasks)
-    : session(*new PrepareSession(tasks, &workspace)),
-      guide(*new GuideSession(session, &workspace)),
-      workspace_(workspace) {
+    : shared(makePrepareModel(tasks, workspace)), guide(*new GuideSession(shared, &workspace)), workspace_(workspace) {
   pages_ = new QStackedLayout(&workspace);
   pages_->setContentsMargins(0, 0, 0, 0);
   buildEmpty();
   columns = new QSplitter(Qt::Horizontal, &workspace);
   columns->setObjectName(QStringLiteral("prepareColumns"));
   columns->setChildrenCollapsible(false);
-  path = new PathPanel(session, guide, tasks);
+  path = new PathPanel(shared, guide, tasks);
   path->setMinimumWidth(kLeft_px);
-  views = new CaseViews(session);
+  views = new CaseViews(shared);
   columns->addWidget(path);
   columns->addWidget(buildMiddle());
-  right_ = new RightColumn(session, *tools_, views->sharedScene());
+  right_ = new RightColumn(shared, *tools_, views->sharedScene());
   columns->addWidget(right_);
   columns->setStretchFactor(0, 0);
   columns->setStretchFactor(1, 1);
@@ -79,7 +87,7 @@ void PrepareWorkspace::Parts::buildEmpty() {
 }
 
 QWidget* PrepareWorkspace::Parts::buildMiddle() {
-  tools_ = new ToolSession(session, &session);
+  tools_ = new ToolSession(shared, &workspace_);
   auto* middle = new QWidget;
   auto* box = new QVBoxLayout(middle);
   box->setContentsMargins(0, 0, 0, 0);
@@ -98,7 +106,7 @@ void PrepareWorkspace::Parts::makeActions() {
     workspace_.addAction(action);
     return action;
   };
-  QUndoStack& stack = session.undoStack();
+  QUndoStack& stack = shared.openCase.undoStack();
   QAction* undo =
       add(stack.createUndoAction(&workspace_, tr("Undo")), "undo", {QKeySequence(QStringLiteral("Ctrl+Z"))}, "undo");
   QAction* redo = add(stack.createRedoAction(&workspace_, tr("Redo")), "redo",
@@ -118,37 +126,37 @@ void PrepareWorkspace::Parts::makeActions() {
 void PrepareWorkspace::Parts::connectParts() {
   for (ui::ViewWidget* view : views->widgets()) view->focusProxy()->installEventFilter(&workspace_);
   right_->ultrasound().widget().focusProxy()->installEventFilter(&workspace_);
-  auto* pointer = new GuidePointer(guide, session, this);
+  auto* pointer = new GuidePointer(guide, shared, this);
   for (int n = 0; n < CaseViews::kSlices; ++n) pointer->watch(*views->widgets()[std::size_t(n)], views->slice(n));
   connect(&guide, &GuideSession::clicksChanged, views, [this] { views->setClicks(guide.shownClicks_mm()); });
   // The filter installed last sees events first: a tool in hand gets the mouse before the guide.
-  new SliceTools(*views, *tools_, session, views);
+  new SliceTools(*views, *tools_, shared, views);
   new SceneTools(*views, *tools_, views);
-  connect(&session, &PrepareSession::caseChanged, this, [this] {
-    pages_->setCurrentWidget(session.patient() ? static_cast<QWidget*>(columns) : empty);
-    right_->scene().setCase(session.patient());
+  connect(&shared.openCase, &OpenCase::caseChanged, this, [this] {
+    pages_->setCurrentWidget(shared.openCase.patient() ? static_cast<QWidget*>(columns) : empty);
+    right_->scene().setCase(shared.openCase.patient());
     refreshSave();
     refreshReady();
   });
-  connect(&session, &PrepareSession::slicesChanged, this,
-          [this] { right_->scene().histogram().setWindowLevel(session.windowLevel()); });
-  connect(&session, &PrepareSession::editsChanged, this, [this] {
+  connect(&shared.slices, &SliceSettings::changed, this,
+          [this] { right_->scene().histogram().setWindowLevel(shared.slices.windowLevel()); });
+  connect(&shared.changes, &CaseChanges::changed, this, [this] {
     refreshSave();
     Q_EMIT workspace_.editsChanged();
   });
-  connect(&session, &PrepareSession::originChanged, this, [this] { refreshSave(); });
-  connect(&session, &PrepareSession::messageChanged, this, [this] { Q_EMIT workspace_.statusChanged(); });
-  connect(&session.measuring(), &CaseMeasuring::changed, this, [this] {
-    const auto& measures = session.measuring().measures();
+  connect(&shared.openCase, &OpenCase::originChanged, this, [this] { refreshSave(); });
+  connect(&shared.statusLine, &StatusLine::changed, this, [this] { Q_EMIT workspace_.statusChanged(); });
+  connect(&shared.measuring, &CaseMeasuring::changed, this, [this] {
+    const auto& measures = shared.measuring.measures();
     right_->setCheckRemark(measures ? findingCount(measures->findings) : QString());
     refreshReady();
   });
-  connect(&session.live(), &LivePatient::stateChanged, this, [this] {
+  connect(&shared.live, &LivePatient::stateChanged, this, [this] {
     refreshReady();
     Q_EMIT workspace_.statusChanged();
   });
-  connect(&session.followers(), &LabelFollowers::restChanged, this, [this] { refreshReady(); });
-  connect(&session.labelling(), &LabelSession::busyChanged, this, [this] { refreshReady(); });
+  connect(&shared.followers, &LabelFollowers::restChanged, this, [this] { refreshReady(); });
+  connect(&shared.labelling, &LabelSession::busyChanged, this, [this] { refreshReady(); });
   views->setRested([this] { refreshReady(); });
   connect(tools_, &ToolSession::toolChanged, this, [this] { showTool(); });
   connect(&guide, &GuideSession::changed, this, [this] { showMouseOwner(); });
@@ -159,20 +167,21 @@ void PrepareWorkspace::Parts::connectParts() {
 }
 
 void PrepareWorkspace::Parts::refreshSave() {
-  const bool changed = session.isUnsaved() || session.quietEdit(), nowhere = session.origin().folder.isEmpty();
-  save_->setEnabled(session.patient() && (changed || nowhere));
-  save_->setToolTip(!session.patient() ? QString()
-                    : nowhere          ? tr("Writes the case to a folder that you choose (Ctrl+S)")
-                    : changed          ? tr("Writes title and looks of structures to the case's folder (Ctrl+S)")
-                                       : tr("Everything is saved"));
+  const bool changed = shared.changes.isUnsaved() || shared.changes.quietEdit(),
+             nowhere = shared.openCase.origin().folder.isEmpty();
+  save_->setEnabled(shared.openCase.patient() && (changed || nowhere));
+  save_->setToolTip(!shared.openCase.patient() ? QString()
+                    : nowhere                  ? tr("Writes the case to a folder that you choose (Ctrl+S)")
+                    : changed ? tr("Writes title and looks of structures to the case's folder (Ctrl+S)")
+                              : tr("Everything is saved"));
 }
 
 void PrepareWorkspace::Parts::refreshReady() {
   using State = CaseMeasuring::State;
-  const State state = session.measuring().state();
-  const bool now = session.patient() && (state == State::Done || state == State::Stopped) &&
-                   session.live().isSettled() && views->isAtRest() && session.followers().isAtRest() &&
-                   !session.labelling().isBusy();
+  const State state = shared.measuring.state();
+  const bool now = shared.openCase.patient() && (state == State::Done || state == State::Stopped) &&
+                   shared.live.isSettled() && views->isAtRest() && shared.followers.isAtRest() &&
+                   !shared.labelling.isBusy();
   if (now == std::exchange(ready, now)) return;
   Q_EMIT workspace_.readyChanged();
 }
@@ -187,7 +196,7 @@ void PrepareWorkspace::Parts::showTool() {
 /// With the guide, where it has a step for it.
 void PrepareWorkspace::Parts::makeStructure(std::uint8_t label) {
   if (guide.goToStepFor(label)) return path->showGuide(true);
-  session.addStructure(label);
+  shared.structures.add(label);
   path->showGuide(false);
 }
 
@@ -196,15 +205,24 @@ void PrepareWorkspace::Parts::showMouseOwner() {
 }
 
 QString PrepareWorkspace::Parts::engineText() const {
-  if (!session.patient() || !session.live().shown()) return {};
-  const bool onCard = session.live().shown()->engine == "glsl";
-  return (onCard ? tr("graphics card   %1 ms") : tr("processor   %1 ms"))
-      .arg(session.live().shown()->frame_ms, 4, 'f', 1);
+  if (!shared.openCase.patient() || !shared.live.shown()) return {};
+  const bool onCard = shared.live.shown()->engine == "glsl";
+  return (onCard ? tr("graphics card   %1 ms") : tr("processor   %1 ms")).arg(shared.live.shown()->frame_ms, 4, 'f', 1);
+}
+
+void PrepareWorkspace::Parts::setAwake(bool awake) {
+  shared.measuring.setAllowed(awake);
+  shared.live.setAwake(awake);
+}
+
+void PrepareWorkspace::Parts::stop() {
+  shared.measuring.setAllowed(false);
+  shared.live.stop();
 }
 
 bool PrepareWorkspace::Parts::key(const QKeyEvent& event, bool doIt) {
   const KeyRow* row = rowFor(event);
-  if (!row || !session.patient()) return false;
+  if (!row || !shared.openCase.patient()) return false;
   // Without a tool, these are the window's.
   const bool ofTool = row->command == Command::ApplyTool || row->command == Command::LeaveTool;
   if (ofTool && !tools_->tool()) return false;
@@ -213,25 +231,25 @@ bool PrepareWorkspace::Parts::key(const QKeyEvent& event, bool doIt) {
 }
 
 void PrepareWorkspace::Parts::act(const KeyRow& row) {
-  const std::uint8_t label = session.selected();
+  const std::uint8_t label = shared.structures.selected();
   constexpr double kBrushStep = 1.15;
   switch (row.command) {
     case Command::LabelsFainter:
-      return session.setLabelOpacity(session.labelOpacity() - kOpacityStep);
+      return shared.slices.setLabelOpacity(shared.slices.labelOpacity() - kOpacityStep);
     case Command::LabelsStronger:
-      return session.setLabelOpacity(session.labelOpacity() + kOpacityStep);
+      return shared.slices.setLabelOpacity(shared.slices.labelOpacity() + kOpacityStep);
     case Command::ToggleLabels:
-      return session.setLabelsShown(!session.labelsShown());
+      return shared.slices.setLabelsShown(!shared.slices.labelsShown());
     case Command::PreviousStructure:
-      return session.selectNext(-1);
+      return shared.structures.selectNext(-1);
     case Command::NextStructure:
-      return session.selectNext(1);
+      return shared.structures.selectNext(1);
     case Command::ToggleStructure:
-      return session.setVisible(label, !session.look(label).visible);
+      return shared.appearance.setVisible(label, !shared.appearance.look(label).visible);
     case Command::CheckPage:
       return right_->setCheckShown(!right_->showsCheck());
     case Command::Start:
-      return session.goToStart();
+      return shared.crosshair.goToStart();
     case Command::Tool:
       return tools_->choose(toolOfKey(row.key, tools_->tool() ? tools_->tool()->id : QString()));
     case Command::LastTool:
@@ -245,9 +263,9 @@ void PrepareWorkspace::Parts::act(const KeyRow& row) {
     case Command::SmallerBrush:
       return tools_->scaleBrush(1 / kBrushStep);
     case Command::NextState:
-      return session.toNextState(label);
+      return shared.structures.toNextState(label);
     case Command::LockStructure:
-      return session.setLocked(label, !session.labelling().rules().locked.test(label));
+      return shared.labelling.setLocked(label, !shared.labelling.rules().locked.test(label));
   }
 }
 
@@ -259,61 +277,26 @@ void PrepareWorkspace::Parts::saveLayout(QSettings& settings) const {
   settings.setValue(QStringLiteral("columns"), columns->saveState());
   settings.setValue(QStringLiteral("views"), views->saveState());
   right_->save(settings);
-  settings.setValue(QStringLiteral("window"), session.windowLevel().window_HU);
-  settings.setValue(QStringLiteral("level"), session.windowLevel().level_HU);
-  settings.setValue(QStringLiteral("labelOpacity"), session.labelOpacity());
-  settings.setValue(QStringLiteral("labelsShown"), session.labelsShown());
-  settings.setValue(QStringLiteral("labelFill"), session.labelStyle().fill);
-  settings.setValue(QStringLiteral("labelOutline"), session.labelStyle().outline);
-  settings.setValue(QStringLiteral("outlineWidth"), session.labelStyle().thickness_px);
-  settings.setValue(QStringLiteral("placesShown"), session.placesShown());
+  shared.slices.save(settings);
   settings.beginGroup(QStringLiteral("scene"));
   right_->scene().save(settings);
   settings.endGroup();
-  settings.beginWriteArray(QStringLiteral("structures"));
-  int index = 0;
-  for (const auto& [label, habit] : session.habits()) {
-    settings.setArrayIndex(index++);
-    settings.setValue(QStringLiteral("label"), int(label));
-    settings.setValue(QStringLiteral("opacity"), habit.opacity);
-    settings.setValue(QStringLiteral("visible"), habit.visible);
-    settings.setValue(QStringLiteral("onSlices"), habit.onSlices);
-  }
-  settings.endArray();
+  shared.appearance.saveHabits(settings);
 }
 
 void PrepareWorkspace::Parts::restoreLayout(QSettings& settings) {
   columns->restoreState(settings.value(QStringLiteral("columns")).toByteArray());
   views->restoreState(settings.value(QStringLiteral("views")).toByteArray());
   right_->restore(settings);
-  const auto number = [&settings](const char* key, double otherwise) {
-    const double value = settings.value(QLatin1String(key), otherwise).toDouble();
-    return std::isfinite(value) ? value : otherwise;
-  };
-  const views::WindowLevel usual;
-  session.setWindowLevel({std::clamp(number("window", usual.window_HU), 1.0, 10000.0),
-                          std::clamp(number("level", usual.level_HU), -5000.0, 10000.0)});
-  session.setLabelOpacity(number("labelOpacity", session.labelOpacity()));
-  session.setLabelsShown(settings.value(QStringLiteral("labelsShown"), true).toBool());
-  session.setLabelStyle({settings.value(QStringLiteral("labelFill"), true).toBool(),
-                         settings.value(QStringLiteral("labelOutline"), true).toBool(),
-                         int(std::clamp(number("outlineWidth", 1), 1.0, 8.0))});
-  session.setPlacesShown(settings.value(QStringLiteral("placesShown"), true).toBool());
+  shared.slices.restore(settings);
   settings.beginGroup(QStringLiteral("scene"));
   right_->scene().restore(settings);
   settings.endGroup();
-  std::map<std::uint8_t, PrepareSession::Habit> habits;
-  const int count = settings.beginReadArray(QStringLiteral("structures"));
-  for (int i = 0; i < count; ++i) {
-    settings.setArrayIndex(i);
-    const int label = settings.value(QStringLiteral("label")).toInt();
-    if (label < 1 || label > 255) continue;
-    habits[std::uint8_t(label)] = {std::clamp(number("opacity", 1), 0.0, 1.0),
-                                   settings.value(QStringLiteral("visible"), true).toBool(),
-                                   std::clamp(number("onSlices", defaultShareOnSlices(std::uint8_t(label))), 0.0, 1.0)};
-  }
-  settings.endArray();
-  session.setHabits(std::move(habits));
+  shared.appearance.restoreHabits(settings);
+}
+
+void PrepareWorkspace::Parts::measureLabelling(int repeats, std::function<void(std::vector<LabellingTime>)> done) {
+  measure_ = std::make_unique<LabellingMeasure>(shared, *tools_, *views, repeats, std::move(done));
 }
 
 }  // namespace insonate::prepare

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "PrepareSession.h"
+#include "model/PrepareModel.h"
 
 #include <insonate/prepare/PrepareWorkspace.h>
 
@@ -29,14 +29,17 @@ class PrepareWorkspace::Parts : public QObject {
   Parts(PrepareWorkspace& workspace, ui::TaskBar& tasks);
   ~Parts() override;
 
-  PrepareSession& session;  ///< a child of the workspace, gone after its widgets
-  GuideSession& guide;      ///< the same
+  PrepareModel shared;  ///< children of the workspace, gone after its widgets
+  GuideSession& guide;  ///< the same
   ui::EmptyWorkspace* empty = nullptr;
   QSplitter* columns = nullptr;
   PathPanel* path = nullptr;
   CaseViews* views = nullptr;
   bool ready = false;
 
+  /// While asleep, no work begins and no image is made.
+  void setAwake(bool awake);
+  void stop();
   bool key(const QKeyEvent& event, bool act);
   /// Handles keys of the table before a canvas's view does.
   bool canvasEvent(QEvent* event);

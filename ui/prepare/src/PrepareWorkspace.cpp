@@ -1,8 +1,12 @@
 #include "KeyTable.h"
 #include "PrepareParts.h"
 #include "guide/GuideSession.h"
+#include "model/Notice.h"
+#include "model/OpenCase.h"
 #include "panel/PathPanel.h"
-#include "views/CaseViews.h"
+#include "publish/CaseChanges.h"
+#include "viewing/CaseViews.h"
+#include "viewing/StatusLine.h"
 
 #include <insonate/prepare/PrepareWorkspace.h>
 #include <insonate/ui/EmptyWorkspace.h>
@@ -18,8 +22,8 @@ PrepareWorkspace::PrepareWorkspace(ui::TaskBar& tasks, QWidget* parent)
 }
 
 PrepareWorkspace::~PrepareWorkspace() {
-  parts_->session.stop();
-  // The widgets refer to the session: they go first.
+  parts_->stop();
+  // The widgets refer to the model: they go first.
   delete parts_->columns;
   delete parts_->empty;
 }
@@ -37,33 +41,33 @@ void PrepareWorkspace::setOpening(const QString& what) {
 }
 
 void PrepareWorkspace::setOrigin(const ui::CaseOrigin& origin) {
-  parts_->session.setOrigin(origin);
+  parts_->shared.openCase.setOrigin(origin);
 }
 
 void PrepareWorkspace::setCase(std::shared_ptr<const PatientCase> patient) {
-  parts_->session.setCase(std::move(patient));
+  parts_->shared.openCase.setCase(std::move(patient));
 }
 
 ui::CaseEdit PrepareWorkspace::unsavedEdit() const {
-  return parts_->session.unsavedEdit();
+  return parts_->shared.changes.unsavedEdit();
 }
 
 ui::CaseEdit PrepareWorkspace::quietEdit() const {
-  return parts_->session.quietEdit();
+  return parts_->shared.changes.quietEdit();
 }
 
 void PrepareWorkspace::caseSaved(std::shared_ptr<const PatientCase> patient) {
-  parts_->session.replaceCase(std::move(patient));
+  parts_->shared.openCase.replaceCase(std::move(patient));
   parts_->views->replaceCase();
-  const QString folder = parts_->session.origin().folder;
+  const QString folder = parts_->shared.openCase.origin().folder;
   if (folder.isEmpty()) return;
   if (auto ok = parts_->guide.saveRecipe(folder.toStdString()); !ok)
-    parts_->session.say(tr("The case is saved, but the recipe of its labels is not: %1")
-                            .arg(QString::fromStdString(ok.error().message)));
+    parts_->shared.notice.say(tr("The case is saved, but the recipe of its labels is not: %1")
+                                  .arg(QString::fromStdString(ok.error().message)));
 }
 
 QString PrepareWorkspace::statusText() const {
-  return parts_->session.message();
+  return parts_->shared.statusLine.text();
 }
 
 QString PrepareWorkspace::engineText() const {
@@ -94,7 +98,7 @@ void PrepareWorkspace::measureLabelling(int repeats, std::function<void(std::vec
 }
 
 void PrepareWorkspace::stop() {
-  parts_->session.stop();
+  parts_->stop();
 }
 
 bool PrepareWorkspace::eventFilter(QObject* watched, QEvent* event) {
@@ -107,12 +111,12 @@ void PrepareWorkspace::keyPressEvent(QKeyEvent* event) {
 
 void PrepareWorkspace::showEvent(QShowEvent* event) {
   ui::Workspace::showEvent(event);
-  parts_->session.setAwake(true);
+  parts_->setAwake(true);
 }
 
 void PrepareWorkspace::hideEvent(QHideEvent* event) {
   ui::Workspace::hideEvent(event);
-  parts_->session.setAwake(false);
+  parts_->setAwake(false);
 }
 
 }  // namespace insonate::prepare

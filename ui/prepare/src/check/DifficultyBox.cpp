@@ -1,6 +1,9 @@
 #include "DifficultyBox.h"
 
-#include "../PrepareSession.h"
+#include "../model/OpenCase.h"
+#include "../model/PrepareModel.h"
+#include "../places/PlacesEditor.h"
+#include "CaseMeasuring.h"
 
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
@@ -26,8 +29,8 @@ QString measuresText(const DifficultyEstimate& estimate) {
 
 }  // namespace
 
-DifficultyBox::DifficultyBox(PrepareSession& session, QWidget* parent)
-    : QWidget(parent), session_(session), grade_(new QComboBox), sentence_(new QLabel), measures_(new QLabel) {
+DifficultyBox::DifficultyBox(PrepareModel& shared, QWidget* parent)
+    : QWidget(parent), shared_(shared), grade_(new QComboBox), sentence_(new QLabel), measures_(new QLabel) {
   new ui::QuietWheel(grade_);
   grade_->setObjectName(QStringLiteral("grade"));
   grade_->setAccessibleName(tr("Difficulty of the case"));
@@ -46,19 +49,19 @@ DifficultyBox::DifficultyBox(PrepareSession& session, QWidget* parent)
   box->addWidget(sentence_);
   box->addWidget(measures_);
   connect(grade_, qOverload<int>(&QComboBox::activated), this, [this] {
-    CasePlaces places = session_.places();
+    CasePlaces places = shared_.places.value();
     places.difficulty = grade_->currentData().toString().toStdString();
-    session_.setPlaces(std::move(places), tr("difficulty"));
+    shared_.places.set(std::move(places), tr("difficulty"));
   });
-  connect(&session_, &PrepareSession::caseChanged, this, [this] { refresh(); });
-  connect(&session_, &PrepareSession::placesChanged, this, [this] { refresh(); });
-  connect(&session_.measuring(), &CaseMeasuring::changed, this, [this] { refresh(); });
+  connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] { refresh(); });
+  connect(&shared_.places, &PlacesEditor::changed, this, [this] { refresh(); });
+  connect(&shared_.measuring, &CaseMeasuring::changed, this, [this] { refresh(); });
   refresh();
 }
 
 void DifficultyBox::refresh() {
-  grade_->setCurrentIndex(std::max(0, grade_->findData(QString::fromStdString(session_.places().difficulty))));
-  const auto& measures = session_.measuring().measures();
+  grade_->setCurrentIndex(std::max(0, grade_->findData(QString::fromStdString(shared_.places.value().difficulty))));
+  const auto& measures = shared_.measuring.measures();
   measures_->setVisible(measures && measures->difficulty);
   if (!measures) return sentence_->setText(tr("Measuring ..."));
   if (!measures->difficulty) return sentence_->setText(QString::fromStdString(measures->difficulty.error().message));

@@ -7,17 +7,17 @@ class QLabel;
 
 namespace insonate::prepare {
 
-class PrepareSession;
+struct PrepareModel;
 
 /// Difficulty of the case: as computed from its labels, with the measures behind it, and as its author states it.
 class DifficultyBox : public QWidget {
  public:
-  explicit DifficultyBox(PrepareSession& session, QWidget* parent = nullptr);
+  explicit DifficultyBox(PrepareModel& shared, QWidget* parent = nullptr);
 
  private:
   void refresh();
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   QComboBox* grade_;
   QLabel *sentence_, *measures_;
 };

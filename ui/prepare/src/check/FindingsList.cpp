@@ -1,7 +1,11 @@
 #include "FindingsList.h"
 
-#include "../PrepareSession.h"
-#include "PlacesBox.h"
+#include "../model/PrepareModel.h"
+#include "../places/PlacesBox.h"
+#include "../structures/StructureList.h"
+#include "../structures/TermsEditor.h"
+#include "../viewing/Crosshair.h"
+#include "CaseMeasuring.h"
 
 #include <insonate/ui/Theme.h>
 
@@ -56,9 +60,9 @@ QString findingCount(const std::vector<Finding>& findings) {
   return words.isEmpty() ? FindingsList::tr("fit for training") : words.join(QStringLiteral(", "));
 }
 
-FindingsList::FindingsList(PrepareSession& session, QWidget* parent)
+FindingsList::FindingsList(PrepareModel& shared, QWidget* parent)
     : QWidget(parent),
-      session_(session),
+      shared_(shared),
       state_(new QLabel),
       again_(new QPushButton(tr("Check"))),
       box_(new QVBoxLayout(this)) {
@@ -71,8 +75,8 @@ FindingsList::FindingsList(PrepareSession& session, QWidget* parent)
   box_->setSpacing(ui::kGap);
   box_->addWidget(state_);
   box_->addWidget(again_, 0, Qt::AlignLeft);
-  connect(again_, &QPushButton::clicked, this, [this] { session_.measuring().start(); });
-  connect(&session_.measuring(), &CaseMeasuring::changed, this, [this] { refresh(); });
+  connect(again_, &QPushButton::clicked, this, [this] { shared_.measuring.start(); });
+  connect(&shared_.measuring, &CaseMeasuring::changed, this, [this] { refresh(); });
   refresh();
 }
 
@@ -84,9 +88,9 @@ QPushButton* FindingsList::way(const Finding& finding) {
     return made;
   };
   const std::uint8_t label = finding.label;
-  const auto& there = session_.structures();
+  const auto& there = shared_.structures.labels();
   if (label && !finding.place_mm && std::ranges::find(there, label) == there.end()) {
-    auto* make = button(tr("Label %1").arg(session_.nameOf(label)), tr("Goes to the step that labels it"));
+    auto* make = button(tr("Label %1").arg(shared_.terms.nameOf(label)), tr("Goes to the step that labels it"));
     connect(make, &QPushButton::clicked, this, [this, label] { Q_EMIT labelWanted(label); });
     return make;
   }
@@ -98,18 +102,18 @@ QPushButton* FindingsList::way(const Finding& finding) {
   if (const auto missing = kMissing.find(finding.code); missing != kMissing.end()) {
     auto* mark = button(tr("Mark it"), tr("Goes to the marks of targets, vessels, start poses and landmarks"));
     connect(mark, &QPushButton::clicked, this, [this, finding, kind = missing->second] {
-      if (finding.place_mm) session_.setCrosshair(*finding.place_mm);
+      if (finding.place_mm) shared_.crosshair.moveTo(*finding.place_mm);
       Q_EMIT placeWanted(kind);
     });
     return mark;
   }
   if (!finding.place_mm && !label) return nullptr;
-  auto* go = button(finding.place_mm ? tr("Show the place") : tr("Select %1").arg(session_.nameOf(label)),
+  auto* go = button(finding.place_mm ? tr("Show the place") : tr("Select %1").arg(shared_.terms.nameOf(label)),
                     finding.place_mm ? tr("Moves the crosshair there and selects the structure")
                                      : tr("Select the structure in the table"));
   connect(go, &QPushButton::clicked, this, [this, place_mm = finding.place_mm, label] {
-    if (label) session_.select(label);
-    if (place_mm) session_.setCrosshair(*place_mm);
+    if (label) shared_.structures.select(label);
+    if (place_mm) shared_.crosshair.moveTo(*place_mm);
   });
   return go;
 }
@@ -142,7 +146,7 @@ QWidget* FindingsList::row(const Finding& finding) {
 }
 
 void FindingsList::refresh() {
-  const CaseMeasuring& measuring = session_.measuring();
+  const CaseMeasuring& measuring = shared_.measuring;
   using State = CaseMeasuring::State;
   again_->setVisible(measuring.state() == State::Stopped);
   const auto& measures = measuring.measures();

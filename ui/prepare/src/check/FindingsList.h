@@ -10,7 +10,7 @@ class QVBoxLayout;
 
 namespace insonate::prepare {
 
-class PrepareSession;
+struct PrepareModel;
 
 /// "2 errors, 1 doubt", "no findings".
 QString findingCount(const std::vector<Finding>& findings);
@@ -21,7 +21,7 @@ class FindingsList : public QWidget {
   Q_OBJECT
 
  public:
-  explicit FindingsList(PrepareSession& session, QWidget* parent = nullptr);
+  explicit FindingsList(PrepareModel& shared, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   /// A structure that is missing is to be made.
@@ -34,7 +34,7 @@ class FindingsList : public QWidget {
   QWidget* row(const Finding& finding);
   QPushButton* way(const Finding& finding);
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   QLabel* state_;
   QPushButton* again_;
   QWidget* list_ = nullptr;

@@ -1,17 +1,19 @@
 #include "GuidePage.h"
 
 #include "GuideSession.h"
-#include "WordsArea.h"
 
 #include <insonate/ui/PassLetters.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 #include <insonate/ui/Widgets.h>
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QResizeEvent>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QShortcut>
 #include <QSignalBlocker>
@@ -22,6 +24,43 @@ namespace insonate::prepare {
 namespace {
 
 constexpr int kListRows = 3, kWordsLines = 4;  // at least
+
+/// Takes the height that its content needs at its width, and scrolls if the column is too low for that.
+class WordsArea : public QScrollArea {
+ public:
+  explicit WordsArea(QWidget* content);
+
+  QSize sizeHint() const override;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+};
+
+WordsArea::WordsArea(QWidget* content) {
+  setFrameShape(QFrame::NoFrame);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setFocusPolicy(Qt::TabFocus);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+  setWidgetResizable(true);
+  setWidget(content);
+  content->installEventFilter(this);
+}
+
+QSize WordsArea::sizeHint() const {
+  const int width = viewport()->width();
+  return {widget()->sizeHint().width(), widget()->heightForWidth(width)};
+}
+
+bool WordsArea::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
+  return QScrollArea::eventFilter(watched, event);
+}
+
+void WordsArea::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  if (event->size().width() != event->oldSize().width()) updateGeometry();
+}
 
 QString stateWord(GuideSession::State state, bool optional) {
   switch (state) {

@@ -4,12 +4,12 @@
 
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QTreeWidget;
 
 namespace insonate::prepare {
 
 class GuideSession;
-class WordsArea;
 
 /// The steps of the guide with their states, and of the current one what to do, what came of it, and what can be done
 /// about it.
@@ -35,7 +35,7 @@ class GuidePage : public QWidget {
   QLabel *title_, *say_, *clicks_, *result_, *told_;
   QPushButton *run_, *accept_, *correct_, *skip_;
   QWidget* brush_;
-  WordsArea* words_;
+  QScrollArea* words_;
 };
 
 }  // namespace insonate::prepare

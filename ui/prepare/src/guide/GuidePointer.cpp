@@ -1,6 +1,8 @@
 #include "GuidePointer.h"
 
-#include "../PrepareSession.h"
+#include "../labels/LabelSession.h"
+#include "../model/PrepareModel.h"
+#include "../structures/TermsEditor.h"
 #include "GuideSession.h"
 
 #include <insonate/ui/KeyOffer.h>
@@ -21,8 +23,8 @@ constexpr double kNear_px = 9;  // of a point, in logical pixels
 
 }  // namespace
 
-GuidePointer::GuidePointer(GuideSession& guide, PrepareSession& session, QObject* parent)
-    : QObject(parent), guide_(guide), session_(session) {}
+GuidePointer::GuidePointer(GuideSession& guide, PrepareModel& shared, QObject* parent)
+    : QObject(parent), guide_(guide), shared_(shared) {}
 
 void GuidePointer::watch(ui::ViewWidget& widget, views::MprView& slice) {
   watched_.push_back({&widget, &slice});
@@ -52,9 +54,9 @@ bool GuidePointer::press(const Watched& where, QPoint at, Qt::MouseButton button
     stroke.tool = step::Paint{.radius_mm = guide_.brush_mm()};
     stroke.label = erases ? stroke.rest : label;
     if (erases) stroke.over = {{label}};
-    const QString name = (erases ? tr("erase %1") : tr("paint %1")).arg(session_.nameOf(label));
-    painting_ = session_.labelling().beginStroke(std::move(stroke), name);
-    if (painting_) session_.labelling().strokeTo(patientAt(where, at));
+    const QString name = (erases ? tr("erase %1") : tr("paint %1")).arg(shared_.terms.nameOf(label));
+    painting_ = shared_.labelling.beginStroke(std::move(stroke), name);
+    if (painting_) shared_.labelling.strokeTo(patientAt(where, at));
     return true;
   }
   if (!guide_.takesClicks()) return false;
@@ -71,14 +73,14 @@ bool GuidePointer::press(const Watched& where, QPoint at, Qt::MouseButton button
 }
 
 bool GuidePointer::move(const Watched& where, QPoint at) {
-  if (painting_) session_.labelling().strokeTo(patientAt(where, at));
+  if (painting_) shared_.labelling.strokeTo(patientAt(where, at));
   if (dragged_) guide_.moveClick(*dragged_, patientAt(where, at));
   return painting_ || dragged_;
 }
 
 bool GuidePointer::release(const Watched& where, QPoint at) {
   if (std::exchange(painting_, false)) {
-    session_.labelling().endStroke();
+    shared_.labelling.endStroke();
     return true;
   }
   const auto from = std::exchange(pressed_, std::nullopt);

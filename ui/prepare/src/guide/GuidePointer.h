@@ -17,14 +17,14 @@ class MprView;
 namespace insonate::prepare {
 
 class GuideSession;
-class PrepareSession;
+struct PrepareModel;
 
 /// The mouse in slices while the guide wants clicks: a click adds a point, dragging moves it, the right button or the
 /// Delete key removes it, Enter continues. While a label is corrected, the left button paints it, with Control erases.
 /// All other events are the slice's own.
 class GuidePointer : public QObject {
  public:
-  GuidePointer(GuideSession& guide, PrepareSession& session, QObject* parent);
+  GuidePointer(GuideSession& guide, PrepareModel& shared, QObject* parent);
 
   void watch(ui::ViewWidget& widget, views::MprView& slice);
 
@@ -45,7 +45,7 @@ class GuidePointer : public QObject {
   std::optional<std::size_t> clickAt(const Watched& where, QPoint at) const;
 
   GuideSession& guide_;
-  PrepareSession& session_;
+  PrepareModel& shared_;
   std::vector<Watched> watched_;
   std::optional<std::size_t> dragged_;
   std::optional<QPoint> pressed_;

@@ -1,6 +1,6 @@
 #include "GuideReplay.h"
 
-#include "../label/LabelSession.h"
+#include "../labels/LabelSession.h"
 
 #include <QTimer>
 #include <QUndoStack>

@@ -1,7 +1,15 @@
 #include "GuideSession.h"
 
-#include "../PrepareSession.h"
-#include "../check/VesselNaming.h"
+#include "../check/CaseMeasuring.h"
+#include "../labels/LabelSession.h"
+#include "../model/OpenCase.h"
+#include "../model/PrepareModel.h"
+#include "../places/PlacesEditor.h"
+#include "../places/VesselNaming.h"
+#include "../structures/StructureAppearance.h"
+#include "../structures/StructureList.h"
+#include "../structures/TermsEditor.h"
+#include "../viewing/SliceSettings.h"
 
 #include <insonate/core/AtomicFile.h>
 
@@ -9,6 +17,7 @@
 #include <QPointer>
 #include <QtConcurrent/QtConcurrentRun>
 #include <algorithm>
+#include <memory>
 
 namespace insonate::prepare {
 namespace {
@@ -20,22 +29,44 @@ Guide neckGuide() {
   return *readGuide(guidePresets().front().text);
 }
 
+/// An author's edits besides voxels: looks and terms of structures, the title and the places.
+struct AuthoredState {
+  StructureLooks looks;
+  QString title;
+  CasePlaces places;
+  LabelTerms terms;
+};
+
+AuthoredState authoredState(const PrepareModel& shared) {
+  return {shared.appearance.looks(), shared.openCase.title(), shared.places.value(), shared.terms.value()};
+}
+
+/// Edits what differs from `state`, as one undoable step.
+void restore(const AuthoredState& state, PrepareModel& shared) {
+  auto all = std::make_unique<QUndoCommand>(GuideSession::tr("colors, title and places as before"));
+  shared.appearance.restore(state.looks, *all);
+  shared.openCase.restoreTitle(state.title, *all);
+  shared.places.restore(state.places, *all);
+  shared.terms.restore(state.terms, *all);
+  if (all->childCount() > 0) shared.openCase.undoStack().push(all.release());
+}
+
 }  // namespace
 
-GuideSession::GuideSession(PrepareSession& session, QObject* parent)
+GuideSession::GuideSession(PrepareModel& shared, QObject* parent)
     : QObject(parent),
-      session_(session),
+      shared_(shared),
       guide_(neckGuide()),
-      replay_(*new GuideReplay(session.labelling(), session.undoStack(), this)),
+      replay_(*new GuideReplay(shared.labelling, shared.openCase.undoStack(), this)),
       progress_(guide_.steps.size()) {
-  const LabelSession& labels = session_.labelling();
-  connect(&session_, &PrepareSession::caseChanged, this, [this] { beginCase(); });
-  connect(&session_, &PrepareSession::originChanged, this, [this] { takeUpRecipe(); });
+  const LabelSession& labels = shared_.labelling;
+  connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] { beginCase(); });
+  connect(&shared_.openCase, &OpenCase::originChanged, this, [this] { takeUpRecipe(); });
   connect(&labels, &LabelSession::changed, this, [this] {
-    recipe_ = session_.labelling().recipe();
+    recipe_ = shared_.labelling.recipe();
     Q_EMIT changed();
   });
-  connect(&session_.measuring(), &CaseMeasuring::changed, this, [this] { beginAtFirstToDo(); });
+  connect(&shared_.measuring, &CaseMeasuring::changed, this, [this] { beginAtFirstToDo(); });
   connect(&labels, &LabelSession::busyChanged, this, &GuideSession::changed);
   connect(&labels, &LabelSession::failed, this, &GuideSession::told);
 }
@@ -50,7 +81,7 @@ void GuideSession::beginCase() {
 
 /// The recipe recorded at the last save tells how far the author was, and where the clicks were.
 void GuideSession::takeUpRecipe() {
-  const QString folder = session_.origin().folder;
+  const QString folder = shared_.openCase.origin().folder;
   if (folder.isEmpty() || !recipe_.steps.empty() || !before_.steps.empty()) return;
   const std::filesystem::path file = std::filesystem::path(folder.toStdString()) / kRecipeFile;
   if (!std::filesystem::exists(file)) return;
@@ -68,7 +99,7 @@ void GuideSession::takeUpRecipe() {
 
 /// The labels of the import are known only once the case is measured.
 void GuideSession::beginAtFirstToDo() {
-  if (!session_.measuring().measures() || std::exchange(begun_, true)) return Q_EMIT changed();
+  if (!shared_.measuring.measures() || std::exchange(begun_, true)) return Q_EMIT changed();
   if (recipe_.steps.empty() && clicks_mm().empty()) goToNext();
 }
 
@@ -106,7 +137,8 @@ bool GuideSession::isMade(int index) const {
 /// The import has made it.
 bool GuideSession::isThere(int index) const {
   const auto& makes = guide_.steps[std::size_t(index)].makes;
-  return !makes.empty() && std::ranges::all_of(makes, [this](std::uint8_t label) { return session_.hasVoxels(label); });
+  return !makes.empty() &&
+         std::ranges::all_of(makes, [this](std::uint8_t label) { return shared_.measuring.hasVoxels(label); });
 }
 
 GuideSession::State GuideSession::state(int index) const {
@@ -130,9 +162,9 @@ QStringList GuideSession::remarks(int index) const {
   if (p.restored) return {tr("This step was done when the case was saved.")};
   if (isThere(index)) return {tr("The case has these labels already.")};
   const std::uint8_t label = guide_.steps[std::size_t(index)].label;
-  if (label != kBackground && session_.hasVoxels(label) && before_.steps.empty() && recipe_.steps.empty())
+  if (label != kBackground && shared_.measuring.hasVoxels(label) && before_.steps.empty() && recipe_.steps.empty())
     return {tr("The case already has %1: check whether this structure is labeled before you run the step.")
-                .arg(session_.nameOf(label))};
+                .arg(shared_.terms.nameOf(label))};
   return {};
 }
 
@@ -168,16 +200,16 @@ void GuideSession::removeClick(std::size_t index) {
 }
 
 bool GuideSession::isBusy() const {
-  return replay_.isRunning() || session_.labelling().isBusy();
+  return replay_.isRunning() || shared_.labelling.isBusy();
 }
 
 bool GuideSession::canRun() const {
-  return session_.patient() && !isBusy() && int(clicks_mm().size()) >= step().leastClicks;
+  return shared_.openCase.patient() && !isBusy() && int(clicks_mm().size()) >= step().leastClicks;
 }
 
 void GuideSession::run() {
-  if (!session_.patient() || isBusy()) return;
-  auto way = wayFor(step(), clicks_mm(), session_.patient()->ct);
+  if (!shared_.openCase.patient() || isBusy()) return;
+  auto way = wayFor(step(), clicks_mm(), shared_.openCase.patient()->ct);
   if (!way) return Q_EMIT told(QString::fromStdString(way.error().message));
   for (LabelStep& made : way->steps) made.of = step().name;
   setCorrecting(false);
@@ -188,8 +220,8 @@ void GuideSession::run() {
   // Undoing back to an earlier step also undoes the terms set meanwhile.
   const bool begun = replay_.run(
       std::move(way->steps), before.first, before.first + before.count, QString::fromStdString(step().title),
-      [this, index, said = session_.said(), caution = QString::fromStdString(way->caution)](bool well) {
-        session_.restoreSaid(said);
+      [this, index, authored = authoredState(shared_), caution = QString::fromStdString(way->caution)](bool well) {
+        restore(authored, shared_);
         if (well) progress_[std::size_t(index)].caution = caution;
         finished(index, well);
       });
@@ -201,15 +233,15 @@ void GuideSession::run() {
 }
 
 void GuideSession::cancel() {
-  if (working_ >= 0) session_.labelling().cancel();
+  if (working_ >= 0) shared_.labelling.cancel();
 }
 
 void GuideSession::finished(int index, bool well) {
   working_ = -1;
-  recipe_ = session_.labelling().recipe();
+  recipe_ = shared_.labelling.recipe();
   if (well) {
     // An author who hid the labels to find the structure in the CT must see the result.
-    session_.setLabelsShown(true);
+    shared_.slices.setLabelsShown(true);
     StepProgress& p = progress_[std::size_t(index)];
     p.made = spanOf(index).count;
     p.accepted = p.skipped = false;
@@ -226,7 +258,7 @@ void GuideSession::findWarnings(int index) {
   const GuideStep& about = guide_.steps[std::size_t(index)];
   StepProgress& p = progress_[std::size_t(index)];
   p.look = ++looks_;
-  QtConcurrent::run([self = QPointer(this), about, clicks_mm = p.clicks_mm, labels = session_.labelling().snapshot(),
+  QtConcurrent::run([self = QPointer(this), about, clicks_mm = p.clicks_mm, labels = shared_.labelling.snapshot(),
                      index, look = p.look] {
     QStringList doubts;
     for (const std::string& doubt : findingsAbout(about, clicks_mm, *labels)) doubts << QString::fromStdString(doubt);
@@ -252,7 +284,7 @@ void GuideSession::accept() {
   if (const State now = state(current_); now != State::Done && now != State::Doubtful) return;
   progress_[std::size_t(current_)].accepted = true;
   if (!step().vessel.empty() && isMade(current_))
-    nameVesselAt(session_, clicks_mm(), QString::fromStdString(step().vessel));
+    nameVesselAt(shared_, clicks_mm(), QString::fromStdString(step().vessel));
   goToNext();
 }
 
@@ -272,11 +304,11 @@ void GuideSession::setCorrecting(bool on) {
   if (on == correcting_) return;
   correcting_ = on;
   if (on) {
-    LabelRules rules = session_.labelling().rules();
+    LabelRules rules = shared_.labelling.rules();
     rules.locked.reset(step().label);
     rules.over = LabelRules::Over::Filling;
-    session_.labelling().setRules(rules);
-    session_.select(step().label);
+    shared_.labelling.setRules(rules);
+    shared_.structures.select(step().label);
   }
   Q_EMIT changed();
   Q_EMIT clicksChanged();
@@ -284,11 +316,11 @@ void GuideSession::setCorrecting(bool on) {
 
 Result<void> GuideSession::saveRecipe(const std::filesystem::path& folder) const {
   // Asked for now: a stroke has all its points at its end only.
-  const Recipe made = session_.labelling().recipe();
+  const Recipe made = shared_.labelling.recipe();
   if (made.steps.empty()) return {};
   Recipe all = before_;
   all.description = "What made the labels of this case out of those that its import gave, in this order.";
-  all.labels = session_.terms().own;
+  all.labels = shared_.terms.value().own;
   all.steps.insert(all.steps.end(), made.steps.begin(), made.steps.end());
   return writeAtomically(folder / kRecipeFile, textOf(all));
 }

@@ -12,7 +12,7 @@
 
 namespace insonate::prepare {
 
-class PrepareSession;
+struct PrepareModel;
 
 /// The guide of an author: its steps, the state of each, and the clicks for it. Runs tools through the labels'
 /// session, so that everything is recorded and can be undone. Knows no widget.
@@ -22,7 +22,7 @@ class GuideSession : public QObject {
  public:
   enum class State { ToDo, Working, Done, Doubtful, Skipped };
 
-  GuideSession(PrepareSession& session, QObject* parent);
+  GuideSession(PrepareModel& shared, QObject* parent);
 
   const std::vector<GuideStep>& steps() const { return guide_.steps; }
   int current() const { return current_; }
@@ -101,7 +101,7 @@ class GuideSession : public QObject {
   void goToNext();
   void findWarnings(int index);
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   Guide guide_;
   GuideReplay& replay_;
   std::vector<StepProgress> progress_;

@@ -1,6 +1,11 @@
 #include "UltrasoundPane.h"
 
-#include "../PrepareSession.h"
+#include "../model/OpenCase.h"
+#include "../model/PrepareModel.h"
+#include "../places/PlacesEditor.h"
+#include "../structures/Structures.h"
+#include "../viewing/Crosshair.h"
+#include "LivePatient.h"
 
 #include <insonate/ui/AreaWords.h>
 #include <insonate/ui/Theme.h>
@@ -20,9 +25,9 @@ constexpr int kLeastHeight_px = 150;
 
 }  // namespace
 
-UltrasoundPane::UltrasoundPane(PrepareSession& session, QWidget* parent)
+UltrasoundPane::UltrasoundPane(PrepareModel& shared, QWidget* parent)
     : QWidget(parent),
-      session_(session),
+      shared_(shared),
       view_(std::make_shared<views::UltrasoundView>()),
       widget_(new ui::ViewWidget(view_, tr("Ultrasound of this label map"), this)),
       press_(new ui::ValueSlider(tr("indentation"), tr("mm"), {0, 15, 0, 0.5, 1},
@@ -62,24 +67,24 @@ UltrasoundPane::UltrasoundPane(PrepareSession& session, QWidget* parent)
   press_->setObjectName(QStringLiteral("press"));
   pressed_->setObjectName(QStringLiteral("pressed"));
   ui::setRole(pressed_, "quiet");
-  connect(press_, &ui::ValueSlider::valueChanged, this, [this](double mm) { session_.live().setPress(mm); });
-  connect(start_, &QPushButton::clicked, this, [this] { session_.goToStart(); });
-  connect(keep_, &QPushButton::clicked, this, [this] { session_.keepStart(); });
-  connect(&session_, &PrepareSession::placesChanged, this, [this] { showState(); });
-  connect(&session_, &PrepareSession::caseChanged, this, [this] {
+  connect(press_, &ui::ValueSlider::valueChanged, this, [this](double mm) { shared_.live.setPress(mm); });
+  connect(start_, &QPushButton::clicked, this, [this] { shared_.crosshair.goToStart(); });
+  connect(keep_, &QPushButton::clicked, this, [this] { shared_.places.keepStart(); });
+  connect(&shared_.places, &PlacesEditor::changed, this, [this] { showState(); });
+  connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] {
     shape_ = nullptr;
     press_->reset();
     pressed_->clear();
     view_->setImage({});
     showState();
   });
-  connect(&session_.live(), &LivePatient::pictureShown, this, [this] { showPicture(); });
-  connect(&session_.live(), &LivePatient::stateChanged, this, [this] { showState(); });
+  connect(&shared_.live, &LivePatient::pictureShown, this, [this] { showPicture(); });
+  connect(&shared_.live, &LivePatient::stateChanged, this, [this] { showState(); });
   showState();
 }
 
 void UltrasoundPane::showPicture() {
-  const LiveFrame& frame = *session_.live().shown();
+  const LiveFrame& frame = *shared_.live.shown();
   view_->setImage(frame.image);
   showPress();
   if (frame.setup == shape_) return;
@@ -91,22 +96,22 @@ void UltrasoundPane::showPicture() {
 }
 
 void UltrasoundPane::showPress() {
-  const LivePress& press = session_.live().shown()->press;
+  const LivePress& press = shared_.live.shown()->press;
   QStringList words;
-  if (session_.live().press_mm() > 0) words << tr("%1 N").arg(press.force_N, 0, 'f', 1);
+  if (shared_.live.press_mm() > 0) words << tr("%1 N").arg(press.force_N, 0, 'f', 1);
   for (const LumenArea& lumen : press.lumens)
-    if (lumen.rest_mm2 > 0 && session_.live().press_mm() > 0)
+    if (lumen.rest_mm2 > 0 && shared_.live.press_mm() > 0)
       words << tr("%1 %2").arg(structureName(lumen.label), ui::areaOf(lumen, ui::AreaForm::Short));
   pressed_->setText(words.isEmpty() ? tr("Compress to see whether the vein gives way.")
                                     : words.join(QStringLiteral("   ")));
 }
 
 void UltrasoundPane::showState() {
-  const QString state = session_.live().state();
+  const QString state = shared_.live.state();
   state_->setText(state);
   // One line is always kept, so that the image does not jump.
-  keep_->setVisible(session_.lacksStart());
-  start_->setEnabled(session_.live().start().has_value());
+  keep_->setVisible(shared_.places.lacksStart());
+  start_->setEnabled(shared_.live.start().has_value());
 }
 
 }  // namespace insonate::prepare

@@ -15,12 +15,12 @@ class ViewWidget;
 
 namespace insonate::prepare {
 
-class PrepareSession;
+struct PrepareModel;
 
 /// The small ultrasound image that the labels give, always in sight.
 class UltrasoundPane : public QWidget {
  public:
-  explicit UltrasoundPane(PrepareSession& session, QWidget* parent = nullptr);
+  explicit UltrasoundPane(PrepareModel& shared, QWidget* parent = nullptr);
 
   ui::ViewWidget& widget() { return *widget_; }
 
@@ -29,7 +29,7 @@ class UltrasoundPane : public QWidget {
   void showState();
   void showPress();
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   std::shared_ptr<views::UltrasoundView> view_;
   std::shared_ptr<const void> shape_;  ///< setup of the image as laid out
   ui::ViewWidget* widget_;

@@ -1,9 +1,13 @@
 #include "LabellingMeasure.h"
 
-#include "../PrepareSession.h"
+#include "../labels/LabelSession.h"
 #include "../live/LivePatient.h"
-#include "../tool/ToolSession.h"
-#include "../views/CaseViews.h"
+#include "../model/OpenCase.h"
+#include "../model/PrepareModel.h"
+#include "../structures/StructureList.h"
+#include "../tools/ToolSession.h"
+#include "../viewing/CaseViews.h"
+#include "../viewing/Crosshair.h"
 
 #include <insonate/core/ProcessorTime.h>
 #include <insonate/tissue/Labels.h>
@@ -39,13 +43,13 @@ Vec3 placeIn(const PatientCase& patient) {
 
 }  // namespace
 
-LabellingMeasure::LabellingMeasure(PrepareSession& session, ToolSession& tools, CaseViews& views, int repeats,
+LabellingMeasure::LabellingMeasure(PrepareModel& shared, ToolSession& tools, CaseViews& views, int repeats,
                                    std::function<void(std::vector<LabellingTime>)> done)
-    : session_(session), tools_(tools), views_(views), done_(std::move(done)) {
+    : shared_(shared), tools_(tools), views_(views), done_(std::move(done)) {
   addViewTasks(repeats);
   addToolTasks(repeats);
-  connect(&session_.labelling().preview(), &LabelPreview::changed, this, [this] {
-    if (!acting_ || !session_.labelling().preview().proposal()) return;
+  connect(&shared_.labelling.preview(), &LabelPreview::changed, this, [this] {
+    if (!acting_ || !shared_.labelling.preview().proposal()) return;
     remember();
     slicesKnow_ = true;
   });
@@ -62,32 +66,32 @@ LabellingMeasure::LabellingMeasure(PrepareSession& session, ToolSession& tools, 
 }
 
 void LabellingMeasure::addViewTasks(int repeats) {
-  const Vec3 middle_mm = placeIn(*session_.patient());
-  const Vec3 step_mm = session_.patient()->ct.geometry.spacing_mm;
+  const Vec3 middle_mm = placeIn(*shared_.openCase.patient());
+  const Vec3 step_mm = shared_.openCase.patient()->ct.geometry.spacing_mm;
   const auto painted = [this] { return slicesPainted(); };
   const auto along = [=](int n) { return middle_mm + Vec3{n * step_mm.x, n * step_mm.y, n * step_mm.z}; };
   tasks_.push_back({repeats,
                     {},
                     [this, along](int n) {
                       slicesKnow_ = true;
-                      session_.setCrosshair(along(n + 1));
+                      shared_.crosshair.moveTo(along(n + 1));
                     },
                     {{QStringLiteral("slice_change"), painted},
-                     {QStringLiteral("ultrasound_follows"), [this] { return session_.live().isSettled(); }}}});
+                     {QStringLiteral("ultrasound_follows"), [this] { return shared_.live.isSettled(); }}}});
   // Without a rest: each as soon as the one before has been painted.
   tasks_.push_back({kDragged * repeats,
                     {},
                     [this, along](int n) {
                       slicesKnow_ = true;
-                      session_.setCrosshair(along(-(n + 1)));
+                      shared_.crosshair.moveTo(along(-(n + 1)));
                     },
                     {{QStringLiteral("slice_drag"), painted}},
                     {},
                     0});
   tasks_.push_back({repeats,
                     [this, middle_mm] {
-                      session_.setCrosshair(middle_mm);
-                      session_.addStructure(kArtery);
+                      shared_.crosshair.moveTo(middle_mm);
+                      shared_.structures.add(kArtery);
                       tools_.choose(QStringLiteral("paint"));
                     },
                     [this, along](int n) {
@@ -108,7 +112,7 @@ void LabellingMeasure::addViewTasks(int repeats) {
 }
 
 void LabellingMeasure::addToolTasks(int repeats) {
-  const Vec3 middle_mm = placeIn(*session_.patient());
+  const Vec3 middle_mm = placeIn(*shared_.openCase.patient());
   LabelStep grow;
   grow.tool = step::Connected{{middle_mm}, kBlood};
   grow.label = kVein;
@@ -125,12 +129,12 @@ void LabellingMeasure::addToolTasks(int repeats) {
 
 LabellingMeasure::Task LabellingMeasure::tool(const QString& name, const LabelStep& step, int repeats) {
   const auto run = [this, step, name](int) {
-    session_.labelling().run(step, name, [this](const Result<LabelChange>&) {
+    shared_.labelling.run(step, name, [this](const Result<LabelChange>&) {
       remember();
       slicesKnow_ = true;
     });
   };
-  const auto undo = [this] { session_.undoStack().undo(); };
+  const auto undo = [this] { shared_.openCase.undoStack().undo(); };
   return {repeats, [this] { tools_.choose({}); }, run, {{name, [this] { return slicesPainted(); }}}, undo};
 }
 
@@ -162,7 +166,7 @@ void LabellingMeasure::look() {
   }
   Task& task = tasks_[task_];
   if (!acting_) {
-    const LabelSession& labelling = session_.labelling();
+    const LabelSession& labelling = shared_.labelling;
     if (ms(clock_) >= task.rest_ms && !labelling.isBusy() && !labelling.preview().isComputing()) begin();
     return;
   }

@@ -13,14 +13,14 @@
 namespace insonate::prepare {
 
 class CaseViews;
-class PrepareSession;
+struct PrepareModel;
 class ToolSession;
 
 /// Does what an author does, again and again, and times it from the hand to the painted views.
 class LabellingMeasure : public QObject {
  public:
   /// `done` is called once, on the window's thread.
-  LabellingMeasure(PrepareSession& session, ToolSession& tools, CaseViews& views, int repeats,
+  LabellingMeasure(PrepareModel& shared, ToolSession& tools, CaseViews& views, int repeats,
                    std::function<void(std::vector<LabellingTime>)> done);
 
  private:
@@ -53,7 +53,7 @@ class LabellingMeasure : public QObject {
   bool slicesPainted() const;
   bool scenePainted() const;
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   ToolSession& tools_;
   CaseViews& views_;
   std::function<void(std::vector<LabellingTime>)> done_;

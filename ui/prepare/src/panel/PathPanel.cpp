@@ -1,11 +1,14 @@
 #include "PathPanel.h"
 
-#include "../PrepareSession.h"
+#include "../check/CaseMeasuring.h"
 #include "../check/FindingsList.h"
 #include "../guide/GuidePage.h"
 #include "../guide/GuideSession.h"
-#include "../table/StructureTable.h"
-#include "PublishStep.h"
+#include "../model/OpenCase.h"
+#include "../model/PrepareModel.h"
+#include "../publish/PublishStep.h"
+#include "../structures/StructureList.h"
+#include "../structures/StructureTable.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/Theme.h>
@@ -23,13 +26,13 @@
 
 namespace insonate::prepare {
 
-PathPanel::PathPanel(PrepareSession& session, GuideSession& guide, ui::TaskBar& tasks, QWidget* parent)
+PathPanel::PathPanel(PrepareModel& shared, GuideSession& guide, ui::TaskBar& tasks, QWidget* parent)
     : QWidget(parent),
-      session_(session),
+      shared_(shared),
       guide_(guide),
       caseRow_(new QHBoxLayout),
       editRow_(new QHBoxLayout),
-      table_(new StructureTable(session)),
+      table_(new StructureTable(shared)),
       tabs_(new QTabBar),
       labelling_(new QStackedWidget),
       check_(new QPushButton(tr("Findings"))) {
@@ -53,16 +56,16 @@ PathPanel::PathPanel(PrepareSession& session, GuideSession& guide, ui::TaskBar& 
   box->addWidget(check_);
   box->addSpacing(ui::kSmallGap);
   box->addWidget(step(tr("4  Publish"), publishMark_));
-  box->addWidget(new PublishStep(session, tasks, *publishMark_));
+  box->addWidget(new PublishStep(shared, tasks, *publishMark_));
   box->addSpacing(ui::kGap);
   box->addLayout(editRow_);
   connect(check_, &QPushButton::clicked, this, &PathPanel::checkChosen);
-  connect(&session_, &PrepareSession::originChanged, this, [this] { refresh(); });
-  connect(&session_, &PrepareSession::caseChanged, this, [this] {
+  connect(&shared_.openCase, &OpenCase::originChanged, this, [this] { refresh(); });
+  connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] {
     chosen_ = false;
     refresh();
   });
-  connect(&session_.measuring(), &CaseMeasuring::changed, this, [this] { refresh(); });
+  connect(&shared_.measuring, &CaseMeasuring::changed, this, [this] { refresh(); });
   refresh();
 }
 
@@ -84,7 +87,7 @@ QWidget* PathPanel::buildLabelling() {
 /// A neck without a vein is to be labeled first, and who has begun with the guide goes on with it.
 void PathPanel::chooseLabelling() {
   if (std::exchange(chosen_, true)) return;
-  const bool vein = std::ranges::find(session_.structures(), kVein) != session_.structures().end();
+  const bool vein = std::ranges::find(shared_.structures.labels(), kVein) != shared_.structures.labels().end();
   showGuide(!vein || guide_.goesOn());
 }
 
@@ -136,20 +139,20 @@ void PathPanel::setEditActions(QAction* undo, QAction* redo, QAction* save) {
 }
 
 void PathPanel::refresh() {
-  const ui::CaseOrigin& origin = session_.origin();
+  const ui::CaseOrigin& origin = shared_.openCase.origin();
   importMark_->setText(origin.builtIn                ? tr("built in")
                        : !origin.versionOf.isEmpty() ? tr("earlier version")
                        : origin.folder.isEmpty()     ? tr("not saved")
                                                      : tr("done"));
-  const auto& measures = session_.measuring().measures();
+  const auto& measures = shared_.measuring.measures();
   if (!measures) {
-    const bool stopped = session_.measuring().state() == CaseMeasuring::State::Stopped;
+    const bool stopped = shared_.measuring.state() == CaseMeasuring::State::Stopped;
     labelMark_->setText(stopped ? tr("not measured") : tr("measuring ..."));
     checkMark_->setText(stopped ? tr("not checked") : tr("checking ..."));
     return;
   }
   chooseLabelling();
-  const int count = int(session_.structures().size());
+  const int count = int(shared_.structures.labels().size());
   labelMark_->setText(count == 0 ? tr("nothing yet") : count == 1 ? tr("1 structure") : tr("%1 structures").arg(count));
   checkMark_->setText(findingCount(measures->findings));
 }

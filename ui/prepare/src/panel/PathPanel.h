@@ -17,7 +17,7 @@ class TaskBar;
 namespace insonate::prepare {
 
 class GuideSession;
-class PrepareSession;
+struct PrepareModel;
 class StructureTable;
 
 /// The way of a case: import, label, check, publish; with the guide or the table of structures, and what keeps the
@@ -26,7 +26,7 @@ class PathPanel : public QWidget {
   Q_OBJECT
 
  public:
-  PathPanel(PrepareSession& session, GuideSession& guide, ui::TaskBar& tasks, QWidget* parent = nullptr);
+  PathPanel(PrepareModel& shared, GuideSession& guide, ui::TaskBar& tasks, QWidget* parent = nullptr);
 
   void setCaseActions(QAction* open, QAction* import, QAction* reload);
   void setEditActions(QAction* undo, QAction* redo, QAction* save);
@@ -44,7 +44,7 @@ class PathPanel : public QWidget {
   QToolButton* button(QAction* action, bool withText);
   void refresh();
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   GuideSession& guide_;
   QLabel *importMark_ = nullptr, *labelMark_ = nullptr, *checkMark_ = nullptr, *publishMark_ = nullptr;
   QHBoxLayout *caseRow_, *editRow_;

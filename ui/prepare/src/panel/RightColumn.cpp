@@ -1,16 +1,15 @@
 #include "RightColumn.h"
 
-#include "../PrepareSession.h"
+#include "../case/CaseFacts.h"
 #include "../check/DifficultyBox.h"
 #include "../check/FindingsList.h"
-#include "../check/PlacesBox.h"
 #include "../live/UltrasoundPane.h"
+#include "../places/PlacesBox.h"
 #include "../recipe/RecipeBox.h"
-#include "../tool/ToolPanel.h"
-#include "../tool/ToolSession.h"
-#include "CaseFacts.h"
+#include "../tools/ToolPanel.h"
+#include "../tools/ToolSession.h"
+#include "../viewing/SliceControls.h"
 #include "Section.h"
-#include "SliceControls.h"
 
 #include <insonate/ui/HistogramEditor.h>
 #include <insonate/ui/ScenePanel.h>
@@ -30,14 +29,14 @@ enum Page { kLook, kCheck };
 
 }  // namespace
 
-RightColumn::RightColumn(PrepareSession& session, ToolSession& tools, std::shared_ptr<views::SceneView> scene,
+RightColumn::RightColumn(PrepareModel& shared, ToolSession& tools, std::shared_ptr<views::SceneView> scene,
                          QWidget* parent)
     : QSplitter(Qt::Vertical, parent),
       tabs_(new QTabBar),
       scroll_(new QScrollArea),
       scene_(new ui::ScenePanel(std::move(scene), nullptr, ui::ScenePanel::Structures::Elsewhere)),
-      ultrasound_(new UltrasoundPane(session)) {
-  auto* toolPanel = new ToolPanel(session, tools);
+      ultrasound_(new UltrasoundPane(shared)) {
+  auto* toolPanel = new ToolPanel(shared, tools);
   tool_ = new Section(QStringLiteral("tool"), tr("Tool"), toolPanel);
   connect(&scene_->histogram(), &ui::HistogramEditor::counted, toolPanel,
           [this, toolPanel] { toolPanel->setHistogram(scene_->histogram().histogram()); });
@@ -50,12 +49,12 @@ RightColumn::RightColumn(PrepareSession& session, ToolSession& tools, std::share
   tabs_->setDrawBase(false);
   tabs_->setTabToolTip(tabs_->addTab(tr("Case")), tr("Facts, slices and 3D (C)"));
   tabs_->setTabToolTip(tabs_->addTab(tr("Check")), tr("Errors, warnings, difficulty and places (C)"));
-  look_ = buildPage({new Section(QStringLiteral("case"), tr("Case"), new CaseFacts(session)),
-                     new Section(QStringLiteral("slices"), tr("Slices"), new SliceControls(session)),
-                     new Section(QStringLiteral("recipe"), tr("Steps"), new RecipeBox(session)),
+  look_ = buildPage({new Section(QStringLiteral("case"), tr("Case"), new CaseFacts(shared)),
+                     new Section(QStringLiteral("slices"), tr("Slices"), new SliceControls(shared)),
+                     new Section(QStringLiteral("recipe"), tr("Steps"), new RecipeBox(shared)),
                      new Section(QStringLiteral("scene"), tr("3D"), scene_)});
   all_.back()->setOpen(false);
-  checkPage_ = buildPage(buildCheck(session));
+  checkPage_ = buildPage(buildCheck(shared));
   auto* inner = new QWidget;
   auto* box = new QVBoxLayout(inner);
   box->setContentsMargins(12, ui::kGap, 12, ui::kGap);
@@ -88,9 +87,9 @@ RightColumn::RightColumn(PrepareSession& session, ToolSession& tools, std::share
   showPage();
 }
 
-std::vector<Section*> RightColumn::buildCheck(PrepareSession& session) {
-  auto* findings = new FindingsList(session);
-  auto* places = new PlacesBox(session);
+std::vector<Section*> RightColumn::buildCheck(PrepareModel& shared) {
+  auto* findings = new FindingsList(shared);
+  auto* places = new PlacesBox(shared);
   check_ = new Section(QStringLiteral("check"), tr("Findings"), findings);
   auto* placesSection = new Section(QStringLiteral("places"), tr("Targets and landmarks"), places);
   connect(findings, &FindingsList::labelWanted, this, &RightColumn::labelWanted);
@@ -102,7 +101,7 @@ std::vector<Section*> RightColumn::buildCheck(PrepareSession& session) {
     QMetaObject::invokeMethod(
         this, [this, places] { scroll_->ensureWidgetVisible(places); }, Qt::QueuedConnection);
   });
-  return {check_, new Section(QStringLiteral("difficulty"), tr("Difficulty"), new DifficultyBox(session)),
+  return {check_, new Section(QStringLiteral("difficulty"), tr("Difficulty"), new DifficultyBox(shared)),
           placesSection};
 }
 

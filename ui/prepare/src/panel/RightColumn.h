@@ -17,7 +17,7 @@ class SceneView;
 
 namespace insonate::prepare {
 
-class PrepareSession;
+struct PrepareModel;
 class Section;
 class ToolSession;
 class UltrasoundPane;
@@ -28,7 +28,7 @@ class RightColumn : public QSplitter {
   Q_OBJECT
 
  public:
-  RightColumn(PrepareSession& session, ToolSession& tools, std::shared_ptr<views::SceneView> scene,
+  RightColumn(PrepareModel& shared, ToolSession& tools, std::shared_ptr<views::SceneView> scene,
               QWidget* parent = nullptr);
 
   ui::ScenePanel& scene() { return *scene_; }
@@ -50,7 +50,7 @@ class RightColumn : public QSplitter {
 
  private:
   QWidget* buildPage(const std::vector<Section*>& sections);
-  std::vector<Section*> buildCheck(PrepareSession& session);
+  std::vector<Section*> buildCheck(PrepareModel& shared);
   void showPage();
 
   QTabBar* tabs_;

@@ -1,6 +1,10 @@
 #include "RecipeBox.h"
 
-#include "../PrepareSession.h"
+#include "../labels/LabelSession.h"
+#include "../model/Notice.h"
+#include "../model/OpenCase.h"
+#include "../model/PrepareModel.h"
+#include "../structures/TermsEditor.h"
 
 #include <insonate/core/AtomicFile.h>
 #include <insonate/segmentation/Recipe.h>
@@ -22,10 +26,10 @@ namespace {
 
 constexpr int kRows = 5;
 
-QString wordsOf(const LabelStep& step, const PrepareSession& session) {
+QString wordsOf(const LabelStep& step, const PrepareModel& shared) {
   const std::string_view name = nameOf(step.tool);
   QString words = ui::qt(name).replace(QLatin1Char('_'), QLatin1Char(' '));
-  if (step.label != 0) words += QStringLiteral(": ") + session.nameOf(step.label);
+  if (step.label != 0) words += QStringLiteral(": ") + shared.terms.nameOf(step.label);
   return words;
 }
 
@@ -45,10 +49,10 @@ void ask(QWidget* parent, const char* name, const QString& title, QFileDialog::A
 
 }  // namespace
 
-RecipeBox::RecipeBox(PrepareSession& session, QWidget* parent)
+RecipeBox::RecipeBox(PrepareModel& shared, QWidget* parent)
     : QWidget(parent),
-      session_(session),
-      replay_(session.labelling(), session.undoStack(), this),
+      shared_(shared),
+      replay_(shared.labelling, shared.openCase.undoStack(), this),
       none_(ui::paragraph(
           "recipeNone", "quiet",
           tr("Each step of a tool is listed here; saved as a recipe, it can be replayed on another case."))),
@@ -71,7 +75,7 @@ RecipeBox::RecipeBox(PrepareSession& session, QWidget* parent)
   box->addLayout(row);
   connect(save_, &QPushButton::clicked, this, [this] { askSave(); });
   connect(load_, &QPushButton::clicked, this, [this] { askReplay(); });
-  const LabelSession& labels = session_.labelling();
+  const LabelSession& labels = shared_.labelling;
   connect(&labels, &LabelSession::changed, this, [this] { refresh(); });
   connect(&labels, &LabelSession::busyChanged, this, [this] { refresh(); });
   connect(&labels, &LabelSession::caseSet, this, [this] {
@@ -82,14 +86,14 @@ RecipeBox::RecipeBox(PrepareSession& session, QWidget* parent)
 }
 
 void RecipeBox::refresh() {
-  const Recipe made = session_.labelling().recipe();
+  const Recipe made = shared_.labelling.recipe();
   steps_->clear();
   for (const LabelStep& step : made.steps)
-    steps_->addItem(QStringLiteral("%1  %2").arg(steps_->count() + 1).arg(wordsOf(step, session_)));
+    steps_->addItem(QStringLiteral("%1  %2").arg(steps_->count() + 1).arg(wordsOf(step, shared_)));
   steps_->scrollToBottom();
   none_->setVisible(made.steps.empty());
   steps_->setVisible(!made.steps.empty());
-  const bool free = session_.patient() && !session_.labelling().isBusy() && !replay_.isRunning();
+  const bool free = shared_.openCase.patient() && !shared_.labelling.isBusy() && !replay_.isRunning();
   save_->setEnabled(free && !made.steps.empty());
   load_->setEnabled(free);
 }
@@ -105,24 +109,24 @@ void RecipeBox::askReplay() {
 }
 
 void RecipeBox::save(const QString& file) {
-  Recipe made = session_.labelling().recipe();
+  Recipe made = shared_.labelling.recipe();
   made.description = "Steps of labeling, in this order.";
-  made.labels = session_.terms().own;
+  made.labels = shared_.terms.value().own;
   const auto ok = writeAtomically(file.toStdString(), textOf(made));
-  session_.say(ok ? tr("The steps are saved; the same file can be replayed on another case.")
-                  : QString::fromStdString(ok.error().message));
+  shared_.notice.say(ok ? tr("The steps are saved; the same file can be replayed on another case.")
+                        : QString::fromStdString(ok.error().message));
 }
 
 void RecipeBox::replay(const QString& file) {
   const auto recipe = loadRecipe(file.toStdString());
-  if (!recipe) return session_.say(QString::fromStdString(recipe.error().message));
-  const std::size_t here = session_.labelling().recipe().steps.size();
+  if (!recipe) return shared_.notice.say(QString::fromStdString(recipe.error().message));
+  const std::size_t here = shared_.labelling.recipe().steps.size();
   replay_.run(recipe->steps, here, here, tr("Replaying a recipe"), [this, names = recipe->labels](bool well) {
-    LabelTerms terms = session_.terms();
+    LabelTerms terms = shared_.terms.value();
     terms.own.insert(names.begin(), names.end());
-    if (well && terms != session_.terms()) session_.setTerms(std::move(terms), tr("names of the recipe's labels"));
-    session_.say(well ? tr("The recipe is replayed; Ctrl+Z undoes its steps.")
-                      : tr("The recipe was not replayed; the labels are as they were."));
+    if (well && terms != shared_.terms.value()) shared_.terms.set(std::move(terms), tr("names of the recipe's labels"));
+    shared_.notice.say(well ? tr("The recipe is replayed; Ctrl+Z undoes its steps.")
+                            : tr("The recipe was not replayed; the labels are as they were."));
     refresh();
   });
   refresh();

@@ -10,13 +10,13 @@ class QPushButton;
 
 namespace insonate::prepare {
 
-class PrepareSession;
+struct PrepareModel;
 
 /// The steps of labelling since the case was opened, saved as a recipe, and a recipe replayed: step by step, as long
 /// jobs that can be cancelled, all of it or nothing.
 class RecipeBox : public QWidget {
  public:
-  explicit RecipeBox(PrepareSession& session, QWidget* parent = nullptr);
+  explicit RecipeBox(PrepareModel& shared, QWidget* parent = nullptr);
 
  private:
   void refresh();
@@ -25,7 +25,7 @@ class RecipeBox : public QWidget {
   void save(const QString& file);
   void replay(const QString& file);
 
-  PrepareSession& session_;
+  PrepareModel& shared_;
   GuideReplay replay_;
   QLabel* none_;
   QListWidget* steps_;

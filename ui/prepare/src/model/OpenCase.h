@@ -1,0 +1,56 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/segmentation/LabelEdit.h>
+#include <insonate/ui/Workspace.h>
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <memory>
+
+namespace insonate::prepare {
+
+/// The open case: its voxels as they were opened or saved, its folder and title, and the stack of all its edits.
+class OpenCase : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit OpenCase(QObject* parent);
+
+  /// Sets the case and discards edits; null for none.
+  void setCase(std::shared_ptr<const PatientCase> patient);
+  /// Replaces the case by the same one with its changes saved.
+  void replaceCase(std::shared_ptr<const PatientCase> patient);
+  const std::shared_ptr<const PatientCase>& patient() const { return patient_; }
+  void setOrigin(const ui::CaseOrigin& origin);
+  const ui::CaseOrigin& origin() const { return origin_; }
+
+  const QString& title() const { return title_; }
+  void setTitle(const QString& title);
+  /// Adds to `all` an edit that sets another title, if it differs.
+  void restoreTitle(const QString& title, QUndoCommand& all);
+
+  QUndoStack& undoStack() { return undo_; }
+  /// Maximum number of undoable edits: the steps that LabelEdit stores.
+  static constexpr int kMostUndo = int(LabelEdit::kMostSteps);
+
+ Q_SIGNALS:
+  void closing();      ///< another case follows; patient() is the former one
+  void opened();       ///< the parts of the model take over the case
+  void caseChanged();  ///< panels show the case
+  void shown();        ///< work beside the window begins
+  void saved();        ///< replaceCase() has replaced patient()
+  void originChanged();
+  void titleChanged();
+
+ private:
+  QUndoCommand* titleEdit(const QString& title, QUndoCommand* parent);
+
+  std::shared_ptr<const PatientCase> patient_;
+  ui::CaseOrigin origin_;
+  QString title_;
+  QUndoStack undo_;
+};
+
+}  // namespace insonate::prepare

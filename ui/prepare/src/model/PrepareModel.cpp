@@ -1,0 +1,54 @@
+#include "PrepareModel.h"
+
+#include "../check/CaseMeasuring.h"
+#include "../check/MeasuringUpdates.h"
+#include "../labels/LabelFollowers.h"
+#include "../labels/LabelSession.h"
+#include "../live/LivePatient.h"
+#include "../live/LiveUpdates.h"
+#include "../places/PlacesEditor.h"
+#include "../publish/CaseChanges.h"
+#include "../structures/StructureAppearance.h"
+#include "../structures/StructureList.h"
+#include "../structures/TermsEditor.h"
+#include "../viewing/Crosshair.h"
+#include "../viewing/SliceSettings.h"
+#include "../viewing/StatusLine.h"
+#include "Notice.h"
+#include "OpenCase.h"
+
+namespace insonate::prepare {
+
+/// A part hears of another case before the parts that are made after it, and all parts before the panels.
+PrepareModel makePrepareModel(ui::TaskBar& tasks, QObject& parent) {
+  auto& openCase = *new OpenCase(&parent);
+  auto& notice = *new Notice(&parent);
+  auto& measuring = *new CaseMeasuring(tasks, &parent);
+  auto& live = *new LivePatient(&parent);
+  auto& labelling = *new LabelSession(tasks, openCase.undoStack(), &parent);
+  auto& terms = *new TermsEditor(openCase, measuring, notice, &parent);
+  auto& structures = *new StructureList(openCase, measuring, labelling, terms, notice, &parent);
+  auto& appearance = *new StructureAppearance(openCase, structures, terms, labelling, &parent);
+  auto& places = *new PlacesEditor(openCase, live, notice, &parent);
+  auto& crosshair = *new Crosshair(openCase, live, notice, &parent);
+  auto& slices = *new SliceSettings(&parent);
+  auto& statusLine = *new StatusLine({openCase, notice, crosshair, terms, labelling, live}, &parent);
+  auto& updates = *new LiveUpdates(openCase, appearance, terms, labelling, live, &parent);
+  auto& followers = *new LabelFollowers(
+      labelling, live, measuring, [&updates](const LabelSet& labels) { return updates.changedSurfaces(labels); },
+      &parent);
+  labelling.setNames([&terms](std::uint8_t label) { return terms.nameOf(label); });
+  QObject::connect(&labelling, &LabelSession::failed, &notice, &Notice::say);
+  QObject::connect(&openCase, &OpenCase::opened, &labelling, [&openCase, &labelling, &appearance] {
+    labelling.setCase(openCase.patient());
+    appearance.protectHidden();
+  });
+  QObject::connect(&openCase, &OpenCase::saved, &labelling,
+                   [&openCase, &labelling] { labelling.replaceCase(openCase.patient()); });
+  new MeasuringUpdates(openCase, places, terms, measuring, &parent);
+  auto& changes = *new CaseChanges({openCase, structures, appearance, terms, places, labelling}, &parent);
+  return {openCase,   notice,     measuring, live,      labelling, followers,  terms,
+          structures, appearance, places,    crosshair, slices,    statusLine, changes};
+}
+
+}  // namespace insonate::prepare

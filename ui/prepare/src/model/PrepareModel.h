@@ -1,0 +1,47 @@
+#pragma once
+
+class QObject;
+
+namespace insonate::ui {
+class TaskBar;
+}
+
+namespace insonate::prepare {
+
+class CaseChanges;
+class CaseMeasuring;
+class Crosshair;
+class LabelFollowers;
+class LabelSession;
+class LivePatient;
+class Notice;
+class OpenCase;
+class PlacesEditor;
+class SliceSettings;
+class StatusLine;
+class StructureAppearance;
+class StructureList;
+class TermsEditor;
+
+/// The parts of the model that the workspace's features share. Panels include the headers of the parts that they use.
+struct PrepareModel {
+  OpenCase& openCase;
+  Notice& notice;
+  CaseMeasuring& measuring;
+  LivePatient& live;
+  LabelSession& labelling;
+  LabelFollowers& followers;
+  TermsEditor& terms;
+  StructureList& structures;
+  StructureAppearance& appearance;
+  PlacesEditor& places;
+  Crosshair& crosshair;
+  SliceSettings& slices;
+  StatusLine& statusLine;
+  CaseChanges& changes;
+};
+
+/// Makes the parts as children of `parent`. Long work shows in `tasks`, which lives longer.
+PrepareModel makePrepareModel(ui::TaskBar& tasks, QObject& parent);
+
+}  // namespace insonate::prepare

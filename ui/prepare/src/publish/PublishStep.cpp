@@ -1,0 +1,83 @@
+#include "PublishStep.h"
+
+#include "../check/CaseMeasuring.h"
+#include "../model/Notice.h"
+#include "../model/OpenCase.h"
+#include "../model/PrepareModel.h"
+#include "CaseChanges.h"
+
+#include <insonate/cases/CaseVersions.h>
+#include <insonate/ui/TaskBar.h>
+
+#include <QLabel>
+#include <QPointer>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <utility>
+
+namespace insonate::prepare {
+
+PublishStep::PublishStep(PrepareModel& shared, ui::TaskBar& tasks, QLabel& mark, QWidget* parent)
+    : QWidget(parent), shared_(shared), tasks_(tasks), mark_(mark), publish_(new QPushButton(tr("Publish"))) {
+  publish_->setObjectName(QStringLiteral("publish"));
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->addWidget(publish_);
+  connect(publish_, &QPushButton::clicked, this, [this] { publish(); });
+  for (const auto news : {&OpenCase::originChanged, &OpenCase::caseChanged})
+    connect(&shared_.openCase, news, this, [this] { readVersions(); });
+  // The folder is read where something was saved, not with each edit.
+  connect(&shared_.changes, &CaseChanges::changed, this, [this] {
+    const bool saved = std::exchange(wasUnsaved_, shared_.changes.isUnsaved()) && !wasUnsaved_;
+    saved ? readVersions() : refresh();
+  });
+  connect(&shared_.measuring, &CaseMeasuring::changed, this, [this] { refresh(); });
+  readVersions();
+}
+
+/// Why the case cannot be published now, with what to do; empty where it can.
+QString PublishStep::obstacle() const {
+  if (!shared_.openCase.patient()) return tr("There is no case.");
+  const ui::CaseOrigin& origin = shared_.openCase.origin();
+  if (origin.builtIn) return tr("This neck comes with Insonate: trainees have it already.");
+  if (!origin.versionOf.isEmpty()) return tr("This is an earlier version: open its case to publish another one.");
+  if (origin.folder.isEmpty() || shared_.changes.isUnsaved()) return tr("Save the case first (Ctrl+S).");
+  const auto& measures = shared_.measuring.measures();
+  if (!measures || shared_.measuring.state() != CaseMeasuring::State::Done) return tr("The case is not checked yet.");
+  if (!isFit(measures->findings)) return tr("The case is not fit for training: see the check (C).");
+  return {};
+}
+
+void PublishStep::refresh() {
+  const QString why = obstacle();
+  publish_->setEnabled(why.isEmpty());
+  publish_->setToolTip(why.isEmpty() ? tr("Trainees get the case as it is now, until you publish again") : why);
+  if (published_ == 0) return mark_.setText(shared_.openCase.origin().builtIn ? tr("built in") : tr("not yet"));
+  const bool latest = isLatest_ && !shared_.changes.isUnsaved();
+  mark_.setText(latest ? tr("version %1").arg(published_) : tr("version %1, not the latest").arg(published_));
+}
+
+void PublishStep::readVersions() {
+  const std::string folder = shared_.openCase.origin().folder.toStdString();
+  published_ = folder.empty() ? 0 : publishedVersion(folder);
+  const auto all = published_ == 0 ? std::vector<CaseVersion>() : versionsOf(folder);
+  isLatest_ = !all.empty() && all.front().number == published_;
+  refresh();
+}
+
+void PublishStep::publish() {
+  using Published = CaseVersion;
+  tasks_.run<Published>(
+      tr("Publishing"),
+      [folder = shared_.openCase.origin().folder.toStdString(), patient = shared_.openCase.patient()](
+          const Progress& progress) { return publishCase(*patient, folder, today(), progress); },
+      [self = QPointer(this)](Result<Published> version) {
+        if (!self) return;
+        self->shared_.notice.say(version ? tr("Trainees get version %1 from now on.").arg(version->number)
+                                         : QString::fromStdString(version.error().message));
+        self->readVersions();
+      },
+      ui::TaskBar::WhenClosed::Ask);
+}
+
+}  // namespace insonate::prepare

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+
+namespace insonate::prepare {
+
+struct PrepareModel;
+
+/// Details of the selected structure: state, tissue, term and voxels, in words.
+class LabelDetails : public QWidget {
+ public:
+  explicit LabelDetails(PrepareModel& shared, QWidget* parent = nullptr);
+
+ private:
+  void refresh();
+
+  PrepareModel& shared_;
+  QComboBox *state_, *tissue_;
+  QLabel* term_;
+};
+
+}  // namespace insonate::prepare

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "Structures.h"
+
+#include <insonate/views/Theme.h>
+
+#include <QObject>
+#include <QString>
+#include <cstdint>
+#include <map>
+
+class QSettings;
+class QUndoCommand;
+
+namespace insonate::prepare {
+
+class LabelSession;
+class OpenCase;
+class StructureList;
+class TermsEditor;
+
+/// Edits how structures are drawn. Visibility and opacity are also the user's habits for other cases.
+class StructureAppearance : public QObject {
+  Q_OBJECT
+
+ public:
+  StructureAppearance(OpenCase& openCase, const StructureList& structures, const TermsEditor& terms,
+                      LabelSession& labelling, QObject* parent);
+
+  const StructureLook& look(std::uint8_t label) const { return looks_[label]; }
+  const StructureLooks& looks() const { return looks_; }
+  /// Looks when the case was opened or saved.
+  const StructureLooks& savedLooks() const { return saved_; }
+  void setColour(std::uint8_t label, views::Colour colour);
+  /// Sets an opacity; of one drag, the last value counts.
+  void setOpacity(std::uint8_t label, double opacity);
+  void setShareOnSlices(std::uint8_t label, double share);
+  void setVisible(std::uint8_t label, bool visible);
+  void showOnly(std::uint8_t label);
+  void showAll();
+  /// Adds to `all` edits that set other looks, where they differ.
+  void restore(const StructureLooks& looks, QUndoCommand& all);
+
+  /// Keeps tools from labels that are not visible.
+  void protectHidden();
+  /// Writes and reads the user's habits; they apply to the next case.
+  void saveHabits(QSettings& settings) const;
+  void restoreHabits(QSettings& settings);
+
+ Q_SIGNALS:
+  void lookChanged(int label);
+
+ private:
+  /// The user's choices for a structure in other cases.
+  struct Habit {
+    double opacity = 1;
+    bool visible = true;
+    double onSlices = 1;
+  };
+
+  void takeOver();
+  QUndoCommand* edit(std::uint8_t label, const StructureLook& look, const QString& what, QUndoCommand* parent);
+  void push(std::uint8_t label, const StructureLook& look, const QString& what);
+  void apply(std::uint8_t label, const StructureLook& look);
+
+  OpenCase& openCase_;
+  const StructureList& structures_;
+  const TermsEditor& terms_;
+  LabelSession& labelling_;
+  StructureLooks looks_, saved_;
+  std::map<std::uint8_t, Habit> habits_;
+};
+
+}  // namespace insonate::prepare

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <functional>
+#include <memory>
+#include <vector>
+
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace insonate::views {
+struct HuHistogram;
+}
+
+namespace insonate::prepare {
+
+class LabelBox;
+struct PrepareModel;
+class RangeField;
+class RulesBox;
+class ToolSession;
+struct ToolChoice;
+struct ToolNumber;
+
+/// The tool in hand, and nothing of others: what to do, its parameters, preview and apply.
+class ToolPanel : public QWidget {
+ public:
+  ToolPanel(PrepareModel& shared, ToolSession& tools, QWidget* parent = nullptr);
+  ~ToolPanel() override;
+
+  /// Sets the histogram of the case's CT.
+  void setHistogram(const views::HuHistogram& histogram);
+
+ private:
+  void arrange();
+  void build();
+  void addNumber(QVBoxLayout& box, const ToolNumber& number);
+  void addChoice(QVBoxLayout& box, const ToolChoice& choice);
+  void addRange(QVBoxLayout& box);
+  void addOther(QVBoxLayout& box);
+  void refresh();
+  void showComputing();
+
+  PrepareModel& shared_;
+  ToolSession& tools_;
+  QLabel *name_, *advice_;
+  QLabel* told_;  ///< why nothing came of it, whole: the status bar shares its room with jobs
+  LabelBox* label_;
+  RulesBox* rules_;
+  RangeField* range_ = nullptr;  ///< of the tool in hand, where it has one
+  std::unique_ptr<views::HuHistogram> histogram_;
+  QPushButton *preview_, *apply_, *leave_;
+  QWidget* fields_ = nullptr;
+  QVBoxLayout* box_;
+  std::vector<std::function<void()>> shown_;  ///< bring the fields up to date
+  QTimer slow_;                               ///< a preview has been computed for so long
+  bool showing_ = false;
+};
+
+}  // namespace insonate::prepare

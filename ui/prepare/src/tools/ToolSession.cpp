@@ -1,0 +1,308 @@
+#include "ToolSession.h"
+
+#include "../labels/LabelSession.h"
+#include "../model/Notice.h"
+#include "../model/OpenCase.h"
+#include "../model/PrepareModel.h"
+#include "../structures/StructureList.h"
+#include "../structures/TermsEditor.h"
+
+#include <insonate/tissue/Labels.h>
+#include <insonate/views/SlicePlane.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace insonate::prepare {
+namespace {
+
+/// Limits of lengths: share of a voxel, and of the CT's longest side.
+constexpr double kLeastOfVoxel = 0.5, kMostOfSide = 0.2;
+/// Around the voxel that was clicked.
+constexpr int kAround_HU = 60;
+
+double ml(std::size_t voxels, Vec3 spacing_mm) {
+  return double(voxels) * spacing_mm.x * spacing_mm.y * spacing_mm.z / 1000;
+}
+
+}  // namespace
+
+ToolSession::ToolSession(PrepareModel& shared, QObject* parent) : QObject(parent), shared_(shared) {
+  connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] { choose({}); });
+  connect(&shared_.structures, &StructureList::selectedChanged, this, [this] { changed(); });
+  connect(&shared_.labelling, &LabelSession::busyChanged, this, &ToolSession::pointsChanged);
+  connect(&shared_.labelling, &LabelSession::failed, this, &ToolSession::told);
+  // The preview must equal the result of Enter.
+  connect(&shared_.labelling, &LabelSession::rulesChanged, this, [this] { changed(); });
+}
+
+void ToolSession::choose(const QString& id) {
+  const auto& table = toolTable();
+  const auto found = std::ranges::find(table, id, &Tool::id);
+  const Tool* const next = found == table.end() ? nullptr : &*found;
+  if (next == tool_) return;
+  shared_.labelling.endStroke();
+  shared_.labelling.preview().clear();
+  if (tool_) {
+    last_ = tool_->id;
+    if (auto* points = pointsOf(parameters_)) points->clear();
+    kept_[tool_->id] = parameters_;
+  }
+  sceneLook_.reset();
+  tool_ = next;
+  if (tool_) {
+    shared_.labelling.getReady();
+    const auto kept = kept_.find(id);
+    parameters_ = kept == kept_.end() ? tool_->usual : kept->second;
+    for (const ToolNumber& number : tool_->numbers)
+      if (const ui::ValueRange range = rangeOf(number); number.ofVoxels || number.fromAVoxel)
+        number.set(parameters_, std::clamp(number.get(parameters_), range.least, range.most));
+  }
+  Q_EMIT toolChanged();
+  Q_EMIT pointsChanged();
+  changed();
+}
+
+void ToolSession::chooseLast() {
+  choose(last_);
+}
+
+void ToolSession::changed() {
+  if (!tool_) return;
+  Q_EMIT told({});
+  // The preview must equal the result of Enter. A click asks for a preview.
+  const bool clicked = tool_->input == ToolInput::Range || tool_->input == ToolInput::Points;
+  if (isComplete() && (clicked || isPreviewWanted()))
+    preview();
+  else
+    shared_.labelling.preview().clear();
+}
+
+bool ToolSession::isPreviewWanted() const {
+  const LabelPreview& preview = shared_.labelling.preview();
+  return preview.proposal() || preview.isComputing();
+}
+
+void ToolSession::setNumber(const ToolNumber& number, double value) {
+  number.set(parameters_, value);
+  Q_EMIT parametersChanged();
+  changed();
+}
+
+void ToolSession::setChoice(const ToolChoice& choice, int index) {
+  choice.set(parameters_, index);
+  Q_EMIT parametersChanged();
+  changed();
+}
+
+void ToolSession::setRange(HuRange range) {
+  if (!tool_ || !tool_->range) return;
+  tool_->range->set(parameters_, range);
+  Q_EMIT parametersChanged();
+  changed();
+}
+
+void ToolSession::setOther(std::uint8_t label) {
+  if (!tool_ || !tool_->other) return;
+  tool_->other->set(parameters_, label);
+  Q_EMIT parametersChanged();
+  changed();
+}
+
+ui::ValueRange ToolSession::rangeOf(const ToolNumber& number) const {
+  ui::ValueRange range = number.range;
+  if (!shared_.openCase.patient()) return range;
+  const VolumeGeometry& grid = shared_.openCase.patient()->ct.geometry;
+  const Vec3& voxel_mm = grid.spacing_mm;
+  const double finest_mm = std::min({voxel_mm.x, voxel_mm.y, voxel_mm.z});
+  if (number.fromAVoxel) {
+    range.least = std::clamp(std::ceil(10 * finest_mm) / 10, range.least, range.most);
+    range.usual = std::max(range.usual, range.least);
+  }
+  if (!number.ofVoxels) return range;
+  double longest_mm = 0;
+  for (int axis = 0; axis < 3; ++axis) longest_mm = std::max(longest_mm, grid.size[axis] * voxel_mm[axis]);
+  // Rounds to one digit, as displayed.
+  const auto tenths = [](double mm) { return std::max(0.1, std::round(10 * mm) / 10); };
+  range.least = tenths(kLeastOfVoxel * finest_mm);
+  range.most = std::max(tenths(kMostOfSide * longest_mm), range.least + 1);
+  range.usual = std::clamp(range.usual, range.least, range.most);
+  return range;
+}
+
+const std::vector<Vec3>& ToolSession::points() const {
+  static const std::vector<Vec3> kNone;
+  const auto* points = tool_ ? pointsOf(const_cast<LabelTool&>(parameters_)) : nullptr;
+  return points ? *points : kNone;
+}
+
+void ToolSession::addPoint(Vec3 patient_mm, views::SliceKind slice) {
+  auto* points = tool_ ? pointsOf(parameters_) : nullptr;
+  if (!points || !isFinite(patient_mm)) return;
+  slice_ = slice;
+  if (std::exchange(sceneLook_, std::nullopt)) points->clear();
+  // An island is one.
+  if (std::holds_alternative<step::KeepIsland>(parameters_)) points->clear();
+  points->push_back(patient_mm);
+  Q_EMIT pointsChanged();
+  changed();
+}
+
+bool ToolSession::cutsScene() const {
+  return tool_ && std::holds_alternative<step::Scissors>(parameters_);
+}
+
+void ToolSession::addScenePoint(Vec3 patient_mm, const ScissorsView& look) {
+  if (!cutsScene() || !isFinite(patient_mm)) return;
+  auto& points = *pointsOf(parameters_);
+  // Seen from elsewhere, or on a slice, what was drawn means another thing.
+  if (!sceneLook_ || sceneLook_->eye_mm != look.eye_mm) points.clear();
+  if (points.empty()) sceneLook_ = look;
+  if (!sceneLook_->surface_mm) sceneLook_->surface_mm = look.surface_mm;
+  points.push_back(patient_mm);
+  Q_EMIT pointsChanged();
+  changed();
+}
+
+void ToolSession::removeNearest(Vec3 patient_mm) {
+  auto* points = tool_ ? pointsOf(parameters_) : nullptr;
+  if (!points || points->empty()) return;
+  points->erase(std::ranges::min_element(*points, {}, [&](Vec3 p) { return norm(p - patient_mm); }));
+  Q_EMIT pointsChanged();
+  changed();
+}
+
+void ToolSession::takeRange(Vec3 patient_mm) {
+  auto* threshold = std::get_if<step::Threshold>(&parameters_);
+  if (!tool_ || !threshold || !shared_.openCase.patient()) return;
+  const CtVolume& ct = shared_.openCase.patient()->ct;
+  const int hu = int(std::lround(sampleLinear(ct, ct.geometry.indexFromPatient() * patient_mm)));
+  threshold->range_HU = {hu - kAround_HU, hu + kAround_HU};
+  Q_EMIT parametersChanged();
+  changed();
+}
+
+int ToolSession::axisOf(views::SliceKind slice) const {
+  const Vec3 normal = views::sliceAxes(slice).normal;
+  const auto& axes = shared_.openCase.patient()->ct.geometry.direction.column;
+  int best = 0;
+  for (int axis = 1; axis < 3; ++axis)
+    if (std::abs(dot(axes[axis], normal)) > std::abs(dot(axes[best], normal))) best = axis;
+  return best;
+}
+
+void ToolSession::fillIn(LabelTool& tool) const {
+  std::vector<std::uint8_t> structures, filling;
+  for (const std::uint8_t label : shared_.structures.labels()) {
+    const bool fills = std::ranges::find(kFilling, label) != std::end(kFilling);
+    if (shared_.labelling.rules().mayEdit(label)) (fills ? filling : structures).push_back(label);
+  }
+  if (auto* s = std::get_if<step::Paint>(&tool); s && s->sliceAxis) s->sliceAxis = axisOf(slice_);
+  if (auto* s = std::get_if<step::Draw>(&tool)) s->sliceAxis = axisOf(slice_);
+  if (auto* s = std::get_if<step::FillBetween>(&tool)) s->sliceAxis = axisOf(slice_);
+  if (auto* s = std::get_if<step::Scissors>(&tool)) {
+    s->view.along = sceneLook_ ? sceneLook_->along : views::sliceAxes(slice_).normal;
+    s->view.eye_mm = sceneLook_ ? sceneLook_->eye_mm : std::nullopt;
+    s->view.surface_mm = sceneLook_ ? sceneLook_->surface_mm : std::nullopt;
+  }
+  if (auto* s = std::get_if<step::GrowSeeds>(&tool)) s->seeds = structures, s->over = filling;
+  if (auto* s = std::get_if<step::Watershed>(&tool)) s->seeds = structures, s->over = filling;
+  if (auto* s = std::get_if<step::SmoothTogether>(&tool)) {
+    s->labels = structures;
+    s->labels.insert(s->labels.end(), filling.begin(), filling.end());
+  }
+}
+
+LabelStep ToolSession::step() const {
+  LabelStep step;
+  step.tool = parameters_;
+  fillIn(step.tool);
+  step.label = shared_.structures.selected();
+  if (tool_->erases) {
+    step.over = std::vector<std::uint8_t>{step.label};
+    step.label = step.rest;
+  }
+  return step;
+}
+
+bool ToolSession::beginStroke(Vec3 patient_mm, views::SliceKind slice) {
+  if (!tool_ || tool_->input != ToolInput::Brush) return false;
+  if (shared_.structures.selected() == kBackground) {
+    shared_.notice.say(tr("Choose a label in the table on the left first, or add one there."));
+    return false;
+  }
+  slice_ = slice;
+  if (!shared_.labelling.beginStroke(step(),
+                                     tr("%1 %2").arg(tool_->name, shared_.terms.nameOf(shared_.structures.selected()))))
+    return false;
+  strokeTo(patient_mm);
+  return true;
+}
+
+void ToolSession::strokeTo(Vec3 patient_mm) {
+  shared_.labelling.strokeTo(patient_mm);
+}
+
+void ToolSession::endStroke() {
+  shared_.labelling.endStroke();
+}
+
+double ToolSession::brushRadius_mm() const {
+  const auto* brush = tool_ ? std::get_if<step::Paint>(&parameters_) : nullptr;
+  return brush ? brush->radius_mm : 0;
+}
+
+bool ToolSession::brushIsFlat() const {
+  const auto* brush = tool_ ? std::get_if<step::Paint>(&parameters_) : nullptr;
+  return brush && brush->sliceAxis;
+}
+
+void ToolSession::scaleBrush(double factor) {
+  if (!tool_ || tool_->input != ToolInput::Brush) return;
+  const ToolNumber& radius = tool_->numbers.front();
+  const ui::ValueRange range = rangeOf(radius);
+  radius.set(parameters_, std::clamp(radius.get(parameters_) * factor, range.least, range.most));
+  Q_EMIT parametersChanged();
+}
+
+bool ToolSession::isComplete() const {
+  const bool lacksOther = tool_ && tool_->other && tool_->other->get(parameters_) == kBackground;
+  return tool_ && !lacksOther && tool_->input != ToolInput::Brush && shared_.structures.selected() != kBackground &&
+         !shared_.labelling.isBusy() && int(points().size()) >= tool_->leastPoints;
+}
+
+void ToolSession::preview() {
+  if (isComplete()) shared_.labelling.wantPreview(step());
+}
+
+void ToolSession::apply() {
+  if (!isComplete()) return;
+  Q_EMIT told({});
+  const QString what = tr("%1 %2").arg(tool_->name, shared_.terms.nameOf(shared_.structures.selected()));
+  shared_.labelling.run(step(), what, [this, what](const Result<LabelChange>& change) {
+    if (!change && change.error().message == kCancelled)
+      return shared_.notice.say(tr("%1: stopped; no label was changed.").arg(what));
+    if (!change) return;
+    if (auto* points = pointsOf(parameters_)) points->clear();
+    Q_EMIT pointsChanged();
+    if (change->voxels == 0)
+      return Q_EMIT told(tr("Nothing changed: all voxels had the label already, or may not be overwritten."));
+    const QString volume = volumeText(ml(change->voxels, shared_.openCase.patient()->ct.geometry.spacing_mm));
+    shared_.notice.say(tr("%1: %2 ml changed; Ctrl+Z undoes it.").arg(what, volume));
+  });
+}
+
+void ToolSession::leave() {
+  if (shared_.labelling.isBusy()) return shared_.labelling.cancel();
+  auto* points = tool_ ? pointsOf(parameters_) : nullptr;
+  if ((points && !points->empty()) || isPreviewWanted()) {
+    if (points) points->clear();
+    shared_.labelling.preview().clear();
+    Q_EMIT pointsChanged();
+    return;
+  }
+  choose({});
+}
+
+}  // namespace insonate::prepare

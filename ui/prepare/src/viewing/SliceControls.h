@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+
+namespace insonate::ui {
+class ValueSlider;
+}
+
+namespace insonate::prepare {
+
+struct PrepareModel;
+
+/// Display of the slices: window and level of the CT, and the labels over it.
+class SliceControls : public QWidget {
+ public:
+  explicit SliceControls(PrepareModel& shared, QWidget* parent = nullptr);
+
+ private:
+  void refresh();
+
+  PrepareModel& shared_;
+  QComboBox* preset_;
+  ui::ValueSlider *window_, *level_, *opacity_;
+  QComboBox* style_;
+  ui::ValueSlider* width_;
+  QCheckBox *labels_, *places_;
+  bool showing_ = false;
+};
+
+}  // namespace insonate::prepare
