@@ -23,7 +23,7 @@ inline constexpr double kHazeGrain = 0.3;        ///< share modulated by the spe
 inline constexpr double kHazeGrain_mm = 0.7;     ///< tail of the local mean that speckle is compared with
 inline constexpr double kHazeCeiling_dB = 6;     ///< echoes above this leak no more than this
 /// Haze behind strong reflectors, such that the shadow of bone has 0.33 to 0.52 of the gray of the tissue above.
-inline constexpr double kHazeLongShare_dB = -28, kHazeLongTail_mm = 6;
+inline constexpr double kHazeLongShare_dB = -30, kHazeLongTail_mm = 6;
 inline constexpr double kHazeLongFrom_mm = 3;      ///< echoes above are the skin's and the face's
 inline constexpr double kHazeLongCeiling_dB = 30;  ///< echoes above this leak no more than this
 inline constexpr double kSideLobes_dB = -23;       ///< of the echoes beside
