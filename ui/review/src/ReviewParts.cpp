@@ -223,7 +223,7 @@ void ReviewWorkspace::Parts::connectParts() {
   });
   connect(judging, &JudgeDesk::failed, this,
           [this](const QString& what, const QString& advice) { Q_EMIT workspace_.failed(what, advice, {}); });
-  connect(home, &ReviewHome::settledChanged, this, [this] { refreshReady(); });
+  connect(home, &ReviewHome::readinessChanged, this, [this] { refreshReady(); });
   connect(home, &ReviewHome::written, &workspace_, &ui::Workspace::written);
   connect(home, &ReviewHome::failed, this,
           [this](const QString& what, const QString& advice) { Q_EMIT workspace_.failed(what, advice, {}); });

@@ -85,7 +85,7 @@ void TrainWorkspace::Parts::connectAttempt() {
           this, [this] { takeWaiting(); }, Qt::QueuedConnection);
   });
   connect(attempt, &AttemptControl::viewChanged, this, [this] { showAttempt(); });
-  connect(&model.disclosure, &DisclosureModel::changed, this, [this] { showDisclosure(); });
+  connect(&model.disclosure, &DisclosureModel::changed, this, [this] { applyDisclosure(); });
   // A new needle is taken by touching the tray, with the pointer or with the needle itself.
   patient->setTrayTaken([this] { attempt->replaceNeedle(); });
   connect(&model.hands, &HandsControl::needleChanged, this, [this] {
@@ -111,7 +111,7 @@ void TrainWorkspace::Parts::showAttempt() {
   patient->setTrayVisible(attempt->isRunning());
 }
 
-void TrainWorkspace::Parts::showDisclosure() {
+void TrainWorkspace::Parts::applyDisclosure() {
   const bool anatomy = model.disclosure.current().anatomy;
   if (!anatomy && isCtBeside()) setCtBeside(false);
   cine_->setCtBesideOffered(anatomy);

@@ -115,7 +115,7 @@ class TrainWorkspace::Parts : public QObject {
   void connectAttempt();
   void takeWaiting();
   void showAttempt();
-  void showDisclosure();
+  void applyDisclosure();
   QWidget* buildOffer();
   void showOffer();
   void showVesselNote();

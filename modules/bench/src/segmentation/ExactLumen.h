@@ -5,9 +5,9 @@
 
 namespace insonate::bench {
 
-/// Dice against `mask` of a lumen that is found exactly, alone and with each wall: voxels brighter than half-way from
-/// the mask's blood to muscle, in fractions of voxels. Only voxels of `where`, whose box holds the mask, count. Fails
-/// when cancelled.
+/// Dice that a perfect segmentation would reach against `mask`. The perfect lumen holds the voxels, in fractions, that
+/// are brighter than half-way from muscle to the mask's blood; it is scored alone and with each thickness of wall. Only
+/// voxels of `where`, whose box holds the mask, count. Fails when cancelled.
 Result<WallScores> scoreExactLumen(const CtVolume& ct, const Selection& mask, const Selection& where,
                                    const Progress& progress);
 

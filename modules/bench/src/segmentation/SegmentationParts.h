@@ -18,7 +18,7 @@ Result<ScoreRows> scoreTruth(const PatientCase& truth, const std::string& varian
 /// Vessels of an angiogram from clicks, against masks that others have drawn.
 Result<ScoreRows> scoreChestCta(const std::filesystem::path& folder, const Progress& progress);
 
-/// Tools on a neck that is resampled to `size` voxels along its axes.
+/// Times the tools on a neck that is resampled to `size` voxels along its axes.
 Result<void> timeTools(const std::array<int, 3>& size, SegmentationBench& bench, const Progress& progress);
 
 }  // namespace insonate::bench

@@ -27,8 +27,8 @@ inline double smoothNoise(Vec3 p, std::uint32_t seed) {
   return 2 * (a + (b - a) * w) - 1;
 }
 
-/// Standard deviation of smoothNoise over space: uniform lattice values (1/sqrt 3) times the mean squared weight of
-/// quintic interpolation in each axis (181/231), cubed.
+/// Standard deviation of smoothNoise over space: sqrt((181/231)^3 / 3), where 1/3 is the variance of the lattice values
+/// and 181/231 the mean squared weight of quintic interpolation in one axis.
 inline constexpr double kSmoothNoiseSd = 0.4004;
 
 }  // namespace insonate::phantom

@@ -73,7 +73,7 @@ class ColumnModel : public DeformationModel {
   /// Equations 2 and 3: the normal profile, and the pressure in a column that follows from it.
   ColumnLoad loadOf(int c, double indentation_mm) const {
     const TissueColumn& column = grid.column(c);
-    return column.met ? springs.shortenedBy(indentation_mm * grid.profile(c), column.length_mm) : ColumnLoad{};
+    return column.met ? springs.loadAtShortening(indentation_mm * grid.profile(c), column.length_mm) : ColumnLoad{};
   }
 
   double forceAt(double indentation_mm) const {

@@ -30,7 +30,7 @@ LabelSprings::LabelSprings(const MechanicalTable& tissues) {
                    [this](int a, int b) { return compliance_perkPa[a] > compliance_perkPa[b]; });
 }
 
-ColumnLoad LabelSprings::shortenedBy(double shortening_mm, const LengthByLabel& length_mm) const {
+ColumnLoad LabelSprings::loadAtShortening(double shortening_mm, const LengthByLabel& length_mm) const {
   ColumnLoad load;
   if (!(shortening_mm > 0)) return load;
   // The softest reach their limit first; what they cannot give any more, the others do.

@@ -29,7 +29,7 @@ class LabelSprings {
   explicit LabelSprings(const MechanicalTable& tissues);
 
   /// Equation 3: the pressure that shortens the column by `shortening_mm`.
-  ColumnLoad shortenedBy(double shortening_mm, const LengthByLabel& length_mm) const;
+  ColumnLoad loadAtShortening(double shortening_mm, const LengthByLabel& length_mm) const;
 
   /// The most by which it can be shortened.
   double limit_mm(const LengthByLabel& length_mm) const;

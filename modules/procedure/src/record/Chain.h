@@ -61,9 +61,8 @@ struct ChainReading {
   std::vector<ChainFault> faults{};
 };
 
-/// Compares the blocks of a file with its links and says of each block whether it agrees. Removes from the list the
-/// links, and the blocks after the last link: of those, as at the end of a file cut short, nothing says that they are
-/// whole.
+/// Compares the blocks of a file with its links and says of each block whether it agrees. Removes the links from the
+/// list, and the blocks after the last link: nothing proves that these are whole, as at the end of a truncated file.
 ChainReading checkChain(std::span<const std::uint8_t> file, std::vector<PlacedBlock>& blocks);
 
 }  // namespace insonate::record

@@ -209,10 +209,10 @@ double LiveImaging::Impl::makePicture() {
     return kNever_s;
   }
   const LiveState state = outside ? LiveState::Outside : LiveState::Imaging;
-  const bool changes = moved || (!outside && (!(needle_ == drawnNeedle_) || goesOn() || untilPulse_s() <= 0));
+  const bool changes = moved || (!outside && (!(needle_ == drawnNeedle_) || goesOn() || timeToNextPulse_s() <= 0));
   if (!changes && (settleLeft_ == 0 || outside)) {
     if (!jobFailed_) setState(state);
-    return outside ? kNever_s : untilPulse_s();
+    return outside ? kNever_s : timeToNextPulse_s();
   }
   begun_s_ = now_s();
   if (outside)
@@ -229,7 +229,7 @@ double LiveImaging::Impl::makePicture() {
   if (!jobFailed_) setState(state);
   notify();
   if (outside) return settleLeft_ > 0 ? 0 : kNever_s;
-  return settleLeft_ > 0 || goesOn() ? 0 : untilPulse_s();
+  return settleLeft_ > 0 || goesOn() ? 0 : timeToNextPulse_s();
 }
 
 void LiveImaging::Impl::renderPicture() {

@@ -78,7 +78,7 @@ class LiveImaging::Impl {
   void takePhysiology();
   void press();
   bool goesOn() const { return !press_.settled && tissueLeft_ > 0; }
-  double untilPulse_s() const;
+  double timeToNextPulse_s() const;
   void describePress(LivePress& press) const;
   bool publish();
   void setState(LiveState state, std::string message = {});

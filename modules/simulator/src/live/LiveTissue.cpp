@@ -61,7 +61,7 @@ void LiveImaging::Impl::press() {
   press_.solve_ms = 1000 * (now_s() - start_s);
 }
 
-double LiveImaging::Impl::untilPulse_s() const {
+double LiveImaging::Impl::timeToNextPulse_s() const {
   if (!pulsatingSeen_ || press_.lumens.empty()) return kNever_s;
   return std::max(0.0, begun_s_ + kPulse_s - now_s());
 }

@@ -13,7 +13,8 @@ namespace insonate::glsl {
 /// uploaded once. Used by the thread that has the context current, so by one thread at a time.
 class SceneStore {
  public:
-  /// Uploads missing volumes. Fails if the card has no room for them, even without the others.
+  /// Uploads missing volumes. Fails if the card has no room for them, even after the volumes of other scenes were
+  /// removed.
   Result<std::shared_ptr<const gpu::Buffer>> of(const gpu::Current& current, const AcousticScene::Impl& scene);
 
   int uploads() const { return uploads_; }

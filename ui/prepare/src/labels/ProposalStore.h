@@ -6,8 +6,8 @@
 
 namespace insonate::prepare {
 
-/// Memory of unused proposals, for reuse: those of a whole CT are tens of megabytes, which the system takes longer to
-/// provide than a threshold takes to fill.
+/// Keeps the buffers of unused proposals for reuse: a proposal for a whole CT takes tens of megabytes, and allocating
+/// them takes longer than a threshold takes to fill them.
 class ProposalStore {
  public:
   ProposalStore();

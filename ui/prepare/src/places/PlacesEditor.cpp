@@ -39,7 +39,7 @@ void PlacesEditor::keepStart() {
   CasePlaces places = places_;
   places.startPoses.push_back(poseOf(*live_.standing()));
   places.startPoses.back().name = tr("start").toStdString();
-  set(std::move(places), tr("start of the case"));
+  set(std::move(places), tr("start pose"));
   notice_.say(tr("The case begins here; Ctrl+S saves it."));
 }
 

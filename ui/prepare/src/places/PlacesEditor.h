@@ -25,7 +25,7 @@ class PlacesEditor : public QObject {
   void set(CasePlaces places, const QString& what);
   /// Makes the probe's place the case's start pose, if it has none; saved with the case.
   void keepStart();
-  /// Tells whether the case has no start pose, none is set, and the probe has a position.
+  /// Tells whether the case has no start pose while the live image has one that could become it.
   bool lacksStart() const;
   /// Adds to `all` an edit that sets other places, if they differ.
   void restore(const CasePlaces& places, QUndoCommand& all);

@@ -40,14 +40,14 @@ bool SceneTools::pressed(const QMouseEvent& event) {
   if (event.button() != Qt::LeftButton || event.modifiers() & (Qt::ControlModifier | Qt::ShiftModifier)) return false;
   views_.widgets()[CaseViews::kSlices]->focusProxy()->setFocus(Qt::MouseFocusReason);
   held_ = true;
-  add(event.localPos());
+  addCorner(event.localPos());
   return true;
 }
 
 bool SceneTools::moved(const QMouseEvent& event) {
   if (!held_) return false;
   const QPointF way = event.localPos() - last_;
-  if (way.manhattanLength() > kCorner_px) add(event.localPos());
+  if (way.manhattanLength() > kCorner_px) addCorner(event.localPos());
   return true;
 }
 
@@ -58,7 +58,7 @@ bool SceneTools::released(const QMouseEvent& event) {
   return true;
 }
 
-void SceneTools::add(QPointF at) {
+void SceneTools::addCorner(QPointF at) {
   last_ = at;
   views::SceneView& scene = *views_.sharedScene();
   const double ratio = views_.widgets()[CaseViews::kSlices]->devicePixelRatioF();

@@ -23,7 +23,7 @@ class SceneTools : public QObject {
   bool pressed(const QMouseEvent& event);
   bool moved(const QMouseEvent& event);
   bool released(const QMouseEvent& event);
-  void add(QPointF at);
+  void addCorner(QPointF at);
   void showLine();
 
   CaseViews& views_;

@@ -105,9 +105,9 @@ void ReviewHome::connectParts() {
     connect(menu, &SaveMenu::failed, this, &ReviewHome::failed);
   }
   connect(person_, &PersonDesk::countChanged, room_, &ClassDesk::refresh);
-  connect(room_, &ClassDesk::readingChanged, this, &ReviewHome::settledChanged);
-  connect(room_, &ClassDesk::standingChanged, this, &ReviewHome::settledChanged);
-  connect(person_, &PersonDesk::readingChanged, this, &ReviewHome::settledChanged);
+  connect(room_, &ClassDesk::readingChanged, this, &ReviewHome::readinessChanged);
+  connect(room_, &ClassDesk::standingChanged, this, &ReviewHome::readinessChanged);
+  connect(person_, &PersonDesk::readingChanged, this, &ReviewHome::readinessChanged);
   connect(room_, &ClassDesk::classChanged, this, [this] { showSelf(); });
 }
 

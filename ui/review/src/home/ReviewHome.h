@@ -40,7 +40,7 @@ class ReviewHome final : public QWidget {
   void showSaving();
 
  Q_SIGNALS:
-  void settledChanged();
+  void readinessChanged();
   /// The recording of this attempt of the store.
   void replayWanted(const QString& file, const QString& attempt);
   void written(const QString& sentence, const QString& folder);

@@ -197,7 +197,7 @@ void HistoryTable::fill(int row, const KeptAttempt& attempt) {
 }
 
 QString HistoryTable::recordingOf(const KeptAttempt& attempt) const {
-  return ui::recordingHere(attempt, desk_.store());
+  return ui::recordingHere(attempt, desk_.storeAddress());
 }
 
 const KeptAttempt* HistoryTable::chosen() const {

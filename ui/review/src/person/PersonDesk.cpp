@@ -67,7 +67,7 @@ void PersonDesk::readEarlier() {
                                 });
 }
 
-QString PersonDesk::store() const {
+QString PersonDesk::storeAddress() const {
   return account_ ? account_->address() : QString();
 }
 

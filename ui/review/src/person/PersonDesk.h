@@ -43,7 +43,7 @@ class PersonDesk : public QObject {
   void acceptAttempt(const std::string& attempt, const QString& reason);
 
   /// Account::address()
-  QString store() const;
+  QString storeAddress() const;
   bool isReading() const { return asking_ > 0; }
   QString trouble() const { return trouble_; }
 

@@ -49,7 +49,7 @@ SaveMenu::SaveMenu(Subject subject, ClassDesk& room, PersonDesk& person, QWidget
       subject_ == Subject::Class ? tr("A line for each person, for a spreadsheet")
                                  : tr("A line for each attempt with all metrics, for a spreadsheet"),
       QStringLiteral("CSV (*.csv)"), &SaveMenu::saveTable);
-  add("saveXapi", tr("Statements (xAPI) ..."), tr("All attempts as xAPI 1.0.3, for a learning record store"),
+  add("saveXapi", tr("Learning records (xAPI) ..."), tr("All attempts as xAPI 1.0.3, for a learning record store"),
       QStringLiteral("JSON (*.json)"), &SaveMenu::askXapi);
 }
 
@@ -99,7 +99,7 @@ void SaveMenu::saveTable(const QString& file) {
 void SaveMenu::askXapi(const QString& file) {
   bool sure = false;
   const QString page = QInputDialog::getText(
-      parentWidget(), tr("Statements (xAPI)"), tr("Home page of your site, which identifies its people:"),
+      parentWidget(), tr("Learning records (xAPI)"), tr("Home page of your site, which identifies its people:"),
       QLineEdit::Normal, QSettings().value(kHomePage, QStringLiteral("https://")).toString(), &sure);
   if (!sure) return;
   QSettings().setValue(kHomePage, page);

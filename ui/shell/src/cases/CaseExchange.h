@@ -38,7 +38,8 @@ class CaseExchange : public QObject {
   void crop(const CropOptions& options);
 
  Q_SIGNALS:
-  /// Another case came of the open one; it is not saved anywhere. `whole`: with all that was not saved of the open one.
+  /// A tool has made a new, unsaved case from the open one. `whole`: the new case includes all unsaved changes of the
+  /// open one.
   void made(const std::shared_ptr<const insonate::PatientCase>& patient, const QString& sentence, bool whole);
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice, const QString& details);

@@ -64,7 +64,7 @@ LevelForm::LevelForm(const TeachingNames& known, QWidget* parent)
   form->setVerticalSpacing(kGap);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   buildNames(*form);
-  buildPlace(*form);
+  buildSetting(*form);
   const auto heading = [](const QString& words) {
     auto* label = new QLabel(words);
     setRole(label, "heading");
@@ -119,7 +119,7 @@ void LevelForm::addChoice(QComboBox* box, std::string Level::*member) {
   });
 }
 
-void LevelForm::buildPlace(QFormLayout& form) {
+void LevelForm::buildSetting(QFormLayout& form) {
   named(case_, "levelEditCase", tr("Case"), tr("The built-in necks, and the cases that were opened on this computer"));
   named(procedure_, "levelEditProcedure", tr("Procedure"), tr("Its steps, rules and metrics"));
   named(position_, "levelEditPosition", tr("Position"), tr("Position of the patient as an attempt begins"));

@@ -31,7 +31,7 @@ class LevelForm final : public QWidget {
 
  private:
   void buildNames(QFormLayout& form);
-  void buildPlace(QFormLayout& form);
+  void buildSetting(QFormLayout& form);
   void showPlace(const Level& level);
   void showPrerequisites(const Curriculum& curriculum, const Level& level);
   /// Stores the data of the chosen entry.

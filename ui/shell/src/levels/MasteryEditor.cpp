@@ -130,7 +130,7 @@ QWidget* MasteryEditor::buildCusum() {
 
 QWidget* MasteryEditor::buildCalibration() {
   falseSignals_ =
-      share("cusumFalse", tr("False signals"), tr("Share of operators without competence who may signal by chance"));
+      share("cusumFalse", tr("False signals"), tr("Maximum share of trainees at the unacceptable rate who reach the limit by chance"));
   falseSignals_->setValue(10);
   trials_ =
       number<QSpinBox>("cusumTrials", tr("Attempts"), tr("Number of attempts for this rate"), 1, 1000, tr(" attempts"));
@@ -148,7 +148,7 @@ QWidget* MasteryEditor::buildCalibration() {
   auto* column = new QVBoxLayout(part);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kSmallGap);
-  column->addWidget(lineOf({new QLabel(tr("Limit for a false signal rate of")), falseSignals_, new QLabel(tr("within")),
+  column->addWidget(lineOf({new QLabel(tr("Choose the limit h for false signals in")), falseSignals_, new QLabel(tr("within")),
                             trials_, calibrate_}));
   column->addWidget(tasks_);
   column->addWidget(calibrated_);
@@ -184,7 +184,7 @@ void MasteryEditor::show(const Level& level) {
   const QSignalBlocker a(passes_), b(acceptable_), c(unacceptable_), d(limit_), e(days_), f(failures_), g(within_);
   passes_->setValue(rule.passesInARow);
   const int fewest = fewestAttempts(rule);
-  fewest_->setText(fewest == LcCusum::kMostToSignal ? tr("cannot be mastered by these rates")
+  fewest_->setText(fewest == LcCusum::kMostToSignal ? tr("no number of attempts suffices: raise the unacceptable rate")
                    : fewest == 1                    ? tr("mastered with at least 1 attempt")
                                                     : tr("mastered with at least %1 attempts").arg(fewest));
   cusum_->setChecked(rule.cusum.has_value());

@@ -34,9 +34,9 @@ class CaseModel : public QObject {
   /// Ends the threads of the case and of its live images; within a second.
   void stop();
 
-  /// The labels of the case; none until they have been looked through.
+  /// The labels of the case; none until the worker has read them.
   const std::optional<std::vector<std::uint8_t>>& structures() const { return structures_; }
-  /// They have been, and no vein or artery is among them.
+  /// Tells whether structures() are known and include neither vein nor artery.
   bool lacksVessels() const;
 
   /// Pose in which the probe starts; known before the first image.

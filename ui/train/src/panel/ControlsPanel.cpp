@@ -110,7 +110,7 @@ ControlsPanel::ControlsPanel(TrainModel& model, ProbeLibrary& library, QWidget* 
   auto* box = new QVBoxLayout(inner);
   box->setContentsMargins(12, 8, 12, 8);
   box->setSpacing(12);
-  box->addWidget(buildPlace());
+  box->addWidget(buildPositionSection());
   needle_ = new NeedleControls(model_.status, model_.disclosure, model_.hands, model_.motion, model_.needle);
   box->addWidget(needle_);
   box->addWidget(buildPicture());
@@ -135,7 +135,7 @@ ControlsPanel::ControlsPanel(TrainModel& model, ProbeLibrary& library, QWidget* 
   refreshFreeze();
 }
 
-QWidget* ControlsPanel::buildPlace() {
+QWidget* ControlsPanel::buildPositionSection() {
   auto* place = new QWidget;
   auto* box = column(place);
   positions_ = new Positions(model_.status, model_.history, model_.patientCase, model_.motion, place);

@@ -43,7 +43,7 @@ class ControlsPanel : public ScrollingColumn {
     double ImagingSettings::*field = nullptr;
     ui::ValueSlider* widget = nullptr;
   };
-  QWidget* buildPlace();
+  QWidget* buildPositionSection();
   QWidget* buildPicture();
   void buildProcessing(QVBoxLayout& box);
   GainSliders* gains(std::array<double, 8> ImagingSettings::*field, GainSliders* sliders);

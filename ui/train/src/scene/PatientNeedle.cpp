@@ -119,7 +119,7 @@ QWidget* PatientViews::buildSilence() {
   return words;
 }
 
-void PatientViews::showDisclosure() {
+void PatientViews::applyDisclosure() {
   const bool hidden = !model_.disclosure.current().anatomy;
   if (hidden == looksBefore_.has_value()) return;
   below_->setCurrentIndex(hidden ? 1 : 0);

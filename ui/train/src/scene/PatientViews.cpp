@@ -88,7 +88,7 @@ PatientViews::PatientViews(TrainModel& model, QWidget* parent)
   connect(&model_.live, &LiveModel::pictureShown, this, [this] { want(); });
   connect(&model_.motion, &ProbeMotion::handMoved, this, [this] { want(); });
   connect(&model_.hands, &HandsControl::needleChanged, this, [this] { want(); });
-  connect(&model_.disclosure, &DisclosureModel::changed, this, [this] { showDisclosure(); });
+  connect(&model_.disclosure, &DisclosureModel::changed, this, [this] { applyDisclosure(); });
 }
 
 PatientViews::~PatientViews() = default;

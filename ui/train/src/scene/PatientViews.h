@@ -93,7 +93,7 @@ class PatientViews : public QWidget {
   void follow();
   void showNeedle();
   /// Shows or hides anatomy: hidden means no CT, and an opaque skin.
-  void showDisclosure();
+  void applyDisclosure();
 
   TrainModel& model_;
   std::shared_ptr<views::SceneView> scene_;

@@ -12,8 +12,8 @@ struct RocArea {
 };
 
 /// Share of pairs of which the positive one is larger, ties by half. The interval is DeLong's (Biometrics 1988, 44:837)
-/// on the logit, which keeps it within 0 and 1; where each pair tells the same, the exact one of a share; 0 to 1 with
-/// fewer than two values in a group. Values must be finite.
+/// on the logit, which keeps it within 0 and 1; where all pairs agree, it is the exact (Clopper-Pearson) interval of a
+/// share; with fewer than two values in a group, it is 0 to 1. Values must be finite.
 RocArea rocArea(std::span<const double> positive, std::span<const double> negative);
 
 /// Two-sided p of the hypothesis that both groups are alike, by the same variance; 1 without a variance.

@@ -30,8 +30,8 @@ std::string today();
 Result<CaseVersion> saveCaseVersion(const PatientCase& patient, const std::filesystem::path& folder,
                                     const std::string& date, const std::string& author, const Progress& progress = {});
 
-/// The folder, of a case and its earlier versions, that says that its CT and labels have this voxelHashOf(): a case
-/// that readCase() reads. None: that version is not kept here.
+/// Searches a case and its earlier versions for the folder whose CT and labels have this voxelHashOf(); readCase()
+/// reads it. None if this version is not kept here.
 std::optional<std::filesystem::path> findVersion(const std::filesystem::path& folder, const std::string& voxelHash);
 
 /// Versions that are kept, the latest first; empty for a case that has none. Reads no volumes.

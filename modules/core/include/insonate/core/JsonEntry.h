@@ -25,7 +25,7 @@ class JsonEntry {
   int whole(const char* key, int low, int high);
   std::optional<int> wholeIfThere(const char* key, int low, int high);
   bool flag(const char* key);
-  /// The index of one of these words.
+  /// The index, among these words, of the word under the key.
   std::size_t word(const char* key, const std::vector<std::string_view>& words);
   std::vector<std::string> texts(const char* key);
   const nlohmann::json& object(const char* key);

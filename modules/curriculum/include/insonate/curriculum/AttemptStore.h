@@ -42,7 +42,7 @@ class AttemptStore {
   /// recording counts once. `facts.proof` is stored if it is Proven or Demonstration, as determined by the caller;
   /// otherwise the attempt is unproven.
   Result<void> end(const AttemptFacts& facts) const;
-  /// begin() and end() of an attempt that is over, or neither. Gives the id. With `recording`, the file of
+  /// Stores a finished attempt: begin() and end() in one transaction. Returns the id. With `recording`, the file of
   /// facts.recordingHash is copied to the store's recordings; where that fails, nothing is added.
   Result<std::string> add(const AttemptFacts& facts, const std::filesystem::path& recording = {}) const;
   /// Copies the recording of an attempt that has ended to the store's recordings; by who made it. Again is no error,

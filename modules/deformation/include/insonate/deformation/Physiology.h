@@ -32,7 +32,7 @@ Result<void> checkPhysiology(const Physiology& physiology);
 /// that is not finite counts as 0.
 BloodPressure bloodPressureAt(const Physiology& physiology, double time_s);
 
-/// Mean pressures of the same vein and artery over heart beats and breaths.
+/// Mean pressures of the vein and the artery over heart beats and breaths.
 BloodPressure meanBloodPressure(const Physiology& physiology);
 
 }  // namespace insonate

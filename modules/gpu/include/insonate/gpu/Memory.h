@@ -72,7 +72,7 @@ class ReadBack {
   bool full() const { return underWay_ == kSlots; }
   /// Has a part of a buffer copied once what runs now is done. Not when full.
   void begin(const Current& current, const Buffer& from, std::size_t offset, std::size_t bytes);
-  /// Waits for the oldest and copies it. Fails when the card has not answered within ten seconds.
+  /// Waits for the oldest transfer and copies its result. Fails when the card has not answered within ten seconds.
   Result<void> finish(const Current& current, std::span<std::byte> into);
 
  private:

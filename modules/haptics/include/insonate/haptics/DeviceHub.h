@@ -42,7 +42,7 @@ class DeviceHub {
 
   /// Looks at the bus now and each `rescan`, on a thread of its own. Returns at once.
   void start();
-  /// One look, on this thread; not beside start().
+  /// Searches for devices once, on the calling thread. Not to be called while start() is in effect.
   void scanOnce();
 
   /// A simulated, replayed or vendor's device.

@@ -98,8 +98,8 @@ class AttemptMetrics {
   MetricValues values() const;
   std::optional<double> value(Metric metric) const;
   NeedlePlace needle() const;
-  /// Since when the syringe draws blood of the vein with the tip in one place, as tip_in_vein counts it; none: it does
-  /// not.
+  /// Time since which the syringe has drawn venous blood with the tip in one place, as tip_in_vein counts it. None
+  /// while it does not.
   std::optional<std::int64_t> drawingBlood_us() const;
 
  private:

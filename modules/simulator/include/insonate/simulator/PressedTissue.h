@@ -23,8 +23,8 @@ Result<Transform> poseOnSkin(const LabelMap& labels, const ProbeFace& face, cons
 /// inside the undeformed tissue presses: that is its indentation. Not for concurrent use of one object.
 class PressedTissue {
  public:
-  /// Fails as validate() does. `mostIterations` of one answer; 0: those of the mechanics' settings. `lumensAtRest`:
-  /// the model is asked about vessels even where nothing moves.
+  /// Fails as validate() does. `mostIterations`: maximum number of iterations per answer; 0 takes the number of the
+  /// mechanical settings. `lumensAtRest`: the model computes the vessels even where nothing moves.
   static Result<PressedTissue> make(const Probe& probe, const ImagingSettings& settings,
                                     const TissueMechanics& mechanics, int mostIterations = 0,
                                     bool lumensAtRest = false);

@@ -77,11 +77,11 @@ struct SessionPictures {
 };
 
 /// Runs a whole attempt without a window, device or clock: hands at the script's poses pass through the servo at 1 kHz
-/// into a recording. A face inside the skin presses; the tissue is solved 30 times a second of the script's time, from
-/// rest, and gives the probe's force and the place of the tissue that the needle meets. Faster than real time, unless
-/// images are made or the probe moves through tissue. The same script, case and program give the same attempt.
-/// `software` is name and version, for the header, which says that a script moved the hands. Cancelled, it leaves no
-/// file.
+/// into a recording. Where the script puts the probe's face below the undeformed skin, it compresses: 30 times per
+/// second of the script's time the tissue is solved, from rest, for the probe's force and the place of the tissue that
+/// the needle meets. Faster than real time, unless images are made or the probe moves through tissue. The same script,
+/// case and program give the same attempt. `software` is name and version, for the header, which says that a script
+/// moved the hands. Cancelled, it leaves no file.
 Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase& patient, std::string_view software,
                                   const std::filesystem::path& recording, const Progress& progress = {},
                                   const SessionPictures& pictures = {});

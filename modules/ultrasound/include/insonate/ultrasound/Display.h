@@ -19,10 +19,10 @@ class Display {
   Display(Display&&) noexcept;
   Display& operator=(Display&&) noexcept;
 
-  /// The frame must have the settings' scanlines and samples and no more looks; any other gives a black image.
-  /// Amplitudes that are NaN or negative count as 0, infinite ones as white. Persistence mixes with the previous call's
-  /// image. Electronic noise follows from `noiseSeed` and the settings' time_s alone: the same seed gives the same
-  /// image.
+  /// The frame must have the settings' numbers of scanlines and samples, and at most their number of looks; otherwise
+  /// the image is black. Amplitudes that are NaN or negative count as 0, infinite ones as white. Persistence mixes with
+  /// the previous call's image. Electronic noise follows from `noiseSeed` and the settings' time_s alone: the same seed
+  /// gives the same image.
   void process(const EnvelopeFrame& envelope, BModeImage& image, std::uint32_t noiseSeed = 0);
   /// Discards the previous image.
   void reset();

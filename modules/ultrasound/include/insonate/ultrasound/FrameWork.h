@@ -8,8 +8,8 @@
 
 namespace insonate {
 
-/// Distance along a scanline, in mm, at which echoes are summed: as many samples as keep it within a third of the
-/// pulse.
+/// Spacing of the gates along a scanline, in mm: the largest multiple of the sample spacing of which 2.4 fit into the
+/// length of the pulse.
 double gateDistance_mm(const Probe& probe, const ImagingSettings& settings);
 
 /// The detail_mm of a scene that this probe can make use of: 1.2 where its beam is no narrower than that, else 0.7.

@@ -22,8 +22,8 @@ QLabel* paragraph(const char* object = "", const char* role = "", const QString&
 /// One line, in the weight of a heading.
 QLabel* heading(const QString& words);
 
-/// Never what Enter presses in a dialog: Enter is the field's. With Qt::TabFocus a click leaves the keyboard to the
-/// image that has it.
+/// Makes a push button that Enter in a field of a dialog does not press. With Qt::TabFocus a click does not take the
+/// keyboard focus from the image.
 QPushButton* pushButton(const char* object, const QString& words, const QString& tip,
                         Qt::FocusPolicy focus = Qt::StrongFocus);
 

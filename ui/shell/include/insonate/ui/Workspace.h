@@ -16,7 +16,7 @@ namespace insonate::ui {
 class Account;
 class TaskBar;
 
-/// One line of the list under `?`.
+/// A keyboard shortcut, as the list of keys shows it (`?`).
 struct Shortcut {
   QString keys;  ///< as printed on the keyboard, e.g. "Shift + arrows"
   QString does;  ///< e.g. "tilt and rock the probe"
