@@ -129,8 +129,8 @@ QWidget* MasteryEditor::buildCusum() {
 }
 
 QWidget* MasteryEditor::buildCalibration() {
-  falseSignals_ =
-      share("cusumFalse", tr("False signals"), tr("Maximum share of trainees at the unacceptable rate who reach the limit by chance"));
+  falseSignals_ = share("cusumFalse", tr("False signals"),
+                        tr("Maximum share of trainees at the unacceptable rate who reach the limit by chance"));
   falseSignals_->setValue(10);
   trials_ =
       number<QSpinBox>("cusumTrials", tr("Attempts"), tr("Number of attempts for this rate"), 1, 1000, tr(" attempts"));
@@ -148,8 +148,8 @@ QWidget* MasteryEditor::buildCalibration() {
   auto* column = new QVBoxLayout(part);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kSmallGap);
-  column->addWidget(lineOf({new QLabel(tr("Choose the limit h for false signals in")), falseSignals_, new QLabel(tr("within")),
-                            trials_, calibrate_}));
+  column->addWidget(lineOf({new QLabel(tr("Choose the limit h for false signals in")), falseSignals_,
+                            new QLabel(tr("within")), trials_, calibrate_}));
   column->addWidget(tasks_);
   column->addWidget(calibrated_);
   return part;
