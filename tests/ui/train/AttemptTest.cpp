@@ -242,6 +242,19 @@ TEST_F(TrainAttempt, TheSettingsOfThePicturesAreKeptAndEachChangeOfThem) {
   EXPECT_EQ(last->physiology.tilt_deg, 10);
 }
 
+TEST_F(TrainAttempt, ANeedleLaidDownInTheBodyWasPulledOut) {
+  openWide();
+  start();
+  for (int pass = 1; pass <= 2; ++pass) {
+    overTheVein();
+    type("needle_depth", "12");
+    ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Vein; })) << pass;
+    EXPECT_EQ(attempt_->view().metrics[Metric::Passes], pass);
+    key(Qt::Key_I);
+    ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Used; })) << pass;
+  }
+}
+
 TEST_F(TrainAttempt, TouchingTheTrayTakesANewNeedle) {
   openWide();
   start();

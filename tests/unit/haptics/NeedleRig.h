@@ -51,10 +51,18 @@ struct NeedleRig {
     NeedleEvents fresh;
     time_ns += 1'000'000;
     const NeedleForce force = needle.move(*grid, {}, tip, normalized(axis), 0.001, time_ns, fresh);
-    events.insert(events.end(), fresh.list.begin(), fresh.list.begin() + fresh.count);
-    lost += fresh.lost;
+    keep(fresh);
     at = tip;
     return force;
+  }
+  void remove() {
+    NeedleEvents fresh;
+    needle.remove(time_ns += 1'000'000, fresh);
+    keep(fresh);
+  }
+  void keep(const NeedleEvents& fresh) {
+    events.insert(events.end(), fresh.list.begin(), fresh.list.begin() + fresh.count);
+    lost += fresh.lost;
   }
   /// Straight to `to` in steps of `speed_mmps` for a millisecond; returns the largest resistance along the axis.
   double push(Vec3 to, Vec3 axis, double speed_mmps) {

@@ -143,6 +143,30 @@ TEST(NeedleWalls, AJumpIsNoPuncture) {
   EXPECT_FALSE(rig.needle.state().inBody);
 }
 
+TEST(NeedleWalls, ANeedleThatIsGoneIsWithdrawnFromAllThatItWasThrough) {
+  for (const bool jumps : {false, true}) {
+    NeedleRig rig;
+    rig.put({0, 0, -10}, kDown);
+    rig.push({0, 0, 21}, kDown, 20);
+    ASSERT_EQ(rig.count(Kind::Entered, kVein), 1);
+    ASSERT_TRUE(rig.needle.state().inBody);
+    rig.events.clear();
+    if (jumps)
+      rig.put({0, 0, -20}, kDown);
+    else
+      rig.remove();
+    EXPECT_FALSE(rig.needle.state().inBody);
+    EXPECT_EQ(rig.count(Kind::Withdrawn, kVein), 1);
+    ASSERT_EQ(rig.count(Kind::Withdrawn, kSkin), 1);
+    EXPECT_EQ(rig.events.back().wall, kSkin) << "the skin comes last";
+    EXPECT_EQ(rig.events.back().tip_mm.z, 21) << "where it was";
+    EXPECT_EQ(rig.events.back().time_ns, rig.time_ns);
+    rig.events.clear();
+    rig.put({0, 0, -10}, kDown);
+    EXPECT_TRUE(rig.events.empty()) << "told once";
+  }
+}
+
 /// A thousand random lines: where the straight line from the entry meets the vein squarely enough and long enough, it
 /// is punctured, exactly once; where it misses it, never.
 TEST(NeedleWalls, RandomLinesAgreeWithGeometry) {
@@ -154,7 +178,7 @@ TEST(NeedleWalls, RandomLinesAgreeWithGeometry) {
     const Vec3 axis = normalized(Vec3{0.6 * uniform(random), 0.6 * uniform(random), 1});
     const Vec3 entry{12 * uniform(random), 0, 0};
     rig.events.clear();
-    rig.needle.reset();
+    rig.remove();
     rig.at = entry - axis * 3.0;
     rig.put(rig.at, axis);
     rig.push(entry + axis * 40.0, axis, 50 + 900 * std::abs(uniform(random)));

@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
+#include <thread>
+
 namespace insonate {
 namespace {
 
@@ -96,6 +99,34 @@ TEST(HandsSession, ThePictureHasTheNeedleWhereItIsHeldAndTheServoTheTissueAsItIs
       << "the skin went down along the needle";
   bench.hands.put(kNeedleHand, nullptr, {});
   EXPECT_TRUE(eventually([&] { return !bench.live->latest()->needle; }));
+}
+
+/// Otherwise a tick sees the needle somewhere between, perhaps in the patient.
+TEST(HandsSession, AJumpOfTheMouseIsSeenWholeOrNotAtAll) {
+  Bench bench;
+  NeedleHand needle = bench.takeNeedle();
+  const Transform near = needle.patientFromNeedle();
+  needle.tilt(-60);
+  Transform far = needle.patientFromNeedle();
+  far.offset = far.offset - near.linear.column[2] * 12.0;
+  ASSERT_TRUE(eventually([&] { return bench.hands.snapshot().present[kNeedleHand]; }));
+  bench.hands.moveByMouse(kNeedleHand, near);
+  std::this_thread::sleep_for(500ms);
+  std::atomic<bool> done{false};
+  std::thread moving([&] {
+    for (int i = 0; i < 4000; ++i) {
+      bench.hands.moveByMouse(kNeedleHand, i % 2 ? near : far);
+      std::this_thread::sleep_for(std::chrono::microseconds(i % 7 * 100));
+    }
+    done = true;
+  });
+  int between = 0;
+  while (!done) {
+    const Vec3 tip_mm = bench.hands.snapshot().output.hands[kNeedleHand].patientFromTool.offset;
+    between += norm(tip_mm - near.offset) > 0.01 && norm(tip_mm - far.offset) > 0.01;
+  }
+  moving.join();
+  EXPECT_EQ(between, 0);
 }
 
 TEST(HandsSession, ATypedDepthIsReachedThroughTheWallsAndNotBeyondThem) {

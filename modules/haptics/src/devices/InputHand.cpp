@@ -74,8 +74,10 @@ void InputHand::obey(const Wish& wish) noexcept {
 void InputHand::follow(double step_s) noexcept {
   target_.offset = target_.offset + seen_.glide_mmps * step_s;
   target_.linear = haptics::turned(target_.linear, seen_.glide_radps * step_s);
+  const Vec3 middle_mm = seen_.place.offset;
   for (int axis = 0; axis < 3; ++axis)
-    target_.offset[axis] = std::clamp(target_.offset[axis], -kWorkspace_mm / 2, kWorkspace_mm / 2);
+    target_.offset[axis] =
+        std::clamp(target_.offset[axis], middle_mm[axis] - kWorkspace_mm / 2, middle_mm[axis] + kWorkspace_mm / 2);
   const double part = 1 - std::exp(-step_s / kFollow_s);
   Transform& pose = state_.deviceFromStylus;
   const Vec3 step_mm = (target_.offset - pose.offset) * part;

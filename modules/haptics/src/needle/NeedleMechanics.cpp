@@ -26,8 +26,10 @@ void NeedleMechanics::configure(const NeedleTable& table, double steepest_Npmm) 
   steepest_Npmm_ = steepest_Npmm;
 }
 
-void NeedleMechanics::reset() {
+void NeedleMechanics::remove(std::int64_t time_ns, NeedleEvents& events) noexcept {
   if (!placed_) return;
+  time_ns_ = time_ns;
+  while (holeCount_ > 0) closeHole(events);
   placed_ = false;
   state_ = {};
   contacts_ = {};
@@ -52,13 +54,14 @@ void NeedleMechanics::place(const TissueGrid& grid, Vec3 tip, Vec3 axis) {
 NeedleForce NeedleMechanics::move(const TissueGrid& grid, const Transform& restFromPatient, Vec3 tip_mm, Vec3 axis,
                                   double step_s, std::int64_t time_ns, NeedleEvents& events) noexcept {
   if (!isFinite(tip_mm) || !isFinite(axis)) return {};
-  patientTip_ = tip_mm;
-  patientAxis_ = axis;
-  time_ns_ = time_ns;
   const Vec3 tip = restFromPatient * tip_mm;
   const Vec3 restAxis = normalized(restFromPatient.linear * axis);
   const double way_mm = norm(tip - tip_);
-  if (!placed_ || way_mm > kJump_mm) place(grid, tip, restAxis);
+  if (way_mm > kJump_mm) remove(time_ns, events);
+  patientTip_ = tip_mm;
+  patientAxis_ = axis;
+  time_ns_ = time_ns;
+  if (!placed_) place(grid, tip, restAxis);
   const Vec3 from = tip_;
   const int steps = std::clamp(static_cast<int>(std::ceil(way_mm / kSubstep_mm)), 1, kMostSubsteps);
   for (int i = 1; i <= steps; ++i) step(grid, from + (tip - from) * (double(i) / steps), restAxis, events);
@@ -89,21 +92,28 @@ void NeedleMechanics::step(const TissueGrid& grid, Vec3 tip, Vec3 axis, NeedleEv
 
 void NeedleMechanics::withdraw(Vec3 tip, NeedleEvents& events) {
   while (holeCount_ > 0) {
-    const Hole& hole = holes_[holeCount_ - 1];
-    if (dot(tip - hole.point, state_.track) > -kWithdrawn_mm) return;
-    const double depth_mm = dot(hole.point - state_.entry_mm, state_.track);
-    --holeCount_;
-    inside_[hole.wall] = !hole.inwards;
-    contacts_[hole.wall].active = false;
-    tell(NeedleEventKind::Withdrawn, hole.wall, depth_mm, events);
-    if (hole.wall == kSkinWall) {
-      inside_ = {};
-      contacts_ = {};
-      onBone_ = {};
-      holeCount_ = 0;
-      state_.inBody = false;
-    }
+    if (dot(tip - holes_[holeCount_ - 1].point, state_.track) > -kWithdrawn_mm) return;
+    closeHole(events);
   }
+}
+
+/// The needle is out of the wall that it went through last.
+void NeedleMechanics::closeHole(NeedleEvents& events) {
+  const Hole hole = holes_[--holeCount_];
+  const bool skin = hole.wall == kSkinWall;
+  inside_[hole.wall] = !hole.inwards;
+  contacts_[hole.wall].active = false;
+  const bool full = events.count + 1 >= static_cast<int>(events.list.size());
+  if (full && !skin)
+    ++events.lost;  // the last place is for the skin, without which a pass would never end
+  else
+    tell(NeedleEventKind::Withdrawn, hole.wall, dot(hole.point - state_.entry_mm, state_.track), events);
+  if (!skin) return;
+  inside_ = {};
+  contacts_ = {};
+  onBone_ = {};
+  holeCount_ = 0;
+  state_.inBody = false;
 }
 
 void NeedleMechanics::touch(const TissueGrid& grid, const TissueSample& sample, int wall, Vec3 tip, Vec3 axis,

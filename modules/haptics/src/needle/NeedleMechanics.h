@@ -37,7 +37,8 @@ class NeedleMechanics {
  public:
   /// `steepest_Npmm`: what the device can show; every spring stays below its part of it.
   void configure(const NeedleTable& table, double steepest_Npmm);
-  void reset();
+  /// The needle is gone: as move() tells the withdrawal from each wall, this tells it of all that it was through.
+  void remove(std::int64_t time_ns, NeedleEvents& events) noexcept;
 
   /// Moves the tip to `tip_mm`; the needle points along the unit vector `axis` (patient space). `step_s` since the
   /// last call. A jump of more than 15 mm is no motion of a hand: the needle is then removed and placed anew.
@@ -68,6 +69,7 @@ class NeedleMechanics {
   void place(const TissueGrid& grid, Vec3 tip, Vec3 axis);
   void step(const TissueGrid& grid, Vec3 tip, Vec3 axis, NeedleEvents& events);
   void withdraw(Vec3 tip, NeedleEvents& events);
+  void closeHole(NeedleEvents& events);
   void touch(const TissueGrid& grid, const TissueSample& sample, int wall, Vec3 tip, Vec3 axis, NeedleEvents& events);
   void meet(const TissueGrid& grid, const TissueSample& sample, int wall, Vec3 tip, Vec3 axis, NeedleEvents& events);
   void follow(const TissueGrid& grid, const TissueSample& sample, int wall, Vec3 tip, Vec3 axis);

@@ -180,20 +180,20 @@ void HapticServo::State::touch(const LocalModel& model, double step_s, std::arra
 
 void HapticServo::State::touchNeedle(const LocalModel& model, double step_s, Wanted& wanted, ServoOutput& out) {
   const HandState& hand = hands[kNeedleHand];
+  NeedleEvents events;
   if (held) {
     const Vec3 away_mm = hand.setup.patientFromDevice.linear * (hand.device_mm - held->device_mm);
     const Vec3 back_N = away_mm * (-kHoldShare * steepest_Npmm(hand.setup));
     wanted.tissue = about({back_N, {}}, hand.patientFromStylus.offset, hand.patientFromTool.offset);
   } else if (hand.present && model.grid) {
-    NeedleEvents events;
     const NeedleForce felt = needle.move(*model.grid, model.restFromPatient, hand.patientFromTool.offset,
                                          hand.patientFromTool.linear.column[2], step_s, last_ns, events);
     wanted.tissue = {felt.force_N, felt.torque_Nmm};
-    out.events = events.list;
-    out.eventCount = events.count;
   } else {
-    needle.reset();
+    needle.remove(last_ns, events);
   }
+  out.events = events.list;
+  out.eventCount = events.count;
   if (holds && hand.present && !held) held = Held{hand.patientFromTool, hand.device_mm};
   out.needle = needle.state();
 }

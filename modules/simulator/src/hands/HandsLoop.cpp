@@ -94,10 +94,9 @@ void HandsSession::Impl::moveByMouse(Hand hand, const Transform& patientFromTool
 }
 
 void HandsSession::Impl::moveMouse(Hand hand, const Transform& before, const Transform& patientFromTool) {
-  HandSetup& held = setup.hands[hand];
   const Vec3 way_mm = patientFromTool.offset - before.offset;
   const Vec3 turn_rad = turnBetween(before.linear, patientFromTool.linear);
-  const Vec3 from_mm = patientFromTool.offset - held.patientFromDevice.offset;
+  const Vec3 from_mm = patientFromTool.offset - mousePlace_mm[hand];
   const double most_mm = 0.45 * InputHand::kWorkspace_mm;
   const bool beyond = std::abs(from_mm.x) > most_mm || std::abs(from_mm.y) > most_mm || std::abs(from_mm.z) > most_mm;
   if (norm(way_mm) < kFar_mm && norm(turn_rad) < 0.5 && !beyond) {
@@ -105,9 +104,13 @@ void HandsSession::Impl::moveMouse(Hand hand, const Transform& before, const Tra
     mice[hand]->turn(turn_rad);
     return;
   }
-  held.patientFromDevice.offset = patientFromTool.offset;
-  servo->setup(setup);
-  mice[hand]->placeAt({patientFromTool.linear, {}});
+  placeMouse(hand, patientFromTool);
+}
+
+/// The frame of mouse and keys is the patient's: a place is one message, of which no tick sees half.
+void HandsSession::Impl::placeMouse(Hand hand, const Transform& patientFromTool) {
+  mousePlace_mm[hand] = patientFromTool.offset;
+  mice[hand]->placeAt(patientFromTool);
 }
 
 void HandsSession::Impl::holdNeedle(bool held) {

@@ -34,6 +34,7 @@ class HandsSession::Impl {
   SimulatedDevice* simulated(Hand hand) const { return dynamic_cast<SimulatedDevice*>(devices[hand].get()); }
   void moveByMouse(Hand hand, const Transform& patientFromTool);
   void moveMouse(Hand hand, const Transform& before, const Transform& patientFromTool);
+  void placeMouse(Hand hand, const Transform& patientFromTool);
   void show(LiveImaging* in);
   void hideNeedle();
   void forgetTissue();
@@ -44,6 +45,7 @@ class HandsSession::Impl {
   mutable std::mutex mutex;  ///< of all that follows
   std::array<std::shared_ptr<InputHand>, 2> mice;
   std::array<Transform, 2> mouseAt;
+  std::array<Vec3, 2> mousePlace_mm;  ///< around which its workspace lies
   std::array<std::shared_ptr<HapticDevice>, 2> devices;
   ServoSetup setup;
   std::shared_ptr<const LabelMap> labels;

@@ -46,12 +46,9 @@ void HandsSession::put(Hand hand, std::shared_ptr<HapticDevice> device, HandSetu
 }
 
 void HandsSession::putMouse(Hand hand, const Transform& patientFromTool) {
-  InputHand& mouse = *impl_->mice[hand];
-  HandSetup setup;
-  setup.patientFromDevice.offset = patientFromTool.offset;
-  mouse.hold(true);
-  mouse.placeAt({patientFromTool.linear, {}});
-  impl_->put(hand, impl_->mice[hand], setup);
+  impl_->placeMouse(hand, patientFromTool);
+  impl_->mice[hand]->hold(true);
+  impl_->put(hand, impl_->mice[hand], {});
   const std::lock_guard lock(impl_->mutex);
   impl_->mouseAt[hand] = patientFromTool;
 }

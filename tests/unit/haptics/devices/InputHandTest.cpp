@@ -77,6 +77,14 @@ TEST_F(InputHandTest, StopsAtTheEdgeOfItsWorkspace) {
   EXPECT_NEAR(after(400).deviceFromStylus.offset.y, InputHand::kWorkspace_mm / 2 - 10, 0.01);
 }
 
+TEST_F(InputHandTest, TheWorkspaceLiesAroundTheLastPlace) {
+  hand.placeAt({Mat3{}, {0, 1000, 0}});
+  hand.drag({0, -50, 0});
+  EXPECT_NEAR(after(400).deviceFromStylus.offset.y, 950, 0.01);
+  hand.drag({0, 1e6, 0});
+  EXPECT_NEAR(after(400).deviceFromStylus.offset.y, 1000 + InputHand::kWorkspace_mm / 2, 0.01);
+}
+
 TEST_F(InputHandTest, ButtonsGoUpWhenItIsLaidDown) {
   hand.press(0, true);
   hand.press(3, true);

@@ -17,7 +17,7 @@ class InputHand final : public HapticDevice {
  public:
   /// Time in which most of a jump of the mouse is made up, s: shorter than a frame of the window would feel jerky.
   static constexpr double kFollow_s = 0.03;
-  /// Extent of the workspace, mm.
+  /// Extent of the workspace around the last place, mm.
   static constexpr double kWorkspace_mm = 400;
 
   /// `id` as in DeviceInfo, e.g. "mouse:1".
@@ -40,7 +40,7 @@ class InputHand final : public HapticDevice {
   void turn(Vec3 by_rad) noexcept;
   /// Sets the velocity for keys that are held down, until the next call.
   void glide(Vec3 velocity_mmps, Vec3 turning_radps) noexcept;
-  /// There, at once: without a way between.
+  /// Puts the tool there at once, without a path between; the workspace lies around that place from then on.
   void placeAt(const Transform& deviceFromStylus) noexcept;
   /// Button 0 is the first.
   void press(int button, bool down) noexcept;
