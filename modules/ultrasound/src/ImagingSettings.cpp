@@ -61,6 +61,7 @@ constexpr CountField kCounts[] = {
 };
 constexpr SwitchField kSwitches[] = {
     {"conformingContact", &Settings::conformingContact},
+    {"harmonic", &Settings::harmonic},
 };
 constexpr SlidersField kSliders[] = {
     {"tgc_dB", &Settings::tgc_dB, "from the face to the depth"},

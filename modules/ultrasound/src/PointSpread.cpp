@@ -56,8 +56,10 @@ double lateralFwhm_mm(const Probe& probe, const ImagingSettings& settings, doubl
   const double sent_mm = transmitAperture_mm(probe, settings), focus_mm = settings.focus_mm;
   const double receive_mm =
       widthPerFNumber(probe.apodization) * wavelength * range_mm / receiveAperture_mm(probe, range_mm);
-  const double transmit_mm =
-      std::hypot(1.44 * wavelength * focus_mm / sent_mm, 0.47 * sent_mm * (range_mm - focus_mm) / focus_mm);
+  const double diffraction_mm = (settings.harmonic ? 2 : 1) * 1.44 * wavelength * focus_mm / sent_mm;
+  const double sentWidth_mm = std::hypot(diffraction_mm, 0.47 * sent_mm * (range_mm - focus_mm) / focus_mm);
+  // The square of a Gaussian beam.
+  const double transmit_mm = settings.harmonic ? sentWidth_mm / std::numbers::sqrt2 : sentWidth_mm;
   return beamGrowth(settings, range_mm) / std::hypot(1 / transmit_mm, 1 / receive_mm);
 }
 

@@ -44,7 +44,7 @@ TEST(Machine, DecidesWhatItNamesAndNothingElse) {
   EXPECT_EQ(settings->scanlines, 128);
   EXPECT_EQ(settings->noise_dB, -38);
   EXPECT_EQ(settings->grayMap, GrayMap::Contrast);
-  EXPECT_EQ(settings->frequency_MHz, 9);
+  EXPECT_EQ(settings->frequency_MHz, 10);
   EXPECT_EQ(settings->depth_mm, 33);
   EXPECT_EQ(settings->tgc_dB[2], 4);
   EXPECT_FALSE(settings->effects.layers);

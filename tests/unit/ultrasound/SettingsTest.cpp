@@ -133,7 +133,8 @@ TEST(Settings, AreReadAsTheyWereWritten) {
   all.poorContactLeft_mm = 1.5, all.poorContactRight_mm = 3, all.lateralGain_dB[0] = -4;
   all.steering_deg = -5, all.compoundingAngles = 3;
   all.scanlines = 100, all.samples = 500, all.elevationPlanes = 5, all.width = 300, all.height = 200;
-  all.conformingContact = false, all.look = Look::Thesis, all.time_s = 2, all.effects.speckle = false;
+  all.conformingContact = false, all.harmonic = true, all.look = Look::Thesis, all.time_s = 2,
+  all.effects.speckle = false;
   all.effects.clutter = false;
   const json written = jsonOf(all), plain = jsonOf(ImagingSettings{});
   EXPECT_EQ(written.size(), plain.size());

@@ -30,6 +30,12 @@ inline constexpr double kSideLobes_dB = -23;       ///< of the echoes beside
 inline constexpr double kTwice_dB = -27;           ///< of the echoes of half the depth, on their second way
 inline constexpr double kSmear_mm = 1.8;           ///< in which either falls to 1/e along the face
 inline constexpr double kDriftReach_dB = 3, kDriftLateral_mm = 2.4, kDriftAxial_mm = 1.5;
+inline constexpr double kRippleReach_dB = 2, kRippleLateral_mm = 1.8, kRippleAxial_mm = 0.45;  ///< finer, of repeats
+
+/// Harmonic imaging: what comes back is weaker, so that the machine lifts noise with it (Averkiou, IEEE Ultrasonics
+/// Symp 2000:1563: 10 to 20 dB below the fundamental); and haze is weaker still, since weak and early echoes have made
+/// little of the harmonic (Duck, Ultrasound Med Biol 2002;28:1). The transmitted pulse itself is filtered out.
+inline constexpr double kHarmonicLevel_dB = -12, kHarmonicHaze_dB = -8;
 
 /// Share of the level, in dB, that an aperture smaller than the full one lacks and that the machine does not make up
 /// for: chosen by the uppermost 4 mm of seven real neck images.

@@ -95,7 +95,8 @@ std::shared_ptr<const NoiseField> fieldOf(const NoiseField::Shape& shape) {
 
 ElectronicNoise::ElectronicNoise(const Probe& probe, const ImagingSettings& settings, const DisplayPlan& plan)
     : time_(static_cast<std::uint32_t>(std::llround(settings.time_s * 1000))),
-      amplitude_(static_cast<float>(std::pow(10, settings.noise_dB / 20))),
+      amplitude_(
+          static_cast<float>(std::pow(10, (settings.noise_dB - (settings.harmonic ? kHarmonicLevel_dB : 0)) / 20))),
       field_(fieldOf(shapeOf(probe, settings, plan))) {}
 
 void ElectronicNoise::draw(std::uint32_t seed) {

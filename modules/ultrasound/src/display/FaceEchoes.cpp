@@ -124,7 +124,8 @@ void FaceEchoes::findRinging(const Probe& probe, const ImagingSettings& settings
   for (int k = 0; k < grid.samples() && grid.range_mm(k) < end_mm; ++k) {
     const double depth_mm = grid.range_mm(k);
     // The setting is what the image shows.
-    const double level_dB = settings.ringing_dB - nearLevel_dB(probe, depth_mm);
+    const double filtered_dB = settings.harmonic ? kHarmonicLevel_dB : 0;
+    const double level_dB = settings.ringing_dB + filtered_dB - nearLevel_dB(probe, depth_mm);
     touching_.push_back(powerOf(ringing(depth_mm, pulse_mm, kSkinEcho), level_dB));
     lifted_.push_back(powerOf(ringing(depth_mm, pulse_mm, kAirEcho), level_dB));
   }

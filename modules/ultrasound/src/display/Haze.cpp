@@ -10,6 +10,8 @@
 namespace insonate::display {
 namespace {
 
+constexpr double kRipples = 1000;  ///< far from where the drift is read
+
 float powerOf(double level_dB) {
   return static_cast<float>(std::pow(10, level_dB / 10));
 }
@@ -41,8 +43,10 @@ Haze::Haze(const Probe& probe, const ImagingSettings& settings, const DisplayPla
     const double spacing_mm = grid.scanlineSpacing_mm(range_mm);
     smearing_.push_back(static_cast<float>(std::exp(-spacing_mm / kSmear_mm)));
     for (int l = 0; l < plan.scanlines; ++l)
-      drift_.row(b)[l] =
-          powerOf(kDriftReach_dB * valueNoise(l * spacing_mm / kDriftLateral_mm, range_mm / kDriftAxial_mm));
+      drift_.row(b)[l] = powerOf(
+          (settings.harmonic ? kHarmonicHaze_dB : 0) +
+          kDriftReach_dB * valueNoise(l * spacing_mm / kDriftLateral_mm, range_mm / kDriftAxial_mm) +
+          kRippleReach_dB * valueNoise(kRipples + l * spacing_mm / kRippleLateral_mm, range_mm / kRippleAxial_mm));
   }
 }
 

@@ -63,10 +63,22 @@ Spectrum fieldAt(std::span<const Source> sources, double size_mm, const Band& ba
   return sum;
 }
 
-double twoWay(const Spectrum& transmit, const Spectrum& receive, const Band& band) {
+/// Amplitude there and back. A harmonic arises where the transmitted wave of half the frequency is strong, as its
+/// square (quasi-linear theory: Du and Breazeale, J Acoust Soc Am 1985;78:2083; Averkiou, IEEE Ultrasonics Symp
+/// 2000:1563).
+double twoWay(const Spectrum& transmit, const Spectrum& receive, const Band& band, bool harmonic) {
   double power = 0;
-  for (int f = 0; f < kFrequencies; ++f) power += band.power[f] * std::norm(transmit[f]) * std::norm(receive[f]);
+  for (int f = 0; f < kFrequencies; ++f) {
+    const double sent = std::norm(transmit[f]);
+    power += band.power[f] * (harmonic ? sent * sent : sent) * std::norm(receive[f]);
+  }
   return std::sqrt(power);
+}
+
+/// Frequencies of the transmitted wave.
+Band transmitBand(const Probe& probe, const ImagingSettings& settings) {
+  const double frequency_MHz = settings.harmonic ? settings.frequency_MHz / 2 : settings.frequency_MHz;
+  return {frequency_MHz, probe.bandwidth * frequency_MHz};
 }
 
 /// Weight at a place (-1..1) of an aperture whose outer share is tapered by a cosine.
@@ -118,7 +130,8 @@ void BeamField::sumLateral(const Probe& probe, const ImagingSettings& settings) 
   const double transmit_mm = transmitAperture_mm(probe, settings);
   const std::vector<Source> transmit =
       aperture(transmit_mm, elementsIn(transmit_mm, probe.pitch_mm), settings.focus_mm, kTransmitTaper);
-  const Band band(settings.frequency_MHz, probe.bandwidth * settings.frequency_MHz);
+  const Band sent = transmitBand(probe, settings),
+             band(settings.frequency_MHz, probe.bandwidth * settings.frequency_MHz);
   tbb::parallel_for(0, kNodes, [&](int n) {
     const double range_mm = node_mm(n), receive_mm = receiveAperture_mm(probe, range_mm);
     const std::vector<Source> receive =
@@ -127,8 +140,8 @@ void BeamField::sumLateral(const Probe& probe, const ImagingSettings& settings) 
     double onAxis = 0;
     for (int e = 0; e < kLateralEntries; ++e) {
       const double off_mm = e * lateral_.step_mm[n];
-      const double here = twoWay(fieldAt(transmit, probe.pitch_mm, band, off_mm, range_mm),
-                                 fieldAt(receive, probe.pitch_mm, band, off_mm, range_mm), band);
+      const double here = twoWay(fieldAt(transmit, probe.pitch_mm, sent, off_mm, range_mm),
+                                 fieldAt(receive, probe.pitch_mm, band, off_mm, range_mm), band, settings.harmonic);
       if (e == 0) onAxis = here;
       value[e] = static_cast<float>(here / onAxis);
     }
@@ -142,13 +155,16 @@ void BeamField::sumElevation(const Probe& probe, const ImagingSettings& settings
   const double pieces = kPiecesPerWavelength * probe.elementHeight_mm / wavelength_mm(settings);
   const std::vector<Source> strip = aperture(probe.elementHeight_mm, std::clamp(static_cast<int>(pieces), 16, 256),
                                              probe.elevationFocus_mm, kHeightTaper);
-  const Band band(settings.frequency_MHz, probe.bandwidth * settings.frequency_MHz);
+  const Band sent = transmitBand(probe, settings),
+             band(settings.frequency_MHz, probe.bandwidth * settings.frequency_MHz);
   tbb::parallel_for(0, kNodes, [&](int n) {
     float* value = elevation_.value.data() + std::size_t(n) * kElevationEntries;
     double onAxis = 0;
     for (int e = 0; e < kElevationEntries; ++e) {
-      const Spectrum field = fieldAt(strip, 0, band, e * elevation_.step_mm[n], node_mm(n));
-      const double here = twoWay(field, field, band);
+      const double off_mm = e * elevation_.step_mm[n];
+      const Spectrum receive = fieldAt(strip, 0, band, off_mm, node_mm(n));
+      const double here = settings.harmonic ? twoWay(fieldAt(strip, 0, sent, off_mm, node_mm(n)), receive, band, true)
+                                            : twoWay(receive, receive, band, false);
       if (e == 0) onAxis = here;
       value[e] = static_cast<float>(here / onAxis);
     }

@@ -222,8 +222,8 @@ std::vector<float> sheetsOf(const TextureTile& tile, const SheetLook& look, std:
 /// Between them lie the fascicles: fine lines along the fibers, dots across them.
 TextureTile makeSepta() {
   TextureTile tile = emptyTile({64, 64, 256}, {0.5, 0.4, 0.07});
-  const std::vector<float> longSheets = sheetsOf(tile, {{9, 2.4, 0.7}, {6, 1.3, 0.4}, 0.3F, 0.16}, 0x5e97a001U);
-  const std::vector<float> shortSheets = sheetsOf(tile, {{6, 1.2, 0.4}, {4, 0.8, 0.3}, 0.14F, 0.13}, 0x5e97a031U);
+  const std::vector<float> longSheets = sheetsOf(tile, {{9, 2.4, 0.7}, {6, 1.3, 0.4}, 0.36F, 0.15}, 0x5e97a001U);
+  const std::vector<float> shortSheets = sheetsOf(tile, {{6, 1.3, 0.4}, {3, 1.0, 0.3}, 0.26F, 0.11}, 0x5e97a031U);
   const std::vector<float> fascicles = gaussianField(tile.size, tile.voxel_mm, {2.5, 0.3, 0.12}, 0x5e97a004U);
   const std::vector<float> slow = gaussianField(tile.size, tile.voxel_mm, {6, 3, 1.4}, 0x5e97a002U);
   for (std::size_t n = 0; n < tile.value.size(); ++n) {
@@ -236,8 +236,8 @@ TextureTile makeSepta() {
 /// Fat: lobules of unlike tone between thin septa, most of which run along the skin.
 TextureTile makeLobules() {
   TextureTile tile = emptyTile({64, 64, 256}, {0.5, 0.5, 0.065625});
-  const std::vector<float> longSepta = sheetsOf(tile, {{4.5, 3.5, 0.9}, {2.5, 2, 0.7}, 0.41F, 0.17}, 0x10b01e01U);
-  const std::vector<float> shortSepta = sheetsOf(tile, {{2.5, 2, 0.75}, {1.5, 1.2, 0.6}, 0.14F, 0.15}, 0x10b01e11U);
+  const std::vector<float> longSepta = sheetsOf(tile, {{4.5, 3.5, 0.8}, {2.5, 2, 0.6}, 0.52F, 0.15}, 0x10b01e01U);
+  const std::vector<float> shortSepta = sheetsOf(tile, {{2.5, 2, 0.6}, {1.5, 1.2, 0.5}, 0.32F, 0.12}, 0x10b01e11U);
   const std::vector<float> tone = gaussianField(tile.size, tile.voxel_mm, {2, 2, 0.9}, 0x10b01e22U);
   const std::vector<float> grain = gaussianField(tile.size, tile.voxel_mm, {0.6, 0.6, 0.25}, 0x10b01e23U);
   for (std::size_t n = 0; n < tile.value.size(); ++n) {
@@ -264,13 +264,13 @@ TextureTile makeSheets() {
 /// Parenchyma: a grain that varies slowly within the organ, faint strands, and small vessels as dark lines and dots.
 TextureTile makeFine() {
   TextureTile tile = emptyTile({64, 64, 128}, {0.4, 0.4, 0.16});
-  const std::vector<float> coarse = gaussianField(tile.size, tile.voxel_mm, {2.2, 2.2, 1.8}, 0xf14e0001U);
+  const std::vector<float> coarse = gaussianField(tile.size, tile.voxel_mm, {2.6, 2.6, 2.0}, 0xf14e0001U);
   const std::vector<float> fine = gaussianField(tile.size, tile.voxel_mm, {0.45, 0.45, 0.3}, 0xf14e0002U);
   const std::vector<float> strands = sheetsOf(tile, {{1.8, 1.8, 0.7}, {1, 1, 0.4}, 0.1F, 0.16}, 0xf14e0011U);
   const std::vector<float> vessels = gaussianField(tile.size, tile.voxel_mm, {2.5, 0.5, 0.35}, 0xf14e0021U);
   for (std::size_t n = 0; n < tile.value.size(); ++n)
     tile.value[n] =
-        toByte(0.16F * coarse[n] + 0.14F * fine[n] + 0.6F * strands[n] - 0.8F * smoothstep(2.0F, 2.8F, vessels[n]));
+        toByte(0.24F * coarse[n] + 0.14F * fine[n] + 0.6F * strands[n] - 0.9F * smoothstep(1.7F, 2.5F, vessels[n]));
   return packed(std::move(tile));
 }
 

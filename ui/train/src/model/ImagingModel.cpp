@@ -25,9 +25,9 @@ auto fields(const Probe& p) {
 
 /// The settings that a user can change.
 auto fields(const ImagingSettings& s) {
-  return std::tie(s.depth_mm, s.frequency_MHz, s.focus_mm, s.gain_dB, s.tgc_dB, s.dynamicRange_dB, s.persistence,
-                  s.grayMap, s.speckleReduction, s.edgeEnhancement, s.dynamicFilter, s.noise_dB, s.ringing_dB,
-                  s.poorContactLeft_mm, s.poorContactRight_mm, s.lateralGain_dB, s.looks, s.steering_deg,
+  return std::tie(s.depth_mm, s.frequency_MHz, s.harmonic, s.focus_mm, s.gain_dB, s.tgc_dB, s.dynamicRange_dB,
+                  s.persistence, s.grayMap, s.speckleReduction, s.edgeEnhancement, s.dynamicFilter, s.noise_dB,
+                  s.ringing_dB, s.poorContactLeft_mm, s.poorContactRight_mm, s.lateralGain_dB, s.looks, s.steering_deg,
                   s.compoundingAngles, s.scanlines, s.samples, s.elevationPlanes, s.width, s.height,
                   s.conformingContact, s.look);
 }

@@ -44,7 +44,8 @@ static_assert(sizeof(Effects) == 13, "Effects::none() switches off every one");
 /// Settings of the operator and the renderer. Defaults suit the linear probe on a neck; see settingsFor().
 struct ImagingSettings {
   double depth_mm = 40;
-  double frequency_MHz = 7.5;
+  double frequency_MHz = 7.5;  ///< received; with harmonic imaging twice the transmitted one
+  bool harmonic = false;       ///< tissue harmonic imaging: narrower beam, less haze, more noise
   double focus_mm = 20;
   double gain_dB = 0;              ///< -40..40
   std::array<double, 8> tgc_dB{};  ///< sliders from face to depth, -20..20, on top of the built-in compensation
