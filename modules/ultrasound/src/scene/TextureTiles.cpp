@@ -222,7 +222,7 @@ std::vector<float> sheetsOf(const TextureTile& tile, const SheetLook& look, std:
 /// Between them lie the fascicles: fine lines along the fibers, dots across them.
 TextureTile makeSepta() {
   TextureTile tile = emptyTile({64, 64, 256}, {0.5, 0.4, 0.07});
-  const std::vector<float> longSheets = sheetsOf(tile, {{9, 2.4, 0.7}, {6, 1.3, 0.4}, 0.36F, 0.15}, 0x5e97a001U);
+  const std::vector<float> longSheets = sheetsOf(tile, {{9, 2.4, 0.7}, {6, 1.4, 0.4}, 0.36F, 0.16}, 0x5e97a001U);
   const std::vector<float> shortSheets = sheetsOf(tile, {{6, 1.3, 0.4}, {3, 1.0, 0.3}, 0.26F, 0.11}, 0x5e97a031U);
   const std::vector<float> fascicles = gaussianField(tile.size, tile.voxel_mm, {2.5, 0.3, 0.12}, 0x5e97a004U);
   const std::vector<float> slow = gaussianField(tile.size, tile.voxel_mm, {6, 3, 1.4}, 0x5e97a002U);
