@@ -6,9 +6,8 @@
 namespace insonate::elastic {
 namespace {
 
-constexpr float kAround_mm = 1.5f;        // distance from vessels, skin and ends of the face within which cells are
-                                          // fine
-constexpr float kDeepest_mm = 33;         // depth below the skin; a probe has little effect on deeper vessels
+constexpr float kAround_mm = 1.5f;        // of vessels, skin and ends of the face: range of the fine cells
+constexpr float kDeepest_mm = 33;         // that a moving probe may keep before the mesh changes its size
 constexpr std::size_t kSpareBlocks = 10;  // additional blocks that a moving probe may keep before the mesh changes its
                                           // size
 constexpr float kSteepest = 2;            // slope of the skin relative to the face

@@ -88,7 +88,7 @@ void Solver::findPrestress() {
   std::vector<float>& base = elements_.base;
   elements_.carried = base;
   for (std::size_t n = 0; n < elements_.count(); ++n) {
-    elements_.bulk[n] += elements_.hoop[n];  // blood resists a change of the vessels' area
+    elements_.bulk[n] += elements_.hoop[n];  // blood resists changes of area
     base[n] -= a * materials_->arteryBlood[n] + v * materials_->veinBlood[n];
   }
   system(0);

@@ -121,8 +121,7 @@ Body makeBody(const elastic::Mesh& mesh, const elastic::Materials& materials, co
   }
   body.struts = makeStruts(body);
   if (!materials.anyBlood) return body;
-  for (Cell& cell : body.cells) cell.bulk += materials.hoop[cell.node[0]];  // blood resists a change of the vessels'
-                                                                            // area
+  for (Cell& cell : body.cells) cell.bulk += materials.hoop[cell.node[0]];  // blood resists changes of area
   prestress(body, atRest);
   for (Cell& cell : body.cells) {
     cell.hoop = materials.hoop[cell.node[0]];

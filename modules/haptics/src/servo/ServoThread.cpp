@@ -19,8 +19,7 @@ class EventRing {
  public:
   void add(const NeedleEvent& event) noexcept {
     const std::uint64_t at = written_.load(std::memory_order_relaxed);
-    if (at - read_.load(std::memory_order_acquire) >= ring_.size()) return;  // the queue is full, since no reader has
-                                                                             // come for a long time
+    if (at - read_.load(std::memory_order_acquire) >= ring_.size()) return;  // full: no reader has come for a long time
     ring_[at % ring_.size()] = event;
     written_.store(at + 1, std::memory_order_release);
   }
