@@ -23,9 +23,9 @@
 namespace insonate::prepare {
 namespace {
 
-constexpr int kListRows = 3, kWordsLines = 4;  // at least
+constexpr int kListRows = 3, kWordsLines = 4;  // minimum numbers of rows and lines
 
-/// Takes the height that its content needs at its width, and scrolls if the column is too low for that.
+/// A list with the height of its content at its width; it scrolls if the column is too low.
 class WordsArea : public QScrollArea {
  public:
   explicit WordsArea(QWidget* content);
@@ -78,7 +78,7 @@ QString stateWord(GuideSession::State state, bool optional) {
   return {};
 }
 
-/// Describes whether the clicks suffice, and how to complete them.
+/// States whether the clicks suffice, and how to complete them.
 QString clicksWords(const GuideStep& step, int count) {
   QStringList words;
   if (count == 0)
@@ -122,8 +122,8 @@ GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), gu
   list_->setHeaderHidden(true);
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
-  list_->setTextElideMode(Qt::ElideMiddle);  // the side comes last
-  // A step's state must be readable in full.
+  list_->setTextElideMode(Qt::ElideMiddle);  // the side is at the end
+  // The state of a step must be fully readable.
   list_->header()->setStretchLastSection(false);
   list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
@@ -195,7 +195,7 @@ QWidget* GuidePage::buildButtons() {
   connect(run_, &QPushButton::clicked, this,
           [this] { guide_.state(guide_.current()) == GuideSession::State::Working ? guide_.cancel() : guide_.run(); });
   connect(accept_, &QPushButton::clicked, this, [this] {
-    // The button goes, and would leave the keyboard to whatever comes after it.
+    // The button is hidden, which would move the keyboard focus to the next widget.
     list_->setFocus();
     guide_.accept();
   });
@@ -249,7 +249,7 @@ void GuidePage::refreshButtons() {
                    : guide_.step().clicks > 0 ? tr("Makes this structure from the clicks (Enter)")
                                               : tr("Makes these structures (Enter)"));
   run_->setEnabled(working || guide_.canRun());
-  // One thing to do next.
+  // One button for the next action.
   ui::setRole(run_, state == GuideSession::State::Done ? "" : "primary");
   ui::setRole(accept_, state == GuideSession::State::Done ? "primary" : "");
   accept_->setVisible(made);

@@ -37,7 +37,7 @@ QComboBox* choice(const char* object, const QString& name, int letters, const QS
 LabelDetails::LabelDetails(PrepareModel& shared, QWidget* parent)
     : QWidget(parent),
       shared_(shared),
-      // "in progress" is read whole; the tissue gets what is left.
+      // "in progress" must be fully readable; the tissue gets the remaining width.
       state_(choice("labelState", tr("State of the selected structure"), 11,
                     tr("Progress on the selected structure (S sets the next state); saved with the case"))),
       tissue_(choice("labelTissue", tr("Tissue of the selected structure"), 3, {})),

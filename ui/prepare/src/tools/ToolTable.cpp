@@ -8,7 +8,7 @@
 namespace insonate::prepare {
 namespace {
 
-/// `field` gives the number's place in the tool's own parameters.
+/// `field` returns a reference to the number in the tool's parameters.
 template <class Step, class Field>
 ToolNumber number(const char* name, const char* unit, ui::ValueRange range, const char* hint, Field field) {
   return {tr(name),
@@ -41,7 +41,7 @@ ToolRange range() {
           [](LabelTool& tool, HuRange value) { std::get<Step>(tool).range_HU = value; }};
 }
 
-/// Blood with contrast agent, to begin with.
+/// Default: blood with contrast agent.
 constexpr HuRange kUsualRange{150, 600};
 
 Tool brush(const char* id, const char* name, int key, const char* advice, bool erases) {
@@ -246,7 +246,7 @@ Tool smoothing(const char* id, const char* name, const char* advice, ToolNumber 
           .numbers = {std::move(number)}};
 }
 
-/// 3D Slicer has the whole width, its kernel size.
+/// 3D Slicer uses the full width, its kernel size.
 template <class Step>
 Tool smoothingInReach(const char* id, const char* name, const char* advice, const char* hint) {
   ToolNumber radius = number<Step>(
@@ -356,7 +356,7 @@ std::vector<Tool> all() {
                    .usual = step::Threshold{kUsualRange},
                    .range = range<step::Threshold>()});
   for (auto part : {growing(), vessels(), shaping()}) tools.insert(tools.end(), part.begin(), part.end());
-  // Resetting gives back what the tool begins with.
+  // Reset restores the defaults of the tool.
   for (Tool& tool : tools)
     for (ToolNumber& one : tool.numbers) one.range.usual = one.get(tool.usual);
   return tools;

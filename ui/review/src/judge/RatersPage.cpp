@@ -75,7 +75,7 @@ RatersPage::RatersPage(const ClassDesk& desk, QWidget* parent)
   box->addWidget(words_);
   box->addWidget(pairs_, 1);
   box->addWidget(items_, 3);
-  box->addStretch();  // where there are no tables
+  box->addStretch();  // if there are no tables
   connect(pairs_, &QTableWidget::itemSelectionChanged, this, [this] { showItems(); });
   connect(&desk_, &ClassDesk::classChanged, this, [this] {
     known_ = false;

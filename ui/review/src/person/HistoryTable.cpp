@@ -42,7 +42,7 @@ QString placeOf(const KeptAttempt& attempt, const QString& recording) {
   return HistoryTable::tr("on %1").arg(QString::fromStdString(attempt.facts.workstation));
 }
 
-/// The recording of this attempt is not to be had, and what to do.
+/// States that the recording of this attempt is not available, and what to do.
 QString whyNoReplay(const KeptAttempt& attempt) {
   if (attempt.facts.recording.empty()) return HistoryTable::tr("This attempt has no recording.");
   return HistoryTable::tr("The recording '%1' is not on this computer but on %2. Copy it from there into %3.")
@@ -50,7 +50,7 @@ QString whyNoReplay(const KeptAttempt& attempt) {
            QDir::toNativeSeparators(ui::attemptsFolder()));
 }
 
-/// It has ended, and nothing vouches for it.
+/// The attempt has ended and is not proven.
 bool isUnproven(const KeptAttempt& attempt) {
   const AttemptState state = attempt.facts.state;
   return (state == AttemptState::Completed || state == AttemptState::Abandoned) && !attempt.crashed &&

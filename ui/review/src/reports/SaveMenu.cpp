@@ -22,7 +22,7 @@ namespace {
 
 const QString kHomePage = QStringLiteral("review/xapiHomePage");
 
-/// All statements about these people, written to a file; on the account's thread. Gives leftOutSentence().
+/// Writes all statements about these people to a file, on the account's thread. Returns leftOutSentence().
 Result<std::string> writeStatements(const SignedIn& by, const std::vector<Person>& people, const Curriculum& curriculum,
                                     const XapiSite& site, const std::string& file) {
   XapiExport all;

@@ -58,7 +58,7 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, QWidget* window)
   signOut_ = add("accountSignOut", tr("Sign out"), tr("Signs out, so that the next user can sign in"),
                  [this] { account_.signOut(); });
   signOut_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+L")));
-  // Keys work while the menu is closed.
+  // Shortcuts work while the menu is closed.
   window_->addActions({signIn_, signOut_});
   connect(&account_, &Account::changed, this, &AccountMenu::refresh);
   connect(&site_, &SiteExchange::exchanged, this, [this] { Q_EMIT said(site_.outcome()); });

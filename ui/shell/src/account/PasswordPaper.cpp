@@ -12,7 +12,7 @@
 namespace insonate::ui {
 namespace {
 
-/// There before anything is written into it, for its owner's eyes alone.
+/// Restricts the file to its owner before anything is written into it.
 bool beginsPrivate(const QString& name) {
   QFile file(name);
   return file.open(QFile::WriteOnly) && file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);

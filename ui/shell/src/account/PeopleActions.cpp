@@ -25,7 +25,7 @@ EntryDialog::Entry roleEntry(Role role) {
 
 }  // namespace
 
-/// As EntryDialog's action: asks the store, and reads what is shown anew.
+/// Action of an EntryDialog: queries the store and reads the shown data again.
 EntryDialog::Action PeopleWindow::asking(std::function<Result<void>(const SignedIn&, const QStringList&)> what) {
   return [this, what = std::move(what)](const QStringList& texts, const std::function<void(Result<void>)>& done) {
     account_.ask<void>(

@@ -27,7 +27,7 @@ namespace {
 constexpr int kPersonRow_px = 28;
 enum PersonColumn { kPersonFullName, kPersonName, kPersonEmail, kPersonRole, kPersonState, kPersonColumns };
 
-/// Members of one class, or of all, as far as the user may see them.
+/// Members of one class, or of all classes, as far as the user may see them.
 Result<std::vector<Member>> membersOf(const SignedIn& by, const std::string& cohort) {
   if (!cohort.empty()) return CohortStore(by).members(cohort);
   const auto all = PeopleStore(by).all();
@@ -239,7 +239,7 @@ void PeopleWindow::readPeople() {
   account_.ask<std::vector<Member>>(
       this, [id = cohort() ? cohort()->id : std::string()](const SignedIn& by) { return membersOf(by, id); },
       [this, id = cohort() ? cohort()->id : std::string()](const Result<std::vector<Member>>& members) {
-        if (id != (cohort() ? cohort()->id : std::string())) return;  // another class was chosen meanwhile
+        if (id != (cohort() ? cohort()->id : std::string())) return;  // another class was selected meanwhile
         if (!members) return tell(qt(members.error().message));
         std::vector<Shown> people;
         for (const Member& member : *members) people.push_back({member.person, member.teaches});

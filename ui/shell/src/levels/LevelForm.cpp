@@ -29,7 +29,7 @@ QString procedureTitle(const std::string& name) {
   return qt(procedure ? procedure->title : name);
 }
 
-/// An unknown value stays visible until something else is chosen.
+/// An unknown value stays visible until another one is selected.
 void choose(QComboBox& box, const QString& value) {
   int at = box.findData(value);
   if (at < 0) {

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kSummary_px = 58;
 
-/// "level_3": attempts count by it, trainees never see it.
+/// "level_3": attempts refer to this name; trainees do not see it.
 std::string freshName(const Curriculum& curriculum) {
   for (std::size_t number = curriculum.levels.size() + 1;; ++number)
     if (const std::string name = "level_" + std::to_string(number); !curriculum.level(name)) return name;

@@ -51,7 +51,7 @@ QWidget* lineOf(std::initializer_list<QWidget*> parts) {
   return line;
 }
 
-/// The limit, and how many of those who are able reach it.
+/// The limit, and the share of able trainees who reach it.
 struct Calibrated {
   double limit = 0;
   Estimate falseSignals{}, power{};
@@ -61,9 +61,9 @@ Result<Calibrated> calibratedFor(const LcCusum& test, double falseSignals, const
                                  const Progress& progress) {
   const auto exact = calibratedLimit(test, falseSignals, trials, progress);
   if (!exact) return tl::unexpected(exact.error());
-  // With two digits, as it is kept: upward, so that the share still holds.
+  // Rounded up to the two digits that are stored, so that the share is still met.
   const double limit = std::ceil(100 * *exact) / 100;
-  // By careers that the limit was not fitted to.
+  // Computed from careers other than those of the calibration.
   CusumTrials others = trials;
   ++others.seed;
   const auto share = [&](double failureRate) {
@@ -73,7 +73,7 @@ Result<Calibrated> calibratedFor(const LcCusum& test, double falseSignals, const
   return Calibrated{limit, share(test.unacceptable), share(test.acceptable)};
 }
 
-/// "9.9 % (9.5 to 10.3 %)", of a share that was simulated.
+/// "9.9 % (9.5 to 10.3 %)", for a simulated share.
 QString simulatedPercent(const Estimate& share) {
   const auto percent = [](double value) { return QString::number(kPercent * value, 'f', 1); };
   const Interval interval = share.interval.value_or(Interval{share.value, share.value});

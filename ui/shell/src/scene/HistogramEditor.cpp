@@ -27,7 +27,7 @@ namespace {
 using Function = views::TransferFunction;
 constexpr int kSwatch_px = 16, kNumber_px = 72;
 enum Field { kHu, kOpacity };
-/// Gestures of typing go beside those of the plot.
+/// Ids of the gestures of typing, apart from those of the plot.
 constexpr int kTyping = 1'000'000;
 
 QString nameOf(const views::TransferPreset& preset) {
@@ -47,7 +47,7 @@ QToolButton* button(const QString& iconName, const QString& text, const QString&
 
 }  // namespace
 
-/// One step back or forward; those of one gesture melt into one.
+/// One undo step; the changes of one gesture are merged.
 class HistogramEditor::Change final : public QUndoCommand {
  public:
   Change(HistogramEditor& editor, Function after, int gesture, const QString& what)
@@ -106,7 +106,7 @@ QWidget* HistogramEditor::buildTop() {
   for (const auto& preset : views::transferPresets()) preset_->addItem(nameOf(preset));
   preset_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   preset_->setMinimumContentsLength(6);
-  preset_->setPlaceholderText(tr("changed"));  // no preset's any more
+  preset_->setPlaceholderText(tr("changed"));  // no preset is in use
   connect(preset_, qOverload<int>(&QComboBox::activated), this,
           [this](int index) { choosePreset(preset_->itemText(index)); });
   new QuietWheel(preset_);

@@ -1,4 +1,4 @@
-// The part of the window that brings cases in and out.
+// The part of the window that opens and exports cases.
 #include "AboutDialog.h"
 #include "CaseExchange.h"
 #include "HeaderBar.h"
@@ -32,14 +32,14 @@ namespace {
 
 const QString kLastTarget = QStringLiteral("lastTarget");
 
-/// The first local file or folder that is carried; empty when there is none.
+/// The first local file or folder of a drag; empty if there is none.
 QString carriedPath(const QMimeData* data) {
   for (const QUrl& url : data->urls())
     if (url.isLocalFile()) return url.toLocalFile();
   return {};
 }
 
-/// A name that every file system takes.
+/// A name that is valid in every file system.
 QString folderNameFor(const std::string& title) {
   QString name;
   for (const QChar c : QString::fromStdString(title).simplified())
@@ -143,7 +143,7 @@ void MainWindow::chooseCase() {
 void MainWindow::chooseImport() {
   const QString file =
       askForSourceFile(this, tr("Import a CT: any file of a DICOM series, or a volume file"),
-                       // Hospitals' DICOM files often have no ending.
+                       // DICOM files from hospitals often have no extension.
                        tr("DICOM and volumes (*);;Volumes (*.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd)"));
   if (!file.isEmpty()) open(file);
 }
@@ -167,7 +167,7 @@ void MainWindow::openAttempt(const QString& file) {
     showWorkspace(room->id);
     room->workspace->openAttempt(file);
   };
-  // A case that is not saved is in danger only where the attempt is of another one; that is asked then.
+  // An unsaved case is at risk only if the attempt belongs to another case; the window asks then.
   tasks_->asksWhenClosed() ? confirmDiscard(LostBy::Opening, go) : go();
 }
 
@@ -207,7 +207,7 @@ void MainWindow::takeMade(std::shared_ptr<const PatientCase> patient) {
   handOut();
 }
 
-/// Without a case, what runs brings one.
+/// Without a case, the running job will open one.
 void MainWindow::showOpening() {
   if (case_.patient) return;
   const QString what = tasks_->isRunning() ? tasks_->title() : QString();
@@ -242,7 +242,7 @@ void MainWindow::showHelp(bool keys) {
   const ShortcutGroup views{tr("In every view"), {{tr("M, double click"), tr("maximize this view, and restore it")}}};
   std::vector<ShortcutGroup> groups{std::move(everywhere), views};
   for (const Room& room : rooms_) {
-    // Commands of the present workspace come first.
+    // Commands of the current workspace come first.
     const auto place = room.workspace == currentWorkspace() ? groups.begin() : groups.end();
     if (auto shortcuts = room.workspace->shortcuts(); !shortcuts.empty())
       groups.insert(place, {room.title, std::move(shortcuts)});
