@@ -172,7 +172,7 @@ void PrepareWorkspace::Parts::refreshSave() {
   save_->setEnabled(shared.openCase.patient() && (changed || nowhere));
   save_->setToolTip(!shared.openCase.patient() ? QString()
                     : nowhere                  ? tr("Writes the case to a folder that you choose (Ctrl+S)")
-                    : changed ? tr("Writes title and looks of structures to the case's folder (Ctrl+S)")
+                    : changed ? tr("Writes the title and the appearance of structures to the case's folder (Ctrl+S)")
                               : tr("Everything is saved"));
 }
 

@@ -83,15 +83,16 @@ QString clicksWords(const GuideStep& step, int count) {
   QStringList words;
   if (count == 0)
     words << GuidePage::tr(
-                 "No click yet; %1 are enough, %2 where it is hard to see. Ctrl + wheel zooms, a double click "
+                 "No click yet; %1 are enough, %2 if the structure is hard to see. Ctrl + wheel zooms, a double click "
                  "enlarges a view, G hides the labels.")
                  .arg(step.leastClicks)
                  .arg(step.clicks);
   else
     words << (count == 1 ? GuidePage::tr("1 click") : GuidePage::tr("%1 clicks").arg(count)) +
                  (count < step.leastClicks ? GuidePage::tr("; %1 more needed.").arg(step.leastClicks - count)
-                  : count < step.clicks    ? GuidePage::tr(", enough; %1 where it is hard to see.").arg(step.clicks)
-                                           : GuidePage::tr(", enough."))
+                  : count < step.clicks
+                      ? GuidePage::tr(", enough; %1 if the structure is hard to see.").arg(step.clicks)
+                      : GuidePage::tr(", enough."))
           << GuidePage::tr("Drag a point to move it; the right button or Delete removes it.");
   return words.join(QLatin1Char(' '));
 }
@@ -177,8 +178,8 @@ QWidget* GuidePage::buildButtons() {
   };
   run_ = button("guideRun", tr("Run"), {});
   accept_ = button("guideAccept", tr("Accept"), tr("Continues with the next step (Enter)"));
-  correct_ =
-      button("guideCorrect", tr("Correct"), tr("Paints and erases this structure in the slices; others are spared"));
+  correct_ = button("guideCorrect", tr("Correct"),
+                    tr("Paints and erases this structure in the slices; other structures do not change"));
   correct_->setCheckable(true);
   skip_ = button("guideSkip", tr("Skip"), tr("Continues without this structure"));
   auto* radius = new ui::ValueSlider(tr("Brush"), tr("mm"), {0.5, 15, guide_.brush_mm(), 0.5, 1},

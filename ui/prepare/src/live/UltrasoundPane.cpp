@@ -31,7 +31,7 @@ UltrasoundPane::UltrasoundPane(PrepareModel& shared, QWidget* parent)
       view_(std::make_shared<views::UltrasoundView>()),
       widget_(new ui::ViewWidget(view_, tr("Ultrasound of this label map"), this)),
       press_(new ui::ValueSlider(tr("indentation"), tr("mm"), {0, 15, 0, 0.5, 1},
-                                 tr("indentation of the probe; the tissue gives way as in Train"))),
+                                 tr("indentation of the probe, which compresses the tissue as in Train"))),
       state_(new QLabel),
       pressed_(new QLabel),
       start_(new QPushButton(tr("Start"))),

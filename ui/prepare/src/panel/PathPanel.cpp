@@ -74,7 +74,7 @@ QWidget* PathPanel::buildLabelling() {
   labelling_->addWidget(new GuidePage(guide_));
   labelling_->addWidget(table_);
   tabs_->setObjectName(QStringLiteral("labelling"));
-  tabs_->setAccessibleName(tr("Labelling"));
+  tabs_->setAccessibleName(tr("Labeling"));
   tabs_->setDrawBase(false);
   tabs_->setTabToolTip(tabs_->addTab(tr("Guide")), tr("Step by step through the structures of a neck"));
   tabs_->setTabToolTip(tabs_->addTab(tr("Structures")), tr("All structures of the case, with color and visibility"));

@@ -73,8 +73,9 @@ void LabelDetails::refresh() {
   tissue_->setEnabled(any && isOwnLabel(label));
   tissue_->setToolTip(
       tissue_->isEnabled()
-          ? tr("Tissue of the structure: sets its look in ultrasound, its stiffness and its resistance to the needle")
-          : tr("Structures of the label table are their own tissue; Add makes one of your own"));
+          ? tr("Tissue of the structure: determines its ultrasound image, its stiffness and its resistance to the "
+               "needle")
+          : tr("Structures of the label table have a fixed tissue; Add makes a structure of another tissue"));
   if (!any) return term_->setText(tr("Choose a structure, or add one."));
   const std::uint8_t tissue = tissueOf(shared_.terms.value().own, label);
   state_->setCurrentIndex(int(shared_.terms.stateOf(label)));

@@ -143,8 +143,8 @@ QWidget* StructureTable::buildButtons() {
   remove_ = new QPushButton(tr("Clear"));
   remove_->setObjectName(QStringLiteral("clearLabel"));
   remove_->setToolTip(
-      tr("Changes all voxels of the selected structure to soft tissue; removes an own structure without voxels from "
-         "the list. Ctrl+Z undoes it"));
+      tr("Changes all voxels of the selected structure to soft tissue; removes a structure of your own without voxels "
+         "from the list. Ctrl+Z undoes it"));
   connect(remove_, &QPushButton::clicked, this,
           [this] { shared_.structures.removeVoxels(shared_.structures.selected()); });
   connect(only_, &QPushButton::clicked, this, [this] { shared_.appearance.showOnly(shared_.structures.selected()); });

@@ -57,7 +57,7 @@ QColor inkOn(const QColor& ground) {
 
 QString heatWords(const std::optional<double>& share) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("Review", text); };
-  if (!share) return tr("nothing to compare with");
+  if (!share) return tr("no published values");
   return *share >= 99   ? tr("as an expert")
          : *share >= 67 ? tr("near expert")
          : *share >= 34 ? tr("midway")

@@ -36,8 +36,8 @@ enum HistoryColumn {
 };
 
 QString placeOf(const KeptAttempt& attempt, const QString& recording) {
-  if (!attempt.recordingFile.empty()) return HistoryTable::tr("kept with the store");
-  if (!recording.isEmpty()) return HistoryTable::tr("here");
+  if (!attempt.recordingFile.empty()) return HistoryTable::tr("in the store");
+  if (!recording.isEmpty()) return HistoryTable::tr("on this computer");
   if (attempt.facts.recording.empty()) return HistoryTable::tr("none");
   return HistoryTable::tr("on %1").arg(QString::fromStdString(attempt.facts.workstation));
 }
@@ -114,14 +114,14 @@ QWidget* HistoryTable::buildButtons() {
   void_->setToolTip(tr("Excludes the attempt from the count, with a reason; it stays in the list (Delete)"));
   void_->setShortcut(QKeySequence(Qt::Key_Delete));
   earlier_->setObjectName(QStringLiteral("earlierAttempts"));
-  earlier_->setToolTip(tr("Lists the %1 attempts before these").arg(kPage));
+  earlier_->setToolTip(tr("Lists %1 earlier attempts").arg(kPage));
   words_->setObjectName(QStringLiteral("historyWords"));
   words_->setTextFormat(Qt::PlainText);
   words_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   ui::setRole(words_, "quiet");
   connect(replay_, &QPushButton::clicked, this, [this] { replay(); });
   accept_->setObjectName(QStringLiteral("acceptAttempt"));
-  accept_->setToolTip(tr("Counts this unproven pass on your word, with a reason"));
+  accept_->setToolTip(tr("Accepts this unproven pass with a reason, so that it counts"));
   connect(void_, &QPushButton::clicked, this, [this] { askReason(Change::Void); });
   connect(accept_, &QPushButton::clicked, this, [this] { askReason(Change::Accept); });
   connect(earlier_, &QPushButton::clicked, this, [this] { desk_.readEarlier(); });

@@ -111,7 +111,7 @@ QString Transport::handsNow() const {
   }
   if (sample->aspirating) words << tr("aspirating");
   if (!sample->patientFromProbe) words << tr("no probe");
-  if (sample->probeForce_N >= kFelt_N) words << tr("probe presses with %1 N").arg(sample->probeForce_N, 0, 'f', 1);
+  if (sample->probeForce_N >= kFelt_N) words << tr("probe force %1 N").arg(sample->probeForce_N, 0, 'f', 1);
   return words.join(QStringLiteral("   "));
 }
 

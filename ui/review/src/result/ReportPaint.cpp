@@ -162,7 +162,7 @@ void Page::moments() {
 void Page::foot() {
   painter_.setFont(paperFont(kSmall));
   text(QRectF(kMargin, kHeight - kMargin, kWidth - 2 * kMargin, 40),
-       tr("%1. For training; points are no measure of competence.")
+       tr("%1. For training; points are not a measure of competence.")
            .arg(QString::fromStdString(attempt_.recording->header().software)),
        ink_.quiet);
 }

@@ -125,7 +125,7 @@ void CropDialog::addRegion(QGridLayout& grid) {
 }
 
 void CropDialog::addSpacing(QGridLayout& grid) {
-  resample_->setToolTip(tr("Coarser takes less memory and time; finer makes nothing sharper"));
+  resample_->setToolTip(tr("Coarser spacing takes less memory and time; finer spacing adds no detail"));
   grid.addWidget(resample_, 4, 0, 1, 3);
   for (int a = 0; a < 3; ++a) {
     const QString direction = directionOf(geometry_.direction.column[a]);

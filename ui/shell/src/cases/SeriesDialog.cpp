@@ -45,7 +45,7 @@ QString nameOf(const SeriesInfo& series) {
 
 QString stateOf(const SeriesInfo& series) {
   if (!series.refusal.empty()) return SeriesDialog::tr("cannot be imported");
-  if (series.warnings.empty()) return SeriesDialog::tr("fine");
+  if (series.warnings.empty()) return SeriesDialog::tr("no notes");
   const auto count = series.warnings.size();
   return count == 1 ? SeriesDialog::tr("1 note") : SeriesDialog::tr("%1 notes").arg(count);
 }
@@ -146,7 +146,7 @@ void SeriesDialog::setUpWidgets() {
   picture_->setPalette(black);
   picture_->setAccessibleName(tr("Middle slice of the chosen series"));
   label_->setChecked(true);
-  label_->setToolTip(tr("From Hounsfield units; vessels, glands and nerves need an author"));
+  label_->setToolTip(tr("Labels from Hounsfield units; an author has to label vessels, glands and nerves"));
   shift_->setObjectName(QStringLiteral("shiftValues"));
   shift_->setToolTip(tr("Preview, automatic labels and ultrasound need Hounsfield units: air at -1000, water at 0"));
   // Its text states the amount, for which the file must be read.

@@ -34,7 +34,7 @@ FormQuestion::FormQuestion(const FormItem& item, bool takesNote, QWidget* parent
   box->setSpacing(kSmallGap);
   auto* head = new QHBoxLayout;
   head->setSpacing(kGap);
-  head->addWidget(paragraph("", "", item.needed ? tr("%1 (needed)").arg(qt(item.title)) : qt(item.title)), 1);
+  head->addWidget(paragraph("", "", item.needed ? tr("%1 (required)").arg(qt(item.title)) : qt(item.title)), 1);
   box->addLayout(head);
   if (!item.about.empty()) box->addWidget(paragraph("", "quiet", qt(item.about)));
   box->addWidget(item.kind == FormItem::Kind::Choice   ? buildChoice(item)
@@ -89,7 +89,7 @@ QWidget* FormQuestion::buildText(const FormItem& item) {
   text_ = new QPlainTextEdit;
   text_->setObjectName(QStringLiteral("form_") + qt(name_));
   text_->setAccessibleName(qt(item.title));
-  text_->setToolTip(tr("In your words; may be left empty"));
+  text_->setToolTip(tr("In your words; optional"));
   text_->setTabChangesFocus(true);
   text_->setFixedHeight(kTextLines * fontMetrics().lineSpacing() + 2 * kGap);
   connect(text_, &QPlainTextEdit::textChanged, this, &FormQuestion::changed);

@@ -83,8 +83,8 @@ QString simulatedPercent(const Estimate& share) {
 
 QString wordsOf(const Calibrated& done, const LcCusum& test, const CusumTrials& trials) {
   return MasteryEditor::tr(
-             "h %1: about %2 of those who fail %3 % of the time signal falsely within %4 attempts; about %5 of those "
-             "who fail %6 % of the time signal. Simulated, with intervals of 95 %.")
+             "Limit %1: about %2 of trainees who fail %3 % of the time get a false signal within %4 attempts; about %5 "
+             "of those who fail %6 % of the time get a signal. Simulated, with 95 % intervals.")
       .arg(QString::number(done.limit, 'f', 2), simulatedPercent(done.falseSignals),
            QString::number(kPercent * test.unacceptable), QString::number(trials.trials), simulatedPercent(done.power),
            QString::number(kPercent * test.acceptable));
@@ -136,7 +136,7 @@ QWidget* MasteryEditor::buildCalibration() {
       number<QSpinBox>("cusumTrials", tr("Attempts"), tr("Number of attempts for this rate"), 1, 1000, tr(" attempts"));
   trials_->setValue(CusumTrials().trials);
   calibrate_ = named(new QPushButton(tr("Calibrate")), "cusumCalibrate", tr("Calibrate the limit"),
-                     tr("Simulates careers, reproducibly, and sets the limit"));
+                     tr("Sets the limit by a reproducible simulation of trainees"));
   calibrate_->setAutoDefault(false);
   connect(calibrate_, &QPushButton::clicked, this, &MasteryEditor::calibrate);
   calibrated_ = new QLabel;
@@ -230,7 +230,7 @@ void MasteryEditor::calibrate() {
   CusumTrials trials;
   trials.trials = trials_->value();
   tasks_->run<Calibrated>(
-      tr("Simulating %L1 careers of %2 attempts").arg(trials.careers).arg(trials.trials),
+      tr("Simulating %L1 trainees with %2 attempts each").arg(trials.careers).arg(trials.trials),
       [=](const Progress& progress) { return calibratedFor(test, share, trials, progress); },
       [this, test, trials](const Result<Calibrated>& done) {
         const QString words = done ? wordsOf(*done, test, trials) : QString::fromStdString(done.error().message);

@@ -65,7 +65,7 @@ LibraryWindow::LibraryWindow(QWidget* parent)
                       {{tr("fit and unfit"), int(LibraryFilter::Fitness::All)},
                        {tr("fit for training"), int(LibraryFilter::Fitness::Fit)},
                        {tr("not fit"), int(LibraryFilter::Fitness::Unfit)}})),
-      order_(choice("libraryOrder", tr("Order"), tr("In which order cases are listed"),
+      order_(choice("libraryOrder", tr("Order"), tr("Order of the cases"),
                     {{tr("easy first, ungraded last"), int(LibraryFilter::Order::Difficulty)},
                      {tr("by title"), int(LibraryFilter::Order::Title)},
                      {tr("newest first"), int(LibraryFilter::Order::Newest)}})),

@@ -57,19 +57,20 @@ void MainWindow::makeActions() {
     addAction(action);
     return action;
   };
-  open_ = make("folder", tr("Open case ..."), tr("A case folder, or a folder of DICOM files"), QKeySequence::Open);
+  open_ =
+      make("folder", tr("Open case ..."), tr("Opens a case folder, or a folder of DICOM files"), QKeySequence::Open);
   import_ =
       make("import", tr("Import file ..."),
            tr("Imports the whole DICOM series of any of its files, or an NRRD, NIfTI or MetaImage file"), tr("Ctrl+I"));
-  textbook_ = make("neck", tr("Built-in neck"), tr("The textbook neck that comes with Insonate"), tr("Ctrl+T"));
+  textbook_ = make("neck", tr("Built-in neck"), tr("Opens the textbook neck that comes with Insonate"), tr("Ctrl+T"));
   library_ = make("folder", tr("Case library ..."), tr("Lists all cases with contents and difficulty"), tr("Ctrl+B"));
-  attempt_ = make("review", tr("Open attempt ..."), tr("A recorded attempt, to be replayed"), tr("Ctrl+Shift+O"));
+  attempt_ = make("review", tr("Open attempt ..."), tr("Opens a recorded attempt to replay it"), tr("Ctrl+Shift+O"));
   attempt_->setVisible(false);
   reload_ = make("reload", tr("Reload"), tr("Reads the case from its folder again"), QKeySequence(Qt::Key_F5));
-  save_ = make("save", tr("Save case"), tr("Write the changes to the case's folder"), QKeySequence::Save);
-  saveAs_ = make("save", tr("Save case as ..."), tr("Write the case to a folder"), tr("Ctrl+Shift+S"));
+  save_ = make("save", tr("Save case"), tr("Writes the changes to the case's folder"), QKeySequence::Save);
+  saveAs_ = make("save", tr("Save case as ..."), tr("Writes the case to a new folder"), tr("Ctrl+Shift+S"));
   for (QAction* action : {reload_, save_, saveAs_}) action->setEnabled(false);
-  auto* quit = make("close", tr("Quit"), tr("Close the window"), QKeySequence::Quit);
+  auto* quit = make("close", tr("Quit"), tr("Closes the window"), QKeySequence::Quit);
   auto* page = make("help", tr("Help"), tr("Help for this view"), QKeySequence(Qt::Key_F1));
   auto* keys = make("help", tr("Keys"), tr("All keys"), QKeySequence(Qt::Key_Question));
   auto* glossary = make("help", tr("Glossary"), tr("What each number means and how it is measured"), {});
