@@ -51,7 +51,7 @@ TEST_F(SessionCommand, AnAttemptAndItsReplayTellTheSame) {
   EXPECT_EQ(told["findings"][1]["rule"], "back wall");
   EXPECT_EQ(told["succeeded"], true) << "drawn back into the vein";
   EXPECT_TRUE(told.contains("version"));
-  EXPECT_THAT(told["score"]["advice"].get<std::string>(), HasSubstr("stop as soon as the tip is seen"));
+  EXPECT_THAT(told["score"]["advice"].get<std::string>(), HasSubstr("stop as soon as the tip is visible"));
   EXPECT_EQ(told["score"]["metrics"][2]["novice"], 0.49);
   EXPECT_EQ(told["score"]["metrics"][2]["share"], 0);
   EXPECT_TRUE(told["score"]["metrics"][0]["novice"].is_null()) << "none is known";

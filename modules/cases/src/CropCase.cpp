@@ -11,13 +11,13 @@
 namespace insonate {
 namespace {
 
-/// A point between two samples of one axis: the lower one, and the weight of the upper one.
+/// A point between two samples of an axis: the index of the lower sample, and the weight of the upper one.
 struct Tap {
   int low = 0, high = 0;
   float share = 0;
 };
 
-/// Points that stand for one new voxel along one axis, spread evenly over it.
+/// Sample points of one new voxel along one axis, evenly distributed over it.
 using Taps = std::vector<Tap>;
 
 std::vector<Taps> tapsAlong(int axis, const VolumeGeometry& from, const VolumeGeometry& to) {
@@ -30,7 +30,7 @@ std::vector<Taps> tapsAlong(int axis, const VolumeGeometry& from, const VolumeGe
     for (int p = 0; p < points; ++p) {
       const double within = (p + 0.5) / points - 0.5;
       const double at = std::clamp(first[axis] + (n + within) * step, 0.0, from.size[axis] - 1.0);
-      // A limit that falls on a voxel takes that voxel alone, whatever the rounding error.
+      // A limit that coincides with a voxel includes only that voxel, independent of rounding.
       const double whole = std::round(at);
       const double index = std::abs(at - whole) < 1e-6 ? whole : at;
       const int low = static_cast<int>(index);
@@ -43,7 +43,7 @@ std::vector<Taps> tapsAlong(int axis, const VolumeGeometry& from, const VolumeGe
 struct AllTaps {
   std::array<std::vector<Taps>, 3> along;
 
-  /// Calls `take` with each voxel that has a share in a new one, and its weight.
+  /// Calls `take` with each voxel that contributes to a new one, and its weight.
   template <class Take>
   void each(int i, int j, int k, Take take) const {
     for (const Tap& z : along[2][static_cast<std::size_t>(k)])
@@ -67,7 +67,7 @@ std::int16_t meanHu(const CtVolume& ct, const AllTaps& taps, int i, int j, int k
   return static_cast<std::int16_t>(std::lround(sum / weights));
 }
 
-/// The lowest number where two labels have the same share.
+/// Takes the lowest number if two labels have the same share.
 std::uint8_t largestLabel(const LabelMap& labels, const AllTaps& taps, int i, int j, int k,
                           std::array<float, 256>& shares) {
   std::array<std::uint8_t, 256> seen{};
@@ -95,7 +95,7 @@ std::string text(const VolumeGeometry& g) {
          number(g.spacing_mm.x) + "x" + number(g.spacing_mm.y) + "x" + number(g.spacing_mm.z) + " mm";
 }
 
-/// Drops targets, vessels and landmarks that are not in the grid any more.
+/// Removes targets, vessels and landmarks outside the grid.
 void keepInside(CaseManifest& manifest, const VolumeGeometry& grid) {
   const auto drop = [&](const std::string& kind, const std::string& name, Vec3 place_mm) {
     const auto [i, j, k] = nearestVoxel(grid.indexFromPatient() * place_mm);
@@ -120,7 +120,7 @@ void keepInside(CaseManifest& manifest, const VolumeGeometry& grid) {
 VoxelBox boxBetween(const VolumeGeometry& geometry, Vec3 corner_mm, Vec3 opposite_mm) {
   const Transform indexFromPatient = geometry.indexFromPatient();
   Vec3 low = indexFromPatient * corner_mm, high = low;
-  // All eight corners: the grid may be oblique to the patient's axes.
+  // Uses all eight corners, since the grid may be oblique to the patient's axes.
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 p =
         indexFromPatient * Vec3{corner & 1 ? opposite_mm.x : corner_mm.x, corner & 2 ? opposite_mm.y : corner_mm.y,
@@ -146,7 +146,7 @@ Result<VolumeGeometry> croppedGrid(const VolumeGeometry& geometry, const CropOpt
   for (int a = 0; a < 3; ++a) {
     const double length_mm = grid.size[a] * grid.spacing_mm[a], step_mm = (*options.spacing_mm)[a];
     grid.size[a] = std::max(1, static_cast<int>(std::lround(length_mm / step_mm)));
-    // Both grids are centred on the same place.
+    // Both grids have the same center.
     shift[a] = (length_mm - grid.spacing_mm[a]) / 2 - (grid.size[a] - 1) * step_mm / 2;
     grid.spacing_mm[a] = step_mm;
   }

@@ -6,7 +6,7 @@
 namespace insonate {
 namespace {
 
-/// The least of `measure(distance to a piece of the course, radius there)`.
+/// Minimum of `measure(distance to a piece of the course, radius there)`.
 template <class Measure>
 double leastAlong(const NamedVessel& vessel, Vec3 p_mm, const Measure& measure) noexcept {
   double least = std::numeric_limits<double>::infinity();

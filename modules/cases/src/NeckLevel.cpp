@@ -29,7 +29,7 @@ Box patientBoxOf(const VolumeGeometry& g) {
   return box;
 }
 
-/// Finds pieces of body in one level, cell by cell.
+/// Finds connected parts of the body in one level, cell by cell.
 class Slice {
  public:
   Slice(const PatientBody& body, const Box& box, double z_mm)
@@ -57,7 +57,7 @@ class Slice {
   std::size_t cell(int i, int j) const { return static_cast<std::size_t>(j) * columns_ + i; }
   double x(int i) const { return box_.low_mm.x + i * kPixel_mm; }
 
-  /// The piece around a cell, which is removed.
+  /// Returns the part around a cell and removes it from the level.
   BodyLevel take(int i0, int j0, double z_mm) {
     double cells = 0, sum_mm = 0;
     std::vector<std::pair<int, int>> open{{i0, j0}};
@@ -81,7 +81,8 @@ class Slice {
   std::vector<std::uint8_t> inside_;
 };
 
-/// Half of the levels have their middle to either side: arms that hang on at some levels do not count.
+/// Half of the levels have their center on either side of the result: arms that are connected at some levels have no
+/// effect.
 double midlineOf(const std::vector<BodyLevel>& levels) {
   std::vector<double> middles_mm;
   for (const BodyLevel& level : levels)
@@ -91,7 +92,7 @@ double midlineOf(const std::vector<BodyLevel>& levels) {
   return middles_mm[middles_mm.size() / 2];
 }
 
-/// The first of four cells of body in a row: a blanket is thinner.
+/// The first of four cells of body in a row; a blanket is thinner.
 double frontOf(const PatientBody& body, const Box& box, double x_mm, double z_mm) {
   constexpr int kThick = 4;
   int thick = 0;
@@ -102,7 +103,7 @@ double frontOf(const PatientBody& body, const Box& box, double x_mm, double z_mm
   return kNowhere_mm;
 }
 
-/// Distance by which the front at level n lies behind the foremost level below and the foremost level above.
+/// Distance by which the front at level n lies behind the most anterior level below and the most anterior level above.
 double hollow_mm(const std::vector<BodyLevel>& levels, int n) {
   const auto before = [](const BodyLevel& a, const BodyLevel& b) { return a.front_mm < b.front_mm; };
   const auto here = levels.begin() + n;
@@ -111,7 +112,7 @@ double hollow_mm(const std::vector<BodyLevel>& levels, int n) {
   return here->front_mm == kNowhere_mm ? 0 : here->front_mm - std::max(below_mm, above_mm);
 }
 
-/// A head's cross-section is 150 to 300 cm2, that of a trunk twice as much.
+/// The cross-section of a head is 150 to 300 cm2, that of a trunk twice as large.
 bool hasHeadAbove(const std::vector<BodyLevel>& levels, int n) {
   constexpr double kReach_mm = 60, kLeast_mm2 = 10000, kMost_mm2 = 35000;
   double largest_mm2 = 0;
@@ -140,7 +141,7 @@ std::vector<BodyLevel> bodyLevels(const PatientBody& body, const VolumeGeometry&
 }
 
 ChosenLevel neckOrMiddle(const std::vector<BodyLevel>& levels) {
-  // A thick neck has four fifths of the head's cross-section, but a fraction of the shoulders'; a waist has no
+  // A thick neck has four fifths of the head's cross-section, but a fraction of that of the shoulders; a waist has no
   // shoulders.
   constexpr double kOfHead = 0.88, kOfShoulders = 0.6, kHollow_mm = 15;
   const int count = static_cast<int>(levels.size());

@@ -136,7 +136,7 @@ Result<CaseReadResult> readCase(const fs::path& folder) {
   auto labels = readLabels(folder, result.notes);
   if (!labels) return tl::unexpected(labels.error());
   LabelMap& map = labels->labels;
-  // 3D Slicer may store no more than the box around the segments.
+  // 3D Slicer may store only the box around the segments.
   if (!sameGrid(ct->geometry, map.geometry) && isPartOf(map.geometry, ct->geometry)) {
     auto placed = placeLabels(map, ct->geometry, result.notes);
     if (!placed) return fail("The labels of " + folder.string() + " do not fit: " + placed.error().message);
@@ -148,7 +148,7 @@ Result<CaseReadResult> readCase(const fs::path& folder) {
   map.geometry = ct->geometry;
   auto manifest = readManifest(folder / kManifestFile, result.notes);
   if (!manifest) return tl::unexpected(manifest.error());
-  // Another program that has edited the labels knows better than case.json, if it says anything.
+  // If another program has edited the labels, its entries take precedence over case.json.
   for (auto& [label, own] : labels->own) manifest->ownLabels[label] = std::move(own);
   for (const auto& [label, state] : labels->states)
     if (state != stateOf(manifest->states, label, true)) manifest->states[label] = state;

@@ -13,13 +13,13 @@ namespace {
 
 constexpr double kStep_mm = 0.2;
 
-/// Length of a grid's diagonal: no ray is longer.
+/// Length of a grid's diagonal, the maximum length of a ray.
 double diagonal_mm(const VolumeGeometry& g) {
   return norm({g.size[0] * g.spacing_mm.x, g.size[1] * g.spacing_mm.y, g.size[2] * g.spacing_mm.z});
 }
 
-/// Distance from a place in the body to the last of it along a ray, just before air that is wide enough. Nothing when
-/// the ray leaves the volume inside the body: there is no skin there.
+/// Distance along a ray from a place in the body to its last point before a sufficiently wide layer of air. Empty if
+/// the ray leaves the volume inside the body, where there is no skin.
 std::optional<double> depthOfSkin_mm(const PatientBody& body, Vec3 from_mm, Vec3 outward, double longest_mm) {
   std::optional<double> lastInside;
   for (double s = 0; s < longest_mm; s += kStep_mm) {
@@ -38,7 +38,7 @@ StartPose poseAt(std::string name, Vec3 position_mm, Vec3 axial) {
   return {std::move(name), position_mm, axial, normalized(left - dot(left, axial) * axial)};
 }
 
-/// The nearest skin is where the line to the target meets it squarely.
+/// The nearest skin is where the line to the target is perpendicular to it.
 std::optional<StartPose> overTarget(const PatientBody& body, const Target& target, double longest_mm) {
   std::optional<StartPose> best;
   double nearest_mm = longest_mm;
@@ -54,8 +54,7 @@ std::optional<StartPose> overTarget(const PatientBody& body, const Target& targe
   return best;
 }
 
-/// The first place from the front that is followed by 10 mm of body, which a blanket
-/// or a tube is not.
+/// The first place from the front with 10 mm of body behind it, which excludes blankets and tubes.
 std::optional<Vec3> frontOfSkin(const PatientBody& body, Vec3 centre_mm, double x_mm, double z_mm, double reach_mm) {
   constexpr int kThick = static_cast<int>(10 / kStep_mm);
   int thick = 0;
@@ -63,14 +62,14 @@ std::optional<Vec3> frontOfSkin(const PatientBody& body, Vec3 centre_mm, double 
     thick = body.contains({x_mm, centre_mm.y + s, z_mm}) ? thick + 1 : 0;
     if (thick < kThick) continue;
     const Vec3 surface{x_mm, centre_mm.y + s - (kThick - 1) * kStep_mm, z_mm};
-    // At the volume's edge the body is cut: that is no skin.
+    // The edge of the volume cuts the body and is not skin.
     return body.inGrid(surface - Vec3{0, 2 * kStep_mm, 0}) ? std::optional(surface) : std::nullopt;
   }
   return std::nullopt;
 }
 
-/// Toward the body's share of a small ball. Along the body it is followed up to 20 degrees, so that the image stays
-/// a transverse one.
+/// Direction toward the body's share of a small ball. Along the body it is limited to 20 degrees, so that the image
+/// stays transverse.
 Vec3 inwardNormal(const PatientBody& body, Vec3 surface_mm) {
   constexpr int kCells = 4;
   constexpr double kCell_mm = 2, kTan20 = 0.364;
@@ -86,7 +85,7 @@ Vec3 inwardNormal(const PatientBody& body, Vec3 surface_mm) {
   return normalized({sum.x, sum.y, std::clamp(sum.z, -kTan20 * across, kTan20 * across)});
 }
 
-/// Beside the midline on the patient's right, where the vessels of the neck are.
+/// A place to the right of the midline, where the vessels of the neck are.
 std::optional<StartPose> onFront(const PatientBody& body, const VolumeGeometry& g) {
   const auto [level, isNeck] = neckOrMiddle(bodyLevels(body, g));
   const Vec3 centre_mm = g.centre_mm();

@@ -13,7 +13,8 @@ namespace insonate {
 namespace fs = std::filesystem;
 namespace {
 
-// Data must be on the disk before the name is: a crash in between would leave an empty file under the final name.
+// Data must be on the disk before the file is renamed: otherwise a crash would leave an empty file under the final
+// name.
 bool flushToDisk(const fs::path& file) {
   const int fd = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   if (fd < 0) return false;
@@ -22,7 +23,7 @@ bool flushToDisk(const fs::path& file) {
   return ok;
 }
 
-/// The user knows the target, not the path beside it that writers were given.
+/// Errors name the target, since the user does not know the temporary path beside it.
 std::string naming(const fs::path& target, const fs::path& beside, std::string sentence) {
   const std::string from = beside.string(), to = target.string();
   for (std::size_t at = sentence.find(from); at != std::string::npos; at = sentence.find(from, at + to.size()))
@@ -107,7 +108,7 @@ bool sharesNames(const fs::path& a, const fs::path& b) {
   return false;
 }
 
-/// Files of `folder` that are neither replaced nor superseded, as hard links: the same files, under a second name.
+/// Links the other files of `folder`, which are neither replaced nor superseded, into the new folder (hard links).
 std::error_code carryOver(const fs::path& folder, const fs::path& beside,
                           const std::vector<std::string_view>& superseded) {
   std::error_code error;
@@ -125,7 +126,7 @@ std::error_code carryOver(const fs::path& folder, const fs::path& beside,
   return error;
 }
 
-/// Afterwards the old folder is at `beside`.
+/// Exchanges the two folders: afterwards the old one is at `beside`.
 std::error_code swapFolders(const fs::path& beside, const fs::path& folder) {
   if (::renameat2(AT_FDCWD, beside.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) == 0) return {};
   std::error_code error;
@@ -169,7 +170,7 @@ Result<void> writeFolderAtomically(const fs::path& target, const std::function<R
   std::error_code error;
   if (auto ok = checkFolderTarget(target); !ok) return ok;
   const fs::path named = target.has_filename() ? target : target.parent_path();
-  // A link keeps pointing to the folder that is written.
+  // A symbolic link keeps pointing to the written folder.
   const fs::path folder = fs::exists(named, error) ? fs::canonical(named, error) : named;
   if (error) return couldNotWrite(named, error);
   removeAbandonedParts(folder.has_parent_path() ? folder.parent_path() : fs::path("."), folder.filename().string());

@@ -21,11 +21,11 @@ constexpr std::string_view kPart = ".part-", kOld = ".old-", kDigits = "01234567
 fs::path hiddenBeside(const fs::path& target, std::string_view kind) {
   static std::atomic<unsigned> counter{0};
   const std::string tag = std::string(kind) + std::to_string(::getpid()) + "-" + std::to_string(counter++);
-  // "labels.seg.nrrd" must keep ".nrrd" last: writers choose their format by it.
+  // ".nrrd" of "labels.seg.nrrd" must stay last: writers choose their format by it.
   return target.parent_path() / ("." + target.stem().string() + tag + target.extension().string());
 }
 
-/// The name of what a part or an old folder belongs to; empty for other names.
+/// Name of the target of a part or an old folder; empty for other names.
 std::string targetOf(const std::string& name, std::string_view kind) {
   const std::size_t tag = name.rfind(kind);
   if (!name.starts_with('.') || tag == std::string::npos || tag < 2) return {};
@@ -36,7 +36,7 @@ std::string targetOf(const std::string& name, std::string_view kind) {
   return name.substr(1, tag - 1) + name.substr(end);
 }
 
-/// Opens a folder and locks it. Below 0 where another program has the lock, or there are none here.
+/// Opens a folder and locks it. Negative if another program holds the lock, or if the file system has no locks.
 int locked(const fs::path& folder, int how) {
   const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   if (file >= 0 && ::flock(file, how) == 0) return file;
@@ -67,7 +67,7 @@ FolderPart::FolderPart(const fs::path& target) {
     path_ = partBeside(target);
     if (!fs::create_directory(path_, error_)) return;
     lock_ = locked(path_, LOCK_EX);
-    // Before it was locked, it may have been taken for abandoned.
+    // Another program may have removed the folder as abandoned before it was locked.
   } while (!fs::exists(path_, error_));
 }
 

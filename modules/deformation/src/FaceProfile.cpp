@@ -6,7 +6,7 @@
 namespace insonate {
 namespace {
 
-constexpr float kEndSine = 0.87f;  // of 60 degrees
+constexpr float kEndSine = 0.87f;  // sine of 60 degrees
 
 }  // namespace
 

@@ -15,7 +15,7 @@ struct KnownModel {
   std::unique_ptr<DeformationModel> (*make)(const MechanicalTable&, const DeformationSettings&);
 };
 
-/// The default first.
+/// The default is first.
 const std::vector<KnownModel>& knownModels() {
   static const std::vector<KnownModel> models{
       {"elastic", makeElasticModel},

@@ -13,10 +13,10 @@ using std::numbers::pi;
 constexpr double kKilopascalPermmHg = kPascalPermmHg / 1000;
 constexpr double kBlood_kgPerm3 = 1060, kGravity_mPers2 = 9.81;
 
-/// Share of a breath that goes in: one part to one and a half.
+/// Share of inspiration in a breath: one part to one and a half.
 constexpr double kBreathingIn = 0.4;
 
-/// Hydrostatic pressure of blood over `length_mm` along the body, head end lowered by the tilt.
+/// Hydrostatic pressure of blood over `length_mm` along the body, with the head end lowered by the tilt.
 double hydrostatic_mmHg(double length_mm, double tilt_deg) {
   return kBlood_kgPerm3 * kGravity_mPers2 * length_mm / 1000 * std::sin(tilt_deg * pi / 180) / kPascalPermmHg;
 }
@@ -26,8 +26,8 @@ double phaseOf(double time_s, double rate_perMin) {
   return turns - std::floor(turns);
 }
 
-/// Pulse of the carotid pressure from 0 (diastolic) to 1 (systolic) and of mean 1/3, so that mean pressure is diastolic
-/// and a third of the pulse: a quick rise, an exponential fall, the dicrotic wave after the valve has closed.
+/// Pulse of the carotid pressure from 0 (diastolic) to 1 (systolic) with mean 1/3, so that mean pressure is diastolic
+/// and a third of the pulse: a quick rise, an exponential fall, and the dicrotic wave after the valve has closed.
 double pulse(double phase) {
   constexpr double kRise = 0.15, kFall = 2.7640727;  // the second makes the mean 1/3
   constexpr double kDicrotic = 0.42, kDicroticHalf = 0.08, kDicroticHeight = 0.1;
@@ -38,7 +38,7 @@ double pulse(double phase) {
   return fall + (away < 1 ? kDicroticHeight * (1 + std::cos(pi * away)) / 2 : 0);
 }
 
-/// From 1/2 (breathed out) to -1/2 (breathed in) and back, of mean 0.
+/// Respiration from 1/2 (end of expiration) to -1/2 (end of inspiration) and back, with mean 0.
 double breath(double phase) {
   const double half = phase < kBreathingIn ? phase / kBreathingIn : 1 + (phase - kBreathingIn) / (1 - kBreathingIn);
   return std::cos(pi * half) / 2;
@@ -98,7 +98,7 @@ BloodPressure bloodPressureAt(const Physiology& p, double time_s) {
 }
 
 BloodPressure meanBloodPressure(const Physiology& p) {
-  // If the vein collapses during a part of the breath, its mean is no longer that of the flowing vein.
+  // If the vein collapses during a part of the breath, its mean differs from that of an open vein.
   constexpr int kSteps = 1000;
   double vein = 0;
   for (int i = 0; i < kSteps; ++i)

@@ -1,6 +1,6 @@
 #include <insonate/gpu/Context.h>
 
-// EGL without X11's macros.
+// Excludes X11's macros from EGL.
 #define EGL_NO_X11
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
@@ -26,7 +26,7 @@ bool has(const char* extensions, std::string_view name) {
   return extensions && std::string_view(extensions).find(name) != std::string_view::npos;
 }
 
-/// The cards, as far as EGL lists them; else Mesa without a surface; else whatever EGL thinks best.
+/// Display of a device that EGL lists; else Mesa without a surface; else the default display.
 std::vector<EGLDisplay> displays(bool hardware) {
   std::vector<EGLDisplay> found;
   const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
@@ -69,7 +69,7 @@ EGLContext contextOn(EGLDisplay display, const Requirements& need) {
                          EGL_LOSE_CONTEXT_ON_RESET,
                          EGL_NONE};
   if (const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, wish)) return context;
-  // Not every driver tells of resets.
+  // Some drivers do not report resets.
   std::array<EGLint, 7> less{};
   std::copy_n(wish, 6, less.begin());
   less[6] = EGL_NONE;
@@ -126,7 +126,7 @@ struct Current::Before {
 Context::Context(std::unique_ptr<Handles> handles) : handles_(std::move(handles)) {}
 
 Context::~Context() {
-  // The display stays: others in this process may use it, and EGL does not count them.
+  // The display is not terminated: other code of this process may use it, and EGL does not count users.
   eglDestroyContext(handles_->display, handles_->context);
 }
 

@@ -86,7 +86,7 @@ Result<void> PairTexture::write(const Current& current, int columns, int rows, s
   glBindTexture(GL_TEXTURE_2D, id_);
   if (columns != columns_ || rows != rows_) {
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, columns, rows, 0, GL_RG, GL_FLOAT, pairs.data());
-    // Without this a texture without smaller copies reads as black.
+    // Without this setting a texture without mipmaps reads as black.
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     columns_ = columns, rows_ = rows;

@@ -23,8 +23,8 @@ struct Member {
   std::size_t offset;
 };
 
-/// Fields of a uniform block as the driver laid them out. The elements of an array of structures after the first repeat
-/// it and are left out.
+/// Fields of a uniform block as the driver laid them out. Of an array of structures, only the first element is kept,
+/// since the others repeat it.
 std::vector<Member> membersOf(unsigned program, unsigned block) {
   const unsigned countOf = GL_NUM_ACTIVE_VARIABLES, listOf = GL_ACTIVE_VARIABLES;
   int count = 0;

@@ -40,7 +40,7 @@ VoxelBox boxAround(const VolumeGeometry& geometry, std::span<const Vec3> points_
     const Vec3 index = indexFromPatient * point_mm;
     VoxelBox ball;
     for (int axis = 0; axis < 3; ++axis) {
-      // Far outside, the index would not fit into an int.
+      // The index of a distant point would not fit into an int.
       const double reach = radius_mm / geometry.spacing_mm[axis], size = geometry.size[axis];
       ball.first[axis] = static_cast<int>(std::clamp(std::ceil(index[axis] - reach), 0.0, size));
       ball.end[axis] = static_cast<int>(std::clamp(std::floor(index[axis] + reach) + 1, 0.0, size));

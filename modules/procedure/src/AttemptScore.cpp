@@ -25,7 +25,7 @@ std::string positionSentence(double tilt_deg) {
          (tilt_deg > 0 ? " degrees down." : " degrees up.");
 }
 
-/// "the right internal jugular vein"; "the vein" of a case that names none.
+/// "the right internal jugular vein"; "the vein" if the case does not name it.
 std::string withArticle(const AttemptEvent& event, const ProcedureRun& run) {
   const std::string name = vesselName(event, run.vessels());
   if (name.empty()) return "the " + std::string(labelTable()[event.wall].name);
@@ -141,7 +141,7 @@ std::string adviceOn(const ProcedureRun& run, Severity severity) {
   return {};
 }
 
-/// The first step that had to be done and was not.
+/// The first mandatory step that was not done.
 std::string adviceOnStep(const ProcedureRun& run) {
   const auto& steps = run.procedure().steps;
   for (std::size_t i = run.due().value_or(steps.size()); i < steps.size(); ++i)

@@ -7,7 +7,7 @@
 namespace insonate {
 namespace {
 
-/// Since when something holds, as of now.
+/// Present duration of a state.
 void follow(std::optional<std::int64_t>& since_us, bool holds, std::int64_t now_us) {
   if (!holds) since_us.reset();
   if (holds && !since_us) since_us = now_us;
@@ -77,7 +77,7 @@ std::string ProcedureRun::vesselIn() const {
   return vesselWall_ ? vesselName(*vesselWall_, vessels_) : std::string();
 }
 
-/// Ends the step that is due, or one after it with only optional ones between; true when one was.
+/// Ends the current step, or a later one if only optional ones are between; true if a step ended.
 bool ProcedureRun::complete(std::int64_t time_us, const AttemptEvent* event) {
   const auto lasts = [&](const Holding& holding) {
     const auto& since_us = holding.what == Holding::What::ProbeOnSkin ? probeOnSkin_us_ : aspirating_us_;

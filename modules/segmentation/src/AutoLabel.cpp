@@ -12,16 +12,16 @@ namespace insonate {
 namespace segmentation {
 namespace {
 
-constexpr int kFatBelow_HU = -30;        // half-way between fat (-100) and muscle (50)
-constexpr int kPaddingBelow_HU = -1500;  // no scanner measures this: outside its field of view
-// Air is mixed with skin so that it looks like fat within two and a half standard deviations of the blur: of the
-// scanner's (0.4 mm), and of that with the smoothing of a noisy CT.
+constexpr int kFatBelow_HU = -30;        // halfway between fat (-100) and muscle (50)
+constexpr int kPaddingBelow_HU = -1500;  // outside the scanner's field of view; no tissue has this value
+// Width of the zone in which a mixture of air and skin looks like fat: two and a half standard deviations of the blur,
+// which is the scanner's (0.4 mm), or that with the smoothing of a noisy CT.
 constexpr double kSkin_mm = 2, kBlurredSkin_mm = 1, kCalmedSkin_mm = 1.6;
-// Noise above the first hides where skin (30 HU) ends and fat begins, above the second it turns blood into bone; it is
-// smoothed then, though that widens bone a little.
+// Noise above the first limit hides the border between skin (30 HU) and fat, above the second it turns blood into bone.
+// The CT is then smoothed, although this widens bone a little.
 constexpr double kSkinHidden_HU = 24, kLoud_HU = 28;
-constexpr double kStrand_mm = 1.6;  // tissue thinner than twice this is no muscle
-constexpr double kPasses = 60;      // of Work::slices below, for the progress
+constexpr double kStrand_mm = 1.6;  // tissue thinner than twice this is not muscle
+constexpr double kPasses = 60;      // number of calls of Work::slices below, for the progress
 
 void labelBone(LabelMap& labels, const CtVolume& ct, Work& work) {
   const Mask bone = findBone(ct, labels, work);
@@ -30,8 +30,8 @@ void labelBone(LabelMap& labels, const CtVolume& ct, Work& work) {
   });
 }
 
-/// Fat, muscle and the strands between, of what is still soft tissue. The voxels that line an airway mix air and
-/// tissue, which looks like fat; they stay soft tissue.
+/// Separates fat, muscle and the strands between them in the remaining soft tissue. Voxels that line an airway mix air
+/// and tissue, which looks like fat; they stay soft tissue.
 void labelFatAndMuscle(LabelMap& labels, const CtVolume& ct, Work& work) {
   Mask lining(ct.geometry);
   work.voxels(ct.geometry, [&](std::size_t v) { lining.voxels[v] = labels.voxels[v] == kAirway; });
@@ -54,14 +54,14 @@ void labelFatAndMuscle(LabelMap& labels, const CtVolume& ct, Work& work) {
   });
 }
 
-/// Depth near air within which fat cannot be told from skin.
+/// Depth near air within which fat cannot be distinguished from skin.
 double skinThatLooksLikeFat_mm(double noise_HU, const VolumeGeometry& geometry) {
   if (noise_HU < kSkinHidden_HU) return kBlurredSkin_mm;
   return noise_HU > kLoud_HU && canBeCalmed(geometry) ? kCalmedSkin_mm : kSkin_mm;
 }
 
-/// Padding is no air that touches the patient, so there is no skin at it. Where fat can be seen it is no skin, unless
-/// it lies so near to the air that blur has mixed them.
+/// Padding is not air that touches the patient, so that there is no skin beside it. Visible fat is not skin, unless it
+/// lies so near to air that blur has mixed them.
 void labelSkin(LabelMap& labels, const CtVolume& ct, double blurred_mm, Work& work) {
   Mask shell(ct.geometry), rim(ct.geometry);
   work.voxels(ct.geometry, [&](std::size_t v) {
@@ -81,7 +81,7 @@ void labelSkin(LabelMap& labels, const CtVolume& ct, double blurred_mm, Work& wo
   });
 }
 
-/// Without air there is no telling where the patient ends; a label map or a CT in other units has none.
+/// Without air the outline of the patient is unknown; a label map or a CT in other units has none.
 Result<void> checkHasAir(const CtVolume& ct) {
   constexpr int kAirBelow_HU = -300;
   if (std::ranges::any_of(ct.voxels, [](std::int16_t hu) { return hu < kAirBelow_HU; })) return {};

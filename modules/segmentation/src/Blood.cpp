@@ -10,15 +10,16 @@
 namespace insonate::segmentation {
 namespace {
 
-/// Blood of a CT angiogram, of a venous phase, of early venous return: windows, so that a vessel does not hang together
-/// with the bone beside it.
+/// Ranges of blood in a CT angiogram, in a venous phase and in early venous return: separate ranges, so that a vessel
+/// is not connected with the bone beside it.
 constexpr HuRange kWindows[] = {{351, 700}, {201, 400}, {141, 260}};
-constexpr int kRise_HU = 120;     // the way out of marrow leads up through cortex first, that out of blood does not
-constexpr double kRadius_mm = 3;  // of the thinnest vessel that is found
+constexpr int kRise_HU = 120;          // the path out of marrow first rises through cortex, that out of blood does not
+constexpr double kRadius_mm = 3;       // radius of the thinnest vessel that is found
 constexpr double kSmallest_mm3 = 600;  // two centimeters of carotid
-constexpr double kEven_HU = 55;        // noise of a CT angiogram stays below, trabeculae and cortex do not
-constexpr double kSoftShare = 0.55;    // of the blood's brightness
-constexpr double kWall_mm = 5;         // beyond the edge of blood it is soft within this; beyond marrow there is cortex
+constexpr double kEven_HU = 55;        // the noise of a CT angiogram is below this, that of trabeculae and cortex above
+constexpr double kSoftShare = 0.55;    // share of the blood's brightness
+constexpr double kWall_mm = 5;         // soft tissue begins within this distance of the edge of blood; beside marrow
+                                       // there is cortex
 constexpr double kBordered = 0.45;
 
 struct Step {
@@ -76,7 +77,7 @@ std::vector<Piece> measure(const Components& components, const CtVolume& ct, con
   return pieces;
 }
 
-/// Adds the blood of one window.
+/// Adds the blood within one range.
 void findIn(HuRange window, const CtVolume& ct, const LabelMap& body, BrightBlood& blood, Work& work) {
   Mask bright(ct.geometry);
   work.voxels(ct.geometry, [&](std::size_t v) {
@@ -96,7 +97,7 @@ void findIn(HuRange window, const CtVolume& ct, const LabelMap& body, BrightBloo
   if (!found) return;
   components.paint(removed, 0, bright);
   blood.present = true;
-  // The opening took corners and branches.
+  // The opening has removed corners and branches.
   dilate(bright, kRadius_mm, work);
   work.voxels(ct.geometry, [&](std::size_t v) {
     blood.mask.voxels[v] |= std::uint8_t(bright.voxels[v] && ct.voxels[v] <= window.high);

@@ -12,20 +12,20 @@ namespace {
 
 // Couch shells, head rests and cloth are thinner than twice this; necks, arms and chest walls are thicker.
 constexpr double kThinMatter_mm = 4;
-// Noses and lips that the opening took are given back within this reach; a couch that touches is not followed farther.
+// Noses and lips that the opening removed are restored within this distance; a touching couch is not followed farther.
 constexpr double kGiveBack_mm = 8;
-// Openings narrower than twice this do not let outside air in: nostrils and lips, but not the gap between arm and head.
+// Openings narrower than twice this are closed to outside air: nostrils and lips, but not the gap between arm and head.
 constexpr double kSeal_mm = 5;
-// Outside air is close to -1000 HU; lung that a cropped scan cuts is not.
+// Outside air is close to -1000 HU; lung at the cut of a cropped scan is not.
 constexpr double kOutsideAir_HU = -900;
-// A skin fold is open to the outside along its length, an airway at its mouth only: opening for each mm3 of its volume
-// and for each mm2 of its surface.
+// A skin fold is open to the outside along its length, an airway at its mouth only: limits of the opening for each mm3
+// of volume and for each mm2 of surface.
 constexpr double kFoldOpening_per_mm = 0.02, kFoldOpening = 0.04;
-// Smaller pockets are streaks of dental metal or cells of bone.
+// Smaller pockets are streaks of dental metal or cavities of bone.
 constexpr double kSmallestAirway_mm3 = 100;
 
-/// The storage axis that runs nearest to head-foot. The scan's two ends along it are cuts through the patient, and air
-/// there may be trachea; at the other four faces it is outside air.
+/// The storage axis closest to head-foot. The scan's two ends along it cut the patient, and air there may be trachea;
+/// at the other four faces it is outside air.
 int headFootAxis(const VolumeGeometry& g) {
   int axis = 2;
   for (int a = 1; a >= 0; --a)
@@ -48,7 +48,8 @@ std::vector<bool> touchingSide(const Components& components, const VolumeGeometr
   return touching;
 }
 
-/// Means of the air in each; matter in it (a couch, another arm) is left out, padding (-1024, -3024, ...) is air.
+/// Mean CT value of the air in each; matter in it (a couch, another arm) is excluded, padding (-1024, -3024, ...) is
+/// air.
 std::vector<double> meanOfAir_HU(const Components& components, const CtVolume& ct) {
   std::vector<double> sum(components.count(), 0), voxels(components.count(), 0);
   for (const auto& run : components.runs())
@@ -62,13 +63,13 @@ std::vector<double> meanOfAir_HU(const Components& components, const CtVolume& c
   return sum;
 }
 
-/// In place: mask &= (HU > kMatter_HU).
+/// Computes in place: mask &= (HU > kMatter_HU).
 void keepMatter(Mask& mask, const CtVolume& ct, Work& work) {
   work.voxels(ct.geometry,
               [&](std::size_t v) { mask.voxels[v] &= static_cast<std::uint8_t>(ct.voxels[v] > kMatter_HU); });
 }
 
-/// False when there is no piece at all.
+/// False if there is no component.
 bool keepLargest(Mask& mask, Work& work) {
   const Components pieces(mask, Components::Reach::Volume, work);
   if (pieces.count() == 0) return false;
@@ -79,7 +80,7 @@ bool keepLargest(Mask& mask, Work& work) {
   return true;
 }
 
-/// The largest thick piece of matter, with its thin parts; empty when there is none.
+/// The largest thick piece of matter with its thin parts; empty if there is none.
 std::optional<Mask> largestBody(const CtVolume& ct, Work& work) {
   Mask body(ct.geometry, 1);
   keepMatter(body, ct, work);
@@ -87,7 +88,7 @@ std::optional<Mask> largestBody(const CtVolume& ct, Work& work) {
   if (!keepLargest(body, work)) return std::nullopt;
   dilate(body, kGiveBack_mm, work);
   keepMatter(body, ct, work);
-  keepLargest(body, work);  // the reach crosses narrow air to an arm or the couch
+  keepLargest(body, work);  // the reach may cross narrow air to an arm or the couch
   return body;
 }
 
@@ -95,7 +96,7 @@ struct Surface_mm2 {
   double all = 0, toOutside = 0;
 };
 
-/// Surface of each component of `air`, and the part of it that is an opening to the outside.
+/// Surface of each component of `air`, and the part of it that opens to the outside.
 std::vector<Surface_mm2> surfaces(const Components& components, const Mask& air, const Mask& outside) {
   const auto& g = air.geometry;
   const auto& s = g.spacing_mm;
@@ -120,7 +121,7 @@ std::vector<Surface_mm2> surfaces(const Components& components, const Mask& air,
 
 struct Air {
   Mask outside;
-  Mask wide;  ///< where a ball of kSeal_mm fits
+  Mask wide;  ///< places where a ball of kSeal_mm fits
 };
 
 /// Air that a ball of kSeal_mm can reach from the sides of the scan.

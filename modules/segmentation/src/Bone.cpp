@@ -11,18 +11,18 @@
 namespace insonate::segmentation {
 namespace {
 
-// Cores from which bone is grown; higher where a contrast agent brightens blood.
+// Threshold of the cores from which bone grows; higher if a contrast agent brightens blood.
 constexpr int kDense_HU = 250, kDenseWithContrast_HU = 350;
-constexpr int kBoneEdge_HU = 200;  // grown down to here: thin cortex of thick slices, trabeculae
-constexpr double kGrow_mm = 4;     // and only this far, so that a vessel that touches is not followed
-// With contrast, a piece without cortex is a vessel too thin for findBrightBlood.
+constexpr int kBoneEdge_HU = 200;  // limit of growth: thin cortex of thick slices, trabeculae
+constexpr double kGrow_mm = 4;     // maximum distance of growth, so that a touching vessel is not followed
+// With contrast agent, a piece without cortex is a vessel too thin for findBrightBlood.
 constexpr int kCortex_HU = 600;
 constexpr double kCortexShare = 0.01;
 constexpr double kSmallestPiece_mm3 = 60;
 constexpr double kClose_mm = 1.5;
-// The scanner's blur makes bone wider: its edge is where the CT falls to half of the bone that is near.
+// The scanner's blur widens bone: its edge is where the CT falls to half of the value of the nearby bone.
 constexpr double kBlur_mm = 1.2, kTissue_HU = 50;
-// Marrow is what bone surrounds in a slice when it is small, or unlike the spinal cord and brain (20-45 HU).
+// Marrow is a region that bone surrounds in a slice, if it is small or differs from spinal cord and brain (20-45 HU).
 constexpr double kMarrow_mm2 = 60, kLargestMarrow_mm2 = 3000;
 constexpr double kTrabecular_HU = 55, kFattyMarrow_HU = -15;
 
@@ -67,7 +67,8 @@ void fillMarrow(Mask& bone, const CtVolume& ct, const LabelMap& body, Work& work
   holes.paint(marrow, 1, bone);
 }
 
-/// Takes from the outermost voxels of bone those that are darker than half-way between tissue and the brightest nearby.
+/// Removes from the outermost voxels of bone those that are darker than halfway between tissue and the brightest voxel
+/// nearby.
 void takeBlur(Mask& bone, const CtVolume& ct, Work& work) {
   const auto& g = ct.geometry;
   std::array<int, 3> reach{};

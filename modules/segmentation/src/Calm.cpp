@@ -13,10 +13,10 @@
 namespace insonate::segmentation {
 namespace {
 
-constexpr int kApart = 3;             // voxels along a row: a scanner's noise is alike in neighbors
-constexpr int kMostDifference = 512;  // HU; differences across edges are as good as this
+constexpr int kApart = 3;             // voxels along a row, since a scanner's noise is correlated between neighbors
+constexpr int kMostDifference = 512;  // HU; larger differences across edges need no distinction
 constexpr double kSdOfMedian = 1.4826;
-constexpr double kSmall_mm = 0.8;  // about the width of the scanner's own blur
+constexpr double kSmall_mm = 0.8;  // about the width of the scanner's blur
 
 /// Adds a row `weight` times.
 void add(const std::int16_t* row, int weight, std::vector<int>& sum) {

@@ -23,7 +23,7 @@ Result<std::vector<CentreLine>> centreLines(const LabelMap& labels, std::uint8_t
   if (auto ok = validate(g); !ok) return tl::unexpected(ok.error());
   segmentation::VesselTracer tracer(labels, label);
   std::vector<CentreLine> lines;
-  // From the middle slice to both ends, since a line begins best where the volume's edge is far.
+  // From the middle slice to both ends, since a line starts most reliably far from the volume's edge.
   for (const bool evenCut : {false, true}) {
     for (int n = 0; n < g.size[2]; ++n) {
       const int k = g.size[2] / 2 + (n % 2 ? -(n + 1) / 2 : n / 2);

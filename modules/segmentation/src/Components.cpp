@@ -8,7 +8,7 @@
 namespace insonate::segmentation {
 namespace {
 
-/// Disjoint sets; the root of a set is its first run, so that numbering does not depend on the order of joining.
+/// Disjoint sets; the root of a set is its first run, so that numbering does not depend on the order of joins.
 class Sets {
  public:
   explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }

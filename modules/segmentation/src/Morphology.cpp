@@ -10,10 +10,11 @@
 namespace insonate::segmentation {
 namespace {
 
-/// Squared distances in parts of the squared radius, so that sums of two fit 16 bits and eight are handled at once.
+/// Squared distances in units of the squared radius over kWithin, so that sums of two fit 16 bits and eight are
+/// processed at once.
 using Square = std::int16_t;
 constexpr double kRadiusSquare = 16000;
-constexpr Square kWithin = 16001;  // each of three distances is rounded, and those of the radius itself count
+constexpr Square kWithin = 16001;  // each of three distances is rounded, and a distance equal to the radius counts
 constexpr Square kFar = kWithin + 1;
 
 /// Squares of the distances of 0, 1, ... voxels up to the radius.
@@ -26,7 +27,7 @@ std::vector<Square> squares(double spacing_mm, double radius_mm) {
   }
 }
 
-/// Along a row, to the nearest voxel of this value. False, and nothing written, when there is none.
+/// Distances along a row to the nearest voxel of this value. False, and nothing written, if there is none.
 bool squaresAlongRow(const std::uint8_t* row, std::uint8_t value, const std::vector<Square>& squares, Square* to,
                      int n) {
   if (std::find(row, row + n, value) == row + n) return false;
@@ -45,7 +46,7 @@ bool squaresAlongRow(const std::uint8_t* row, std::uint8_t value, const std::vec
   return true;
 }
 
-/// In one slice, to the nearest voxel of this value. False, and nothing written, when there is none.
+/// Distances in one slice to the nearest voxel of this value. False, and nothing written, if there is none.
 bool squaresInSlice(const Mask& mask, int k, std::uint8_t value, const std::array<std::vector<Square>, 3>& along,
                     Square* to) {
   const auto [ni, nj, nk] = mask.geometry.size;
@@ -68,8 +69,8 @@ bool squaresInSlice(const Mask& mask, int k, std::uint8_t value, const std::arra
   return true;
 }
 
-/// Voxels within the radius of one of this value take it: first the distances in each slice, then across slices. Only
-/// the slices that the ones at work can see are held.
+/// Sets the voxels within the radius of one of this value to the value: first the distances in each slice, then between
+/// slices. Only the slices within the radius are in memory.
 void spread(Mask& mask, std::uint8_t value, double radius_mm, Work& work) {
   const auto [ni, nj, nk] = mask.geometry.size;
   std::array<std::vector<Square>, 3> along;

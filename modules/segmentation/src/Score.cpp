@@ -17,7 +17,7 @@ namespace {
 
 using segmentation::Work;
 
-/// The middles of a shape's outermost voxels, in mm along the axes of the grid.
+/// Centers of a shape's outermost voxels, in mm along the axes of the grid.
 class Surface {
  public:
   explicit Surface(const Selection& shape) {
@@ -89,7 +89,7 @@ LabelScore scoreOf(const LabelMap& found, const LabelMap& truth, std::uint8_t la
   const std::size_t sum = score.voxels + score.trueVoxels;
   score.dice = sum > 0 ? 2.0 * double(both) / double(sum) : 1;
   if (score.voxels == 0 || score.trueVoxels == 0) return score;
-  // A voxel around, so that the surface of a shape that fills its box has an outside.
+  // A margin of one voxel, so that the surface of a shape that fills its box has an outside.
   const Vec3& s = truth.geometry.spacing_mm;
   const VoxelBox box =
       grown(united(extentOf(found, label), extentOf(truth, label)), truth.geometry, std::min({s.x, s.y, s.z}));

@@ -12,7 +12,7 @@ SectionFinder::SectionFinder(const LabelMap& labels, std::uint8_t label)
       indexFromPatient_(labels.geometry.indexFromPatient()),
       seen_(std::size_t(kWidth) * kWidth) {}
 
-/// Half or more of the eight voxels around, by their weights.
+/// At least half of the eight voxels around, by their weights.
 SectionFinder::Place SectionFinder::placeOf(Vec3 index) const {
   const auto& size = labels_.geometry.size;
   std::array<int, 3> low{}, next{};
@@ -52,7 +52,7 @@ std::optional<VesselSection> SectionFinder::find(Vec3 at_mm, Vec3 axis) {
     if (place == Place::Inside) open_.push_back(n);
     section.cut |= place == Place::BeyondVolume;
   };
-  // If the point itself has just left a curved vessel, the vessel is a step aside.
+  // If the point itself has just left a curved vessel, the vessel is one step aside.
   for (int ring = 0; ring <= 2 && open_.empty(); ++ring)
     for (int y = -ring; y <= ring && open_.empty(); ++y)
       for (int x = -ring; x <= ring && open_.empty(); ++x) visit(kHalf + x, kHalf + y);

@@ -8,17 +8,17 @@ namespace insonate::segmentation {
 namespace {
 
 constexpr double kStep_mm = 1;
-/// A section that lies farther from where it was expected, or has grown more, is that of a confluence; one that has
-/// shrunk as much, of an end.
+/// Limits of displacement and growth beyond which a section is that of a confluence; one that has shrunk as much is the
+/// end of the vessel.
 constexpr double kLeastJump_mm = 1.5, kJump = 0.3, kGrowth = 2, kLeastGrowth_mm2 = 10, kShrinking = 0.25;
-/// Weight of a new section in the area to compare with: a vein may widen, but not within a few millimeters.
+/// Weight of a new section in the reference area: a vein may widen, but not within a few millimeters.
 constexpr double kForget = 0.1;
-/// The direction is that of the last points: of one alone it would follow the voxels' stairs.
+/// Number of points that determine the direction: with the last point alone it would follow the voxel steps.
 constexpr std::size_t kBaseline = 4;
 constexpr double kShortest_mm = 5;
 constexpr double kBall_mm = 6, kRim_mm = 2;
 
-/// Noise of single sections out of a line; its ends stay.
+/// Removes the noise of single sections from a line; its ends do not change.
 void smooth(CentreLine& line) {
   for (int pass = 0; pass < 4; ++pass) {
     Vec3 before_mm = line.front();
@@ -46,7 +46,7 @@ CentreLine VesselTracer::trace(int i, int j, int k, bool evenCut) {
   const Start start = startAt(from_mm);
   if (!start.section) return {};
   if (isDone(start.section->centre_mm)) {
-    // The rim of a vessel whose line has gone by.
+    // The border of a vessel that a line has passed.
     mark({.centre_mm = from_mm, .reach_mm = kRim_mm}, kRim);
     return {};
   }
@@ -75,7 +75,7 @@ void VesselTracer::reopen() {
   std::ranges::replace(voxels_, std::uint8_t{kPutOff}, std::uint8_t{kOpen});
 }
 
-/// From anywhere in a vessel to its middle, and along which way it runs.
+/// Moves from any point in a vessel to its center, and finds its direction.
 VesselTracer::Start VesselTracer::startAt(Vec3 from_mm) {
   Vec3 at_mm = from_mm;
   for (int n = 0; n < 8; ++n) at_mm = finder_.middleOfBall(at_mm, kBall_mm);
@@ -98,7 +98,7 @@ VesselTracer::Start VesselTracer::startAt(Vec3 from_mm) {
   return start;
 }
 
-/// A vessel's section is smallest square to it. Of the directions to the neighbors in a cube.
+/// The section of a vessel is smallest perpendicular to it. Tries the directions to the neighbors in a cube.
 VesselTracer::Start VesselTracer::smallestAt(Vec3 at_mm) {
   Start start;
   for (int code = 14; code < 27; ++code) {
@@ -114,12 +114,13 @@ CentreLine VesselTracer::follow(const VesselSection& start, Vec3 axis) {
   VesselSection last = start;
   double usual_mm2 = start.area_mm2;
   const auto& size = labels_.geometry.size;
-  const std::size_t most = 20 * std::size_t(size[0] + size[1] + size[2]);  // a vessel that runs in a ring has no end
+  const std::size_t most = 20 * std::size_t(size[0] + size[1] + size[2]);  // limit for a vessel that forms a ring
   while (line.size() < most) {
     const Vec3 expected_mm = last.centre_mm + axis * kStep_mm;
     const auto section = finder_.find(expected_mm, axis);
     if (!section) break;
-    // A section cut by the volume's edge has lost area; one that has grown reaches the edge through another vessel.
+    // A section cut by the volume's edge has lost area; a section that has grown reaches the edge through another
+    // vessel.
     const bool atEdge = section->cut && !start.cut;
     if (section->area_mm2 > (atEdge ? 1 : kGrowth) * usual_mm2 + kLeastGrowth_mm2) break;
     if (atEdge) {
@@ -142,7 +143,7 @@ CentreLine VesselTracer::follow(const VesselSection& start, Vec3 axis) {
   return line;
 }
 
-/// Sections at the volume's edge are cut, and their middle is no longer the vessel's: it goes on as it came.
+/// Sections at the volume's edge are cut, so that their center is not that of the vessel: the line continues straight.
 void VesselTracer::followToEdge(CentreLine& line, VesselSection last, Vec3 axis) {
   for (;;) {
     last.centre_mm = last.centre_mm + axis * kStep_mm;

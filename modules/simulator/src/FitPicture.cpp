@@ -45,7 +45,7 @@ class Canvas {
   std::vector<std::uint8_t> rgb_;
 };
 
-/// Far outside of the image nothing is drawn, however large a fit is.
+/// Points far outside the image are not drawn, however large a fit is.
 bool near(PixelPoint p, const GreyPicture& picture) {
   return std::abs(p.x) < 3.0 * picture.width + 1000 && std::abs(p.y) < 3.0 * picture.height + 1000;
 }

@@ -30,7 +30,7 @@ double volumeOf(const Region& region) {
   return edge.x * edge.y * edge.z;
 }
 
-/// Bounds of the volume, to half a voxel beyond the centers of the outermost voxels.
+/// Bounds of the volume, including half a voxel around the centers of the outermost voxels.
 Region boundsOf(const VolumeGeometry& geometry) {
   const Transform patientFromIndex = geometry.patientFromIndex();
   Region bounds{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};

@@ -19,7 +19,7 @@ struct FileCloser {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// Owns libpng's state. Its errors become exceptions.
+/// Owns libpng's state, and converts its errors to exceptions.
 class PngWriter {
  public:
   PngWriter() {
@@ -86,7 +86,7 @@ Result<void> writePng(const BModeImage& image, const std::filesystem::path& targ
     if (!file) return fail(trouble);
     try {
       PngWriter().write(image, file.get());
-    } catch (const std::runtime_error&) {  // its own words are "Write Error"
+    } catch (const std::runtime_error&) {  // the text of the exception is "Write Error"
       return fail(trouble);
     }
     if (std::fflush(file.get()) != 0) return fail(trouble);

@@ -44,7 +44,7 @@ struct JpegFailure : jpeg_error_mgr {
 
 enum class JpegEnd { Done, Broken, TooLarge };
 
-/// Nothing with a destructor lives here: libjpeg's errors jump out of it.
+/// Has no objects with destructors, since libjpeg's errors leave the function by longjmp.
 JpegEnd decodeJpeg(const std::string& bytes, GreyPicture& picture) {
   jpeg_decompress_struct jpeg{};
   JpegFailure failure{};

@@ -34,7 +34,7 @@ class Places {
   Transform indexFromPatient_;
 };
 
-/// Along a direction, as far as `length_mm`, all of it in the body, or none.
+/// A path along a direction, up to `length_mm`, that is entirely in the body; empty if it is not.
 bool along(const Places& places, Vec3 from_mm, Vec3 direction, double length_mm, bool inBody) {
   for (double s = 0; s <= length_mm; s += kStep_mm)
     if (places.inBody(from_mm + s * direction) != inBody) return false;

@@ -29,7 +29,7 @@ Result<Vec3> readVector(const json& pose, const char* name, const std::string& w
   return Vec3{(*found)[0].get<double>(), (*found)[1].get<double>(), (*found)[2].get<double>()};
 }
 
-/// Said from a degree on: less is rounding.
+/// Reported from one degree on; less is rounding.
 std::string straightened(const Transform& patientFromProbe, Vec3 lateral, const std::string& where) {
   constexpr double kRadiansToDegrees = 57.29577951308232;
   const Vec3 x = patientFromProbe.linear.column[0], z = patientFromProbe.linear.column[2];
@@ -111,7 +111,7 @@ std::string neitherNameNorFile(std::string_view text, const PatientCase& patient
 Result<Transform> patientFromProbe(Vec3 position_mm, Vec3 axial, Vec3 lateral) {
   if (!isFinite(position_mm) || !isFinite(axial) || !isFinite(lateral))
     return fail("position_mm, axial and lateral must be finite numbers.");
-  // Scaled first, so that neither tiny nor huge directions lose their length in a square.
+  // Scales first, so that squares of tiny or huge directions do not underflow or overflow.
   const auto largest = [](Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
   if (largest(axial) == 0) return fail("axial must not be zero: it says where the probe looks.");
   if (largest(lateral) == 0) return fail("lateral must not be zero: it says where the probe's marker points.");

@@ -37,7 +37,7 @@ std::optional<LabelBox> boxOf(const LabelMap& labels, const LabelSet& structure)
 
 std::array<int, 3> blockSize(const VolumeGeometry& geometry, double edge_mm) {
   std::array<int, 3> result{};
-  // A hair more, so that 1 mm is two voxels of 0.5 mm however that was rounded.
+  // A small margin, so that 1 mm is two voxels of 0.5 mm in spite of rounding.
   for (int a = 0; a < 3; ++a) result[a] = std::max(1, static_cast<int>(edge_mm / geometry.spacing_mm[a] * 1.0001));
   return result;
 }

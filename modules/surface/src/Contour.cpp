@@ -31,7 +31,7 @@ Result<Mesh> toPatient(vtkPolyData& surface, const VolumeGeometry& grid) {
     for (int a = 0; a < 3; ++a) mesh.points_mm.push_back(static_cast<float>(patient[a]));
   }
   mesh.triangles.reserve(3 * triangles);
-  // A left-handed grid is mirrored on its way to patient space, and its triangles with it.
+  // A left-handed grid is mirrored in patient space, and so is the orientation of its triangles.
   const bool mirrored = determinant(grid.direction) < 0;
   for (vtkIdType t = 0; t < triangles; ++t) {
     const vtkIdType* corner = nullptr;
@@ -48,8 +48,9 @@ Result<Mesh> toPatient(vtkPolyData& surface, const VolumeGeometry& grid) {
 Result<Mesh> contour(Volume<std::uint8_t>& share, const Progress& progress, std::string_view doing, double from,
                      double to) {
   vtkNew<vtkUnsignedCharArray> values;
-  values->SetArray(share.voxels.data(), static_cast<vtkIdType>(share.voxels.size()), 1);  // 1: not VTK's to free
-  vtkNew<vtkImageData> image;  // in index space; VTK's own directions know no mirrored grids
+  values->SetArray(share.voxels.data(), static_cast<vtkIdType>(share.voxels.size()), 1);  // 1: VTK does not free the
+                                                                                          // array
+  vtkNew<vtkImageData> image;  // in index space, since VTK's directions exclude mirrored grids
   image->SetDimensions(share.geometry.size.data());
   image->GetPointData()->SetScalars(values);
 

@@ -16,9 +16,9 @@ namespace insonate {
 namespace {
 
 constexpr double kLargest_mm = 100;
-/// Waves shorter than so many of the grid's coarsest spacings are stairs.
+/// Waves shorter than this multiple of the grid's coarsest spacing are voxel steps.
 constexpr double kStairs = 6;
-/// Blocks may change the volume by so much of it.
+/// Maximum relative change of the volume by blocks.
 constexpr double kVolumeChange = 0.1;
 
 std::string nameOf(std::uint8_t label) {
@@ -47,7 +47,7 @@ double volumeOf_mm3(const VolumeGeometry& grid, const LabelBox& box) {
   return double(box.voxels) * grid.spacing_mm.x * grid.spacing_mm.y * grid.spacing_mm.z;
 }
 
-/// In blocks as large as asked for, or as large as the structure's thin parts allow.
+/// Uses blocks of the requested size, or smaller ones if the structure has thin parts.
 Result<Extracted> extract(const LabelMap& labels, const LabelSet& structure, const LabelBox& box, double detail_mm,
                           const Progress& progress, std::string_view doing) {
   const double labelled_mm3 = volumeOf_mm3(labels.geometry, box);
@@ -72,7 +72,7 @@ Result<void> smooth(Extracted& extracted, double smoothing_mm, double labelled_m
   return ok;
 }
 
-/// `name` is what the user knows the structure by.
+/// `name` is the structure's name in error sentences.
 Result<Mesh> surfaceOf(const LabelMap& labels, const LabelSet& structure, const std::string& name,
                        const SurfaceOptions& options, const Progress& progress) try {
   if (auto ok = checkInput(labels, options); !ok) return tl::unexpected(ok.error());

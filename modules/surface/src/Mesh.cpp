@@ -16,7 +16,7 @@ double area_mm2(const Mesh& mesh) {
 
 double volume_mm3(const Mesh& mesh) {
   if (mesh.triangles.empty()) return 0;
-  const Vec3 from = pointOf(mesh.points_mm, 0);  // near, so that little is lost to rounding
+  const Vec3 from = pointOf(mesh.points_mm, 0);  // a near origin reduces rounding errors
   double six = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3)
     six += dot(pointOf(mesh.points_mm, mesh.triangles[t]) - from,

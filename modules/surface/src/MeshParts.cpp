@@ -14,7 +14,7 @@ std::uint32_t rootOf(PointNumbers& parent, std::uint32_t point) {
   return point;
 }
 
-/// For each point, one point that stands for its connected part.
+/// Maps each point to the representative point of its connected part.
 PointNumbers partsOf(const Mesh& mesh) {
   PointNumbers parent(mesh.pointCount());
   std::iota(parent.begin(), parent.end(), 0U);
@@ -27,12 +27,13 @@ PointNumbers partsOf(const Mesh& mesh) {
   return parent;
 }
 
-/// Six times the volume of each part, at its representative; negative for a cavity.
+/// Six times the volume of each part, stored at its representative; negative for a cavity.
 std::vector<double> volumesOf(const Mesh& mesh, const std::vector<float>& points_mm, const PointNumbers& part) {
   std::vector<double> volumes(part.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
     const std::uint32_t at = part[mesh.triangles[t]];
-    // Seen from the part itself: from the scanner's origin, small parts would drown in rounding.
+    // Relative to a point of the part: relative to the scanner's origin, rounding would exceed the volume of small
+    // parts.
     const Vec3 from = pointOf(mesh.points_mm, at);
     const Vec3 a = pointOf(points_mm, mesh.triangles[t]) - from, b = pointOf(points_mm, mesh.triangles[t + 1]) - from;
     volumes[at] += dot(a, cross(b, pointOf(points_mm, mesh.triangles[t + 2]) - from));
@@ -62,7 +63,8 @@ void keepSmallParts(const Mesh& mesh, std::vector<float>& moved_mm, double volum
 void restoreVolume(Mesh& mesh, double target_mm3, double limit_mm) {
   const std::vector<float> start = mesh.points_mm, normals = pointNormals(mesh);
   double way_mm = 0;
-  // Newton's steps: the area is the volume's slope. Three leave less than a thousandth, but for grains.
+  // Newton's steps: the area is the derivative of the volume. After three, the error is below a thousandth, except for
+  // tiny parts.
   for (int step = 0; step < 3; ++step) {
     const double area = area_mm2(mesh);
     if (!(area > 0)) return;
@@ -84,7 +86,8 @@ std::vector<float> pointNormals(const Mesh& mesh) {
   normals.reserve(mesh.points_mm.size());
   for (const Vec3& sum : sums) {
     const double length = norm(sum);
-    const Vec3 normal = length > 0 ? sum / length : Vec3{0, 0, 1};  // where all triangles are degenerate, any will do
+    const Vec3 normal = length > 0 ? sum / length : Vec3{0, 0, 1};  // any direction is acceptable if all triangles are
+                                                                    // degenerate
     for (int a = 0; a < 3; ++a) normals.push_back(static_cast<float>(normal[a]));
   }
   return normals;

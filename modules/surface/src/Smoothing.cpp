@@ -32,15 +32,15 @@ double meanEdge_mm(const Mesh& mesh) {
   return sum / double(mesh.triangles.size());
 }
 
-/// Waves that the filter lets pass, as eigenvalues of the mesh's umbrella operator: on a mesh of equal triangles of
-/// edge h, a wave of length w has (pi h / w)^2.
+/// Limit of the pass band, as an eigenvalue of the mesh's umbrella operator: on a mesh of equal triangles of edge h, a
+/// wave of length w has (pi h / w)^2.
 double passBandFor(double wavelength_mm, double edge_mm) {
   const double wave = std::numbers::pi * edge_mm / wavelength_mm;
   return std::min(wave * wave, 2.0);
 }
 
 /// The filter is a polynomial in cos(theta) = 1 - k/2 under a Hamming window, whose edge is 10.4 / passes wide (full
-/// width, in theta); it must not be wider than the band that passes.
+/// width, in theta); the edge must not be wider than the pass band.
 int passesFor(double passBand) {
   const double theta = std::acos(1 - passBand / 2);
   return std::clamp(static_cast<int>(std::ceil(10.4 / theta)), kFewestPasses, kMostPasses);
@@ -64,7 +64,7 @@ vtkNew<vtkPolyData> toVtk(const Mesh& mesh) {
   return surface;
 }
 
-/// Moves each point on from where it was, half an index at most.
+/// Moves each point from its place, by half an index at most.
 void holdNear(const std::vector<float>& before_mm, std::vector<float>& after_mm, const Mat3& indexFromPatient) {
   const Mat3 patientFromIndex = inverted(indexFromPatient);
   for (std::size_t p = 0; p < before_mm.size() / 3; ++p) {

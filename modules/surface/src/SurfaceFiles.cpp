@@ -13,7 +13,7 @@ std::string fileNameOf(std::string name, const std::string& format) {
   return name + "." + format;
 }
 
-/// The part that one of `count` structures has in the whole.
+/// Share of one of `count` structures in the progress.
 Progress partOf(const Progress& whole, std::size_t number, std::size_t count) {
   return [=](std::string_view doing, double fraction) {
     return report(whole, doing, (double(number) + fraction) / double(count));

@@ -9,7 +9,7 @@
 namespace insonate {
 namespace {
 
-/// Hears a filter's progress, warnings and errors. VTK prints none of those that somebody hears.
+/// Receives a filter's progress, warnings and errors. VTK does not print messages that have an observer.
 class Listener : public vtkCommand {
  public:
   static Listener* New() { return new Listener; }

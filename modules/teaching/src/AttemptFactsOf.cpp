@@ -43,7 +43,8 @@ Result<std::string> recordingHash(const std::filesystem::path& file) {
 
 namespace {
 
-/// As much of a case's title, which may be any text, as the store takes: an attempt is not lost for its case's name.
+/// Shortens the title of a case, which may be any text, to the store's limit, so that no attempt is refused for its
+/// title.
 std::string keptName(std::string title) {
   constexpr std::size_t kMost = 1000;
   std::ranges::replace(title, '\0', ' ');
@@ -101,7 +102,7 @@ Result<void> addRecording(AttemptFacts& facts, const std::filesystem::path& file
   facts.recordingHash = std::move(*hash);
   const auto recording = AttemptRecording::open(file);
   const auto hands = recording ? handsHash(*recording) : Result<std::string>(tl::unexpected(recording.error()));
-  facts.handsHash = hands.value_or("");  // the file of a damaged recording is still kept
+  facts.handsHash = hands.value_or("");  // a damaged recording is still stored, with the hash of its file
   return {};
 }
 

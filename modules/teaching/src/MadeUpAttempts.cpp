@@ -13,11 +13,11 @@
 namespace insonate {
 namespace {
 
-constexpr int kSession = 5;  // attempts of an afternoon
+constexpr int kSession = 5;  // attempts in one afternoon
 constexpr std::int64_t kMinute_us = 60'000'000, kDay_us = 24 * 60 * kMinute_us,
                        kMorning_us = 9 * 60 * kMinute_us;  // UTC
 
-/// Numbers that look random, and are the same on any computer.
+/// Pseudorandom numbers that are the same on every computer.
 class Dice {
  public:
   Dice(std::uint32_t seed, int trainee) : state_(hash32(seed ^ hash32(static_cast<std::uint32_t>(trainee) + 1))) {}
@@ -35,12 +35,12 @@ class Dice {
 };
 
 struct Trainee {
-  double begins, becomes, rate;  ///< on the way from novice, 0, to expert, 1
+  double begins, becomes, rate;  ///< position between novice (0) and expert (1)
 
   double skill(int attempt) const { return becomes - (becomes - begins) * std::pow(attempt, -rate); }
 };
 
-/// Range of a metric without a norm; round numbers, from no study.
+/// Range of a metric without a norm: round numbers without a source.
 struct RoundNorm {
   std::string_view metric;
   double novice, expert;
@@ -63,7 +63,7 @@ constexpr std::array kRound{RoundNorm{"lung_punctures", 0.05, 0.005},
                             RoundNorm{"probe_force_max_N", 7, 4}};
 
 struct Course {
-  std::vector<MetricMeaning> metrics;  ///< each with novice and expert, where it is made up at all
+  std::vector<MetricMeaning> metrics;  ///< each with the values of novice and expert, if the metric is simulated
   int procedureVersion = 0;
 };
 
@@ -78,7 +78,7 @@ Result<Course> courseOf(const std::string& name) {
   return course;
 }
 
-/// Punctures and the like happen or do not; the skin and the vein are punctured once at least.
+/// Punctures are events with a probability; the skin and the vein are punctured at least once.
 std::optional<double> valueOf(const MetricMeaning& metric, double skill, Dice& dice) {
   if (metric.id == "insertion_angle_deg") return 45 + (12 - 7 * skill) * dice.normal();
   if (metric.id == "passes" || metric.id == "vein_punctures") return 1 + dice.happens(0.6 - 0.5 * skill);
@@ -89,8 +89,7 @@ std::optional<double> valueOf(const MetricMeaning& metric, double skill, Dice& d
   return metric.unit == "%" && metric.better == MetricMeaning::Better::Higher ? std::min(100.0, value) : value;
 }
 
-/// The mean of the metrics' shares; nothing with a critical error, at most 50 without success, as
-/// procedure/AttemptScore has it.
+/// The mean of the metrics' shares; 0 with a critical error, at most 50 without success, as in procedure/AttemptScore.
 double pointsOf(const AttemptFacts& facts, const std::vector<MetricMeaning>& metrics) {
   double sum = 0;
   int shares = 0;
@@ -121,7 +120,7 @@ AttemptFacts attemptOf(const Course& course, const Level& level, const Curriculu
   return facts;
 }
 
-/// The first level to be learnt or renewed; once all are mastered, the last.
+/// The first level to learn or to renew; the last one if all are mastered.
 const Level& levelNow(const Curriculum& curriculum, const std::vector<AttemptFacts>& history, std::int64_t now_us) {
   for (const LevelProgress& progress : progressOf(curriculum, history, now_us))
     if (progress.state == LevelState::Open || progress.state == LevelState::Lapsed)

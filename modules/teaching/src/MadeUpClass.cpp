@@ -22,7 +22,7 @@ struct Classes {
   std::string all, half;
 };
 
-/// Someone new, who has chosen the password.
+/// A new person, who has chosen the password.
 Result<SignedIn> enrol(const CurriculumStore& store, const SignedIn& administrator, const NewPerson& person,
                        const std::string& password) {
   const std::string first = password + ", set by the administrator";
@@ -85,13 +85,13 @@ Result<void> makeUpClass(const CurriculumStore& store, const Curriculum& curricu
     const auto attempts = madeUpAttempts(curriculum, i, plan);
     if (!attempts) return tl::unexpected(attempts.error());
     if (auto practised = practise(*trainee, *attempts); !practised) return practised;
-    // Now, or the store would work out after each attempt how far they are.
+    // Joins only now: for a member of a cohort, the store computes a standing after each attempt.
     for (const std::string& cohort : {classes->all, classes->half})
       if (cohort == classes->all || 2 * i >= plan.trainees)
         if (auto joined = CohortStore(*administrator).join(cohort, trainee->person().id, false); !joined) return joined;
   }
-  // Last, since the store refuses attempts at a level from before it was published, and the made-up ones lie in the
-  // past.
+  // Publishes last, since the store refuses attempts at a level from before its publication, and the invented attempts
+  // lie in the past.
   if (auto taught = teach(*administrator, curriculum, *classes); !taught) return taught;
   report(progress, "Making up trainees", 1);
   return {};

@@ -34,7 +34,7 @@ bool isSame(const std::optional<double>& a, const std::optional<double>& b) {
   return std::abs(*a - *b) <= kSame * std::max({1.0, std::abs(*a), std::abs(*b)});
 }
 
-/// One attempt's values, one after the other.
+/// Compares the values of one attempt one by one.
 class Comparison {
  public:
   Comparison(const AttemptFacts& stored, RecomputedAttempts& into) : stored_(stored), into_(into) {}
@@ -93,7 +93,7 @@ class Comparison {
   RecomputedAttempts& into_;
 };
 
-/// "": it can be.
+/// Reason why an attempt cannot be recomputed; empty if it can be.
 std::string whyNotRecomputed(const KeptAttempt& kept) {
   if (kept.crashed) return "its recording broke off";
   if (kept.facts.recording.empty()) return "it has no recording";

@@ -8,7 +8,7 @@
 namespace insonate {
 namespace {
 
-/// As a heading begins: "Artery punctures".
+/// Capitalizes a title: "Artery punctures".
 std::string titleOf(const MetricDefinition& metric) {
   std::string title(metricTitle(metric.metric));
   title.front() = static_cast<char>(title.front() - 'a' + 'A');
@@ -34,7 +34,7 @@ ValueKind kindOf(const MetricDefinition& metric) {
     case Metric::NearestArtery:  // negative inside
     case Metric::NearestLung:
       return ValueKind::Any;
-    case Metric::NeedleInefficiency:  // a path can be more than twice as long as it need be
+    case Metric::NeedleInefficiency:  // a path can be more than twice as long as necessary
       return ValueKind::NotNegative;
     default:
       break;

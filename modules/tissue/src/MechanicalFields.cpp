@@ -45,7 +45,7 @@ Result<Mechanics> readKind(const json& entry, bool needed, const std::string& wh
   return static_cast<Mechanics>(choice - kKinds.begin());
 }
 
-/// A field that exists, but not for this kind, deserves another sentence than a misspelt one.
+/// A field that belongs to another kind has its own error sentence, different from that of a misspelled field.
 template <std::size_t N>
 Result<void> readFields(const json& entry, const std::array<Field<Tissue>, N>& fields, bool complete,
                         const std::string& where, Tissue& tissue) {

@@ -26,7 +26,7 @@ constexpr std::array kNumbers{
 
 /// In the order of NeedleWall.
 constexpr std::array<std::string_view, 3> kWalls{"none", "membrane", "hard"};
-/// "probe": what the transducer does at this structure; the second is true.
+/// Words of the field "probe", the behavior of the transducer at this structure; the second one is true.
 constexpr std::array<std::string_view, 2> kProbe{"passes", "touches"};
 
 template <std::size_t N>
@@ -45,7 +45,7 @@ Result<int> readWord(const json& entry, const char* key, const std::array<std::s
   return static_cast<int>(choice - words.begin());
 }
 
-/// Values that contradict each other would make the servo give what it has not got.
+/// Contradictory values would make the servo return more energy than it received.
 Result<void> checkTogether(const Tissue& t, const std::string& where) {
   if (t.stiction_Npmm < t.friction_Npmm)
     return fail(where + ": stiction_Npmm is " + tissuefile::shown(t.stiction_Npmm) + ", below friction_Npmm " +

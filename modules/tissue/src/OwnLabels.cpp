@@ -6,9 +6,9 @@
 namespace insonate {
 namespace {
 
-constexpr std::size_t kMostBytes = 64;  // of a long string in DICOM (PS3.5 6.2: LO)
+constexpr std::size_t kMostBytes = 64;  // limit of a long string in DICOM (PS3.5 6.2: LO)
 
-/// Bytes of the UTF-8 character that begins here; 0 where none does (RFC 3629).
+/// Number of bytes of the UTF-8 character that begins here; 0 if there is none (RFC 3629).
 std::size_t characterAt(std::string_view text) {
   const auto byte = [&](std::size_t n) { return n < text.size() ? static_cast<unsigned char>(text[n]) : 0U; };
   const unsigned first = byte(0);
@@ -23,7 +23,7 @@ std::size_t characterAt(std::string_view text) {
   return code < kLeast[length] || code > 0x10ffff || surrogate ? 0 : length;
 }
 
-/// C0 and C1 controls, and the separators of lines and paragraphs.
+/// C0 and C1 controls, and line and paragraph separators.
 bool breaksTheLine(std::string_view character) {
   const auto first = static_cast<unsigned char>(character[0]);
   if (character.size() == 1) return first < 0x20 || first == 0x7f;

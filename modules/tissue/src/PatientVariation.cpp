@@ -6,7 +6,7 @@
 namespace insonate {
 namespace {
 
-/// Deviations of one patient, of unit SD, within two of them: the sum of three uniform numbers, one after the other.
+/// Deviations of one patient, of unit SD and at most two SD, one after another: sums of three uniform numbers.
 class Deviations {
  public:
   explicit Deviations(std::uint32_t seed) : seed_(seed) {}

@@ -39,7 +39,7 @@ Result<std::unique_ptr<Engine>> makeEngineFor(std::string_view name, const Probe
 
 Region regionOf(const Probe& probe, const ImagingSettings& settings, const Transform& patientFromProbe,
                 double largestShift_mm) {
-  // The law is within 20 % of the slice that engines sum, and planes lie within 2.5 SD of it.
+  // The law is within 20 % of the slice thickness that engines compute, and planes are within 2.5 SD of it.
   constexpr double kSlice_sd = 3.5;
   const SliceLaw slice = sliceLaw(probe, settings.frequency_MHz);
   const double thickest_mm = std::max(slice.thickness_mm(0), slice.thickness_mm(settings.depth_mm));

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFloat = 4, kDistance = 2;  // bytes
 
-/// Trilinear look-up of every structure's distance at each node, the two nearest structures of each cell.
+/// Trilinear look-up of every structure's distance at each node, and the two nearest structures of each cell.
 StageWork structures(const FramePlan& plan, const TissueField& field) {
   const double nodes = double(plan.nodeRows) * plan.nodeColumns * plan.settings.elevationPlanes;
   constexpr double kPosition = 30, kCorners = 30;              // patient to lattice; eight weights

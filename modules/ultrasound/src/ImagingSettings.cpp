@@ -91,7 +91,7 @@ const std::vector<std::string_view> kGrayMaps = [] {
 const std::vector<std::string_view> kLooks{"coherent", "thesis"};
 const std::string kWhere = "settings";
 
-/// The value of `result` into `target`, or its error.
+/// Assigns the value of `result` to `target`, or returns its error.
 template <class To, class From>
 Result<void> assign(To& target, const Result<From>& result) {
   if (!result) return tl::unexpected(result.error());
@@ -128,7 +128,7 @@ Result<void> readEffects(const Json& value, Effects& effects) {
   return {};
 }
 
-/// One field; the key is known.
+/// Reads one field, whose key is known.
 Result<void> readField(std::string_view key, const Json& value, Settings& settings) {
   for (const auto& field : kNumbers)
     if (field.name == key) return assign(settings.*field.member, fields::readNumber(value, key, kWhere));
@@ -143,7 +143,7 @@ Result<void> readField(std::string_view key, const Json& value, Settings& settin
   return readEffects(value, settings.effects);
 }
 
-/// Files of former versions: `greyMap` is grayMap, and `smoothing`, on or off, is all or nothing of speckleReduction.
+/// Files of former versions: `greyMap` is grayMap, and `smoothing` (on or off) is speckleReduction 1 or 0.
 Result<Json> withPresentNames(Json object) {
   if (!object.is_object()) return object;
   for (const auto& [former, present] : {std::pair{"smoothing", "speckleReduction"}, {"greyMap", "grayMap"}}) {

@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 
 const std::vector<std::string_view> kShapes{"linear", "curvilinear", "phased"};
 
-/// The presets come with the program; a test reads all of them.
+/// The presets are compiled in; a test reads all of them.
 const Json& presetOf(std::string_view machine) {
   static const Json all = [] {
     Json object = Json::object();
@@ -26,7 +26,7 @@ const Json& presetOf(std::string_view machine) {
   return found == all.end() ? none : *found;
 }
 
-/// The values of settings that are given with their sources.
+/// Values of settings that have sources.
 void addValues(const Json& sourced, Json& overrides) {
   for (const auto& [key, entry] : sourced.items()) overrides[key] = entry.at("value");
 }

@@ -37,7 +37,7 @@ double receiveAperture_mm(const Probe& probe, double range_mm) {
 }
 
 double axialFwhm_mm(const Probe& probe, const ImagingSettings& settings) {
-  // Envelope of a Gaussian spectrum whose amplitude is half at +-B f / 2: 4 ln 2 / (pi B f) long, times c / 2.
+  // Envelope of a Gaussian spectrum with half amplitude at +-B f / 2: its length is 4 ln 2 / (pi B f), times c / 2.
   return 4 * std::numbers::ln2 / std::numbers::pi / (probe.bandwidth * settings.frequency_MHz) * kSoundSpeed_mmPerUs /
          2;
 }

@@ -16,12 +16,12 @@ TEST_F(Guiding, SaysWhatToDoBeforeAnythingIsClicked) {
 TEST_F(Guiding, WhatIsEnoughIsSaidWithEveryClick) {
   choose("vein-right");
   const auto said = [this] { return child<QLabel>("guideClicks")->text().toStdString(); };
-  EXPECT_THAT(said(), HasSubstr("2 are enough, 4 where it is hard to see"));
+  EXPECT_THAT(said(), HasSubstr("2 are enough, 4 if the structure is hard to see"));
   click({0, 12, -7});
   EXPECT_THAT(said(), HasSubstr("1 click; 1 more needed"));
   EXPECT_FALSE(child<QPushButton>("guideRun")->isEnabled());
   click({0, 12, 7});
-  EXPECT_THAT(said(), HasSubstr("2 clicks, enough; 4 where it is hard to see"));
+  EXPECT_THAT(said(), HasSubstr("2 clicks, enough; 4 if the structure is hard to see"));
   EXPECT_TRUE(child<QPushButton>("guideRun")->isEnabled());
   click({0, 12, 0});
   click({6, 12, 0});

@@ -91,7 +91,7 @@ TEST_F(ClassPageTest, ColoursAreToldByNumbersToo) {
   }
   EXPECT_EQ(inkOn(heatColour(0)), QColor(Qt::white));
   EXPECT_EQ(inkOn(heatColour(100)), QColor(Qt::black));
-  EXPECT_EQ(heatWords(std::nullopt), "nothing to compare with");
+  EXPECT_EQ(heatWords(std::nullopt), "no published values");
   EXPECT_EQ(heatWords(70.0), "near expert");
 }
 

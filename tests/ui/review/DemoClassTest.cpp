@@ -39,7 +39,7 @@ TEST_F(DemoClass, IsReplayedFromTheListAndJudged) {
   auto& history = *child<QTableWidget>("history");
   ASSERT_TRUE(QTest::qWaitFor([&] { return history.rowCount() == 7; }, kPatience_ms));
   EXPECT_EQ(history.item(0, 1)->text(), "First jugular line");
-  EXPECT_EQ(history.item(0, 5)->text(), "here");
+  EXPECT_EQ(history.item(0, 5)->text(), "on this computer");
   EXPECT_EQ(history.item(1, 5)->text(), "none");
 
   ASSERT_TRUE(child<QPushButton>("replayAttempt")->isEnabled());

@@ -142,7 +142,7 @@ TEST_F(JudgeTest, TwoInstructorsJudgeAReplayBlindlyAndSeeWhereTheyDiffer) {
   handIn();
   ASSERT_EQ(table().columnCount(), 3);
   EXPECT_TRUE(table().item(0, 0)->text().startsWith(QChar(0x2260)));
-  EXPECT_EQ(table().item(0, 2)->text(), "Not done or wrong");
+  EXPECT_EQ(table().item(0, 2)->text(), "Not done, or done incorrectly");
   EXPECT_TRUE(text("judgementAgreement").contains("95 % of 22 answers alike"))
       << text("judgementAgreement").toStdString();
   EXPECT_TRUE(text("judgementAgreement").contains("ICC of the scores n/a")) << "of one attempt there is none";
@@ -199,7 +199,7 @@ TEST_F(JudgeTest, TheTraineeReadsAndFillsInNothing) {
   openAndJudge();
   EXPECT_FALSE(isSeen("fillForm"));
   EXPECT_FALSE(isSeen("handIn"));
-  EXPECT_EQ(table().item(0, 1)->text(), "Not done or wrong: <img src='x'> %1");
+  EXPECT_EQ(table().item(0, 1)->text(), "Not done, or done incorrectly: <img src='x'> %1");
   EXPECT_TRUE(text("judgeWords").contains("Your attempt"));
   change("ben");
   EXPECT_TRUE(text("judgeWords").startsWith("You may not do this")) << text("judgeWords").toStdString();

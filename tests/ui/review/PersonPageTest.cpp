@@ -157,7 +157,7 @@ TEST_F(PersonPageTest, AKeptRecordingIsReplayed) {
   std::filesystem::create_directory(store_->recordings());
   std::ofstream(kept) << "the recording";
   showAnna();
-  EXPECT_EQ(history().item(0, 5)->text(), "kept with the store");
+  EXPECT_EQ(history().item(0, 5)->text(), "in the store");
   EXPECT_TRUE(child<QPushButton>("replayAttempt")->isEnabled());
   EXPECT_EQ(ui::recordingHere(test::valueOf(AttemptStore(school_->admin).attempt(last_.id)), file()).toStdString(),
             kept.string());

@@ -192,7 +192,7 @@ TEST_F(ReviewWindow, TheResultHasTheRecordingsNumbers) {
   EXPECT_EQ(value("posterior wall punctures"), "1");
   EXPECT_EQ(value("attempt time"), "9.1 s");
   EXPECT_EQ(value("minimum distance to lung"), "n/a") << "the block has none";
-  EXPECT_TRUE(table->item(0, 0)->toolTip().contains("Counted"));
+  EXPECT_TRUE(table->item(0, 0)->toolTip().contains("Definition"));
   EXPECT_TRUE(child<QWidget>("pathPane")->isVisible());
 }
 

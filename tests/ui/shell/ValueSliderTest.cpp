@@ -121,7 +121,7 @@ TEST_F(ValueSlider, KeepsTypedNumbersWithinTheRangeAndForgetsNonsense) {
   EXPECT_EQ(slider.value(), 20);
   type("deep");
   EXPECT_EQ(slider.value(), 20);
-  EXPECT_EQ(QToolTip::text(), "Depth takes a number from 20.0 mm to 90.0 mm; \"deep\" is none.");
+  EXPECT_EQ(QToolTip::text(), "Depth takes a number from 20.0 mm to 90.0 mm; \"deep\" is not a number.");
   EXPECT_EQ(number()->text(), "20.0 mm");
   slider.setValue(std::nan(""));
   EXPECT_EQ(slider.value(), 20);

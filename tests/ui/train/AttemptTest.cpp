@@ -48,7 +48,7 @@ TEST_F(TrainAttempt, AWholeOneByKeysIsGuidedScoredAndKept) {
   EXPECT_TRUE(child<QPushButton>("attemptDraw")->isChecked());
   auto* syringe = workspace_->findChild<SyringeView*>();
   EXPECT_TRUE(waitFor([&] { return syringe->content() == SyringeView::Content::DarkBlood && syringe->level() > 0.1; }));
-  EXPECT_TRUE(waitFor([&] { return text("attemptDue").contains("Freeze and look"); }));
+  EXPECT_TRUE(waitFor([&] { return text("attemptDue").contains("Freeze and inspect"); }));
   key(Qt::Key_B);
   key(Qt::Key_Space);
   EXPECT_TRUE(waitFor([&] { return text("attemptDue").contains("Withdraw"); }));
@@ -204,7 +204,7 @@ TEST_F(TrainAttempt, OnTheBuiltInNeckByKeysAlone) {
   for (int i = 0; i < 6; ++i) key(Qt::Key_PageDown, Qt::ShiftModifier);
   for (int i = 0; i < 2; ++i) key(Qt::Key_PageDown);
   ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Vein; }));
-  EXPECT_TRUE(waitFor([&] { return text("attemptDue").contains("Freeze and look"); }));
+  EXPECT_TRUE(waitFor([&] { return text("attemptDue").contains("Freeze and inspect"); }));
   key(Qt::Key_B);
   key(Qt::Key_Space);
   key(Qt::Key_Space);

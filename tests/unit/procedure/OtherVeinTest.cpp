@@ -56,7 +56,7 @@ TEST_P(OtherVein, AnyOtherFailsAndIsNamed) {
     ASSERT_TRUE(run.due());
     EXPECT_EQ(run.procedure().steps[*run.due()].name, "vein") << "the step is not ticked";
     const AttemptScore score = scoreOf(run);
-    EXPECT_THAT(sentences(score), Contains(HasSubstr("Another vein than the target was punctured")));
+    EXPECT_THAT(sentences(score), Contains(HasSubstr("A vein other than the target was punctured")));
     EXPECT_THAT(sentences(score), Not(Contains(HasSubstr("is reached"))));
     EXPECT_LE(score.points.value_or(0), 50);
   }

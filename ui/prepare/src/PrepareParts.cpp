@@ -111,7 +111,7 @@ void PrepareWorkspace::Parts::makeActions() {
       add(stack.createUndoAction(&workspace_, tr("Undo")), "undo", {QKeySequence(QStringLiteral("Ctrl+Z"))}, "undo");
   QAction* redo = add(stack.createRedoAction(&workspace_, tr("Redo")), "redo",
                       {QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))}, "redo");
-  save_ = add(new QAction(tr("Save case"), &workspace_), "save", {}, "saveCase");  // Ctrl+S is the window's
+  save_ = add(new QAction(tr("Save case"), &workspace_), "save", {}, "saveCase");  // Ctrl+S belongs to the window
   connect(save_, &QAction::triggered, this, [this] { Q_EMIT workspace_.saveWanted(); });
   connect(&stack, &QUndoStack::undoTextChanged, undo, [undo](const QString& what) {
     undo->setToolTip(what.isEmpty() ? tr("Nothing to undo (Ctrl+Z)") : tr("Undo: %1 (Ctrl+Z)").arg(what));
@@ -129,7 +129,7 @@ void PrepareWorkspace::Parts::connectParts() {
   auto* pointer = new GuidePointer(guide, shared, this);
   for (int n = 0; n < CaseViews::kSlices; ++n) pointer->watch(*views->widgets()[std::size_t(n)], views->slice(n));
   connect(&guide, &GuideSession::clicksChanged, views, [this] { views->setClicks(guide.shownClicks_mm()); });
-  // The filter installed last sees events first: a tool in hand gets the mouse before the guide.
+  // The filter that was installed last receives events first: a selected tool gets the mouse before the guide.
   new SliceTools(*views, *tools_, shared, views);
   new SceneTools(*views, *tools_, views);
   connect(&shared.openCase, &OpenCase::caseChanged, this, [this] {
@@ -162,7 +162,7 @@ void PrepareWorkspace::Parts::connectParts() {
   connect(&guide, &GuideSession::changed, this, [this] { showMouseOwner(); });
   connect(path, &PathPanel::checkChosen, this, [this] { right_->setCheckShown(true); });
   connect(right_, &RightColumn::labelWanted, this, [this](int label) { makeStructure(std::uint8_t(label)); });
-  // The guide would take the clicks that say where a place is.
+  // The guide would otherwise receive the clicks that set a place.
   connect(right_, &RightColumn::markingBegun, this, [this] { path->showGuide(false); });
 }
 
@@ -172,7 +172,7 @@ void PrepareWorkspace::Parts::refreshSave() {
   save_->setEnabled(shared.openCase.patient() && (changed || nowhere));
   save_->setToolTip(!shared.openCase.patient() ? QString()
                     : nowhere                  ? tr("Writes the case to a folder that you choose (Ctrl+S)")
-                    : changed ? tr("Writes title and looks of structures to the case's folder (Ctrl+S)")
+                    : changed ? tr("Writes the title and the appearance of structures to the case's folder (Ctrl+S)")
                               : tr("Everything is saved"));
 }
 
@@ -193,7 +193,7 @@ void PrepareWorkspace::Parts::showTool() {
   path->table().setToolInHand(inHand);
 }
 
-/// With the guide, where it has a step for it.
+/// With the guide, if it has a step for the structure.
 void PrepareWorkspace::Parts::makeStructure(std::uint8_t label) {
   if (guide.goToStepFor(label)) return path->showGuide(true);
   shared.structures.add(label);
@@ -223,7 +223,7 @@ void PrepareWorkspace::Parts::stop() {
 bool PrepareWorkspace::Parts::key(const QKeyEvent& event, bool doIt) {
   const KeyRow* row = rowFor(event);
   if (!row || !shared.openCase.patient()) return false;
-  // Without a tool, these are the window's.
+  // Without a tool, these keys are the window's.
   const bool ofTool = row->command == Command::ApplyTool || row->command == Command::LeaveTool;
   if (ofTool && !tools_->tool()) return false;
   if (doIt) act(*row);

@@ -23,7 +23,7 @@ PrepareWorkspace::PrepareWorkspace(ui::TaskBar& tasks, QWidget* parent)
 
 PrepareWorkspace::~PrepareWorkspace() {
   parts_->stop();
-  // The widgets refer to the model: they go first.
+  // The widgets refer to the model and are deleted first.
   delete parts_->columns;
   delete parts_->empty;
 }

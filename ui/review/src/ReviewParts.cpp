@@ -119,7 +119,7 @@ QWidget* ReviewWorkspace::Parts::buildTabs() {
   judge_ = addTab("judgeTab", tr("Judge"), tr("Checklists and ratings of this attempt, in place of 3D (4)"));
   connect(look_, &QToolButton::toggled, this, [this] { showBelow(); });
   connect(judge_, &QToolButton::toggled, this, [this](bool judges) {
-    // It is the replay that is judged.
+    // Judging refers to the replay.
     judges ? showTab(kReplayTab) : showBelow();
   });
   connect(tabs_, &QButtonGroup::idClicked, this, [this](int tab) { showTab(tab); });
@@ -144,7 +144,7 @@ void ReviewWorkspace::Parts::showTab(int tab) {
   showBelow();
 }
 
-/// Under 3D: what it shows, or with the result the needle's way. In its place, while one judges, the forms.
+/// Under 3D: its settings or, with the result, the path of the needle. While the user judges, the forms replace it.
 void ReviewWorkspace::Parts::showBelow() {
   right_->setCurrentIndex(judge_->isChecked() ? 1 : 0);
   scene_->panelArea().setVisible(look_->isChecked());
@@ -260,32 +260,32 @@ void ReviewWorkspace::Parts::showAttempt() {
   }
   const AttemptRecording& recording = *session.attempt()->recording;
   title_->setText(titleOf(recording.header()));
-  // The length is last: where there is no room for it, it also stands beside Play.
+  // The length is last: if it is cut off, it is also beside Play.
   facts_->setText(QStringList{QString::fromStdString(recording.header().caseName), wordsOf(recording.status()),
                               dateOf(recording.header().begun), clockOf(recording.end_us())}
                       .join(QStringLiteral("   ·   ")));
   facts_->setToolTip(ui::plainToolTip(facts_->text()));
   timeline_->setFocus();
   keptWanted_ = false;
-  // Once the session knows whether the window's case is the one.
+  // Called once the session knows whether the case in the window is that of the attempt.
   QMetaObject::invokeMethod(
       this, [this] { findCase(); }, Qt::QueuedConnection);
 }
 
-/// Place of the case's version on which an attempt was made; none if it was not kept.
+/// Folder of the case's version on which an attempt was made; none if it was not kept.
 std::optional<QString> ReviewWorkspace::Parts::keptVersion(const AttemptHeader& header) {
   const auto place = ui::placeOfCase(QString::fromStdString(header.caseName));
   const auto kept = place ? findVersion(place->toStdString(), header.caseHash) : std::nullopt;
   return kept ? std::optional(QString::fromStdString(kept->string())) : std::nullopt;
 }
 
-/// Once for an attempt: who keeps the case that is open is not asked again.
+/// Asks once for each attempt: a user who keeps the open case is not asked again.
 void ReviewWorkspace::Parts::openKeptVersion() {
   if (session.fit() != CaseFit::Changed || std::exchange(keptWanted_, true)) return;
   if (const auto kept = keptVersion(session.attempt()->recording->header())) Q_EMIT workspace_.caseWanted(*kept);
 }
 
-/// Among the built-in and the recent ones, by its title.
+/// Searches the built-in and the recent cases by title.
 void ReviewWorkspace::Parts::findCase() {
   if (!session.attempt() || (session.fit() != CaseFit::Missing && session.fit() != CaseFit::Other)) return;
   const QString title = QString::fromStdString(session.attempt()->recording->header().caseName);
@@ -309,7 +309,7 @@ void ReviewWorkspace::Parts::showNotice() {
   notice_->setVisible(!lines.isEmpty());
 }
 
-/// In place of an image; empty where there is one.
+/// Text shown instead of an image; empty if there is one.
 QString ReviewWorkspace::Parts::pictureWords() const {
   if (!session.picture().trouble().isEmpty()) return session.picture().trouble();
   if (!session.sample()) return tr("This part of the recording is missing.");

@@ -15,7 +15,7 @@ namespace insonate::review {
 namespace {
 
 constexpr int kTick_ms = 33;
-/// Few enough triangles that 3D follows the replay without a graphics card.
+/// Number of triangles with which 3D follows the replay without a graphics card.
 const std::vector<ui::SurfaceWish> kSurfaces = {{kVein, {4, 1}}, {kArtery, {4, 1}}, {kSkin, {8, 3}},
                                                 {kBone, {5, 2}}, {kAirway, {5, 2}}, {kThyroid, {5, 1.5}}};
 
@@ -120,7 +120,7 @@ void ReviewSession::setAwake(bool awake) {
   show();
 }
 
-/// Surfaces are made once for a patient; images go while the room is hidden, and come again.
+/// Surfaces are computed once for a patient; the renderer of images is released while the workspace is hidden.
 void ReviewSession::startPatient() {
   const auto patient = attempt_ && fits() ? patient_ : nullptr;
   picture_.set(attempt_ && awake_ ? attempt_->recording : nullptr, patient);

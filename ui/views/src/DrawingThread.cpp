@@ -37,8 +37,8 @@ DrawingThread::~DrawingThread() {
   thread_.join();
 }
 
-/// OpenGL's functions are looked up here: that writes to what all windows of a program share. A driver without a card
-/// has threads of its own, which have the priority of the one that makes the context.
+/// Looks up OpenGL's functions here, since that writes to data that all windows share. A software driver has threads,
+/// which get the priority of the thread that makes the context.
 void DrawingThread::start() {
   const auto alone = pause();
   window_->SetSize(view_.width_px(), view_.height_px());

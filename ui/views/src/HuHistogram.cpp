@@ -9,10 +9,10 @@ namespace {
 
 constexpr int kValues = 4096;
 constexpr int kLeast = int(TransferFunction::kLeast_HU);
-/// Shown whatever a CT has: air to dense bone.
+/// Range that every CT has: air to dense bone.
 constexpr double kAtLeastFrom_HU = -1000, kAtLeastTo_HU = 1500;
 constexpr double kBrightestShare = 1e-5;
-/// Voxels between two looks at `stop`.
+/// Voxels between two checks of `stop`.
 constexpr std::size_t kPortion = 1 << 20;
 
 }  // namespace

@@ -6,8 +6,8 @@
 namespace insonate::views {
 namespace {
 
-// Okabe and Ito's colors (jfly.uni-koeln.de/color, 2008) for what a trainee looks at; Tol's dark ones
-// (personal.sron.nl/~pault, 2021) and grays for the rest. Vein and artery are its blue and its vermillion.
+// Colors of Okabe and Ito (jfly.uni-koeln.de/color, 2008) for the structures that trainees look at; Tol's dark colors
+// (personal.sron.nl/~pault, 2021) and grays for the others. Vein and artery are blue and vermilion.
 constexpr std::array<Colour, kLabelCount> kSafe{{
     {0x00, 0x00, 0x00},  // background
     {0xbf, 0xb5, 0xae},  // skin
@@ -18,7 +18,7 @@ constexpr std::array<Colour, kLabelCount> kSafe{{
     {0x00, 0x72, 0xb2},  // vein
     {0xe6, 0x9f, 0x00},  // lymph node
     {0xcc, 0x79, 0xa7},  // thyroid
-    {0x66, 0x11, 0x00},  // oesophagus
+    {0x66, 0x11, 0x00},  // esophagus
     {0x00, 0x9e, 0x73},  // sternocleidomastoid
     {0x00, 0x66, 0x4b},  // muscle
     {0xf4, 0xf1, 0xea},  // bone

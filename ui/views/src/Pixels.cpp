@@ -4,7 +4,7 @@
 
 namespace insonate::views {
 
-/// OpenGL counts rows from below and has red first in memory.
+/// OpenGL counts rows from the bottom and stores red first.
 void PixelReader::read(vtkRenderWindow& window, Pixels& pixels) {
   const int* size = window.GetSize();
   pixels.width = size[0], pixels.height = size[1];

@@ -9,7 +9,7 @@
 namespace insonate::views {
 namespace {
 
-/// Empty when fontconfig knows of no file.
+/// Empty if fontconfig knows no file.
 std::string fontFile(int weight) {
   std::string file;
   FcPattern* wanted = FcPatternCreate();
@@ -43,7 +43,7 @@ void useSystemSans(vtkTextProperty& text, double size_px, Colour colour, bool bo
   // VTK sizes are points at the text mapper's 72 dpi, which makes them pixels.
   text.SetFontSize(static_cast<int>(std::lround(size_px)));
   text.SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
-  // Keeps words readable over bright anatomy.
+  // Readable over bright anatomy.
   text.SetShadow(1);
   text.SetShadowOffset(1, -1);
 }

@@ -13,7 +13,7 @@ namespace {
 
 using Nodes = std::vector<TransferNode>;
 
-/// The node before a value and its share of the way to the next; clamped to the ends. Needs nodes.
+/// The node before a value and its position between that node and the next; clamped to the ends. Requires nodes.
 struct Between {
   std::size_t first, second;
   double share;
@@ -86,7 +86,7 @@ TransferFunction tidied(TransferFunction function) {
                 [](const TransferNode& node) { return !std::isfinite(node.hu) || !std::isfinite(node.opacity); });
   if (nodes.size() > F::kMostNodes) nodes.resize(F::kMostNodes);
   std::stable_sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.hu < b.hu; });
-  // Upward from the least, then back from the most: what crowds at an end moves inward.
+  // Upward from the minimum, then back from the maximum: nodes that crowd at an end move inward.
   double least = F::kLeast_HU;
   for (TransferNode& node : nodes) {
     node.hu = std::max(node.hu, least);

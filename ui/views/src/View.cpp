@@ -56,7 +56,7 @@ void View::draw() {
 }
 
 void View::finish() {
-  // A thread that draws has read what it drew.
+  // A drawing thread has already read its finished pixels.
   if (window_ && !renderElsewhere_) window_->WaitForCompletion();
 }
 

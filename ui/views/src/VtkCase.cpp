@@ -8,11 +8,11 @@
 namespace insonate::views {
 namespace {
 
-/// A view that has missed more than these is drawn anew.
+/// A view that has missed more changes than this is redrawn completely.
 constexpr std::size_t kChangesKept = 64;
 
 void point(vtkShortArray& voxels, const CtVolume& ct) {
-  // VTK has no arrays of constants; nothing here writes to this one.
+  // VTK has no arrays of constants; this code does not write to the array.
   voxels.SetArray(const_cast<std::int16_t*>(ct.voxels.data()), static_cast<vtkIdType>(ct.voxels.size()), 1);
   voxels.Modified();
 }
@@ -42,7 +42,7 @@ VtkCase::~VtkCase() = default;
 bool VtkCase::setPatient(std::shared_ptr<const PatientCase> patient) {
   if (patient->ct.geometry != patient_->ct.geometry || patient->ct.voxels.size() != patient_->ct.voxels.size())
     return false;
-  // The same array, as others hold it, too.
+  // The same array, which others hold, too.
   point(*vtkShortArray::SafeDownCast(ct_->GetPointData()->GetScalars()), patient->ct);
   patient_ = std::move(patient);
   labelsChanged();

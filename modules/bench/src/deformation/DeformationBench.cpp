@@ -27,7 +27,7 @@ constexpr int kLiveIterations = 4;
 constexpr int kPathFrames = 48;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// The built-in neck with a probe that just touches it.
+/// The built-in neck, with a probe that just touches it.
 struct Bench {
   PatientCase patient;
   ImagingSetup setup;
@@ -82,7 +82,7 @@ Result<PressedTissue> makeModel(const Bench& bench, const std::string& model, do
   return PressedTissue::make(bench.setup.probe, bench.setup.settings, mechanics, mostIterations, true);
 }
 
-/// Poses of a hand that presses in and out, and slides to and fro.
+/// Poses of a hand that compresses, releases and slides back and forth.
 std::vector<Transform> pressingPath(const Transform& touching, double slide_mm) {
   std::vector<Transform> path;
   double lateral_mm = 0, axial_mm = kPress_mm;
@@ -117,7 +117,7 @@ struct Errors {
       }
     PlaneSamples tissue;
     samplePlane(*bench.scene, pose, rest, tissue);
-    constexpr float kWall_mm = 0.3F;  // where the answer, which is linear between its points, has a bend
+    constexpr float kWall_mm = 0.3F;  // near a wall the piecewise linear answer has a bend
     for (std::size_t k = 0; k < seen.size(); ++k) {
       if (tissue.toArtery_mm[k] < kWall_mm || tissue.toVein_mm[k] < kWall_mm || tissue.toBone_mm[k] < 0) continue;
       const Vec3 shift = shiftAt(answer.displacement, seen[k].x_mm, seen[k].z_mm);
@@ -182,7 +182,7 @@ Row measure(const Bench& bench, const Path& path, PressedTissue& model, bool col
   };
   model.release();
   Errors errors;
-  // One lap for the errors, the live solution going on from frame to frame; then the clock.
+  // The first lap measures errors, with the live solution carried from frame to frame; the second lap measures times.
   for (int f = 0; f < static_cast<int>(path.poses.size()); ++f) {
     go(f);
     for (const auto& [frame, exact] : path.exact)

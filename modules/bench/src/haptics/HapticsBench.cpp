@@ -56,7 +56,7 @@ class Pictures {
   std::shared_ptr<const AcousticScene> scene_;
   Imager imager_;
   std::atomic<int> count_ = 0;
-  std::jthread thread_;  // last: it works with the others
+  std::jthread thread_;  // the last member, since the thread uses the others
 };
 
 HandPath pathOf(std::initializer_list<std::pair<double, Vec3>> points) {

@@ -38,18 +38,18 @@ std::vector<Cells> stiffness(const HapticsBench& bench) {
   return rows;
 }
 
-/// Published values or, for the vein, the assumed one, with the part of the curve in which to look for each.
+/// Published values (the value for the vein is an assumption), with the part of the curve that contains each.
 struct Published {
   const char* name;
   double depth_mm, low_N, high_N;
 };
-/// As the ranges of resources/haptics/measured.json; the wall of the vein on top of the muscle before it (1 N).
+/// The ranges of resources/haptics/measured.json; the wall of the vein adds to the muscle in front of it (1 N).
 constexpr Published kPublished[]{{"skin, published range", 4.1, 0.5, 4},
                                  {"fat, published range", 7.5, 0.1, 0.8},
                                  {"muscle, published range", 15, 0.4, 2},
                                  {"wall of a vein, estimated range", 20.7, 1.2, 2.5}};
 
-/// Every twentieth of a millisecond's points is enough to see.
+/// A plot of every twentieth of a millisecond is smooth.
 constexpr std::size_t kEvery = 20;
 
 std::vector<Cells> depths(const HapticsBench& bench) {

@@ -12,7 +12,7 @@ namespace {
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
-constexpr double kElementShare = 0.9;  ///< of the pitch; the rest is kerf
+constexpr double kElementShare = 0.9;  ///< share of the pitch; the remainder is kerf
 constexpr int kFrequencies = 64;
 
 double apodizationAt(Apodization apodization, double share) {
@@ -36,7 +36,7 @@ double sinc(double x) {
 
 ArrayField::ArrayField(const Probe& probe, const ImagingSettings& settings, double end_mm)
     : probe_(probe), frequency_MHz_(settings.frequency_MHz), transmitFocus_mm_(settings.focus_mm), end_mm_(end_mm) {
-  // A Gaussian, -6 dB at half the bandwidth off its middle, sampled out to where it has fallen by 60 dB.
+  // A Gaussian of -6 dB at half the bandwidth from its center, sampled until it has fallen by 60 dB.
   const double half_MHz = probe.bandwidth * frequency_MHz_ / 2, reach_MHz = half_MHz * std::sqrt(10.0);
   for (int n = 0; n < kFrequencies; ++n) {
     const double off_MHz = reach_MHz * ((n + 0.5) / kFrequencies * 2 - 1);
@@ -44,7 +44,7 @@ ArrayField::ArrayField(const Probe& probe, const ImagingSettings& settings, doub
     waveNumber_radPmm_.push_back(2 * pi * (frequency_MHz_ + off_MHz) / kSoundSpeed_mmPerUs);
     spectrum_.push_back(std::exp2(-(off_MHz / half_MHz) * (off_MHz / half_MHz)));
   }
-  // Pieces of a third of the shortest wave.
+  // Pieces as wide as a third of the shortest wave.
   const double piece_mm = 2 * pi / waveNumber_radPmm_.back() / 3;
   const int pieces = std::max(1, static_cast<int>(std::ceil(probe.elementHeight_mm / piece_mm)));
   for (int m = 0; m < pieces; ++m) {

@@ -43,7 +43,7 @@ double offsetOf(int index, std::size_t count, double step_mm) {
   return (index - int(count) / 2) * step_mm;
 }
 
-/// The array's field. A point moved one way under a scanline stands for the scanline moved the other way.
+/// The field of the array. A point that is moved under a scanline replaces the scanline that is moved the other way.
 Spread fieldSpread(const Probe& probe, const ImagingSettings& settings, double depth_mm) {
   Spread spread = emptySpread();
   const ArrayField middle(probe, settings, probe.width_mm / 2);
@@ -54,7 +54,7 @@ Spread fieldSpread(const Probe& probe, const ImagingSettings& settings, double d
   tbb::parallel_for(0, int(spread.slice.size()), [&](int y) {
     spread.slice[y] = peakOf(middle.echo({0, offsetOf(y, spread.slice.size(), spread.y_mm), depth_mm}, depth_mm));
   });
-  // The point lies kFromEnd_mm from the end; each scanline has the part of its aperture that the array has.
+  // The point lies kFromEnd_mm from the end of the array; each scanline uses the part of its aperture that exists.
   tbb::parallel_for(0, int(spread.endAcross.size()), [&](int x) {
     const double line_mm = offsetOf(x, spread.endAcross.size(), spread.x_mm), end_mm = kFromEnd_mm + line_mm;
     if (end_mm < 0) return;
@@ -118,7 +118,7 @@ class Camera {
     engine_->render(**scene, {}, {}, nullptr, frame_);
     return {};
   }
-  /// Between samples and scanlines; 0 outside of the image.
+  /// Interpolates between samples and scanlines; 0 outside the image.
   double valueAt(const BeamGrid& grid, double x_mm, double depth_mm) const {
     const auto at = grid.locate(x_mm, depth_mm);
     const int line = int(std::floor(at.scanline)), sample = int(std::floor(at.sample));

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kAside_mm = 2;
 
-/// Width at a share of the highest value, in indices, between linear crossings; 0 where a side does not fall to it.
+/// Width in indices at a share of the maximum, between linear crossings; 0 if a side does not fall to this share.
 double widthAt(const std::vector<double>& profile, double share) {
   const auto top = std::max_element(profile.begin(), profile.end());
   const double level = share * *top;
@@ -22,7 +22,7 @@ double widthAt(const std::vector<double>& profile, double share) {
   return to - from;
 }
 
-/// Energy from beyond a lumen over all energy, by which speckle leaks into the middle of it, dB.
+/// Energy from outside a lumen relative to all energy, in dB: the leakage of speckle into its middle.
 double leak_dB(const Spread& spread, double diameter_mm) {
   double outside = 0, all = 0;
   for (int x = 0; x < spread.across; ++x)

@@ -17,8 +17,8 @@
 namespace insonate::bench {
 namespace {
 
-constexpr int kQuality = 85;     ///< of the JPEG through which both sets go
-constexpr double kEnlarged = 2;  ///< for eyes: 20 pixels per mm
+constexpr int kQuality = 85;     ///< of the JPEG compression of both sets
+constexpr double kEnlarged = 2;  ///< enlargement for readers: 20 pixels per mm
 constexpr int kOnASheet = 12, kColumns = 4;
 constexpr int kCell_px = 340;
 

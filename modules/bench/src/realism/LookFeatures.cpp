@@ -13,8 +13,8 @@ namespace insonate {
 namespace {
 
 constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
-constexpr double kSmooth_px = 1.5;  ///< standard deviation of the blur that takes off fine detail, 0.15 mm
-constexpr int kAround_px = 9;       ///< of local contrast
+constexpr double kSmooth_px = 1.5;  ///< standard deviation of the blur that removes fine detail, 0.15 mm
+constexpr int kAround_px = 9;       ///< radius of local contrast
 constexpr int kBands = 3, kBand_mm = 10;
 
 std::vector<double> valuesOf(const cv::Mat& image) {
@@ -46,7 +46,7 @@ cv::Mat blurred(const cv::Mat& image) {
   return smooth;
 }
 
-/// Bright ridges that run along the face: minus the second derivative of a Gaussian over depth, where positive.
+/// Bright ridges along the face: minus the second derivative of a Gaussian over depth, where positive.
 cv::Mat ridgesOf(const cv::Mat& image) {
   const int reach = int(std::lround(4 * kSmooth_px));
   cv::Mat kernel(2 * reach + 1, 1, CV_32F);
@@ -160,8 +160,8 @@ class Measuring {
     add("ridge length, mm", ridgeLength_mm(ridges));
   }
 
-  /// Mean width of the connected pieces among the strongest twentieth of the ridges, each piece weighted by its area: a
-  /// rail across the image counts for much.
+  /// Mean width of the connected pieces among the strongest twentieth of the ridges, each piece weighted by its area,
+  /// so that a line over the whole image has a large weight.
   static double ridgeLength_mm(const cv::Mat& ridges) {
     const cv::Mat strong = ridges > bench::quantile(valuesOf(ridges), 0.95);
     cv::Mat pieces, about, middles;
@@ -186,7 +186,7 @@ class Measuring {
     add("pixel noise / mean" + at, isThere ? pixelNoise(rows) / std::max(1.0, meanOf(rows)) : kUndefined);
   }
 
-  /// Shading that is no grain.
+  /// Slow shading, without speckle.
   static cv::Mat wide(const cv::Mat& image) {
     cv::Mat wide;
     cv::GaussianBlur(image, wide, {0, 0}, 10, 10, cv::BORDER_REFLECT);
@@ -209,8 +209,9 @@ class Measuring {
     return kUndefined;
   }
 
-  /// Standard deviation of what differs from pixel to pixel: by the median of the Laplacian's magnitude (Immerkaer,
-  /// Comput. Vis. Image Underst. 1996, 64:300, with a median instead of the mean, which edges would lift).
+  /// Standard deviation of the noise between neighboring pixels, from the median of the Laplacian's magnitude
+  /// (Immerkaer, Comput. Vis. Image Underst. 1996, 64:300, with the median instead of the mean, which edges would
+  /// raise).
   static double pixelNoise(const cv::Mat& image) {
     const cv::Mat kernel = (cv::Mat_<float>(3, 3) << 1, -2, 1, -2, 4, -2, 1, -2, 1);
     cv::Mat differs;
@@ -232,7 +233,7 @@ Result<GreyPicture> atLookScale(const GreyPicture& image, double pixelsPer_mm, d
     return fail("The image is smaller than 10 x 10 mm.");
   const double factor = kLookPixelsPer_mm / pixelsPer_mm;
   cv::Mat scaled;
-  // Downward an average over each new pixel's area, so that fine detail is not folded into coarse.
+  // Shrinking averages over the area of each new pixel, which avoids aliasing.
   cv::resize(bench::bytesOf(image), scaled, {}, factor, factor, factor < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
   return bench::pictureOf(scaled.rowRange(0, std::min(scaled.rows, int(std::lround(depth_mm * kLookPixelsPer_mm)))));
 }

@@ -34,7 +34,7 @@ std::optional<double> numberIn(const std::string& cell) {
   return value;
 }
 
-/// The part of an image that a box of whole pixels covers.
+/// The part of an image inside a box of whole pixels.
 Result<GreyPicture> insideOf(const GreyPicture& image, const std::vector<std::string>& box) {
   std::array<int, 4> b{};  // left, top, width, height
   for (std::size_t n = 0; n < 4; ++n) b[n] = int(numberIn(box[n]).value_or(-1));

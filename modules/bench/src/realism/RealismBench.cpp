@@ -41,7 +41,8 @@ double floorOf(const std::vector<FeatureRow>& rows, std::size_t feature) {
   return areas.size() < 2 ? std::numeric_limits<double>::quiet_NaN() : quantile(areas, 0.5);
 }
 
-/// Holm: the least p times the number of tests, the next times one fewer, none below the one before.
+/// Holm's correction: the smallest p times the number of tests, the next one times one test fewer, and so on; no value
+/// is below the one before.
 void correctForMany(std::vector<RealismFeature>& features) {
   std::vector<RealismFeature*> byP;
   for (RealismFeature& feature : features) byP.push_back(&feature);

@@ -73,7 +73,8 @@ std::string keyOf(const std::vector<bench::BlindImage>& images) {
   return text;
 }
 
-/// The first two cells of each line as whole numbers, by the first; lines after # and the heading are left out.
+/// The first two cells of each line as whole numbers, keyed by the first; comment lines (#) and the heading are
+/// ignored.
 Result<std::map<int, int>> numbersIn(const fs::path& file, int low, int high, const std::string& what) {
   std::ifstream stream(file);
   if (!stream) return fail("Could not read " + file.string() + ": check that it is there and that you may read it.");

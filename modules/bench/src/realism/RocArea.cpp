@@ -13,7 +13,7 @@ double beats(double a, double b) {
   return a > b ? 1 : a == b ? 0.5 : 0;
 }
 
-/// The area with the variance of DeLong; the variance is negative where there is none.
+/// The area with the variance of DeLong; a negative variance means that there is none.
 struct Components {
   double area = 0.5, variance = -1;
 };
@@ -47,8 +47,7 @@ RocArea rocArea(std::span<const double> positive, std::span<const double> negati
   const auto [area, variance] = componentsOf(positive, negative);
   if (variance < 0) return {area, 0, 1};
   if (variance < 1e-12) {
-    // All pairs alike: the exact bound (Clopper and Pearson) of a share that was met in each value of the smaller
-    // group.
+    // If all pairs agree: the exact bound (Clopper and Pearson) of a share that every value of the smaller group meets.
     const double bound = std::pow(0.025, 1 / double(std::min(positive.size(), negative.size())));
     return area > 0.5 ? RocArea{area, bound, 1} : area < 0.5 ? RocArea{area, 0, 1 - bound} : RocArea{area, 0, 1};
   }
@@ -61,7 +60,7 @@ RocArea rocArea(std::span<const double> positive, std::span<const double> negati
 double rocP(std::span<const double> positive, std::span<const double> negative) {
   const double m = double(positive.size()), n = double(negative.size());
   if (m < 2 || n < 2) return 1;
-  // Under the hypothesis: the variance of Mann and Whitney's statistic, without ties.
+  // Variance of Mann and Whitney's statistic under the null hypothesis, without ties.
   const double error = std::sqrt((m + n + 1) / (12 * m * n));
   const double z = std::abs(componentsOf(positive, negative).area - 0.5) / error;
   return std::erfc(z / std::sqrt(2.0));

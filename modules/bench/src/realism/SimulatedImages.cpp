@@ -24,14 +24,14 @@ namespace insonate {
 namespace {
 
 constexpr double kLargestForce_N = 4;  ///< light to firm compression with the whole face
-constexpr double kOtherMap = 0.25;     ///< share of the images with another gray map than their machine's
-constexpr double kPoorContact = 0.3;   ///< share of those where an end of the probe does not touch the skin
-/// Median gray that a person turns the gain to, and the range of that knob: 39 real neck images of 15 sources have 65
-/// in the middle, and four of five lie between 25 and 110; the seven at hand are darker (31).
+constexpr double kOtherMap = 0.25;     ///< share of the images with a gray map other than their machine's
+constexpr double kPoorContact = 0.3;   ///< share of the images in which one end of the probe does not touch the skin
+/// Median gray to which a person sets the gain, and the range of the gain: 39 real neck images of 15 sources have a
+/// median of 65, four of five lie between 25 and 110; the seven local images are darker (31).
 constexpr double kDarkest = 20, kBrightest = 100, kGainReach_dB = 24;
-/// The darkest twentieth of an image is left black: nine in ten real images have this gray at most there.
+/// The darkest twentieth of an image stays black: nine in ten real images have at most this gray there.
 constexpr int kBlackest = 13;
-constexpr double kTgcStep_dB = 1.5;  ///< sliders are never quite even
+constexpr double kTgcStep_dB = 1.5;  ///< TGC sliders are never exactly equal
 
 class Choices {
  public:
@@ -46,13 +46,13 @@ class Choices {
 struct Drawn {
   ImagingSetup setup;
   Transform patientFromProbe;
-  double force_N = 0;  ///< that the probe compresses with
+  double force_N = 0;  ///< compression force of the probe
   double medianGray = 0;
   std::string about;
 };
 
-/// Settings as people choose them for a neck at a machine: its own, moved as far as real images differ in brightness,
-/// contrast and depth.
+/// Settings as people choose them for a neck: those of the machine, varied as real images vary in brightness, contrast
+/// and depth.
 ImagingSettings chosenSettings(ImagingSettings settings, const Probe& probe, Choices& choices) {
   settings.depth_mm = std::round(choices.between(30, 45));
   const double frequency_MHz = settings.frequency_MHz + choices.between(-1.5, 1.5);
@@ -84,7 +84,7 @@ Result<Turned> turned(const StartPose& view, Choices& choices) {
   return Turned{&view, *pose, turn};
 }
 
-/// True where tissue lies below both ends of the face. Outside the volume there is none.
+/// True if tissue lies below both ends of the face. There is no tissue outside the volume.
 bool isOnTheBody(const PatientCase& patient, const Probe& probe, const Transform& patientFromProbe) {
   constexpr double kBelow_mm = 4;
   const Transform index = patient.labels.geometry.indexFromPatient();
@@ -94,7 +94,7 @@ bool isOnTheBody(const PatientCase& patient, const Probe& probe, const Transform
   });
 }
 
-/// A place where the whole face touches, on one of the machines.
+/// A pose at which the whole face touches the skin, and a machine.
 Result<Drawn> drawn(const PatientCase& patient, const std::vector<StartPose>& views, const Probe& probe,
                     const AcousticTable& tissues, Choices& choices) {
   constexpr int kTries = 20;
@@ -132,13 +132,13 @@ GreyPicture insideOfSimulated(const BModeImage& image, const Drawn& of) {
   return bench::cutOut(image.grey, image.width, {first, top, last - first, bottom - top});
 }
 
-/// The upper middle part, as large as another image where it can be.
+/// The upper middle part, with the size of another image if possible.
 GreyPicture cutLike(const GreyPicture& image, const GreyPicture& other) {
   const int width = std::min(image.width, other.width), height = std::min(image.height, other.height);
   return bench::cutOut(image.grey, image.width, {(image.width - width) / 2, 0, width, height});
 }
 
-/// Turns the gain, as a person does, until the image's median has the gray that was drawn, or blood would turn gray.
+/// Sets the gain as a person does, until the median of the image has the drawn gray, or until blood would become gray.
 void adjustGain(const Drawn& one, ImagingFrame& frame) {
   ImagingSettings settings = one.setup.settings;
   double low_dB = -kGainReach_dB, high_dB = kGainReach_dB;
@@ -179,7 +179,7 @@ Result<SourceImage> simulatedImageOf(const PatientCase& patient, const std::stri
   return SourceImage{neck, neck + ", " + one.about, std::move(*scaled)};
 }
 
-/// One patient after the other: built-in necks and the given cases, in turn.
+/// Built-in necks and the given cases in turn, one patient after another.
 class Patients {
  public:
   Patients(unsigned seed, const std::vector<std::filesystem::path>& cases) : seed_(seed), cases_(cases) {

@@ -14,8 +14,9 @@ namespace {
 using bench::SvgAxis;
 
 constexpr double kWidth = 900, kHeight = 520;
-constexpr double kLeft = 84, kRight = 630, kTop = 74, kBottom = 452;  // of the chart; the legend is right of it
-// Okabe and Ito's colors, told apart by color-blind readers and in gray, and two darker ones.
+constexpr double kLeft = 84, kRight = 630, kTop = 74, kBottom = 452;  // margins of the chart; the legend is on its
+                                                                      // right
+// Colors of Okabe and Ito, distinguishable for color-blind readers and in gray, and two darker ones.
 constexpr std::string_view kColours[]{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
                                       "#56b4e9", "#7a5c00", "#444444", "#8a2be2"};
 
@@ -38,7 +39,7 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-/// Collects SVG elements; everything that is drawn goes through here.
+/// Collects the SVG elements of a drawing.
 class Canvas {
  public:
   Canvas(std::string_view title, std::string_view subtitle, double height = kHeight) {
@@ -94,7 +95,7 @@ void drawTicksLeft(Canvas& canvas, const SvgAxis& axis) {
   }
 }
 
-/// Labels that would lie on those in `taken` are left out.
+/// Labels that would overlap those in `taken` are left out.
 void drawSeries(Canvas& canvas, const PlotSeries& series, const SvgAxis& x, const SvgAxis& y, std::string_view colour,
                 std::vector<Pixel>& taken) {
   std::vector<Pixel> at;
@@ -116,7 +117,7 @@ void drawSeries(Canvas& canvas, const PlotSeries& series, const SvgAxis& x, cons
   }
 }
 
-/// The series' line of the legend: colors come again after nine, then a dash tells them apart.
+/// The legend's line of a series: colors repeat after nine, with dashes to distinguish them.
 void drawKey(Canvas& canvas, const PlotSeries& series, double row, std::string_view colour) {
   if (series.joined) canvas.path({{kRight + 12, row - 4}, {kRight + 36, row - 4}}, colour, series.dashed);
   if (series.marked) canvas.mark(kRight + 24, row - 4, colour);
@@ -150,7 +151,7 @@ std::string svgOf(const LineChart& chart) {
     canvas.line(kLeft, y.pixel(level.y), kRight, y.pixel(level.y), "stroke=\"#b00020\" stroke-dasharray=\"3 3\"");
     canvas.text(kRight - 6, y.pixel(level.y) - 5, level.name, "text-anchor=\"end\" font-size=\"11\" fill=\"#b00020\"");
   }
-  std::vector<Pixel> taken;  // by labels
+  std::vector<Pixel> taken;  // positions of labels
   for (std::size_t s = 0; s < chart.series.size(); ++s) {
     drawSeries(canvas, chart.series[s], x, y, colourOf(s), taken);
     drawKey(canvas, chart.series[s], kTop + 12 + 22 * double(s), colourOf(s));

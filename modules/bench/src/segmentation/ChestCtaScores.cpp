@@ -16,14 +16,14 @@ constexpr double kShortestVessel_mm = 15;
 
 struct Mask {
   const char *file, *name;
-  double largest_mm;  ///< as an author sets it: more than half of the vessel's width
+  double largest_mm;  ///< the author's setting: more than half of the vessel's width
 };
 constexpr Mask kMasks[]{{"common_carotid_artery_left.nii.gz", "left common carotid", 12},
                         {"subclavian_artery_left.nii.gz", "left subclavian", 12},
                         {"brachiocephalic_trunk.nii.gz", "brachiocephalic trunk", 12},
                         {"aorta_true_lumen.nii.gz", "aorta, true lumen", 25}};
 
-/// Within two voxels of the vessel, between its ends, and in no other.
+/// Accepts voxels within two voxels of the vessel, between its ends, and in no other vessel.
 Result<Selection> around(const CtVolume& ct, const TrueVessel& vessel, const std::vector<LabelMap>& others,
                          const Progress& progress) {
   const Vec3& s = ct.geometry.spacing_mm;
@@ -40,7 +40,7 @@ Result<Selection> around(const CtVolume& ct, const TrueVessel& vessel, const std
   return betweenEnds(without(std::move(*near), vessel.others), vessel.line);
 }
 
-/// For a mask that is too stout for a center line, the middles of its axial slices.
+/// Centers of the axial slices, for a mask that is too wide for a center line.
 TrueVessel stoutVessel(const LabelMap& labels) {
   TrueVessel vessel{{}, voxelsOf(labels, 1, extentOf(labels, 1)), {}};
   const VoxelBox& box = vessel.voxels.box;

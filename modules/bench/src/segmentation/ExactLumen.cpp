@@ -7,7 +7,7 @@
 namespace insonate::bench {
 namespace {
 
-constexpr int kParts = 3;  // of a voxel, along each axis
+constexpr int kParts = 3;  // parts of a voxel along each axis
 constexpr std::int16_t kMuscle_HU = 50;
 
 std::int16_t medianIn(const CtVolume& ct, const Selection& mask) {
@@ -22,7 +22,8 @@ std::int16_t medianIn(const CtVolume& ct, const Selection& mask) {
   return *middle;
 }
 
-/// Parts of the voxels of `where` that are brighter than half-way; metal counts as blood, fat and air as muscle.
+/// Parts of the voxels of `where` that are brighter than halfway between muscle and blood; metal counts as blood, fat
+/// and air as muscle.
 Selection brightParts(const CtVolume& ct, const Selection& where, std::int16_t blood_HU) {
   CtVolume hu = cropped(ct, where.box);
   for (std::int16_t& v : hu.voxels) v = std::clamp(v, std::min(kMuscle_HU, blood_HU), std::max(kMuscle_HU, blood_HU));
@@ -40,7 +41,7 @@ Selection brightParts(const CtVolume& ct, const Selection& where, std::int16_t b
   return bright;
 }
 
-/// Voxels of `where` of which most parts are chosen.
+/// Voxels of `where` with more than half of their parts chosen.
 Selection mostly(const Selection& parts, const Selection& where) {
   Selection voxels = where;
   const auto& size = where.mask.geometry.size;

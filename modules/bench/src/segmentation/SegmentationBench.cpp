@@ -14,8 +14,8 @@ using bench::ScoreRows;
 
 constexpr std::array kNoises_HU{0.0, 10.0, 20.0, 40.0};
 constexpr std::array kQuickNoises_HU{10.0};
-/// Blur of the built-in necks, as of a sharp kernel, and of the atlas, as of a soft one: its voxels are twice as
-/// large, and voxels on borders then hold parts of both tissues.
+/// Blur of the built-in necks (a sharp kernel) and of the atlas (a soft kernel): voxels of the atlas are twice as
+/// large, and those on borders contain both tissues.
 constexpr double kNeckBlur_mm = 0.9, kAtlasBlur_mm = 1.5;
 
 using Part = std::function<Result<void>(SegmentationBench&, const Progress&)>;

@@ -27,7 +27,7 @@ std::string against(bool met) {
   return met ? "met" : "missed";
 }
 
-/// "0 mm 0.810, 0.5 mm 0.860, ...": a wall, and the Dice with it.
+/// "0 mm 0.810, 0.5 mm 0.860, ...": thickness of a wall, and the Dice of lumen and wall.
 std::string withWalls(const std::optional<WallScores>& scores) {
   std::string text;
   for (std::size_t n = 0; scores && n < kWalls_mm.size(); ++n)
@@ -55,7 +55,7 @@ std::vector<Cells> times(const SegmentationBench& results) {
   return rows;
 }
 
-/// Vessels of a kind go together: `vein 2` counts as `vein`.
+/// Groups the vessels of a kind: `vein 2` counts as `vein`.
 std::string kindOf(const SegmentationScoreRow& row) {
   std::string kind = row.structure;
   while (!kind.empty() && (std::isdigit(static_cast<unsigned char>(kind.back())) || kind.back() == ' '))
@@ -63,7 +63,7 @@ std::string kindOf(const SegmentationScoreRow& row) {
   return kind;
 }
 
-/// The synthetic CTs together: what a page is opened for.
+/// Summary of the synthetic CTs, which readers look for first.
 std::vector<Cells> summary(const SegmentationBench& results) {
   struct Key {
     std::string structure;

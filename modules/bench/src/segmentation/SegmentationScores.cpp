@@ -8,7 +8,7 @@
 namespace insonate::bench {
 namespace {
 
-constexpr std::size_t kVesselsEach = 2;  // of a kind, the largest
+constexpr std::size_t kVesselsEach = 2;  // the largest vessels of each kind
 constexpr double kShortest_mm = 40;
 constexpr double kAutomaticBar = 0.95, kVesselBar = 0.90;
 
@@ -33,7 +33,7 @@ Result<void> scoreAutomatic(const CtVolume& ct, const LabelMap& truth, const Seg
   return {};
 }
 
-/// A vessel's kind, and its number by falling volume.
+/// Kind of a vessel, and its rank by decreasing volume.
 struct NamedVessel {
   std::string name;
   TrueVessel vessel;

@@ -19,10 +19,10 @@
 namespace insonate::bench {
 namespace {
 
-constexpr double kRegion_mm = 30;  // from a click to the edge of the region of growing and level set
-constexpr double kFrame_ms = 33, kPreview_ms = 100, kRegion_ms = 3000, kAutomatic_ms = 60000;  // that are aimed at
+constexpr double kRegion_mm = 30;  // distance from a click to the edge of the region for growing and level set
+constexpr double kFrame_ms = 33, kPreview_ms = 100, kRegion_ms = 3000, kAutomatic_ms = 60000;  // targets
 
-/// The textbook neck with contrast, on a grid of this size over the same part of the patient.
+/// The textbook neck with contrast agent, on a grid of this size over the same region.
 Result<PatientCase> largeNeck(const std::array<int, 3>& size, const Progress& progress) {
   auto patient = makePhantom("textbook", 1, progress, CtContrast::kArterial);
   if (!patient) return tl::unexpected(patient.error());
@@ -48,7 +48,7 @@ double voxelsIn(const VoxelBox& box) {
   return double(box.length(0)) * box.length(1) * box.length(2);
 }
 
-/// A ball in the vein, as a click gives it.
+/// A ball in the vein, as a click selects it.
 Selection ballIn(const VolumeGeometry& geometry, const VoxelBox& region, Vec3 centre_mm) {
   Selection chosen(geometry, region);
   const Selection ball = brushed(geometry, std::array{centre_mm}, {.radius_mm = 3});

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint8_t kVessel = 1;
 
-/// On the grid of a box that holds the shape's.
+/// Works on the grid of a box around the shape.
 LabelMap placed(const Selection& shape, const VolumeGeometry& geometry, const VoxelBox& box) {
   LabelMap map(gridOf(geometry, box));
   for (int k = 0; k < box.length(2); ++k)

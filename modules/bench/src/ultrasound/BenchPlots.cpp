@@ -9,7 +9,7 @@ namespace {
 
 using Row = UltrasoundBenchRow;
 
-/// A grid size that was varied.
+/// A dimension of the workload that was varied.
 struct Sweep {
   const char *name, *title, *file;
   int Row::*size;
@@ -22,7 +22,7 @@ constexpr Sweep kSweeps[]{
     {"elevation planes", "Elevation planes", "time-planes.svg", &Row::elevationPlanes, false},
 };
 
-/// Rows that differ from the workload in this size at most, by size.
+/// Rows that differ from the workload only in this dimension, by increasing size.
 std::vector<const Row*> rowsOf(const UltrasoundBench& bench, const Sweep& sweep, const std::string& engine,
                                int threads) {
   const Row& w1 = bench.rows.front();

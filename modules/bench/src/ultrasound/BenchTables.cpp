@@ -100,7 +100,7 @@ std::string cellOf(const json& value) {
   return '"' + text + '"';
 }
 
-/// Columns in the order given, so that tables read from left to right.
+/// Keeps the order of the columns, so that tables read from left to right.
 std::string csvOf(const json& rows, const std::vector<std::string>& columns) {
   std::string text;
   for (const std::string& column : columns) text += (text.empty() ? "" : ",") + column;

@@ -48,7 +48,7 @@ std::vector<ImagingSettings> sweep(const UltrasoundBenchPlan& plan) {
   return all;
 }
 
-/// The number of samples that brings the distance of gates down to the least the model uses.
+/// The number of samples at which gates have the smallest distance that the model uses.
 int samplesWithFinestGates(const Probe& probe, ImagingSettings settings) {
   int best = settings.samples;
   double least_mm = gateDistance_mm(probe, settings);
@@ -60,7 +60,7 @@ int samplesWithFinestGates(const Probe& probe, ImagingSettings settings) {
   return best;
 }
 
-/// The face pressed 3 mm into the tissue, which gives way to the sides, on the lattice of a solver.
+/// The face 3 mm in the tissue, which moves to the sides, on the lattice of a solver.
 PlaneDisplacement pressedTissue(const Probe& probe, const ImagingSettings& settings) {
   constexpr double kStep_mm = 0.5, kIndentation_mm = 3, kReach_mm = 20;
   const BeamGrid grid(probe, settings);
@@ -150,7 +150,7 @@ Result<void> EngineRows::measureDisplaced(std::vector<UltrasoundBenchRow>& rows)
   return measureOwn({pressedTissue(plan_->setup.probe, settings_.front()), {}}, ", displaced", rows);
 }
 
-/// From the left to the middle of the image, at 45 degrees.
+/// A needle from the left to the middle of the image, at 45 degrees.
 Result<void> EngineRows::measureNeedle(std::vector<UltrasoundBenchRow>& rows) const {
   constexpr double kTipDepth_mm = 18;
   Needle needle;
@@ -174,7 +174,7 @@ Result<void> EngineRows::measure(const ImagingSettings& settings, const PlaneCon
   if (auto ok = addDiscretisation(settings, contents, reference); !ok) return ok;
 
   for (const std::string& engine : engineNames()) {
-    // The notes name the engines that this machine lacks.
+    // The notes name the engines that are missing on this machine.
     if (engine == kReference || !makeEngine(engine)) continue;
     auto imager = makeImager(plan_->setup, settings, engine);
     if (!imager) return tl::unexpected(imager.error());
@@ -189,7 +189,7 @@ Result<void> EngineRows::measure(const ImagingSettings& settings, const PlaneCon
     }
     row.envelopeError_percent = error.percent();
     if (auto ok = addDiscretisation(settings, contents, row); !ok) return ok;
-    // A card, or what stands for one, does not ask how many threads it may have.
+    // The number of threads does not limit a graphics card or its software replacement.
     const int all = tbb::info::default_concurrency();
     std::vector<int> threads{engine == "glsl" ? all : 1};
     if (all > threads.back()) threads.push_back(all);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMark_dB = 0.002;  ///< per label
 
-/// Nothing but even scattering of the central plane.
+/// The central plane, with uniform scattering only.
 ImagingSettings markedSettings(ImagingSettings settings) {
   settings.elevationPlanes = 1;
   settings.looks = 1;
@@ -70,7 +70,8 @@ PixelMask LabelPicture::maskOf(const std::vector<std::uint8_t>& labels) const {
 }
 
 PixelMask eroded(const PixelMask& mask, int pixels) {
-  // A pixel stays where the nearest unchosen pixel of its row, then of its column, is farther: a square, in two passes.
+  // Erodes by a square in two passes: a pixel stays if the nearest unchosen pixel of its row, then of its column, is
+  // farther away.
   const auto pass = [&](const PixelMask& in, bool rows) {
     PixelMask out{in.width, in.height, std::vector<std::uint8_t>(in.chosen.size())};
     const int lanes = rows ? in.height : in.width, length = rows ? in.width : in.height;
@@ -121,7 +122,7 @@ std::vector<PixelMask> parts(const PixelMask& mask, int leastPixels) {
 
 PictureBox largestBox(const PixelMask& mask, int mostWidth, int mostHeight) {
   PictureBox best;
-  std::vector<int> tall(mask.width, 0);  // chosen pixels upwards from this row, at most mostHeight
+  std::vector<int> tall(mask.width, 0);  // chosen pixels from this row upward, at most mostHeight
   for (int row = 0; row < mask.height; ++row) {
     for (int column = 0; column < mask.width; ++column)
       tall[column] = mask.at(column, row) ? std::min(tall[column] + 1, mostHeight) : 0;

@@ -1,7 +1,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "ultrasound/MachineLimits.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h, which includes this file once per instruction set.
+// Must follow foreach_target.h, which includes this file once for each instruction set.
 #include "ultrasound/MachineLimits.h"
 
 #include <hwy/aligned_allocator.h>
@@ -17,11 +17,12 @@ HWY_BEFORE_NAMESPACE();
 namespace insonate::bench::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Independent chains of multiply-adds; returns the floating-point operations done. `sink` keeps them from vanishing.
+/// Computes independent chains of multiply-adds; returns the number of floating-point operations. `sink` prevents that
+/// the compiler removes them.
 double chainsTarget(int rounds, float* sink) {
   const hn::ScalableTag<float> d;
   const auto a = hn::Set(d, 0.999F), b = hn::Set(d, 1e-3F);
-  // Named, since compilers keep arrays of vectors in memory. Ten chains cover latency times ports.
+  // Separate variables, since compilers keep arrays of vectors in memory. Ten chains cover latency times ports.
   auto v0 = hn::Iota(d, 0), v1 = hn::Iota(d, 1), v2 = hn::Iota(d, 2), v3 = hn::Iota(d, 3), v4 = hn::Iota(d, 4);
   auto v5 = hn::Iota(d, 5), v6 = hn::Iota(d, 6), v7 = hn::Iota(d, 7), v8 = hn::Iota(d, 8), v9 = hn::Iota(d, 9);
   for (int r = 0; r < rounds; ++r) {
@@ -53,11 +54,11 @@ HWY_EXPORT(chainsTarget);
 HWY_EXPORT(triadTarget);
 
 using Clock = std::chrono::steady_clock;
-constexpr std::size_t kCacheFloats = 1 << 14;   // three arrays of 64 KiB a thread
-constexpr std::size_t kMemoryFloats = 1 << 24;  // three arrays of 64 MiB in all
+constexpr std::size_t kCacheFloats = 1 << 14;   // three arrays of 64 KiB for each thread
+constexpr std::size_t kMemoryFloats = 1 << 24;  // three arrays of 64 MiB in total
 
-/// Calls of `task` per second, all threads together: the sum of what each reached at best while all were at it. Threads
-/// of its own, since a pool may give such short work to one.
+/// Calls of `task` per second by all threads: the sum of each thread's best rate while all threads run. Uses its own
+/// threads, since a pool may run such short work on one thread.
 template <class Task>
 double bestRate(int threads, double seconds, const Task& task) {
   std::vector<double> best(threads, 0.0);
@@ -76,7 +77,7 @@ double bestRate(int threads, double seconds, const Task& task) {
   return std::accumulate(best.begin(), best.end(), 0.0);
 }
 
-/// Three arrays, written once so that their pages exist.
+/// Three arrays, written once so that their pages are mapped.
 struct TriadArrays {
   explicit TriadArrays(std::size_t floats)
       : size(floats),
@@ -94,7 +95,7 @@ struct TriadArrays {
 MachineLimits measureMachine(int threads, double seconds) {
   MachineLimits limits;
   constexpr int kRounds = 100000;
-  std::vector<float> sinks(std::size_t(threads) * 16);  // a cache line each
+  std::vector<float> sinks(std::size_t(threads) * 16);  // one cache line for each thread
   double operations = 0;
   const double chains = bestRate(threads, seconds / 3, [&](int t) {
     const double done = HWY_DYNAMIC_DISPATCH(chainsTarget)(kRounds, &sinks[std::size_t(t) * 16]);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Sums that a mean and an SD need.
+/// Sums for a mean and a standard deviation.
 struct Moments {
   double count = 0, sum = 0, squares = 0;
   void add(double v) { ++count, sum += v, squares += v * v; }

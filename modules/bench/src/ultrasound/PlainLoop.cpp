@@ -12,7 +12,7 @@ namespace {
 constexpr double kFwhmPerSd = 2.3548;
 constexpr double kWhite_dB = 39.5;
 
-/// `corner` counts voxels from the outer corner of the first.
+/// `corner` is in voxels from the outer corner of the first voxel.
 std::uint8_t labelAt(const LabelMap& labels, Vec3 corner) {
   const auto i = static_cast<int>(corner.x), j = static_cast<int>(corner.y), k = static_cast<int>(corner.z);
   return labels.geometry.contains(i, j, k) ? knownLabel(labels.at(i, j, k)) : kBackground;

@@ -12,7 +12,7 @@
 namespace insonate::bench {
 namespace {
 
-/// Median of what is finite; NaN of nothing.
+/// Median of the finite values; NaN without any.
 double medianOf(std::vector<double> values) {
   std::erase_if(values, [](double v) { return !std::isfinite(v); });
   if (values.empty()) return NAN;
@@ -35,7 +35,7 @@ std::string fileName(const std::string& text) {
   return name;
 }
 
-/// Measures of one image on patches that follow from its labels.
+/// Measures of one image on patches that the labels determine.
 class PictureScore {
  public:
   PictureScore(const BModeImage& image, const LabelPicture& labels, std::string variant, std::string view)
@@ -64,7 +64,7 @@ class PictureScore {
                      value >= range->low && value <= range->high});
   }
 
-  /// A box of at most the size, a margin inside the labels; empty when there is no room.
+  /// A box of at most this size, inside the labels with a margin; empty if there is no room.
   PictureBox patchIn(const std::vector<std::uint8_t>& labels, double margin_mm, double width_mm,
                      double height_mm) const {
     const PixelMask inside = eroded(labels_.maskOf(labels), pixels(margin_mm));
@@ -91,7 +91,7 @@ class PictureScore {
   }
 
   void measureEvenPatch() {
-    // The only tissues without structure of their own that are large enough.
+    // The only sufficiently large tissues without structure of their own.
     std::string patch = "thyroid";
     PictureBox box = patchIn({kThyroid}, 0.8, 8, 6);
     if (box.width == 0) patch = "gland", box = patchIn({kGland}, 0.8, 8, 6);
@@ -143,7 +143,7 @@ class PictureScore {
     return surface;
   }
 
-  /// The widest stretch of bone surface that stays within 2 mm of depth, as the box that just holds it.
+  /// The widest piece of bone surface that stays within 2 mm of depth, as its bounding box.
   PictureBox flatBone() const {
     const std::vector<int> surface = boneSurface();
     PictureBox best;
@@ -175,7 +175,7 @@ class PictureScore {
 
   void measureAirShadow() {
     if (!(thyroidMean_ > 0)) return;
-    // Beyond the dirty ring-down at the front of the airway.
+    // Behind the dirty shadow at the front of the airway.
     PixelMask airway = labels_.maskOf({kAirway});
     const PixelMask all = airway;
     for (int row = 0; row < airway.height; ++row)

@@ -26,7 +26,7 @@ using namespace bench;
 constexpr std::uint32_t kPhantomSeed = 1;
 constexpr std::string_view kW1Engine = "cpu";
 
-/// A hand's small movements: 0.3 mm across the slice, 0.15 mm sideways and a fifth of a degree each frame.
+/// Small movements of a hand: 0.3 mm out of the plane, 0.15 mm sideways and a fifth of a degree for each frame.
 std::vector<Transform> movingProbe(const Transform& start) {
   constexpr int kPoses = 16;
   std::vector<Transform> path;
@@ -58,7 +58,7 @@ BenchComputer describeMachine(double seconds) {
   return machine;
 }
 
-/// Stages of W1 against the limits of as many threads.
+/// Stages of W1 compared with the limits of the same number of threads.
 std::vector<StageLimits> stageLimits(const UltrasoundBench& bench, const std::vector<StageWork>& work) {
   std::vector<StageLimits> all;
   const UltrasoundBenchRow& w1 = bench.rows.front();
@@ -73,7 +73,7 @@ std::vector<StageLimits> stageLimits(const UltrasoundBench& bench, const std::ve
       const auto known =
           std::find_if(work.begin(), work.end(), [&](const StageWork& w) { return w.name == stage.name; });
       if (known != work.end() && stage.min_ms > 0 && limits != bench.machine.limits.end()) {
-        // The engine's times are sums over threads, so that rates hold for one of them.
+        // Times of the engine are sums over threads, so that rates apply to one thread.
         const bool summed = known - work.begin() < 4;
         const double share = summed ? limits->threads : 1;
         s.operations = known->operations, s.bytes = known->bytes;
@@ -96,7 +96,7 @@ FrameTimes timePlainLoop(const UltrasoundBenchPlan& plan, const std::vector<Tran
   return timeFrames(patience, [&](int i) { loop.render(path[i % path.size()], image); });
 }
 
-/// Start poses over the first target: those named like the first one up to the comma.
+/// Start poses over the first target: those whose name equals that of the first pose up to the comma.
 std::vector<StartPose> viewsOf(const PatientCase& patient, bool every) {
   std::vector<StartPose> views;
   const auto place = [](const StartPose& pose) { return pose.name.substr(0, pose.name.find(',')); };
@@ -118,7 +118,7 @@ Result<void> addRealism(const UltrasoundBenchPlan& plan, const ImagingSetup& set
   return {};
 }
 
-/// Devices that engines ran on, and reasons why engines are missing.
+/// Devices that engines ran on, and the reasons for missing engines.
 std::vector<std::string> engineNotes() {
   std::vector<std::string> notes;
   for (const std::string& name : engineNames()) {

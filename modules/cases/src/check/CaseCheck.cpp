@@ -30,7 +30,7 @@ Result<std::vector<Finding>> checkCase(const CaseView& authors, const Progress& 
   const auto stop = [] { return fail(std::string(kCancelled)); };
 
   if (cancelled(0)) return stop();
-  // The labels that trainees meet.
+  // The labels in their form for trainees.
   const auto tissues = inTissues(authors.manifest.ownLabels, authors.labels);
   const CaseView patient(authors.manifest, authors.ct, tissues ? *tissues : authors.labels);
   const LabelStatistics statistics = statisticsOf(patient);

@@ -14,7 +14,7 @@ std::string inMillilitres(double mm3) {
   return mm3 < 1000 ? std::to_string(std::lround(mm3)) + " mm3" : std::to_string(std::lround(mm3 / 1000)) + " ml";
 }
 
-/// Finds labels apart from the body: a table, a tube, or a tool's leak into the air.
+/// Finds labels apart from the body: a table, a tube, or a leak of a tool into the air.
 void checkApart(const CaseView& patient, Findings& findings) {
   constexpr double kApart_mm3 = 20;
   std::vector<Island> bodies = islandsOf(patient.labels, Joining::kAnyLabel);
@@ -32,14 +32,14 @@ void checkApart(const CaseView& patient, Findings& findings) {
                       placeOf(patient.labels.geometry, first.first), first.label});
 }
 
-/// Organs hang together; what lies between them (fat, muscle, soft tissue) need not, nor do nerves and nodes. Vessels
-/// have a finding of their own.
+/// Organs are connected. Tissue between them (fat, muscle, soft tissue), nerves and nodes need not be. Vessels have a
+/// finding of their own.
 bool isCompact(std::uint8_t label) {
   constexpr std::array kCompact{kBone, kCartilage, kAirway, kThyroid, kSternocleidomastoid, kOesophagus, kGland};
   return std::ranges::find(kCompact, label) != kCompact.end();
 }
 
-/// Crumbs that a threshold leaves behind.
+/// Small islands that a threshold leaves.
 void checkCrumbs(const CaseView& patient, Findings& findings) {
   constexpr double kCrumb_mm3 = 5;
   constexpr int kMany = 50;

@@ -16,7 +16,8 @@ struct HuRange {
   int low, high;
 };
 
-/// Wide enough for noise, partial volume, contrast and metal; only a wrong label leaves it for most voxels.
+/// The ranges include noise, partial volume, contrast agent and metal; only a wrong label has most of its voxels
+/// outside.
 std::optional<HuRange> plausibleHu(int label) {
   switch (label) {
     case kSkin:
@@ -37,7 +38,7 @@ std::optional<HuRange> plausibleHu(int label) {
     case kBackground:
       return std::nullopt;
     case kSoftTissue:
-      return HuRange{-900, 900};  // everything else, thin linings of air included
+      return HuRange{-900, 900};  // all others, including thin linings of air
     default:
       return HuRange{-200, 500};
   }

@@ -14,7 +14,7 @@ std::string nameOf(const Landmark& landmark) {
   return kind ? std::string(kind->name) : landmark.code;
 }
 
-/// Within this of the skin's outside, a place counts as on the skin.
+/// A place within this distance of the skin's outside counts as on the skin.
 bool isOnSkin(const LabelMap& labels, Vec3 place_mm) {
   constexpr double kNear_mm = 5, kStep_mm = 1;
   const Transform index = labels.geometry.indexFromPatient();

@@ -72,7 +72,7 @@ void checkNames(const CaseView& patient, Findings& findings) {
                         "The vessels have no names: an attempt distinguishes the target's vein from other veins, but "
                         "calls each of them another vein. Mark each vessel as a place of the case."});
   for (const Target& target : m.targets) {
-    constexpr double kFlat_mm = 4;  // beyond the wall of a round vessel, in the lumen of a flat one
+    constexpr double kFlat_mm = 4;  // beyond the wall of a round vessel, but still in the lumen of a flat one
     const auto holdsTarget = [&](const NamedVessel& vessel) {
       return vessel.label == target.label && distanceToWall_mm(vessel, target.position_mm) <= kFlat_mm;
     };

@@ -9,7 +9,8 @@
 namespace insonate::check {
 namespace {
 
-/// Share of a label's voxels that belong to a 2x2 block of it across the vessel's main direction.
+/// Share of a label's voxels that belong to a 2x2 block of the label in the plane perpendicular to the vessel's main
+/// direction.
 double solidShare(const LabelMap& labels, std::uint8_t label) {
   const VolumeGeometry& g = labels.geometry;
   const int along = headFootAxis(g), u = (along + 1) % 3, v = (along + 2) % 3;
@@ -39,13 +40,13 @@ double solidShare(const LabelMap& labels, std::uint8_t label) {
   return total ? static_cast<double>(inBlocks) / static_cast<double>(total) : 1;
 }
 
-/// One part ends shortly before the other begins, nearly in line with it.
+/// Tells whether one part ends shortly before the other begins, nearly in line with it.
 bool isGap(const Part& lower, const Part& upper) {
   constexpr double kLongest_mm = 20;
   return upper.low > lower.high && norm(upper.lowEnd_mm - lower.highEnd_mm) < kLongest_mm;
 }
 
-/// Each is told by itself, unless there are so many that it is no vessel with gaps but a heap of pieces.
+/// Each gap is a finding, unless there are so many that the label is a set of pieces rather than a vessel with gaps.
 void checkGaps(const std::vector<Part>& parts, std::uint8_t label, Findings& findings) {
   constexpr std::size_t kMost = 5;
   const std::string name = labelName(label);
@@ -66,7 +67,7 @@ void checkGaps(const std::vector<Part>& parts, std::uint8_t label, Findings& fin
   findings.insert(findings.end(), gaps.begin(), gaps.end());
 }
 
-/// A vessel to be punctured is followed up and down with the probe.
+/// The probe follows a vessel to be punctured in both directions.
 void checkPieceOf(const CaseView& patient, const Target& target, Findings& findings) {
   constexpr double kLeast_mm = 20;
   const VolumeGeometry& g = patient.labels.geometry;

@@ -12,8 +12,8 @@ namespace {
 
 using Index = std::array<int, 3>;
 
-/// Growth over the voxels of one label, each of which is visited once. What waits is kept as one voxel of each run
-/// along a row, or a bright CT's background alone would take hundreds of megabytes.
+/// Growth over the voxels of one label, each of which is visited once. The queue stores one voxel for each run along a
+/// row; storing all voxels would take hundreds of megabytes for the background of a CT.
 class Flood {
  public:
   Flood(const LabelMap& labels, std::uint8_t label) : labels_(labels), label_(label), visited_(labels.voxels.size()) {}
@@ -21,8 +21,8 @@ class Flood {
   void seed(const Index& at) {
     if (isOpen(at)) waiting_.push_back(at);
   }
-  /// Visits all that hangs together with the seeds: by faces (`reach` 0), or by edges and corners, too (1). Calls
-  /// `visit` with the first voxel of each run, and how many it has.
+  /// Visits all voxels connected with the seeds by faces (`reach` 0), or also by edges and corners (1). Calls `visit`
+  /// with the first voxel of each run, and its length.
   template <class Visit>
   void grow(int reach, const Visit& visit) {
     while (!waiting_.empty()) {

@@ -5,7 +5,7 @@
 namespace insonate::check {
 namespace {
 
-/// Neighbors of one value along a row of the grid, ends included.
+/// Neighboring voxels of one value along a row of the grid, ends included.
 struct Run {
   int from, to;
   std::uint8_t value;

@@ -11,7 +11,7 @@ namespace {
 // Linear sRGB (IEC 61966-2-1, white D65) to XYZ under D50 by the Bradford adaptation, as in ICC profiles of sRGB.
 const Mat3 kXyzFromLinear{{Vec3{0.4360747, 0.2225045, 0.0139322}, Vec3{0.3850649, 0.7168786, 0.0971045},
                            Vec3{0.1430804, 0.0606169, 0.7141733}}};
-constexpr double kBend = 6.0 / 29;  // CIE 15: where the cube root becomes a line
+constexpr double kBend = 6.0 / 29;  // CIE 15: below, a line replaces the cube root
 
 double linear(double srgb) {
   return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);

@@ -14,7 +14,7 @@ namespace {
 
 using Frame = DicomSegments::Frame;
 
-/// Frames at one place, in the order in which they win.
+/// Frames at one place; later frames take precedence.
 struct Plane {
   double z_mm = 0;
   std::vector<const Frame*> frames;
@@ -42,7 +42,7 @@ class Placer {
   explicit Placer(const DicomSegments& segments)
       : s_(segments), normal_(cross(s_.direction[0], s_.direction[1])), planes_(planesOf(s_, normal_)) {}
 
-  /// The last segment that holds a place; 0 for none. `overlaps` counts places in several structures.
+  /// The last segment that contains a place; 0 for none. `overlaps` counts places in several structures.
   std::uint8_t labelAt(Vec3 p_mm, std::size_t& overlaps) const {
     const Plane* plane = planeAt(dot(p_mm, normal_) - kOffTheBorder * s_.step_mm);
     std::uint8_t label = 0;
@@ -85,7 +85,7 @@ class Placer {
     const Plane* nearest = above == planes_.end() ? &planes_.back() : &*above;
     if (above != planes_.begin() && z_mm - std::prev(above)->z_mm < std::abs(nearest->z_mm - z_mm))
       nearest = &*std::prev(above);
-    // Positions and their step are decimals of a few digits: no crack may open between two slices.
+    // Positions and spacing are decimals of a few digits: the tolerance prevents gaps between slices.
     const double reach_mm = 0.5 * s_.step_mm * (1 + 1e-3);
     return std::abs(nearest->z_mm - z_mm) <= reach_mm ? nearest : nullptr;
   }

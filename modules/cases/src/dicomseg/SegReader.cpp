@@ -44,7 +44,7 @@ std::optional<Label> labelOfCode(const DataSet& item) {
   return snomed ? labelFromSnomed(firstCode(item, kType, Tag(0x0008, 0x0100))) : std::nullopt;
 }
 
-/// By the code, then by the names that the file gives.
+/// Finds a label by the code, then by the names in the file.
 std::optional<Label> labelOf(const DataSet& item) {
   if (const auto known = labelOfCode(item)) return known;
   for (const std::string& name : {textOf(item, kLabel), firstCode(item, kType, Tag(0x0008, 0x0104))})
@@ -52,7 +52,7 @@ std::optional<Label> labelOf(const DataSet& item) {
   return std::nullopt;
 }
 
-/// Tells whether a segment of a label map describes the pixels that are in no segment.
+/// Tells whether a segment of a label map describes the pixels outside all segments.
 bool isBackground(const DataSet& item) {
   return firstCode(item, kType, Tag(0x0008, 0x0102)) == "DCM" &&
          firstCode(item, kType, Tag(0x0008, 0x0100)) == "125040";
@@ -63,8 +63,8 @@ struct Given {
   std::optional<OwnLabel> own;
 };
 
-/// Label that this program wrote for a structure outside the label table: the author's name, the code of its tissue
-/// and, without a name, the number. Empty for known structures, and for other programs.
+/// Label that this program wrote for a structure outside the label table: the author's name, the code of its tissue,
+/// and the number if there is no name. Empty for known structures and for files of other programs.
 std::optional<Given> givenHere(const DataSet& item, OwnNumbers& numbers) {
   if (textOf(item, Tag(0x0062, 0x0009)) != kAlgorithm) return std::nullopt;
   const std::string name = tidyLabelName(textOf(item, kLabel));
@@ -125,7 +125,7 @@ Segments segmentsOf(const DataSet& data, DicomSegments& result) {
   return segments;
 }
 
-/// The bytes of all pixels: as stored, or decompressed.
+/// The bytes of all pixels, decompressed if necessary.
 Result<std::vector<std::uint8_t>> pixelBytes(const fs::path& file, const gdcm::File& dicom, unsigned bits,
                                              const DicomSegments& segments) {
   const std::string cutOff = " holds fewer pixels than it says: it is cut off or damaged. Copy or export it again.";
@@ -148,7 +148,7 @@ Result<std::vector<std::uint8_t>> pixelBytes(const fs::path& file, const gdcm::F
   return std::vector<std::uint8_t>(pixels->begin(), pixels->end());
 }
 
-/// A label map's pixels are numbers of segments (PS3.3 C.8.20.2.3.3), and 0 or the padding value where none is.
+/// The pixels of a label map are numbers of segments (PS3.3 C.8.20.2.3.3), and 0 or the padding value outside of them.
 void numbersToLabels(const std::vector<std::uint8_t>& bytes, unsigned bits, const Segments& segments,
                      std::optional<unsigned> padding, DicomSegments& result) {
   std::set<unsigned> unknown;
@@ -205,7 +205,7 @@ std::vector<std::optional<unsigned>> segmentNumbers(const DataSet& data, std::si
   return numbers;
 }
 
-/// Distance of neighboring slices: what the file says, or how thick they are, unless frames lie closer.
+/// Distance of neighboring slices: as stated in the file, else their thickness, unless frames are closer.
 double stepOf(const DataSet& data, const DicomSlice& first, const std::vector<DicomSegments::Frame>& frames,
               Vec3 normal) {
   std::optional<double> step = first.thickness_mm;
@@ -217,13 +217,13 @@ double stepOf(const DataSet& data, const DicomSlice& first, const std::vector<Di
   for (const auto& frame : frames) places.insert(dot(frame.position_mm, normal));
   double smallest = said;
   for (auto at = places.begin(); at != places.end() && std::next(at) != places.end(); ++at)
-    // Frames of several segments lie at the same place but for rounding.
+    // Frames of several segments lie at the same place except for rounding.
     if (const double distance = *std::next(at) - *at; distance > std::min(0.01, 0.1 * said))
       smallest = std::min(smallest, distance);
   return smallest < std::numeric_limits<double>::max() ? smallest : 1;
 }
 
-/// The segment of each frame, none for those of a label map; a frame that names none is of the only one.
+/// Segment of each frame; none for frames of a label map. A frame without a segment belongs to the only one.
 Result<std::vector<Segment>> frameSegments(const fs::path& file, const DataSet& data, std::size_t frames,
                                            const Segments& segments, bool isLabelMap) {
   std::vector<Segment> all(frames);

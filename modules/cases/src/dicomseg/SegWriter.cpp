@@ -33,7 +33,7 @@ struct Uids {
   std::string series, instance, dimensions;
 };
 
-/// A reference by number: an attribute's tag, or several counts.
+/// A reference by number: the tag of an attribute, or several counts.
 void putBinary(DataSet& data, Tag tag, VR::VRType vr, const void* bytes, std::size_t size) {
   gdcm::DataElement element(tag);
   element.SetVR(vr);
@@ -49,7 +49,7 @@ DataSet codeItem(const char* value, const char* scheme, const std::string& meani
   return item;
 }
 
-/// A label of the author's own has its name, and the code of what it is made of.
+/// A label of the author has its own name, and the code of its tissue.
 DataSet segmentItem(std::uint8_t label, std::uint16_t number, const PatientCase& patient) {
   DataSet item;
   const OwnLabels& own = patient.manifest.ownLabels;
@@ -89,7 +89,7 @@ DataSet dimension(const Uids& uids, Tag pointer, Tag group, const char* descript
   return item;
 }
 
-/// Series and equipment modules, and when it was made (PS3.3 A.51.3).
+/// Series and equipment modules, and the time of creation (PS3.3 A.51.3).
 void putSeries(DataSet& data, const Uids& uids) {
   put(data, Tag(0x0008, 0x0005), VR::CS, "ISO_IR 192");  // UTF-8, for names
   put(data, Tag(0x0008, 0x0016), VR::UI, kSegmentationStorage);
@@ -147,7 +147,7 @@ void putImage(DataSet& data, const PatientCase& patient, const SegmentFrames& pa
   put(data, Tag(0x0070, 0x0084), VR::PN, "");
 }
 
-/// The CT that was labeled, as writeDicomSeries calls it.
+/// References the labeled CT as writeDicomSeries names it.
 void putReferences(DataSet& data, const VolumeGeometry& g, const Uids& uids) {
   DataSet series;
   std::vector<DataSet> instances;

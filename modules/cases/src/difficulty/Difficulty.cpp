@@ -9,11 +9,11 @@
 namespace insonate {
 namespace {
 
-/// More than hard by itself counts a little more, so that cases can still be ranked.
+/// A measure beyond the limit for hard counts a little more, so that cases can still be ranked.
 constexpr double kMostPoints = 1.5;
 constexpr double kModerate = 0.25, kHard = 1;
 
-/// 0 where it is easy, 1 where it is hard by itself, a straight line between; either may be the larger.
+/// 0 at the easy limit, 1 at the hard limit, linear between; either may be the larger value.
 double pointsOf(double value, double easy, double hard) {
   return std::clamp((value - easy) / (hard - easy), 0.0, kMostPoints);
 }
@@ -26,7 +26,7 @@ std::string text(const char* format, double value) {
 
 void addArtery(const VeinMeasures& m, std::vector<DifficultyShare>& shares) {
   if (!m.artery_mm) return;
-  // An artery that is near is in danger, the more the more of it lies behind the vein, where the needle goes.
+  // The risk of a near artery increases with the share of it behind the vein, where the needle goes.
   const double behind = std::min(1.0, pointsOf(*m.overlap_percent, 25, 75));
   const double near = std::min(1.0, pointsOf(*m.artery_mm, 6, 1));
   shares.push_back({"artery behind the vein",
@@ -46,7 +46,7 @@ std::vector<DifficultyShare> sharesOf(const VeinMeasures& m) {
        text("the vein is only %.1f mm high", m.height_mm)},
       {"depth of the vein", text("%.1f mm", m.depth_mm), pointsOf(m.depth_mm, 12, 20),
        text("the vein begins %.0f mm below the skin", m.depth_mm)},
-      // A flat vein gives way under little pressure.
+      // Light compression closes a flat vein.
       {"flatness of the vein", text("%.0f %% as high as wide", 100 * m.height_mm / m.width_mm),
        0.5 * pointsOf(m.height_mm / m.width_mm, 0.5, 0.2), "the vein is flat and gives way under the probe"}};
   addArtery(m, shares);

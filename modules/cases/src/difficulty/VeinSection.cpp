@@ -15,19 +15,19 @@ namespace {
 constexpr double kStep_mm = 0.25, kHalfWidth_mm = 30, kDeepest_mm = 80;
 constexpr int kColumns = int(2 * kHalfWidth_mm / kStep_mm) + 1, kRows = int(kDeepest_mm / kStep_mm) + 1;
 
-/// An image across a vessel: rows go into the body from the skin, the middle column through the target.
+/// A section at a right angle to a vessel: rows go into the body from the skin, the middle column through the target.
 struct Section {
   std::vector<std::uint8_t> labels;
   std::uint8_t at(int column, int row) const { return labels[std::size_t(row) * kColumns + std::size_t(column)]; }
 };
 
-/// A region of a section that hangs together.
+/// A connected region of a section.
 struct Region {
   std::vector<std::array<int, 2>> pixels;  ///< column, row
   double area_mm2() const { return double(pixels.size()) * kStep_mm * kStep_mm; }
 };
 
-/// The vessel's own direction: that of its voxels' largest spread near the target, by power iteration.
+/// Direction of the vessel: the main axis of its voxels near the target, by power iteration.
 Vec3 directionOf(const CaseView& patient, const Target& target) {
   constexpr double kReach_mm = 10, kGrain_mm = 1;
   const Transform index = patient.labels.geometry.indexFromPatient();
@@ -45,7 +45,7 @@ Vec3 directionOf(const CaseView& patient, const Target& target) {
         mean = mean + offset;
       }
   mean = mean / std::max(1.0, double(offsets.size()));
-  Vec3 along{0.1, 0.1, 1};  // most vessels of the neck go up and down
+  Vec3 along{0.1, 0.1, 1};  // most vessels of the neck are vertical
   for (int turn = 0; turn < 60; ++turn) {
     Vec3 next;
     for (const Vec3& offset : offsets) next = next + dot(offset - mean, along) * (offset - mean);
@@ -55,7 +55,7 @@ Vec3 directionOf(const CaseView& patient, const Target& target) {
   return normalized(along);
 }
 
-/// The way a probe looks at the target: as the case's nearest start pose that aims at it, else from the nearest skin.
+/// Direction of the beam at the target: that of the nearest start pose that aims at it, else from the nearest skin.
 Result<Vec3> beamTo(const CaseView& patient, const Target& target) {
   constexpr double kAims_mm = 12;
   double nearest_mm = std::numeric_limits<double>::infinity();
@@ -72,7 +72,7 @@ Result<Vec3> beamTo(const CaseView& patient, const Target& target) {
   return pose->axial;
 }
 
-/// From the target back to the last of the body before 5 mm of outside.
+/// Distance from the target back to the last point of the body before 5 mm of outside.
 double toSkin_mm(const CaseView& patient, Vec3 from_mm, Vec3 outward) {
   constexpr double kOutside_mm = 5;
   const Transform index = patient.labels.geometry.indexFromPatient();
@@ -127,9 +127,9 @@ double gap_mm(const Region& a, const Region& b) {
   return std::max(0.0, std::sqrt(nearest) - 1) * kStep_mm;
 }
 
-/// `back` is straight backward in the patient, in columns and rows.
+/// `back` is the posterior direction of the patient, in columns and rows.
 void measureArteries(const Section& section, const Region& vein, Vec3 back, VeinMeasures& m) {
-  constexpr double kArtery_mm2 = 6, kReach_mm = 15;  // no branch thinner than 3 mm
+  constexpr double kArtery_mm2 = 6, kReach_mm = 15;  // area of a branch 3 mm thick; smaller ones are ignored
   std::vector<char> seen(section.labels.size());
   std::vector<std::pair<double, Region>> arteries;
   for (int r = 0; r < kRows; ++r)
@@ -175,7 +175,7 @@ Result<VeinMeasures> measureVein(const CaseView& patient, const Target& target) 
   if (!beam) return tl::unexpected(beam.error());
   const Vec3 along = directionOf(patient, target);
   Vec3 into = *beam - dot(*beam, along) * along;
-  if (norm(into) < 0.2) into = *beam;  // looked at along the vessel: any section will do
+  if (norm(into) < 0.2) into = *beam;  // the beam is along the vessel: any section is suitable
   into = normalized(into);
   const Vec3 aside = normalized(cross(along, into));
   const double skin_mm = toSkin_mm(patient, target.position_mm, -into);

@@ -24,8 +24,8 @@ namespace {
 
 constexpr const char *kVersions = "versions", *kPublished = "published.json";
 
-/// One save at a time among the cases of one folder, by whichever program; goes with the program that holds it. Where
-/// the file system has no locks, there is none.
+/// Lock for one save at a time among the cases of one folder, over all programs; it ends with the program that holds
+/// it. File systems without locks have none.
 class SavingTurn {
  public:
   explicit SavingTurn(const fs::path& parent) : file_(::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {}
@@ -85,7 +85,7 @@ std::vector<std::pair<CaseVersion, fs::path>> keptIn(const fs::path& folder) {
   return kept;
 }
 
-/// The files of a folder under a second name in another one.
+/// Hard links of the files of a folder in another folder.
 Result<void> link(const fs::path& from, const fs::path& to) {
   std::error_code error;
   const auto options = fs::copy_options::recursive;
@@ -98,11 +98,11 @@ Result<void> link(const fs::path& from, const fs::path& to) {
   return {};
 }
 
-/// The case of `folder`, as a version of its own among `versions`: there as a whole, or not at all.
+/// Stores the case of `folder` as a version among `versions`, completely or not at all.
 Result<void> keepVersion(const PatientCase& patient, const fs::path& folder, const fs::path& versions) {
   const fs::path place = versions / folderName(patient.manifest.version.number);
   std::error_code error;
-  if (fs::exists(place / kManifestFile, error)) return {};  // it was published, and is kept since
+  if (fs::exists(place / kManifestFile, error)) return {};  // it was published and has been kept since
   fs::create_directories(versions, error);
   if (error) return fail("Could not write " + versions.string() + ": " + error.message() + ".");
   return writeFolderAtomically(place,
@@ -119,17 +119,17 @@ bool isSame(const CtVolume& a, const CtVolume& b) {
   return sameGrid(a.geometry, b.geometry) && a.voxels == b.voxels;
 }
 
-/// saveCaseVersion() for who has the turn.
+/// saveCaseVersion() of a caller that holds the lock.
 Result<CaseVersion> saveInTurn(const PatientCase& patient, const fs::path& named, const std::string& date,
                                const std::string& author, const Progress& progress) {
-  auto there = readCase(named);  // one that cannot be read is no version of anything
+  auto there = readCase(named);  // a folder that cannot be read is not a version
   CaseVersion version = versionOf(patient);
   bool keep = false;
   if (there) {
     CaseVersion& old = there->patient.manifest.version;
     const auto kept = keptIn(named);
     const int latest = kept.empty() ? 0 : kept.front().first.number;
-    // A folder that another program changed is another version than the one it names.
+    // A folder that another program changed is not the version that it names.
     const std::string content = contentHashOf(there->patient);
     if (old.number == 0 || old.content != content) old.number = latest + 1;
     old.content = content, old.voxels = voxelHashOf(there->patient);

@@ -22,7 +22,7 @@ Result<Volume<std::int32_t>> wholeNumbers(const RawVolume& raw, const fs::path& 
     return fail(file.string() + " has " + std::to_string(raw.components) +
                 " values per voxel, e.g. color; a label map has one whole number.");
   Volume<std::int32_t> labels(*geometry);
-  constexpr float kExact = 1 << 24;  // whole numbers that float holds exactly
+  constexpr float kExact = 1 << 24;  // float represents whole numbers exactly up to this
   for (std::size_t v = 0; v < labels.voxels.size(); ++v) {
     const float value = raw.values[v];
     if (!(std::abs(value) <= kExact) || value != std::floor(value))

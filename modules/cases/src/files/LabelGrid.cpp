@@ -19,7 +19,7 @@ double distanceToWhole(Vec3 index) {
   return worst;
 }
 
-/// Labeled voxels whose center lies beyond the grid.
+/// Number of labeled voxels whose center is outside the grid.
 std::size_t lostVoxels(const LabelMap& labels, const VolumeGeometry& grid) {
   const Transform gridFromLabels = grid.indexFromPatient() * labels.geometry.patientFromIndex();
   const auto& size = labels.geometry.size;
@@ -34,7 +34,7 @@ std::size_t lostVoxels(const LabelMap& labels, const VolumeGeometry& grid) {
   return lost;
 }
 
-/// From a voxel to its neighbors along i, j and k.
+/// Steps from a voxel to its neighbors along i, j and k.
 std::array<Vec3, 3> stepsOf(const VolumeGeometry& g) {
   const auto& axis = g.direction.column;
   return {axis[0] * g.spacing_mm.x, axis[1] * g.spacing_mm.y, axis[2] * g.spacing_mm.z};

@@ -25,7 +25,7 @@ fs::path withoutEndings(const fs::path& file) {
   return name;
 }
 
-/// Also of names that this program gives to numbers which it does not know.
+/// Also recognizes the names that this program gives to unknown numbers.
 std::optional<std::uint8_t> meaningOf(const std::string& name) {
   if (const auto known = labelFromAnyName(name)) return *known;
   for (int number = kLabelCount; number < 256; ++number)
@@ -76,7 +76,7 @@ Result<LabelReadResult> mapByNames(const fs::path& file, const fs::path& names) 
   return result;
 }
 
-/// A segmentation says itself what its numbers mean.
+/// A segmentation states the meaning of its numbers.
 Result<LabelReadResult> readNamed(const fs::path& file, const fs::path& names) {
   if (!names.empty()) return mapByNames(file, names);
   const auto header = readVolumeFile(file, ReadPart::kHeader);
@@ -87,7 +87,7 @@ Result<LabelReadResult> readNamed(const fs::path& file, const fs::path& names) {
   return readLabelMap(file);
 }
 
-/// A case holds nothing that identifies anybody.
+/// A case contains no identity of the patient.
 void forgetForeignNames(LabelReadResult& read) {
   for (const std::uint8_t label : read.foreign) read.own[label].name.clear();
 }

@@ -9,7 +9,7 @@
 namespace insonate {
 namespace {
 
-// SNOMED CT codes of parts of a structure in labelTable().
+// SNOMED CT codes of parts of structures in labelTable().
 constexpr std::array<std::pair<std::string_view, Label>, 6> kPartCodes{{{"12123001", kVein},
                                                                         {"32062004", kArtery},
                                                                         {"39607008", kAirway},
@@ -17,7 +17,8 @@ constexpr std::array<std::pair<std::string_view, Label>, 6> kPartCodes{{{"121230
                                                                         {"91134007", kMuscle},
                                                                         {"113255004", kAirway}}};
 
-// The first word found wins, so that "jugular lymph node" is a lymph node and "vagus nerve" no artery.
+// The first match determines the label, so that "jugular lymph node" is a lymph node and "vagus nerve" is not an
+// artery.
 constexpr std::array<std::pair<std::string_view, Label>, 32> kWords{{{"lymph", kLymphNode},
                                                                      {"nerve", kNerve},
                                                                      {"vagus", kNerve},

@@ -38,7 +38,7 @@ json toJson(const NamedVessel& vessel) {
   return {{"name", vessel.name}, {"label", labelToJson(vessel.label)}, {"course_mm", course}};
 }
 
-/// All that is said of each label.
+/// All entries of each label.
 json structuresOf(const CaseManifest& m) {
   std::map<std::uint8_t, json> structures;
   for (const auto& [label, how] : m.shown)
@@ -73,7 +73,7 @@ json toJson(const CaseVersion& version) {
           {"author", version.author}};
 }
 
-/// Thrown within this file only: where in the document, and what is expected there.
+/// Thrown within this file only: the place in the document, and the expected value.
 struct Wrong {
   std::string where, expected;
 };
@@ -272,7 +272,7 @@ std::string manifestToJson(const CaseManifest& m) {
                       {"landmarks", landmarks},
                       {"version", toJson(m.version)},
                       {"structures", structuresOf(m)}};
-  // Text from anywhere may not be UTF-8; writing must not throw for it.
+  // Replaces invalid UTF-8, since texts of other programs must not make writing throw.
   return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

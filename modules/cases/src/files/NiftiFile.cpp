@@ -119,7 +119,7 @@ void copyAs(std::span<char> bytes, bool swapped, float* values) {
   }
 }
 
-/// None for complex numbers and other things that are no picture.
+/// Size of a voxel; none for complex numbers and other types that are not images.
 Datatype datatypeOf(int code) {
   static const std::map<int, Datatype> known{
       {2, {1, 1, copyAs<std::uint8_t>}},     {4, {2, 1, copyAs<std::int16_t>}},
@@ -132,7 +132,7 @@ Datatype datatypeOf(int code) {
   return found == known.end() ? Datatype{} : found->second;
 }
 
-/// The grid; sizes as they are said.
+/// The grid, with the sizes that the header states.
 Result<RawVolume> describe(const fs::path& file, const HeaderBytes& header, const Datatype& type) {
   RawVolume raw;
   const double axes = header.dimension(0);
@@ -159,7 +159,7 @@ Result<void> readVoxels(const fs::path& file, const HeaderBytes& header, const D
   const double count = double(raw.size[0]) * raw.size[1] * raw.size[2] * raw.components;
   if (count > kMaxValues) return fail(file.string() + " says it holds more voxels than this program can.");
   const double from = std::max(header.offset(), header.headerSize());
-  // Before memory is asked for.
+  // Checks the sizes before memory is allocated.
   if (auto ok = checkHeld(file, from + count * type.bytesEach, decompressedBytes(file)); !ok) return ok;
   raw.values.resize(static_cast<std::size_t>(count));
   std::vector<char> chunk(std::size_t{1} << 20);

@@ -21,7 +21,7 @@ struct Segment {
   int layer = 0;
   long value = 0;
   std::uint8_t label = 0;
-  bool lost = false;  ///< no number was left for it
+  bool lost = false;  ///< no number was free for it
 };
 
 constexpr std::string_view kOwnTag = "Insonate.Label:", kStatusTag = "Segmentation.Status:";
@@ -33,7 +33,7 @@ std::string colourText(const LabelColour& colour) {
   return text;
 }
 
-/// Three shares of 0 to 1; none where the text is something else.
+/// Three numbers from 0 to 1; none for other texts.
 std::optional<LabelColour> colourFromText(const std::string& text) {
   LabelColour colour{};
   const char* at = text.data();
@@ -49,7 +49,7 @@ std::optional<LabelColour> colourFromText(const std::string& text) {
   return colour;
 }
 
-/// Several segments may be one structure: the first one's color counts.
+/// Several segments may be one structure: it has the color of the first.
 LabelColours coloursOf(const std::vector<Segment>& segments, const std::map<std::string, std::string>& metadata) {
   LabelColours all;
   for (std::size_t n = 0; n < segments.size(); ++n) {
@@ -61,7 +61,7 @@ LabelColours coloursOf(const std::vector<Segment>& segments, const std::map<std:
   return all;
 }
 
-/// A label of the author's own has the code of what it is made of.
+/// A label of the author has the code of its tissue.
 std::string tagsOfLabel(const CaseManifest& manifest, std::uint8_t label) {
   const LabelState state = stateOf(manifest.states, label, true);
   std::string tags = std::string(kStatusTag) + std::string(kStatus[static_cast<std::size_t>(state)]) + "|";
@@ -99,7 +99,7 @@ std::string typeCodeOf(const std::string& tags) {
   return end == std::string::npos ? std::string{} : tags.substr(code + 1, end - code - 1);
 }
 
-/// Value of a tag: the text behind it, up to the separator.
+/// Value of a tag: the text after it, up to the separator.
 std::string_view tagIn(std::string_view tags, std::string_view tag) {
   const std::size_t at = tags.find(tag);
   if (at == std::string_view::npos) return {};
@@ -107,7 +107,7 @@ std::string_view tagIn(std::string_view tags, std::string_view tag) {
   return tags.substr(0, tags.find('|'));
 }
 
-/// The number of a label that an author of this program has named.
+/// Number of a label that an author named in this program.
 std::optional<std::uint8_t> ownLabelOf(std::string_view tags) {
   const std::string_view text = tagIn(tags, kOwnTag);
   int label = 0;
@@ -117,7 +117,7 @@ std::optional<std::uint8_t> ownLabelOf(std::string_view tags) {
              : std::nullopt;
 }
 
-/// By the author's number, by terminology, by name; else a number of its own.
+/// Finds the label by the author's number, by terminology, by name; else takes a free number.
 void giveLabel(Segment& s, const std::string& tags, OwnNumbers& numbers, LabelReadResult& result) {
   const auto code = labelFromSnomed(typeCodeOf(tags));
   const auto own = ownLabelOf(tags);
@@ -131,7 +131,7 @@ void giveLabel(Segment& s, const std::string& tags, OwnNumbers& numbers, LabelRe
     if (s.label != s.value)
       result.notes.push_back(what + " is read as " + labelName(s.label) + " (" + std::to_string(s.label) + ").");
   } else if (s.value >= kLabelCount && s.value <= kLastOwnLabel && s.name == "label " + std::to_string(s.value)) {
-    s.label = numbers.take(s.value);  // nobody said what it is
+    s.label = numbers.take(s.value);  // its meaning is unknown
   } else {
     s.label = numbers.take(s.value);
     s.lost = !isOwnLabel(s.label);
@@ -144,7 +144,7 @@ void giveLabel(Segment& s, const std::string& tags, OwnNumbers& numbers, LabelRe
   if (status != kStatus.end()) result.states.try_emplace(s.label, static_cast<LabelState>(status - kStatus.begin()));
 }
 
-/// A file of several layers that names none of them has a layer for each segment, in their order.
+/// In a file of several layers without their names, each segment has a layer, in their order.
 std::vector<Segment> segmentsOf(const RawVolume& raw, LabelReadResult& result) {
   const auto& metadata = raw.metadata;
   const auto text = [&](std::size_t n, const char* field) {
@@ -169,7 +169,7 @@ std::vector<Segment> segmentsOf(const RawVolume& raw, LabelReadResult& result) {
 std::vector<std::pair<std::string, std::string>> slicerFields(const PatientCase& patient) {
   std::array<bool, 256> used{};
   for (const std::uint8_t v : patient.labels.voxels) used[v] = true;
-  // The whole grid as every segment's extent: segments that share a layer must share it.
+  // Every segment has the extent of the whole grid, since segments that share a layer must have the same extent.
   std::string extent;
   for (int n : patient.labels.geometry.size) extent += (extent.empty() ? "0 " : " 0 ") + std::to_string(n - 1);
 

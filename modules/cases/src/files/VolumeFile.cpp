@@ -47,12 +47,12 @@ Io::Pointer makeIo(const fs::path& file) {
   return itk::MetaImageIO::New().GetPointer();
 }
 
-/// The innermost reason of a reader that stacks them, without its class names and addresses.
+/// The innermost reason of nested reader errors, without class names and addresses.
 std::string innermost(std::string text) {
   std::ranges::replace(text, '\n', ' ');
   while (!text.empty() && text.back() == ' ') text.pop_back();
   const std::size_t teem = text.rfind("[nrrd] ");
-  // MetaIO says this about everything that it does not understand.
+  // MetaIO reports this text for everything that it does not understand.
   if (text.find("No such file") != std::string::npos) return "its header is not understood";
   const std::size_t from = text.find(": ", teem == std::string::npos ? text.rfind("0x") : teem);
   if (from != std::string::npos) text.erase(0, from + 2);
@@ -60,8 +60,8 @@ std::string innermost(std::string text) {
   return text;
 }
 
-/// ITK turns the three spaces of NRRD that name the patient's directions to LPS and calls them so, but ITK 5.2 turns
-/// "left-anterior-superior" about the wrong axis: its first, where its second points the other way.
+/// ITK converts the three spaces of NRRD that name the patient's directions to LPS and names them so, but ITK 5.2
+/// rotates "left-anterior-superior" about the wrong axis: it flips the first axis instead of the second.
 void takeNrrdSpace(const fs::path& file, RawVolume& raw) {
   const auto said = raw.metadata.find("NRRD_space");
   raw.oriented = said != raw.metadata.end() && said->second == "left-posterior-superior";
@@ -152,7 +152,7 @@ bool convert(Io::IOComponentEnum type, const std::vector<char>& bytes, std::vect
   }
 }
 
-/// MetaImage's reader takes missing voxels for zeros, and NRRD's asks for the memory of all that a header promises.
+/// The MetaImage reader treats missing voxels as zeros, and the NRRD reader allocates all memory that a header states.
 Result<void> checkWhole(const RawVolume& raw, const Io& io, const fs::path& file) {
   const double promised = double(raw.size[0]) * raw.size[1] * raw.size[2] * raw.components * io.GetComponentSize();
   return isMeta(lowerName(file)) ? checkWholeMetaImage(file, promised) : checkWholeNrrd(file, promised);

@@ -11,7 +11,7 @@ namespace insonate {
 namespace fs = std::filesystem;
 
 struct GzipReader::File {
-  gzFile gz = nullptr;  ///< zlib passes files through that are not compressed
+  gzFile gz = nullptr;  ///< zlib also reads uncompressed files
   ~File() {
     if (gz) ::gzclose(gz);
   }

@@ -14,8 +14,8 @@ namespace {
 
 struct MetaHeader {
   std::map<std::string, std::string> fields;
-  std::vector<std::string> list;  ///< files named after "ElementDataFile = LIST"
-  std::uint64_t end = 0;          ///< offset behind the header
+  std::vector<std::string> list;  ///< file names after "ElementDataFile = LIST"
+  std::uint64_t end = 0;          ///< offset after the header
 
   std::string of(const std::string& key) const {
     const auto found = fields.find(key);
@@ -29,7 +29,7 @@ std::string trimmedText(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-/// "Key = value" lines up to ElementDataFile, which is the last.
+/// Reads "Key = value" lines up to ElementDataFile, which is the last one.
 MetaHeader readHeader(const fs::path& file) {
   MetaHeader header;
   std::ifstream in(file, std::ios::binary);
@@ -49,7 +49,7 @@ MetaHeader readHeader(const fs::path& file) {
   return header;
 }
 
-/// Numbers written as text: as many as voxels are needed, and each counts as its binary size would.
+/// Number of values written as text from `offset` on; the caller counts each with its binary size.
 double wordsFrom(const fs::path& file, std::uint64_t offset) {
   std::ifstream in(file, std::ios::binary);
   in.seekg(static_cast<std::streamoff>(offset));
@@ -91,7 +91,7 @@ Result<void> checkMetaImageHeader(const fs::path& file) {
   const std::string text = readHeader(file).of("NDims");
   int dimensions = 0;
   std::from_chars(text.data(), text.data() + text.size(), dimensions);
-  constexpr int kMost = 10;  // MetaIO's
+  constexpr int kMost = 10;  // limit of MetaIO
   if (dimensions >= 1 && dimensions <= kMost) return {};
   return fail("Could not read " + file.string() + ": its header says that it has '" + text +
               "' dimensions (NDims). It is damaged or no MetaImage; copy or export it again.");

@@ -23,7 +23,7 @@ void readPlane(const DataSet& plane, DicomSlice& slice) {
   if (std::string k = textOf(plane, Tag(0x0018, 0x1210)); !k.empty()) slice.kernel = std::move(k);
 }
 
-/// DICOM PS3.3 C.7.6.16: the same attributes as in a plain CT file, but inside functional groups.
+/// DICOM PS3.3 C.7.6.16: the attributes of a plain CT file, in functional groups.
 void readFunctionalGroups(const DataSet& groups, DicomSlice& slice) {
   for (const Tag& tag :
        {Tag(0x0020, 0x9113), Tag(0x0020, 0x9116), Tag(0x0028, 0x9110), Tag(0x0028, 0x9145), Tag(0x0018, 0x9314)})

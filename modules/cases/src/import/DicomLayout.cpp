@@ -16,11 +16,11 @@ namespace insonate {
 namespace {
 
 constexpr std::uint32_t kUndefinedLength = 0xffffffff;
-constexpr std::uint32_t kDelimiters = 0xfffe;  // their group
+constexpr std::uint32_t kDelimiters = 0xfffe;  // group of the delimiters
 constexpr std::uint64_t kUntilDelimiter = ~std::uint64_t{0};
 constexpr std::uint32_t kPixelData = 0x7fe00010, kItem = 0xfffee000, kItemEnd = 0xfffee00d, kSequenceEnd = 0xfffee0dd;
 
-/// PS3.5 table 6.2-1: those with two bytes of length, and those with four.
+/// PS3.5 table 6.2-1: representations with two bytes of length, and those with four.
 constexpr std::array<std::string_view, 21> kShort{"AE", "AS", "AT", "CS", "DA", "DS", "DT", "FL", "FD", "IS", "LO",
                                                   "LT", "PN", "SH", "SL", "SS", "ST", "TM", "UI", "UL", "US"};
 constexpr std::array<std::string_view, 13> kLong{"OB", "OW", "OF", "OD", "OL", "OV", "SQ",
@@ -64,7 +64,7 @@ class Walker {
   };
 
   static DicomLayout shortFile(const std::string& start) {
-    // The 128 bytes before "DICM" are usually zero: a file of zeros shorter than that was one.
+    // The 128 bytes before "DICM" are usually zero, so that a shorter file of zeros is probably a cut DICOM file.
     const bool zeros = !start.empty() && start.size() < 132 && start.find_first_not_of('\0') == std::string::npos;
     return zeros ? DicomLayout::kCutInHeader : DicomLayout::kNotDicom;
   }
@@ -83,7 +83,7 @@ class Walker {
     return *in_ ? bytes : std::string{};
   }
 
-  /// PS3.5 A.5: from here on, a stream of RFC 1951. GDCM takes what a broken one yields for the whole.
+  /// PS3.5 A.5: the remainder is a stream of RFC 1951. GDCM accepts the output of a broken stream as complete.
   bool inflate() {
     std::string packed = peek(position_, size_ - position_), all, piece(1U << 20, '\0');
     z_stream stream{};
@@ -120,8 +120,8 @@ class Walker {
            std::isupper(static_cast<unsigned char>(bytes[5]));
   }
 
-  /// Reads a tag, a representation and a length, and moves behind them; false at the end of the file, and where the
-  /// representation is none: GDCM 3.0 then guesses lengths, and ends the program on what comes next.
+  /// Reads a tag, a representation and a length, and moves after them. False at the end of the file and for an unknown
+  /// representation, for which GDCM 3.0 guesses lengths and may terminate the program.
   bool next(Encoding encoding, Element& element) {
     const std::string bytes = peek(position_, 12);
     if (bytes.size() < 8) return false;
@@ -158,7 +158,7 @@ class Walker {
       if (number(group, false) != 2) return true;
       Element element;
       if (!next({true, false}, element)) return false;
-      // All that PS3.10 7.1 has there; of others GDCM 3.0 ends the program.
+      // All elements that PS3.10 7.1 defines there; GDCM 3.0 terminates the program on others.
       constexpr std::array<std::string_view, 7> kRepresentations{"UL", "OB", "UI", "SH", "AE", "UR", "UN"};
       if (!isAmong(element.vr, kRepresentations)) return false;
       if (element.tag == 0x00020010) {
@@ -186,7 +186,7 @@ class Walker {
       } else if (element.tag == kPixelData) {
         if (!fragments(encoding)) return false;
       } else if (encoding.explicitVr && element.vr != "SQ" && element.vr != "UN") {
-        return false;  // PS3.5 7.1.2; GDCM 3.0 ends the program
+        return false;  // PS3.5 7.1.2; GDCM 3.0 terminates the program on it
       } else if (!items(element.vr == "UN" ? Encoding{false, false} : encoding, kUntilDelimiter, depth)) {
         return false;  // PS3.5 6.2.2: UN of undefined length is implicit little endian
       }
@@ -194,7 +194,7 @@ class Walker {
     return position_ == end;
   }
 
-  /// Reads the items of a sequence, to its end or its delimiter.
+  /// Reads the items of a sequence up to its end or its delimiter.
   bool items(Encoding encoding, std::uint64_t end, int depth) {
     while (position_ < end) {
       Element item;
@@ -207,7 +207,7 @@ class Walker {
     return position_ == end;
   }
 
-  /// Some writers forget the delimiter after the last fragment.
+  /// Some writers omit the delimiter after the last fragment.
   bool fragments(Encoding encoding) {
     for (int count = 0;; ++count) {
       Element item;

@@ -13,7 +13,7 @@
 namespace insonate {
 namespace {
 
-/// PS3.5 G.3.1: whether runs and copies from here on make this many bytes, and not more.
+/// PS3.5 G.3.1: tells whether the runs and copies from here on produce exactly this number of bytes.
 bool unpacksTo(std::size_t wanted, std::string_view packed) {
   std::size_t made = 0;
   while (made < wanted && !packed.empty()) {
@@ -38,7 +38,7 @@ bool holdsFrame(std::string_view frame, std::size_t pixels, std::size_t bytesEac
                      });
 }
 
-/// GDCM 3.0 ends the program where a frame of run lengths makes fewer bytes than it has pixels, or more.
+/// GDCM 3.0 terminates the program if a run-length frame produces fewer or more bytes than it has pixels.
 bool holdsRunLengths(const gdcm::SequenceOfFragments& fragments, const std::array<unsigned, 3>& size,
                      std::size_t bytesEach) {
   if (fragments.GetNumberOfFragments() != size[2]) return false;
@@ -59,7 +59,7 @@ std::string streamOf(const gdcm::SequenceOfFragments& fragments, unsigned frame,
   return stream;
 }
 
-/// T.81 B.2.4.2 and C.2: whether the tables give no more codes of a length than there are.
+/// T.81 B.2.4.2 and C.2: tells whether no length has more codes than can exist.
 bool areHuffmanTables(std::string_view tables) {
   while (!tables.empty()) {
     constexpr std::size_t kCounts = 16;
@@ -88,7 +88,7 @@ bool isOfSize(std::string_view stream, const std::array<unsigned, 3>& size, unsi
     if (pair(at + 2) < 2) return false;
     if (marker == kScan) return fits;
     const bool otherJfif =
-        stream.substr(at + 4, 4) == "JFIF" && byte(at + 9) != 1;  // a revision that meets an assertion
+        stream.substr(at + 4, 4) == "JFIF" && byte(at + 9) != 1;  // a revision that fails an assertion
     if (marker == kApplication && otherJfif) return false;
     if (marker == kTables && !areHuffmanTables(stream.substr(at + 4, pair(at + 2) - 2U))) return false;
     if (marker != kJpegLs && (marker < 0xc0 || marker > 0xcf || marker == kTables)) continue;
@@ -98,7 +98,7 @@ bool isOfSize(std::string_view stream, const std::array<unsigned, 3>& size, unsi
   return false;
 }
 
-/// GDCM 3.0 writes the image that a stream describes beyond memory for the one that the file describes.
+/// GDCM 3.0 decodes the size in the stream into memory of the size in the header, which can overflow.
 bool holdsJpegs(const gdcm::SequenceOfFragments& fragments, const std::array<unsigned, 3>& size, unsigned mostBits) {
   if (size[2] > 1 && fragments.GetNumberOfFragments() != size[2]) return false;
   for (unsigned f = 0; f < size[2]; ++f)
@@ -123,7 +123,7 @@ std::optional<std::vector<char>> storedPixels(const gdcm::File& file, const std:
   if (!data.FindDataElement(pixelData)) return std::nullopt;
   const gdcm::DataElement& pixels = data.GetDataElement(pixelData);
   const std::size_t needed = std::size_t{size[0]} * size[1] * size[2] * (format.GetBitsAllocated() / 8);
-  // GDCM fills what is missing.
+  // GDCM fills missing pixels.
   const gdcm::ByteValue* plain = pixels.GetByteValue();
   const gdcm::SequenceOfFragments* fragments = pixels.GetSequenceOfFragments();
   if (plain ? plain->GetLength() < needed : !fragments || fragments->GetNumberOfFragments() == 0) return std::nullopt;
@@ -133,7 +133,7 @@ std::optional<std::vector<char>> storedPixels(const gdcm::File& file, const std:
     return std::nullopt;
   if (fragments && isJpeg(syntax) && !holdsJpegs(*fragments, size, format.GetBitsAllocated())) return std::nullopt;
   gdcm::Bitmap picture;
-  // All fragments belong to an image that is the only one.
+  // If there is only one image, all fragments belong to it.
   picture.SetNumberOfDimensions(size[2] > 1 ? 3 : 2);
   picture.SetDimensions(size.data());
   picture.SetPixelFormat(format);

@@ -120,7 +120,7 @@ Result<std::vector<std::int16_t>> readSlices(const DicomSeries& series, std::vec
                                              const Progress& progress) {
   const std::size_t sliceSize = static_cast<std::size_t>(series.stack.columns) * series.stack.rows;
   const std::size_t size = sliceSize * series.slices.size();
-  std::vector<std::int16_t> hu;  // made when a first slice is as large as its header says
+  std::vector<std::int16_t> hu;  // allocated when a first slice has the size of its header
   std::map<std::filesystem::path, std::vector<std::size_t>> slicesOfFile;
   for (std::size_t n = 0; n < series.slices.size(); ++n) slicesOfFile[series.slices[n].file].push_back(n);
   Changes changes;

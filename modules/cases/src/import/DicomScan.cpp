@@ -20,7 +20,7 @@ using gdcm::Tag;
 constexpr std::string_view kStorage = "1.2.840.10008.5.1.4.1.1.";
 const Tag kPixelData(0x7fe0, 0x0010);
 
-/// Why an object that is no slice stays out; empty for slices.
+/// Reason why an object that is not a slice is excluded; empty for slices.
 std::string notASlice(const std::string& sopClass, const std::string& modality, const DataSet& data, bool hasPixels) {
   const auto storage = [&](std::string_view suffix) {
     const std::string full = std::string(kStorage) + std::string(suffix);
@@ -31,7 +31,7 @@ std::string notASlice(const std::string& sopClass, const std::string& modality, 
   if (storage("11") || modality == "PR") return "a presentation state without images";
   if (storage("481") || modality.starts_with("RT")) return "a radiotherapy object";
   if (storage("7")) return "a secondary capture (screenshot), not a slice";
-  // GDCM ends the program on some recognition codes.
+  // GDCM terminates the program on some recognition codes.
   if (data.FindDataElement(Tag(0x0008, 0x0010))) return "an image of ACR-NEMA, which is older than DICOM";
   if (!hasPixels) return modality == "CT" ? "DICOM that is a CT slice without pixel data" : "DICOM without pixel data";
   const std::string type = upper(textOf(data, Tag(0x0008, 0x0008)));
@@ -46,7 +46,7 @@ bool namedLikeDicom(const fs::path& file) {
   return extension == ".DCM" || extension == ".DICOM" || extension == ".IMA";
 }
 
-/// Why a file that is no DICOM stays out.
+/// Reason why a file that is not DICOM is excluded.
 std::string notDicom(const fs::path& file) {
   std::array<char, 4> start{};
   std::ifstream(file, std::ios::binary).read(start.data(), start.size());
@@ -56,7 +56,7 @@ std::string notDicom(const fs::path& file) {
   return namedLikeDicom(file) ? "named like DICOM, but not a DICOM file" : "neither DICOM nor a volume";
 }
 
-/// Why a header that is whole could not be read.
+/// Reason why a complete header could not be read.
 std::string whyUnread(const gdcm::FileMetaInformation& header) {
   const std::string syntax = textOf(header, Tag(0x0002, 0x0010));
   if (!syntax.empty() && gdcm::TransferSyntax::GetTSType(syntax.c_str()) == gdcm::TransferSyntax::TS_END)
@@ -72,7 +72,7 @@ DicomScan scan(const fs::path& file) {
   reader.SetFileName(file.c_str());
   const bool cut = layout == DicomLayout::kCutInPixels;
   std::set<Tag> skip;
-  // GDCM ends the program where compressed pixels end early.
+  // GDCM terminates the program if compressed pixels end early.
   if (cut) skip.insert(kPixelData);
   if (!reader.ReadUpToTag(kPixelData, skip)) return {{}, whyUnread(reader.GetFile().GetHeader())};
   const DataSet& data = reader.GetFile().GetDataSet();

@@ -67,7 +67,7 @@ void putSlice(gdcm::DataSet& data, const CtVolume& ct, int k) {
   data.Replace(pixels);
 }
 
-/// One Part 10 file, in memory, so that a full disk is noticed by whoever writes it.
+/// Makes one Part 10 file in memory, so that the caller that writes it notices a full disk.
 Result<std::string> encodeSlice(const CtVolume& ct, int k, const DicomSeriesIdentity& identity,
                                 const SeriesUids& uids) {
   gdcm::Writer writer;

@@ -83,7 +83,7 @@ Result<CtVolume> read(const VolumeSeries& series, const SeriesInfo& info, std::v
   return assemble(series.plan, *series.stack, std::move(ordered));
 }
 
-/// A label map that was stored in 16 bits passes for a CT by its header.
+/// The header of a label map that was stored in 16 bits resembles that of a CT.
 Result<void> checkIsNoLabelMap(const CtVolume& ct) {
   constexpr std::size_t kFewVoxels = 1000, kMostLabels = 256;
   if (ct.voxels.size() < kFewVoxels) return {};
@@ -112,7 +112,7 @@ void judgeValues(ImportedCt& imported) {
         "No value of the CT is below 0: it may not be in Hounsfield units; air should be near -1000.");
 }
 
-/// Slices lost at an end of the stack leave no gap; only the damaged files tell.
+/// Slices missing at an end of the stack leave no gap; only the damaged files indicate them.
 void warnOfDamagedFiles(const InputScan& scan, std::vector<std::string>& warnings) {
   const auto damaged =
       std::ranges::count_if(scan.setAside, [](const SetAside& s) { return s.reason.starts_with("DICOM that is"); });

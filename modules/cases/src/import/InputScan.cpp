@@ -13,7 +13,7 @@ namespace insonate {
 namespace fs = std::filesystem;
 namespace {
 
-/// Why the system does not let a file or folder be opened; empty when it does.
+/// Reason why the system refuses to open a file or folder; empty if it does not.
 std::string whyClosed(const fs::path& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (file < 0) return std::strerror(errno);
@@ -26,7 +26,7 @@ void addUnreadable(const fs::path& path, const std::string& why, InputScan& scan
   scan.setAside.push_back(scan.unreadable.back());
 }
 
-/// Files below a folder that can be opened; those that cannot are noted.
+/// Files below a folder that can be opened; the others are noted.
 Result<std::vector<fs::path>> filesOf(const fs::path& input, InputScan& scan) {
   std::error_code error;
   const fs::file_status status = fs::status(input, error);
@@ -57,7 +57,7 @@ Result<std::vector<fs::path>> filesOf(const fs::path& input, InputScan& scan) {
   return files;
 }
 
-/// The slices of a volume file whose third axis is not at right angles to the others.
+/// Slices of a volume file whose third axis is not at a right angle to the others.
 SliceStack stackOf(const RawVolume& raw) {
   const Mat3& step = raw.patientFromIndex.linear;
   SliceStack stack{
@@ -153,7 +153,8 @@ fs::path folderOf(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// A chosen slice stands for its series: files of the series beside it are added. Copies of the slice itself are not.
+/// A selected slice represents its series: the other files of the series beside it are added, except copies of the
+/// slice.
 Result<void> addSeriesOf(const DicomSlice& chosen, InputScan& scan, std::vector<DicomSlice>& slices,
                          const Progress& progress) {
   std::error_code error;

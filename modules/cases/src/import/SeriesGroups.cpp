@@ -10,7 +10,7 @@ namespace {
 
 using Slices = std::vector<DicomSlice>;
 
-/// Rounding noise stays below this; gantry positions of one scan that differ by more are separate stacks.
+/// Rounding noise is below this limit; gantry positions of one scan that differ by more are separate stacks.
 constexpr double kSameOrientation = 0.0087;  // half a degree, as a chord of the unit circle
 
 bool placed(const DicomSlice& s) {
@@ -59,7 +59,7 @@ SliceStack stackOf(const Slices& slices) {
   return stack;
 }
 
-/// Groups of slices at one place, in the order of the first of each.
+/// Groups of slices at the same place, in the order of the first slice of each.
 std::vector<Slices> byPlace(const Slices& slices) {
   if (slices.empty()) return {};
   const Vec3 normal = cross((*slices[0].orientation)[0], (*slices[0].orientation)[1]);
@@ -80,7 +80,7 @@ bool hasDuplicates(const Slices& slices) {
 }
 
 Slices withoutCopies(const Slices& slices, std::vector<std::string>& warnings) {
-  // Some writers give all slices one UID: a copy has the place, too.
+  // Some writers give all slices the same UID: a copy has the same place, too.
   std::set<std::tuple<std::string, double, double, double>> seen;
   Slices unique;
   for (const DicomSlice& s : slices) {
@@ -94,7 +94,7 @@ Slices withoutCopies(const Slices& slices, std::vector<std::string>& warnings) {
   return unique;
 }
 
-/// By acquisition where that explains duplicates or uneven spacing; empty when it does not.
+/// Separates by acquisition if this explains duplicates or uneven spacing; empty if it does not.
 std::vector<Slices> splitByAcquisition(const Slices& slices) {
   std::map<int, Slices> byNumber;
   for (const DicomSlice& s : slices) byNumber[s.acquisition.value_or(0)].push_back(s);
@@ -114,8 +114,8 @@ std::vector<Slices> splitByKernel(const Slices& slices) {
   return parts;
 }
 
-/// Phases of one scan under one UID: every place is there equally often; the n-th by instance number is phase n. Where
-/// numbers are there twice, slices of different phases could be mixed up.
+/// Phases of one scan under one UID: every place occurs equally often; the n-th by instance number is phase n. If
+/// numbers occur twice, slices of different phases could be mixed.
 std::vector<Slices> splitByPhase(const Slices& slices) {
   std::vector<Slices> places = byPlace(slices);
   const std::size_t phases = places.front().size();
@@ -199,7 +199,7 @@ std::string whyNotTogether(const Slices& slices) {
          "original series.";
 }
 
-/// Distance of a slice's far corner from the position in its own header, if all slices are taken as parallel.
+/// Distance of a slice's far corner from the position in its own header, if all slices are assumed parallel.
 double unparallel_mm(const DicomSeries& series) {
   const SliceStack& stack = series.stack;
   double worst_mm = 0;
@@ -257,7 +257,7 @@ DicomSeries finish(Part part, std::string uid) {
   }
   if (!series.refusal.empty()) {
     const DicomSlice& first = part.slices.front();
-    series.plan = {};  // nothing in it can be trusted but the size
+    series.plan = {};  // only its size can be trusted
     series.plan.grid.size = {std::max(first.columns, 1), std::max(first.rows, 1), static_cast<int>(part.slices.size())};
     series.slices = std::move(part.slices);
     return series;

@@ -16,7 +16,7 @@ std::string decimals(double value, int digits) {
   return text.data();
 }
 
-/// Differences of decimal strings carry rounding noise that no scanner means.
+/// Differences of decimal strings contain rounding noise.
 double tidy(double value_mm) {
   return std::round(value_mm * 1e6) / 1e6;
 }
@@ -30,10 +30,10 @@ struct Spread {
 struct Frame {
   Mat3 axes;
   std::vector<int> order;
-  std::vector<Vec3> place_mm;  ///< relative to the first slice in order
+  std::vector<Vec3> place_mm;  ///< relative to the first slice of the sorted stack
   std::vector<double> step_mm;
   double median_mm = 0, smallest_mm = 0, largest_mm = 0;
-  double mean_mm = 0, unevenness_mm = 0;  ///< of the even ladder nearest to the slices
+  double mean_mm = 0, unevenness_mm = 0;  ///< of the evenly spaced positions nearest to the slices
 };
 
 /// Least-squares line through the positions along the stack: mean_mm is its slope.
@@ -75,7 +75,7 @@ Frame frameOf(const SliceStack& stack) {
   return f;
 }
 
-/// Scanners that print positions to a tenth of a millimeter are even; a twentieth of the spacing cannot be seen.
+/// Positions rounded to a tenth of a millimeter count as even; a deviation of a twentieth of the spacing is invisible.
 bool isEven(const Frame& f) {
   return f.unevenness_mm <= std::max(0.06, 0.05 * f.mean_mm);
 }
@@ -86,7 +86,7 @@ Spread spreadOf(const Frame& f, int axis) {
   return s;
 }
 
-/// Names gaps of whole slices; returns false when the steps are no multiples of a spacing.
+/// Names gaps of whole slices; returns false if the steps are not multiples of a spacing.
 bool describeGaps(const Frame& f, double first_mm, std::string& where, int& missing) {
   missing = 0;
   constexpr int kNamed = 6;

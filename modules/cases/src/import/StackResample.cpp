@@ -22,21 +22,21 @@ Cell cellOf(double index, int size) {
   return {low, clamped - low, true};
 }
 
-/// A plane of the grid while slices are added to it.
+/// A plane of the grid, to which slices are added.
 struct Plane {
   explicit Plane(std::size_t size) : sum(size), weight(size) {}
 
   std::int16_t hu(std::size_t n) const {
-    // A plane that is moved by a twentieth of the spacing cannot be told from it (see planStack): rounding must not
-    // cost a slice its edge.
+    // A shift of a twentieth of the spacing is invisible (see planStack), so that rounding must not cut off the edge of
+    // a slice.
     constexpr double kEnough = 0.95;
     return static_cast<std::int16_t>(weight[n] < kEnough ? kAirHu : std::lround(sum[n] / weight[n]));
   }
 
-  std::vector<double> sum, weight;  ///< of the slices that reach each place
+  std::vector<double> sum, weight;  ///< of the slices that contribute to each place
 };
 
-/// Adds weight * (slice shifted by its offset), as far as the slice reaches.
+/// Adds weight * (slice shifted by its offset), within the slice.
 void addSlice(const StackPlan& plan, const SliceStack& stack, const std::int16_t* slice, Vec3 offset_mm, double weight,
               Plane& plane) {
   std::vector<Cell> columns(plan.grid.size[0]);
@@ -59,7 +59,7 @@ void addSlice(const StackPlan& plan, const SliceStack& stack, const std::int16_t
   }
 }
 
-/// The cell of depth z among unevenly spaced slices.
+/// The cell that contains depth z among unevenly spaced slices.
 Cell sliceCell(const std::vector<Vec3>& offset_mm, double z_mm) {
   const auto above = std::ranges::upper_bound(offset_mm, z_mm, {}, &Vec3::z);
   const int last = static_cast<int>(offset_mm.size()) - 1;

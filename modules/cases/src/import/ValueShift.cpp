@@ -10,10 +10,10 @@
 namespace insonate {
 namespace {
 
-/// Scanners of 12 bits store HU + 1024.
+/// Scanners with 12 bits store HU + 1024.
 constexpr int kStoredOffset_HU = 1024;
 
-/// Shares of the voxels that are no padding, as they would be named if HU + 1024 were stored.
+/// Shares of the voxels other than padding, named under the assumption that HU + 1024 is stored.
 struct Shares {
   double air = 0, between = 0, softTissue = 0, bone = 0, belowZero = 0;
 };
@@ -40,10 +40,11 @@ bool hasNothingBelowZero(const CtVolume& ct) {
 }
 
 std::optional<int> likelyShift(const CtVolume& ct) {
-  // Resampling makes a few intermediate values where padding meets the image.
+  // Resampling makes a few intermediate values between padding and image.
   constexpr double kFew = 0.01, kMuch = 0.05;
   const Shares shares = sharesOf(ct);
-  // Cut off at 0, a CT in Hounsfield units has bone there, which is spread evenly; fat, muscle and organs are a peak.
+  // A CT in Hounsfield units that is cut off at 0 has only bone there, which is evenly distributed; fat, muscle and
+  // organs form a peak.
   const bool softTissueIsAPeak =
       shares.softTissue > kMuch && shares.softTissue > 2 * shares.between && shares.softTissue > shares.bone;
   if (shares.belowZero > kFew || shares.air < kMuch || !softTissueIsAPeak) return std::nullopt;

@@ -23,7 +23,7 @@ Shape lumen() {
                 0x41aU);
 }
 
-/// Tracheal rings: C-shaped, open toward the oesophagus, a little uneven in height.
+/// Tracheal rings: C-shaped, open toward the esophagus, with slightly different heights.
 double ringLimit_mm(Vec3 p) {
   constexpr double kPitch_mm = 4.4, kHalf_mm = 1.5;
   const double t = (p.z + 0.5 * std::sin(p.x / 6)) / kPitch_mm;
@@ -85,7 +85,7 @@ void addAirway(std::vector<Structure>& into, std::uint32_t seed) {
          column(side, {{{-9, {8.5, 4.5, 2, 2, 0}}, {-2, {9.5, 3.5, 3.4, 2.2, 35}}, {4, {11, 5, 3, 2, 45}}}, 2, 0.3},
                 seed++)});
   }
-  // Inside of the larynx: paraglottic and pre-epiglottic space.
+  // Inner space of the larynx: paraglottic and pre-epiglottic space.
   into.push_back(
       {kSoftTissue, Kind::kOrgan, 0,
        clip(column(Side::kRight,
@@ -103,7 +103,7 @@ void addAirway(std::vector<Structure>& into, std::uint32_t seed) {
             tube(Side::kLeft,
                  {{{{0, -14, 35}, 3}, {{9, -11.5, 35.5}, 2.7}, {{17, -3, 37}, 2.1}, {{21.5, 9, 39.5}, 1.8}}, 0.75, 0.2},
                  seed++)})});
-  // Pharynx above, oesophagus below, the latter a little to the left; its collapsed lumen lined by mucosa.
+  // Pharynx above, esophagus below, slightly left of the midline; mucosa lines its collapsed lumen.
   const auto front = [](double z) { return vertebralFront_mm(z); };
   const Curve<5> course{{-80, {4.5, front(-80) - 6, 8, 4.4, 0}},
                         {-50, {5, front(-50) - 6.2, 8, 4.2, 5}},

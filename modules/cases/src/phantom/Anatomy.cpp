@@ -6,7 +6,7 @@ namespace insonate::phantom {
 
 std::vector<Structure> makeAnatomy(const NeckParameters& parameters, std::uint32_t seed) {
   std::vector<Structure> structures;
-  // Vessels come before bone, so that the vertebral artery makes its own foramina.
+  // Vessels are drawn before bone, so that the vertebral artery makes its own foramina.
   addAirway(structures, hash32(seed + 1));
   addVessels(structures, parameters, hash32(seed + 2));
   addSpine(structures, hash32(seed + 3));

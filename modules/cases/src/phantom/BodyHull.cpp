@@ -8,8 +8,8 @@ namespace insonate {
 namespace {
 
 constexpr double kFullTurn = 2 * std::numbers::pi;
-constexpr double kEnclose_mm = 6;  ///< each slice's hull also holds its neighbors' structures this far away
-constexpr double kSmooth_mm = 5;   ///< then smoothed with this standard deviation
+constexpr double kEnclose_mm = 6;  ///< each slice's hull also contains structures of slices within this distance
+constexpr double kSmooth_mm = 5;   ///< standard deviation of the smoothing after that
 
 }  // namespace
 
@@ -22,7 +22,7 @@ BodyHull::BodyHull(const LabelMap& structures, double grow_mm) : slices_(structu
 
 void BodyHull::measure(const LabelMap& m) {
   const VolumeGeometry& g = m.geometry;
-  // One center for all slices keeps directions comparable between them.
+  // All slices have the same center, so that directions can be compared between them.
   double sumX = 0, sumY = 0, count = 0;
   for (int k = 0; k < g.size[2]; ++k)
     for (int j = 0; j < g.size[1]; ++j)

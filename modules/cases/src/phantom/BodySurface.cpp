@@ -11,12 +11,12 @@ namespace insonate::phantom {
 namespace {
 
 constexpr int kTableSize = 720;
-constexpr double kStep_mm = 0.5;  ///< for the slope from level to level
+constexpr double kStep_mm = 0.5;  ///< step for the slope between levels
 constexpr double kUnevenFat_mm = 5;
 constexpr double kFullTurn = 2 * std::numbers::pi;
 
-/// Radius of the investing fascia (mm) every 22.5 degrees from front to back, by level. The front at +48 mm leaves
-/// under the chin, the sides below -20 mm run out into the shoulders.
+/// Radius of the investing fascia (mm) every 22.5 degrees from front to back, by level. The front at +48 mm is under
+/// the chin; the sides below -20 mm continue into the shoulders.
 const Curve<9>& outline() {
   static const Curve<9> kOutline{
       {-64, {{56, 60, 74, 104, 140, 138, 112, 90, 80}}},      {-50, {{52, 57, 66, 92, 124, 126, 106, 86, 76}}},
@@ -31,7 +31,7 @@ double radiusAt(const std::array<double, 9>& radii, double angle) {
   const double a = std::abs(angle) / (std::numbers::pi / 8);
   const int k = std::min(static_cast<int>(a), 7);
   const double t = a - k;
-  // The profile is even about front and back, so the neighbors beyond the ends are mirror images.
+  // The profile is symmetric about front and back, so that the neighbors beyond the ends are mirror images.
   const auto at = [&](int n) { return radii[n < 0 ? -n : n > 8 ? 16 - n : n]; };
   const double p0 = at(k - 1), p1 = at(k), p2 = at(k + 1), p3 = at(k + 2);
   return p1 + 0.5 * t * (p2 - p0 + t * (2 * p0 - 5 * p1 + 4 * p2 - p3 + t * (3 * (p1 - p2) + p3 - p0)));
@@ -41,12 +41,12 @@ double radiusAt(const std::array<double, 9>& radii, double angle) {
 
 namespace {
 
-/// A place on the outline for noise over it, so that the noise is continuous all around.
+/// A place on the outline for noise that is continuous all around.
 Vec3 onOutline(double angle, double z_mm) {
   return {50 * std::sin(angle), 50 * std::cos(angle), z_mm};
 }
 
-/// Smooth noise over the outline, structures longer along the neck by half.
+/// Smooth noise over the outline; its structures are longer along the neck by half.
 double overOutline(Vec3 at_mm, double cell_mm, std::uint32_t seed) {
   return smoothNoise({at_mm.x / cell_mm, at_mm.y / cell_mm, at_mm.z / (1.5 * cell_mm)}, seed);
 }
@@ -60,7 +60,7 @@ double BodySurface::fat_mm(double angle, double z_mm) const {
                         0.08 * overOutline(at, 7, options_.seed ^ 0x51a9U);
   const double back = 0.5 * (1 - std::cos(angle));                            // thicker over the nape
   const double chin = std::max(0.0, (z_mm - 15) / 35) * std::cos(angle / 2);  // and under the chin
-  // Thick fat is not more uneven than thin fat, and that of the nape is tense.
+  // The amplitude does not increase with the thickness of fat, and is small at the nape, whose fat is tense.
   const double rise_mm = std::min(options_.fat_mm, kUnevenFat_mm) * uneven * (1 - 0.7 * back * back);
   return (options_.fat_mm + rise_mm) * (1 + 0.25 * back + 0.5 * chin);
 }

@@ -61,7 +61,7 @@ Result<LabelMap> translated(const Numbers& numbers, const LabelPlan& plan) {
   return labels;
 }
 
-/// A map that belongs to another file would make a patient of nothing but filling.
+/// A table for another file would make a patient that contains only the filling tissue.
 Result<void> checkMapFits(const Numbers& numbers, const LabelPlan& plan) {
   std::size_t labelled = 0, listed = 0, mapped = 0;
   for (const std::int32_t number : numbers.voxels) {
@@ -83,7 +83,7 @@ Result<void> checkMapFits(const Numbers& numbers, const LabelPlan& plan) {
   return {};
 }
 
-/// Centre of a number's voxels in the slice nearest to a level; empty where there are none.
+/// Center of a number's voxels in the slice nearest to a level; empty if there are none.
 std::optional<Vec3> centreOf(const Numbers& numbers, const TargetPlan& target) {
   const VolumeGeometry& g = numbers.geometry;
   const Transform patientFromIndex = g.patientFromIndex();
@@ -99,8 +99,8 @@ std::optional<Vec3> centreOf(const Numbers& numbers, const TargetPlan& target) {
   return patientFromIndex * (sum / count);
 }
 
-/// The centers of a number's sections along the axis of the grid in which it is longest, with the radius of a circle of
-/// the section's area; empty where it has no voxels.
+/// Centers of a number's sections along the grid axis of its greatest length, with the radius of a circle of the
+/// section's area; empty if it has no voxels.
 std::vector<NamedVessel::Point> courseOf(const Numbers& numbers, std::int32_t number) {
   const VolumeGeometry& g = numbers.geometry;
   std::array<int, 3> first = g.size, last{-1, -1, -1}, p{};
@@ -134,7 +134,7 @@ std::vector<NamedVessel::Point> courseOf(const Numbers& numbers, std::int32_t nu
   return course;
 }
 
-/// A transverse pose over each target, and the same turned along the body with the feet to the marker's side.
+/// A transverse pose over each target, and the same pose turned along the body with the marker toward the feet.
 void addStartPoses(PatientCase& patient, std::vector<std::string>& notes) {
   for (const Target& target : patient.manifest.targets) {
     const auto pose = poseOver(patient, target);

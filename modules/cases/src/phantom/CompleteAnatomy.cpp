@@ -20,7 +20,7 @@ Vec3 patientAt(const Transform& patientFromIndex, int i, int j, int k) {
   return patientFromIndex * Vec3{double(i), double(j), double(k)};
 }
 
-/// Distance to a tube's surface (negative inside) and nothing of its caps' shape: segments with linear radius.
+/// Distance to a tube's surface (negative inside), without the shape of its caps: segments with linear radius.
 double tubeDistance_mm(const TubePlan& tube, Vec3 p_mm) {
   double nearest = 1e9;
   for (std::size_t n = 0; n + 1 < tube.knots.size(); ++n) {
@@ -33,7 +33,7 @@ double tubeDistance_mm(const TubePlan& tube, Vec3 p_mm) {
   return nearest;
 }
 
-/// Share of structures about each voxel: tells what is close to one.
+/// Share of structures around each voxel, which indicates nearby structures.
 Volume<float> structureShare(const LabelMap& labels) {
   Volume<float> share(labels.geometry);
   std::transform(labels.voxels.begin(), labels.voxels.end(), share.voxels.begin(),
@@ -42,17 +42,17 @@ Volume<float> structureShare(const LabelMap& labels) {
   return share;
 }
 
-/// Tissue between the structures of the deep neck: bundles of muscle, taller than wide, with connective tissue and
-/// some fat between them.
+/// Tissue between the structures of the deep neck: bundles of muscle, taller than wide, with connective tissue and some
+/// fat between them.
 std::uint8_t betweenStructures(Vec3 p_mm, std::uint32_t seed) {
-  // Warped and turned out of the noise's own lattice, whose straight edges would show.
+  // Warped and rotated relative to the noise lattice, whose straight edges would be visible.
   const Vec3 cell = p_mm / 16;
   const double dx = 7 * phantom::smoothNoise(cell, seed ^ 0xb3dU), dy = 7 * phantom::smoothNoise(cell, seed ^ 0xb4dU);
   const double u = 0.8 * p_mm.x + 0.6 * p_mm.y + dx, v = 0.8 * p_mm.y - 0.6 * p_mm.x + dy;
   const Vec3 bundle{u / 21, v / 15, (p_mm.z + 0.3 * dx) / 55};
   const double a = phantom::smoothNoise(bundle, seed ^ 0xb0dU);
   const double b = phantom::smoothNoise(Vec3{v / 24, u / 18, p_mm.z / 60}, seed ^ 0xb1dU);
-  // Boundaries of bundles: where either field changes sign.
+  // Boundaries of bundles: sign changes of either field.
   const double boundary = std::min(std::abs(a), std::abs(b));
   if (boundary < 0.07) return kSoftTissue;
   const double fat = phantom::smoothNoise(p_mm / 8, seed ^ 0xb2dU) + (boundary < 0.16 ? 0.25 : -0.35);
@@ -99,7 +99,7 @@ void drawTubes(LabelMap& labels, const std::vector<TubePlan>& tubes) {
       for (int i = 0; i < size[0]; ++i) {
         std::uint8_t& voxel = labels.at(i, j, k);
         if (voxel) continue;
-        // All insides before any wall, so that tubes open into each other.
+        // Draws all lumens before any wall, so that tubes open into each other.
         std::uint8_t inside = kBackground, wall = kBackground;
         for (const TubePlan& tube : tubes) {
           const double d = tubeDistance_mm(tube, patientAt(patientFromIndex, i, j, k));
@@ -120,7 +120,7 @@ Result<void> completeAnatomy(LabelMap& labels, const CompletionPlan& plan) {
   const BodyHull hull(labels, plan.skin_mm + plan.fat_mm + plan.margin_mm);
   const Volume<float> share = structureShare(labels);
   const Transform patientFromIndex = g.patientFromIndex();
-  // A sheet of a single voxel would break into steps wherever it runs aslant.
+  // A sheet of a single voxel would break into steps where it is oblique.
   const double fascia_mm = std::max(0.8, 1.6 * std::max(g.spacing_mm.x, g.spacing_mm.y));
   tbb::parallel_for(0, g.size[2], [&](int k) {
     for (int j = 0; j < g.size[1]; ++j)

@@ -18,15 +18,15 @@ namespace {
 
 constexpr double kAir_HU = -1000;
 constexpr double kCompactBone_HU = 950, kTrabecularBone_HU = 260;
-/// Bone blurred with this width tells the compact shell (share below kShell) from the inside (above kInside).
+/// Bone blurred with this width separates the compact shell (share below kShell) from the inside (above kInside).
 constexpr double kShellBlur_mm = 1.3, kShell = 0.80, kInside = 0.93;
-/// Air that is wider than any airway is lung: blurred with this width it is air nearly alone (above kWide) in its
-/// middle, and the blurred middle reaches its rim (above kNearWide_permille).
+/// Air that is wider than any airway is lung: blurred with this width, its middle is nearly all air (above kWide), and
+/// the blurred middle reaches its rim (above kNearWide_permille).
 constexpr double kWideBlur_mm = 9, kWide = 0.8, kNearWide_permille = 80, kCoarse_mm = 2;
 constexpr double kFwhmPerSigma = 2.354820045;
 
-/// CT number of a tissue: mean, and standard deviation and cell of its own smooth texture (beside scanner noise).
-/// Means: usual values of native CT at 120 kV; iodine makes the thyroid bright without any contrast medium.
+/// CT number of a tissue: mean, and standard deviation and cell size of its smooth texture (in addition to scanner
+/// noise). Means: usual values of native CT at 120 kV; iodine makes the thyroid bright without contrast agent.
 struct TissueHu {
   double native, contrast, texture, cell_mm;
 };
@@ -40,7 +40,7 @@ constexpr std::array<TissueHu, kLabelCount> kTissueHu{{
     {42, 180, 2, 8},           // vein
     {40, 75, 6, 2.5},          // lymph node
     {110, 170, 9, 3},          // thyroid
-    {40, 60, 7, 3},            // oesophagus
+    {40, 60, 7, 3},            // esophagus
     {57, 65, 8, 3},            // sternocleidomastoid
     {55, 63, 8, 3},            // muscle
     {kTrabecularBone_HU, kTrabecularBone_HU, 60, 2},
@@ -64,7 +64,7 @@ Result<void> checkOptions(const LabelMap& labels, const CtSynthesisOptions& o) {
   return {};
 }
 
-/// Share of bone about each voxel.
+/// Share of bone around each voxel.
 Volume<float> boneShare(const LabelMap& labels) {
   Volume<float> share(labels.geometry);
   std::transform(labels.voxels.begin(), labels.voxels.end(), share.voxels.begin(),
@@ -73,7 +73,7 @@ Volume<float> boneShare(const LabelMap& labels) {
   return share;
 }
 
-/// Nearness of lung, above kNearWide_permille. On a coarse grid over the same voxels, since it changes slowly.
+/// Nearness of lung, if above kNearWide_permille. Computed on a coarse grid, since it changes slowly.
 CtVolume lungNearness(const LabelMap& labels) {
   VolumeGeometry g = labels.geometry;
   std::array<int, 3> stride{};
@@ -137,7 +137,7 @@ class SliceNoise {
     std::size_t n = 0;
     for (int j = -1; j <= height; ++j)
       for (int i = -1; i <= width; ++i) {
-        // Two uniform numbers of one hash, each with variance 1/12: their sum is close enough to a bell.
+        // Two uniform numbers of one hash, each with variance 1/12: their sum approximates a normal distribution.
         const std::uint32_t h = hashNode(i, j, k, seed);
         white_[n++] = static_cast<float>(((h & 0xffffU) + (h >> 16)) / 65536.0 - 1) * 2.4494897f;
       }

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Carries a sentence to readLabelPlan, which turns it into an error with the file's name.
+/// Carries a sentence to readLabelPlan, which converts it to an error with the name of the file.
 struct BadEntry : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

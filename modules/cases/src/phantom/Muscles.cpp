@@ -5,7 +5,7 @@
 namespace insonate::phantom {
 namespace {
 
-/// Adds muscles of one side, each varied in its own way.
+/// Adds the muscles of one side, each with its own variation.
 class Muscles {
  public:
   Muscles(std::vector<Structure>& into, Side side, std::uint32_t seed) : into_(into), side_(side), seed_(seed) {}
@@ -78,7 +78,7 @@ void addInfrahyoid(std::vector<Structure>& into, Side side, std::uint32_t seed) 
             3,
             0.35});
   add(Sheet{{{8, {20, 5.8, 5.5, 1.5}}, {20, {18, 5.2, 7, 1.9}}, {34, {17, 6.4, 6.5, 1.8}}}, 2, 0.3});
-  // Its upper belly is flat, its tendon crosses in front of the jugular vein.
+  // Its upper belly is flat; its tendon passes in front of the jugular vein.
   add(Column{{{36, {13, -8, 4.4, 2.3, 40}},
               {22, {19, -2.5, 5, 2.4, 44}},
               {8, {24.5, 5, 5.2, 2.3, 48}},

@@ -16,15 +16,15 @@
 namespace insonate::phantom {
 namespace {
 
-constexpr double kWarp_mm = 1.0;  ///< amplitude of the irregularity of neighborhoods
+constexpr double kWarp_mm = 1.0;  ///< amplitude of local irregularity
 constexpr double kWarpCell_mm = 23;
-constexpr double kShift_mm = 1.6;  ///< and of whole regions: hardly an airway runs in the midline
+constexpr double kShift_mm = 1.6;  ///< amplitude of regional shifts: an airway is rarely in the midline
 constexpr double kShiftCell_mm = 48;
-/// Chosen so that seed 1, the default, is a neck near the mean.
+/// Chosen so that seed 1, the default, is close to the mean neck.
 constexpr std::uint32_t kIndividual = 3964;
 constexpr double kSpineY_mm = 45;  ///< the head turns about a vertical axis through the spine
 
-/// Horizontal displacement that keeps left and right from being mirror images.
+/// Horizontal displacement that makes left and right differ.
 Vec3 warp_mm(Vec3 p, std::uint32_t seed) {
   const Vec3 cell = p / kWarpCell_mm, region = p / kShiftCell_mm;
   return {kWarp_mm * smoothNoise(cell, seed ^ 0x1234567U) + kShift_mm * smoothNoise(region, seed ^ 0x2345678U),
@@ -45,7 +45,7 @@ NeckModel::NeckModel(const NeckParameters& parameters, std::uint32_t seed)
       structures_(makeAnatomy(parameters_, hash32(seed + 12))) {}
 
 double NeckModel::twist(double z_mm) const {
-  // The cervical spine shares the turn; the shoulders stay.
+  // The cervical spine takes part in the turn; the shoulders do not move.
   const double t = std::clamp((z_mm + 48) / 100, 0.0, 1.0);
   return parameters_.headTurn_deg * std::numbers::pi / 180 * t * t * (3 - 2 * t);
 }
@@ -56,7 +56,7 @@ Vec3 NeckModel::modelFromPatient(Vec3 p) const {
 }
 
 Vec3 NeckModel::patientFromModel(Vec3 model_mm) const {
-  // The warp is gentle (slope below 0.15), so a few fixed-point steps invert it.
+  // The warp has a slope below 0.15, so that a few fixed-point steps invert it.
   Vec3 turned = model_mm;
   for (int n = 0; n < 12; ++n) turned = model_mm - warp_mm(turned, seed_);
   return rotated(turned, twist(turned.z));
@@ -79,7 +79,7 @@ Vec3 NeckModel::axillaryCentre_mm(Side side, double lateral_mm) const {
 }
 
 std::vector<NamedVessel> NeckModel::namedVessels() const {
-  constexpr double kApart_mm = 3;  // along a course
+  constexpr double kApart_mm = 3;  // distance of points along a course
   std::vector<NamedVessel> vessels;
   for (const VesselCourse& course : vesselCourses(parameters_, surface_)) {
     NamedVessel vessel{course.name, course.label, {}};

@@ -8,10 +8,10 @@
 namespace insonate::phantom {
 namespace {
 
-constexpr double kFlat = 0.1;  ///< no nerve is round
+constexpr double kFlat = 0.1;  ///< nerves are slightly flat
 
-/// Branches of the cervical plexus, in the fat behind the sternocleidomastoid and around it; as many and where they
-/// are in one person.
+/// Branches of the cervical plexus, in the fat behind and around the sternocleidomastoid; number and places vary
+/// between people.
 void addBranches(std::vector<Shape>& nerves, Side side, std::uint32_t seed) {
   const Individual count(seed + 40);
   const int branches = 4 + static_cast<int>(2.5 * (1 + count(0)));
@@ -82,11 +82,11 @@ void addNodes(std::vector<Structure>& into, Side side, std::uint32_t seed) {
       {42.5, 25.5, 28, 2.6, 1.9, 5, 30}, {44, 31, 8, 2.8, 1.8, 4.5, 50}, {41.5, 28.5, -10, 2.4, 1.7, 4, 20},
       {43, 20.5, -27, 2.6, 1.9, 4, 60},  {50, 41, -4, 3, 2, 4, 70},      {52, 46, 14, 2.5, 1.8, 3.5, 70},
       {47, 29, -16, 2.2, 1.6, 3, 40},    {30, 13, 33, 3.2, 2.2, 5, 30},  {12, 12, -38, 2.0, 1.6, 3, 0}};
-  constexpr double kSeen = 0.75;  ///< share of the nodes that a person has
+  constexpr double kSeen = 0.75;  ///< share of the nodes that one person has
   std::vector<Shape> nodes;
   for (const Node& d : kNodes) {
     const Individual vary(++seed);
-    // The first two are there in everybody.
+    // Everybody has the first two.
     if (nodes.size() > 1 && vary(0) > 2 * kSeen - 1) continue;
     const double s = 1 + 0.25 * vary(1), h = d.halfZ * s * (1.1 + 0.25 * vary(2)), z = d.z + 2.5 * vary(3);
     const std::array<double, 5> v{d.lateral + 1.5 * vary(4), d.y + vary(5), d.halfX * s * (1.1 + 0.2 * vary(6)),
@@ -105,7 +105,7 @@ void addNervesAndGlands(std::vector<Structure>& into, const NeckParameters& n, s
     addNerves(into, side, seed += 20);
     addNodes(into, side, seed += 20);
     const double k = s * (side == Side::kRight ? 1.05 : 0.96);
-    // Both poles are pointed; no two people have lobes of the same length and height.
+    // Both poles are pointed; length and height of the lobes vary between people.
     const Individual vary(seed);
     const double l = 1 + 0.14 * vary(1);
     const auto at = [&](double z, double lateral, double y, double halfX, double halfY, double turn) {

@@ -12,7 +12,7 @@ namespace {
 
 using namespace phantom;
 
-/// The neck, or what lies below the right clavicle.
+/// The neck, or the region below the right clavicle.
 VolumeGeometry phantomGrid(bool chest) {
   VolumeGeometry g;
   g.size = {304, 284, 148};
@@ -21,7 +21,7 @@ VolumeGeometry phantomGrid(bool chest) {
   return g;
 }
 
-/// A progress that fills only part of the bar.
+/// A progress that covers only a part of the bar.
 Progress partOf(const Progress& progress, double from, double to) {
   if (!progress) return {};
   return [&progress, from, to](std::string_view doing, double t) { return progress(doing, from + (to - from) * t); };

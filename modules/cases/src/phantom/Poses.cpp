@@ -9,10 +9,10 @@ namespace insonate::phantom {
 namespace {
 
 constexpr double kTargetLevel_mm = 0;  ///< lower border of the cricoid
-/// Steps for the skin's direction: wide over the jugular vein, where fat is uneven, narrow in the hollow below the
+/// Steps for the direction of the skin: wide over the jugular vein, where fat is uneven, narrow in the hollow below the
 /// clavicle.
 constexpr double kOverVein_mm = 5, kBelowClavicle_mm = 3;
-constexpr double kTilt = 0.25;       ///< of the way from the skin's direction to the vein's
+constexpr double kTilt = 0.25;       ///< tilt as a share of the angle from the skin's direction to the vein's
 constexpr double kAxillary_mm = 75;  ///< from the midline: below the middle of the clavicle
 
 /// Distance along a ray from inside the body to the skin, by bisection.
@@ -25,7 +25,7 @@ double toSkin_mm(const NeckModel& neck, Vec3 from_mm, Vec3 direction) {
   return inside;
 }
 
-/// Outward direction, in the plane of the level, in which the skin is near, leaning to the front where a probe is held.
+/// Outward direction in the plane of the level toward the nearest skin, inclined to the front, where a probe is held.
 Vec3 towardProbe(const NeckModel& neck, Vec3 vein_mm, Side side) {
   constexpr double kUsual_deg = 32, kSoftness_deg = 32;
   Vec3 best;
@@ -39,7 +39,7 @@ Vec3 towardProbe(const NeckModel& neck, Vec3 vein_mm, Side side) {
   return best;
 }
 
-/// Direction square to the skin as a face lies on it: over a step of some mm to either side.
+/// Normal of the skin under a face, from differences over some mm to either side.
 Vec3 inwardNormal(const NeckModel& neck, Vec3 at_mm, double step_mm) {
   Vec3 gradient;
   for (int axis = 0; axis < 3; ++axis) {
@@ -62,7 +62,7 @@ std::vector<Target> axillaryTargets(const NeckModel& neck) {
 
 std::vector<StartPose> axillaryStartPoses(const NeckModel& neck) {
   const Vec3 vein = neck.axillaryCentre_mm(Side::kRight, kAxillary_mm);
-  // Square to the skin where the line through the vein meets it, so that the vein is in both pictures.
+  // Perpendicular to the skin on the line through the vein, so that both images show the vein.
   Vec3 axial{0, 1, 0}, skin;
   for (int n = 0; n < 8; ++n) {
     skin = vein - axial * toSkin_mm(neck, vein, -axial);
@@ -99,7 +99,7 @@ std::vector<StartPose> jugularStartPoses(const NeckModel& neck) {
 }
 
 std::vector<Landmark> landmarks(const NeckModel& neck, const std::vector<StartPose>& poses) {
-  constexpr double kArch_mm = -6;  // middle of the cricoid's arch, whose front is half an airway and a shell away
+  constexpr double kArch_mm = -6;  // middle of the cricoid's arch, half an airway and a shell behind its front
   const auto mark = [&](const char* code, Vec3 model_mm) {
     return Landmark{code, std::string(landmarkKind(code)->name), neck.patientFromModel(model_mm)};
   };

@@ -11,20 +11,20 @@ namespace insonate::phantom {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-/// Shapes are asked this far outside their boundary: for sheaths and for the gaps between muscles.
+/// Shapes have defined distances up to this far outside their boundary, for sheaths and gaps between muscles.
 constexpr double kReach_mm = 3.5;
 
-constexpr double kTendon = 2.5;  ///< muscle thins out over this multiple of the length in which it would round off
+constexpr double kTendon = 2.5;  ///< a muscle tapers over this multiple of the length of a rounded end
 
-/// Boundary noise with two scales, longer along the neck, as fibers and vessels run.
+/// Boundary noise with two scales, longer along the neck, as are fibers and vessels.
 double irregular(double distance_mm, Vec3 p_mm, double amplitude_mm, std::uint32_t seed) {
   if (amplitude_mm == 0 || distance_mm > kReach_mm + 1.4 * amplitude_mm) return distance_mm;
   const Vec3 at{p_mm.x, p_mm.y, p_mm.z * 0.4};
   return distance_mm + amplitude_mm * (smoothNoise(at / 7.0, seed) + 0.4 * smoothNoise(at / 2.9, seed ^ 0x9e3779b9U));
 }
 
-/// Departure of a cross-section from its ellipse: relative radius as a Fourier series of orders 2 to 4 over the
-/// direction, which is given by its cosine and sine.
+/// Deviation of a cross-section from its ellipse: relative radius as a Fourier series of orders 2 to 4 over the
+/// direction, given by its cosine and sine.
 struct Lobes {
   double cos2 = 0, sin2 = 0, cos3 = 0, sin3 = 0, cos4 = 0, sin4 = 0;
 
@@ -35,7 +35,8 @@ struct Lobes {
   }
 };
 
-/// Lobes of about the given size that turn slowly along the neck: the second order outweighs the higher ones.
+/// Lobes of about the given size that change their direction slowly along the neck; the second order has the largest
+/// weight.
 Lobes lobesAt(double z_mm, double amount, std::uint32_t seed) {
   if (amount == 0) return {};
   constexpr double kCell_mm = 24;
@@ -53,12 +54,13 @@ double ovalDistance(double u, double v, double a, double b, const Lobes& lobes) 
   return gradient > 1e-9 ? q * (q - 1 - lobes(c / q, s / q)) / gradient : -std::min(a, b);
 }
 
-/// A lens with sharp edges. Its thickest place is off its middle and its midline is bent, so that its two faces differ.
+/// A lens with sharp edges. Its thickest place is not in its middle and its midline is bent, so that its two faces
+/// differ.
 struct Lens {
   double halfWidth_mm, halfThickness_mm;
-  double skew = 0;  ///< thickest place, of the half width
-  double bent = 0;  ///< how far the edges lie above the middle, of the half thickness
-  double tilt = 0;  ///< how much deeper one edge lies than the other, of the half thickness
+  double skew = 0;  ///< thickest place, relative to the half width
+  double bent = 0;  ///< height of the edges above the middle, relative to the half thickness
+  double tilt = 0;  ///< difference of depth between the edges, relative to the half thickness
 
   double distance_mm(double u, double v) const {
     const double t = u / halfWidth_mm, edge = std::clamp(t, -1.0, 1.0);
@@ -80,7 +82,7 @@ Lens lensAt(double z_mm, double halfWidth_mm, double halfThickness_mm, std::uint
           0.2 * vary(5) + 0.25 * vary.along(6, z_mm, kCell_mm)};
 }
 
-/// Scale of a cross-section so that the ends of a column are half ellipsoids.
+/// Scale of a cross-section that makes the ends of a column half ellipsoids.
 double rounding(double z_mm, double first_mm, double last_mm, double taper_mm) {
   const double fromEnd = std::min(z_mm - first_mm, last_mm - z_mm);
   if (fromEnd <= 0) return 0;
@@ -89,7 +91,7 @@ double rounding(double z_mm, double first_mm, double last_mm, double taper_mm) {
   return std::sqrt(1 - t * t);
 }
 
-/// Scale of a muscle's cross-section, which ends in a tendon.
+/// Scale of the cross-section of a muscle, which tapers into a tendon.
 double tapering(double z_mm, double first_mm, double last_mm, double taper_mm) {
   const double round = rounding(z_mm, first_mm, last_mm, std::min(kTendon * taper_mm, 0.45 * (last_mm - first_mm)));
   return round * round;
@@ -113,7 +115,7 @@ bool holds(const Box2& box, Vec3 p_mm) {
 
 namespace {
 
-/// Flat toward three neighbors, as they lie about a jugular vein, and dented by the first.
+/// Flat toward the three neighbors of a jugular vein, and dented by the first.
 struct Facets {
   double flat, dent, towardX, towardY;
 
@@ -132,12 +134,12 @@ Facets facetsAt(double z_mm, double facing, double a, double b, std::uint32_t se
           0.1 + 0.08 * vary(33) + 0.09 * vary.along(34, z_mm, kCell_mm), x / length, y / length};
 }
 
-/// Relative size of lobes; those of a large organ are as high as those of one of 2 cm.
+/// Relative size of lobes; large organs have lobes of at most 0.4 mm.
 double lobedness(Form form, double a, double b) {
   return form == Form::kBelly ? 0.09 : std::min(0.04, 0.4 / std::max(a, b));
 }
 
-/// Distance by the position along both half axes; `facing` is relative to the first.
+/// Distance from the position along both half axes; `facing` is relative to the first.
 std::function<double(double u, double v)> sectionOf(Form form, double z_mm, double a, double b, double facing,
                                                     std::uint32_t seed) {
   if (form == Form::kLens)
@@ -190,7 +192,7 @@ Shape sheet(Side side, Sheet c, std::uint32_t seed) {
     for (int n = -4; n <= 4; ++n) {
       const double angle = sign * (angle0 + halfAngle * n / 4), r = body.fasciaRadius_mm(angle) - depth;
       const Vec3 at{-r * std::sin(angle), BodySurface::kAxisY_mm - r * std::cos(angle), 0};
-      // Slanted surfaces spread depth over a longer radius.
+      // On slanted surfaces depth is distributed over a longer radius.
       const double reach = 2.2 * b + kReach_mm + 2;
       enclose(box, {at.x - reach, at.x + reach, at.y - reach, at.y + reach});
     }

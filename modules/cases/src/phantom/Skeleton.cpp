@@ -9,11 +9,11 @@
 namespace insonate::phantom {
 namespace {
 
-constexpr double kVertebra_mm = 17.5;    ///< one body and one disc
-constexpr double kDiscShare = 0.26;      ///< of that height
+constexpr double kVertebra_mm = 17.5;    ///< height of a body and a disc
+constexpr double kDiscShare = 0.26;      ///< share of the disc in this height
 constexpr double kFirstDisc_mm = -61.5;  ///< lower edge of the lowest disc in the model
 
-/// 0..1 from a disc's lower edge to the next one's.
+/// Position from the lower edge of a disc (0) to the next one (1).
 double withinVertebra(double z_mm) {
   const double t = (z_mm - kFirstDisc_mm) / kVertebra_mm;
   return t - std::floor(t);
@@ -84,7 +84,7 @@ void addSpine(std::vector<Structure>& into, std::uint32_t seed) {
 void addGirdle(std::vector<Structure>& into, const NeckParameters& n, std::uint32_t seed) {
   std::vector<Shape> bones;
   for (const Side side : {Side::kRight, Side::kLeft}) {
-    const double drop = side == Side::kRight ? 0 : 1.5;  // nobody's shoulders are level
+    const double drop = side == Side::kRight ? 0 : 1.5;  // shoulders are never exactly level
     const auto add = [&](Tube t) {
       for (auto& knot : t.knots) knot.p_mm.z -= drop;
       bones.push_back(tube(side, std::move(t), seed++));

@@ -8,29 +8,29 @@
 namespace insonate::phantom {
 namespace {
 
-constexpr double kFascia_mm = 0.9;   ///< between two muscles, both sheaths and what lies between, on average
-constexpr double kSheath_mm = 0.35;  ///< about a muscle, beside fat
-/// Share by which a soft vein gives way to a muscle that claims the same place.
+constexpr double kFascia_mm = 0.9;   ///< mean thickness between two muscles: both sheaths and the tissue between them
+constexpr double kSheath_mm = 0.35;  ///< around a muscle beside fat
+/// Share by which a vein yields to a muscle at the same place.
 constexpr double kYields = 0.3;
 
-/// Noise whose structures are longer along the neck, as sheets, fibers and vessels run.
+/// Noise whose structures are longer along the neck, as are sheets, fibers and vessels.
 double stretched(Vec3 p_mm, double cell_mm, std::uint32_t seed, double longer = 2.2) {
   return smoothNoise({p_mm.x / cell_mm, p_mm.y / cell_mm, p_mm.z / (longer * cell_mm)}, seed);
 }
 
-/// Factor on a thickness, of mean 1 and the given SD, not below 0: connective tissue is thick in one place and hardly
-/// there in the next, so that its two faces are never parallel.
+/// Factor on a thickness, of mean 1 and the given SD, at least 0: the thickness of connective tissue varies, so that
+/// its two faces are not parallel.
 double uneven(Vec3 p_mm, double cell_mm, double amount, std::uint32_t seed) {
   return std::max(0.0, 1 + amount / kSmoothNoiseSd * stretched(p_mm, cell_mm, seed, 1.4));
 }
 
-/// Distance to the nearest of sheets that follow each other at a spacing.
+/// Distance to the nearest of equally spaced sheets.
 double toSheet_mm(double across_mm, double spacing_mm) {
   const double turn = across_mm / spacing_mm;
   return std::abs(turn - std::round(turn)) * spacing_mm;
 }
 
-/// Union of two sheets by the distances to their faces: where they meet, the corner between them is filled.
+/// Union of two sheets by the distances to their faces; it fills the corner where they meet.
 double merged_mm(double a_mm, double b_mm) {
   constexpr double kCorner_mm = 0.8;
   const double near = std::max(0.0, 1 - std::abs(a_mm - b_mm) / kCorner_mm);
@@ -48,7 +48,7 @@ SliceLabels::SliceLabels(std::span<const Structure> structures, BodySurface::Sli
       voxels_(std::size_t(grid.width) * grid.height) {}
 
 void SliceLabels::place(const std::function<Vec3(Vec3)>& modelFromPatient) {
-  // The warp varies over centimeters: sampled every 8 voxels and interpolated.
+  // The warp varies over centimeters; it is sampled every 8 voxels and interpolated.
   constexpr int kStep = 8;
   const int nx = (grid_.width - 1) / kStep + 2, ny = (grid_.height - 1) / kStep + 2;
   std::vector<Vec3> coarse(std::size_t(nx) * ny);
@@ -137,7 +137,7 @@ bool SliceLabels::isPlatysma(const Site& s, double fat_mm) const {
   const double lift = 0.3 * stretched(s.p_mm, 15, grid_.seed ^ 0x97U) + 0.12 * stretched(s.p_mm, 6, grid_.seed ^ 0x96U);
   const double height_mm = -s.belowFascia_mm - fat_mm * std::max(0.0, platysma_.height + lift);
   const double edge = std::min({1.0, (side - first) / 0.15, (platysma_.last - side) / 0.3});
-  // Its bundles part here and there.
+  // Its bundles separate in places.
   const double gaps = std::clamp(1.6 + 3 * stretched(s.p_mm, 10, grid_.seed ^ 0x99U), 0.0, 1.0);
   return std::abs(height_mm) < platysma_.halfThickness_mm * edge * gaps * uneven(s.p_mm, 7, 0.3, grid_.seed ^ 0x98U);
 }
@@ -161,8 +161,8 @@ std::uint8_t SliceLabels::filling(const Voxel& v) const {
   if (v.muscle_mm < kSheath_mm * uneven(p, 7, 0.9, grid_.seed ^ 0x5ea7U) ||
       below_mm < 0.45 * uneven(p, 9, 0.9, grid_.seed ^ 0x5f2U))
     return kSoftTissue;
-  // Long, flat fat pads between sheets along the skin, others that cross these at a flat angle, and such as wrap
-  // muscles, vessels and glands. Each fades in and out by itself. There are more about the airway than to the side.
+  // Long, flat fat pads between sheets along the skin, others that cross these at a flat angle, and some that wrap
+  // muscles, vessels and glands. Each fades in and out separately. There are more around the airway than at the side.
   const double medial_mm = 0.16 * std::clamp((34 - std::abs(p.x)) / 20, 0.0, 1.0);
   const auto half_mm = [&](double cell_mm, std::uint32_t key) {
     return (0.24 + medial_mm) * uneven(p, cell_mm, 1.1, grid_.seed ^ key);
@@ -190,7 +190,7 @@ std::uint8_t SliceLabels::label(const Voxel& v) const {
 }
 
 void SliceLabels::paint(std::uint8_t* labels) {
-  // Muscles first: veins give way to them.
+  // Muscles precede veins, which yield to them.
   for (const bool muscles : {true, false})
     for (const Structure& s : structures_)
       if ((s.kind == Kind::kMuscle) == muscles)

@@ -18,7 +18,8 @@ NeckParameters individualNeck(NeckParameters n, std::uint32_t seed) {
   n.skin_mm = kMeanSkin_mm + 0.6 * vary(1);
   const double fatter_mm = std::min(0.35 * n.fat_mm, 1.4) * vary(2);
   n.fat_mm += fatter_mm;
-  // Variants promise how deep the vessels lie, so that what the layers gain, the neck below them mostly loses.
+  // Variants promise the depth of the vessels, so that the neck below the layers mostly loses the thickness that they
+  // gain.
   n.girth_mm = 0.6 * vary(3) - 0.6 * (n.skin_mm - kMeanSkin_mm + fatter_mm);
   n.sternomastoidScale *= 1 + 0.13 * vary(4);
   n.thyroidScale *= 1 + 0.16 * vary(5);

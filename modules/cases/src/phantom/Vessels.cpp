@@ -8,13 +8,13 @@
 namespace insonate::phantom {
 namespace {
 
-constexpr double kJugularEnd_mm = -54;  ///< where it meets the subclavian vein
+constexpr double kJugularEnd_mm = -54;  ///< level of the junction with the subclavian vein
 
 int index(Side side) {
   return side == Side::kRight ? 0 : 1;
 }
 
-/// Shifted vessels return to their place at both ends of the neck.
+/// Shifted vessels have their usual place at both ends of the neck.
 double middleOfNeck(double z_mm) {
   return std::exp(-std::pow((z_mm + 2) / 30, 4));
 }
@@ -30,7 +30,7 @@ std::array<double, 2> besideCourse_mm(const NeckParameters& n, Side side, Vessel
   return {sharedX + ownX, sharedY + ownY};
 }
 
-/// Side by side in the model as in the body: what is drawn and what has the name are one.
+/// A vessel as it is drawn, with its name, so that the named course is the drawn one.
 struct NamedTube {
   std::string_view name;
   std::vector<Tube::Knot> knots;
@@ -84,7 +84,7 @@ std::vector<NamedTube> subclavianArteries(const NeckParameters& n, Side side) {
     std::ranges::copy(axillaryArtery(), std::back_inserter(subclavian));
   }
   return {{"subclavian artery", std::move(subclavian), 0.15, 0.02},
-          // Free below C6, then through the transverse foramina.
+          // Outside bone below C6, then in the transverse foramina.
           {"vertebral artery",
            {{{23, 29, -43}, 1.7},
             {{20, 34, -30}, 1.7},
@@ -94,7 +94,7 @@ std::vector<NamedTube> subclavianArteries(const NeckParameters& n, Side side) {
             {{17, vertebralFront_mm(30) + 11.5, 30}, 1.7},
             {{17, vertebralFront_mm(56) + 11.5, 56}, 1.7}},
            0},
-          // With the thyrocervical trunk.
+          // Includes the thyrocervical trunk.
           {"inferior thyroid artery",
            {{{29, 31, -39}, 1.6},
             {{29, 28.5, -28}, 1.4},
@@ -110,7 +110,7 @@ std::vector<NamedTube> subclavianArteries(const NeckParameters& n, Side side) {
 Shape jugular(const NeckParameters& n, Side side, std::uint32_t seed) {
   std::vector<Curve<5>::Knot> knots;
   for (double z = kJugularEnd_mm; z <= 56; z += 5) knots.push_back({z, jugularVeinAt(n, side, z)});
-  // The carotid lies medial to it and behind.
+  // The carotid is medial to it and behind it.
   return column(side, {Curve<5>(std::move(knots)), 2, 0.35, Form::kFaceted, 150}, seed);
 }
 
@@ -162,14 +162,14 @@ void addVeins(std::vector<Structure>& into, const NeckParameters& n, Side side, 
 }
 
 void addArteries(std::vector<Structure>& into, Side side, const std::vector<NamedTube>& tubes, std::uint32_t seed) {
-  constexpr double kBranch_mm = 2;  ///< smaller ones have a thinner wall and sheath
+  constexpr double kBranch_mm = 2;  ///< smaller vessels have a thinner wall and sheath
   std::vector<NamedTube> trunks, branches;
   for (const NamedTube& one : tubes) (one.knots.front().radius_mm < kBranch_mm ? branches : trunks).push_back(one);
   into.push_back({kArtery, Kind::kArtery, 1.0, joined(side, trunks, seed)});
   into.push_back({kArtery, Kind::kArtery, 0.45, joined(side, branches, seed + 5)});
 }
 
-/// Adds the courses of one side; the side comes before the name.
+/// Adds the courses of one side, whose names begin with the side.
 class Courses {
  public:
   Courses(std::vector<VesselCourse>& into, Side side) : into_(into), side_(side) {}
@@ -205,8 +205,8 @@ class Courses {
 }  // namespace
 
 std::array<double, 5> jugularVeinAt(const NeckParameters& n, Side side, double z_mm) {
-  // Centre lateral and posterior, half width, half height, turn. Positions and sizes are those of supine adults: the
-  // vein comes forward and widens toward its lower bulb.
+  // Lateral and posterior position of the center, half width, half height, turn. Positions and sizes are those of
+  // supine adults: the vein moves forward and widens toward its lower bulb.
   static const Curve<5> kCourse{
       {-54, {27, 15, 7.4, 6.2, 0}},      {-40, {31, 16, 8.0, 6.6, 15}},  {-28, {33, 16.6, 7.6, 6.1, 26}},
       {-14, {34.2, 17.6, 7.1, 5.6, 34}}, {0, {34, 18.8, 6.9, 5.3, 36}},  {12, {34.6, 21.2, 6.6, 5.2, 32}},
@@ -241,7 +241,7 @@ std::vector<VesselCourse> vesselCourses(const NeckParameters& n, const BodySurfa
     }
     courses.add("internal jugular vein", kVein, jugular);
     for (const NamedTube& vein : centralVeins(n, side)) {
-      // A tributary is drawn from within the jugular vein; its name begins where that of the jugular ends.
+      // A tributary is drawn from within the jugular vein; its named course begins where that of the jugular vein ends.
       std::vector<Tube::Knot> line = centreLine(vein.knots);
       std::erase_if(line, [](const Tube::Knot& knot) { return knot.p_mm.z > kJugularEnd_mm && knot.p_mm.x < 30; });
       courses.add(vein.name, kVein, line);

@@ -57,7 +57,7 @@ NewPerson personOf(const CsvRow& row, const Columns& columns) {
   return person;
 }
 
-/// "" where the line is fine by itself.
+/// Error of a line by itself; empty if there is none.
 std::string problemOf(const CsvRow& row, std::size_t columns, const NewPerson& person) {
   if (row.fields.size() > columns)
     return "There are more fields than in the head line; put what holds commas into quotes.";
@@ -80,7 +80,7 @@ class Directory {
     }
   }
 
-  /// Puts an entry where it belongs.
+  /// Sorts an entry into the groups of the result.
   void sort(const ClassListEntry& entry, ClassListMatch& match) const {
     const auto refuse = [&](const std::string& why) {
       match.troubles.push_back({entry.line, sentenceOf(entry.line, why), entry.person});

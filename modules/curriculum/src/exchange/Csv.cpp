@@ -107,8 +107,8 @@ bool beginsFormula(std::string_view text) {
                              [&](const char* sign) { return text.starts_with(sign); });
 }
 
-/// A spreadsheet that expects another separator, semicolons in much of Europe, does not see that this field is quoted,
-/// and begins new fields within it.
+/// A spreadsheet that expects another separator (semicolons in much of Europe) does not recognize the quotes and splits
+/// the field.
 std::string defused(std::string_view field) {
   constexpr std::string_view kBlanks = "\t\r\n", kBreaks = ";\t\r\n";
   std::string text;

@@ -11,7 +11,7 @@ std::string keyOf(const Person& person, GradeKey key) {
   return key == GradeKey::Email ? person.email : person.name;
 }
 
-/// "" where there is a grade to write.
+/// Reason why there is no grade to write; empty if there is one.
 std::string whyLeftOut(const Grade& grade, GradeKey key) {
   if (!grade.percent || !std::isfinite(*grade.percent)) return "no grade yet";
   if (!keyOf(grade.person, key).empty()) return {};

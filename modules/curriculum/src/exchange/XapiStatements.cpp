@@ -23,7 +23,7 @@ std::string text(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// A part of an address (RFC 3986, 2.1); the marks in `plainToo` may stand in it, too.
+/// Encodes a part of an address (RFC 3986, 2.1); characters in `plainToo` stay, too.
 std::string encoded(const std::string& part, std::string_view plainToo = "") {
   constexpr std::string_view kPlain = "-._~";
   std::string text;
@@ -74,7 +74,7 @@ class Writer {
   }
 
  private:
-  /// RFC 4122, 4.3: the same name in the same place is the same id.
+  /// RFC 4122, 4.3: the same name in the same namespace gives the same id.
   std::string idOf(const std::string& name) const {
     static const QUuid kAddresses("6ba7b811-9dad-11d1-80b4-00c04fd430c8");
     const QUuid here = QUuid::createUuidV5(kAddresses, QString::fromStdString(home_));
@@ -176,7 +176,7 @@ class Writer {
   const Person& person_;
 };
 
-/// "" where there is a statement.
+/// Reason why an attempt has no statement; empty if it has one.
 std::string whyLeftOut(const Curriculum& curriculum, const AttemptFacts& attempt) {
   if (attempt.state == AttemptState::Open) return "not ended";
   if (attempt.state != AttemptState::Voided && !counts(attempt)) return "abandoned before the skin";

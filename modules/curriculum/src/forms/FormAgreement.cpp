@@ -8,7 +8,7 @@
 namespace insonate {
 namespace {
 
-/// A rater's name, and their id where two have one name.
+/// Name of a rater, with the id if two raters have the same name.
 using Rater = std::pair<std::string, std::string>;
 /// Each rater's answers about each attempt, by the attempt's id.
 using Judgements = std::map<std::string, std::map<Rater, FormAnswers>>;

@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kLongestText = 10'000;
-/// Not in plain names.
+/// Suffix of the key of a note; names of items contain no colon.
 constexpr std::string_view kNote = ":note";
 
 const FormOption* optionOf(const FormItem& item, const FormAnswers::mapped_type& answer) {
@@ -57,7 +57,7 @@ bool isNote(const Form& form, std::string_view key) {
   return item && form.takesNote(*item);
 }
 
-/// The points of the best option; none where the item is not scored.
+/// Points of the best option; none for items that are not scored.
 std::optional<double> mostOf(const FormItem& item) {
   std::optional<double> most;
   for (const FormOption& option : item.options)

@@ -76,7 +76,7 @@ FormSection readSection(const json& object, const std::string& where, std::strin
   return section;
 }
 
-/// Names tell items apart in a whole form.
+/// Names of items are unique in a form.
 void refuseTwins(JsonEntry& file, const Form& form) {
   std::set<std::string_view> names;
   for (const FormSection& section : form.sections)

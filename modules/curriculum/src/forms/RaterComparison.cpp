@@ -25,7 +25,7 @@ std::optional<int> gradeOf(const FormItem& item, const std::vector<FormOption>& 
   return found == grades.end() ? std::nullopt : std::optional(static_cast<int>(found - grades.begin()));
 }
 
-/// Pairs of both raters' grades of one item, attempt by attempt, where both gave a grade.
+/// Pairs of both raters' grades of one item, one for each attempt that both graded.
 struct ItemPairs {
   const FormItem* item = nullptr;
   std::vector<FormOption> scale{};

@@ -12,7 +12,7 @@ Curriculum around(std::vector<Level> levels) {
   return {.name = "draft", .title = "draft", .levels = std::move(levels)};
 }
 
-/// A level that lacks nothing.
+/// A complete level.
 Level anyLevel() {
   return {.name = "any", .title = "any", .about = "any", .caseName = "any", .procedure = "any"};
 }
@@ -42,7 +42,7 @@ std::vector<DraftTrouble> problemsOf(const Curriculum& draft, const TeachingName
   if (draft.levels.empty()) troubles.push_back({"", "The curriculum has no levels; add the first one."});
   if (const auto ordered = inOrderOfLearning(draft.levels); !ordered)
     troubles.push_back({"", "The curriculum cannot be used: " + ordered.error().message});
-  // Errors between levels, such as two levels of one name.
+  // Errors between levels, such as two levels with the same name.
   if (const auto all = parseCurriculum(curriculumText(draft)); !all && troubles.empty())
     troubles.push_back({"", all.error().message});
   return troubles;

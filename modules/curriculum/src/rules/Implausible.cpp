@@ -11,7 +11,7 @@ std::optional<double> valueOf(const std::vector<MetricFact>& metrics, std::strin
   return found == metrics.end() ? std::nullopt : found->value;
 }
 
-/// Absent counts as 0: what the attempt does not tell did not happen.
+/// A missing value counts as 0: the event did not happen.
 double amountOf(const AttemptFacts& facts, std::string_view id) {
   return valueOf(facts.metrics, id).value_or(0);
 }
@@ -20,8 +20,7 @@ double length_s(const AttemptFacts& facts) {
   return static_cast<double>(facts.length_us) * 1e-6;
 }
 
-/// A hand that moves the probe before the puncture and holds it still after is a good one: the path alone tells
-/// nothing.
+/// A steady probe after the puncture is good practice if the probe moved before: the path alone is not implausible.
 bool isWithoutProbe(const AttemptFacts& facts) {
   return !facts.metrics.empty() && amountOf(facts, "probe_path_mm") <= 0 && amountOf(facts, "vein_checks") <= 0 &&
          amountOf(facts, "tip_in_picture_percent") <= 0;

@@ -10,7 +10,7 @@ namespace {
 /// procedure/AttemptMetrics.h: punctures of the skin.
 constexpr std::string_view kSkinPunctures = "passes";
 
-/// Values that are not finite were not measured.
+/// Values that are not finite count as not measured.
 std::optional<double> finite(std::optional<double> value) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
@@ -38,13 +38,13 @@ std::string listed(const std::vector<std::string>& reasons) {
   return list;
 }
 
-/// Whatever the version of the definition; none where nothing was measured.
+/// Value of any version of the definition; none if nothing was measured.
 std::optional<double> skinPunctures(const AttemptFacts& attempt) {
   const auto fact = std::ranges::find(attempt.metrics, kSkinPunctures, &MetricFact::id);
   return fact == attempt.metrics.end() ? std::nullopt : finite(fact->value);
 }
 
-/// "" where there is nothing worse than standards or points.
+/// Reason other than standards and points; empty if there is none.
 std::string graveReason(const AttemptFacts& attempt) {
   if (attempt.criticalErrors == 1) return "there was a critical error";
   if (attempt.criticalErrors > 1) return "there were " + std::to_string(attempt.criticalErrors) + " critical errors";

@@ -9,11 +9,11 @@
 namespace insonate {
 namespace {
 
-/// The highest score of each career; fewer careers when cancelled.
+/// The highest score of each career; fewer careers after cancellation.
 std::vector<double> highestScores(const LcCusum& test, double failureRate, const CusumTrials& trials,
                                   const Progress& progress = {}) {
   constexpr std::size_t kBetweenReports = 1000;
-  // Standard distributions may differ between libraries; this engine's numbers may not.
+  // Standard distributions may differ between libraries; the numbers of this engine do not.
   std::mt19937 random(trials.seed);
   const double success = test.successWeight(), failure = test.failureWeight();
   std::vector<double> highest;
@@ -52,7 +52,7 @@ std::vector<double> LcCusum::series(const std::vector<bool>& successes) const {
 }
 
 int LcCusum::fewestToSignal(double limit) const {
-  // Added up as series() does: a product may round to the other side of the limit.
+  // Adds the weights as series() does, since a product may round to the other side of the limit.
   int attempts = 0;
   for (double score = 0; score < limit && attempts < kMostToSignal; ++attempts) score += successWeight();
   return attempts;
@@ -76,7 +76,8 @@ Result<double> calibratedLimit(const LcCusum& test, double falseSignals, const C
   if (highest.size() < static_cast<std::size_t>(trials.careers)) return fail(std::string(kCancelled));
   std::ranges::sort(highest, std::greater());
   const auto allowed = static_cast<std::size_t>(falseSignals * static_cast<double>(highest.size()));
-  // Scores are sums of few weights, so that many careers share one up to rounding: the limit goes between two of them.
+  // Scores are sums of few weights, so that many careers have equal scores except for rounding: the limit is between
+  // two of them.
   constexpr double kSame = 1e-9;
   const double held = highest[allowed];
   double next = held + test.successWeight();

@@ -31,7 +31,8 @@ Result<void> checkPrerequisites(const std::vector<Level>& levels, const Indices&
   return {};
 }
 
-/// "'a' needs 'b', 'b' needs 'a'": from any of the levels that are left, each of which needs another of them.
+/// Sentence about a cycle, "'a' needs 'b', 'b' needs 'a'", from any of the remaining levels, each of which needs
+/// another of them.
 std::string circleAmong(const std::vector<Level>& levels, const Indices& indices, const std::vector<bool>& done) {
   std::vector<std::size_t> way;
   std::size_t at = static_cast<std::size_t>(std::ranges::find(done, false) - done.begin());

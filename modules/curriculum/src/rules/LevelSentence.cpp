@@ -16,7 +16,7 @@ std::string inARow(int passes) {
   return passes == 1 ? "one pass" : counted(passes, "pass") + " in a row";
 }
 
-/// "2 of 3 passes in a row"
+/// Progress of the consecutive passes: "2 of 3 passes in a row".
 std::string rowSoFar(const LevelRecord& record) {
   const int needed = record.level().mastery.passesInARow;
   if (record.passesInARow() >= needed) return inARow(record.passesInARow());
@@ -29,7 +29,7 @@ std::string score(double value) {
   return text;
 }
 
-/// "; the learning score (LC-CUSUM) is 1.27 of 2.50", where it is asked for.
+/// "; the learning score (LC-CUSUM) is 1.27 of 2.50", if the level requires it.
 std::string cusumSoFar(const LevelRecord& record) {
   const auto& rule = record.level().mastery.cusum;
   if (!rule || record.cusum().empty()) return {};

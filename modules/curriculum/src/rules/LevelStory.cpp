@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int64_t kBetween_us = 60'000'000;
 
-/// The limits of a metric, taken together.
+/// All limits of a metric together.
 struct Range {
   int version = 1;
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
@@ -42,7 +42,7 @@ AttemptFacts passing(const Curriculum& curriculum, const Level& level) {
   return facts;
 }
 
-/// As few standards missed as it takes.
+/// Facts of an attempt that fails by missing as few standards as possible.
 AttemptFacts failing(const Curriculum& curriculum, const Level& level) {
   AttemptFacts facts = passing(curriculum, level);
   for (const MetricStandard& one : level.pass.standards) {
@@ -79,7 +79,7 @@ class Story {
       if (pass == 1 && passes > 1) tell(AfterPass, LevelState::Open);
     }
     tell(Mastered, LevelState::Mastered);
-    // A prerequisite may lapse as well; then the level is locked.
+    // If a prerequisite lapses as well, the level is locked instead.
     if (const auto& days = level_.mastery.lapsesAfter_days) {
       now_us_ += (*days + 1) * kDay_us;
       if (turns_.back().when == Mastered) tell(Lapsed, std::nullopt);
@@ -100,8 +100,7 @@ class Story {
       for (int pass = 0; pass < passesFor(needed.mastery); ++pass) practise(passing(curriculum_, needed));
     }
   }
-  /// Leaves a turn out if the rules lead to another state than its name says, for example with limits that nobody can
-  /// meet.
+  /// Omits a stage if the rules lead to a state other than its name, for example with limits that cannot be met.
   void tell(StoryTurn::When when, std::optional<LevelState> state) {
     const auto progress = progressOf(curriculum_, history_, now_us_);
     const auto here = std::ranges::find(progress, level_.name, &LevelProgress::level);

@@ -6,7 +6,7 @@
 namespace insonate {
 namespace {
 
-/// The last attempts at a level all failed.
+/// Tells whether the last attempts at a level all failed.
 bool failsOn(const Level& level, const Curriculum& curriculum, std::span<const AttemptFacts> history) {
   int failed = 0;
   for (auto it = history.rbegin(); it != history.rend() && failed < kStuckAfter; ++it) {
@@ -18,7 +18,7 @@ bool failsOn(const Level& level, const Curriculum& curriculum, std::span<const A
   return failed == kStuckAfter;
 }
 
-/// A clock that goes on makes believable what was not (Unlocking.h).
+/// When the clock advances, times that were in the future are accepted (Unlocking.h).
 std::int64_t nextBelieved_us(std::span<const AttemptFacts> history, std::int64_t now_us) {
   std::int64_t next_us = kForever_us;
   for (const AttemptFacts& attempt : history)

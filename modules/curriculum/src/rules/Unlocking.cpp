@@ -20,7 +20,7 @@ Indices indicesOf(const Curriculum& curriculum) {
   return indices;
 }
 
-/// For each level itself and all that it builds on, at any depth.
+/// Lists, for each level, the level itself and all its direct and indirect prerequisites.
 std::vector<std::vector<std::size_t>> foundations(const Curriculum& curriculum, const Indices& indices) {
   std::vector<std::vector<std::size_t>> all;
   for (std::size_t i = 0; i < curriculum.levels.size(); ++i) {
@@ -67,13 +67,13 @@ std::vector<LevelRecord> recordsOf(const Curriculum& curriculum, const Indices& 
 
 /// State of a level that affects the levels built on it.
 struct Gate {
-  bool reached = false;  ///< mastered once, and so were its prerequisites
+  bool reached = false;  ///< mastered once, with its prerequisites
   std::int64_t reachedSince_us = 0;
   bool mastered = false;  ///< now
   std::int64_t since_us = 0;
 };
 
-/// A level's prerequisites taken together.
+/// The prerequisites of a level together.
 struct Prerequisites {
   Gate all{true, 0, true, 0};
   std::vector<Obstacle> missing;

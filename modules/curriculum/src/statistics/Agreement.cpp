@@ -43,7 +43,7 @@ MeanSquares meanSquaresOf(const std::vector<std::vector<double>>& ratings) {
       const double rest = ratings[i][j] - subjectMeans[i] - raterMeans[j] + mean;
       squares.error += rest * rest / ((n - 1) * (k - 1));
     }
-  // Rounding errors of sums of squares that are 0 are no difference between subjects or raters.
+  // Rounding errors in sums of squares that are 0 do not count as differences between subjects or raters.
   double all = 0;
   for (const std::vector<double>& row : ratings)
     for (const double rating : row) all += rating * rating;
@@ -58,7 +58,7 @@ std::optional<Interval> intervalOf(double icc, const MeanSquares& squares, doubl
   const double fRaters = squares.raters / squares.error;
   const double a = k * icc * fRaters, b = n * (1 + (k - 1) * icc) - k * icc;
   const double freedom = (k - 1) * (n - 1) * (a + b) * (a + b) / ((n - 1) * a * a + b * b);
-  // Far below one degree of freedom quantiles of F leave the numbers, and an interval says nothing.
+  // Far below one degree of freedom, quantiles of F overflow, and an interval has no information.
   if (!(freedom >= kLeastFreedom) || !std::isfinite(freedom)) return std::nullopt;
   const double share = (1 + confidence) / 2;
   const double upper = boost::math::quantile(boost::math::fisher_f(n - 1, freedom), share);

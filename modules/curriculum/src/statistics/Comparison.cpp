@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMostExact = 20;
 
 struct Ranks {
-  double first = 0;  ///< sum of the first group's
+  double first = 0;  ///< sum of the ranks of the first group
   double ties = 0;   ///< sum of t^3 - t over groups of t equal values
   /// Ranks of all values, doubled: the mean rank of an even number of equal values is not a whole number.
   std::vector<std::size_t> doubled{};

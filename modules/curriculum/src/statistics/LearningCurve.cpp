@@ -58,8 +58,8 @@ Fit fitAt(Shape shape, double rate, const Series& series) {
   return fit;
 }
 
-/// None where the best rate is the least or the greatest that is looked at: then the data are a straight line, or all
-/// is learnt after the first attempt.
+/// None if the best rate is at the limits of the search: then the data are a straight line, or the first attempt has
+/// all the learning.
 std::optional<Fit> bestFit(Shape shape, const Series& series) {
   constexpr int kSteps = 120;
   const double attempts = series.attempts[series.attempts.size() - 1];
@@ -78,7 +78,7 @@ std::optional<Fit> bestFit(Shape shape, const Series& series) {
   return fitAt(shape, std::exp(logRate), series);
 }
 
-/// F test of the curve's two further parameters against a constant, at 5 %.
+/// F test of the curve's two additional parameters against a constant, at 5 %.
 bool explainsMoreThanConstant(const Fit& fit, const Eigen::VectorXd& values) {
   const double all = (values.array() - values.mean()).square().sum();
   if (!(all > 1e-20 * values.squaredNorm())) return false;
@@ -120,7 +120,8 @@ std::optional<LearningCurve> curveOf(Shape shape, const Fit& fit, const Series& 
   Eigen::Map<Eigen::Matrix3d>(curve.spread.data()) = spread;
   const double t = studentT(curve.attempts, 0.95);
   const double plateau = fit.plateauAndGain[0], gain = fit.plateauAndGain[1];
-  // The true plateau lies in the range: what is cut off takes nothing from the confidence.
+  // The true plateau lies in the range of the metric, so that cutting the interval to this range does not reduce its
+  // confidence.
   curve.plateau = {plateau, within(range, around(plateau, spread(0, 0), t))};
   curve.gain = {gain, around(gain, spread(1, 1), t)};
   return allFinite(curve.spread) ? std::optional(curve) : std::nullopt;

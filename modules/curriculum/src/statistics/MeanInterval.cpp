@@ -29,7 +29,7 @@ double quantileOfT(std::size_t values, double confidence) {
   return boost::math::quantile(distribution, (1 + confidence) / 2);
 }
 
-/// Exact interval of a mean of counts. Their sum follows Poisson's distribution; the bounds are the means for which a
+/// Exact interval of a mean of counts. Their sum follows Poisson's distribution; the bounds are the means at which a
 /// sum as small, or as large, as the observed one has the probability (1 - confidence) / 2 (Garwood 1936).
 Interval poissonInterval(std::span<const double> counts, double confidence) {
   const double sum = std::accumulate(counts.begin(), counts.end(), 0.0), n = static_cast<double>(counts.size());
@@ -38,8 +38,8 @@ Interval poissonInterval(std::span<const double> counts, double confidence) {
   return {low / n, boost::math::quantile(boost::math::gamma_distribution<>(sum + 1), 1 - tail) / n};
 }
 
-/// Percentiles of means of samples with replacement. They lie too near to each other by sqrt((n - 1) / n) and by normal
-/// instead of t quantiles: the shares are widened by both.
+/// Percentiles of means of samples with replacement. They are too narrow by sqrt((n - 1) / n) and by normal instead of
+/// t quantiles: the shares are widened by both.
 Interval bootstrapInterval(const std::vector<double>& sorted, double confidence) {
   const std::size_t n = sorted.size();
   std::mt19937 random(1);
@@ -47,19 +47,19 @@ Interval bootstrapInterval(const std::vector<double>& sorted, double confidence)
   means.reserve(kSamples);
   for (int sample = 0; sample < kSamples; ++sample) {
     double sum = 0;
-    // Standard distributions may differ between libraries; this engine's numbers may not.
+    // Standard distributions may differ between libraries; the numbers of this engine do not.
     for (std::size_t i = 0; i < n; ++i) sum += sorted[(static_cast<std::uint64_t>(random()) * n) >> 32];
     means.push_back(sum / static_cast<double>(n));
   }
   std::ranges::sort(means);
   const double widened = std::sqrt(static_cast<double>(n) / static_cast<double>(n - 1)) * quantileOfT(n, confidence);
   const double share = boost::math::cdf(boost::math::normal(), -widened);
-  // Rounding of a sum must not lead out of the values.
+  // Limits rounding errors of a sum to the range of the values.
   return {std::max(sorted.front(), quantileOfSorted(means, share)),
           std::min(sorted.back(), quantileOfSorted(means, 1 - share))};
 }
 
-/// The t interval, where its premises hold and it stays in the range.
+/// The t interval, if its assumptions hold and it stays in the range.
 std::optional<Interval> tInterval(const std::vector<double>& sorted, double mean, Interval range, double confidence) {
   const bool hasTies = std::ranges::adjacent_find(sorted) != sorted.end();
   const auto deviation = standardDeviation(sorted);

@@ -44,7 +44,7 @@ std::optional<double> median(std::span<const double> values) {
 
 std::optional<Estimate> proportion(int successes, int trials, double confidence) {
   if (trials < 1 || successes < 0 || successes > trials || !isShare(confidence)) return std::nullopt;
-  // (p + z^2 / 2n +- z sqrt(p (1 - p) / n + z^2 / 4n^2)) / (1 + z^2 / n)
+  // Wilson: (p + z^2 / 2n +- z sqrt(p (1 - p) / n + z^2 / 4n^2)) / (1 + z^2 / n)
   const double n = trials, p = successes / n;
   const double z = boost::math::quantile(boost::math::normal(), (1 + confidence) / 2);
   const double middle = (p + z * z / (2 * n)) / (1 + z * z / n);

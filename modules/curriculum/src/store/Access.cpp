@@ -65,7 +65,7 @@ Reach reachOf(const Rule& rule, const std::optional<Role>& role) {
   return None;
 }
 
-/// Reads the actor's current role, so that a role that was withdrawn does not survive in an open session.
+/// Reads the current role of the person, so that a withdrawn role ends in an open session, too.
 std::optional<Error> lookUp(Transaction& transaction, Actor& actor, Act act) {
   if (actor.id.empty()) return std::nullopt;
   const auto row = transaction.row(
@@ -82,7 +82,7 @@ bool teaches(Transaction& transaction, const std::string& actor, const std::stri
                             actor) > 0;
 }
 
-/// In this cohort; "": in any.
+/// Tells whether the actor teaches the person in this cohort, or in any (empty).
 bool teachesPerson(Transaction& transaction, const std::string& actor, const std::string& person,
                    const std::string& cohort, bool onlyTrainees) {
   return transaction.number(

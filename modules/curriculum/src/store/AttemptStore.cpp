@@ -42,7 +42,7 @@ Result<std::string> beginAttempt(Transaction& transaction, const Core& core, con
   return facts.id;
 }
 
-/// A voided attempt has ended, too: what its end was is looked at without the voiding.
+/// A voided attempt has ended, too: its end is the state before it was voided.
 Result<void> endKept(Transaction& transaction, const Core& core, const AttemptFacts& facts) {
   auto kept = store::findAttempt(transaction, facts.id);
   if (!kept) return fail("There is no attempt " + facts.id + "; begin it first.");
@@ -89,7 +89,7 @@ Result<void> acceptKept(Transaction& transaction, const Core& core, const std::s
     return fail("The attempt is still open, or was voided or broken off; an attempt that has ended can be accepted.");
   if (facts.proof != AttemptProof::Unproven) return fail("The attempt counts already; it need not be accepted.");
   store::acceptAttempt(transaction, id, by);
-  // They were worked out without it.
+  // The standings were computed without this attempt.
   transaction.run("DELETE FROM standings WHERE person = ?", facts.person);
   store::renewStandings(transaction, facts.person, core.now_us());
   store::putIntoOutbox(transaction, core, "attempt", id);
@@ -102,7 +102,7 @@ Result<void> checkReason(const std::string& reason, const char* what) {
   return fail(std::string("An attempt is ") + what + " for a reason; type it.");
 }
 
-/// From the arrival of the attempt with which someone's last so many begin.
+/// Attempts from the arrival of the first of each person's last attempts on.
 constexpr std::string_view kLastOfCohort =
     "WITH since AS (SELECT m.person, COALESCE((SELECT arrival FROM attempts AS a WHERE a.person = m.person "
     "AND curriculum <> '' AND " INSONATE_COUNTS
@@ -116,7 +116,7 @@ constexpr std::string_view kLastOfCohort =
     "FROM since JOIN attempts ON attempts.person = since.person AND arrival >= since.first "
     "WHERE curriculum <> '' AND " INSONATE_COUNTS " ORDER BY attempts.person, arrival";
 
-/// As its beginning is kept: of who is signed in, on this workstation, with an id.
+/// Completes facts as the store keeps them: the signed-in user, this workstation, an id.
 AttemptFacts ownFacts(const SignedIn& by, AttemptFacts facts) {
   facts.person = by.person().id;
   facts.workstation = by.session()->core().workstation();
@@ -157,8 +157,8 @@ Result<std::string> AttemptStore::add(const AttemptFacts& facts, const std::file
                                       if (auto ended = endKept(transaction, core, own); !ended)
                                         return tl::unexpected(ended.error());
                                       if (recording.empty() || core.recordings().empty()) return begun;
-                                      // Before the row is committed: a row whose recording was lost would count without
-                                      // proof.
+                                      // Copies the recording before the row is committed: a row whose recording was
+                                      // lost would count without proof.
                                       const auto kept =
                                           store::keepRecording(core.recordings(), own.id, recording, own.recordingHash);
                                       if (!kept) return tl::unexpected(kept.error());

@@ -7,7 +7,8 @@
 namespace insonate::store {
 namespace {
 
-/// SHA-256 over the hash before and all fields, each with its length before it, so that no two entries read the same.
+/// SHA-256 over the former hash and all fields, each preceded by its length, so that no two entries have the same
+/// input.
 std::string hashOf(const AuditEntry& entry, const std::string& before) {
   std::string bytes;
   for (const std::string& field :

@@ -24,7 +24,7 @@ ClassImportRow refused(const ClassListEntry& entry, const std::string& sentence)
   return {.line = entry.line, .person = entry.person, .step = Step::Refuse, .why = atLine(entry.line, sentence)};
 }
 
-/// All for an administrator, the people of their own cohorts for an instructor.
+/// People whom the user may see: all for an administrator, those of their own cohorts for an instructor.
 std::vector<Person> visiblePeople(Transaction& transaction, const Actor& actor) {
   std::vector<Person> people;
   for (const Row& row :
@@ -42,7 +42,7 @@ std::vector<ClassImportRow> planned(Transaction& transaction, const Actor& actor
   for (const ClassListTrouble& trouble : match.troubles)
     rows.push_back({.line = trouble.line, .person = trouble.person, .step = Step::Refuse, .why = trouble.sentence});
   for (const ClassListEntry& entry : match.added) {
-    // Someone in a class of others is not seen by an instructor, but has the name.
+    // The name of a person whom the instructor cannot see may be in use.
     const auto free = store::checkNameIsFree(transaction, Person{.name = entry.person.name});
     rows.push_back(free ? ClassImportRow{.line = entry.line, .person = entry.person, .step = Step::Add}
                         : refused(entry, free.error().message));

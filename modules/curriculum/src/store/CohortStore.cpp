@@ -31,9 +31,8 @@ Result<void> checkName(Transaction& transaction, const std::string& id, const st
   return {};
 }
 
-/// Persons, what they did, and how far they were when that was last worked out for their cohort's curriculum. Attempts
-/// that do not count are taken off by a query of their own: one over all would read each attempt's metrics, which the
-/// index lacks.
+/// Members, their attempts, and their standing when it was last computed for the cohort's curriculum. A separate query
+/// subtracts attempts that do not count: a single one would read the metrics of each attempt, which the index lacks.
 constexpr std::string_view kMembers =
     "SELECT " INSONATE_PERSON_COLUMNS
     ", memberships.teaches, done.attempts - (SELECT COUNT(*) FROM attempts WHERE attempts.person = people.id "

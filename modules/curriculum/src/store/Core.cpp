@@ -35,7 +35,7 @@ std::int64_t systemNow_us() {
       .count();
 }
 
-/// Goes on while the computer sleeps.
+/// This clock also runs while the computer sleeps.
 std::int64_t systemUpTime_us() {
   timespec time{};
   ::clock_gettime(CLOCK_BOOTTIME, &time);
@@ -121,7 +121,7 @@ void Core::audit(Transaction& transaction, const std::string& actor, std::string
                             .workstation = workstation(),
                             .act = std::string(act),
                             .person = forLog(person),
-                            // As the database gives it back, or its hash would not fit.
+                            // Normalized as the database returns it; otherwise its hash would not match.
                             .detail = bound(detail).toString().toStdString(),
                             .allowed = allowed});
 }

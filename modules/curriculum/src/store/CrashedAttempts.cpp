@@ -39,7 +39,7 @@ void keepRun(Transaction& transaction, const Core& core) {
 }
 
 Result<void> abandonCrashed(Core& core) {
-  // Most often there are none: others need not wait for a writer then.
+  // Usually there are none, and no lock for writing is needed.
   const auto some = inTransaction(
       core, Way::Read, [&](Transaction& transaction) -> Result<bool> { return !deadRuns(transaction, core).empty(); });
   if (!some) return tl::unexpected(some.error());

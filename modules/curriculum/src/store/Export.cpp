@@ -18,7 +18,7 @@ namespace {
 struct Table {
   const char* name;
   std::vector<const char*> columns;
-  std::string_view all;  ///< those columns of all rows
+  std::string_view all;  ///< these columns of all rows
 };
 
 const std::vector<Table>& tables() {
@@ -79,7 +79,7 @@ const std::vector<Table>& tables() {
 
 nlohmann::ordered_json jsonOf(const std::string_view column, const Row& row, std::size_t at) {
   if (row.isNull(at)) return nullptr;
-  // Kept as texts, read as what they are.
+  // Columns that are stored as text and exported as JSON.
   if (column == "metrics" || column == "answers") return nlohmann::ordered_json::parse(row.text(at), nullptr, false);
   switch (row.value(at).type()) {
     case QVariant::Int:

@@ -16,7 +16,7 @@ KeptForm keptFormOf(const Row& row) {
 
 std::vector<KeptForm> allKept(const std::vector<Row>& rows, const std::string& reader) {
   std::vector<KeptForm> forms;
-  std::set<std::pair<std::string, std::string>> judged;  // by the reader: attempt and form
+  std::set<std::pair<std::string, std::string>> judged;  // forms of the reader: attempt and form
   forms.reserve(rows.size());
   for (const Row& row : rows) {
     forms.push_back(keptFormOf(row));

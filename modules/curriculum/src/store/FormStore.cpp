@@ -24,8 +24,8 @@ Result<void> checkFilled(const FilledForm& filled) {
   return store::checkJsonObject("The answers", filled.answers);
 }
 
-/// A rater has one word on an attempt: a second sheet would be filled in with the others' answers known. The same sheet
-/// sent again has the same id.
+/// A rater submits a form about an attempt once, since a second form would be filled in with knowledge of the others'
+/// answers. The same form sent again has the same id.
 Result<void> checkOnce(Transaction& transaction, const FilledForm& filled) {
   if (filled.attempt.empty()) return {};
   if (transaction.number("SELECT COUNT(*) FROM forms WHERE attempt = ? AND form = ? AND filled_by = ? AND id <> ?",

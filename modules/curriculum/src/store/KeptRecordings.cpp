@@ -24,7 +24,7 @@ constexpr std::string_view kSuffix = ".attempt";
 
 using TakePart = std::function<void(const char* bytes, std::size_t count)>;
 
-/// Hands over a file's bytes part by part. False where it cannot be read.
+/// Passes the bytes of a file on, part by part. False if it cannot be read.
 bool readParts(const fs::path& file, const TakePart& take) {
   std::ifstream stream(file, std::ios::binary);
   std::array<char, 65536> part;
@@ -52,13 +52,13 @@ class Sha256 {
   crypto_hash_sha256_state state_;
 };
 
-/// "": it cannot be read.
+/// Empty if the file cannot be read.
 std::string hashOfFile(const fs::path& file) {
   Sha256 hash;
   return readParts(file, [&](const char* bytes, std::size_t count) { hash.take(bytes, count); }) ? hash.digits() : "";
 }
 
-/// Copies part by part and hashes what it copies, so that nothing can change in between.
+/// Hashes the parts while it copies them, so that the file cannot change in between.
 Result<void> copyHashed(const fs::path& from, const fs::path& to, const std::string& hash) {
   makePrivate(to);
   std::ofstream out(to, std::ios::binary | std::ios::trunc);

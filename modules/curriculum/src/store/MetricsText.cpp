@@ -7,8 +7,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Takes metrics as they are read: a class's screen has 2000 attempts with 26 each, and building a tree of them first
-/// takes twice as long.
+/// Parses metrics as a stream: the page of a class has 2000 attempts with 26 metrics each, and building a JSON tree
+/// first takes twice as long.
 class MetricsReader final : public nlohmann::json_sax<json> {
  public:
   std::vector<MetricFact> metrics;

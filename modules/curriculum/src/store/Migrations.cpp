@@ -13,7 +13,7 @@
 namespace insonate::store {
 namespace {
 
-/// Files are named NUMBER_what, or NUMBER_what_DIALECT where dialects differ; within a number they follow their order.
+/// Files are named NUMBER_name, or NUMBER_name_DIALECT if dialects differ; files of a number are sorted by name.
 std::map<int, std::vector<embedded::migrations::File>> migrationsFor(const Dialect& dialect) {
   const std::string_view other = dialect.name == "sqlite" ? "_postgresql" : "_sqlite";
   std::map<int, std::vector<embedded::migrations::File>> found;
@@ -75,7 +75,7 @@ Result<void> refuseForeign(Connection& connection) {
 
 Result<void> migrate(Connection& connection, const Address& address, std::int64_t now_us) {
   {
-    // Under the writers' lock: two that create a table at once get in each other's way on a server.
+    // Holds the writers' lock: two processes that create a table at once would conflict on a server.
     Transaction transaction(connection, Way::Write);
     transaction.script(
         connection.dialect().spelled("CREATE TABLE IF NOT EXISTS schema_migrations (number {INTEGER} NOT NULL PRIMARY "

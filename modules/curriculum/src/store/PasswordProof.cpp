@@ -21,7 +21,7 @@ std::optional<Known> findByName(Transaction& transaction, const std::string& nam
   return Known{personOf(*row), row->text(6), row->number(7), row->truth(8)};
 }
 
-/// Counts the try before the password is looked at. None: there is no such person.
+/// Counts the try before it checks the password. None if the person does not exist.
 Result<std::optional<Known>> beginSigningIn(Core& core, const std::string& name) {
   std::int64_t wait_s = 0;
   auto known = inTransaction(core, Way::Write, [&](Transaction& transaction) -> Result<std::optional<Known>> {
@@ -37,7 +37,7 @@ Result<std::optional<Known>> beginSigningIn(Core& core, const std::string& name)
 Result<void> endSigningIn(Core& core, const std::string& name, const std::optional<Known>& known, bool fits) {
   return inTransaction(core, Way::Write, [&](Transaction& transaction) -> Result<void> {
     if (fits) resetFailures(transaction, name);
-    // Only ids of existing people are logged: text typed in place of a name may be a password.
+    // Only ids of existing people are logged, since a text in the field of the name may be a password.
     core.audit(transaction, fits ? known->person.id : "", "sign in", known ? known->person.id : "", "", fits);
     return {};
   });

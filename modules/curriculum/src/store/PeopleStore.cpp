@@ -37,7 +37,7 @@ Result<void> changePerson(Transaction& transaction, const Person& person) {
       "UPDATE people SET name = ?, name_key = ?, full_name = ?, email = ?, role = ?, disabled = ? WHERE id = ?",
       person.name, store::nameKey(person.name), person.fullName, person.email, store::nameOf(person.role),
       person.disabled, person.id);
-  // Trainees do not teach: who is made one no longer sees the cohorts they taught.
+  // Trainees do not teach: an instructor who becomes a trainee no longer sees the former cohorts.
   if (person.role == Role::Trainee)
     transaction.run("DELETE FROM memberships WHERE person = ? AND teaches = 1", person.id);
   return {};

@@ -16,8 +16,8 @@ std::string bootId() {
   return id;
 }
 
-/// Field 22 of /proc/PID/stat (proc(5)); the second is a name in brackets, which may hold anything. 0: there is no such
-/// process.
+/// Field 22 of /proc/PID/stat (proc(5)); the second field is a name in brackets that may contain any text. 0 if the
+/// process does not exist.
 std::int64_t startOf(std::int64_t pid) {
   std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
   std::string stat;

@@ -25,10 +25,10 @@ fs::path with(const fs::path& file, const char* ending) {
   return fs::path(file.string() + ending);
 }
 
-/// A database's file and the two that SQLite keeps beside it.
+/// The file of a database and the two that SQLite adds.
 constexpr const char* kParts[] = {"", "-wal", "-shm"};
 
-/// A copy of a backup to check, migrate and put in place; gone when this ends, unless it was moved.
+/// A copy of a backup to check, migrate and rename; deleted at the end unless it was renamed.
 struct Candidate {
   explicit Candidate(const fs::path& target)
       : file(with(target, (".restoring-" + std::to_string(::getpid())).c_str())) {}
@@ -49,7 +49,7 @@ struct Restorer {
   std::string id{}, detail{};
 };
 
-/// An administrator of the store that is to be replaced; none where there is nobody to ask.
+/// An administrator of the store to be replaced; none if there is nobody to ask.
 Result<std::optional<Restorer>> askReplaced(const fs::path& file, const std::string& administrator,
                                             const std::string& password) {
   const auto core = Core::reach(file.string(), {});
@@ -63,8 +63,8 @@ Result<std::optional<Restorer>> askReplaced(const fs::path& file, const std::str
   });
 }
 
-/// Checks that the backup's pages are readable and its log is consistent. If no person of the replaced store restores
-/// it, an administrator of the backup has to ask. Leaves an entry in the backup's log.
+/// Checks that the pages of the backup are readable and its log is consistent. If no person of the replaced store
+/// restores it, an administrator of the backup must do so. Adds an entry to the backup's log.
 Result<void> checkCandidate(const fs::path& file, std::optional<Restorer> restorer, const std::string& administrator,
                             const std::string& password) {
   const auto core = Core::open(file.string(), {});
@@ -87,7 +87,7 @@ bool isWhole(const fs::path& file) {
   return connection && store::checkPages(**connection);
 }
 
-/// Overwrites a database that others may have open, as one transaction of theirs.
+/// Overwrites a database that other processes may have open, as one transaction.
 Result<void> writeOver(const fs::path& file, const fs::path& candidate) {
   const auto to = Connection::open(*Address::parse(file.string()));
   if (!to) return tl::unexpected(to.error());
@@ -124,7 +124,7 @@ Result<void> restoreStore(const fs::path& file, const fs::path& backup, const st
   const Candidate candidate(file);
   if (auto copied = store::copyFile(backup, candidate.file); !copied) return copied;
   if (auto ok = checkCandidate(candidate.file, *restorer, administrator, password); !ok) return refused(ok.error());
-  // First the recordings: a file that no row names does no harm, a row without its recording cannot be checked.
+  // Restores recordings first: a file without a row does no harm, but a row without its recording cannot be checked.
   if (auto copied = store::copyRecordings(store::recordingsBeside(backup), store::recordingsBeside(file)); !copied)
     return refused(copied.error());
   return replaces ? writeOver(file, candidate.file) : moveInto(file, candidate.file);

@@ -22,7 +22,7 @@ std::string hex(std::span<const std::uint8_t> bytes) {
   return digits;
 }
 
-/// None where these are not so many bytes in hexadecimal digits.
+/// None if the text is not this number of bytes in hexadecimal digits.
 std::optional<Bytes> bytesOf(const std::string& digits, std::size_t size) {
   Bytes bytes(size);
   std::size_t found = 0;
@@ -95,7 +95,7 @@ Result<void> keepSecret(Core& core) {
   if (!known) return tl::unexpected(known.error());
   if (*known) return {};
   return inTransaction(core, Way::Write, [](Transaction& transaction) -> Result<void> {
-    if (transaction.row("SELECT one FROM store_secret")) return {};  // another program was first
+    if (transaction.row("SELECT one FROM store_secret")) return {};  // another program has made it first
     Bytes secret(32);
     randombytes_buf(secret.data(), secret.size());
     transaction.run("INSERT INTO store_secret VALUES (1, ?)", hex(secret));

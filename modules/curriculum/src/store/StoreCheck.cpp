@@ -24,8 +24,8 @@ using Differences = std::vector<StoreDifference>;
 /// Entries of the audit log about an attempt; AttemptStore.cpp and site/SendFacts.cpp write them.
 struct Logged {
   std::string person{};
-  std::optional<std::string> level{};      ///< as the log shortens it; none: it came from a workstation
-  std::optional<std::string> recording{};  ///< its hash; none: no end was logged
+  std::optional<std::string> level{};      ///< as the log shortens it; none for an attempt from a workstation
+  std::optional<std::string> recording{};  ///< its hash; none if no end was logged
   bool wasReceived = false;
 };
 
@@ -67,7 +67,7 @@ void compare(const Row& row, const Logged& logged, Differences& differences) {
 Differences compareWithLog(Transaction& transaction) {
   Differences differences;
   std::map<std::string, Logged> logged = loggedAttempts(transaction);
-  // A store that was made by schema 3 or later, in one go, has an entry for each attempt.
+  // A store that was created by schema 3 or later has an entry for each attempt.
   bool hasBegun = transaction.number("SELECT COUNT(DISTINCT applied_us) FROM schema_migrations WHERE number <= 3") == 1;
   for (const Row& row :
        transaction.rows("SELECT arrival, id, person, level, recording_hash, state, crashed FROM attempts "
@@ -87,7 +87,7 @@ Differences compareWithLog(Transaction& transaction) {
   return differences;
 }
 
-/// Worked out as of the time when the stored one was, from the attempts that had ended.
+/// Computes the standing as of the time of the stored one, from the attempts that had ended by then.
 Standing workedOut(const Curriculum& curriculum, const std::vector<AttemptFacts>& history, const Standing& kept) {
   return standingOf(curriculum, history, progressOf(curriculum, history, kept.from_us), kept.from_us, kept.changes);
 }
@@ -108,17 +108,17 @@ void compare(const Standing& kept, const Standing& expected, const std::string& 
   expect("valid until", std::to_string(kept.until_us), std::to_string(expected.until_us));
 }
 
-/// One that is not current is worked out anew before it is shown.
+/// A standing that is out of date is computed again before it is shown.
 void checkStanding(Transaction& transaction, const Row& row, std::int64_t now_us, Differences& differences) {
   const std::string person = row.text(10);
   const std::int64_t changes = transaction.number("SELECT " INSONATE_CHANGES " FROM attempts WHERE person = ?", person);
   if (!store::isCurrent(row, 0, changes, now_us)) return;
   const Standing kept = store::standingFrom(row, 0);
   const auto curriculum = store::publishedCurriculum(transaction, kept.curriculum, kept.curriculumVersion);
-  if (!curriculum) return;  // StoreUpkeep::verify() tells why; nobody is shown a standing in it
+  if (!curriculum) return;  // StoreUpkeep::verify() reports the reason; standings in it are not shown
   const std::vector<AttemptFacts> history = store::historyOf(transaction, person);
   Standing expected = workedOut(*curriculum, history, kept);
-  // An attempt that was begun since then is open, and may have been begun by a clock that is ahead.
+  // An attempt that began later is open; the clock may have been ahead when it began.
   if (expected.until_us != kept.until_us) {
     std::vector<AttemptFacts> ended = history;
     std::erase_if(ended, [](const AttemptFacts& facts) { return facts.state == AttemptState::Open; });

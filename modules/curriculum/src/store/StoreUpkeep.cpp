@@ -38,15 +38,14 @@ Result<void> StoreUpkeep::verify() const {
 
 Result<void> StoreUpkeep::backup(const std::filesystem::path& file, const Progress& progress) const {
   store::Core& core = by_.session()->core();
-  // Decided and logged first: what is copied has the entry.
+  // Decides and logs first, so that the copy contains the entry.
   auto allowed = by_.session()->read({.act = Act::LookAfterStore, .detail = "backup to " + file.string()},
                                      [](Transaction&, const Actor&) -> Result<void> { return {}; });
   if (!allowed) return allowed;
   if (core.address().isServer) return fail(core.place() + " is a server; back it up with pg_dump, where it runs.");
   const auto connection = core.connection();
   if (!connection) return tl::unexpected(connection.error());
-  // The file comes into its place once its recordings are there. They are copied after the rows, each of which has its
-  // recording by then.
+  // Renames the file once its recordings are complete. They are copied after the rows, whose recordings exist by then.
   return writeAtomically(file, [&](const std::filesystem::path& beside) -> Result<void> {
     if (auto copied = store::copyToFile(**connection, beside); !copied) return copied;
     return store::copyRecordings(core.recordings(), store::recordingsBeside(file), progress);

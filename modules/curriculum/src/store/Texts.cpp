@@ -15,14 +15,14 @@ namespace insonate::store {
 namespace {
 
 constexpr std::size_t kMostName = 64, kMostTitle = 200, kMostJson = 1'000'000;
-// NIST SP 800-63B asks for 8 at least.
+// NIST SP 800-63B requires at least 8 characters.
 constexpr int kLeastPassword = 8, kMostPassword = 200;
 
 QString words(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
 }
 
-/// Unicode's embeddings, overrides and isolates: they change how the text beside them is read.
+/// Unicode's embeddings, overrides and isolates, which change the direction of the text beside them.
 bool turnsDirection(uint letter) {
   return (letter >= 0x202a && letter <= 0x202e) || (letter >= 0x2066 && letter <= 0x2069);
 }

@@ -46,8 +46,8 @@ TissueColumn ColumnGrid::measure(int column) const {
   const PlaneTissue* here = tissue.data() + at(column, 0);
   const auto inside = [&](int row) { return here[row].skin_mm < 0; };
   TissueColumn found;
-  // The skin that the face meets: up from the face where that is in tissue, else down from it, so that a chin above
-  // the probe does not count.
+  // The skin that the face meets: the next skin above a face in tissue, else below it, so that a chin above the probe
+  // does not count.
   int row = std::clamp(static_cast<int>(std::floor((0 - z_mm(0)) / step)), 0, rowCount - 1);
   if (inside(row))
     while (row > 0 && inside(row - 1)) --row;

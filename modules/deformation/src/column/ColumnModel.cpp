@@ -14,14 +14,14 @@ using column::ColumnLoad;
 using column::LabelSprings;
 using column::TissueColumn;
 
-constexpr double kTouch_mm = 1e-6;  // less is not pressing
+constexpr double kTouch_mm = 1e-6;  // a smaller indentation does not count as compression
 constexpr double kNewtonPerkPamm2 = 1e-3;
 
 double sane(double value, double low, double high, double otherwise) {
   return std::isfinite(value) ? std::clamp(value, low, high) : otherwise;
 }
 
-/// An answer in which nothing moves; keeps its memory.
+/// Resets the answer to no motion; keeps its memory.
 void rest(Deformation& answer) {
   answer.displacement.columns = answer.displacement.rows = 0;
   answer.displacement.restFromSeen.clear();
@@ -39,7 +39,7 @@ class ColumnModel : public DeformationModel {
   ColumnModel(const MechanicalTable& tissues, const DeformationSettings& wanted) : springs(tissues), settings(wanted) {}
 
   std::string_view name() const override { return "column"; }
-  void reset() override {}  // every question stands for itself
+  void reset() override {}  // questions are independent of each other
 
   void solve(const DeformationInput& input, Deformation& answer) override {
     rest(answer);
@@ -63,7 +63,7 @@ class ColumnModel : public DeformationModel {
   }
 
  private:
-  /// Nothing under the face's middle can give way.
+  /// No tissue under the middle of the face can yield.
   static void restOnRigid(double force_N, const TissueColumn& middle, Deformation& answer) {
     answer.force_N = force_N;
     answer.faceShift_mm = force_N > 0 ? middle.skin_mm : 0;
@@ -82,13 +82,13 @@ class ColumnModel : public DeformationModel {
     return pressure_kPa * grid.step_mm() * footprint_mm * kNewtonPerkPamm2;
   }
 
-  /// Equation 1, with all columns that the profile presses along; the force grows with the indentation.
+  /// Equation 1, with all columns that the profile compresses; the force increases with the indentation.
   double indentationFor(double force_N, Deformation& answer) const {
     double low_mm = 0, high_mm = springs.limit_mm(grid.column(grid.middle()).length_mm);
     answer.iterations = 1;
     answer.converged = forceAt(high_mm) >= force_N;
     if (!answer.converged) return high_mm;
-    // Below every limit the law is linear, and the first guess is the answer.
+    // Below all limits the law is linear, and the first guess is exact.
     constexpr double kSmall_mm = 1e-3;
     double guess_mm = std::min(high_mm, force_N * kSmall_mm / forceAt(kSmall_mm));
     for (; answer.iterations < 60; ++answer.iterations) {
@@ -132,7 +132,7 @@ class ColumnModel : public DeformationModel {
     writeLumens(answer);
   }
 
-  /// Equation 5: where the springs of a column begin, added up from the bottom. Above the skin, the air moves with it.
+  /// Equation 5: positions of the springs of a column, summed from the bottom. Above the skin, air moves with it.
   void placeSprings(int c) {
     seen_mm[grid.rows()] = grid.bottom_mm();
     const int first = grid.column(c).met ? grid.column(c).first : grid.rows();
@@ -172,8 +172,8 @@ class ColumnModel : public DeformationModel {
     }
   }
 
-  /// Columns without tissue take over the nearest column's displacement: it shows nothing, but does not bend the tissue
-  /// beside them when the field is interpolated.
+  /// Columns without tissue get the nearest column's displacement: they show nothing, and interpolation does not bend
+  /// the tissue beside them.
   void fillAirColumns(PlaneDisplacement& field) const {
     const auto copy = [&](int from, int to) {
       for (int r = 0; r < field.rows; ++r)
@@ -223,7 +223,7 @@ class ColumnModel : public DeformationModel {
   double footprint_mm = 10;
   ColumnGrid grid;
   std::vector<ColumnLoad> loads;
-  std::vector<double> seen_mm;  ///< of one column's springs, upper ends; the last is the bottom
+  std::vector<double> seen_mm;  ///< upper ends of one column's springs; the last is the bottom
 };
 
 }  // namespace

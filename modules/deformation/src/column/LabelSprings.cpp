@@ -13,7 +13,7 @@ double complianceOf(const MechanicalTissue& tissue, int label) {
     case Mechanics::Lumen:
       return 1 / (label == kArtery ? kArteryLumen_kPa : kVeinLumen_kPa);
     case Mechanics::Rigid:
-    // Air in the body is held open by what surrounds it; a spring of no stiffness would take all the pressing.
+    // The tissue around air holds it open; a spring without stiffness would take the whole compression.
     case Mechanics::Gas:
       break;
   }
@@ -33,7 +33,7 @@ LabelSprings::LabelSprings(const MechanicalTable& tissues) {
 ColumnLoad LabelSprings::loadAtShortening(double shortening_mm, const LengthByLabel& length_mm) const {
   ColumnLoad load;
   if (!(shortening_mm > 0)) return load;
-  // The softest reach their limit first; what they cannot give any more, the others do.
+  // The softest springs reach their limit first; the others take the rest.
   double atLimit_mm = 0;
   for (int next = 0; next < kLabelCount; ++next) {
     double compliance_mmPerkPa = 0;

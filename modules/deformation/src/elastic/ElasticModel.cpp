@@ -13,7 +13,8 @@ using namespace elastic;
 
 constexpr float kTolerance_mm = 0.01f;
 
-/// Motion of the probe after which the vessels' prestress is computed again; a turn counts at this arm's end.
+/// Motion of the probe after which the vessels' prestress is computed again; a rotation counts as the motion of the end
+/// of this arm.
 constexpr double kStressLasts_mm = 2;
 constexpr double kArm_mm = 20;
 
@@ -43,7 +44,7 @@ class ElasticModel final : public DeformationModel {
                                     static_cast<float>(settings_.enough_mm)};
     bool found = carried && attempt(input, face, load, patience, answer);
     if (!found) {
-      // From rest: first, or since what was carried over led astray.
+      // Starts from rest: in the first solution, or if the transferred solution failed.
       solver_.start();
       load.shift_mm = 0;
       found = attempt(input, face, load, patience, answer);
@@ -57,7 +58,7 @@ class ElasticModel final : public DeformationModel {
   }
 
  private:
-  /// False where tissue was thrown far away, or turned over widely.
+  /// False if tissue moved too far, or if cells inverted over a large region.
   bool attempt(const DeformationInput& input, const FaceProfile& face, const Solver::Load& load,
                const Solver::Patience& patience, Deformation& answer) {
     const Solver::Outcome outcome = solver_.solve(face, load, patience);
@@ -66,7 +67,7 @@ class ElasticModel final : public DeformationModel {
     return describe(input, outcome, answer) && solved_;
   }
 
-  /// Mesh and stiffness for where the probe is now. True where the last solution has been carried over.
+  /// Builds mesh and stiffness at the present pose. True if the last solution was transferred.
   bool place(const DeformationInput& input) {
     const bool same = known_ && input.patientFromProbe && last_ && *last_ == *input.patientFromProbe &&
                       plane_ == input.plane && face_.width_mm == input.face.width_mm &&
@@ -90,7 +91,8 @@ class ElasticModel final : public DeformationModel {
     return carry;
   }
 
-  /// Takes the vessels' prestress over from where it was last found, if that is near; else it is found anew.
+  /// Transfers the vessels' prestress from the pose of its computation, if that is near; otherwise it must be computed
+  /// again.
   bool stressLasts(const Transform& patientFromProbe) {
     const Transform foundFromNow = inverted(stressFound_) * patientFromProbe;
     const Vec3 turned = foundFromNow.linear * Vec3{kArm_mm, 0, 0} - Vec3{kArm_mm, 0, 0};
@@ -120,7 +122,7 @@ class ElasticModel final : public DeformationModel {
     return sum;
   }
 
-  /// False where the displacement is not one-to-one.
+  /// False if the displacement is not one-to-one.
   bool describe(const DeformationInput& input, const Solver::Outcome& outcome, Deformation& answer) {
     const Nodes &rest = mesh_.rest(), &now = solved_ ? solver_.at() : rest;
     answer.force_N = outcome.force_kPa_mm * input.face.footprint_mm / 1000;

@@ -2,7 +2,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "elastic/ElementKernel.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target:
+// Must follow foreach_target:
 #include "elastic/Elements.h"
 
 #include <hwy/highway.h>
@@ -40,14 +40,14 @@ HWY_INLINE Corners cornersOf(const float* pairs, std::size_t n, int columns) {
   return c;
 }
 
-/// Twice the area by the diagonals.
+/// Twice the area, from the diagonals.
 HWY_INLINE V twiceArea(const Corners& c) {
   const V d1x = hn::Sub(c.x[2], c.x[0]), d1z = hn::Sub(c.z[2], c.z[0]);
   const V d2x = hn::Sub(c.x[3], c.x[1]), d2z = hn::Sub(c.z[3], c.z[1]);
   return hn::NegMulAdd(d1z, d2x, hn::Mul(d1x, d2z));
 }
 
-/// Derivative of the area by the corners.
+/// Derivative of the area with respect to the corners.
 HWY_INLINE Corners areaGradient(const Corners& c) {
   const V half = hn::Set(Tag(), 0.5f);
   const V d1x = hn::Mul(half, hn::Sub(c.x[2], c.x[0])), d1z = hn::Mul(half, hn::Sub(c.z[2], c.z[0]));
@@ -67,7 +67,7 @@ HWY_INLINE V dotCorners(const Corners& a, const Corners& b) {
   return sum;
 }
 
-/// Pressure coefficient and its slope by J.
+/// Pressure coefficient, and its derivative with respect to J.
 struct Pressure {
   V value, slope;
 };
@@ -99,7 +99,7 @@ HWY_INLINE void addTo(std::vector<float>& array, std::size_t n, V value) {
 }
 
 constexpr int kM[4][4] = {{0, 1, 2, 3}, {1, 4, 5, 6}, {2, 5, 7, 8}, {3, 6, 8, 9}};
-/// 2 d2A / dx_a dz_b; that by dz_a dx_b is its negative.
+/// 2 d2A / dx_a dz_b; the derivative by dz_a dx_b is its negative.
 constexpr float kTwist[4][4] = {{0, 1, 0, -1}, {-1, 0, 1, 0}, {0, -1, 0, 1}, {1, 0, -1, 0}};
 
 /// Storage place of the coupling of two corners: row node, block.

@@ -2,7 +2,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "elastic/FrontKernel.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target:
+// Must follow foreach_target:
 #include "elastic/FrontKernel.h"
 
 #include <hwy/highway.h>
@@ -15,8 +15,8 @@ namespace insonate::elastic::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<float, 16>;
 constexpr int kOverhang = 16;
-/// A zero that the compiler does not know: forty thousand rows of some ten numbers are cleared for an image, which is
-/// faster than as many calls of memset.
+/// A zero unknown to the compiler: an image clears forty thousand rows of about ten numbers, and as many calls of
+/// memset would be slower.
 volatile const float kNothing = 0;
 
 /// target[i][j] -= sum over r of a[r][i] * b[r][j] for a tile of kRows x kVectors vectors.
@@ -46,7 +46,7 @@ HWY_INLINE void subtractTile(const float* HWY_RESTRICT a, const float* HWY_RESTR
     }
 }
 
-/// The same for columns `begin` to `end`; writes less than a vector beyond.
+/// The same for columns `begin` to `end`; writes up to one vector beyond.
 template <int kRows>
 HWY_INLINE void subtractRows(const float* a, const float* b, int stride, int depth, float* target, int begin, int end) {
   const int lanes = static_cast<int>(hn::Lanes(Tag()));
@@ -74,7 +74,7 @@ HWY_INLINE void subtractRow(float* HWY_RESTRICT row, const float* HWY_RESTRICT o
     hn::StoreU(hn::NegMulAdd(f, hn::LoadU(d, other + j), hn::LoadU(d, row + j)), d, row + j);
 }
 
-/// Columns `begin` to `end`, and less than a vector beyond.
+/// Columns `begin` to `end`, and up to one vector beyond.
 HWY_INLINE void clearRow(hn::Vec<Tag> nothing, float* HWY_RESTRICT row, int begin, int end) {
   const Tag d;
   for (int j = begin; j < end; j += static_cast<int>(hn::Lanes(d))) hn::StoreU(nothing, d, row + j);
@@ -148,7 +148,7 @@ int factorPanel(float* panel, int own, int size, int stride) {
       const auto f = hn::Set(d, inverse);
       for (int j = r; j < size; j += static_cast<int>(hn::Lanes(d)))
         hn::StoreU(hn::Mul(hn::LoadU(d, row + j), f), d, row + j);
-      row[r] = inverse;  // of the diagonal: what substitution needs
+      row[r] = inverse;  // inverse of the diagonal, for substitution
     }
     subtractSquare(panel + std::size_t(begin) * stride, stride, end - begin, panel, end, own, size);
   }
@@ -161,7 +161,7 @@ int eliminateTarget(const FrontWork& work, int index) {
   float* update = work.updates[front.side][front.depth].data();
   const int size = front.own + front.border;
   const auto nothing = hn::Set(Tag(), kNothing);
-  // As far as whole vectors write: substitution reads it, times zero, which must not be infinite.
+  // Initializes the part that whole vectors write: substitution multiplies it by zero, so that it must not be infinite.
   for (int r = 0; r < front.own; ++r) clearRow(nothing, panel + std::size_t(r) * front.stride, r, size + kOverhang);
   for (int r = 0; r < front.border; ++r) clearRow(nothing, update + std::size_t(r) * front.stride, r, front.border + 1);
   addEntries(work, front, panel);

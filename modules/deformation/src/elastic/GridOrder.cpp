@@ -9,9 +9,9 @@ namespace {
 
 constexpr int kLeafNodes = 12;
 constexpr int kStrideUnit = 8;
-constexpr int kSlack = 16;  // the right-hand side, and what whole vectors write beyond
+constexpr int kSlack = 16;  // the right-hand side, and room for whole vectors
 
-/// Odd multiples of the unit: rows then spread over all sets of a cache.
+/// Odd multiples of the unit, so that rows are distributed over all sets of a cache.
 int roundedUp(int n) {
   return ((n + kStrideUnit - 1) / kStrideUnit | 1) * kStrideUnit;
 }

@@ -11,11 +11,11 @@ namespace {
 constexpr float kNone = std::numeric_limits<float>::max();
 
 struct Corner {
-  float x, z;            // now
-  float shiftX, shiftZ;  // rest minus now
+  float x, z;            // present position
+  float shiftX, shiftZ;  // rest position minus present position
 };
 
-/// Shifts over a triangle, linear: the lattice points inside it.
+/// Linear shifts over a triangle, at the lattice points inside it.
 void fillTriangle(const Corner& a, const Corner& b, const Corner& c, PlaneDisplacement& out) {
   const float det = (b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x);
   if (det < 1e-9f) return;
@@ -40,7 +40,8 @@ void fillTriangle(const Corner& a, const Corner& b, const Corner& c, PlaneDispla
     }
 }
 
-/// Points that no cell covers, above the skin and beyond the mesh, take the shift of the nearest below, else above.
+/// Points that no cell covers, above the skin and beyond the mesh, get the shift of the nearest point below, else
+/// above.
 void fillRest(PlaneDisplacement& out) {
   for (int k = 0; k < out.columns; ++k) {
     PlaneDisplacement::Shift last{};
@@ -57,8 +58,8 @@ void fillRest(PlaneDisplacement& out) {
   }
 }
 
-/// In sharply folded tissue single points of the lattice may lie on the wrong side of others: they take the mean of
-/// their neighbors until none does.
+/// In sharply folded tissue, single lattice points may lie on the wrong side of others: they get the mean of their
+/// neighbors until none does.
 bool unfold(PlaneDisplacement& out, std::vector<int>& folded) {
   constexpr int kMostRounds = 200;
   const int nx = out.columns;
@@ -110,7 +111,7 @@ bool invertMesh(const Mesh& mesh, const Nodes& now, const InverseMapExtent& exte
     for (int i = 0; i + 1 < nx; ++i) {
       const std::size_t n = std::size_t(j) * nx + i;
       const Corner a = corner(n), b = corner(n + 1), c = corner(n + 1 + nx), d = corner(n + nx);
-      // The diagonal from which both triangles are the right way round.
+      // The diagonal with which both triangles have the right orientation.
       if ((b.x - a.x) * (c.z - a.z) > (b.z - a.z) * (c.x - a.x) &&
           (c.x - a.x) * (d.z - a.z) > (c.z - a.z) * (d.x - a.x)) {
         fillTriangle(a, b, c, out);

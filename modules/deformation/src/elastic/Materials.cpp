@@ -7,9 +7,9 @@
 namespace insonate::elastic {
 namespace {
 
-constexpr float kBloodMu_kPa = 0.1f;  // what fills a lumen besides pressure: enough to keep its cells in order
+constexpr float kBloodMu_kPa = 0.1f;  // material of a lumen besides pressure, which keeps its cells regular
 constexpr float kGasMu_kPa = Materials::kGasMu_kPa;
-constexpr float kStiffest_kPa = 2000;  // beyond, it makes no difference to what is round it
+constexpr float kStiffest_kPa = 2000;  // a higher stiffness makes no difference to the tissue around it
 
 struct Moduli {
   float mu = 0, bulk = 0, logMu = 0;
@@ -54,7 +54,7 @@ float shareWithin(const std::array<float, 4>& corner, float reach, float size) {
 /// The layers of a vessel, as moduli.
 struct Vessel {
   bool lumen = false;
-  float wall_mm = 0, reach_mm = 0;  ///< thickness of the wall, and of wall and loose tissue
+  float wall_mm = 0, reach_mm = 0;  ///< thickness of the wall; of wall and loose tissue together
   Moduli inside, wall, sheath;
 
   explicit Vessel(const MechanicalTissue& t)
@@ -66,12 +66,13 @@ struct Vessel {
         sheath(moduliOf(t.sheathYoung_kPa, 0.49)) {}
 };
 
-/// Mixture of a cell's materials. Walls, blood and gas count by their shares: a membrane carries in proportion to its
-/// thickness. Solids in one cell count by the geometric mean (Lichtenecker): an arithmetic mean makes stiff bodies
-/// half a cell thicker, and a mesh of 0.5 mm 5 % stiffer than one of 0.25 mm; a harmonic one thinner.
+/// Mixture of a cell's materials. Walls, blood and gas count by their shares, since the stiffness of a membrane is
+/// proportional to its thickness. Solids in one cell count by the geometric mean (Lichtenecker): an arithmetic mean
+/// makes stiff bodies half a cell thicker, and a mesh of 0.5 mm 5 % stiffer than one of 0.25 mm; a harmonic mean makes
+/// them thinner.
 struct Mixture {
   float mu = 0, bulk = 0;
-  float left = 1;  ///< share that is not spoken for
+  float left = 1;  ///< share that is not yet assigned
   float solid = 0, logMu = 0;
 
   void addLayer(const Moduli& m, float share) {
@@ -96,10 +97,10 @@ struct Mixture {
   }
 };
 
-/// The rest takes the material of the cell's middle, the first of `labels`, and of its corners in equal parts.
+/// The remainder has the materials of the cell's middle (the first of `labels`) and of its corners, in equal parts.
 void addRest(const std::array<std::uint8_t, 5>& labels, const std::array<Moduli, kLabelCount>& solid,
              Mixture& mixture) {
-  const bool inGas = labels[0] == kBackground;  // the skin's nodes may lie on either side of it
+  const bool inGas = labels[0] == kBackground;  // nodes of the skin may lie on either side of it
   std::array<float, 5> share{4, 1, 1, 1, 1};
   float weight = 0;
   for (int k = 0; k < 5; ++k) {

@@ -6,13 +6,14 @@
 namespace insonate::elastic {
 namespace {
 
-constexpr float kAround_mm = 1.5f;        // of vessels, skin and ends of the face, where cells are fine
-constexpr float kDeepest_mm = 33;         // below the skin; deeper vessels feel little of a probe
-constexpr std::size_t kSpareBlocks = 10;  // more than needed that are kept, so that a moving probe keeps its mesh
-constexpr float kSteepest = 2;            // of the skin against the face
+constexpr float kAround_mm = 1.5f;        // of vessels, skin and ends of the face: range of the fine cells
+constexpr float kDeepest_mm = 33;         // that a moving probe may keep before the mesh changes its size
+constexpr std::size_t kSpareBlocks = 10;  // additional blocks that a moving probe may keep before the mesh changes its
+                                          // size
+constexpr float kSteepest = 2;            // slope of the skin relative to the face
 constexpr float kReach = 0.45f;           // of a cell: nodes nearer to an outline are moved onto it
 
-/// Growth of cells beyond the fine part.
+/// Growth of cells outside the fine part.
 struct Growth {
   float factor, largest_mm;
 };
@@ -26,7 +27,7 @@ void grow(std::vector<float>& line, float h_mm, float end_mm, const Growth& grow
   }
 }
 
-/// After where the first block begins, which is there already.
+/// Begins after the first point of the first block, which exists already.
 void addBlocks(std::vector<float>& line, const FineBlocks& blocks) {
   for (std::size_t k = 0; k < blocks.fine.size(); ++k) {
     const float from = blocks.first_mm + blocks.size_mm * float(k);
@@ -54,7 +55,7 @@ bool FineBlocks::serves(const FineBlocks& needed) const {
   return spare <= kSpareBlocks;
 }
 
-/// From a coarse look at the plane.
+/// From coarse samples of the plane.
 void Mesh::findNeed(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings) {
   constexpr int kColumns = 25, kRows = 24;
   constexpr float kStep_mm = 2;
@@ -71,7 +72,7 @@ void Mesh::findNeed(const TissuePlane& plane, const ProbeFace& face, const Defor
   across.fine.assign(std::lround(2 * half / block), 0);
   down.fine.assign(static_cast<int>(std::floor(std::min(0.8f * depth, kDeepest_mm) / block)), 0);
   down.mark(0, kAround_mm);
-  // A flat face ends its contact where it ends itself, a round one anywhere.
+  // The contact of a flat face ends at its ends, that of a round one anywhere.
   for (const float x : {-end, end}) across.mark(x - kAround_mm, x + kAround_mm);
   if (face.radius_mm > 0) across.mark(-end, end);
 
@@ -103,7 +104,7 @@ void Mesh::chooseLines(const TissuePlane& plane, const ProbeFace& face, const De
   lines_.depth_mm.assign(1, lines_.down.first_mm);
   addBlocks(lines_.depth_mm, lines_.down);
   grow(lines_.depth_mm, lines_.down.size_mm, depth, kDown);
-  // Beside the blocks, the same both ways.
+  // Beside the blocks, symmetric on both sides.
   const float end_mm = lines_.across.end_mm();
   aside_.assign(1, end_mm);
   grow(aside_, lines_.across.size_mm, end_mm + kBeyond_mm, kAside);
@@ -177,12 +178,12 @@ void Mesh::snap() {
                        *down = &points_[n + nx];
       const float cell = std::min({right->x_mm - here.x, here.x - left->x_mm, down->z_mm - here.z, here.z - up->z_mm});
       if (std::abs(distance) >= kReach * cell) continue;
-      // Along x the grid follows the skin, so its lines are not square to each other.
+      // Along x the grid follows the skin, so that its lines are not perpendicular.
       const float dz = (tissue_[n + nx].*nearest - tissue_[n - nx].*nearest) / (down->z_mm - up->z_mm);
       const float dx = (tissue_[n + 1].*nearest - tissue_[n - 1].*nearest - dz * (right->z_mm - left->z_mm)) /
                        (right->x_mm - left->x_mm);
       const float squared = dx * dx + dz * dz;
-      // Elsewhere than at an outline, distances change by less than a millimeter a millimeter.
+      // Except at an outline, distances change by less than a millimeter for each millimeter.
       if (squared < 0.25f || std::abs(distance) >= kReach * cell * std::sqrt(squared)) continue;
       rest_.x[n] -= distance * dx / squared;
       rest_.z[n] -= distance * dz / squared;

@@ -8,17 +8,17 @@ namespace insonate::elastic {
 namespace {
 
 constexpr float kHeld = 1e8f;
-constexpr float kShut_kPa = 20;  // of cells in a lumen that is closed, and of gas between skin and skin
+constexpr float kShut_kPa = 20;  // of cells in a closed lumen, and of gas between skin and skin
 constexpr float kLongestStep_mm = 4;
-constexpr float kFarthest_mm = 100;  // that tissue can have moved
+constexpr float kFarthest_mm = 100;  // maximum motion of tissue
 constexpr float kCaution = 0.1f;
 constexpr int kCautiousRounds = 3;  // after a tangent that was not positive definite
-constexpr float kBounded = 1e-3f;   // caution that bounds pressures without damping
-constexpr int kSettled = 5;         // steps after which going to and fro is one
+constexpr float kBounded = 1e-3f;   // factor that limits pressures without damping
+constexpr int kSettled = 5;         // number of steps after which an oscillation is assumed
 constexpr float kToAndFro_mm = 0.1f;
 constexpr int kDrawBacks = 5;
 
-/// Derivatives of the shape functions by the rest position, in the middle of a cell.
+/// Derivatives of the shape functions with respect to the rest position, in the middle of a cell.
 struct CellGradient {
   std::size_t corner[4];
   float x[4], z[4];
@@ -82,13 +82,13 @@ void Solver::prepare(const Mesh& mesh, const Materials& materials, const Mechani
   restBase_ = elements_.base;
 }
 
-/// Stress with which the rest geometry carries the blood's pressure, from a linear solve.
+/// Stress with which the rest geometry balances the pressure of the blood, from a linear solution.
 void Solver::findPrestress() {
   const auto a = static_cast<float>(restPressure_.artery_kPa), v = static_cast<float>(restPressure_.vein_kPa);
   std::vector<float>& base = elements_.base;
   elements_.carried = base;
   for (std::size_t n = 0; n < elements_.count(); ++n) {
-    elements_.bulk[n] += elements_.hoop[n];  // blood widens the vessels
+    elements_.bulk[n] += elements_.hoop[n];  // blood resists changes of area
     base[n] -= a * materials_->arteryBlood[n] + v * materials_->veinBlood[n];
   }
   system(0);
@@ -114,8 +114,8 @@ void Solver::findPrestress() {
   }
 }
 
-/// As an initial stress of each cell (second Piola-Kirchhoff). It balances the blood's pressure but for what the means
-/// over cells leave over, which is a dead load.
+/// Applies the stress as an initial stress of each cell (second Piola-Kirchhoff). It balances the pressure of the blood
+/// except for the error of the cell means, which is a dead load.
 void Solver::applyPrestress() {
   const auto a = static_cast<float>(restPressure_.artery_kPa), v = static_cast<float>(restPressure_.vein_kPa);
   const int nx = elements_.columns;
@@ -185,7 +185,7 @@ void Solver::system(float caution) {
   struts_.add(at_, matrix_, force_);
 }
 
-/// The change of shift after which the face presses as it should, with the step that goes with it.
+/// The change of shift after which the face has the required force, with the corresponding step.
 float Solver::followForce(float wanted_kPa_mm, float shift_mm) {
   std::fill(byShift_.begin(), byShift_.end(), 0.0f);
   contact_.pushByShift(shift_mm, at_, byShift_);
@@ -200,7 +200,7 @@ float Solver::followForce(float wanted_kPa_mm, float shift_mm) {
   return change;
 }
 
-/// Longest step of tissue: nodes inside blood may go anywhere.
+/// Longest step of tissue; nodes inside blood are not limited.
 float Solver::longestStep() const {
   float longest = 0;
   for (std::size_t n = 0; n < solid_.size(); ++n)
@@ -208,7 +208,7 @@ float Solver::longestStep() const {
   return longest;
 }
 
-/// Also false where a position is no number, which comparisons of steps let pass.
+/// Also false if a position is not a number, which comparisons of steps would accept.
 bool Solver::inReach() const {
   const auto far = [](float now, float rest) { return !(std::abs(now - rest) < kFarthest_mm); };
   for (std::size_t n = 0; n < materials_->fixed.size(); ++n)
@@ -222,7 +222,7 @@ void Solver::pressed(const Load& load, float shift_mm) {
   hold();
 }
 
-/// Slope of the energy along the last step; above 0 downhill.
+/// Slope of the energy along the last step; positive if the energy decreases backward.
 float Solver::slope(const Load& load, float shift_mm, float shiftChange) const {
   double sum = 0;
   for (std::size_t k = 0; k < force_.size(); ++k) sum += double(force_[k]) * step_[k];
@@ -230,9 +230,9 @@ float Solver::slope(const Load& load, float shift_mm, float shiftChange) const {
   return static_cast<float>(sum);
 }
 
-/// Back along the last step to just behind where the energy is least, if the step went far beyond: over the kink of a
-/// contact that one node makes and loses, whole steps go to and fro for ever. Behind, so that the next tangent knows
-/// the stiffer side.
+/// Returns along the last step to just behind the minimum of the energy, if the step went far beyond it: at a contact
+/// that one node gains and loses, full steps would oscillate forever. The place is just behind the minimum, so that the
+/// next tangent includes the stiffer side.
 void Solver::drawBack(const Load& load, float before, float shiftChange, float& shift_mm) {
   float low = 0, high = 1, ahead = before, behind = slope(load, shift_mm, shiftChange), here = 1;
   const auto go = [&](float to) {
@@ -283,7 +283,7 @@ Solver::Outcome Solver::solve(const FaceProfile& face, Load load, const Patience
     advance(elements_, at_, step_, share);
     contact_.settle();
     out.shift_mm += share * shiftChange;
-    // A cautious step is shorter than the way that is left.
+    // A cautious step is shorter than the remaining distance.
     out.converged = share == 1 && out.iterations > 0 && longest < (caution_ > 0 ? 0.5f : 1.0f) * patience.tolerance_mm;
     if (carried && share == 1 && longest < patience.enough_mm) {
       ++out.iterations;

@@ -5,8 +5,8 @@
 namespace insonate::elastic {
 namespace {
 
-constexpr float kInside = 0.02f, kOutside = 0.98f;  // of a cell's share that the outline goes through
-constexpr std::size_t kMostPoints = 256;            // of an outline, for its mean
+constexpr float kInside = 0.02f, kOutside = 0.98f;  // range of the share of cells on the outline
+constexpr std::size_t kMostPoints = 256;            // maximum number of points of an outline for its mean
 constexpr float kLeastRadius_mm = 0.5f, kMostRadius_mm = 20;
 
 }  // namespace

@@ -9,8 +9,8 @@
 namespace insonate::reference {
 namespace {
 
-constexpr double kShut_kPa = 20;        // of a lumen that is closed
-constexpr double kMostPrestress = 0.8;  // of mu: a cell under more pressure than it is stiff has no shape that lasts
+constexpr double kShut_kPa = 20;        // of a closed lumen
+constexpr double kMostPrestress = 0.8;  // of mu: a cell under a pressure above its stiffness has no stable shape
 
 /// Integral of the gradients of the corners' shape functions over the cell, by four points.
 Eigen::Matrix4d laplacian(const Cell& cell, const Vector& rest) {
@@ -31,8 +31,8 @@ Eigen::Matrix4d laplacian(const Cell& cell, const Vector& rest) {
   return sum;
 }
 
-/// Stress with which the rest geometry carries the blood: that of a linear solve, as an initial stress (second
-/// Piola-Kirchhoff), which balances by itself. What the cells' means leave over is a dead load.
+/// Stress with which the rest geometry balances the blood: that of a linear solution, as an initial stress (second
+/// Piola-Kirchhoff), which is in equilibrium. The error of the cell means is a dead load.
 void prestress(Body& body, const BloodPressure& blood) {
   const Load load{.blood = blood};
   const Vector displacement = Equilibrium(body).step(load);
@@ -121,7 +121,7 @@ Body makeBody(const elastic::Mesh& mesh, const elastic::Materials& materials, co
   }
   body.struts = makeStruts(body);
   if (!materials.anyBlood) return body;
-  for (Cell& cell : body.cells) cell.bulk += materials.hoop[cell.node[0]];  // blood widens the vessels
+  for (Cell& cell : body.cells) cell.bulk += materials.hoop[cell.node[0]];  // blood resists changes of area
   prestress(body, atRest);
   for (Cell& cell : body.cells) {
     cell.hoop = materials.hoop[cell.node[0]];

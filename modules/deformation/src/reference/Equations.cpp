@@ -8,7 +8,7 @@
 namespace insonate::reference {
 namespace {
 
-/// Second derivative of a cell's area by x of one corner and z of another; by z and x it is the negative.
+/// Second derivative of a cell's area with respect to x of one corner and z of another; for z and x it is the negative.
 constexpr double kTwist[4][4] = {{0, 0.5, 0, -0.5}, {-0.5, 0, 0.5, 0}, {0, -0.5, 0, 0.5}, {0.5, 0, -0.5, 0}};
 
 double missing(const Strut& strut, const Vector& at) {

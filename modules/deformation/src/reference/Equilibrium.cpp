@@ -8,11 +8,11 @@ namespace insonate::reference {
 namespace {
 
 constexpr double kLongestStep_mm = 4;
-constexpr double kMostLoss = 0.6;   // of a cell's area in a step
+constexpr double kMostLoss = 0.6;   // maximum loss of a cell's area in a step
 constexpr int kCautiousRounds = 3;  // after a tangent that was not positive definite
 
-/// Numbers the nodes of a rectangle so that those on its middle line come last, and the halves likewise (nested
-/// dissection): that keeps the factor small.
+/// Numbers the nodes of a rectangle so that those on its middle line are last, and its halves in the same way (nested
+/// dissection), which keeps the factor small.
 void number(const Body& body, int left, int right, int top, int bottom, int& next, std::vector<int>& unknown) {
   if (left >= right || top >= bottom) return;
   const auto numberAll = [&](int l, int r, int t, int b) {
@@ -72,7 +72,7 @@ Vector Equilibrium::step(const Load& load) {
   return solveWith(-gradientOf(body_, state.at, load));
 }
 
-/// The change of shift after which the face presses as it should; adds to the step what goes with it.
+/// The change of shift after which the face has the required force; adds the corresponding part to the step.
 double Equilibrium::followForce(const Load& load, double wanted_kPa_mm, Vector& step) const {
   Vector byShift = Vector::Zero(step.size());
   double gap = std::numeric_limits<double>::infinity();

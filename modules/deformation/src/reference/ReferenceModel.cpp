@@ -14,8 +14,8 @@ using namespace reference;
 constexpr double kTolerance_mm = 1e-4, kRough_mm = 0.02;
 constexpr double kPressStep_mm = 1, kForceStep_N = 0.5;
 constexpr int kMostRounds = 40;
-constexpr double kMostMissed_mm = 5e-3;      // by which a node lies off the face in the end
-constexpr double kSmallestPart = 1.0 / 256;  // of a load, below which going on is given up
+constexpr double kMostMissed_mm = 5e-3;      // maximum distance of a node from the face at the end
+constexpr double kSmallestPart = 1.0 / 256;  // share of the load below which the solution stops
 
 class ReferenceModel final : public DeformationModel {
  public:
@@ -50,7 +50,7 @@ class ReferenceModel final : public DeformationModel {
   }
 
  private:
-  /// Greatest depth of the face in the tissue at rest.
+  /// Maximum depth of the face in the tissue at rest.
   static double deepest(const Body& body, const FaceProfile& face) {
     double depth = 0;
     for (int i = 0; i < body.columns; ++i)
@@ -59,7 +59,7 @@ class ReferenceModel final : public DeformationModel {
     return depth;
   }
 
-  /// A part of the load: the face comes from where it just touches, and pressures change with it.
+  /// A part of the load: the face moves from its first contact, and pressures change with it.
   Load partOf(double part, const DeformationInput& input, const FaceProfile& face) const {
     Load load;
     load.blood.artery_kPa = std::lerp(atRest_.artery_kPa, input.pressure.artery_kPa, part);
@@ -70,7 +70,7 @@ class ReferenceModel final : public DeformationModel {
     return load;
   }
 
-  /// Raises the load in steps, which become smaller where one fails. What was reached last is the answer.
+  /// Increases the load in steps, which are halved after a failure. The last equilibrium is the answer.
   void raiseLoad(const DeformationInput& input, const FaceProfile& face, Equilibrium& equilibrium,
                  Deformation& answer) {
     const double force_kPa_mm = std::max(input.force_N, 0.0) * 1000 / input.face.footprint_mm;
@@ -97,7 +97,8 @@ class ReferenceModel final : public DeformationModel {
     }
     const double tolerance_mm = settings_.tolerance_mm > 0 ? settings_.tolerance_mm : kTolerance_mm;
     answer.converged = done == 1;
-    // Then until nodes lie on the face where they have slid to; half the way each time, as its edge is steep.
+    // Repeats until nodes lie on the face at the positions to which they have slid; each round moves half the distance,
+    // since the edge of the face is steep.
     Vector meeting = equilibrium.state.at;
     for (int round = 0; round < kMostRounds && answer.converged && (round == 0 || missed_mm > tolerance_mm); ++round) {
       const Equilibrium::State before = equilibrium.state;

@@ -7,7 +7,7 @@
 namespace insonate::haptics {
 namespace {
 
-/// Arm: to the user, to the right, up. Device: right, up, to the user.
+/// Arm axes: toward the user, to the right, up. Device axes: right, up, toward the user.
 Vec3 deviceFromArm(Vec3 arm) {
   return {arm.y, arm.z, arm.x};
 }

@@ -13,10 +13,10 @@ using haptics::EventQueue;
 using haptics::HidDevice;
 using haptics::HidFound;
 
-/// Between two looks at devices that may not take their forces.
+/// Interval between two checks for devices that do not accept their forces.
 constexpr std::chrono::milliseconds kWatch{50};
 
-/// The same for one device each time it is plugged in; for two alike only where they have serial numbers.
+/// Name that stays the same each time a device is plugged in. Two equal devices differ only by their serial numbers.
 std::string kindOf(const HidFound& found) {
   char id[16];
   std::snprintf(id, sizeof id, "%04x:%04x", found.vendor, found.product);
@@ -59,7 +59,7 @@ void DeviceHub::start() {
         scanOnce();
         next = std::chrono::steady_clock::now() + options_.rescan;
       }
-      // Only this thread changes the list, so that it may read it without the lock.
+      // Only this thread changes the list, so that it reads the list without the lock.
       for (const Slot& slot : slots_) slot.device->watch(haptics::monotonic_ns());
       std::unique_lock lock(waitMutex_);
       wait_.wait_for(lock, stop, std::min(kWatch, options_.rescan), [] { return false; });
@@ -93,8 +93,8 @@ haptics::HidDevice& DeviceHub::slotFor(const HidFound& found, const DeviceTable&
 
 void DeviceHub::scanOnce() {
   const std::vector<HidFound> all = bus_->list();
-  std::set<std::string> seen;        // an interface is listed once for each of its usages
-  std::set<const HidDevice*> tried;  // of two alike that cannot be opened, one tells it for both
+  std::set<std::string> seen;        // hidapi lists an interface once for each of its usages
+  std::set<const HidDevice*> tried;  // of two equal devices that cannot be opened, one reports for both
   for (const HidFound& found : all) {
     const DeviceTable* table = tableFor(found);
     if (!table || !seen.insert(found.path).second) continue;

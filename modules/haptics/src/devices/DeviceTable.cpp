@@ -47,15 +47,14 @@ int indicesOf(Quantity quantity) {
   }
 }
 
-/// One JSON object, read field by field. The first thing that is wrong is kept as a sentence; what follows is read on
-/// with zeros.
+/// One JSON object, read field by field. The first error is kept as a sentence; reading continues with zeros.
 class Fields {
  public:
   Fields(const Json& object, std::string where, std::string& trouble)
       : object_(object), where_(std::move(where)), trouble_(trouble) {
     if (!object_.is_object()) refuse("is not an object");
   }
-  /// After all fields are read: there must be no others.
+  /// Called after all fields are read: there must be no others.
   ~Fields() {
     if (!object_.is_object() || !trouble_.empty()) return;
     for (const auto& [name, value] : object_.items())

@@ -15,7 +15,7 @@ using haptics::HidBus;
 using haptics::HidFound;
 using haptics::HidHandle;
 
-/// hidapi's wide strings hold one code point each.
+/// Each character of hidapi's wide strings is one code point.
 std::string utf8(const wchar_t* wide) {
   std::string text;
   for (; wide && *wide; ++wide) {

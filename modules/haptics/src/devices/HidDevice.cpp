@@ -7,9 +7,9 @@ namespace insonate::haptics {
 namespace {
 
 constexpr std::size_t kMostReport = 256;
-/// A force device that has told nothing for so long is not there for the hand any more.
+/// A force device that has sent nothing for this time counts as absent.
 constexpr std::int64_t kSilence_ns = 250'000'000;
-/// After the last push, zeros go out for so long; then the device's own watchdog has it.
+/// Time for which zeros are sent after the last push; then the device's own watchdog takes over.
 constexpr std::int64_t kFarewell_ns = 1'000'000'000;
 
 /// Maximum wait of a read: a force device must be asked in time for its next force, a pedal before a foot notices a
@@ -63,7 +63,7 @@ void HidDevice::enter(DevicePhase phase, std::string text, bool trouble) {
 
 void HidDevice::opening(const std::string& path) {
   path_ = path;
-  // A device that cannot be opened is tried each second; that is no news.
+  // A device that cannot be opened is tried each second, but reported once.
   if (phase() != DevicePhase::kFailed) enter(DevicePhase::kOpening, info_.name + " is being opened.", false);
 }
 
@@ -83,7 +83,7 @@ void HidDevice::attach(std::unique_ptr<HidHandle> handle) {
   handle_ = std::move(handle);
   decoder_.reset();
   maker_.reset();
-  // Forces meant for the hand before unplugging must not reach the hand that holds the device now.
+  // Forces from before unplugging must not reach the hand that holds the device now.
   pushed_.take();
   states_.take();
   latest_.reset();
@@ -120,14 +120,15 @@ bool HidDevice::readAll(std::int64_t& now_ns) {
   int bytes = handle_->read(report, wait_msOf(info_.kind));
   now_ns = monotonic_ns();
   bool news = false;
-  // Queued reports are old: only the latest position counts. The number is bounded, for a device that floods.
+  // Queued reports are old: only the latest position counts. The number is limited, in case a device sends without
+  // pause.
   for (int i = 0; bytes > 0 && i < 64; ++i) {
     receive(std::span(report).first(static_cast<std::size_t>(bytes)), now_ns);
     news = true;
     bytes = handle_->read(report, 0);
   }
   if (calibrate_.exchange(false, std::memory_order_relaxed)) maker_.calibrate(decoder_.reading());
-  // A 3D mouse that says nothing rests: it is where it was, and that is news of now.
+  // A 3D mouse that sends nothing is at rest: its last position is current.
   const bool rests = info_.kind == DeviceKind::kMotion && phase() == DevicePhase::kStreaming;
   if (reported_ns_ != 0 && (news || rests)) postState(now_ns);
   return bytes >= 0;
@@ -160,7 +161,7 @@ bool HidDevice::sendForce(std::int64_t now_ns) {
   }
   const auto period_ns = static_cast<std::int64_t>(1e9 / info_.limits.rate_Hz);
   if (now_ns - sent_ns_ < period_ns / 2) return true;
-  // No position, no force: a device that has fallen silent is somewhere else than the force was computed for.
+  // Without positions no force: a silent device is no longer at the place for which the force was computed.
   const bool alive = age_ns < kForceLife_ns && reported_ns_ != 0 && now_ns - reported_ns_ < kForceLife_ns;
   sent_ns_ = now_ns;
   return write(alive ? heldWithin(info_.limits, latest_->force) : Force{});
@@ -195,7 +196,7 @@ void HidDevice::reportRefused(std::int64_t now_ns) {
   const std::uint64_t more = refused - toldRefused_;
   toldRefused_ = refused;
   told_ns_ = now_ns;
-  // Mice and pedals tell of their battery and the like too; that is no fault unless they say nothing else.
+  // Mice and pedals also send reports about their battery; this is a fault only if they send nothing else.
   if (info_.kind != DeviceKind::kForce && reports_.load(std::memory_order_relaxed) > 0) return;
   events_->put({0, info_.id, phase(), true,
                 info_.name + ": " + std::to_string(more) + (more == 1 ? " report was" : " reports were") +

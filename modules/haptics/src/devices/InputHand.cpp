@@ -20,7 +20,7 @@ InputHand::InputHand(std::string id, std::string name)
 void InputHand::hold(bool held) noexcept {
   if (held == (phase() != DevicePhase::kAbsent)) return;
   phase_.store(held ? DevicePhase::kReady : DevicePhase::kAbsent, std::memory_order_release);
-  // Keys and buttons that were down when it was laid down are not down when it is taken up.
+  // Keys and buttons that were down when the tool was put down are not down when it is picked up.
   wish_.glide_mmps = wish_.glide_radps = {};
   wish_.buttons = 0;
   wishes_.post(wish_);
@@ -47,7 +47,7 @@ void InputHand::glide(Vec3 velocity_mmps, Vec3 turning_radps) noexcept {
 
 void InputHand::placeAt(const Transform& deviceFromStylus) noexcept {
   wish_.place = deviceFromStylus;
-  wish_.dragged_mm = {};  // what comes after counts from there
+  wish_.dragged_mm = {};  // later drags count from here
   wish_.turned = {};
   ++wish_.places;
   wishes_.post(wish_);
@@ -94,7 +94,7 @@ bool InputHand::take(DeviceState& state) noexcept {
 bool InputHand::takeAt(std::int64_t now_ns, DeviceState& state) noexcept {
   if (const auto wish = wishes_.take()) obey(*wish);
   if (phase() == DevicePhase::kAbsent) return false;
-  // Not the time for which it lay there.
+  // Excludes the time for which the tool was put down.
   const double step_s = state_.time_ns == 0 ? 0 : std::min(static_cast<double>(now_ns - state_.time_ns) * 1e-9, 0.05);
   if (step_s > 0) follow(step_s);
   state_.time_ns = now_ns;

@@ -13,7 +13,7 @@ using haptics::EventQueue;
 using haptics::HidDevice;
 using haptics::HidHandle;
 
-/// An interface from which recorded reports come at their recorded times.
+/// An interface that delivers recorded reports at their recorded times.
 class RecordedHandle final : public HidHandle {
  public:
   RecordedHandle(std::vector<RecordedReport> reports, bool again) : reports_(std::move(reports)), again_(again) {}

@@ -32,7 +32,7 @@ double outputOf(const ReportField& field, const DeviceOutput& output) noexcept {
   }
 }
 
-/// Forces are even in sign: the most negative number of two's complement is not used.
+/// The range of forces is symmetric: the most negative number of two's complement is not used.
 std::uint32_t countsOf(const ReportField& field, double value) noexcept {
   const double counts = value / field.scale;
   if (!std::isfinite(counts)) return 0;
@@ -92,7 +92,7 @@ ReportFate ReportDecoder::take(std::span<const std::uint8_t> report) noexcept {
     payload = report.subspan(1);
     layout = layoutOf(report[0], payload.size(), fate);
   }
-  // A table may hold both forms of a device, with and without ids.
+  // A table may contain both forms of a device, with and without ids.
   if (!layout) {
     ReportFate plain{};
     layout = layoutOf(0, report.size(), plain);
@@ -154,7 +154,7 @@ void ReportDecoder::apply(const ReportField& field, std::span<const std::uint8_t
       reading_.time_s = raw * field.scale;
       break;
     default:
-      break;  // what goes out says nothing when it comes in
+      break;  // output fields have no value in an input report
   }
 }
 

@@ -11,7 +11,7 @@ namespace insonate {
 namespace {
 
 constexpr std::string_view kHeading = "insonate device reports 1";
-/// Some minutes of two devices, for a disk that hangs.
+/// Some minutes of two devices, in case the disk hangs.
 constexpr std::size_t kMostPending = 32U << 20;
 
 /// Names are single words in the file.
@@ -87,7 +87,7 @@ void ReportRecorder::put(const std::string& device, std::string_view table, bool
     lost_ = true;
     return;
   }
-  // Under the lock, so that times grow from line to line.
+  // Under the lock, so that times increase from line to line.
   std::snprintf(time, sizeof time, "%.6f ", static_cast<double>(haptics::monotonic_ns() - begin_ns_) * 1e-9);
   pending_ += time + word(device) + ' ' + word(table) + (in ? " in " : " out ");
   for (const std::uint8_t byte : report) pending_ += {kDigits[byte >> 4], kDigits[byte & 15]};

@@ -26,7 +26,7 @@ Mat3 turned(const Mat3& by, Vec3 turn_rad) noexcept {
   if (!(angle > 0)) return by;
   const Vec3 axis = turn_rad / angle;
   Mat3 result;
-  for (std::size_t i = 0; i < 3; ++i) {  // Rodrigues
+  for (std::size_t i = 0; i < 3; ++i) {  // formula of Rodrigues
     const Vec3 v = by.column[i];
     result.column[i] =
         v * std::cos(angle) + cross(axis, v) * std::sin(angle) + axis * (dot(axis, v) * (1 - std::cos(angle)));

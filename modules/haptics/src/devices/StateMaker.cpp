@@ -8,7 +8,7 @@
 namespace insonate::haptics {
 namespace {
 
-/// From rest to full, without a step between.
+/// Continuous from rest to full deflection.
 double pressed(double deflection) noexcept {
   const double beyond = std::max(0.0, std::abs(deflection) - StateMaker::kCapRest) / (1 - StateMaker::kCapRest);
   return std::copysign(beyond, deflection);
@@ -26,7 +26,7 @@ void StateMaker::reset() noexcept {
   const Transform pose = state_.deviceFromStylus;
   state_ = {};
   home_ = {};
-  // A pose made by a cap stays where the cap left it; other devices report their pose.
+  // A pose that follows from the deflection of a cap stays when the cap is released; other devices report their pose.
   if (byCap_) state_.deviceFromStylus = pose;
 }
 

@@ -19,8 +19,8 @@ using haptics::HidBus;
 using haptics::HidFound;
 using haptics::HidHandle;
 
-/// The ids and reports of a home-built device (resources/haptics/README.md): a kit's device looks like one, so that it
-/// takes the same way as all others.
+/// The ids and reports of a home-built device (resources/haptics/README.md): a device of a vendor's library is
+/// presented as one, so that it uses the same code as all others.
 constexpr std::uint16_t kVendor = 0x1209, kProduct = 0x0001, kPage = 0xff49, kUsage = 1;
 constexpr std::size_t kInBytes = 31, kOutBytes = 15;
 

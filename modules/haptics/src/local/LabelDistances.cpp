@@ -66,7 +66,7 @@ void squaredDistances(const VolumeGeometry& g, std::vector<float>& field) {
   });
 }
 
-/// A label map's surface is a staircase; a quarter, a half, a quarter along each axis takes its edges off.
+/// Filters by a quarter, a half, a quarter along each axis, which smooths the voxel steps of a label map's surface.
 void smooth(const VolumeGeometry& g, std::vector<float>& field) {
   alongAxes(g, field, [](float* first, std::size_t stride, int count, int) {
     float before = first[0];
@@ -84,7 +84,7 @@ void smooth(const VolumeGeometry& g, std::vector<float>& field) {
 std::vector<float> signedDistances(const LabelMap& labels, const std::function<bool(std::uint8_t)>& inside) {
   const VolumeGeometry& g = labels.geometry;
   const auto count = static_cast<std::size_t>(std::count_if(labels.voxels.begin(), labels.voxels.end(), inside));
-  // Most maps lack some structures, and most parts of a neck are inside it.
+  // Most maps lack some structures, and most regions of a neck are entirely inside it.
   if (count == 0 || count == labels.voxels.size())
     return std::vector<float>(labels.voxels.size(), count == 0 ? kMost_mm : -kMost_mm);
   std::vector<float> toInside(labels.voxels.size()), toOutside(labels.voxels.size());
@@ -95,7 +95,7 @@ std::vector<float> signedDistances(const LabelMap& labels, const std::function<b
   }
   squaredDistances(g, toInside);
   squaredDistances(g, toOutside);
-  // Centres on either side of a surface are a voxel apart; the surface lies half way between them.
+  // Voxel centers on either side of a surface are one voxel apart; the surface is halfway between them.
   const auto half = static_cast<float>(0.5 * std::min({g.spacing_mm.x, g.spacing_mm.y, g.spacing_mm.z}));
   for (std::size_t i = 0; i < toInside.size(); ++i) {
     const float out = std::sqrt(toInside[i]), in = std::sqrt(toOutside[i]);

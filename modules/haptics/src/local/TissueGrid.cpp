@@ -94,7 +94,7 @@ TissueSample TissueGrid::at(Vec3 patient_mm) const noexcept {
   std::array<float, 3> share{};
   for (int axis = 0; axis < 3; ++axis) {
     const double last = geometry_.size[axis] - 1;
-    // The comparison also catches what is not a number.
+    // The comparison is also false for NaN.
     const double x = index[axis] > 0 ? std::min(index[axis], last) : 0;
     low[axis] = static_cast<int>(x);
     next[axis] = std::min(low[axis] + 1, geometry_.size[axis] - 1);

@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-/// Resistance of a needle from its state: along the needle walls, cutting and friction; across it the entry and the
-/// track.
+/// Resistance of a needle from its state: walls, cutting and friction along the needle; entry and track across it.
 namespace insonate::haptics {
 namespace {
 
-/// Until here a needle can be turned about its entry (fulcrum); deeper, its track holds it more and more (line). The
+/// Up to this depth a needle can turn about its entry (fulcrum); deeper, its track holds it increasingly (line). The
 /// thesis gives no numbers; trainees redirect near the skin.
 constexpr double kLineFrom_mm = 10;
-/// The entry holds the shaft once this much is in.
+/// Length in the tissue from which the entry holds the shaft fully.
 constexpr double kFulcrumFull_mm = 3;
 constexpr double kFulcrum_Npmm = 0.5;
-/// Tissue that is pushed aside further than this goes along.
+/// Tissue that is displaced sideways by more than this moves with the needle.
 constexpr double kMostAside_mm = 8;
 constexpr double kFriction_Npmm = 0.5;
 
@@ -72,14 +71,15 @@ Vec3 NeedleMechanics::along(Vec3 axis, double speed_mmps, NeedleForce& force) {
 void NeedleMechanics::aside(Vec3 axis, NeedleForce& force) {
   const double s_mm = dot(tip_ - state_.entry_mm, state_.track);
   const double most_Npmm = 0.5 * steepest_Npmm_;
-  // Fulcrum: the shaft goes through the entry. Potential k(s) |r|^2 / 2 with r from the shaft to the entry.
+  // Fulcrum: the shaft passes through the entry. Potential k(s) |r|^2 / 2 with r from the shaft to the entry.
   const Vec3 toEntry = across(state_.entry_mm - tip_, axis);
   const double hold = std::clamp(s_mm / kFulcrumFull_mm, 0.0, 1.0);
   const Vec3 fulcrum_N = toEntry * (hold * std::min(kFulcrum_Npmm, most_Npmm));
   force.force_N = force.force_N + fulcrum_N;
   force.torque_Nmm = force.torque_Nmm + cross(axis * dot(state_.entry_mm - tip_, axis), fulcrum_N);
   if (s_mm <= kLineFrom_mm) return;
-  // Line: tissue beyond the first 10 mm holds the tip on its track. Potential k(s) |q|^2 / 2, k growing with the shaft.
+  // Line: tissue beyond the first 10 mm holds the tip on its track. Potential k(s) |q|^2 / 2; k increases with the
+  // length in the tissue.
   const Vec3 off = across(tip_ - state_.entry_mm, state_.track);
   const double lateral_Npmm = shaft_.upTo(s_mm, table_).lateral_Npmm - shaft_.upTo(kLineFrom_mm, table_).lateral_Npmm;
   force.force_N = force.force_N - off * std::clamp(lateral_Npmm, 0.0, most_Npmm);
@@ -90,7 +90,7 @@ void NeedleMechanics::aside(Vec3 axis, NeedleForce& force) {
 NeedleForce NeedleMechanics::resist(Vec3 axis, double speed_mmps) {
   NeedleForce force;
   force.force_N = along(axis, speed_mmps, force);
-  state_.axial_N = 0 - dot(force.force_N, axis);  // 0 rather than -0
+  state_.axial_N = 0 - dot(force.force_N, axis);  // avoids -0
   if (state_.inBody) aside(axis, force);
   return force;
 }

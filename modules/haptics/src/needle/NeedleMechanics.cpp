@@ -10,19 +10,21 @@ constexpr int kSkinWall = 0;
 constexpr double kSubstep_mm = 0.25;
 constexpr int kMostSubsteps = 64;
 constexpr double kJump_mm = 15;
-/// Distance that the tip must be behind a hole to count as withdrawn, so that a trembling hand goes through once.
+/// Distance of the tip behind a hole from which the needle counts as withdrawn, so that a trembling hand punctures
+/// once.
 constexpr double kWithdrawn_mm = 0.3;
 constexpr double kLetGo_mm = 0.05;
-/// Flatter to a wall than this (78 degrees off its normal) the tip slides; steeper than that (73) it pricks again.
+/// The tip slides along a wall if it is flatter than this (78 degrees off the normal); it catches again when steeper
+/// than that (73).
 constexpr double kSlideCosine = 0.2, kPrickCosine = 0.3;
-/// A wall that the tip has left again on the other side is rolled off when it was met flatter than 70 degrees off its
-/// normal; met more squarely, the vessel is pushed ahead of the tip.
+/// A wall that the tip has left on the other side counts as rolled off if the needle was flatter than 70 degrees off
+/// its normal when it met the wall; otherwise the tip pushes the vessel ahead.
 constexpr double kRollCosine = 0.35;
 
 }  // namespace
 
 void NeedleMechanics::configure(const NeedleTable& table, double steepest_Npmm) {
-  table_.tissues = table.tissues;  // not its name: nothing is to be allocated here
+  table_.tissues = table.tissues;  // does not copy the name, which would allocate
   steepest_Npmm_ = steepest_Npmm;
 }
 
@@ -65,11 +67,11 @@ NeedleForce NeedleMechanics::move(const TissueGrid& grid, const Transform& restF
   const Vec3 from = tip_;
   const int steps = std::clamp(static_cast<int>(std::ceil(way_mm / kSubstep_mm)), 1, kMostSubsteps);
   for (int i = 1; i <= steps; ++i) step(grid, from + (tip - from) * (double(i) / steps), restAxis, events);
-  // 10 ms of smoothing: the speed of one tick is mostly the encoders' steps.
+  // Smoothed over 10 ms: the speed of one tick mostly shows the encoders' steps.
   const double fresh = step_s > 0 ? dot(tip - from, restAxis) / step_s : 0;
   speed_mmps_ += (fresh - speed_mmps_) * std::clamp(step_s / 0.01, 0.0, 1.0);
   NeedleForce force = resist(restAxis, speed_mmps_);
-  // A force on tissue at rest is felt through the map that brought the tip there (virtual work).
+  // A force on tissue at rest acts on the hand through the map that moved the tip there (virtual work).
   const Mat3 back = transposed(restFromPatient.linear);
   return {back * force.force_N, back * force.torque_Nmm, back * force.viscous_N};
 }
@@ -97,7 +99,7 @@ void NeedleMechanics::withdraw(Vec3 tip, NeedleEvents& events) {
   }
 }
 
-/// The needle is out of the wall that it went through last.
+/// Closes the hole through which the tip has withdrawn.
 void NeedleMechanics::closeHole(NeedleEvents& events) {
   const Hole hole = holes_[--holeCount_];
   const bool skin = hole.wall == kSkinWall;
@@ -105,7 +107,7 @@ void NeedleMechanics::closeHole(NeedleEvents& events) {
   contacts_[hole.wall].active = false;
   const bool full = events.count + 1 >= static_cast<int>(events.list.size());
   if (full && !skin)
-    ++events.lost;  // the last place is for the skin, without which a pass would never end
+    ++events.lost;  // the last place is reserved for the skin, since a pass would otherwise never end
   else
     tell(NeedleEventKind::Withdrawn, hole.wall, dot(hole.point - state_.entry_mm, state_.track), events);
   if (!skin) return;
@@ -143,15 +145,15 @@ void NeedleMechanics::meet(const TissueGrid& grid, const TissueSample& sample, i
   const bool hard = table_.of(kNeedleWalls[wall]).wall == NeedleWall::Hard;
   Contact& contact = hard ? onBone_ : contacts_[wall];
   const bool inwards = !inside_[wall];
-  // Between the last point and this one, where the distance changes sign; a wall that was crossed while another was in
-  // the way is met where the tip is.
+  // The point of contact is the sign change of the distance on the last step; for a wall that was crossed during
+  // contact with another, it is the tip.
   const double d0 = sample_.distance_mm[wall], d1 = sample.distance_mm[wall];
   const bool crossed = (d0 < 0) != (d1 < 0);
   const Vec3 point = crossed ? before_ + (tip - before_) * (d0 / (d0 - d1)) : tip;
   const Vec3 outward = grid.outward(point, wall);
   const Vec3 normal = inwards ? -outward : outward;
   const double cosine = dot(axis, normal);
-  // On the way back through its own hole, or where no surface is to be found.
+  // Returns on the way back through its own hole, or if no surface is found.
   if (norm(outward) == 0 || cosine < -kSlideCosine) return;
   contact = {.active = true,
              .slides = cosine < kSlideCosine && !hard,
@@ -170,7 +172,7 @@ void NeedleMechanics::follow(const TissueGrid& grid, const TissueSample& sample,
   const bool hard = table_.of(kNeedleWalls[wall]).wall == NeedleWall::Hard;
   Contact& contact = hard ? onBone_ : contacts_[wall];
   if (contact.slides) {
-    // The force follows the distance alone, so that sliding along a wall costs nothing and gives nothing.
+    // The force depends on the distance alone, so that sliding along a wall conserves energy.
     const Vec3 outward = grid.outward(tip, wall);
     if (norm(outward) > 0) contact.normal = contact.inwards ? -outward : outward;
     contact.depth_mm = contact.inwards ? -sample.distance_mm[wall] : sample.distance_mm[wall];
@@ -182,7 +184,7 @@ void NeedleMechanics::follow(const TissueGrid& grid, const TissueSample& sample,
     contact.point = tip - axis * contact.depth_mm;
   }
   contact.depth_mm = dot(tip - contact.point, contact.direction);
-  // The tip drags the wall along until that needs more than it is pushed with; then it slips, on the surface.
+  // The tip drags the wall along until this needs more force than the tip pushes with; then it slips on the surface.
   contact.aside_mm = tip - contact.point - contact.direction * contact.depth_mm;
   const double off_mm = norm(contact.aside_mm), most_mm = std::max(contact.force_N, 0.0) / kAside_Npmm;
   if (hard || off_mm <= most_mm || off_mm < 1e-9) return;
@@ -216,7 +218,7 @@ Label NeedleMechanics::tissueOf(const TissueSample& sample) const {
   if (!inside_[kSkinWall]) return kBackground;
   for (int wall = 1; wall < kNeedleWallCount; ++wall)
     if (inside_[wall]) return kNeedleWalls[wall];
-  // Tissue that the tip has not broken into is pushed ahead of it; around the tip is still the tissue before it.
+  // The tip pushes tissue ahead until it punctures it; until then the tissue at the tip is that before the wall.
   const Label label = knownLabel(sample.label);
   const NeedleWall wall = table_.of(label).wall;
   return label == kBackground || (wall != NeedleWall::None && label != kSkin) ? around_ : label;

@@ -6,7 +6,7 @@
 namespace insonate::haptics {
 namespace {
 
-/// Share of a step that may turn out to lie across its expected direction.
+/// Share of a step that may lie at a right angle to its expected direction.
 constexpr double kAcross = 0.25;
 /// In one tick.
 constexpr double kRise = 0.05;
@@ -26,11 +26,11 @@ void EnergyTank::reset() {
 void EnergyTank::account(const StylusPlace& place, Vec3 moved_mm, double step_s) {
   energy_mJ_ +=
       place.given_mJ.value_or(-dot(last_.force_N - free_N_, moved_mm) - dot(last_.torque_Nmm, place.turned_rad));
-  // The stylus is within half a step of where it seems. Summed by parts, what that hides of force times way is at most
-  // this much for each change of the force.
+  // The position of the stylus is known to half a step. By summation by parts, the error of the work is at most this
+  // much for each change of the force.
   energy_mJ_ -= norm(last_.force_N - free_N_ - before_N_) * limits_.resolution_mm * kHalfDiagonal;
   before_N_ = last_.force_N - free_N_;
-  // An encoder that trembles between two steps is no way: only what goes beyond the play counts.
+  // An encoder that alternates between two steps is no motion: only motion beyond the play counts.
   const double play_mm = 2 * kHalfDiagonal * limits_.resolution_mm;
   const Vec3 away = place.position_mm - dragged_mm_;
   if (const double far_mm = norm(away); far_mm > play_mm) {
@@ -51,7 +51,7 @@ Force EnergyTank::pass(const Force& wanted, Vec3 free_N, const StylusPlace& plac
   position_mm_ = place.position_mm;
   free_N_ = free_N;
   last_ = wanted;
-  // Without a push no spring holds energy: the rest was dissipated, and must not pay for anything later.
+  // Without a force no spring holds energy: the rest was dissipated and must not pay for later forces.
   if (wanted.force_N == free_N && wanted.torque_Nmm == Vec3{}) {
     energy_mJ_ = 0;
     share_ = 1;
@@ -60,7 +60,7 @@ Force EnergyTank::pass(const Force& wanted, Vec3 free_N, const StylusPlace& plac
   }
   const Vec3 own_N = wanted.force_N - free_N;
   const double way_mm = norm(moved_mm);
-  // Uncertainty of the stylus's place after a tick: motion unseen by the encoders, or caused by the force.
+  // Uncertainty of the stylus's position after a tick: motion below the encoders' resolution, or caused by the force.
   const double unsure_mm = limits_.resolution_mm + norm(own_N) * step_s * step_s * 1e3 / limits_.mass_kg;
   const Vec3 direction = way_mm > 0 ? moved_mm / way_mm : Vec3{};
   const double along_N = dot(own_N, direction);
@@ -71,8 +71,8 @@ Force EnergyTank::pass(const Force& wanted, Vec3 free_N, const StylusPlace& plac
   const double risks_mJ = (resists ? 0 : std::abs(along_N) * (way_mm + unsure_mm)) +
                           norm(across_N) * (kAcross * way_mm + unsure_mm) +
                           norm(wanted.torque_Nmm) * (norm(place.turned_rad) + 0.001);
-  // Down at once, up slowly: a force that comes and goes would cost the account what the encoder's steps hide each
-  // time.
+  // Decreases at once and increases slowly: each change of a force that comes and goes would cost the account the error
+  // of the encoder's steps.
   share_ = std::min(share_ + kRise, risks_mJ > may_mJ ? may_mJ / risks_mJ : 1);
   last_.force_N = free_N + resisting_N + (own_N - resisting_N) * share_;
   last_.torque_Nmm = wanted.torque_Nmm * share_;

@@ -16,9 +16,10 @@ namespace {
 
 using namespace haptics;
 
-/// Stiffness of devices whose maker states none, and of hands without a device.
+/// Stiffness of devices whose manufacturer states none, and of hands without a device.
 constexpr double kUnknownStiffness_Npmm = 1;
-/// No spring here can hold more than force times this way; what the account has beyond it was lost in friction.
+/// Maximum deflection of a spring: it cannot store more than force times this; energy of the account beyond it was lost
+/// in friction.
 constexpr double kMostSpring_mm = 15;
 
 double steepest_Npmm(const HandSetup& hand) {
@@ -28,14 +29,14 @@ double steepest_Npmm(const HandSetup& hand) {
 /// Share of a device's stiffness for the spring that holds the hand of a held needle.
 constexpr double kHoldShare = 0.5;
 
-/// Lighter than any device at its stylus.
+/// Below the mass of any device at its stylus.
 constexpr double kLeastMass_kg = 0.03;
 
-/// Share of a device's dissipation that its own account may count on; the rest is for the account of the tools'
+/// Share of a device's dissipation that its own account may use; the remainder is for the account of the tools'
 /// contact.
 constexpr double kOwnShare = 0.75;
 
-/// Small turns between two attitudes, as a vector.
+/// Small rotation between two attitudes, as a vector.
 Vec3 turnedBy(const Mat3& from, const Mat3& to) {
   Vec3 sum;
   for (int i = 0; i < 3; ++i) sum = sum + cross(from.column[i], to.column[i]);
@@ -49,13 +50,13 @@ struct HandState {
   Transform patientFromStylus, patientFromTool;
   Mat3 attitude;
   Vec3 device_mm;              // of the stylus, device frame
-  Vec3 fromOther_N;            // part of the last force that came from the other tool
-  double givenToOther_mJ = 0;  // energy that went into that since, N mm
+  Vec3 fromOther_N;            // part of the last force that the other tool caused
+  double givenToOther_mJ = 0;  // energy of this part since then, N mm
   bool present = false;
   std::int64_t seen_ns = 0;
 
   void configure(const HandSetup& s) {
-    // Another place of the tool is no way that a hand has gone.
+    // A changed mapping of the tool is not a motion of the hand.
     if (!(s.patientFromDevice == setup.patientFromDevice) || !(s.apart_mm == setup.apart_mm)) {
       tank.reset();
       fromOther_N = {};
@@ -100,13 +101,13 @@ struct HapticServo::State {
   ProbeContact skin;
   NeedleMechanics needle;
   ToolContact tools;
-  EnergyTank between;  // of the tools' contact, by how they move against each other
+  EnergyTank between;  // of the tools' contact, by their relative motion
   struct Held {
     Transform patientFromTool;
-    Vec3 device_mm;  // of the stylus, as it was then
+    Vec3 device_mm;  // of the stylus, when the needle was held
   };
-  bool holds = false;        // as the setup wants it
-  std::optional<Held> held;  // the needle, from the end of the first tick on
+  bool holds = false;        // the setup's request
+  std::optional<Held> held;  // the held needle, from the end of the first tick on
   std::int64_t last_ns = 0;
 
   void takeSetup();
@@ -154,7 +155,7 @@ void HapticServo::State::place(HandState& hand, const DeviceState& device, bool 
   hand.patientFromTool = hand.patientFromStylus * hand.setup.stylusFromTool;
 }
 
-/// A needle that is gone or let go is held no more.
+/// A needle that is absent or released is no longer held.
 void HapticServo::State::keepNeedle() {
   HandState& hand = hands[kNeedleHand];
   if (!holds || !hand.present)
@@ -212,7 +213,7 @@ void HapticServo::State::touchTools(double step_s, std::array<Wanted, 2>& wanted
   const double full_N = norm(onNeedle.force_N);
   const Force paid = between.pass({onNeedle.force_N, {}}, {},
                                   {apart_mm, {}, probe.givenToOther_mJ + needleHand.givenToOther_mJ}, step_s);
-  // Both get the same, so that neither is pushed by what the other does not feel.
+  // Both tools get the same force, so that neither is pushed by a force that the other does not feel.
   const double share = full_N > 0 ? std::min(1.0, norm(paid.force_N) / full_N) : 1;
   onNeedle = {onNeedle.force_N * share, onNeedle.torque_Nmm * share};
   onProbe = {onProbe.force_N * share, onProbe.torque_Nmm * share};

@@ -8,9 +8,9 @@
 namespace insonate::haptics {
 namespace {
 
-/// Patches come tens of times a second; the skin that the hand feels goes over from one to the next in this time.
+/// Patches arrive tens of times a second; the hand feels a gradual change from one to the next over this time.
 constexpr double kBlend_s = 0.015;
-/// N for each mm/s of the whole face, while it goes in only.
+/// N for each mm/s of the whole face, only while it moves in.
 constexpr double kDamping_Nspmm = 0.002;
 constexpr double kAlong_Npmm = 0.3;
 
@@ -52,7 +52,7 @@ SkinForce ProbeContact::press(const LocalModel& model, const Transform& patientF
     const double speed_mmps = touches_[i] && step_s > 0 ? (depth_mm - depth_mm_[i]) / step_s : 0;
     const Stiffening law{patch.stiffness_Npmm, patch.stiffening_Npmm2, steepest_Npmm / count_};
     const double spring_N = law.force_N(depth_mm);
-    // No more damping than spring: the force begins at nothing.
+    // Damping is at most as strong as the spring, so that the force begins at zero.
     const double damping_N = std::clamp(kDamping_Nspmm / count_ * speed_mmps, 0.0, spring_N);
     if (!touches_[i]) anchor_mm_[i] = foot;
     Vec3 along = anchor_mm_[i] - foot;

@@ -11,12 +11,12 @@
 namespace insonate::haptics {
 namespace {
 
-/// Below what kernels use for their own work, above sound servers.
+/// Below the priorities of the kernel's own work, above those of sound servers.
 constexpr int kPriority = 80;
 constexpr std::size_t kStack_bytes = 64 * 1024;
 
 bool lockStack() {
-  // Touched first, so that the pages are there.
+  // Touched first, so that its pages are mapped.
   volatile char stack[kStack_bytes];
   for (std::size_t i = 0; i < sizeof stack; i += 1024) stack[i] = 0;
   return mlock(const_cast<const char*>(stack), sizeof stack) == 0;

@@ -14,12 +14,12 @@ namespace {
 
 using namespace haptics;
 
-/// Events from the servo's thread to whoever asks: one writer, one reader at a time.
+/// Events from the servo's thread to its readers: one writer, and one reader at a time.
 class EventRing {
  public:
   void add(const NeedleEvent& event) noexcept {
     const std::uint64_t at = written_.load(std::memory_order_relaxed);
-    if (at - read_.load(std::memory_order_acquire) >= ring_.size()) return;  // nobody has asked for a long time
+    if (at - read_.load(std::memory_order_acquire) >= ring_.size()) return;  // full: no reader has come for a long time
     ring_[at % ring_.size()] = event;
     written_.store(at + 1, std::memory_order_release);
   }
@@ -58,10 +58,10 @@ struct ServoThread::State {
   std::array<HapticDevice*, 2> inHand{};
   ServoSnapshot snapshot;
 
-  std::mutex writing;          // of setups, models, devices, listeners
-  Devices wanted;              // under `writing`
-  mutable std::mutex reading;  // of snapshots, events
-  mutable std::mutex asking;   // of rights
+  std::mutex writing;          // for setups, models, devices, listeners
+  Devices wanted;              // guarded by `writing`
+  mutable std::mutex reading;  // for snapshots and events
+  mutable std::mutex asking;   // for rights
   RealTimeRights rights;
   std::jthread thread;
 };
@@ -107,7 +107,7 @@ void ServoThread::State::run(const std::stop_token& stop) {
     sleepUntil(due_ns);
     tick(due_ns);
     due_ns += period_ns;
-    // One that could not begin within its period is late; it begins now, and whatever it missed is left out.
+    // A tick that could not begin within its period is late; it begins now, and the missed ticks are skipped.
     if (const std::int64_t behind_ns = monotonic_ns() - due_ns; behind_ns > period_ns) {
       late.fetch_add(1, std::memory_order_relaxed);
       due_ns += behind_ns / period_ns * period_ns;

@@ -7,9 +7,9 @@
 namespace insonate {
 namespace {
 
-/// Force, workspace, resolution and friction of the makers' data sheets; greatest stiffness as
-/// device software lists it. Where no friction is published it is 0.05 N, less than
-/// that of the best of the others: the servo counts on no more.
+/// Force, workspace, resolution and friction from the manufacturers' data sheets; maximum stiffness as device software
+/// lists it. If no friction is published it is 0.05 N, below that of the best other device, so that the servo does not
+/// count on more.
 constexpr std::array<DeviceProfile, 5> kProfiles{{
     {"Touch",
      {.sensedAxes = 6,

@@ -8,7 +8,7 @@
 namespace insonate {
 namespace {
 
-/// A rotation nearest to a blend of two: its columns made square to each other again.
+/// The rotation nearest to a blend of two: its columns made orthogonal again.
 Mat3 squared(const Mat3& m) {
   const Vec3 z = normalized(m.column[2]);
   const Vec3 y = normalized(cross(z, m.column[0]));

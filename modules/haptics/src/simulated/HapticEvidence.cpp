@@ -26,7 +26,7 @@ TissueSample layerAt(Vec3 p) {
 }
 
 bool comesToRest(DeviceLimits device, const Grip& grip, bool account, double stiffness_Npmm) {
-  device.maxForce_N = 1e9;  // a limit would keep every swing small
+  device.maxForce_N = 1e9;  // no limit, which would keep all oscillations small
   SimulatedHand hand(device, grip, {});
   haptics::EnergyTank tank;
   tank.setLimits({.most_J = 1,
@@ -35,8 +35,8 @@ bool comesToRest(DeviceLimits device, const Grip& grip, bool account, double sti
                   .resolution_mm = device.resolution_mm,
                   .mass_kg = std::max(device.mass_kg, 0.03)});
   const double left_mm = 0.25 * device.resolution_mm;
-  double first_mm = 0, last_mm = 0;  // fastest, mm a tick
-  // A knock of 5 ms that gives 50 mm/s.
+  double first_mm = 0, last_mm = 0;  // maximum speed, mm a tick
+  // A push of 5 ms that gives a speed of 50 mm/s.
   const Vec3 knock_N{(device.mass_kg + grip.mass_kg) * 0.05 / (kKnockTicks * kTick_s), 0, 0};
   for (int tick = 0; tick < 2000; ++tick) {
     const Vec3 at = hand.state(0).deviceFromStylus.offset;

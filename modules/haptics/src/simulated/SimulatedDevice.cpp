@@ -8,7 +8,7 @@
 namespace insonate {
 namespace {
 
-/// After a pause longer than this the hand has not moved on meanwhile.
+/// Duration of a pause after which the hand does not catch up.
 constexpr double kLongest_s = 0.02;
 
 }  // namespace

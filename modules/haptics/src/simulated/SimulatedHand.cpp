@@ -29,7 +29,7 @@ void SimulatedHand::move(const HandPath::Point& want, const Force& force, double
         (want.position_mm - position_mm_) * grip_.stiffness_Npmm - velocity_mmps_ * (grip_.damping_Nspm * 1e-3);
     const Vec3 drag_N = velocity_mmps_ * (-device_.damping_Nspm * 1e-3);
     velocity_mmps_ = velocity_mmps_ + (pushed_N + grip_N + drag_N) * (1e3 * dt / mass_kg);
-    // Dry friction takes speed away, at most all of it.
+    // Dry friction reduces the speed, at most to zero.
     const double speed = norm(velocity_mmps_), less = std::min(speed, 1e3 * dt * device_.friction_N / mass_kg);
     if (speed > 0) velocity_mmps_ = velocity_mmps_ * (1 - less / speed);
     const Vec3 moved_mm = velocity_mmps_ * dt;

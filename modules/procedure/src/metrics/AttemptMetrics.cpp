@@ -13,14 +13,15 @@
 namespace insonate {
 namespace {
 
-/// Out of the skin and as far from the hole, the needle counts as pulled out; before, it trembles in the hole.
+/// Distance from the hole outside the skin from which the needle counts as withdrawn; nearer, it trembles in the hole.
 constexpr double kOut_mm = 2;
-/// Blood drawn for as long, and as near to one place, tells that the tip stands in the vein and does not pass it.
+/// Duration of aspirated blood, and maximum motion of the tip meanwhile, that show that the tip stands in the vein
+/// instead of passing it.
 constexpr std::int64_t kDrawn_us = 1'000'000;
 constexpr double kDrawn_mm = 1;
-/// As far from where it was struck, bone counts as left.
+/// Distance from a contact at which the bone counts as left.
 constexpr double kOffBone_mm = 1;
-/// As near to one place for as long, the tip rests.
+/// Maximum motion during this time for the tip to count as at rest.
 constexpr double kRest_mm = 0.5;
 constexpr std::int64_t kRest_us = 500'000;
 constexpr double kDegrees = 180 / std::numbers::pi;
@@ -69,13 +70,13 @@ struct AttemptMetrics::State {
     std::int64_t since_us = 0;
     Vec3 tip_mm;
   };
-  std::optional<Drawing> drawing;  ///< blood, with the tip in one place of the vein
-  bool drawn = false;              ///< blood of the vein was, and the tip only came back since
-  std::optional<Vec3> out_mm;      ///< where the tip came out of the skin, until it is clear of the hole
-  std::optional<Vec3> rest_mm;     ///< from where the tip in the vein has not moved on
-  std::int64_t rest_us = 0;        ///< since when
+  std::optional<Drawing> drawing;  ///< aspirated blood, with the tip at one place of the vein
+  bool drawn = false;              ///< blood of the vein was aspirated, and the tip has only been withdrawn since
+  std::optional<Vec3> out_mm;      ///< where the tip left the skin, until it is clear of the hole
+  std::optional<Vec3> rest_mm;     ///< the place that the tip in the vein has not left
+  std::int64_t rest_us = 0;        ///< since this time
   bool rested = false;             ///< for long enough
-  std::optional<Vec3> bone_mm;     ///< where it met bone, until it is clear
+  std::optional<Vec3> bone_mm;     ///< the contact with bone, until the tip is clear of it
   std::optional<double> angle_deg, nearestArtery_mm, nearestLung_mm, veinCentre_mm;
 };
 
@@ -108,7 +109,7 @@ void AttemptMetrics::State::followNeedle(const AttemptSample& sample) {
   drawBlood(sample);
 }
 
-/// Only the place of the resting tip counts: on its way out the tip passes the wall once more.
+/// Only the place of the resting tip counts: during withdrawal the tip passes the wall once more.
 void AttemptMetrics::State::followRest(const AttemptSample& sample) {
   if (!vein.inside()) return rest_mm.reset();
   const Vec3 tip_mm = sample.patientFromNeedle->offset;

@@ -39,7 +39,7 @@ void NeedleWork::walk(Vec3 tip_mm) {
   ++points_;
 }
 
-/// Forward by a step at once, whatever the way back was; backward the mark comes along.
+/// A step forward moves the mark at once, whatever the last motion backward was; backward, the mark follows.
 void NeedleWork::advance(double depth_mm, bool aspirating) {
   const double by_mm = depth_mm - mark_mm_;
   if (std::abs(by_mm) < kStep_mm) return;
@@ -67,7 +67,7 @@ std::optional<double> NeedleWork::inefficiency_percent() const {
   return 100 * (path_mm_ / straight_mm - 1);
 }
 
-/// Mean of |p|^2 - (u.p)^2 over the points p, u along the straight line.
+/// Mean of |p|^2 - (u.p)^2 over the points p, with u along the straight line.
 std::optional<double> NeedleWork::deviation_mm() const {
   const Vec3 line = end_mm_ - hole_mm_;
   if (!reached_ || points_ == 0 || norm(line) < kStep_mm) return std::nullopt;

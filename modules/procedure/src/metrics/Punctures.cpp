@@ -17,7 +17,7 @@ bool Punctures::enter(double depth_mm) {
 }
 
 void Punctures::leave(double depth_mm) {
-  // Without d1 the crossing inwards was not seen. Before d1, the tip has come out beside its hole.
+  // Without d1 the inward crossing was not seen. At a depth below d1, the tip has left beside its hole.
   if (!inside_ || !front_mm_) return;
   inside_ = false;
   if (back_mm_ || depth_mm < *front_mm_ - kTolerance_mm) return;

@@ -52,10 +52,10 @@ struct AttemptRecorder::State {
   const std::shared_ptr<AttemptFollower> follower;  ///< or null
   record::SampleRing ring;
 
-  // The recorder's thread; after it has ended, finish().
+  // Runs on the recorder's thread; after it has ended, in finish().
   record::RecordFile file;
   record::ChainWriter chain;
-  std::optional<AttemptMetrics> pass;  ///< none where the follower computes them
+  std::optional<AttemptMetrics> pass;  ///< none if the follower computes them
   Stretch open;
   Clock::time_point opened;
   std::int64_t lastSample_us = 0, end_us = 0;
@@ -63,7 +63,7 @@ struct AttemptRecorder::State {
   std::string settings;
   bool refused = false;
 
-  mutable std::mutex mutex;  ///< over what follows
+  mutable std::mutex mutex;  ///< guards the following members
   std::condition_variable wake;
   bool stopping = false;
   std::vector<AttemptEvent> notes;

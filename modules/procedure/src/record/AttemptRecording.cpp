@@ -79,7 +79,7 @@ std::vector<PlacedBlock> AttemptRecording::findBlocks() {
   std::vector<PlacedBlock> blocks;
   for (std::size_t at = 0; at < all.size();) {
     const auto head = record::headAt(all.subspan(at));
-    if (!head) {  // go on with the next block that can be found
+    if (!head) {  // continue with the next block that can be found
       const auto next = std::search(all.begin() + static_cast<std::ptrdiff_t>(at) + 1, all.end(), record::kMark.begin(),
                                     record::kMark.end());
       damaged_ |= next != all.end();
@@ -120,7 +120,7 @@ Result<void> AttemptRecording::checkLinks(std::vector<PlacedBlock>& blocks) {
     if (fault_.empty())
       fault_ = name_ + " was changed or damaged after it was recorded, at " + seconds(fault.time_us) +
                ". Look for an untouched copy.";
-    // A block that does not agree may be right, and the one before it gone.
+    // A block that does not match may be right if the one before it is missing.
     missing_ |= fault.kind != record::ChainFault::Kind::Link;
   }
   // In a complete recording no block is missing, and none was added.
@@ -178,10 +178,10 @@ void AttemptRecording::reportProblems() {
   if (status_ == AttemptStatus::CutShort) {
     troubles_.push_back(name_ + " broke off, so the attempt counts as abandoned; it can be read up to " +
                         seconds(end_us()) + ".");
-    damaged_ |= missing_;  // no end tells how many stretches there were
+    damaged_ |= missing_;  // no end block states the number of stretches
   }
   const bool stretchIsBad = std::ranges::any_of(blocks_, [](const Block& block) { return !block.agrees; });
-  // Bad settings were told with their time.
+  // Damaged settings have been reported with their time.
   if (!fault_.empty() && !damaged_ && (stretchIsBad || !unknownFrom_us_))
     troubles_.push_back(fault_ + (stretchIsBad ? " Metrics are not computed." : ""));
   if (damaged_) troubles_.push_back(name_ + " is damaged: parts of it cannot be found. Metrics are not computed.");

@@ -17,7 +17,7 @@ std::uint32_t checksumOf(std::span<const std::uint8_t> bytes) {
 Bytes packed(BlockKind kind, std::int64_t first_us, std::int64_t last_us, std::span<const std::uint8_t> content) {
   uLongf size = compressBound(static_cast<uLong>(content.size()));
   Bytes body(size);
-  // With a buffer of sufficient size and a valid level only lack of memory can make this fail.
+  // With a sufficient buffer and a valid level, only lack of memory can make this fail.
   if (compress2(body.data(), &size, content.data(), static_cast<uLong>(content.size()), Z_DEFAULT_COMPRESSION) != Z_OK)
     throw std::bad_alloc();
   body.resize(size);

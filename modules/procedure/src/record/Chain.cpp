@@ -17,7 +17,7 @@ Digest digestAfter(const Digest& before, std::span<const std::uint8_t> block) {
   return digest;
 }
 
-/// None where the block is damaged or no link.
+/// None if the block is damaged or not a link.
 std::optional<Link> linkAt(std::span<const std::uint8_t> file, const PlacedBlock& block) {
   const BlockHead& head = block.head;
   if (head.rawBytes > 2 * Digest().size()) return std::nullopt;
@@ -57,7 +57,7 @@ ChainReading checkChain(std::span<const std::uint8_t> file, std::vector<PlacedBl
   ChainReading reading;
   std::vector<PlacedBlock> others;
   Digest digest{};
-  std::size_t unlinked = 0;  // the first of the blocks that no link has spoken for
+  std::size_t unlinked = 0;  // the first block without a matching link
   std::int64_t time_us = 0;
   for (PlacedBlock& block : blocks) {
     if (block.head.kind != BlockKind::Link) {
@@ -77,7 +77,7 @@ ChainReading checkChain(std::span<const std::uint8_t> file, std::vector<PlacedBl
       others[unlinked].agrees = agrees;
       if (!agrees) reading.faults.push_back({ChainFault::Kind::Block, unlinked, others[unlinked].head.first_us});
     }
-    // As it was recorded: what follows is compared with that, so that damage costs no more than its own block.
+    // The digest as recorded: later blocks are compared with it, so that damage affects only its own block.
     digest = link->digest;
     reading.links.push_back(*link);
   }

@@ -5,11 +5,11 @@
 namespace insonate::record {
 namespace {
 
-/// Grows when an older program could not read what is written now. Format 1 has neither settings nor tenting,
-/// format 2 does not say which vein was punctured, format 3 has no chain.
+/// Raised when an older program could not read new recordings. Format 1 has neither settings nor tenting, format 2 does
+/// not state which vein was punctured, format 3 has no chain.
 constexpr int kFormat = 4;
 constexpr int kChainedSince = 4;
-/// Value of "hands"; a header without "hands" was recorded from a person's.
+/// Value of "hands"; the hands of a header without "hands" are a person's.
 constexpr const char* kScript = "script";
 
 RecordedFor recordedForFrom(const nlohmann::json& json) {
@@ -59,7 +59,7 @@ Result<HeaderRead> headerFrom(std::string_view text) {
                   std::to_string(kFormat) + "; use the Insonate that wrote it, " +
                   json.value("software", "a newer one") + ".");
     const auto& picture = json.at("picture");
-    // Before November 2026 the slice grew alike on both sides of its focus.
+    // Before November 2026 the slice thickness increased equally on both sides of the focus.
     const double divergence = picture.value("elevationDivergence", 0.0);
     return HeaderRead{
         {json.at("software"),

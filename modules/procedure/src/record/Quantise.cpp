@@ -8,8 +8,8 @@
 namespace insonate {
 namespace {
 
-/// Index of each value in QuantisedSample::channel. A tool takes seven: the omitted component of its quaternion (0:
-/// nobody holds the tool), the other three, the position.
+/// Index of each value in QuantisedSample::channel. A tool has seven: the omitted component of its quaternion (0: the
+/// tool is not held), the other three, the position.
 enum Channel {
   kProbe = 0,
   kNeedle = 7,
@@ -48,7 +48,7 @@ bool isPlace(const Transform& pose) {
   return isFinite(o) && std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)}) <= kFarthest_mm;
 }
 
-/// The three components but the largest, which follows from the unit length and is taken as positive.
+/// The three smaller components; the largest follows from the unit length and is positive by convention.
 void putTool(const std::optional<Transform>& tool, std::int32_t* channel) {
   if (!tool || !isPlace(*tool)) return;
   Eigen::Matrix3d rotation;

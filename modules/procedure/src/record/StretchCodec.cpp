@@ -8,11 +8,11 @@ namespace {
 
 constexpr int kOrders = 3;
 constexpr std::size_t kEventBytesOfFormat2 = 8 + 3 + 8 * 3 + 8 * 3 + 8 + 1 + 8 * 3 + 8;
-constexpr std::size_t kEventBytes = kEventBytesOfFormat2 + 1;  // the vessel
-constexpr int kChannelsOfFormat1 = 21;                         // no tenting
+constexpr std::size_t kEventBytes = kEventBytesOfFormat2 + 1;  // includes the vessel
+constexpr int kChannelsOfFormat1 = 21;                         // without tenting
 using Channel = std::vector<std::uint32_t>;
 
-/// Differences of 32-bit numbers wrap round, and so do sums: nothing is lost.
+/// Differences of 32-bit numbers wrap around, and so do sums, so that no information is lost.
 void difference(Channel& values) {
   for (std::size_t i = values.size(); i-- > 1;) values[i] -= values[i - 1];
 }
@@ -130,7 +130,7 @@ std::optional<Stretch> decoded(std::span<const std::uint8_t> bytes) {
   Stretch stretch;
   stretch.samplesLost = reader.get<std::uint32_t>();
   const std::int64_t first_us = reader.getTime();
-  // The length tells the format.
+  // The length determines the format.
   const auto fits = [&](int channels, std::uint64_t eventBytes) {
     return reader.left() == (channels + std::uint64_t{1}) * (1 + 4 * std::uint64_t{count}) + events * (eventBytes + 4);
   };

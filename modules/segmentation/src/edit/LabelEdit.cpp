@@ -105,7 +105,7 @@ LabelEdit::Difference LabelEdit::write(const Proposal& proposal) {
     join(difference.change, {{{c.first[0], c.first[1], k}, {c.end[0], c.end[1], k + 1}}, c.labels, c.voxels});
   }
   if (difference.change.voxels == 0) return {};
-  // Only the slices that have changed are kept.
+  // Only changed slices are stored.
   auto& slices = difference.slices;
   slices.erase(slices.begin() + (difference.change.box.end[2] - box.first[2]), slices.end());
   slices.erase(slices.begin(), slices.begin() + (difference.change.box.first[2] - box.first[2]));
@@ -123,7 +123,7 @@ void LabelEdit::remember(Difference difference, std::string name) {
   forgetOldest();
 }
 
-/// A step that is larger than all memory allowed can still be undone as long as it is the latest.
+/// A step larger than the whole memory limit can still be undone while it is the latest.
 void LabelEdit::forgetOldest() {
   while (done_.size() > 1 && (done_.size() > kMostSteps || bytes() > mostBytes_)) done_.pop_front();
 }

@@ -12,12 +12,12 @@
 namespace insonate {
 namespace {
 
-constexpr double kBeside_mm = 2;         // a click so near to a structure is meant for it
-constexpr double kMostOfSurface = 0.02;  // that touches what it should not
-constexpr double kAside_mm = 5;          // nearer to the middle, no side is meant
-constexpr double kAround_mm = 25;        // of the clicks, where a structure ends that may go on beyond
+constexpr double kBeside_mm = 2;         // a click within this distance of a structure refers to it
+constexpr double kMostOfSurface = 0.02;  // share of the surface that may touch structures that it should not touch
+constexpr double kAside_mm = 5;          // clicks nearer to the midline have no side
+constexpr double kAround_mm = 25;        // distance from the clicks at which a structure ends that may continue beyond
 
-/// The pieces of a label that clicks lie in or beside, and how many clicks lie beside all.
+/// Components of a label in or beside which clicks lie, and the number of clicks beside all of them.
 struct Found {
   Selection pieces;
   int clicksBeside = 0;
@@ -49,7 +49,7 @@ Found foundAt(const LabelMap& labels, std::uint8_t label, std::span<const Vec3> 
   return found;
 }
 
-/// The share of the faces of a shape's surface behind which one of the labels lies.
+/// Share of the faces of a shape's surface that touch one of the labels.
 double shareTouching(const Selection& shape, const LabelMap& labels, std::uint8_t other) {
   std::size_t faces = 0, touching = 0;
   const VoxelBox& box = shape.box;
@@ -68,7 +68,7 @@ double shareTouching(const Selection& shape, const LabelMap& labels, std::uint8_
   return faces > 0 ? double(touching) / double(faces) : 0;
 }
 
-/// Position of the patient's middle beside the clicks, to the left in mm: the airway's, else the body's.
+/// Position of the patient's midline beside the clicks, to the left in mm: that of the airway, else of the body.
 std::optional<double> middle_mm(const LabelMap& labels, std::span<const Vec3> clicks_mm) {
   const VoxelBox near = boxAround(labels.geometry, clicks_mm, kAround_mm);
   const Transform patientFromIndex = labels.geometry.patientFromIndex();
@@ -87,7 +87,7 @@ std::optional<double> middle_mm(const LabelMap& labels, std::span<const Vec3> cl
   return body > 0 ? std::optional(body_mm / double(body)) : std::nullopt;
 }
 
-/// The image shows the patient's right on its left, which beginners take for the left.
+/// The image shows the patient's right on its left, which beginners confuse.
 std::optional<std::string> offSide(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels) {
   const auto middle = step.side ? middle_mm(labels, clicks_mm) : std::nullopt;
   if (!middle) return std::nullopt;

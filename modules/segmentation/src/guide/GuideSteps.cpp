@@ -17,7 +17,7 @@ void setPoints(LabelTool& tool, std::span<const Vec3> points_mm) {
       tool);
 }
 
-/// The corners of the block that reaches so far beyond all of the points, along the patient's axes.
+/// Corners of the block that extends this far beyond all points, along the patient's axes.
 std::array<Vec3, 2> cornersAround(std::span<const Vec3> points_mm, double reach_mm) {
   std::array<Vec3, 2> corners{points_mm.front(), points_mm.front()};
   for (const Vec3& p : points_mm)
@@ -28,7 +28,7 @@ std::array<Vec3, 2> cornersAround(std::span<const Vec3> points_mm, double reach_
   return corners;
 }
 
-/// The median of what is around the clicks.
+/// Median of the CT around the clicks.
 int brightnessAt(const CtVolume& ct, std::span<const Vec3> clicks_mm) {
   constexpr double kReach_mm = 2;
   std::vector<double> levels;

@@ -14,7 +14,7 @@
 namespace insonate {
 namespace {
 
-/// One slice of a selection as an image with its own two axes.
+/// One slice of a selection as an image with two axes.
 class SlicePlane {
  public:
   SlicePlane(Selection& selection, int axis)
@@ -35,13 +35,13 @@ class SlicePlane {
   std::array<int, 2> across_;
 };
 
-/// Signed distance of each point of a slice from the outline, mm, positive inside; and the outline's middle.
+/// Signed distance of each point of a slice from the outline, mm, positive inside; and the center of the outline.
 struct Drawing {
   int slice = 0, width = 0, height = 0;
   double x = 0, y = 0;  ///< centroid, in voxels
   std::vector<float> inside_mm;
 
-  /// Bilinear; beyond the slice, that of its edge.
+  /// Bilinear; outside the slice, the value at its edge.
   double sample(double px, double py) const {
     px = std::clamp(px, 0.0, width - 1.0), py = std::clamp(py, 0.0, height - 1.0);
     const int left = std::min(static_cast<int>(px), std::max(0, width - 2)), right = std::min(left + 1, width - 1);
@@ -55,7 +55,7 @@ struct Drawing {
 
 using Picture = itk::Image<std::uint8_t, 2>;
 
-/// Distance of each point to the nearest pixel of value 1; 0 on those.
+/// Distance of each point to the nearest pixel of value 1; 0 at those.
 std::vector<float> distances_mm(Picture* picture) {
   auto maurer = itk::SignedMaurerDistanceMapImageFilter<Picture, itk::Image<float, 2>>::New();
   maurer->SetInput(picture);

@@ -22,7 +22,7 @@ std::optional<std::size_t> otsuBin(std::span<const std::uint64_t> counts) {
   auto otsu = itk::OtsuThresholdCalculator<Histogram, double>::New();
   otsu->SetInput(histogram);
   otsu->Update();
-  // It answers with the middle of the darker class's last bin.
+  // The filter returns the middle of the darker class's last bin.
   return std::min(std::size_t(std::floor(otsu->GetThreshold())) + 1, counts.size() - 1);
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using Image = itk::Image<float, 3>;
 
-/// Asks also between the steps of its preparation, which tell nothing by themselves.
+/// Checks for cancellation also between the steps of the preparation, which report no progress.
 class Contour final : public itk::GeodesicActiveContourLevelSetImageFilter<Image, Image> {
  public:
   using Self = Contour;
@@ -46,7 +46,7 @@ class Contour final : public itk::GeodesicActiveContourLevelSetImageFilter<Image
   }
 };
 
-/// Root mean square change of a round below which the surface rests.
+/// Root mean square change of a round below which the surface has converged.
 constexpr double kRest = 0.005;
 
 }  // namespace
@@ -71,7 +71,7 @@ Result<Selection> levelSet(const CtVolume& ct, const Selection& start, const Geo
     contour->SetPropagationScaling(static_cast<float>(parameters.propagation));
     contour->SetCurvatureScaling(static_cast<float>(parameters.curvature));
     contour->SetAdvectionScaling(static_cast<float>(parameters.advection));
-    // The edges come from a blurred CT already.
+    // The edges are already computed from a blurred CT.
     contour->SetDerivativeSigma(0);
     contour->SetMaximumRMSError(kRest);
     contour->SetNumberOfIterations(itk::IdentifierType(parameters.rounds));

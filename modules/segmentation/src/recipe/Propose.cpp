@@ -19,7 +19,7 @@ LabelSet setOf(const std::vector<std::uint8_t>& labels) {
   return set;
 }
 
-/// Region in which a step may write: the whole grid, unless it says otherwise.
+/// Region in which a step may write: the whole grid by default.
 VoxelBox regionOf(const LabelStep& step, const VolumeGeometry& grid) {
   if (!step.box_mm) return boxOf(grid);
   const Transform indexFromPatient = grid.indexFromPatient();
@@ -31,7 +31,7 @@ VoxelBox regionOf(const LabelStep& step, const VolumeGeometry& grid) {
   return intersected(box, boxOf(grid));
 }
 
-/// Erasing is painting with the rest: what is taken is seen where the rest that was there before is not.
+/// Erasing paints with the rest label, so that erased voxels differ from the rest that was there before.
 void leaveWhatIsSo(const LabelMap& labels, Proposal& proposal) {
   const VoxelBox& box = proposal.box;
   for (int k = box.first[2]; k < box.end[2]; ++k)
@@ -107,7 +107,7 @@ class Proposer {
     return reshape(hollowed(shape(s.thickness_mm), s.thickness_mm, s.wall, progress_));
   }
   Result<Proposal> operator()(const step::Logical& s) const {
-    // Subtracted from itself a label is cleared, as is meant.
+    // A label subtracted from itself is cleared.
     const bool mayVanish = s.operation == LogicalOperation::kAdd || s.with == step_.label;
     if (!mayVanish && s.reach_mm == 0)
       return fail(
@@ -157,7 +157,7 @@ class Proposer {
   static constexpr double kAroundShape_mm = 10, kAroundLevelSet_mm = 20;
 
   VoxelBox region() const { return regionOf(step_, ct_.geometry); }
-  /// The label in the step's region, or where it is and so much around.
+  /// The label in the step's region, or in its bounding box with a margin.
   Selection shape(double margin_mm) const {
     return voxelsOf(labels_, step_.label, extentOfAll({step_.label}, margin_mm));
   }

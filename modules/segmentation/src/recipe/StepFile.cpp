@@ -7,7 +7,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Fields that every step may have, beside its tool's fields.
+/// Fields that every step may have in addition to its tool's fields.
 template <class Io>
 void commonFields(Io& io, LabelStep& s) {
   io("label", s.label);
@@ -35,7 +35,7 @@ LabelTool toolOf(std::size_t index, std::index_sequence<N...>) {
   return tool;
 }
 
-/// Tools that write several labels, or those that the CT gives, and need none.
+/// Tools that need no label, since they write several labels or those that the CT gives.
 bool needsLabel(const LabelTool& tool) {
   return !std::holds_alternative<step::Auto>(tool) && !std::holds_alternative<step::SmoothTogether>(tool) &&
          !std::holds_alternative<step::GrowSeeds>(tool) && !std::holds_alternative<step::Watershed>(tool);

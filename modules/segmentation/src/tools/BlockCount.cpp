@@ -9,7 +9,7 @@ namespace {
 
 using Counts = Volume<std::uint32_t>;
 
-/// Replaces a line of numbers, `stride` apart, by their sums over `reach` to both sides.
+/// Replaces each number of a line, `stride` apart, by the sum over `reach` on both sides.
 void sumAlong(std::uint32_t* line, std::size_t stride, int count, int reach, std::vector<std::uint32_t>& sums) {
   sums.resize(count + 1);
   sums[0] = 0;

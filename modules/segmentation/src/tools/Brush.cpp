@@ -7,7 +7,7 @@
 namespace insonate {
 namespace {
 
-/// A stroke in millimeters along the grid's own axes, flat where the brush is a circle.
+/// A stroke in millimeters along the grid's axes; flat if the brush is a circle.
 struct Stroke {
   std::vector<Vec3> points;
   Vec3 spacing_mm;
@@ -28,7 +28,7 @@ struct Stroke {
   Vec3 scaled(Vec3 index) const { return {index.x * spacing_mm.x, index.y * spacing_mm.y, index.z * spacing_mm.z}; }
 };
 
-/// The voxels of a grid that a ball around two points of a stroke may reach.
+/// Box of the voxels that a ball around two points of a stroke may reach.
 VoxelBox reachOf(const VolumeGeometry& g, Vec3 a, Vec3 b, double radius_mm) {
   VoxelBox box;
   for (int axis = 0; axis < 3; ++axis) {

@@ -14,7 +14,7 @@ using segmentation::guarded;
 using segmentation::SeedFront;
 using segmentation::Work;
 
-/// Finer than a Hounsfield unit, so that ways of a few millimeters differ.
+/// Finer than a Hounsfield unit, so that paths of a few millimeters differ.
 constexpr double kStepsPerHu = 4;
 constexpr double kMostPerStep = SeedFront::kBuckets - 1;
 
@@ -74,7 +74,7 @@ Result<Proposal> watershed(const CtVolume& ct, const Seeds& seeds, double smooth
     const Volume<float> slope = segmentation::gradientMagnitude(ct, flooded.box, smoothing_mm, work);
     work.start("Flooding");
     SeedFront front(flooded, seeds.contested);
-    // The level of the water on the way, not the length of the way.
+    // The cost is the water level on the path, not its length.
     front.run(work, [&](std::uint32_t cost, std::uint32_t, std::uint32_t to, int) {
       return std::max(cost, whole(kStepsPerHu * slope.voxels[to]));
     });

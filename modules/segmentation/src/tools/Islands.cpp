@@ -20,7 +20,7 @@ Components islandsOf(const Selection& selection, Work& work) {
   return Components(selection.mask, Components::Reach::Volume, work);
 }
 
-/// Islands by falling size; of equal ones the first comes first.
+/// Islands by decreasing size; equal ones in their order of occurrence.
 std::vector<std::uint32_t> bySize(const std::vector<std::size_t>& sizes) {
   std::vector<std::uint32_t> order(sizes.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -28,7 +28,7 @@ std::vector<std::uint32_t> bySize(const std::vector<std::size_t>& sizes) {
   return order;
 }
 
-/// The selection with only the islands that `chosen(islands)` marks.
+/// The selection with the islands that `chosen(islands)` marks.
 template <class Choose>
 Result<Selection> keep(const Selection& of, const Progress& progress, const Choose& choose) {
   if (of.box.empty()) return of;

@@ -10,8 +10,8 @@
 namespace insonate {
 namespace {
 
-/// Points of the patient as homogeneous points of an image, (x, y, w): in front where w is above 0. A row of voxels is
-/// a line of the image, and its crossings with the polygon's edges are found exactly.
+/// Points of the patient as homogeneous points of an image, (x, y, w): in front of the eye if w is above 0. A row of
+/// voxels is a line of the image, and its crossings with the edges of the polygon are exact.
 class Outline {
  public:
   Outline(std::span<const Vec3> corners_mm, const ScissorsView& view) : along_(view.along), eye_mm_(view.eye_mm) {
@@ -30,7 +30,7 @@ class Outline {
     return {dot(right_, off), dot(down_, off), eye_mm_ ? dot(along_, off) : 1};
   }
 
-  /// Even-odd, of a point in front.
+  /// Even-odd rule, for a point in front of the eye.
   bool holds(Vec3 point) const {
     const double x = point.x / point.z, y = point.y / point.z;
     bool inside = false;
@@ -41,11 +41,11 @@ class Outline {
     return inside;
   }
 
-  /// Sets of `row` the voxels seen in the polygon; voxel i is seen at from + step * i.
+  /// Sets those voxels of `row` that are inside the polygon; voxel i is displayed at from + step * i.
   void fill(Vec3 from, Vec3 step, std::span<std::uint8_t> row, std::vector<double>& crossings) const {
     const double last = static_cast<double>(row.size()) - 1;
     const Vec3 line = cross(from, step);
-    if (norm(line) <= 1e-9 * (1 + norm(from))) {  // one looks along the row
+    if (norm(line) <= 1e-9 * (1 + norm(from))) {  // the view is along the row
       const Vec3 middle = from + step * (last / 2);
       if (middle.z > 0 && holds(middle)) std::ranges::fill(row, std::uint8_t{1});
       return;
@@ -61,7 +61,8 @@ class Outline {
       if (from.z + step.z * at > 0) crossings.push_back(at);
     }
     std::ranges::sort(crossings);
-    // A row that comes from behind the eye enters the image from far outside; one that goes behind leaves to there.
+    // A row that begins behind the eye enters the image from far outside; a row that ends behind it leaves the image
+    // far outside.
     bool inside = step.z < 0 && crossings.size() % 2 == 1;
     std::size_t next = 0;
     for (std::size_t i = 0; i < row.size(); ++i) {

@@ -43,7 +43,7 @@ class StatisticsSum {
 };
 
 HuRange rangeOf(const Statistics& s, double deviations) {
-  // A seed in even tissue, as in a phantom, has no deviation, and rounding must not empty the range.
+  // A seed in homogeneous tissue, as in a phantom, has no deviation; rounding must not empty the range.
   const double half = std::max(deviations * s.sd_HU, 1.0);
   return {static_cast<int>(std::floor(s.mean_HU - half)), static_cast<int>(std::ceil(s.mean_HU + half))};
 }

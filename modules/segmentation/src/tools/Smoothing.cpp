@@ -18,7 +18,7 @@ Error vanished(const std::string& what) {
   return {what + " would vanish: it is thinner than the smoothing. Use a smaller radius."};
 }
 
-/// `change(mask, work)`, in place.
+/// Applies `change(mask, work)` in place.
 template <class Change>
 Result<Selection> changed(const Selection& shape, double passes, const Progress& progress, const Change& change) {
   if (shape.box.empty()) return shape;

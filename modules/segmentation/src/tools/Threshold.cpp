@@ -22,7 +22,7 @@ void rows(const CtVolume& ct, const VoxelBox& box, Volume<std::uint8_t>& out, co
   });
 }
 
-/// A range in the CT's own 16 bits, so that eight voxels are compared at once.
+/// A range in the CT's 16 bits, so that eight voxels are compared at once.
 class Range16 {
  public:
   explicit Range16(HuRange range)
@@ -30,7 +30,7 @@ class Range16 {
         low_(static_cast<std::int16_t>(std::clamp(range.low, -32768, 32767))),
         high_(static_cast<std::int16_t>(std::clamp(range.high, -32768, 32767))) {}
 
-  /// `in` for each voxel of the range, `outside` for all others.
+  /// Sets `in` for each voxel within the range, `outside` for all others.
   void mark(const std::int16_t* hu, std::uint8_t* out, int count, std::uint8_t in, std::uint8_t outside) const {
     if (none_) {
       std::fill_n(out, count, outside);
@@ -48,7 +48,7 @@ class Range16 {
   std::int16_t low_, high_;
 };
 
-/// Calls `visit(i)` for each of the row that is not kKeep, most of which are.
+/// Calls `visit(i)` for each voxel of the row that is not kKeep.
 template <class Visit>
 void eachProposed(const std::uint8_t* row, int count, const Visit& visit) {
   constexpr int kWord = sizeof(std::uint64_t);

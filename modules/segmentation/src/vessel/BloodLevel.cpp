@@ -9,15 +9,15 @@
 namespace insonate::segmentation {
 namespace {
 
-constexpr double kBlood_mm = 1.2;     // the ball whose median is the blood's
-constexpr int kTissueFrom_HU = -120;  // air and lung say nothing about where blood ends
+constexpr double kBlood_mm = 1.2;     // radius of the ball whose median is the level of the blood
+constexpr int kTissueFrom_HU = -120;  // air and lung do not indicate where blood ends
 constexpr int kTissueBelowBlood_HU = 30;
-constexpr double kUsualTissue_HU = 50;  // muscle, where nothing darker than blood is near
-constexpr double kLimit = 0.6;          // of the way to half
+constexpr double kUsualTissue_HU = 50;  // level of muscle, used if no tissue darker than blood is near
+constexpr double kLimit = 0.6;          // share of the distance to half
 constexpr double kMost = 4;
-constexpr std::size_t kSameBlood = 5;  // stations to both sides of a click, of which its level is the median
-constexpr double kOtherBlood = 4.5;    // standard deviations that a click's own level may be off by noise
-constexpr double kSigma = 1.4826;      // of the median absolute deviation of what is normally distributed
+constexpr std::size_t kSameBlood = 5;  // the level of a click is the median over this number of stations on both sides
+constexpr double kOtherBlood = 4.5;    // standard deviations by which noise may change a click's own level
+constexpr double kSigma = 1.4826;      // ratio of SD to median absolute deviation, normal distribution
 
 std::vector<std::int16_t> ball(const CtVolume& ct, Vec3 patient_mm, double radius_mm) {
   const Selection chosen = brushed(ct.geometry, std::array{patient_mm}, {.radius_mm = radius_mm});
@@ -41,7 +41,7 @@ BloodLevel levelOf(double blood_HU, double half_HU) {
   return {blood_HU - kLimit * half_HU, blood_HU, blood_HU + kLimit * half_HU, blood_HU - half_HU};
 }
 
-/// The medians of what is found around a station.
+/// Medians of the levels around a station.
 BloodLevel middleAround(const std::vector<BloodLevel>& found, std::size_t station) {
   const std::size_t from = station > kSameBlood ? station - kSameBlood : 0;
   std::vector<double> blood, half;
@@ -61,7 +61,7 @@ double BloodLevel::unlikeness(double hu) const {
 
 BloodLevel bloodAt(const CtVolume& ct, Vec3 patient_mm, double reach_mm) {
   const Vec3& s = ct.geometry.spacing_mm;
-  const double radius_mm = std::max(kBlood_mm, 1.01 * std::min({s.x, s.y, s.z}));  // a voxel and its neighbors
+  const double radius_mm = std::max(kBlood_mm, 1.01 * std::min({s.x, s.y, s.z}));  // at least a voxel and its neighbors
   std::vector<std::int16_t> inside = ball(ct, patient_mm, radius_mm), around = ball(ct, patient_mm, reach_mm);
   const double blood_HU = median(inside);
   std::erase_if(around, [=](std::int16_t hu) { return hu < kTissueFrom_HU || hu > blood_HU - kTissueBelowBlood_HU; });

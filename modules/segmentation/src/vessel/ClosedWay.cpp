@@ -7,7 +7,7 @@
 namespace insonate::segmentation {
 namespace {
 
-/// Cost per step away from the expected radius, and its maximum: that of a clear wall.
+/// Cost for each step of deviation from the expected radius, and its maximum, which equals the gain of a clear wall.
 constexpr double kUnexpected = 0.06, kMostUnexpected = 6;
 
 }  // namespace

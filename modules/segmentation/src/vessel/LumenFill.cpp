@@ -19,7 +19,7 @@ double radiusAt(const VesselOutline& outline, double angle) {
   return outline.radius_mm[n] * (1 - share) + outline.radius_mm[(n + 1) % VesselOutline::kRays] * share;
 }
 
-/// Between two sections, which need not be parallel: a point lies as far along as its distances from both planes say.
+/// Interpolates between two sections, which need not be parallel, by the distances of a point from both planes.
 bool between(const VesselOutline& a, const VesselOutline& b, Vec3 point_mm) {
   const double behindA = dot(point_mm - a.centre_mm, cross(a.right, a.down));
   const double beforeB = -dot(point_mm - b.centre_mm, cross(b.right, b.down));

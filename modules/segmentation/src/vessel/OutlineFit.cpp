@@ -9,18 +9,19 @@
 namespace insonate::segmentation {
 namespace {
 
-/// From a ray to the next, the wall moves by no more than this share of its radius, or so many steps; what a step
-/// costs, less where the vessel is wider, so that the outline of a flat vein is as cheap on any scale.
+/// Between neighboring rays the wall moves at most by this share of its radius, or by this number of steps. A step
+/// costs less in a wider vessel, so that the outline of a flat vein costs the same on any scale.
 constexpr double kMostBend = 0.25, kBend = 0.4;
 constexpr int kLeastBend = 3, kBendRadius = 12;
-/// Behind the wall the CT falls or rises to the next tissue within so many standard deviations of the blur; less of a
-/// change than this share of the contrast is none, and noise turns the way back by no more than that one.
+/// Number of standard deviations of the blur within which the CT changes to the next tissue behind the wall. A change
+/// below this share of the contrast does not count, and noise reverses the change by at most the other share.
 constexpr double kEdge = 2, kLeastChange = 0.3, kNoise = 0.1;
 constexpr double kFullWidth = 2.355;  // at half maximum, of a Gaussian, by its standard deviation
-constexpr int kAveraged = 2;          // sections to both sides
-constexpr double kScanner_mm = 0.4;   // standard deviation of a CT scanner's blur, 0.9 mm in full width at half maximum
+constexpr int kAveraged = 2;          // sections on both sides
+constexpr double kScanner_mm = 0.4;   // standard deviation of a CT scanner's blur, which is 0.9 mm in full width at
+                                      // half maximum
 
-/// Between samples of a profile, where it passes a value on its way from `from` on; negative where it does not.
+/// Position between samples at which a profile passes a value, searched from `from` on; negative if it does not.
 double crossing(const std::vector<double>& profile, int from, int to, double value) {
   for (int n = from; n < to; ++n)
     if ((profile[n] - value) * (profile[n + 1] - value) <= 0 && profile[n] != profile[n + 1])
@@ -64,16 +65,16 @@ double OutlineFit::bloodIn(const VesselOutline& section, const SectionShape& sha
   return *middle;
 }
 
-/// Distance by which blur shows both sides of a layer (a stent, a plaque, the layer between two vessels) nearer than
-/// they are, if the layer is seen this wide at half its height: widths add up as squares.
+/// Distance by which blur moves both sides of a layer (a stent, a plaque, the layer between two vessels) toward each
+/// other, if the layer has this width at half its height: widths add as squares.
 double OutlineFit::widening_mm(double seen_mm) const {
   const double blur_mm = kFullWidth * std::sqrt(blur_mm2_);
   return (seen_mm - std::sqrt(std::max(0.0, seen_mm * seen_mm - blur_mm * blur_mm))) / 2;
 }
 
-/// Blur moves the half-way line of a round vessel inward, by the heat equation d r / d variance = -1 / (2 r); and where
-/// the vessel is thin it takes exp(-r^2 / (2 variance)) from its middle, which moves the line outward by half of that
-/// over the slope of the edge, 1 / sqrt(2 pi variance).
+/// Blur moves the half-value line of a round vessel inward, by the heat equation d r / d variance = -1 / (2 r). In a
+/// thin vessel it reduces the value in the middle by exp(-r^2 / (2 variance)), which moves the line outward by half of
+/// that over the slope of the edge, 1 / sqrt(2 pi variance).
 Radii OutlineFit::refined(const std::vector<VesselOutline>& sections, int n, const SectionShape& shape,
                           const BloodLevel& level) const {
   const double contrast_HU = 2 * (level.blood_HU - level.half_HU);
@@ -87,7 +88,7 @@ Radii OutlineFit::refined(const std::vector<VesselOutline>& sections, int n, con
     const int inner = std::max(0, wall - reach_), outer = wall + reach_;
     const std::vector<double> hu =
         profile(sections, n, {x / stretch * kStep_mm, y / stretch * kStep_mm}, 0, outer + reach_ + 1);
-    // The tissue behind the wall: where the CT stops to fall, or to rise, but for noise.
+    // The tissue behind the wall: the place where the CT stops to change, except for noise.
     const double way = hu[std::min(wall + 1, outer)] < level.blood_HU ? -1 : 1;
     int behind = wall;
     for (int at = wall + 1; at <= outer && way * (hu[behind] - hu[at]) < noise_HU; ++at)
@@ -107,15 +108,15 @@ Radii OutlineFit::refined(const std::vector<VesselOutline>& sections, int n, con
   return radii;
 }
 
-/// Along each ray, what lies inside the wall should look like blood: the sum of unlikeness - 1 up to the wall is
-/// smallest.
+/// Along each ray, the inside of the wall should have the level of blood: minimizes the sum of (unlikeness - 1) up to
+/// the wall.
 Radii OutlineFit::fitted(const std::vector<VesselOutline>& sections, int n, const SectionShape& shape,
                          const BloodLevel& level, const Radii* expected) const {
   RadialCost wall(steps_, kStep_mm);
   for (int ray = 0; ray < VesselOutline::kRays; ++ray) {
     const auto [x, y] = shape.along(ray);
     const double stretch = std::hypot(x, y);
-    // Wall r lies behind sample r.
+    // Wall r is behind sample r.
     const std::vector<double> hu = profile(sections, n, {x * kStep_mm, y * kStep_mm}, 0.5, steps_);
     double sum = 0;
     for (int r = 0; r < steps_; ++r) {

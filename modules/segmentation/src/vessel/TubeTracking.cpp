@@ -19,10 +19,10 @@ using segmentation::Work;
 
 constexpr double kStep_mm = 0.25;
 constexpr int kRounds = 6;
-constexpr int kAveraged = 4, kLineStations = 3, kShapeStations = 5;  // stations to both sides
-constexpr int kMedianStations = 4;                                   // of which the expected outline is the median
+constexpr int kAveraged = 4, kLineStations = 3, kShapeStations = 5;  // stations on both sides
+constexpr int kMedianStations = 4;                                   // stations whose median is the expected outline
 constexpr double kMostUnlike = 4;
-constexpr double kClick_mm = 1.5;  // the ball that says what is followed
+constexpr double kClick_mm = 1.5;  // radius of the ball that determines the tissue to follow
 
 /// CT levels of the vessel to follow, from the CT around the clicks.
 struct TubeLevel {
@@ -40,9 +40,9 @@ double median(std::vector<double> values) {
 }
 
 TubeLevel levelAt(const CtVolume& ct, std::span<const Vec3> clicks_mm, const TubeTracking& how) {
-  constexpr double kSdPerDeviation = 1.48;  // of a bell from the median of the absolute deviations
+  constexpr double kSdPerDeviation = 1.48;  // ratio of SD to median absolute deviation, normal distribution
   constexpr double kQuiet_HU = 12, kVoxelsPerNoise = 1.0 / 20, kMostVoxels = 1.2;  // of blur
-  // The noise that averaging along the line leaves grows as slices are fewer: it counts as that of usual slices.
+  // Averaging along the line leaves more noise with fewer slices; the limit is that of usual slices.
   constexpr double kUsualSlice_mm = 0.75;
   constexpr double kDarkerNoise = 0.6, kBrighterNoise = 0.4;
   std::vector<double> all, deviations;
@@ -107,7 +107,8 @@ class TubeFit {
   }
 
  private:
-  /// The sum of unlikeness - 1 up to each wall, of means over the sections around, in the stretch of this one.
+  /// The sum of (unlikeness - 1) up to each wall, from means over the neighboring sections, stretched like this
+  /// section.
   RadialCost costAt(int n) const {
     const int count = static_cast<int>(sections_.size());
     const int first = std::max(0, n - kAveraged), last = std::min(count - 1, n + kAveraged);
@@ -144,7 +145,7 @@ class TubeFit {
     }
   }
 
-  /// Onto the outlines' middles, stretched like the mean of the outlines around.
+  /// Moves the line onto the centers of the outlines; the stretch is the mean of the outlines around.
   void centre() {
     const int count = static_cast<int>(sections_.size());
     std::vector<Vec3> line;
@@ -162,7 +163,7 @@ class TubeFit {
   const TubeLevel& level_;
   const TubeTracking& how_;
   Work& work_;
-  std::vector<VesselOutline> sections_;  ///< their radii in the stretch of the shapes
+  std::vector<VesselOutline> sections_;  ///< with radii in the stretch of the shapes
   std::vector<SectionShape> shapes_;
 };
 

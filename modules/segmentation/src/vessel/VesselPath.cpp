@@ -9,7 +9,7 @@
 namespace insonate::segmentation {
 namespace {
 
-constexpr double kAside_mm = 25;  // a vessel does not swerve farther from the line between two clicks
+constexpr double kAside_mm = 25;  // maximum distance of a vessel from the line between two clicks
 constexpr double kStepsPerMm = 16, kUnlikeBlood = 8;
 
 }  // namespace
@@ -33,7 +33,7 @@ std::vector<Vec3> pathThroughBlood(const CtVolume& ct, Vec3 from_mm, Vec3 to_mm,
     return cost + std::clamp(step, 1U, SeedFront::kBuckets - 1);
   });
 
-  // Back to where it began, each step to the neighbor that was reached at the least cost.
+  // Follows the path back to its start, each step to the neighbor with the lowest cost.
   std::vector<Vec3> path;
   std::array at{ti, tj, tk};
   while (true) {

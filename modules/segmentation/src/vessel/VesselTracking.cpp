@@ -20,16 +20,16 @@ using segmentation::Radii;
 using segmentation::SectionShape;
 using segmentation::Work;
 
-constexpr int kCentred = 4;  // times: so many lead to the middle of a flat vessel from its edge
-constexpr int kSmoothPath = 4, kSmoothLine = 3, kSmoothShape = 5;  // stations to both sides
-constexpr int kLikeNeighbours = 4;                                 // of which the expected outline is the median
-constexpr int kCalibre = 15;  // of which the area is the median that a vessel has here
-constexpr int kEven = 1;      // of which the refined outline is the median
-constexpr double kOpens = 2;  // times the area that it has here: it opens into another vessel
+constexpr int kCentred = 4;  // iterations that lead from the edge of a flat vein to its center
+constexpr int kSmoothPath = 4, kSmoothLine = 3, kSmoothShape = 5;  // stations on both sides
+constexpr int kLikeNeighbours = 4;                                 // stations whose median is the expected outline
+constexpr int kCalibre = 15;  // stations whose median is the vessel's usual area here
+constexpr int kEven = 1;      // stations whose median is the refined outline
+constexpr double kOpens = 2;  // times the usual area: the section opens into another vessel
 constexpr double kLeastContrast_HU = 40;
 constexpr double kAround_mm = 30;
 
-/// Stations at which a vessel is cut, and the brightness of its blood there.
+/// Stations at which sections of a vessel are taken, and the level of its blood there.
 struct Stations {
   std::vector<Vec3> line;
   std::vector<BloodLevel> levels;
@@ -56,8 +56,8 @@ Stations pathThrough(const CtVolume& ct, std::span<const Vec3> clicks_mm, double
   return stations;
 }
 
-/// A vessel's section that opens into another vessel runs out into it: it takes the outline of the nearest section
-/// that does not.
+/// A section that opens into another vessel extends into it, and takes the outline of the nearest section that does
+/// not.
 void closeOrigins(std::vector<VesselOutline>& sections) {
   const int count = static_cast<int>(sections.size());
   std::vector<double> areas, around;

@@ -10,9 +10,9 @@
 namespace insonate {
 namespace {
 
-constexpr double kStep_mm = 1;        // of a slide
-constexpr double kStepReach_mm = 8;   // how far the skin may rise or fall within a step
-constexpr double kPoseReach_mm = 60;  // from a pose that is taken over to the skin
+constexpr double kStep_mm = 1;        // length of a step of a slide
+constexpr double kStepReach_mm = 8;   // maximum rise or fall of the skin within a step
+constexpr double kPoseReach_mm = 60;  // maximum distance from a given pose to the skin
 constexpr double kRotationStep_deg = 2;
 constexpr double kDegree = std::numbers::pi / 180;
 
@@ -40,7 +40,7 @@ Mat3 aboutZ(double degrees) {
   return {{Vec3{c, s, 0}, Vec3{-s, c, 0}, Vec3{0, 0, 1}}};
 }
 
-/// The probe square to the skin: lateral, elevation, axial.
+/// Axes of a probe perpendicular to the skin: lateral, elevation, axial.
 Mat3 squareTo(const ProbeHandState& state) {
   return {{state.lateral, cross(state.inward, state.lateral), state.inward}};
 }
@@ -49,7 +49,8 @@ Mat3 heldAs(const ProbeHandState& state) {
   return squareTo(state) * aboutX(state.tilt_deg) * aboutY(state.rock_deg);
 }
 
-/// Turns the probe with the skin, by the least rotation: a path there and back leaves its marker where it was.
+/// Rotates the probe with the skin by the smallest rotation, so that a path there and back leaves its marker where it
+/// was.
 void turnTo(Vec3 inward, ProbeHandState& state) {
   const Vec3 axis = cross(state.inward, inward);
   const double cosine = dot(state.inward, inward);
@@ -59,7 +60,7 @@ void turnTo(Vec3 inward, ProbeHandState& state) {
   state.lateral = normalized(lateral - inward * dot(lateral, inward));
 }
 
-/// Tilt, rock and lateral such that the probe is held as `patientFromProbe`: its rotation, seen from the skin, is
+/// Tilt, rock and lateral direction of a probe held as `patientFromProbe`: its rotation relative to the skin is
 /// Z(heading) X(tilt) Y(rock).
 void takeRotation(const Mat3& patientFromProbe, ProbeHandState& state) {
   const auto& [x, y, z] = patientFromProbe.column;

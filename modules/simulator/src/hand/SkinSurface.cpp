@@ -10,10 +10,10 @@ namespace insonate {
 namespace {
 
 constexpr double kNode_mm = 2;
-constexpr double kSmoothing_mm = 1.4;  // SD, besides the mean over a node
-constexpr double kFootprint_mm = 6;    // SD, on top of that, of what normals are taken from
+constexpr double kSmoothing_mm = 1.4;  // SD, in addition to the mean over a node
+constexpr double kFootprint_mm = 6;    // additional SD of the smoothing for normals
 
-/// Eight nodes round a place, edge nodes continuing outside.
+/// Eight nodes around a place; the nodes at the edge continue outside.
 struct Cell {
   int low[3], high[3];
   double f[3];
@@ -61,7 +61,7 @@ Result<SkinSurface> SkinSurface::make(const LabelMap& labels) {
   return skin;
 }
 
-/// The share of body in each node's voxels.
+/// Share of body in each node's voxels.
 void SkinSurface::average(const LabelMap& labels) {
   body_.resize(offset(0, 0, size_[2]));
   tbb::parallel_for(0, size_[2], [&](int k) {
@@ -83,7 +83,7 @@ void SkinSurface::average(const LabelMap& labels) {
   });
 }
 
-/// Background that the volume's edge does not lead to is no outside.
+/// Background that is not connected with the volume's edge is not outside.
 void SkinSurface::fillPockets() {
   enum : std::uint8_t { kUnseen, kOutside };
   std::vector<std::uint8_t> seen(body_.size(), kUnseen);
@@ -110,7 +110,7 @@ void SkinSurface::fillPockets() {
     if (k > 0) visit(n - slice);
     if (k + 1 < std::size_t(size_[2])) visit(n + slice);
   }
-  // Nodes that are less than half body beside the outside keep their share: the skin runs through them.
+  // Nodes with less than half body beside the outside keep their share: the skin passes through them.
   for (std::size_t n = 0; n < body_.size(); ++n)
     if (seen[n] != kOutside && body_[n] < 0.5F) body_[n] = 1;
 }
@@ -183,13 +183,13 @@ Vec3 SkinSurface::normal(Vec3 patient_mm, Vec3 before) const {
   const Vec3 node = nodeFromPatient_ * patient_mm;
   Vec3 outward;
   for (int a = 0; a < 3; ++a) {
-    Vec3 step;  // one node either way, so that the normal turns steadily from cell to cell
+    Vec3 step;  // one node in both directions, so that the normal changes continuously between cells
     step[a] = 1;
     const double slope_permm =
         (sample(footprint_, node - step) - sample(footprint_, node + step)) / (2 * spacing_mm_[a]);
     outward = outward + patientFromNode_.linear.column[a] * (slope_permm / spacing_mm_[a]);
   }
-  // A flat skin gives 0.06 here.
+  // The value of a flat skin is 0.06.
   constexpr double kWeak_permm = 0.015;
   const double strength = norm(outward);
   if (strength < kWeak_permm) outward = outward + before * (kWeak_permm - strength);
@@ -223,7 +223,7 @@ Vec3 SkinSurface::nearest(Vec3 patient_mm) const {
     if (d2 < least) least = d2, best = n;
   }
   Vec3 found{skin_[best][0], skin_[best][1], skin_[best][2]};
-  // From the nearest crossing of the lattice to the nearest place between them.
+  // Moves from the nearest crossing of the lattice to the nearest place between crossings.
   for (int step = 0; step < 4; ++step) {
     const Vec3 outward = normal(found, {});
     if (norm(outward) == 0) break;

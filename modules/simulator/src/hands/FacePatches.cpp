@@ -10,9 +10,9 @@ namespace {
 constexpr double kShareOfFace = 0.9;
 constexpr double kReach_mm = 30;
 constexpr double kMostHigher_mm = 4;
-/// Less says nothing of a stiffness.
+/// A smaller indentation does not determine a stiffness.
 constexpr double kLeast_mm = 0.3, kLeast_N = 0.02;
-/// A model that is on its way may give many times the force.
+/// A model that has not converged may give many times the force.
 constexpr double kMostUnsettled_N = 6;
 
 Vec3 pointOfFace(const ProbeFace& face, int patch) {
@@ -31,7 +31,7 @@ void FacePatches::show(const SkinSurface& skin, const ProbeFace& face, const Tra
     patch.onProbe_mm = pointOfFace(face, i);
     const Vec3 point = patientFromProbe * patch.onProbe_mm;
     const auto there = skin.along(point, away, kReach_mm);
-    // Beside the body nothing is felt; the patch stays, so that the others keep their places.
+    // A patch outside the body gives no force; it stays in the list, so that the others keep their indices.
     patch.outward = there ? skin.normal(*there, away) : away;
     patch.skin_mm = there ? *there + patch.outward * higher_mm_ : point - away * kReach_mm;
     patch.stiffness_Npmm = there ? law_.k1_Npmm : 0;
@@ -60,7 +60,7 @@ void FacePatches::learn(const SkinSurface& skin, const ProbeFace& face, const Tr
     steeper_ = std::clamp((force_N - before_N_) / moved_mm * in_mm / force_N, 1.0, 2.0);
   if (before_mm_ <= kLeast_mm || std::abs(moved_mm) > kLeast_mm) before_mm_ = in_mm, before_N_ = force_N;
 
-  // k1 sum(d) + k2 sum(d^2) is the force here, k1 n + 2 k2 sum(d) its slope, all along the probe's axis.
+  // k1 sum(d) + k2 sum(d^2) is the present force, k1 n + 2 k2 sum(d) its slope, both along the probe's axis.
   double touching = 0, sum_mm = 0, squares_mm2 = 0;
   for (int i = 0; i < kCount; ++i) {
     const double d = depth_mm[i] + higher_mm_;

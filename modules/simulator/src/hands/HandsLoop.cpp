@@ -10,11 +10,11 @@ namespace insonate {
 namespace {
 
 constexpr std::chrono::milliseconds kStep{16};
-/// The tissue's middle lies this far along the tool, and is made anew when the tool is this far away from it.
+/// Distance of the tissue's center along the tool; the tissue is computed again when the tool is this far from it.
 constexpr double kAhead_mm = 20, kElsewhere_mm = 35;
-/// Less does not move an image: encoders tremble.
+/// A smaller motion does not move an image, since encoders tremble.
 constexpr double kStill_mm = 0.02, kStill_rad = 0.0005;
-/// Further than this is no motion of a hand (see NeedleMechanics).
+/// A larger motion is not that of a hand (see NeedleMechanics).
 constexpr double kFar_mm = 40;
 constexpr double kTestForce_N = 1, kTest_s = 1, kRamp_s = 0.15;
 
@@ -28,7 +28,7 @@ bool sameAsSeen(const Transform& a, const Transform& b) {
   return norm(a.offset - b.offset) < kStill_mm && turn < kStill_rad;
 }
 
-/// The turn from one attitude to another as axis times angle; exact for small ones, and near it up to a right angle.
+/// Rotation from one attitude to another as axis times angle; exact for small angles, and close up to a right angle.
 Vec3 turnBetween(const Mat3& from, const Mat3& to) {
   Vec3 sum;
   for (int i = 0; i < 3; ++i) sum = sum + cross(from.column[i], to.column[i]);
@@ -50,7 +50,7 @@ HandsSession::Impl::~Impl() {
   thread_.request_stop();
   wake();
   thread_.join();
-  // Devices hear their last zero before the hub lets them go.
+  // Devices receive their last zero force before the hub releases them.
   servo = nullptr;
 }
 
@@ -107,7 +107,7 @@ void HandsSession::Impl::moveMouse(Hand hand, const Transform& before, const Tra
   placeMouse(hand, patientFromTool);
 }
 
-/// The frame of mouse and keys is the patient's: a place is one message, of which no tick sees half.
+/// The frame of mouse and keys is the patient's: a position is one message, of which no tick sees a half.
 void HandsSession::Impl::placeMouse(Hand hand, const Transform& patientFromTool) {
   mousePlace_mm[hand] = patientFromTool.offset;
   mice[hand]->placeAt(patientFromTool);
@@ -120,9 +120,9 @@ void HandsSession::Impl::holdNeedle(bool held) {
   servo->setup(setup);
 }
 
-/// The stylus as it is now holds the needle where it is now. Its ways and turns stay those of the device.
+/// The stylus in its present pose holds the needle in its present pose. Motions stay those of the device.
 void HandsSession::Impl::regrip(const ServoSnapshot& now) {
-  // Mouse and keys stood still.
+  // Mouse and keys did not move.
   if (!now.present[kNeedleHand] || isMouse(kNeedleHand)) return;
   HandSetup& hand = setup.hands[kNeedleHand];
   const Transform& needle = now.output.hands[kNeedleHand].patientFromTool;
@@ -207,7 +207,7 @@ void HandsSession::Impl::showNeedle(const ServoSnapshot& now) {
 }
 
 void HandsSession::Impl::show(LiveImaging* in) {
-  if (in != imaging) needle_.reset();  // the new one has none yet
+  if (in != imaging) needle_.reset();  // the new imaging has no needle yet
   imaging = in;
   frame = nullptr;
 }
@@ -241,7 +241,7 @@ void HandsSession::Impl::testForce(Hand hand, Vec3 force_N) {
   const double length_N = norm(force_N);
   servo->assign(hand, nullptr);
   test_ = Test{devices[hand], hand, length_N > most_N ? force_N * (most_N / length_N) : force_N,
-               Clock::now() + kStep};  // by then the servo pushes it no more
+               Clock::now() + kStep};  // the servo no longer pushes the device then
 }
 
 void HandsSession::Impl::goOnTesting() {

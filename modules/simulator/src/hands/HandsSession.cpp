@@ -86,7 +86,7 @@ void HandsSession::setPedal(std::shared_ptr<HapticDevice> pedal) {
   {
     const std::lock_guard lock(impl_->mutex);
     impl_->pedal = std::move(pedal);
-    impl_->pedalDown = ~0U;  // what is down already is no press
+    impl_->pedalDown = ~0U;  // a pedal that is already down does not count as pressed
   }
   impl_->wake();
 }

@@ -11,11 +11,11 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kSkinReach_mm = 30;
-/// Cosine between normals of planes that count as one.
+/// Cosine between normals of planes that count as the same.
 constexpr double kSamePlane = 0.9999;
-/// Sine to the steepest direction of a plane: just beside it, so that the needle still knows which way it leans.
+/// Sine of the angle to the steepest direction of a plane; slightly beside it, so that the needle keeps its side.
 constexpr double kMostSine = 0.9999;
-/// From the housing to a needle beside it.
+/// Distance from the housing to a needle beside it.
 constexpr double kBesideFace_mm = 5, kBesideHousing_mm = 12;
 
 constexpr HandMove kDone{};
@@ -29,13 +29,13 @@ constexpr HandMove kHub{"The needle is in up to its hub, 70 mm."};
 constexpr HandMove kOff{"The needle is 40 mm off the skin; further away it is laid down."};
 constexpr HandMove kVolumeEnds{"The scan ends here; the needle stays where it is."};
 
-/// `v` about the unit vector `axis` (Rodrigues).
+/// Rotates `v` about the unit vector `axis` (Rodrigues).
 Vec3 turned(Vec3 v, Vec3 axis, double degrees) {
   const double c = std::cos(degrees * kDegree), s = std::sin(degrees * kDegree);
   return v * c + cross(axis, v) * s + axis * (dot(axis, v) * (1 - c));
 }
 
-/// Along the skin toward the head, as far as it can be told.
+/// Direction along the skin toward the head; another one if that is undefined.
 Vec3 towardHead(Vec3 inward) {
   const Vec3 head{0, 0, 1}, back{0, 1, 0};
   const Vec3 along = head - inward * dot(inward, head);
@@ -66,9 +66,9 @@ NeedleHand NeedleHand::beside(const ProbeHand& probe, double halfWidth_mm, Needl
   return needle;
 }
 
-/// The entry is sought along the probe's axis, since the way square to the skin would leave the image plane wherever
-/// the skin slopes across it. Changes nothing and returns false where there is no skin, or where no direction in the
-/// plane has the needle's angle to the skin.
+/// Searches for the entry along the probe's axis, since the normal of the skin leaves the image plane where the skin is
+/// inclined to it. Changes nothing and returns false if there is no skin, or if no direction in the plane has the
+/// needle's angle to the skin.
 bool NeedleHand::putInPlane(const Transform& pose, Vec3 from_mm, Vec3 toward) {
   const auto& [lateral, elevation, axial] = pose.linear.column;
   const auto entry = skin_->along(from_mm, -axial, kSkinReach_mm);
@@ -82,8 +82,8 @@ bool NeedleHand::putInPlane(const Transform& pose, Vec3 from_mm, Vec3 toward) {
   return false;
 }
 
-/// Sets heading and angle to the direction that has this angle to the skin, in the plane of planeNormal where there is
-/// one, on the side of `toward`. Where the plane has no direction as steep, takes its steepest and returns false.
+/// Sets heading and angle to the direction with this angle to the skin, in the plane of planeNormal if there is one, on
+/// the side of `toward`. If the plane has no direction as steep, takes its steepest and returns false.
 bool NeedleHand::point(double angle_deg, Vec3 toward) {
   if (state_.planeNormal) {
     const Vec3 normal = *state_.planeNormal;
@@ -169,14 +169,14 @@ HandMove NeedleHand::advance(double mm) {
 Transform NeedleHand::patientFromNeedle() const {
   const double angle = state_.angle_deg * kDegree;
   const Vec3 z = state_.heading * std::cos(angle) + state_.inward * std::sin(angle);
-  // Bevel up: -y as far from the skin as the needle lets it.
+  // Bevel up: its direction is as close to the normal of the skin as the needle permits.
   const Vec3 y = turned(state_.inward * std::cos(angle) - state_.heading * std::sin(angle), z, state_.bevel_deg);
   return {{{cross(y, z), y, z}}, state_.entry_mm + z * state_.advance_mm};
 }
 
 double NeedleHand::heading_deg() const {
   const Vec3 head = towardHead(state_.inward);
-  // Seen from outside the left lies clockwise of the head at the front of the body, and so all round it.
+  // From outside, the patient's left lies clockwise of the head at the front of the body, and so all around it.
   const Vec3 left = cross(state_.inward, head);
   return std::atan2(dot(state_.heading, left), dot(state_.heading, head)) / kDegree;
 }

@@ -4,8 +4,8 @@
 
 namespace insonate::live {
 
-/// Gives a shared_ptr its slot's memory for reference counts. They are the last of a frame that is let go of, so that
-/// is when the slot goes back.
+/// Allocates a shared_ptr's reference counts in its slot. They are freed last when a frame is released, which returns
+/// the slot.
 template <class T>
 class CountMemory {
  public:
@@ -45,7 +45,7 @@ std::shared_ptr<LiveFrame> FramePool::acquire() {
     }
   }
   if (!slot) slot = std::make_unique<Slot>();
-  Slot* const held = slot.release();  // giveBack() takes it over again
+  Slot* const held = slot.release();  // giveBack() takes ownership again
   return std::shared_ptr<LiveFrame>(
       &held->frame, [](LiveFrame*) {}, CountMemory<LiveFrame>(shared_from_this(), held));
 }

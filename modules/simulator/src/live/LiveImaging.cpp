@@ -17,7 +17,7 @@ Result<void> checkVolumes(const CaseVolumes& patient) {
   return {};
 }
 
-/// Fails where Imager::make would, without the work of making an imager.
+/// Fails under the same conditions as Imager::make, without making an imager.
 Result<void> checkSetup(const ImagingSetup& setup) {
   if (auto ok = validate(setup.probe); !ok) return ok;
   if (auto ok = validate(setup.settings, setup.probe); !ok) return ok;

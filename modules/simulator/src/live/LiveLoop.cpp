@@ -14,7 +14,8 @@
 namespace insonate {
 namespace {
 
-/// Until each angle has been sent again, and what is left of any earlier image is below half a gray level.
+/// Number of images after which each angle has been rendered again and earlier images contribute less than half a gray
+/// level.
 int framesToSettle(const ImagingSetup& setup) {
   const double persistence = setup.settings.persistence;
   const auto angles = static_cast<int>(steeringAngles_deg(setup.probe, setup.settings).size());
@@ -28,7 +29,7 @@ constexpr double kAhead_mm = 45;
 LiveOptions completed(LiveOptions options) {
   if (options.threads <= 0) options.threads = std::max(1, tbb::info::default_concurrency() - 1);
   options.sceneMargin_mm = std::clamp(options.sceneMargin_mm, 2.0, 100.0);
-  // A scene must not call for the next one as soon as it is built.
+  // Margin, so that a new scene does not immediately require the next one.
   options.sceneReserve_mm = std::clamp(options.sceneReserve_mm, 0.0, 0.8 * options.sceneMargin_mm);
   return options;
 }
@@ -106,7 +107,7 @@ void LiveImaging::Impl::run() {
   }
 }
 
-/// A setup that waits for its scene goes on waiting.
+/// A setup that waits for its scene continues to wait.
 void LiveImaging::Impl::rest() {
   if (!scene_.scene && !job_) return;
   builder_.rest();
@@ -154,14 +155,14 @@ void LiveImaging::Impl::takeScene() {
     status_.sceneBuild_ms = built->build_ms;
     status_.buildingScene = false;
   }
-  // A scene that suits neither was overtaken by another setup while it was handed over.
+  // Another setup replaced that of this scene while it was being delivered.
   if (!suits(built->job, next_ ? *next_ : active_)) return;
   if (next_) activate(std::move(*std::exchange(next_, std::nullopt)));
   scene_ = std::move(*built);
   builder_.expect(active_.need.at(pose_, kAhead_mm), active_.need.detail_mm());
 }
 
-/// A setup is taken over together with its scene, so that no image mixes two.
+/// A setup is applied together with its scene, so that no image mixes two.
 void LiveImaging::Impl::activateNext() {
   if (!next_) return;
   const bool outside = next_->need.misses(pose_);
@@ -179,10 +180,10 @@ void LiveImaging::Impl::followProbe() {
   if (jobFailed_ || source.need.misses(pose_)) return;
   if (suits(scene_.job, source) && live::covers(scene_.job.region_mm, source.need.at(pose_, options_.sceneReserve_mm)))
     return;
-  // A scene in work that the probe has left already would come too late.
+  // A scene in work that the probe has already left would be too late.
   if (job_ && suits(*job_, source) && live::covers(job_->region_mm, source.need.at(pose_))) return;
-  // If no scene is there yet, a small one is built first. Not for a probe that has just moved on: it would leave the
-  // small one, too.
+  // If there is no scene yet, a small one is built first. This does not apply to a probe that has just moved, since it
+  // would leave the small one, too.
   const bool wasLeft = job_ && suits(*job_, source);
   const bool farAway = !drawn_ || norm(pose_.offset - drawnPose_.offset) > options_.sceneMargin_mm;
   const bool small = !wasLeft && (!suits(scene_.job, source) || farAway) && !isCovered(source);
@@ -251,11 +252,11 @@ void LiveImaging::Impl::blackPicture() {
   press_ = {};
 }
 
-/// False where the image came too late, because it has been frozen.
+/// False if the image was too late, because imaging has been frozen.
 bool LiveImaging::Impl::publish() {
   static const auto kNoWarnings = std::make_shared<const std::vector<std::string>>();
   std::shared_ptr<LiveFrame> frame = pool_->acquire();
-  // The frame's former buffers take the next picture.
+  // The former buffers of the frame receive the next image.
   std::swap(frame->image, scratch_.image);
   std::swap(frame->stages, scratch_.stages);
   if (options_.keepEnvelopes) std::swap(frame->envelope, scratch_.envelope);

@@ -39,7 +39,7 @@ void LiveImaging::Impl::takePhysiology() {
   if (std::exchange(pulsatingSeen_, pulsating) != pulsating) bloodChanged_ = true;
 }
 
-/// Tissue goes on from where it was, where the new setup presses as the old one did.
+/// Tissue continues from its present state if the new setup has the same mechanics.
 void LiveImaging::Impl::activate(Source source) {
   if (samePress(*active_.setup, *source.setup)) std::swap(source.tissue, active_.tissue);
   active_ = std::move(source);

@@ -66,7 +66,7 @@ std::optional<BuiltScene> SceneBuilder::take() {
 
 void SceneBuilder::work() {
   if (background_) lowerThreadPriority();
-  // Images come first: while one is in work, its arena gets the processors.
+  // Images have precedence: while one is computed, its arena gets the processors.
   tbb::task_arena arena(threads_, 1, tbb::task_arena::priority::low);
   for (;;) {
     SceneJob job;
@@ -96,7 +96,7 @@ void SceneBuilder::work() {
   }
 }
 
-/// The parts that scenes share are found with the first scene, so that no other caller waits for them.
+/// The parts that scenes share are computed with the first scene, so that no other caller waits for them.
 void SceneBuilder::findSource() {
   if (source_) return;
   auto source = SceneSource::make(*patient_.ct, *patient_.labels);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr Region kEmptyRegion{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
 
-/// The box of a box's corners after a transform.
+/// Bounding box of a box's corners after a transform.
 Region boxOf(const Transform& targetFromSource, const Region& source) {
   Region box = kEmptyRegion;
   for (int corner = 0; corner < 8; ++corner) {

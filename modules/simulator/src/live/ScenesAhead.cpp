@@ -31,7 +31,7 @@ void ScenesAhead::want(const Region& region_mm, double detail_mm) {
 
 void ScenesAhead::work() {
   lowerThreadPriority();
-  tbb::task_arena arena(1);  // this thread alone: workers would have the priority of images
+  tbb::task_arena arena(1);  // this thread alone, since workers would have the priority of images
   for (;;) {
     Wanted wanted;
     std::uint64_t asked = 0;
@@ -47,7 +47,7 @@ void ScenesAhead::work() {
       more = arena.execute(
           [&] { return source_->makeAhead(wanted.region_mm, wanted.detail_mm, [this] { return stopping_.load(); }); });
     } catch (const std::bad_alloc&) {
-      // Scenes are then computed when they are needed.
+      // On failure, scenes are computed when they are needed.
     }
     const std::lock_guard lock(mutex_);
     if (!more && asked == asked_) wanted_.reset();

@@ -11,7 +11,7 @@ namespace {
 constexpr float kAbove_mm = 22, kBelow_mm = 40, kStep_mm = 0.5F;
 constexpr int kRows = 1 + static_cast<int>((kAbove_mm + kBelow_mm) / kStep_mm);
 constexpr double kColumn_mm = 1;
-/// Tissue over bone is squeezed to a tenth at most.
+/// Tissue over bone keeps at least a tenth of its thickness.
 constexpr double kSqueezed = 0.9;
 
 float rowAt(int row) {
@@ -23,7 +23,7 @@ float crossing(int row, float here, float next) {
   return rowAt(row) + kStep_mm * std::clamp(here / (here - next), 0.0F, 1.0F);
 }
 
-/// The skin nearest to the face: behind it where the face is inside, else before it.
+/// The skin nearest to the face: behind it if the face is in the body, else in front of it.
 std::optional<float> skinOf(std::span<const PlaneTissue> column, float face_mm) {
   const int start = std::clamp(static_cast<int>(std::lround((face_mm + kAbove_mm) / kStep_mm)), 1, kRows - 2);
   if (column[start].skin_mm < 0) {

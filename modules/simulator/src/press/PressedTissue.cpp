@@ -15,20 +15,20 @@ using press::FaceContact;
 using press::FaceTravel;
 using press::ScenePlane;
 
-/// Step after which a moving image is good enough: `bench deformation` shows its errors.
+/// Step below which a moving image is accurate enough; `bench deformation` shows its errors.
 constexpr double kEnough_mm = 0.5;
-constexpr double kOff_mm = 0.1;       // as far from touching as can be told
-constexpr double kForceError = 0.01;  // of the force that is asked for
+constexpr double kOff_mm = 0.1;       // a distance at which contact is excluded
+constexpr double kForceError = 0.01;  // share of the requested force
 constexpr double kDeepest_mm = 20, kSearchStep_mm = 2;
 constexpr int kSearches = 6;
-constexpr double kRounding = 0.005;  // of a table's pressures, of their value
+constexpr double kRounding = 0.005;  // share of a pressure by which tables round it
 
 double snapped(double pressure_kPa, const MechanicalTissue& vessel) {
   return std::abs(pressure_kPa - vessel.pressure_kPa) < kRounding * vessel.pressure_kPa ? vessel.pressure_kPa
                                                                                         : pressure_kPa;
 }
 
-/// Engines look places up as an answer says; what is no place would be looked up anywhere.
+/// Engines look up places in an answer; places that are not numbers must be excluded.
 bool isSane(const Deformation& answer) {
   constexpr float kFarthest_mm = 100;
   const auto sane = [](const PlaneDisplacement::Shift& shift) {
@@ -41,7 +41,7 @@ bool near(double force_N, double wanted_N) {
   return std::abs(force_N - wanted_N) <= kForceError * wanted_N;
 }
 
-/// Keeps the memory of what was there.
+/// Keeps the allocated memory.
 void clear(Deformation& answer) {
   answer.displacement.columns = answer.displacement.rows = 0;
   answer.displacement.restFromSeen.clear();
@@ -136,7 +136,7 @@ class PressedTissue::Impl {
     const auto travel = this->travel(scene, pose);
     if (!model_ || !travel) return hold(scene, pose, pressure);
     if (!(force_N > 0)) return leave(scene, pose, pressure, *travel);
-    // From where the face touches: what a model takes for its surroundings then does not depend on where it was.
+    // Starts at the contact of the face, so that the surroundings for the model do not depend on the former position.
     const Transform touching = movedIn(pose, travel->touch_mm);
     const double deepest_mm = travel->deepest_mm - travel->touch_mm;
     plane_.look(scene, touching);
@@ -149,7 +149,7 @@ class PressedTissue::Impl {
     seeFrom(answer_.faceShift_mm);
   }
 
-  /// For a model that does not find the travel itself: moves further in until the force is reached, then bisects.
+  /// For a model that does not find the indentation itself: advances until the force is reached, then bisects.
   void search(const AcousticScene& scene, const Transform& touching, const BloodPressure& pressure, double force_N,
               double deepest_mm) {
     const double most_mm = std::min(deepest_mm, kDeepest_mm);
@@ -177,7 +177,7 @@ class PressedTissue::Impl {
     stopped_ = !found;
   }
 
-  /// As if the face were off the skin.
+  /// Treats the face as off the skin.
   void leave(const AcousticScene& scene, const Transform& pose, const BloodPressure& pressure,
              const FaceTravel& travel) {
     const double back_mm = std::min(travel.touch_mm - kOff_mm, 0.0);
@@ -214,7 +214,7 @@ class PressedTissue::Impl {
     return pressure.artery_kPa == rest_.artery_kPa && pressure.vein_kPa == rest_.vein_kPa;
   }
 
-  /// A model's mesh may touch where a face that is off the skin does not.
+  /// A model's mesh may be in contact although the face is off the skin.
   void relax() {
     std::vector<LumenArea> lumens = std::move(answer_.lumens);
     clear(answer_);
@@ -222,7 +222,7 @@ class PressedTissue::Impl {
     answer_.lumens = std::move(lumens);
   }
 
-  /// From a frame that lies deeper by `z_mm`. Shifts are differences of places, and stay.
+  /// Converts from a frame that is deeper by `z_mm`. Shifts, as differences of places, do not change.
   void seeFrom(double z_mm) {
     answer_.displacement.top_mm -= z_mm;
     const auto z = static_cast<float>(z_mm);

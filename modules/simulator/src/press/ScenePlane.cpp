@@ -16,7 +16,7 @@ void ScenePlane::sample(std::span<const PlanePoint> at, std::span<PlaneTissue> t
 }
 
 void ScenePlane::bend(std::span<const PlanePoint> at, float PlaneTissue::*outline, std::span<OutlineBend> bends) const {
-  // Wide enough that the outline's roughness, some hundredths of a millimeter, does not count.
+  // Wide enough that the roughness of the outline (some hundredths of a millimeter) has no effect.
   constexpr double kAside_mm = 2;
   here_.resize(at.size()), beside_.resize(at.size());
   sampleBeside(at, {}, here_);

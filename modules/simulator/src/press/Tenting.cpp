@@ -7,9 +7,9 @@ namespace insonate {
 namespace {
 
 constexpr double kMostDepth_mm = 30, kLeastRadius_mm = 1, kMostRadius_mm = 30;
-constexpr double kScalePerDepth = 1.2;  // so that nothing folds
+constexpr double kScalePerDepth = 1.2;  // limits strain, so that tissue does not fold
 constexpr double kReach_scales = 6;
-constexpr double kFinestStep_mm = 0.5, kSteps = 6;  // of a lattice of its own: points a scale
+constexpr double kFinestStep_mm = 0.5, kSteps = 6;  // spacing of the separate lattice; points for each scale
 
 /// Displacement by a needle around its tip, in the probe frame: from the tissue's rest position to where it is seen.
 class Dent {
@@ -27,7 +27,7 @@ class Dent {
     const Vec3 r = seen_mm - tip_mm;
     const double left = 1 - dot(r, r) / (reach_mm * reach_mm);
     if (left <= 0) return {};
-    // At the tip one scale gives 1/e, so that the two, subtracted, give 1/(2e).
+    // At the tip one scale gives 1/e, so that the difference of the two gives 1/(2e).
     const Vec3 unit = (kelvinlet(r, scale_mm) - kelvinlet(r, 2 * scale_mm)) * (2 * scale_mm);
     return unit * (depth_mm_ * left * left);
   }
@@ -36,7 +36,7 @@ class Dent {
   double scale_mm = 1, reach_mm = 1;
 
  private:
-  /// Equation 6 with b = a/2, over a and the force.
+  /// Equation 6 with b = a/2, divided by a and the force.
   Vec3 kelvinlet(Vec3 r, double scale) const {
     const double re2 = dot(r, r) + scale * scale, re = std::sqrt(re2);
     return direction_ * (0.5 / re + 0.5 * scale * scale / (re2 * re)) + r * (0.5 * dot(r, direction_) / (re2 * re));
@@ -46,7 +46,7 @@ class Dent {
   double depth_mm_ = 0;
 };
 
-/// If nothing else has moved, points around the tip suffice: the dent ends within them.
+/// If no other tissue has moved, points around the tip suffice: the dent ends within them.
 void layAround(const Dent& dent, PlaneDisplacement& field) {
   field.step_mm = std::max(kFinestStep_mm, dent.scale_mm / kSteps);
   const int half = static_cast<int>(std::ceil(dent.reach_mm / field.step_mm));
@@ -72,7 +72,7 @@ const PlaneDisplacement& TentedTissue::with(const PlaneDisplacement& pressed, co
   for (int row = 0; row < dented_.rows; ++row)
     for (int column = 0; column < dented_.columns; ++column, ++shift) {
       const Vec3 seen{dented_.left_mm + column * dented_.step_mm, 0, dented_.top_mm + row * dented_.step_mm};
-      // Back through the dent first: the needle pushes what the probe has pressed.
+      // Inverts the dent first: the needle pushes tissue that the probe has compressed.
       const Vec3 back = dent.at(seen);
       const Vec3 rest = shiftAt(pressed, seen.x - back.x, seen.z - back.z) - back;
       *shift = {static_cast<float>(rest.x), static_cast<float>(rest.z)};

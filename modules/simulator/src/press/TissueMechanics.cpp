@@ -9,11 +9,11 @@
 namespace insonate {
 namespace {
 
-/// A probe is pressed no deeper than ProbeHand lets it; the rest is room for rounding.
+/// ProbeHand limits the indentation; the remainder is a margin for rounding.
 constexpr double kAbove_mm = 22;
-/// Beside the face tissue is pushed away; further out it hardly moves.
+/// Beside the face tissue is displaced; farther away it hardly moves.
 constexpr double kBeside_mm = 8;
-/// Bone and vessels below a shallow image act on what it shows.
+/// Bone and vessels below a shallow image affect the tissue in it.
 constexpr double kLeastDepth_mm = 40;
 
 }  // namespace

@@ -20,7 +20,7 @@ struct AttemptPictures::State {
         imaging(patient.labels->geometry, source) {}
 
   Result<const Stretch*> stretchOf(std::size_t index);
-  /// The last sample until this time for which `wanted` holds; none where there is none.
+  /// The last sample up to this time for which `wanted` is true; none if there is none.
   template <class Wanted>
   Result<std::optional<AttemptSample>> lastSample(std::int64_t time_us, const Wanted& wanted);
   Result<void> useSettingsOf(std::int64_t time_us);

@@ -8,13 +8,13 @@
 namespace insonate {
 namespace {
 
-/// Further apart than twice the distance within which a wide vein counts as centered (see VeinWatch).
+/// More than twice the distance within which a wide vein counts as centered (see VeinWatch).
 constexpr std::array<double, kAttemptStarts> kAside_mm{14, -14, 29, -29};
-/// Nearer, the vein lies in the middle of the image.
+/// At a smaller distance the vein is in the middle of the image.
 constexpr double kLeast_mm = 9;
 constexpr double kSearch_mm = 24, kAlong_mm = 8, kTurn_deg = 6, kDeep_mm = 60;
 
-/// Distance from the middle line of the image to the center line of the target, tissue at rest.
+/// Distance from the middle line of the image to the center line of the target, with tissue at rest.
 double offTarget_mm(const ProbeHand& hand, const VesselNames& vessels, std::span<const CentreLine> veins) {
   const Transform pose = hand.pose();
   double off_mm = std::numeric_limits<double>::infinity();
@@ -26,7 +26,7 @@ double offTarget_mm(const ProbeHand& hand, const VesselNames& vessels, std::span
 
 /// A slide over the skin, across the vein or along it.
 struct Way {
-  bool isAcrossElevation = false;  ///< across the vein is along the probe's elevation: a long-axis image
+  bool isAcrossElevation = false;  ///< in a long-axis image, the direction across the vein is the probe's elevation
 
   void across(ProbeHand& hand, double mm) const { isAcrossElevation ? hand.slide(0, mm) : hand.slide(mm, 0); }
   void along(ProbeHand& hand, double mm) const { isAcrossElevation ? hand.slide(mm, 0) : hand.slide(0, mm); }
@@ -61,7 +61,7 @@ ProbeHandState attemptStart(const ProbeHand& home, const VesselNames& vessels, s
     return hand;
   };
   ProbeHand start = startAt(place);
-  // If the skin ends too soon, the other side is taken.
+  // If the skin ends too early, uses the other side.
   if (offTarget_mm(start, vessels, veins) < kLeast_mm) start = startAt(place ^ 1);
   return start.state();
 }

@@ -69,7 +69,7 @@ class Following final : public AttemptFollower {
   ProcedureRun run_;
   AttemptStatus status_ = AttemptStatus::Completed;
   std::vector<AttemptEvent> events_;
-  std::optional<Transform> needle_;  ///< as recorded last
+  std::optional<Transform> needle_;  ///< as last recorded
 };
 
 }  // namespace
@@ -80,7 +80,7 @@ struct LiveAttempt::State {
   std::shared_ptr<Following> following;
   std::unique_ptr<AttemptRecorder> recorder;
   std::int64_t begun_ns = monotonic_ns();
-  std::atomic<std::int64_t> ended_ns{0};  ///< 0: goes on
+  std::atomic<std::int64_t> ended_ns{0};  ///< 0: has not ended
   LatestValue<Surroundings> around;
   std::atomic<bool> aspirating{false}, frozen{false};
   // Used by see().
@@ -88,7 +88,7 @@ struct LiveAttempt::State {
   std::optional<VeinWatch::Sight> sight;
   std::weak_ptr<const LiveFrame> seen;
   std::shared_ptr<const TissueGrid> seenIn;
-  // The first of finish() and a tick is seen by the other.
+  // Orders finish() and a tick: the first is visible to the other.
   std::atomic<bool> closed{false}, inTick{false};
 
   void record(const ServoSnapshot& tick) noexcept;

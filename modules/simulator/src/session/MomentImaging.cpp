@@ -8,14 +8,14 @@
 namespace insonate {
 namespace {
 
-/// A vein that closes takes its time.
+/// Settling time of a closing vein.
 constexpr int kPatience = 200;
-/// Scenes begin and end on this lattice, so that near poses share one, and the same pose always has the same.
+/// Scenes begin and end on this lattice, so that near poses share one, and equal poses always have the same one.
 constexpr double kLattice_mm = 8;
 constexpr std::size_t kScenesKept = 4;
-/// A probe that has been at as many places goes about: parts that scenes share are then worth their time.
+/// Number of places from which a probe counts as moving: the parts that scenes share are then worth their time.
 constexpr int kScenesAlone = 6;
-/// Less is no dent (see HandsLoop).
+/// A smaller value is not a dent (see HandsLoop).
 constexpr double kLeastTent_mm = 0.02;
 
 Region onLattice(const Region& region) {
@@ -130,7 +130,7 @@ Result<std::shared_ptr<const LiveFrame>> MomentImaging::picture(const AttemptSam
   frame->warnings =
       std::make_shared<const std::vector<std::string>>(tissue_ ? scene().warnings() : std::vector<std::string>{});
   describePress(*frame);
-  if (!tissue_) {  // past the patient: black
+  if (!tissue_) {  // beyond the patient: black
     Display(setup_->probe, setup_->settings).process({}, frame->image);
     return frame;
   }
@@ -138,7 +138,7 @@ Result<std::shared_ptr<const LiveFrame>> MomentImaging::picture(const AttemptSam
   if (frame->needle && sample.tenting_mm > kLeastTent_mm)
     seen = &tented_.with(*seen, pose, {frame->needle->tip_mm, frame->needle->direction, sample.tenting_mm});
   ImagingFrame made;
-  // The moment's own, whichever was shown before.
+  // The noise of this moment, independent of the image shown before.
   made.noiseSeed = static_cast<std::uint32_t>(sample.time_us);
   imager_->render(scene(), pose, *seen, frame->needle ? &*frame->needle : nullptr, made);
   frame->image = std::move(made.image), frame->envelope = std::move(made.envelope);

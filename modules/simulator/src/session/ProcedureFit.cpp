@@ -11,7 +11,7 @@ bool isTargetOf(const Procedure& procedure, const Target& target) {
   return !procedure.target.empty() && target.name.find(procedure.target) != std::string::npos;
 }
 
-/// The procedure that comes along for what a case has as its target.
+/// The built-in procedure for a case's target.
 std::optional<Procedure> procedureFor(const CaseManifest& manifest) {
   for (const std::string& name : procedurePresetNames()) {
     auto preset = loadProcedure(name);

@@ -23,17 +23,17 @@ namespace {
 constexpr std::int64_t kTick_us = 1000;
 constexpr double kTick_s = 1e-3;
 constexpr std::int64_t kTissue_us = 33'000;
-/// As much tissue as a needle of 70 mm can reach from where it is first put down.
+/// Extent of tissue that a needle of 70 mm can reach from its first position.
 constexpr double kReach_mm = 90;
 
-/// z along the way in; x and y any two at right angles.
+/// Axes with z along the insertion, and x and y at right angles.
 Transform needleAt(Vec3 tip_mm, Vec3 axis) {
   const Vec3 aside = std::abs(axis.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   const Vec3 y = normalized(cross(axis, aside));
   return {{{cross(y, axis), y, axis}}, tip_mm};
 }
 
-/// Both hands and what they hold, a tick at a time.
+/// Both hands and their tools, one tick at a time.
 class Session {
  public:
   Session(std::shared_ptr<const TissueGrid> grid, SkinSurface skin, std::vector<CentreLine> veins, VesselNames vessels,
@@ -97,14 +97,14 @@ class Session {
   }
 
  private:
-  /// Blood goes where the patient is tilted.
+  /// Applies the blood pressure of the patient's tilt.
   void tilt(double tilt_deg) {
     settings_.physiology.tilt_deg = tilt_deg;
-    recorder_.note(SettingsChange{time_us_ + kTick_us, textOf(settings_)});  // what is now was before
+    recorder_.note(SettingsChange{time_us_ + kTick_us, textOf(settings_)});  // from the next tick on
     keep(imaging_.use(settings_));
     tissueAt_us_ = 0;
   }
-  /// The last image stands until it is let go.
+  /// The last image stays until imaging is unfrozen.
   void freeze() {
     frozen_ = true;
     standing_ = nullptr;
@@ -125,7 +125,7 @@ class Session {
     }
     if (!probe_ || !trouble_ || time_us_ < tissueAt_us_) return;
     tissueAt_us_ = time_us_ + kTissue_us;
-    // As it is kept, so that images need no other solution.
+    // Rounded as in the recording, so that images need no other solution.
     const auto pose = restored(quantised({.patientFromProbe = probe_})).patientFromProbe;
     if (!pose) return;
     keep(imaging_.press(*pose, static_cast<double>(time_us_) * 1e-6));
@@ -179,7 +179,7 @@ class Session {
     outcome_.run.take(event);
     outcome_.events.push_back(event);
   }
-  /// The script runs ahead of the recorder.
+  /// The script is faster than the recorder.
   void waitForRoom() const {
     while (recorder_.room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -192,7 +192,7 @@ class Session {
   AttemptSettings settings_;
   MomentImaging& imaging_;
   const SessionPictures& pictures_;
-  std::int64_t pictureAt_us_, tissueAt_us_ = 0;  ///< when the next is due
+  std::int64_t pictureAt_us_, tissueAt_us_ = 0;  ///< times of the next ones
   double force_N_ = 0;
   Transform restFromPatient_;
   Result<void> trouble_;
@@ -202,12 +202,12 @@ class Session {
   std::int64_t time_us_ = 0;
   std::optional<Transform> probe_;
   bool holdsNeedle_ = false, aspirating_ = false, frozen_ = false;
-  std::optional<AttemptSample> seen_;          ///< the last with a live image
-  std::shared_ptr<const LiveFrame> standing_;  ///< until it was taken
+  std::optional<AttemptSample> seen_;          ///< the last one with a live image
+  std::shared_ptr<const LiveFrame> standing_;  ///< until an image was rendered
   Vec3 tip_mm_, axis_{0, 0, 1};
 };
 
-/// As the image would be with this probe, of a patient at rest.
+/// The image that this probe would give of a patient at rest.
 Result<AttemptSettings> settingsOf(const SessionScript& script) {
   const auto probe = loadProbe(script.probe);
   if (!probe) return tl::unexpected(probe.error());
@@ -219,7 +219,7 @@ Result<AttemptSettings> settingsOf(const SessionScript& script) {
   return settings;
 }
 
-/// Place at which the needle is first put down, or the probe's if there is no needle.
+/// First position of the needle, or of the probe if there is no needle.
 Vec3 placeOf(const SessionScript& script) {
   std::optional<Vec3> probe_mm;
   for (const SessionAct& act : script.acts) {

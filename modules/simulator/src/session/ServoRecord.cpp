@@ -9,7 +9,7 @@
 namespace insonate {
 namespace {
 
-/// A grid keeps distances up to 300 mm; one that is as far is of a structure that is not there.
+/// A grid stores distances up to 300 mm; a structure at this distance does not exist.
 constexpr float kFar_mm = 200;
 
 constexpr int wallIndex(Label wall) {
@@ -36,7 +36,7 @@ constexpr AttemptEventKind kindOf(NeedleEventKind kind) {
   return AttemptEventKind::Struck;
 }
 
-/// The hole in the skin. The skin bends far before it gives: the tip is then that much deeper.
+/// The hole in the skin. The skin bends far before the puncture: the tip is then deeper by this amount.
 std::optional<Vec3> holeOf(const NeedleEvent& event, const SkinSurface& skin) {
   constexpr double kMost_mm = 20;
   return skin.along(event.tip_mm, -event.axis, kMost_mm);

@@ -35,7 +35,7 @@ std::optional<Vec3> vectorIn(const json& value) {
   return Vec3{value[0], value[1], value[2]};
 }
 
-/// Positions of the tools while acts are read one after the other.
+/// Positions of the tools while acts are read in order.
 struct Place {
   const PatientCase& patient;
   std::optional<Transform> patientFromProbe{};

@@ -12,11 +12,11 @@ namespace {
 /// Maximum ratio of the distance between the image's middle line and the center line to the lumen's length along the
 /// middle line.
 constexpr double kOffCenter = 0.35;
-/// A vein thinner than this is a rim of one.
+/// A vein thinner than this is the border of a vein.
 constexpr double kLeast_mm = 1.5;
 constexpr std::int64_t kStays_us = 1'000'000;
-/// Share of the former thickness below which a vein is compressed. A vein that is only dented keeps more; an artery
-/// keeps its shape.
+/// Share of the former thickness below which a vein counts as compressed. A dented vein keeps more; an artery keeps its
+/// shape.
 constexpr double kFlat = 0.4;
 
 }  // namespace
@@ -31,7 +31,7 @@ VeinWatch::Sight VeinWatch::sightOf(std::span<const Vec3> middleAtRest_mm, const
   for (std::size_t i = 0; i < middleAtRest_mm.size(); ++i) {
     if (inTarget(middleAtRest_mm[i])) sight.thickness_mm += kMiddleStep_mm;
     if (i == 0) continue;
-    // A compressed lumen shows only its walls; at rest it lies between them.
+    // The plane shows only the walls of a compressed lumen; at rest the lumen lies between them.
     const Vec3 step_mm = middleAtRest_mm[i] - middleAtRest_mm[i - 1];
     const int parts = std::max(1, static_cast<int>(std::ceil(norm(step_mm) / kMiddleStep_mm)));
     for (int part = 0; part < parts; ++part) {

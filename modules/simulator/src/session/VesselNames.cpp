@@ -9,7 +9,7 @@
 namespace insonate {
 namespace {
 
-/// Index of the line that passes nearest; the number of lines where there is none.
+/// Index of the nearest line; the number of lines if there is none.
 std::size_t nearestLine(std::span<const CentreLine> lines, Vec3 point_mm) noexcept {
   std::size_t nearest = lines.size();
   std::optional<double> least_mm;
@@ -20,14 +20,14 @@ std::size_t nearestLine(std::span<const CentreLine> lines, Vec3 point_mm) noexce
   return nearest;
 }
 
-/// A point so near to a wall of a named vessel is in that vessel.
+/// A point within this distance of a wall of a named vessel is in that vessel.
 constexpr double kAtWall_mm = 1;
-/// A lumen that is not round reaches so far beyond the wall of the round one.
+/// Extent of a lumen that is not round beyond the wall of the round one.
 constexpr double kFlat_mm = 4;
-/// The center line of a named vessel lies so near to its course.
+/// Maximum distance between the center line of a named vessel and its course.
 constexpr double kOnCourse_mm = 3;
 
-/// The point of the lines that is nearest to a place.
+/// The point of the lines nearest to a place.
 std::optional<Vec3> nearestOn(std::span<const CentreLine> lines, Vec3 point_mm) noexcept {
   std::optional<Vec3> nearest;
   for (const CentreLine& line : lines)
@@ -47,7 +47,7 @@ bool isIn(const NamedVessel& vessel, Vec3 point_mm, std::span<const CentreLine> 
 
 constexpr std::size_t kMostNames = kUnnamedVessel - 1;
 
-/// Index of the vessel of this label whose wall is nearest; the number of vessels where there is none.
+/// Index of the vessel of this label whose wall is nearest; the number of vessels if there is none.
 std::size_t nearestVessel(std::span<const NamedVessel> vessels, std::uint8_t label, Vec3 point_mm) noexcept {
   std::size_t nearest = vessels.size();
   double least_mm = std::numeric_limits<double>::infinity();

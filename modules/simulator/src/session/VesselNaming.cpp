@@ -12,11 +12,11 @@ namespace insonate {
 namespace {
 
 constexpr double kSectionStep_mm = 0.5;
-/// A section that runs on farther than this opens into another vessel.
+/// A section that extends farther than this opens into another vessel.
 constexpr double kSectionReach_mm = 20;
 constexpr int kReach = static_cast<int>(kSectionReach_mm / kSectionStep_mm), kAcross = 2 * kReach + 1;
 
-/// A section of the label square to `along`: the connected part that holds the middle.
+/// A section of the label perpendicular to `along`: the connected part that contains the center.
 double sectionArea_mm2(const LabelMap& labels, std::uint8_t label, Vec3 middle_mm, Vec3 along) {
   const Transform indexFromPatient = labels.geometry.indexFromPatient();
   const Vec3 right = normalized(cross(along, std::abs(along.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
@@ -55,7 +55,7 @@ std::vector<NamedVessel::Point> courseOf(const LabelMap& labels, std::uint8_t la
   for (std::size_t n = 0; n < line.size(); ++n) {
     const Vec3 along = line[std::min(n + 1, line.size() - 1)] - line[n > 0 ? n - 1 : 0];
     const double area_mm2 = norm(along) > 0 ? sectionArea_mm2(labels, label, line[n], normalized(along)) : 0;
-    // The middle of a bent or forked section may lie beside the label.
+    // The center of a bent or forked section may lie outside the label.
     if (area_mm2 > 0) course.push_back({line[n], std::sqrt(area_mm2 / std::numbers::pi)});
   }
   return course;

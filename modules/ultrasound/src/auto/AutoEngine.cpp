@@ -14,7 +14,7 @@
 namespace insonate {
 namespace {
 
-/// A block of fat over muscle with a vessel: enough to keep every stage busy.
+/// A block of fat over muscle with a vessel, which uses every stage.
 Result<std::shared_ptr<const AcousticScene>> trialScene(const AcousticTable& table) {
   VolumeGeometry grid;
   grid.size = {50, 16, 56}, grid.spacing_mm = {1, 1, 1}, grid.origin_mm = {-24.5, -7.5, -5.5};
@@ -29,7 +29,7 @@ Result<std::shared_ptr<const AcousticScene>> trialScene(const AcousticTable& tab
   return AcousticScene::make(ct, labels, table, {{-40, -20, -20}, {40, 20, 60}});
 }
 
-/// The least of some frames of the linear probe as it is, ms.
+/// Minimum time of several frames of the default linear probe, ms.
 double timeOf(Engine& engine, const Probe& probe, const AcousticScene& scene) {
   constexpr int kFrames = 5;
   engine.prepare(probe, settingsFor(probe));

@@ -19,7 +19,7 @@ void CompoundingEngine::prepare(const Probe& probe, const ImagingSettings& setti
     steered.compoundingAngles = 1;
     steered.steering_deg = angles_deg[a];
     engines_[a]->prepare(probe, steered);
-    // All grids reach the same depth with as many samples, so that sample k lies at the same depth in each.
+    // All grids have the same depth and the same number of samples, so that sample k has the same depth in each.
     const double aside = std::tan(steered.steering_deg * std::numbers::pi / 180) - base;
     linesPerSample_.push_back(aside * settings.depth_mm / settings.samples / grid.pitch_mm());
   }
@@ -28,7 +28,7 @@ void CompoundingEngine::prepare(const Probe& probe, const ImagingSettings& setti
   next_ = 0;
 }
 
-/// Adds the power of one angle where its scanlines pass.
+/// Adds the power of one angle along its scanlines.
 void CompoundingEngine::add(const EnvelopeFrame& steered, double linesPerSample, EnvelopeFrame& power) {
   const int lines = steered.scanlines;
   for (int look = 0; look < steered.looks; ++look)

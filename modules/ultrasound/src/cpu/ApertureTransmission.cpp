@@ -2,7 +2,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cpu/ApertureTransmission.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target:
+// Must follow foreach_target:
 #include "cpu/ApertureTransmission.h"
 
 #include <hwy/highway.h>
@@ -16,8 +16,8 @@ namespace insonate::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<float, 16>;
 
-/// Carries the amplitude that passes a gate to the next one, moved by up to a scanline. Beyond the sides it is as at
-/// the sides.
+/// Carries the amplitude that passes a gate to the next one, moved by up to a scanline. Beyond the sides, the outermost
+/// value continues.
 void moveRayTarget(const float* above, const float* passed, float shift_lines, int lines, float* below) {
   const Tag d;
   constexpr int kWidest = 1024 + 2 * 16;
@@ -35,7 +35,7 @@ void moveRayTarget(const float* above, const float* passed, float shift_lines, i
   }
 }
 
-/// The scattering and the boundaries of a block at one gate, all components; `nextComponent` floats lie between two.
+/// Scattering and boundaries of a block at one gate, all components; `nextComponent` floats apart.
 void lightGateTarget(const float* const* ray, int components, std::size_t nextComponent, const float* boundaries,
                      float* echo) {
   const Tag d;

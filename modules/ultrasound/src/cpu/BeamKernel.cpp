@@ -2,7 +2,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cpu/BeamKernel.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target:
+// Must follow foreach_target:
 #include "cpu/BeamKernel.h"
 
 #include <hwy/highway.h>

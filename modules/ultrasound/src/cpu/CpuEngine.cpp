@@ -29,12 +29,12 @@ int roundedUp(int n, int multiple) {
   return (n + multiple - 1) / multiple * multiple;
 }
 
-/// Memory that one thread writes to.
+/// Memory of one thread.
 struct Workspace {
   TraceBuffers trace;
   LateralBuffers lateral;
   std::vector<float> above;     ///< one scanline's echoes above gas
-  std::vector<float> strength;  ///< of its rings
+  std::vector<float> strength;  ///< of the reverberation of these echoes
   TraceTimes_ms times;
   double axial_ms = 0, lateral_ms = 0;
 };
@@ -76,7 +76,7 @@ class CpuEngine final : public Engine {
   void reverberate(int firstLine, BlockEchoes& echoes, Workspace& work) const;
   void addNeedle(int firstLine, BlockEchoes& echoes) const;
 
-  std::unique_ptr<thesis::ThesisCpu> thesis_;  ///< where the settings ask for its look; the rest is then idle
+  std::unique_ptr<thesis::ThesisCpu> thesis_;  ///< if the settings select the thesis style; the rest is then unused
   std::optional<FramePlan> plan_;
   std::optional<Reverberation> behindGas_;
   std::optional<NeedleEchoes> needle_;
@@ -135,7 +135,7 @@ void CpuEngine::prepareInput(const FramePlan& plan, int paddedLines) {
   input_.latticeLines.resize(paddedLines);
   for (auto& sides : input_.textureRays)
     for (TextureRays& rays : sides) rays.line.resize(paddedLines), rays.facing.resize(paddedLines);
-  // Vectors may run past the last column.
+  // Vectors may extend beyond the last column.
   const int paddedColumns = paddedLines / plan.cellLines + kMaxColumns;
   input_.columns.resize(paddedColumns);
   input_.probeColumns.resize(paddedColumns);
@@ -159,7 +159,7 @@ void CpuEngine::prepareInput(const FramePlan& plan, int paddedLines) {
     }
 }
 
-/// One for each thread of the arena; an arena larger than any before adds its own, once.
+/// One for each thread of the arena; a larger arena adds its own once.
 void CpuEngine::provideWorkspaces(int threads) {
   while (static_cast<int>(workspaces_.size()) < threads) {
     auto work = std::make_unique<Workspace>();
@@ -252,7 +252,8 @@ Vec3 CpuEngine::surfaceOfGas(int line, int gate) const {
   return input_.displacement ? seen + shiftOf(line, gate) : seen;
 }
 
-/// From where tissue is seen to where it lay, in the patient; between the nodes of its cell, as the kernels have it.
+/// Displacement from the displayed place of tissue to its rest place, in the patient, interpolated between the nodes of
+/// its cell as in the kernels.
 Vec3 CpuEngine::shiftOf(int line, int gate) const {
   const FramePlan& plan = *plan_;
   const int row = gate / plan.cellGates, column = line / plan.cellLines;
@@ -319,7 +320,7 @@ void CpuEngine::finishLines(int block, const std::vector<PointEcho>& points) {
       for (int look = 0; look < plan.settings.looks; ++look)
         echoes.echo[(std::size_t(2) * look * plan.gates + point.gate) * kBlockLines + point.line - firstLine] +=
             point.amplitude;
-  // Beyond the last scanline the block holds copies of it; the lateral kernel must find zeros there.
+  // Beyond the last scanline the block contains copies of it; the lateral kernel requires zeros there.
   for (std::size_t row = 0; row < std::size_t(2) * plan.settings.looks * plan.gates; ++row)
     for (int l = std::max(0, plan.lines - firstLine); l < kBlockLines; ++l) echoes.echo[row * kBlockLines + l] = 0;
   convolveAxially(plan, tables_, echoes.echo.get(), firstLine, echo_);

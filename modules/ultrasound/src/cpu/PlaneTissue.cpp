@@ -2,7 +2,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cpu/PlaneTissue.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target:
+// Must follow foreach_target:
 #include "cpu/Nodes-inl.h"
 #include "scene/SceneData.h"
 
@@ -19,7 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 inline constexpr int kBatch = 32;  ///< points at a time, whole vectors
 
-/// Position of a batch of points in the field; past the last point the last is repeated.
+/// Position of a batch of points in the field; beyond the last point, the last is repeated.
 void placePoints(const TissueField& field, const FloatMatrix& m, Vec3 offset, std::span<const PlanePoint> points,
                  NodePlaces& places) {
   const GateTag d;

@@ -7,7 +7,7 @@
 namespace insonate::cpu {
 namespace {
 
-/// Share of the amplitude that is left after half of a loss.
+/// Share of the amplitude that remains after half of a loss.
 float halfwayOf(double loss_dB) {
   return static_cast<float>(std::pow(10, -loss_dB / 40));
 }

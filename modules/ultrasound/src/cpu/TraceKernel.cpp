@@ -1,8 +1,8 @@
-// Compiled once for every instruction set (see foreach_target.h); traceBlock() picks one at run time.
+// Compiled once for every instruction set (see foreach_target.h); traceBlock() selects one at run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cpu/TraceKernel.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target:
+// Must follow foreach_target:
 #include "cpu/Cells-inl.h"
 #include "cpu/Gates-inl.h"
 #include "cpu/Nodes-inl.h"

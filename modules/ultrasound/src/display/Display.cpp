@@ -57,7 +57,7 @@ struct Display::Impl {
   std::optional<ElectronicNoise> noise;
   std::optional<FaceEchoes> face;
   std::optional<InterfaceSmoothing> smoothing;
-  std::optional<Plane> previous;  ///< levels of the last image, with persistence
+  std::optional<Plane> previous;  ///< levels of the last image, if persistence is on
   bool hasPrevious = false;
   const GrayMapCurve& curve;
   ScanConverter scan;
@@ -118,12 +118,12 @@ void Display::Impl::compoundBlock(const EnvelopeFrame& envelope, int looks, int 
     scaleRow(mean->row(b), 1 / static_cast<float>(block.count), plan.scanlines);
 }
 
-/// Streaks below bright places near the skin: how far the top of each scanline stands out from its neighbourhood.
+/// Streaks below bright places near the skin: difference of the top of each scanline from its neighborhood.
 void Display::Impl::findShade() {
   float* const out = shade.row(0);
   std::copy(plan.edgeShade_dB.begin(), plan.edgeShade_dB.end(), out);
   const int lines = plan.scanlines;
-  std::array<float, 1025> before{};  // running sum, for means over any stretch of scanlines
+  std::array<float, 1025> before{};  // running sum, for means over any range of scanlines
   for (int l = 0; l < lines; ++l) {
     float sum = 0;
     for (int b = plan.shadeFirst; b < plan.shadeEnd; ++b) sum += blockPower.row(b)[l];

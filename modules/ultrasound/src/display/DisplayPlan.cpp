@@ -12,7 +12,7 @@
 namespace insonate::display {
 namespace {
 
-/// Weights of unit sum for taps at 0, +-spacing, +-2 spacing, ... of a Gaussian.
+/// Weights of a Gaussian with unit sum, for taps at 0, +-spacing, +-2 spacing, ...
 template <std::size_t N>
 void gaussianTaps(double sd, double spacing, float (&weight)[N]) {
   double value[N], sum = 0;
@@ -27,7 +27,7 @@ int strideFor(double length, double spacing, int most) {
   return static_cast<int>(std::clamp(std::round(length / spacing), 1.0, double(most)));
 }
 
-/// The 8 sliders sit in the middles of 8 equal parts; between them the gain runs smoothly, without overshoot.
+/// The 8 sliders are at the centers of 8 equal parts; between them the gain is smooth, without overshoot.
 double slider_dB(const std::array<double, 8>& sliders_dB, double share) {
   const double place = std::clamp(share * 8 - 0.5, 0.0, 7.0);
   const int i = std::min(static_cast<int>(place), 6);
@@ -83,7 +83,7 @@ DisplayPlan::DisplayPlan(const Probe& probe, const ImagingSettings& settings)
 
   for (int k = 0; k < samples; ++k) {
     const double depth_cm = grid.range_mm(k) / 10;
-    // Without attenuation there is nothing to make up for.
+    // Without attenuation there is no loss to compensate.
     const double builtIn_dB =
         settings.effects.attenuation ? std::min(kTgc_dBpcmMHz * settings.frequency_MHz * depth_cm, kMaxTgc_dB) : 0;
     rowGain.push_back(static_cast<float>(std::pow(10, builtIn_dB / 20)));
@@ -118,7 +118,7 @@ void DisplayPlan::planShade(const Probe& probe, const ImagingSettings& settings,
   };
   shadeFirst = blockAt(kShadeFrom_mm), shadeEnd = blockAt(kShadeTo_mm);
   edgeShade_dB.assign(Plane::padded(scanlines), 0);
-  // All scanlines of a phased array use all of it.
+  // All scanlines of a phased array use the whole array.
   if (probe.shape != ProbeShape::Phased)
     for (int l = 0; l < scanlines; ++l) {
       const double fromEnd_mm = std::min(l, scanlines - 1 - l) * spacing_mm;

@@ -12,7 +12,7 @@ namespace {
 
 /// Full width at half maximum of a cubic B-spline, in distances between its nodes.
 constexpr double kSplineFwhm = 1.4448;
-/// Places where a frame's noise may begin in the field.
+/// Places in the field at which the noise of a frame can begin.
 constexpr int kRowShifts = 256, kColumnShifts = 64;
 
 double cubicSpline(double x) {
@@ -21,7 +21,7 @@ double cubicSpline(double x) {
   return a < 1 ? 2.0 / 3 - a * a * (1 - a / 2) : std::pow(2 - a, 3) / 6;
 }
 
-/// Samples between the splines' nodes at a depth: the noise has passed the receive filter.
+/// Samples between the splines' nodes at a depth, as wide as the pulse, since the noise has passed the receive filter.
 double nodeDistance(const Probe& probe, const ImagingSettings& settings, double range_mm) {
   const double step_mm = BeamGrid(probe, settings).step_mm();
   return std::max(axialFwhm_mm(probe, settings, range_mm) / (kSplineFwhm * step_mm), 1.0);
@@ -61,7 +61,7 @@ Plane complexNoise(const NoiseField::Shape& shape) {
   return noise;
 }
 
-/// Noise of the mean of so many looks, each of unit power: [power, twice in phase][row].
+/// Noise of the mean of this number of looks, each of unit power: [power, twice in phase][row].
 Plane meanNoise(const NoiseField::Shape& shape) {
   const int rows = shape.rows, looks = shape.looks;
   const Plane noise = complexNoise(shape);
@@ -72,7 +72,7 @@ Plane meanNoise(const NoiseField::Shape& shape) {
     const float *const real = noise.row(k), *const imaginary = noise.row(rows + k);
     for (int look = 0; look < looks; ++look)
       for (int i = 0; i < shape.columns; ++i) {
-        // Each look has noise of its own: other columns of the same field.
+        // Each look has independent noise: other columns of the same field.
         const int from = (i + look * (shape.columns / looks)) % shape.columns;
         power[i] += share * std::sqrt(real[from] * real[from] + imaginary[from] * imaginary[from]);
         twiceInPhase[i] += 2 * share * real[from];
@@ -82,7 +82,7 @@ Plane meanNoise(const NoiseField::Shape& shape) {
   return field;
 }
 
-/// The field of this shape. The last one is kept, since most settings leave it as it is.
+/// The field of this shape. The last one is cached, since most settings do not change it.
 std::shared_ptr<const NoiseField> fieldOf(const NoiseField::Shape& shape) {
   static std::mutex mutex;
   static std::shared_ptr<const NoiseField> last;

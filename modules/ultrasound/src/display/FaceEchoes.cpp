@@ -9,17 +9,18 @@
 namespace insonate::display {
 namespace {
 
-constexpr double kRinging_mm = 0.18;  ///< in which the ringing of the elements falls to 1/e
-constexpr double kLens_mm = 0.75;  ///< between echoes of the lens, as the image shows them at the sound speed of tissue
-constexpr double kSkinEcho = 0.16, kAirEcho = 0.2;  ///< what each echo of the lens keeps of the one before
-constexpr double kSpread = 0.35;     ///< by which each echo is longer than the one before, in pulses: the lens absorbs
-constexpr double kInaudible = 1e-3;  ///< of an amplitude at the face
+constexpr double kRinging_mm = 0.18;  ///< depth in which the ringing of the elements decreases to 1/e
+constexpr double kLens_mm = 0.75;  ///< distance between echoes of the lens in the image, at the sound speed of tissue
+constexpr double kSkinEcho = 0.16, kAirEcho = 0.2;  ///< amplitude of an echo of the lens relative to the one before
+constexpr double kSpread = 0.35;     ///< increase of length from one echo to the next, in pulses, since the lens
+                                     ///< absorbs
+constexpr double kInaudible = 1e-3;  ///< amplitude at the face below which echoes are ignored
 constexpr double kElements_dB = 2, kElements_mm = 0.9;  ///< range of the difference between elements, and its width
-constexpr double kLifted_dB = -22;                      ///< one way through the last film of gel
-constexpr double kWedge_mm = 9;                         ///< over which that film opens into air
-constexpr double kWedgeInside_mm = 3;  ///< of it beyond the strip that is set, where the skin still nearly touches
-constexpr double kBubbles = 1.4, kBubble_mm = 0.6;  ///< contact comes and goes in the wedge, and over what length
-constexpr double kNarrowest_elements = 4;           ///< of an aperture
+constexpr double kLifted_dB = -22;                      ///< loss, one way, through the last film of gel
+constexpr double kWedge_mm = 9;                         ///< length over which that film opens into air
+constexpr double kWedgeInside_mm = 3;  ///< part of it beyond the set strip, where the skin still nearly touches
+constexpr double kBubbles = 1.4, kBubble_mm = 0.6;  ///< variation of contact in the wedge, and its length
+constexpr double kNarrowest_elements = 4;           ///< smallest aperture
 
 /// Amplitude at a depth, 1 at the face.
 double ringing(double depth_mm, double pulse_mm, double lensEcho) {
@@ -36,7 +37,7 @@ float powerOf(double amplitude, double level_dB) {
   return static_cast<float>(amplitude * amplitude * std::pow(10, level_dB / 10));
 }
 
-/// Value noise along the face, -1 to 1, the same for a probe with the same settings.
+/// Value noise along the face, -1 to 1; the same for equal probes and settings.
 double bubblesAt(double place_mm) {
   const double place = place_mm / kBubble_mm;
   const int node = static_cast<int>(place);
@@ -49,7 +50,7 @@ double within(double strip_mm, double fromEnd_mm) {
   return strip_mm > 0 ? strip_mm + kWedgeInside_mm - fromEnd_mm : 0;
 }
 
-/// Running sums, for the mean over an aperture of either width. Elements beyond the ends do not exist.
+/// Running sums, for the mean over an aperture of either width. There are no elements beyond the ends.
 class ShareOfAperture {
  public:
   explicit ShareOfAperture(const std::vector<double>& touching) : before_(1, 0.0) {
@@ -81,7 +82,7 @@ FaceEchoes::FaceEchoes(const Probe& probe, const ImagingSettings& settings, cons
 
 void FaceEchoes::findContact(const Probe& probe, const ImagingSettings& settings, const DisplayPlan& plan,
                              const BeamGrid& grid) {
-  // All scanlines of a phased array use all of it.
+  // All scanlines of a phased array use the whole array.
   if (probe.shape == ProbeShape::Phased || (settings.poorContactLeft_mm <= 0 && settings.poorContactRight_mm <= 0))
     return;
   const double spacing_mm = grid.scanlineSpacing_mm(0);
@@ -100,7 +101,7 @@ void FaceEchoes::findContact(const Probe& probe, const ImagingSettings& settings
   contact_.emplace(static_cast<int>(plan.blocks.size()), columns_);
   for (int b = 0; b < contact_->rows(); ++b) {
     const double depth_mm = grid.range_mm(plan.blocks[b].first + 0.5 * (plan.blocks[b].count - 1));
-    // Only elements whose cone includes a point before the transmit focus reach it.
+    // Only elements whose cone includes a point in front of the transmit focus reach the point.
     const double sending_mm = std::clamp(std::min(depth_mm, settings.focus_mm) / probe.transmitFNumber, narrowest_mm,
                                          std::max(probe.maxAperture_mm, narrowest_mm));
     const double receiving_mm =
@@ -123,7 +124,7 @@ void FaceEchoes::findRinging(const Probe& probe, const ImagingSettings& settings
   const double end_mm = (std::log(kInaudible) / std::log(kAirEcho) + 3) * kLens_mm;
   for (int k = 0; k < grid.samples() && grid.range_mm(k) < end_mm; ++k) {
     const double depth_mm = grid.range_mm(k);
-    // The setting is what the image shows.
+    // The setting is the level in the image.
     const double filtered_dB = settings.harmonic ? kHarmonicLevel_dB : 0;
     const double level_dB = settings.ringing_dB + filtered_dB - nearLevel_dB(probe, depth_mm);
     touching_.push_back(powerOf(ringing(depth_mm, pulse_mm, kSkinEcho), level_dB));

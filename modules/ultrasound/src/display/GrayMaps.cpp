@@ -5,11 +5,11 @@
 namespace insonate {
 namespace {
 
-// Scanners number or letter their maps and publish no curves; these span what such lists offer: a straight line, S
+// Scanners number or letter their maps and publish no curves; these cover the range of such lists: a straight line, S
 // curves of two strengths, lifted and lowered middle grays, and a reversed S.
 constexpr std::array kCurves{
     GrayMapCurve{GrayMap::Linear, "linear", "gray in proportion to the level in dB", 1, 0, 0},
-    // Through (0.34, 0.235), (0.5, 0.4) and (1, 1).
+    // Passes through (0.34, 0.235), (0.5, 0.4) and (1, 1).
     GrayMapCurve{GrayMap::Soft, "soft", "a slight S: darks a little darker, brights kept apart", 0.387F, 1.039F,
                  -0.426F},
     GrayMapCurve{GrayMap::Contrast, "contrast", "a steep S: dark lumens, bright walls", 0.15F, 2.2F, -1.35F},

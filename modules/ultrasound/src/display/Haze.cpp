@@ -16,7 +16,7 @@ float powerOf(double level_dB) {
   return static_cast<float>(std::pow(10, level_dB / 10));
 }
 
-/// Smooth between hashes of whole numbers, -1 to 1.
+/// Smooth interpolation between hashes of whole numbers, -1 to 1.
 double valueNoise(double x, double y) {
   const double i = std::floor(x), j = std::floor(y);
   const auto at = [&](int right, int down) {
@@ -81,7 +81,7 @@ void Haze::follow(Plane& blockPower, Plane& strongPower, const FaceEchoes* face)
   }
 }
 
-/// An exponential to either side, of what comes from beside and from half the depth.
+/// An exponential to either side, of the echoes from beside and from half the depth.
 void Haze::smear(const Plane& blockPower, const float* contact, int b) {
   const float lobes = powerOf(kSideLobes_dB), twice = powerOf(kTwice_dB), on = smearing_[b];
   const float *here = blockPower.row(b), *half = blockPower.row(b / 2);

@@ -3,7 +3,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "display/ReceiveKernels.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h, which includes this file once per instruction set.
+// Must follow foreach_target.h, which includes this file once for each instruction set.
 #include "display/Rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -30,8 +30,8 @@ HWY_INLINE V hashed(U d, V x) {
   return hn::Xor(x, hn::ShiftRight<15>(x));
 }
 
-/// The number of ones among a hash's 32 bits, brought to zero mean and unit variance: a binomial distribution, nearly
-/// Gaussian (excess kurtosis -1/16), and more so once rows are mixed.
+/// The number of ones among the 32 bits of a hash, with zero mean and unit variance: a binomial distribution, nearly
+/// Gaussian (excess kurtosis -1/16), and closer once rows are mixed.
 template <class V>
 HWY_INLINE auto onesOf(V hash) {
   const F f;
@@ -52,7 +52,7 @@ void whiteRow(const WhiteRow& t) {
   });
 }
 
-constexpr float kMaxAmplitude = 1e9F;  // louder, and infinite, echoes count as this
+constexpr float kMaxAmplitude = 1e9F;  // stronger and infinite echoes are limited to this
 
 template <bool kNoise>
 HWY_INLINE void compoundLooks(const CompoundRow& t) {
@@ -113,7 +113,7 @@ void hazeRow(const HazeRow& t) {
   const auto half = hn::Set(d, 0.5F);
   const auto carried = [&](const float* above, int i) {
     const auto sides = hn::Add(hn::LoadU(d, above + i - t.stride), hn::LoadU(d, above + i + t.stride));
-    // The nearest ones too: a comb would keep what lies between its teeth.
+    // Includes the nearest ones, since a comb would keep values between its teeth.
     const auto near = hn::Add(hn::LoadU(d, above + i - 1), hn::LoadU(d, above + i + 1));
     const auto here = hn::MulAdd(hn::Sub(hn::Mul(near, half), hn::Load(d, above + i)), half, hn::Load(d, above + i));
     return hn::Add(hn::Mul(middle, here), hn::Mul(side, sides));

@@ -5,7 +5,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "display/RowKernels.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target.h, which includes this file once per instruction set.
+// Must follow foreach_target.h, which includes this file once for each instruction set.
 #include "display/Rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -41,7 +41,7 @@ void compressRow(const CompressRow& t) {
     const auto own = hn::Load(d, t.power + i);
     const auto haze = mix(hn::Load(d, t.hazeBefore + i), hn::Load(d, t.hazeAfter + i), share);
     const auto mean = mix(hn::Load(d, t.meanBefore + i), hn::Load(d, t.meanAfter + i), share);
-    // As grainy as what the place itself returns, since both come through the same beam.
+    // Has the speckle of the place's own echo, since both pass through the same beam.
     const auto grain = hn::Min(hn::Div(own, hn::Max(mean, tiny)), grainiest);
     const auto power = hn::Max(hn::Add(own, hn::Mul(haze, hn::Add(smooth, hn::Mul(grainy, grain)))), tiny);
     auto lineOffset = hn::Add(offset, hn::Mul(shaded, hn::Load(d, t.shade_dB + i)));
@@ -86,16 +86,16 @@ void tensorRow(const TensorRow& t) {
   });
 }
 
-/// Interface slopes are followed in steps of 8 scanlines, whatever the instruction set.
+/// Slopes of interfaces are computed for groups of 8 scanlines, whatever the instruction set.
 using Cell = hn::CappedTag<float, 8>;
 constexpr int kCell = 8;
 
-/// Sum of 8 values, in an order that does not depend on the instruction set.
+/// Sum of 8 values, in the same order for every instruction set.
 HWY_INLINE float cellSum(const float* v) {
   return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]));
 }
 
-/// One slope for each cell, the mean over its interfaces; those that run elsewhere are not followed.
+/// One slope for each cell, the mean over its interfaces; interfaces in other directions are not followed.
 HWY_INLINE void settleSlopes(float* edge, float* slope, int columns) {
   const Cell d;
   const int lanes = static_cast<int>(hn::Lanes(d));
@@ -136,11 +136,11 @@ void orientRow(const OrientRow& t) {
     const auto xx = averaged(t.xx, i), xz = averaged(t.xz, i), zz = averaged(t.zz, i);
     const auto difference = hn::Sub(zz, xx), twice = hn::Add(xz, xz);
     const auto anisotropy = hn::Sqrt(hn::Add(hn::Mul(difference, difference), hn::Mul(twice, twice)));
-    // The interface runs across the eigenvector (xz, l1 - xx) of the larger eigenvalue l1.
+    // The interface is at a right angle to the eigenvector (xz, l1 - xx) of the larger eigenvalue l1.
     const auto alongScan = hn::Max(hn::Mul(half, hn::Add(difference, anisotropy)), tiny);
     const auto slope = hn::Neg(hn::Div(xz, alongScan));
     const auto limited = hn::Min(hn::Max(slope, hn::Neg(maxSlope)), maxSlope);
-    // From half the steepest slope on there is less and less to follow.
+    // From half the maximum slope on, the strength decreases.
     const auto steepness = hn::Mul(hn::Abs(limited), hn::Set(d, 2 / t.maxSlope));
     const auto followed = hn::Min(hn::Max(hn::Sub(hn::Add(one, one), steepness), zero), one);
     const auto ramp = [&](auto v) { return hn::Min(hn::Max(hn::Mul(hn::Sub(v, from), perEdge), zero), one); };
@@ -151,7 +151,7 @@ void orientRow(const OrientRow& t) {
   settleSlopes(t.edge, t.slope, t.columns);
 }
 
-/// The levels under the taps -3..3, each in the row where an interface with the cell's slope runs.
+/// The levels under the taps -3..3, each in the row of an interface with the cell's slope.
 HWY_INLINE void alongRows(const SmoothRow& t, int cell, const float* (&rows)[7]) {
   const float perTap = t.slope[cell] * t.rowsPerSlope;
   const float half = perTap < 0 ? -0.5F : 0.5F;

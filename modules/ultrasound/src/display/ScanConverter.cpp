@@ -15,7 +15,7 @@ namespace insonate::display {
 namespace {
 
 constexpr int kRowsPerTask = 32;
-constexpr std::size_t kTableRun = Plane::kVector;  ///< tables of each run are filled up to whole vectors
+constexpr std::size_t kTableRun = Plane::kVector;  ///< tables of each run are padded to whole vectors
 
 /// Lower neighbor and the share of the upper one in 1/256, for a place among `count` samples.
 std::pair<int, int> neighbour(double place, int count) {

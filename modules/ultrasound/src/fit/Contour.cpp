@@ -9,7 +9,7 @@ namespace {
 constexpr int kTrials = 300;
 constexpr double kOnLine_px = 2.0, kOnCircle_px = 2.5;
 constexpr std::size_t kFewest = 12;
-constexpr double kMostSlope = 4.0;  // across over down: half angles up to 76 degrees
+constexpr double kMostSlope = 4.0;  // slope of the sides: half angles up to 76 degrees
 constexpr int kRim_px = 4;
 
 /// Whole numbers below `count`, the same on every machine.

@@ -10,13 +10,13 @@ namespace {
 
 constexpr int kFewestMarks = 4;
 constexpr double kLeastSpacing_px = 6;
-constexpr double kHighestMark = 0.022;  // height of a mark over the depth
-constexpr double kLeastSpan = 0.6;      // of the depth that the marks must cover
-constexpr double kLeastPresent = 0.7;   // of the marks that the spacing predicts
+constexpr double kHighestMark = 0.022;  // height of a mark relative to the depth
+constexpr double kLeastSpan = 0.6;      // share of the depth that the marks must cover
+constexpr double kLeastPresent = 0.7;   // share of the predicted marks that must exist
 constexpr double kOffPlace_px = 1.3;
 constexpr float kLeastContrast = 25;
 
-/// The surroundings of the model as it would stand upright: column u, row v, from `left`, `top`.
+/// The surroundings of the model, rotated upright: column u, row v, from `left`, `top`.
 struct Upright {
   cv::Mat_<float> grey;
   double left = 0, top = 0;
@@ -45,7 +45,7 @@ struct Run {
   int column = 0;
 };
 
-/// Short light runs in a column, outside the model.
+/// Short light runs in a column outside the model.
 std::vector<Run> runsIn(const cv::Mat_<float>& contrast, const cv::Mat_<uchar>& outside, int column, int highest) {
   std::vector<Run> runs;
   int from = -1;
@@ -68,8 +68,7 @@ struct Comb {
   int marks = 0, column = 0;
 };
 
-/// Finds, of all equal spacings through two runs, the one that most runs agree with and that predicts few missing
-/// runs.
+/// Finds the equal spacing through two runs with which most runs agree and which predicts few missing runs.
 Comb combThrough(const std::vector<Run>& runs, double depth_px) {
   Comb best;
   if (int(runs.size()) < kFewestMarks || runs.size() > 150) return best;
@@ -77,7 +76,7 @@ Comb combThrough(const std::vector<Run>& runs, double depth_px) {
     for (std::size_t j = i + 1; j < std::min(runs.size(), i + 4); ++j) {
       double spacing = runs[j].middle - runs[i].middle, first = runs[i].middle;
       if (spacing < kLeastSpacing_px || spacing > depth_px / 2) continue;
-      // Followed outward from the pair, mark by mark, so that a small error does not add up.
+      // Proceeds outward from the pair, mark by mark, so that a small error does not accumulate.
       double lowest = first, highest = runs[j].middle;
       int found = 2, steps = 1;
       for (std::size_t k = j + 1; k < runs.size(); ++k) {
@@ -89,7 +88,7 @@ Comb combThrough(const std::vector<Run>& runs, double depth_px) {
       }
       if (found < kFewestMarks || found < kLeastPresent * (steps + 1)) continue;
       if (highest - lowest < kLeastSpan * depth_px) continue;
-      // A run that is not a mark speaks against a ruler: letters have many.
+      // Runs that are not marks lower the score of a ruler, since letters have many of them.
       const double score = found - 0.5 * (double(runs.size()) - found) - 0.5 * (steps + 1 - found);
       if (score > best.score) best = {first, spacing, score, found, runs[i].column};
     }
@@ -136,7 +135,7 @@ std::optional<DepthRuler> depthMarks(const cv::Mat_<uchar>& grey, const FovModel
   const double depth = model.outer - model.inner;
   const int highest = std::max(5, int(kHighestMark * depth));
   cv::Mat_<float> ground, contrast;
-  // Light marks of the height of a mark, on their ground.
+  // Light marks with the height of a mark, on dark background.
   cv::morphologyEx(upright.grey, ground, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {1, highest + 3}));
   contrast = upright.grey - ground;
   cv::Mat_<uchar> outside(contrast.size(), uchar{0});
@@ -154,7 +153,7 @@ std::optional<DepthRuler> depthMarks(const cv::Mat_<uchar>& grey, const FovModel
     if (comb.score > best.score + 0.01) best = comb;
   }
   if (best.marks < kFewestMarks) return std::nullopt;
-  // Again in its column: the marks as seen, and the spacing by least squares.
+  // Repeats the search in the ruler's column: the visible marks, and the spacing by least squares.
   DepthRuler ruler;
   std::vector<int> lengths;
   double n = 0, sumK = 0, sumV = 0, sumKK = 0, sumKV = 0;

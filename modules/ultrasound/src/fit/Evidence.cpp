@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kStep_px = 4;
 constexpr int kAreaStep_px = 4;
-constexpr double kDarkInside = 0.25;  // weight of ground within the model, over body outside of it
+constexpr double kDarkInside = 0.25;  // weight of background within the model relative to image outside of it
 
 bool within(const Plate& plate, PixelPoint p) {
   return p.x >= 0 && p.y >= 0 && p.x <= plate.smooth.cols - 1 && p.y <= plate.smooth.rows - 1;

@@ -18,22 +18,22 @@ namespace {
 using namespace fit;
 
 constexpr int kLeastSide = 64, kMostSide = 16384;
-constexpr double kWork_px = 900;                         // longer side of the image that is searched
-constexpr double kMostEnlarged = 2;                      // small captures are enlarged by this at most
+constexpr double kWork_px = 900;                         // longer side of the image during the search
+constexpr double kMostEnlarged = 2;                      // maximum enlargement of small captures
 constexpr std::size_t kToMeasure = 250, kToRefine = 16;  // of the guesses
 constexpr double kReach_px = 14;
 constexpr double kCoarse_px = 4, kFine_px = 2.5;
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-// A field of view: its outline and its area agree with the image at least so far.
+// Minimum agreement of outline and area with the image for a field of view.
 constexpr double kLeastAgreement = 0.75, kLeastOutline = 0.3, kLeastCover = 0.6, kLeastFilled = 0.25, kMostGaps = 0.7;
 constexpr double kEdgeSeen = 0.3, kEdgeVisible = 0.1;
 
-// Two images on one screen are of one kind, as wide and deep, and at one height, so far. Of two that are as clear,
-// the left one is taken.
+// Maximum differences in width, depth and height for two images on one screen to count as equal. Of two equally clear
+// ones, the left one is used.
 constexpr double kSameSize = 0.12, kSameHeight = 0.06, kClearer = 0.05;
 
-enum class Beside { Nothing, Right, Left };  ///< where another image lies
+enum class Beside { Nothing, Right, Left };  ///< the side of another image
 
 struct Candidate {
   FovModel model;
@@ -54,16 +54,16 @@ int edgesSeen(const Evidence& evidence) {
 bool acceptable(const Candidate& candidate) {
   const Evidence& e = candidate.evidence;
   if (e.agreement < kLeastAgreement || e.filled < kLeastFilled || e.gaps > kMostGaps || edgesSeen(e) < 2) return false;
-  // An outline that is seen all round stands for itself, whatever else the screen shows.
+  // A complete outline suffices, whatever else the screen shows.
   if (candidate.model.fan && e.outline >= 2 * kLeastOutline && e.agreement >= 0.9 && e.cover >= kLeastCover / 2)
     return true;
-  // Much of a dark image's outline is dark; then what is seen must agree all the more.
+  // A large part of a dark image's outline is dark; the visible part must then agree better.
   const double least = e.agreement >= 0.84 && candidate.model.fan ? 0.65 * kLeastOutline : kLeastOutline;
   return e.outline >= least && e.cover >= kLeastCover;
 }
 
 std::optional<Candidate> bestOn(const Plate& plate, bool upsideDown) {
-  // The areas of all guesses would take seconds.
+  // Computing the areas of all guesses would take seconds.
   std::vector<std::pair<double, FovModel>> guesses;
   for (const FovModel& model : guessesFor(plate)) guesses.emplace_back(outlineFor(model, plate, kCoarse_px), model);
   const std::size_t some = std::min(kToMeasure, guesses.size());
@@ -80,7 +80,7 @@ std::optional<Candidate> bestOn(const Plate& plate, bool upsideDown) {
   for (Candidate& candidate : all) {
     candidate.model = refined(candidate.model, plate, kReach_px);
     candidate.evidence = evidenceFor(candidate.model, plate, kFine_px);
-    // A rectangle looks the same upside down.
+    // A rectangle is the same upside down.
     if (upsideDown && !candidate.model.fan) continue;
     if (!best || better(candidate, *best)) best = candidate;
   }
@@ -96,7 +96,7 @@ bool alike(const FovModel& a, const FovModel& b) {
          std::abs(a.at(0, 0).y - b.at(0, 0).y) <= kSameHeight * deepA;
 }
 
-/// One of two images beside each other. Where all of it looks like one image (`whole`), only if the two are alike.
+/// One of two images beside each other. If both together look like one image (`whole`), only if the two are equal.
 std::optional<Candidate> bestOfHalves(const std::array<Plate, 2>& halves, bool upsideDown, bool whole) {
   std::array<std::optional<Candidate>, 2> found;
   for (std::size_t side = 0; side < 2; ++side) {
@@ -132,7 +132,7 @@ FovShape shapeOf(const Candidate& candidate, double scale, int height) {
   return shape;
 }
 
-/// The shape in another image's pixels, as a model.
+/// The shape in the pixels of the other image, as a model.
 FovModel modelOf(const FovShape& shape, int height) {
   const bool fan = shape.shape != ProbeShape::Linear;
   FovModel model{fan, shape.origin.x, shape.upsideDown ? height - 1 - shape.origin.y : shape.origin.y,
@@ -171,8 +171,8 @@ double confidenceOf(const Evidence& evidence) {
   return std::cbrt(outline * agreement * cover) * (0.4 + 0.15 * edgesSeen(evidence));
 }
 
-/// The likely meaning: every second, fifth or tenth mark longer says centimeters or five of them; alike they are
-/// centimeters, as far as a depth of that many is likely.
+/// The likely meaning: if every second, fifth or tenth mark is longer, the longer marks are centimeters or multiples of
+/// five; equal marks are centimeters, if a depth of that many is likely.
 void giveMeaning(DepthRuler& ruler, double depth_px, bool linear) {
   ruler.mmPerMark = ruler.longEvery == 2 ? 5 : ruler.longEvery == 10 ? 1 : 10;
   const double depth_mm = depth_px / ruler.spacing_px * ruler.mmPerMark;
@@ -194,7 +194,7 @@ Result<FovFit> fitFov(const GreyPicture& picture) {
   cv::resize(grey, work, {}, scale, scale, scale < 1 ? cv::INTER_AREA : cv::INTER_LINEAR);
   cv::flip(work, flipped, 0);
   const std::vector<Plate> upright = platesOf(work), turned = platesOf(flipped);
-  std::deque<std::array<Plate, 2>> parted;  // a candidate points to its plate
+  std::deque<std::array<Plate, 2>> parted;  // candidates point into it, so that elements must not move
   std::optional<Candidate> best;
   const auto consider = [&](const std::vector<Plate>& plates, bool upsideDown) {
     for (const Plate& plate : plates) {

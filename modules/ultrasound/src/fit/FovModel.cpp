@@ -6,7 +6,7 @@
 namespace insonate::fit {
 namespace {
 
-constexpr double kPoint_px = 6;  // a face with a smaller radius is not looked at
+constexpr double kPoint_px = 6;  // a face with a smaller radius counts as a point
 
 }  // namespace
 
@@ -22,7 +22,7 @@ std::array<double, kEdges> Beyond::operator()(PixelPoint p) const {
   const double u = cosTurn_ * dx - sinTurn_ * dy, v = sinTurn_ * dx + cosTurn_ * dy;
   if (!model_.fan) return {-u - model_.half, u - model_.half, model_.inner - v, v - model_.outer};
   const double radius = std::sqrt(u * u + v * v);
-  // Behind the apex, the nearest part of a side is the apex.
+  // Behind the apex, the nearest point of a side is the apex.
   const auto side = [&](double across) {
     if (across * sinHalf_ + v * cosHalf_ < 0) return across >= 0 ? radius : -radius;
     return across * cosHalf_ - v * sinHalf_;

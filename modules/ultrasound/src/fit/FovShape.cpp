@@ -8,7 +8,7 @@ namespace insonate {
 namespace {
 
 constexpr double kRadians = std::numbers::pi / 180;
-constexpr double kPhasedFace_mm = 5;  // below this, a fan's face is a phased array's
+constexpr double kPhasedFace_mm = 5;  // a fan with a smaller face belongs to a phased array
 
 }  // namespace
 

@@ -10,12 +10,12 @@ namespace insonate::fit {
 namespace {
 
 constexpr double kMostTurn = 8 * std::numbers::pi / 180;
-constexpr double kParallel = 7 * std::numbers::pi / 180;  // sides that open less belong to a rectangle
+constexpr double kParallel = 7 * std::numbers::pi / 180;  // sides with a smaller angle belong to a rectangle
 constexpr double kLeastHalf = 4 * std::numbers::pi / 180, kMostHalf = 1.35;
 constexpr int kLines = 4, kCircles = 3;
-constexpr double kFew = 0.01;  // quantile that stands for the outermost
+constexpr double kFew = 0.01;  // quantile that replaces the outermost point
 
-/// The body thinned out, for extents.
+/// A subset of the textured pixels, for extents.
 std::vector<PixelPoint> pointsOf(const cv::Mat_<uchar>& body) {
   std::vector<PixelPoint> points;
   for (int row = 2; row < body.rows; row += 5)
@@ -47,7 +47,7 @@ void fansFrom(PixelPoint apex, const Contour& contour, const std::vector<PixelPo
   outers.push_back(far);
   auto inners = modesOf(valuesOf(contour.top, radius), 4, 2);
   inners.push_back(quantile(radii, kFew / 4)), inners.push_back(0);
-  // One side hidden: the fan hangs straight.
+  // If one side is hidden, the fan is assumed upright.
   const std::size_t seenLefts = lefts.size() - 1, seenRights = rights.size() - 1;
   const auto add = [&](double left, double right) {
     const double half = 0.5 * (right - left), turn = 0.5 * (right + left);

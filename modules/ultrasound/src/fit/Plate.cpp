@@ -12,20 +12,20 @@ namespace insonate::fit {
 namespace {
 
 constexpr double kBlur_px = 1.5;
-constexpr double kSharpBlur_px = 1;  // fills the holes of speckle, not the gaps between letters
+constexpr double kSharpBlur_px = 1;  // closes the gaps of speckle, but not those between letters
 constexpr int kGap_px = 15;
-constexpr double kLeastGround = 0.04;   // of all pixels, within two grays of the ground's level
-constexpr float kLeastThreshold = 5;    // gray values above the ground
-constexpr double kNoises = 3.5;         // threshold over the ground's noise
-constexpr double kLeastBody = 0.03;     // of the image
-constexpr double kCompanion = 0.12;     // parts of the body, over its largest
-constexpr double kPlainSd = 1.0;        // grays: areas of less variation are drawn, not imaged
-constexpr double kLeastTextured = 0.3;  // of a part of the body
+constexpr double kLeastGround = 0.04;   // share of all pixels within two grays of the background's level
+constexpr float kLeastThreshold = 5;    // gray values above the background
+constexpr double kNoises = 3.5;         // threshold relative to the noise of the background
+constexpr double kLeastBody = 0.03;     // share of the image
+constexpr double kCompanion = 0.12;     // parts of the image relative to its largest part
+constexpr double kPlainSd = 1.0;        // grays: areas with less variation are drawn, not imaged
+constexpr double kLeastTextured = 0.3;  // textured share of a part
 constexpr double kPlainShare = 0.5;
-constexpr double kMinimumShare = 0.3;  // of the body, to either side of what parts it
-constexpr int kLeastParting_px = 3;    // wide
-constexpr double kCrossing = 0.02;     // of the image's height: what may cross it
-constexpr int kPlainWidth_px = 31;     // plain where so large a share of so wide a square is
+constexpr double kMinimumShare = 0.3;  // share of the image on either side of a separation
+constexpr int kLeastParting_px = 3;    // width of a separation
+constexpr double kCrossing = 0.02;     // share of the image's height that may cross it
+constexpr int kPlainWidth_px = 31;     // side of the square whose share of plain pixels decides
 
 std::array<double, 256> histogramOf(const cv::Mat_<float>& picture) {
   std::array<double, 256> counts{};
@@ -34,7 +34,7 @@ std::array<double, 256> histogramOf(const cv::Mat_<float>& picture) {
   return counts;
 }
 
-/// The darkest level that many pixels have.
+/// The darkest frequent level.
 std::optional<int> groundLevel(const std::array<double, 256>& histogram) {
   const auto around = [&](int level) {
     double sum = 0;
@@ -51,7 +51,7 @@ std::optional<int> groundLevel(const std::array<double, 256>& histogram) {
   return std::nullopt;
 }
 
-/// A quadratic surface through what is within `tolerance` of the ground; plain least squares, twice.
+/// A quadratic surface through the pixels within `tolerance` of the background, by two rounds of least squares.
 cv::Mat_<float> groundOf(const cv::Mat_<float>& smooth, float level) {
   cv::Mat_<float> ground(smooth.size(), level);
   double tolerance = 10;
@@ -81,14 +81,14 @@ cv::Mat_<float> groundOf(const cv::Mat_<float>& smooth, float level) {
         const auto t = terms(row, column);
         double value = 0;
         for (int i = 0; i < 6; ++i) value += solution[i] * t[i];
-        // Without visible ground the surface is a guess: it stays near the level.
+        // Without visible background the surface is a guess: it is limited to the level.
         ground(row, column) = float(std::clamp(value, level - 15.0, level + 15.0));
       }
   }
   return ground;
 }
 
-/// The spread of the ground, from its pixels below its own level as well as above.
+/// Spread of the background, from its pixels below and above its level.
 float noiseOf(const cv::Mat_<float>& above) {
   std::vector<float> values;
   for (const float value : above)
@@ -103,7 +103,7 @@ cv::Mat ellipse(int size) {
   return cv::getStructuringElement(cv::MORPH_ELLIPSE, {size, size});
 }
 
-/// Finds areas that vary so little, letters on them apart, that they are drawn and not imaged: panels, frames, paper.
+/// Finds areas with so little variation, except for letters, that they are drawn, not imaged: panels, frames, paper.
 cv::Mat_<uchar> plainAreas(const cv::Mat_<float>& grey) {
   cv::Mat_<float> mean, square;
   cv::blur(grey, mean, {5, 5});
@@ -115,7 +115,7 @@ cv::Mat_<uchar> plainAreas(const cv::Mat_<float>& grey) {
   return share > kPlainShare * 255;
 }
 
-/// The largest connected part that is textured, and others of the same kind and a size to belong to it.
+/// The largest connected textured part, and others of the same kind that are large enough to belong to it.
 cv::Mat_<uchar> bodyOf(const cv::Mat_<uchar>& mask, const cv::Mat_<uchar>& plain) {
   cv::Mat_<uchar> opened, closed;
   cv::morphologyEx(mask & ~plain, opened, cv::MORPH_OPEN, ellipse(7));
@@ -172,7 +172,7 @@ std::vector<Plate> platesOf(const cv::Mat_<uchar>& grey) {
   grey.convertTo(picture, CV_32F);
   std::vector<Plate> plates;
   if (auto plate = plateOf(picture, false)) plates.push_back(std::move(*plate));
-  // Dark on light only where light is what most of the image is.
+  // Dark on light only if most of the image is light.
   if (cv::countNonZero(grey > 140) > 0.3 * double(grey.total()))
     if (auto plate = plateOf(255 - picture, true)) plates.push_back(std::move(*plate));
   return plates;

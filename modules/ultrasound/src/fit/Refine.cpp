@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSampleStep_px = 3;
 constexpr double kProbe_px = 0.5;
-constexpr double kPlateau_px = 5;  // how far inside of a step its height is read
+constexpr double kPlateau_px = 5;  // distance inside a step at which its height is read
 constexpr int kRounds = 4, kIterations = 6;
 
 std::optional<float> valueAt(const Plate& plate, double x, double y) {
@@ -24,8 +24,8 @@ std::optional<float> valueAt(const Plate& plate, double x, double y) {
          fy * ((1 - fx) * s(row + 1, column) + fx * s(row + 1, column + 1));
 }
 
-/// Coming from outside, the first step up from the ground: how far outside of the sample it lies. None where there is
-/// no ground outside or no light inside.
+/// The first step up from the background, coming from outside: its distance outside the sample. None if there is no
+/// background outside or no light inside.
 std::optional<double> stepNear(const EdgeSample& sample, const Plate& plate, double reach) {
   const auto value = [&](double by) {
     return valueAt(plate, sample.at.x + by * sample.outward.x, sample.at.y + by * sample.outward.y);
@@ -35,7 +35,7 @@ std::optional<double> stepNear(const EdgeSample& sample, const Plate& plate, dou
     if (!here) return std::nullopt;
     if (*here <= plate.threshold) continue;
     if (by == reach) return std::nullopt;
-    // The blur spreads a bright edge outward: its place is where half its height is reached.
+    // The blur widens a bright edge: its place is where half its height is reached.
     float height = *here;
     for (double in = by; in >= by - kPlateau_px; in -= kProbe_px) height = std::max(height, value(in).value_or(0));
     const float half = std::max(plate.threshold, height / 2);
@@ -63,7 +63,7 @@ std::vector<Step> stepsNear(const FovModel& model, const Plate& plate, double re
   return steps;
 }
 
-/// Tukey's weight; dark tissue at the border makes steps inside of it, so those count less.
+/// Tukey's weight; hypoechoic tissue at the border causes steps inside of it, so that those have less weight.
 double weightOf(double residual, double width) {
   const double r = residual / (residual < 0 ? 0.6 * width : width);
   if (std::abs(r) >= 1) return 0;
@@ -77,7 +77,7 @@ bool sane(const FovModel& model) {
          model.half < (model.fan ? 1.4 : 1e5) && std::abs(model.turn) < 0.5;
 }
 
-/// One step of damped Gauss-Newton; the model as it was where it cannot be improved.
+/// One step of damped Gauss-Newton; the unchanged model if it cannot be improved.
 FovModel oneStep(const FovModel& model, const std::vector<Step>& steps, double width) {
   const int n = parameters(model);
   cv::Matx<double, 6, 6> normal = cv::Matx<double, 6, 6>::zeros();

@@ -8,7 +8,7 @@ namespace {
 // Slots of buffers that most stages read.
 constexpr unsigned kSceneSlot = 0, kTilesSlot = 1, kPlanSlot = 2, kContactsSlot = 3, kShiftsSlot = 4;
 
-/// One point that has not moved.
+/// A displacement with one point and no motion.
 const PlaneDisplacement kAtRest{
     .left_mm = 0, .top_mm = 0, .step_mm = 1, .columns = 1, .rows = 1, .restFromSeen = {{0, 0}}};
 

@@ -177,7 +177,7 @@ Result<std::shared_ptr<const Device>> Device::make() {
 }
 
 Result<std::shared_ptr<const Device>> Device::shared() {
-  // Never taken down: at the end of a process drivers are gone before the last objects are.
+  // Never destroyed, since drivers are unloaded before the last objects of a process.
   static std::mutex mutex;
   static auto* device = new std::shared_ptr<const Device>;
   const std::scoped_lock lock(mutex);

@@ -53,7 +53,7 @@ class GlslEngine final : public Engine {
   Probe probe_;
   ImagingSettings settings_;
   std::unique_ptr<CardFrame> frame_;
-  std::unique_ptr<Engine> cpu_;  ///< once the card has failed
+  std::unique_ptr<Engine> cpu_;  ///< created after the card has failed
   std::string note_;
 };
 

@@ -25,8 +25,8 @@ Rows rowsOf(const Transform& t) {
           Float4{f(c[0].z), f(c[1].z), f(c[2].z), f(t.offset.z)}};
 }
 
-/// A map to cells of some lattice, its offset's whole part apart: floats then hold places near the probe, and lose
-/// nothing far from the patient's origin.
+/// A map to cells of a lattice, with the whole part of its offset separate: floats then hold places near the probe and
+/// lose no precision far from the patient's origin.
 void setRows(Transform cellFromProbe, double rounding, Rows& rows, Int4& base) {
   const Vec3 o = cellFromProbe.offset;
   const Vec3 whole{std::floor(o.x), std::floor(o.y), std::floor(o.z)};
@@ -123,7 +123,7 @@ PlanTables::PlanTables(const FramePlan& p, bool thesis) {
   for (int phase = 0; phase < p.stride; ++phase) {
     const double gate = (phase + 0.5) / p.stride - 0.5, t = gate < 0 ? gate + 1 : gate;
     const CubicWeights cubic = cubicAt(t);
-    // The look of the thesis runs straight from gate to gate.
+    // In the thesis style, rays go straight from gate to gate.
     const double straight[4] = {0, 1 - t, t, 0};
     for (int o = 0; o < 4; ++o) kernels.push_back(f(thesis ? straight[o] : cubic.weight[o]));
   }

@@ -17,20 +17,20 @@ namespace {
 constexpr int kNodes = 40;
 constexpr int kFrequencies = 7;
 constexpr int kLateralEntries = 96, kElevationEntries = 160;
-constexpr double kLateralStep = 0.2;  // of wavelength times F-number
+constexpr double kLateralStep = 0.2;  // relative to wavelength times F-number
 constexpr double kElevationStep = 1.0 / 80, kPiecesPerWavelength = 2.5;
-// Tapered shares: of the transmit aperture, and of the element's height, whose ends are held.
+// Tapered shares of the transmit aperture, and of the element's height, whose ends are fixed.
 constexpr double kTransmitTaper = 0.5, kHeightTaper = 0.15;
 
 using Spectrum = std::array<std::complex<double>, kFrequencies>;
 
-/// Frequencies over the pulse's band: evenly spaced, out to where a Gaussian spectrum has lost 24 dB.
+/// Frequencies over the band of the pulse: equally spaced, up to a loss of 24 dB of the Gaussian spectrum.
 struct Band {
   double first_radpmm, step_radpmm;  ///< wave numbers
   std::array<double, kFrequencies> power;
 
   Band(double frequency_MHz, double bandwidth_MHz) {
-    constexpr double kReach = 1;  // of the bandwidth, to either side
+    constexpr double kReach = 1;  // range as a share of the bandwidth, to either side
     const double wavesPerMHz = 2 * std::numbers::pi / kSoundSpeed_mmPerUs;
     const double reach_MHz = std::min(kReach * bandwidth_MHz, 0.9 * frequency_MHz);
     first_radpmm = wavesPerMHz * (frequency_MHz - reach_MHz);
@@ -42,12 +42,12 @@ struct Band {
   }
 };
 
-/// A wave's start, in the plane across which the field is wanted.
+/// Origin of a wave, in the plane of the field.
 struct Source {
   double at_mm, delay_mm, weight;
 };
 
-/// `size_mm`: of a source along the aperture, for its directivity; 0: a point.
+/// `size_mm`: size of a source along the aperture, for its directivity; 0 for a point.
 Spectrum fieldAt(std::span<const Source> sources, double size_mm, const Band& band, double off_mm, double range_mm) {
   Spectrum sum{};
   for (const Source& source : sources) {
@@ -99,7 +99,7 @@ double taperedShare(Apodization apodization) {
   return 1;
 }
 
-/// Sources evenly spaced over an aperture, delayed so that their waves meet at the focus.
+/// Sources equally spaced over an aperture, with delays that focus their waves.
 std::vector<Source> aperture(double width_mm, int count, double focus_mm, double tapered) {
   std::vector<Source> sources;
   for (int n = 0; n < count; ++n) {

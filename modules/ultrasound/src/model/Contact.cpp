@@ -17,7 +17,7 @@ Contact contactOf(const TissueField& field, const Transform& patientFromProbe, c
   if (field.backgroundChannel < 0) return {};
   constexpr double kStep_mm = 0.5;
   const Vec3 patientOrigin_mm = patientFromProbe * origin_mm, patientDirection = patientFromProbe.linear * direction;
-  // Distance from the outside: negative outside, positive in the body.
+  // Distance from the outside; positive in the body.
   const auto depth = [&](double r_mm) {
     Vec3 rest = patientOrigin_mm + patientDirection * r_mm;
     if (!displacement.empty()) {
@@ -36,7 +36,8 @@ Contact contactOf(const TissueField& field, const Transform& patientFromProbe, c
       const double far =
           (gap - acoustics::kPoorContact_mm) / (acoustics::kContactReach_mm - acoustics::kPoorContact_mm);
       const double lost = std::clamp(far, 0.0, 1.0);
-      // A face deep in the body no longer draws tissue to it; it lets go of it gradually, or the image would tear.
+      // A face deep in the body no longer moves tissue to itself; the motion decreases gradually, since the image would
+      // tear otherwise.
       const double into = std::clamp((-gap / acoustics::kContactReach_mm - 2.0 / 3) * 3, 0.0, 1.0);
       return {gap * (1 - into * into * (3 - 2 * into)), 1 - lost * lost * (3 - 2 * lost)};
     }

@@ -12,19 +12,19 @@
 namespace insonate {
 namespace {
 
-/// Spacing of 3, 5, 7 and 9 planes, in units of the slice's SD: with it the planes, each with its share of a Gaussian's
-/// power, have the RMS width of the slice.
+/// Spacing of 3, 5, 7 and 9 planes in units of the slice's SD, with which the planes, each with its share of a
+/// Gaussian's power, have the RMS width of the slice.
 constexpr double kPlaneSpacing_sd[] = {1.041, 0.684, 0.517, 0.419};
 constexpr double kGatesPerPulse = 2.4;
-/// Limits of the scatterers' lattice, in pulses. Scanlines farther apart than its nodes would each have their own
-/// speckle, which would jump from one to the next: it is as coarse as they are, up to what the pulse allows.
+/// Limits of the scatterers' lattice, in pulses. Scanlines farther apart than its nodes would have independent speckle,
+/// which would jump between them: the lattice is as coarse as the scanlines, up to what the pulse permits.
 constexpr double kFinestLattice = 0.58, kCoarsestLattice = 0.68;
 
-constexpr double kFaintest = 3e-3;  // of a beam's axis, where its kernel ends
+constexpr double kFaintest = 3e-3;  // relative to the beam's axis, where its kernel ends
 constexpr double kCellDepth_mm = 0.4, kCellWidth_mm = 0.4;
 constexpr int kMaxKernelRadius = 32;
 
-/// Half of a sampled kernel of unit sum, of a profile by samples from its center, cut where it becomes faint.
+/// Half of a sampled kernel of unit sum, from a profile by samples from its center, cut off where it is negligible.
 template <class Profile>
 std::vector<double> halfKernel(const Profile& profile) {
   std::vector<double> half;
@@ -45,7 +45,7 @@ std::vector<double> autocorrelation(const std::vector<double>& half) {
   return sums;
 }
 
-/// The lattice's own grain counts toward the point-spread function: kernels are narrower by as much.
+/// The correlation of the lattice is a part of the point-spread function: kernels are narrower by it.
 double narrowing(double sd_mm, double latticePitch_mm) {
   const double latticeVariance_mm2 = latticePitch_mm * latticePitch_mm / 6;
   return std::sqrt(std::max(1 - latticeVariance_mm2 / (sd_mm * sd_mm), 0.04));
@@ -77,7 +77,7 @@ FramePlan::FramePlan(const Probe& p, const ImagingSettings& s) : probe(p), setti
   gates = (grid.samples() + stride - 1) / stride;
   gate_mm = stride * grid.step_mm();
   aperture = ApertureRays(p, s, grid, gates, gate_mm);
-  // The look of the thesis takes its reflection from the slope between nodes and needs them nearer to each other.
+  // The thesis style computes its reflection from the slope between nodes, which must be closer.
   cellGates = std::clamp(static_cast<int>(kCellDepth_mm / gate_mm + 1e-6), 1, s.look == Look::Thesis ? 4 : 5);
   cellLines = grid.scanlineSpacing_mm(s.depth_mm) * 2 <= kCellWidth_mm ? 2 : 1;
   nodeRows = (gates + cellGates - 1) / cellGates + 1;
@@ -97,7 +97,7 @@ void FramePlan::planeElevation() {
   for (int g = 0; g < gates; ++g) elevationSd_mm.push_back(field.sliceSd_mm(range_mm(g)));
   if (planes > 1) planeSpacing_sd = kPlaneSpacing_sd[planes / 2 - 1];
   std::vector<double> power(planes), amplitude(planes);
-  // Shares of the slice at its lens's focus, where it is thin; elsewhere they are much the same.
+  // Shares of the slice at the focus of its lens, where it is thin; elsewhere they are similar.
   const double focus_mm = std::min(probe.elevationFocus_mm, settings.depth_mm), sd_mm = field.sliceSd_mm(focus_mm);
   constexpr int kSteps = 400;
   for (int n = -kSteps; n <= kSteps; ++n) {
@@ -135,7 +135,7 @@ double FramePlan::speckleVariance(int gate, const std::vector<double>& axialLags
   return variance;
 }
 
-/// A boundary's B-spline after the axial kernel, by samples, at its highest: the mean over where between gates it lies.
+/// Maximum of a boundary's B-spline after the axial kernel, by samples: the mean over its positions between gates.
 double FramePlan::impulsePeak(const std::vector<double>& half) const {
   constexpr int kPlaces = 16;
   const int radius = static_cast<int>(half.size()) - 1;

@@ -12,11 +12,11 @@ namespace insonate {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr double kLeastSine2 = 1e-3;     // beams along the shaft cross it nowhere in particular
-constexpr double kMinimumWeight = 1e-3;  // of what the slice has in its middle
-constexpr double kStep_gates = 0.75;     // B-splines a gate wide add up evenly
+constexpr double kLeastSine2 = 1e-3;     // beams parallel to the shaft have no defined crossing
+constexpr double kMinimumWeight = 1e-3;  // relative to the middle of the slice
+constexpr double kStep_gates = 0.75;     // B-splines one gate wide have a constant sum
 constexpr double kLeastSpacing_mm = 1e-3, kLeastRing = 0.2, kLeastLoss_dB = 0.01;
-constexpr double kBeside_mm = 2;  // of the field of view, for what reaches into it
+constexpr double kBeside_mm = 2;  // margin beside the field of view for echoes that extend into it
 
 double fromDecibel(double dB) {
   return std::pow(10.0, dB / 20);
@@ -50,7 +50,8 @@ void clip(double start, double slope, double low, double high, Interval& s) {
 
 struct NeedleEchoes::Pose {
   Vec3 tip_mm, direction;
-  Vec3 opening, face;  ///< of the bevel, unit: across the shaft, and square to its face
+  Vec3 opening, face;  ///< unit vectors of the bevel: its opening direction across the shaft, and the normal of its
+                       ///< face
   double radius_mm, length_mm, bevelLength_mm;
 
   Pose(const Needle& needle, const Transform& patientFromProbe) {
@@ -64,7 +65,7 @@ struct NeedleEchoes::Pose {
     radius_mm = needle.radius_mm, length_mm = needle.length_mm;
     bevelLength_mm = 2 * radius_mm / std::tan(angle);
   }
-  /// `behind_mm` from the tip, on the axis.
+  /// Point on the axis, `behind_mm` from the tip.
   Vec3 at(double behind_mm) const { return tip_mm - direction * behind_mm; }
 };
 
@@ -103,7 +104,7 @@ Vec3 NeedleEchoes::drawn_mm(const Pose& needle, const TissueField& field, const 
   constexpr double kStep_mm = 0.5, kAroundTip_mm = 2;
   const BeamGrid& grid = plan_->grid;
   const double slice_mm = *std::max_element(plan_->elevationSd_mm.begin(), plan_->elevationSd_mm.end());
-  double sum = 1e-30, behind_mm = 0;  // of what is seen, most of all near the tip
+  double sum = 1e-30, behind_mm = 0;  // visible echoes, weighted toward the tip
   for (double s = 0; s <= needle.length_mm; s += kStep_mm) {
     const double off_sd = needle.at(s).y / slice_mm;
     const double seen = std::exp(-0.5 * off_sd * off_sd - s / kAroundTip_mm);
@@ -115,7 +116,7 @@ Vec3 NeedleEchoes::drawn_mm(const Pose& needle, const TissueField& field, const 
   const double range_mm = std::max(grid.range_mm(location.sample), 0.0);
   const Vec3 beam = grid.direction(line);
   const double gap_mm = contactOf(field, patientFromProbe, displacement, grid.origin(line), beam).gap_mm;
-  // tissueRange_mm(seen, gap) = range; its slope is 0.2 at least.
+  // Solves tissueRange_mm(seen, gap) = range, whose slope is at least 0.2.
   double seen_mm = range_mm;
   constexpr int kNewtonSteps = 8;
   for (int n = 0; n < kNewtonSteps; ++n) {
@@ -144,12 +145,13 @@ void NeedleEchoes::add(double scanline, double gate, double amplitude, float rin
   }
 }
 
-/// Every step of the shaft is a piece of cylinder that echoes from a line on its near side.
+/// Every step of the shaft is a cylinder that echoes from a line on its near side.
 void NeedleEchoes::echoShaft(const Pose& needle) {
   const FramePlan& plan = *plan_;
   const BeamGrid& grid = plan.grid;
   const double wavenumber = 2 * std::numbers::pi * plan.settings.frequency_MHz / kSoundSpeed_mmPerUs;
-  // Over a cylinder of radius a the echo runs out of phase as exp(i k y^2 / a): as strong as a strip of sqrt(pi a / k).
+  // Over a cylinder of radius a the echo loses phase as exp(i k y^2 / a): it is as strong as that of a strip of width
+  // sqrt(pi a / k).
   const double strip_mm = std::sqrt(std::numbers::pi * needle.radius_mm / wavenumber);
   const double echo = fromDecibel(acoustics::kReflectorGain_dB) * reflection() * plan.boundaryScale;
   const double inner_mm = 2 * needle.radius_mm * (1 - 2 * steel::kWallShare);
@@ -170,7 +172,7 @@ void NeedleEchoes::echoShaft(const Pose& needle) {
     const Vec3 across = beam - needle.direction * along;
     const double sine = norm(across);
     const Vec3 away = sine * sine > kLeastSine2 ? across / sine : Vec3{};
-    // A bevel to the probe takes the near side away; one from it leaves it as it is.
+    // A bevel toward the probe removes the near side of the shaft; a bevel away from it leaves the shaft unchanged.
     const double onFace = fromTip < 1 ? std::max(-dot(away, needle.opening), 0.0) : 0;
     const Vec3 surface = axis - away * (needle.radius_mm * (1 - onFace * (1 - fromTip)));
     const auto at = grid.locate(surface.x, surface.z);
@@ -189,19 +191,19 @@ void NeedleEchoes::echoShaft(const Pose& needle) {
         surface_dB + (tip_dB - surface_dB) * std::exp(-behind_mm * behind_mm / (steel::kTip_mm * steel::kTip_mm));
 
     const double steps = step_mm / std::max(grid.scanlineSpacing_mm(range_mm), kLeastSpacing_mm);
-    // Ways through a layer differ by twice its thickness times the cosine of incidence.
+    // Path lengths through a layer differ by twice its thickness times the cosine of incidence.
     const double ring_mm = plan.settings.effects.reverberation ? (inner_mm + walls_mm) * std::max(sine, kLeastRing) : 0;
     add(at.scanline, gate, echo * slice * fromDecibel(gain_dB) * steps, static_cast<float>(ring_mm / plan.gate_mm));
   }
 }
 
-/// A scanline of a plane stands for what lies up to halfway to its neighbors; the needle covers a part of that.
+/// A scanline of a plane represents the region up to halfway to its neighbors, of which the needle covers a part.
 void NeedleEchoes::castShadow(const Pose& needle, int plane, int line) {
   const FramePlan& plan = *plan_;
   const Vec3 beam = plan.grid.direction(line), origin = plan.grid.origin(line);
   const double cosine = dot(beam, needle.direction), sine2 = std::max(1 - cosine * cosine, kLeastSine2);
   double behind_mm = 0, range_mm = 0, elevation_mm = 0, slice_mm = 0;
-  // Planes spread with depth: first where the central one meets the needle.
+  // Planes diverge with depth: starts where the central plane meets the needle.
   for (int pass = 0; pass < 2; ++pass) {
     const Vec3 w = needle.tip_mm - origin - Vec3{0, elevation_mm, 0};
     const double alongNeedle = dot(w, needle.direction), alongBeam = dot(w, beam);
@@ -223,7 +225,7 @@ void NeedleEchoes::castShadow(const Pose& needle, int plane, int line) {
   const double covered = gaussianBefore((distance_mm + needle.radius_mm) / sd_mm) -
                          gaussianBefore((distance_mm - needle.radius_mm) / sd_mm);
   const double whole = std::min(behind_mm / needle.bevelLength_mm, 1.0);
-  const double passes = 1 - reflection() * reflection();  // each wall
+  const double passes = 1 - reflection() * reflection();  // once for each wall
   const double left = 1 - covered * whole * (1 - passes * passes);
   const double chord_mm =
       std::sqrt(std::max(needle.radius_mm * needle.radius_mm - distance_mm * distance_mm, 0.0) / sine2);

@@ -17,7 +17,7 @@ Vec3 seenFromRest(const PlaneDisplacement& displacement, Vec3 rest_mm) {
     const Vec3 miss = rest_mm - seen - shiftAt(displacement, seen.x, seen.z);
     return Vec3{miss.x, 0, miss.z};
   };
-  const double probe_mm = 0.25 * displacement.step_mm;  // of the differences that stand for slopes
+  const double probe_mm = 0.25 * displacement.step_mm;  // distance of the differences that approximate slopes
   Vec3 seen = rest_mm - shiftAt(displacement, rest_mm.x, rest_mm.z), miss = missOf(seen);
   for (int step = 0; step < kSteps && norm(miss) > kTolerance_mm; ++step) {
     const auto slope = [&](Vec3 along) {
@@ -30,7 +30,7 @@ Vec3 seenFromRest(const PlaneDisplacement& displacement, Vec3 rest_mm) {
     Vec3 way = miss;
     if (std::abs(determinant) > 1e-3)
       way = {(miss.x * byZ.z - miss.z * byZ.x) / determinant, 0, (miss.z * byX.x - miss.x * byX.z) / determinant};
-    // Across the edges of cells slopes change: go no farther than it helps.
+    // Slopes change at the edges of cells: stops where a step no longer reduces the error.
     Vec3 next = seen + way, nextMiss = missOf(next);
     for (int halving = 0; halving < kHalvings && norm(nextMiss) >= norm(miss); ++halving) {
       way = way * 0.5;

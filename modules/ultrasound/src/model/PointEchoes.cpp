@@ -16,8 +16,8 @@ struct Shares {
   std::array<double, kMaxShares> weight{};
 };
 
-/// The kernels leave out the grain of the scatterers' lattice, which a point has not: it is spread by as much. Where
-/// that is less than the grid can show, a cubic places the point without widening it.
+/// The kernels exclude the correlation of the scatterers' lattice, which a point does not have: the point is widened by
+/// it. If this is less than the grid can represent, a cubic places the point without widening it.
 Shares sharesAround(double position, double sd) {
   Shares s;
   if (sd < 0.5) {
@@ -39,7 +39,7 @@ Shares sharesAround(double position, double sd) {
   return s;
 }
 
-/// Response of half a kernel to shares around its centre.
+/// Response of half a kernel to shares around its center.
 double peakOf(const double* half, int radius, double sd) {
   const Shares s = sharesAround(0, sd);
   double peak = 0;

@@ -29,7 +29,7 @@ void Reverberation::strengthsAt(Vec3 surface_mm, std::span<float> strength) cons
   const TextureTile& patches = patchTile();
   const Vec3 voxel = surface_mm / patches.voxel_mm.x;
   for (int ring = 0; ring < rings_; ++ring) {
-    // Another part of the field for every ring.
+    // Another part of the field for every repetition.
     const double patch = patches.at(voxel + double(ring) * Vec3{17, 29, 41}) / 32.0;
     strength[ring] = static_cast<float>(std::clamp(1 + 1.2 * patch, 0.0, 2.5));
   }

@@ -8,8 +8,8 @@
 namespace insonate {
 namespace {
 
-/// Faces, edges and corners of a cube, one of each opposite pair. The cube stands askew in the patient, or a slice
-/// across the neck would lie along one plane of the lattice and have that plane's speckle level.
+/// Faces, edges and corners of a cube, one of each opposite pair. The cube is oblique in the patient; otherwise an
+/// axial slice would lie in one plane of the lattice and have the speckle level of that plane.
 std::array<Vec3, 13> orientations() {
   const Vec3 axis = normalized({1, 2, 3});
   const double angle = 0.2, c = std::cos(angle), s = std::sin(angle);
@@ -25,7 +25,7 @@ std::array<Vec3, 13> orientations() {
   return axes;
 }
 
-/// The corners of the tetrahedron that holds a lattice point, and their weights, of unit power.
+/// Corners of the tetrahedron that contains a lattice point, and their weights, with unit power.
 struct Tetrahedron {
   std::array<std::array<int, 3>, 4> node;
   std::array<double, 4> weight;
@@ -35,7 +35,7 @@ Tetrahedron tetrahedronAt(Vec3 p) {
   const std::array<int, 3> low{static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y)),
                                static_cast<int>(std::floor(p.z))};
   const std::array<double, 3> f{p.x - low[0], p.y - low[1], p.z - low[2]};
-  // The path from the low to the high corner of the cell, longest fraction first.
+  // The path from the low to the high corner of the cell, largest fraction first.
   const bool xy = f[0] >= f[1], yz = f[1] >= f[2], xz = f[0] >= f[2];
   const std::array<int, 3> rank{(xy ? 0 : 1) + (xz ? 0 : 1), (xy ? 1 : 0) + (yz ? 0 : 1), (xz ? 1 : 0) + (yz ? 1 : 0)};
   std::array<double, 3> sorted{};
@@ -63,7 +63,7 @@ struct CorrelationTable {
   static constexpr double kStep = 0.1;
   static constexpr int kSize = 31;
   static constexpr int kSamples = 400;
-  std::array<std::array<double, kSize>, kSize> value{};  ///< [elevation][across]
+  std::array<std::array<double, kSize>, kSize> value{};  ///< [elevation][lateral]
 
   CorrelationTable() {
     for (int n = 0; n < kSamples; ++n) {

@@ -45,7 +45,8 @@ class EchoField {
   std::vector<Complex> values_;
 };
 
-/// Amplitude left of the beam along every scanline of every elevation plane, and as the aperture sees it.
+/// Remaining amplitude of the beam along every scanline of every elevation plane, and its mean over the aperture's
+/// rays.
 class BeamLevels {
  public:
   explicit BeamLevels(const FramePlan& plan)
@@ -54,19 +55,19 @@ class BeamLevels {
         behind_(std::size_t(plan.gates + 1) * plan.lines),
         seen_(std::size_t(plan.gates) * plan.lines) {}
 
-  /// Amplitude, there and back, in the middle of a gate of a scanline by itself; 0 where nothing is known.
+  /// Amplitude, there and back, in the middle of a gate of a scanline by itself; 0 where the tissue is unknown.
   double& inside(int plane, int gate, int line) {
     return inside_[(std::size_t(plane) * plan_.gates + gate) * plan_.lines + line];
   }
   double inside(int plane, int gate, int line) const {
     return const_cast<BeamLevels*>(this)->inside(plane, gate, line);
   }
-  /// The planes' mean before a gate.
+  /// Mean of the planes before a gate.
   double& reaching(int gate, int line) { return behind_[std::size_t(gate) * plan_.lines + line]; }
   double reaching(int gate, int line) const {
     return std::max(behind_[std::size_t(gate) * plan_.lines + line], ApertureRays::kFaintest);
   }
-  /// The same through the aperture.
+  /// The same mean over the rays of the aperture.
   double seen(int gate, int line) const { return seen_[std::size_t(gate) * plan_.lines + line]; }
 
   void followRays() {
@@ -103,7 +104,7 @@ class LineTracer {
              const ScattererLattice& lattice, const NeedleEchoes& needle, BeamLevels& levels, EchoField& echo)
       : plan_(plan), scene_(scene), lookup_(lookup), lattice_(lattice), needle_(needle), levels_(levels), echo_(echo) {}
 
-  /// Boundaries of one elevation plane, and what is left of the beam.
+  /// Boundaries of one elevation plane, and the remaining amplitude.
   void descend(int plane, int line) {
     const Effects& effects = plan_.settings.effects;
     const double f_MHz = plan_.settings.frequency_MHz, weight = plan_.boundaryWeight[plane];
@@ -112,7 +113,7 @@ class LineTracer {
     std::optional<TissueSample> previous;
     for (int gate = 0; gate < plan_.gates; ++gate) {
       const TissueSample here = lookup_.at(plane, gate, line);
-      if (!here.inside) return;  // nothing is known beyond the volume
+      if (!here.inside) return;  // no tissue is known outside the volume
       const double lit = fromDecibel(-needle_.shadow_dB(plane, line, gate));
       if (previous && previous->label != here.label)
         amplitude *= boundary(plane, gate, line, *previous, here, amplitude * lit);
@@ -130,7 +131,7 @@ class LineTracer {
     }
   }
 
-  /// Scattering of one elevation plane, as strong as what reaches it through the aperture.
+  /// Scattering of one elevation plane, with the amplitude that reaches it from the aperture.
   void scatter(int plane, int line) {
     for (int gate = 0; gate < plan_.gates; ++gate) {
       const double left = levels_.inside(plane, gate, line);
@@ -176,7 +177,7 @@ class LineTracer {
 
   void scatter(int plane, int gate, int line, const TissueSample& here, double amplitude) {
     const double echo = amplitude * fromDecibel(here.echo_dB);
-    // Echoes in phase add up to the same level after the beam, whatever its width.
+    // Echoes in phase have the same level after the beam, whatever its width.
     const double inPhase = plan_.settings.effects.speckle ? here.sheet : 1;
     const double loose = echo * plan_.scatterScale[gate] * plan_.scatterWeight[plane];
     const auto n = scattererAmplitudes(lattice_, here.patient_mm);

@@ -10,7 +10,7 @@
 namespace insonate {
 namespace {
 
-constexpr double kSteepest = 0.3;  // gradients of smoothed distances below this are ridges between structures
+constexpr double kSteepest = 0.3;  // smaller gradients of smoothed distances are ridges between structures
 constexpr double kLeastSlope = 1e-3;
 
 double mix(double a, double b, double t) {
@@ -57,7 +57,7 @@ Vec3 TissueLookup::nodeShift(int row, int column) const {
   return shiftAt(displacement_, seen.x, seen.z);
 }
 
-/// Between the nodes of its cell.
+/// Interpolated between the nodes of its cell.
 Vec3 TissueLookup::gateShift(int gate, int line) const {
   if (shifts_.empty()) return {};
   const int row = gate / plan_.cellGates, column = line / plan_.cellLines;
@@ -81,7 +81,7 @@ TissueLookup::Node TissueLookup::nodeAt(int plane, int row, int column) const {
   const TissueField& field = scene_.field;
   const FieldCell at = cellAt(field, field.nodeFromPatient * patient);
   Node n;
-  // Tissue from beyond the scene reads as its outermost.
+  // Tissue beyond the scene has the values at the scene's border.
   n.inside =
       at.inside || (!shifts_.empty() && cellAt(field, field.nodeFromPatient * (patientFromProbe_ * seen)).inside);
   for (int corner = 0; corner < 8; ++corner) {
@@ -134,7 +134,7 @@ TissueLookup::Cell TissueLookup::cellOf(int plane, int row, int column) const {
   return cell;
 }
 
-/// Slope in the plane of a distance at rest, from its slopes in displaced tissue: those are the transposed derivative
+/// Slope of a distance at rest in the plane, from its slopes in displaced tissue, which are the transposed derivative
 /// of the rest point, in beam coordinates, times that of the distance.
 double TissueLookup::inPlaneSlopeAtRest(int row, int column, double axial, double lateral) const {
   if (shifts_.empty()) return std::hypot(axial, lateral);
@@ -150,8 +150,8 @@ double TissueLookup::inPlaneSlopeAtRest(int row, int column, double axial, doubl
   return std::hypot(ll * axial - la * lateral, aa * lateral - al * axial) / std::max(aa * ll - la * al, kLeastVolume);
 }
 
-/// Change of s across the slice, from the neighboring planes. A single plane has none: there the gradient of a
-/// distance at rest is taken to be 1, and what its change in the plane leaves of that lies across.
+/// Change of s in elevation, from the neighboring planes. A single plane has none: the gradient of a distance at rest
+/// is then assumed to be 1, and the elevation component is what its change in the plane leaves.
 double TissueLookup::elevationSlope(int plane, int row, int column, const Cell& cell, double axial,
                                     double lateral) const {
   const int last = plan_.settings.elevationPlanes - 1;

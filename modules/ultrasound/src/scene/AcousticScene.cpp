@@ -12,7 +12,7 @@
 namespace insonate {
 namespace {
 
-/// Rows u, v, w scaled to tile voxels; w is the thin axis, as far as it can be across the fibre.
+/// Rows u, v, w scaled to tile voxels; w is the thin axis, as perpendicular to the fiber as possible.
 TextureFrame frameOf(const TextureTile& tile, Vec3 origin_mm, Vec3 fibre, Vec3 thinHint) {
   const Vec3 u = normalized(fibre);
   const Vec3 w = normalized(thinHint - u * dot(u, thinHint));
@@ -20,18 +20,19 @@ TextureFrame frameOf(const TextureTile& tile, Vec3 origin_mm, Vec3 fibre, Vec3 t
   const Vec3 s{1 / tile.voxel_mm.x, 1 / tile.voxel_mm.y, 1 / tile.voxel_mm.z};
   const Mat3 linear{{Vec3{u.x * s.x, v.x * s.y, w.x * s.z}, Vec3{u.y * s.x, v.y * s.y, w.y * s.z},
                      Vec3{u.z * s.x, v.z * s.y, w.z * s.z}}};
-  // Whole voxels, so that what lies between voxels in the patient lies so in the tile; see TextureTile::at().
+  // Whole voxels, so that positions between voxels in the patient are the same between voxels of the tile; see
+  // TextureTile::at().
   const Vec3 origin = linear * origin_mm;
   return {{linear, {-std::round(origin.x), -std::round(origin.y), -std::round(origin.z)}}, w};
 }
 
-/// Directions of a structure's texture: along its fibers, and out of its sheets.
+/// Directions of a structure's texture: along its fibers, and normal to its sheets.
 struct Directions {
   Vec3 fibre, outward;
 };
 
-/// Septa of a muscle lie askew in its cross-section, and fascicles meet its surface at an angle (pennation), each
-/// muscle of each patient in its own way. The amounts are chosen, by images of necks.
+/// Septa of a muscle are oblique in its cross-section, and fascicles meet its surface at an angle (pennation),
+/// different for each muscle of each patient. The amounts are chosen by comparison with images of necks.
 Directions askew(const Directions& muscle, int label, int side, std::uint32_t patient) {
   constexpr double kSlant_rad = 0.38, kPennation_rad = 0.16;
   const auto within = [&](int which) { return 2 * unitInterval(hashNode(label, side, which, patient)) - 1; };
@@ -41,7 +42,7 @@ Directions askew(const Directions& muscle, int label, int side, std::uint32_t pa
           normalized(muscle.outward + std::tan(slant) * across)};
 }
 
-/// Within the longest period of a tile.
+/// Position within the longest period of a tile.
 Vec3 textureOriginOf(std::uint32_t patient) {
   constexpr double kPeriod_mm = 32;
   const auto along = [&](int axis) { return kPeriod_mm * unitInterval(hashNode(axis, 0, 0, patient)); };
@@ -88,7 +89,7 @@ Result<std::shared_ptr<const AcousticScene>> AcousticScene::make(const SceneSour
   impl->midline_mm = facts.midline_mm;
   impl->textureOrigin_mm = textureOriginOf(facts.patient);
   for (int side = 0; side < 2; ++side) {
-    // Sheets of the neck lie along its outside: their normal points forward and outward (patient right is -x).
+    // Sheets of the neck are parallel to its outside: their normal points forward and outward (patient right is -x).
     const Vec3 outward = normalized({side == 0 ? -0.55 : 0.55, -0.83, 0.05});
     for (int l = 0; l < kLabelCount; ++l) {
       const Texture texture = table.of(static_cast<std::uint8_t>(l)).texture;

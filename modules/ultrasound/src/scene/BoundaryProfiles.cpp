@@ -6,7 +6,7 @@
 namespace insonate {
 namespace {
 
-/// Layers fade toward their borders: where patchiness or angle leaves little of one, it is thinner as well as darker.
+/// Layers fade toward their borders: if patchiness or angle weakens a layer, it is thinner as well as darker.
 constexpr double kFade = 0.45, kLeastFade_mm = 0.05, kMostFade_mm = 0.3;
 
 struct Level {

@@ -11,7 +11,8 @@
 namespace insonate {
 namespace {
 
-/// Sums over a slab of the case, added up in the slabs' order, so that threads change nothing.
+/// Sums over a slab of the case, added in the order of the slabs, so that the number of threads does not change the
+/// result.
 struct Sums {
   std::array<std::int64_t, kLabelCount> hu{}, count{};
   std::array<bool, 256> seen{};
@@ -26,7 +27,7 @@ struct Sums {
   }
 };
 
-/// Airway, spine and larynx lie in the middle.
+/// Airway, spine and larynx are in the midline.
 bool isMiddle(int label) {
   return label == kAirway || label == kCartilage || label == kBone;
 }
@@ -37,7 +38,7 @@ void addRow(const CtVolume& ct, const LabelMap& labels, int j, int k, Sums& sums
   const std::int16_t* hu = ct.voxels.data() + row;
   const int size = labels.geometry.size[0];
   for (int i = 0; i < size;) {
-    // Runs of one label are long.
+    // Long runs have the same label.
     const int first = i;
     std::int64_t sum = 0;
     for (const std::uint8_t here = label[i]; i < size && label[i] == here; ++i) sum += hu[i];
@@ -85,7 +86,7 @@ CaseFacts::CaseFacts(const CtVolume& ct, const LabelMap& labels) {
   for (int label = kLabelCount; label < 256; ++label)
     if (all.seen[label])
       warnings.push_back("Label " + std::to_string(label) + " is not known; it is shown as soft tissue.");
-  // Without anything in the middle, that of the volume has to do.
+  // Without these structures, the middle of the volume is used.
   midline_mm = labels.geometry.centre_mm().x;
   if (const auto count = static_cast<double>(all.middleCount); count > 0) {
     const Vec3 mean{static_cast<double>(all.middleIndex[0]) / count, static_cast<double>(all.middleIndex[1]) / count,

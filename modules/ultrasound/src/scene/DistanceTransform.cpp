@@ -23,7 +23,7 @@ std::int16_t unitsOf(float mm) {
   return static_cast<std::int16_t>(units < 0 ? units - 0.5F : units + 0.5F);
 }
 
-/// `row` is called with its first node and its width.
+/// Calls `row` with its first node and its width.
 template <class Row>
 void forRows(const NodeBox& box, const Row& row) {
   if (box.count() == 0) return;
@@ -37,7 +37,7 @@ bool contains(const NodeBox& box, int i, int j, int k) {
 
 }  // namespace
 
-/// The nodes that bear a label, as far as they are read; empty where there are none.
+/// Box of the nodes with a label, within the range that is read; empty if there are none.
 NodeBox DistanceTransform::boundsOf(std::uint8_t label) const {
   std::array<int, 3> low{read_.high(0), read_.high(1), read_.high(2)}, high{};
   const int width = read_.size[0];
@@ -55,7 +55,7 @@ NodeBox DistanceTransform::boundsOf(std::uint8_t label) const {
   return bounds;
 }
 
-/// Squared distance along x to the nearest node of the structure, in the rows that may hold one.
+/// Squared distance along x to the nearest node of the structure, in the rows that may contain one.
 void DistanceTransform::alongX(const Structure& structure, const NodeBox& bounds, Scratch& scratch) const {
   const auto h = static_cast<float>(lattice_.spacing_mm.x);
   const NodeBox& near = structure.near;
@@ -82,7 +82,7 @@ void DistanceTransform::alongX(const Structure& structure, const NodeBox& bounds
 }
 
 /// Lower envelope of parabolas, by brute force within the reach: the window is a few nodes wide, and vectors run along
-/// x. Rows out of reach are left out.
+/// x. Rows out of reach are skipped.
 void DistanceTransform::alongY(const NodeBox& near, const NodeBox& bounds, Scratch& scratch) const {
   const double h = lattice_.spacing_mm.y;
   const int window = static_cast<int>(kReach / h), nx = near.size[0];
@@ -141,8 +141,7 @@ void DistanceTransform::measure(Structure& structure, Scratch& scratch) const {
   if (std::ranges::none_of(structure.outside2, [](float d2) { return d2 < kReach2; })) structure.near = {};
 }
 
-/// Engines ask for the two nearest structures, and for their boundary only where it is near. Whatever else there is
-/// need not be rounded.
+/// Engines use the two nearest structures, and their boundary only if it is near. No other distances need smoothing.
 void DistanceTransform::markDecisive() {
   constexpr float kNear_mm = 5;
   const auto slack_mm = static_cast<float>(2 * lattice_.freedom_mm + 0.5);
@@ -158,7 +157,7 @@ void DistanceTransform::markDecisive() {
     }
 }
 
-/// The box of all nodes where a structure may be one of the two nearest; empty where it never is.
+/// The box of all nodes at which a structure may be one of the two nearest; empty if there are none.
 NodeBox DistanceTransform::decisivePart(const Structure& structure) const {
   std::array<int, 3> low{seen_.high(0), seen_.high(1), seen_.high(2)}, high{-1, -1, -1};
   forRows(overlap(structure.near, seen_), [&](int i0, int j, int k, int width) {
@@ -213,14 +212,14 @@ std::vector<std::int16_t> DistanceTransform::leastDistances() const {
   return least;
 }
 
-/// A structure hardly thicker than a voxel would be rounded away. Where nothing of it is left round one of its nodes,
-/// the label map's outline stands: a vessel of one voxel is seen.
+/// Smoothing would remove a structure hardly thicker than a voxel. If none of it is left around one of its nodes, the
+/// outline of the label map is kept, so that a vessel of one voxel stays visible.
 void DistanceTransform::keepThinStructures() {
   std::array<const Structure*, 256> of{};
   for (const Structure& structure : structures_) of[structure.label] = &structure;
   const auto labelAt = [&](int i, int j, int k) { return nodes_.label[nodes_.box.offset(i, j, k)]; };
-  // Smoothing may leave a thin sheet outside of itself and of its neighbors alike: then the nearest structure is
-  // taken. A node that bears a label lies near it.
+  // Smoothing may leave a thin sheet outside of itself and of its neighbors: then the nearest structure is used. A node
+  // with a label is near.
   const std::vector<std::int16_t> least = leastDistances();
   const auto nearest = [&](std::uint8_t label, int i, int j, int k) {
     return of[label]->distance[of[label]->near.offset(i, j, k)] <= least[smoothed_.offset(i, j, k)];
@@ -257,7 +256,7 @@ DistanceTransform::DistanceTransform(const NodeLattice& lattice, const NodeLabel
       smoothed_(grown(block, lattice.smoothed, lattice.whole())),
       read_(grown(smoothed_, lattice.reach, lattice.whole())),
       seen_(overlap(grown(block, {2, 2, 2}, lattice.whole()), smoothed_)),
-      // Distances run between node centers; the boundary lies half a node before.
+      // Distances are between node centers; the boundary is half a node closer.
       half_mm_(static_cast<float>((lattice.spacing_mm.x + lattice.spacing_mm.y + lattice.spacing_mm.z) / 6)),
       far_(smoothed_.size[0], kReach2),
       stopped_(std::move(stopped)) {}
@@ -294,7 +293,7 @@ DistanceTransform::Result DistanceTransform::distances(std::uint32_t candidates)
   return blockOf();
 }
 
-/// Structures that do not come within reach of the block's own nodes are left out.
+/// Structures out of reach of the block's own nodes are skipped.
 DistanceTransform::Result DistanceTransform::blockOf() const {
   const std::int16_t far = lattice_.farUnits();
   Result result;

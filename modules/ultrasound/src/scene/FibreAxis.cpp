@@ -27,7 +27,7 @@ Vec3 fibreAxis(const LabelMap& labels, std::uint8_t label, double midline_mm, bo
     const Vec3 d = p - mean;
     for (int a = 0; a < 3; ++a) covariance.column[a] = covariance.column[a] + d * d[a];
   }
-  // Power iteration: the long axis of a muscle stands out, a few steps settle it.
+  // Power iteration: the long axis of a muscle is dominant, so that a few steps converge.
   Vec3 axis = normalized({0.1, 0.1, 1});
   for (int step = 0; step < 60; ++step) axis = normalized(covariance * axis);
   return axis.z < 0 ? -axis : axis;

@@ -8,10 +8,10 @@
 namespace insonate {
 namespace {
 
-/// Engines interpolate on lattices of their own, which reach a little beyond a frame.
+/// Margin, since engines interpolate on lattices that extend a little beyond a frame.
 constexpr double kBeyond_mm = 2;
 
-/// Voxels finer than the detail are merged for wide beams only, which could not tell.
+/// Voxels finer than the detail are merged only for wide beams, which cannot resolve them.
 std::array<NodeLattice::AxisCut, 3> cutsOf(const VolumeGeometry& grid, double detail_mm) {
   const double finest = std::min({grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z});
   const double target = finest / std::ceil(finest / detail_mm);
@@ -100,13 +100,13 @@ NodeBox NodeLattice::voxelsOf(const NodeBox& nodes) const {
 }
 
 std::int16_t NodeLattice::farUnits() const {
-  // Distances run between node centers; the boundary lies half a node before.
+  // Distances are between node centers; the boundary is half a node closer.
   const double far_mm = TissueField::kReach_mm - (spacing_mm.x + spacing_mm.y + spacing_mm.z) / 6;
   return static_cast<std::int16_t>(std::lround(far_mm * TissueField::kUnitsPerMm));
 }
 
-/// Nodes are the centers of the parts that each voxel is cut into, so that none lies midway between two, where either
-/// label would be as likely; or of the voxels merged into one.
+/// Nodes are the centers of the parts into which each voxel is divided, so that no node is midway between two voxels
+/// with equally likely labels; or the centers of the voxels merged into one.
 NodeLattice::AxisNode NodeLattice::at(int axis, int node) const {
   const double index = (node + 0.5) / cuts[axis].nodesPerVoxel() - 0.5;
   const int low = static_cast<int>(std::floor(index)), last = voxels[axis] - 1;

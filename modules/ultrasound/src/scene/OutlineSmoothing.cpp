@@ -26,7 +26,7 @@ OutlineSmoothing::Range OutlineSmoothing::inner(int axis, const Kernel& kernel) 
   return {first, std::max(first, last)};
 }
 
-/// Rows are filled up on both sides, so that all rows of a slice are filtered in one go.
+/// Rows are padded on both sides, so that all rows of a slice are filtered in one pass.
 void OutlineSmoothing::alongX(const Kernel& kernel, const std::vector<float>& in, std::vector<float>& out) {
   const std::size_t radius = kernel.size() - 1, nx = size_[0], ny = size_[1], stride = nx + 2 * radius;
   const Range x = inner(0, kernel);
@@ -57,7 +57,7 @@ void OutlineSmoothing::alongX(const Kernel& kernel, const std::vector<float>& in
 void OutlineSmoothing::alongY(const Kernel& kernel, const std::vector<float>& in, std::vector<float>& out) {
   const int radius = static_cast<int>(kernel.size()) - 1, nx = size_[0], ny = size_[1];
   const Range y = inner(1, kernel);
-  // Rows in the middle need no care for edges and are filtered together.
+  // Rows in the middle have no edges and are filtered together.
   const int first = std::clamp(radius, y.first, y.last), last = std::clamp(ny - radius, first, y.last);
   const auto filter = [&](std::size_t slice, int from, int to) {
     rows_.clear();
@@ -97,8 +97,8 @@ void OutlineSmoothing::smooth(const Kernels& kernels, std::vector<float>& d) {
   d.swap(scratch_);
 }
 
-/// Low-pass 2S - SS of a Gaussian S: it leaves outlines that bend slowly where they are, while S alone draws every
-/// vessel inward, by most of a voxel where it is small (the idea of G. Taubin 1995).
+/// Low-pass 2S - SS of a Gaussian S: it does not move outlines of low curvature, while S alone moves every vessel's
+/// outline inward, by most of a voxel if the vessel is small (the idea of G. Taubin 1995).
 void OutlineSmoothing::lowPass(const Kernels& kernels, std::vector<float>& d) {
   smooth(kernels, d);
   once_ = d;
@@ -121,7 +121,7 @@ void OutlineSmoothing::roundStairs(const NodeLattice& lattice, const NodeBox& bl
     for (std::size_t n = 0; n < d_mm.size(); ++n)
       d_mm[n] = std::clamp(d_mm[n], original_[n] - freedom_mm, original_[n] + freedom_mm);
   }
-  // The clamp leaves creases of its own.
+  // The clamp causes new creases.
   lowPass(gaussians(lattice, 0.6), d_mm);
 }
 

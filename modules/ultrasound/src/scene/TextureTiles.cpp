@@ -16,7 +16,7 @@ std::size_t count(const std::array<int, 3>& size) {
   return std::size_t(size[0]) * size[1] * size[2];
 }
 
-/// Roughly normal noise, independent from node to node.
+/// Approximately normal noise, independent between nodes.
 std::vector<float> whiteNoise(const std::array<int, 3>& size, std::uint32_t seed) {
   std::vector<float> noise(count(size));
   for (std::size_t n = 0; n < noise.size(); ++n) {
@@ -26,7 +26,7 @@ std::vector<float> whiteNoise(const std::array<int, 3>& size, std::uint32_t seed
   return noise;
 }
 
-/// Rows along x of a tile's values, by whole numbers that wrap around.
+/// Rows along x of a tile's values, by indices that wrap around.
 class Rows {
  public:
   Rows(std::vector<float>& values, const std::array<int, 3>& size) : values_(values), size_(size) {}
@@ -59,8 +59,8 @@ void convolveX(std::vector<float>& values, const std::array<int, 3>& size, const
   });
 }
 
-/// Periodic sum of values at -radius to radius along y or z: what enters is added, what leaves is taken off, so that
-/// the cost does not depend on the radius.
+/// Periodic sum of values at -radius to radius along y or z: adds the value that enters and subtracts the one that
+/// leaves, so that the cost does not depend on the radius.
 void sumAlong(std::vector<float>& values, const std::array<int, 3>& size, int axis, int radius) {
   std::vector<float> out(values.size());
   const Rows from(values, size), to(out, size);
@@ -78,8 +78,8 @@ void sumAlong(std::vector<float>& values, const std::array<int, 3>& size, int ax
   values.swap(out);
 }
 
-/// Periodic smoothing along one axis, as a Gaussian does but for a factor. Along y and z three running sums come close
-/// to it (Wells, IEEE Trans Pattern Anal 1986;8:234): n boxes of width w have the variance n (w^2 - 1) / 12.
+/// Periodic smoothing along one axis, as a Gaussian up to a factor. Along y and z three running sums approximate it
+/// (Wells, IEEE Trans Pattern Anal 1986;8:234): n boxes of width w have the variance n (w^2 - 1) / 12.
 void smoothAxis(std::vector<float>& values, const std::array<int, 3>& size, int axis, double sd) {
   constexpr int kBoxes = 3;
   if (axis == 0) {
@@ -88,7 +88,7 @@ void smoothAxis(std::vector<float>& values, const std::array<int, 3>& size, int 
     for (int o = -radius; o <= radius; ++o) weight[o + radius] = static_cast<float>(std::exp(-0.5 * o * o / (sd * sd)));
     return convolveX(values, size, weight);
   }
-  // Widths are odd numbers, so the narrower of two comes in as many of the boxes as bring the variance closest.
+  // Widths are odd numbers; the number of boxes with the narrower of two widths is that with the closest variance.
   const int narrow = (static_cast<int>(std::sqrt(12 * sd * sd / kBoxes + 1)) - 1) / 2;
   const auto variance = [](int radius) { return ((2 * radius + 1) * (2 * radius + 1) - 1) / 12.0; };
   double left = sd * sd - kBoxes * variance(narrow);
@@ -126,7 +126,7 @@ std::int8_t toByte(float value) {
   return static_cast<std::int8_t>(std::lround(std::clamp(value, -1.0F, 1.0F) * 127));
 }
 
-/// Brings voxels into the order of a tile, with its gaps. The fields above have u fastest.
+/// Arranges voxels in the order of a tile, with its gaps. In the fields above, u is fastest.
 TextureTile packed(TextureTile tile) {
   const std::vector<std::int8_t> planes = std::move(tile.value);
   const auto [us, vs, ws] = tile.size;
@@ -143,16 +143,16 @@ TextureTile emptyTile(std::array<int, 3> size, Vec3 voxel_mm) {
   return {size, voxel_mm, std::vector<std::int8_t>(count(size))};
 }
 
-/// Shape of sheets: how they bend, how much of them is seen without a gap, and how thick they are.
+/// Shape of sheets: curvature, visible share, and thickness.
 struct SheetLook {
   Vec3 bend_mm;     ///< SDs of the smoothing of the field whose zeros are the sheets
-  Vec3 stretch_mm;  ///< SDs of that of the field by which they come and go
-  float share;      ///< of their area that is seen
-  double thick_mm;  ///< at which a sheet falls to 1/e, where it is thickest
+  Vec3 stretch_mm;  ///< SDs of the smoothing of the field that interrupts them
+  float share;      ///< visible share of their area
+  double thick_mm;  ///< distance at which a sheet falls to 1/e, at its thickest place
 };
 
-/// Zeros of a smooth periodic field as sheets: 1 where the field is zero, falling off within a given thickness. Where
-/// they bend back they are steep and return little.
+/// Zeros of a smooth periodic field as sheets: 1 where the field is zero, decreasing within a given thickness. Where
+/// sheets bend back they are steep and echo little.
 class ZeroSheets {
  public:
   ZeroSheets(const TextureTile& tile, const std::vector<float>& field) : tile_(tile), field_(field) {}
@@ -183,9 +183,9 @@ float thresholdOf(std::vector<float> field, float share) {
   return *cut;
 }
 
-/// Thin bent sheets that come and go: where a smooth field is zero. Unlike its peaks, its zeros go on for long, and
-/// meet and part at shallow angles, as connective tissue does. A second sheet runs with the first and leaves it here
-/// and there: they branch. Toward their ends sheets grow thin, and their brightness is uneven along them. 0 to 1.
+/// Thin bent sheets with interruptions: the zeros of a smooth field. Unlike its peaks, its zeros are long, and meet and
+/// part at shallow angles, as connective tissue does. A second sheet runs with the first and leaves it in places, which
+/// gives branches. Sheets become thin toward their ends, and their brightness varies along them. 0 to 1.
 std::vector<float> sheetsOf(const TextureTile& tile, const SheetLook& look, std::uint32_t seed) {
   constexpr float kBranch = 0.9F, kUneven = 0.08F, kRagged = 0.35F;
   const auto& size = tile.size;
@@ -193,7 +193,7 @@ std::vector<float> sheetsOf(const TextureTile& tile, const SheetLook& look, std:
   std::vector<float> presence = gaussianField(size, tile.voxel_mm, look.stretch_mm, seed + 1);
   const std::vector<float> ragged = gaussianField(size, tile.voxel_mm, look.stretch_mm * 0.4, seed + 2);
   const std::vector<float> detour = gaussianField(size, tile.voxel_mm, look.stretch_mm * 0.8, seed + 3);
-  // As bright through its thickness, or a place between two voxels would flicker.
+  // Constant brightness through the thickness, since a place between two voxels would flicker otherwise.
   const Vec3 grain_mm{0.25 * look.stretch_mm.x, 0.25 * look.stretch_mm.y, look.stretch_mm.z};
   const std::vector<float> uneven = gaussianField(size, tile.voxel_mm, grain_mm, seed + 4);
   std::vector<float> branching(field.size());
@@ -218,8 +218,8 @@ std::vector<float> sheetsOf(const TextureTile& tile, const SheetLook& look, std:
   return sheets;
 }
 
-/// Perimysium: bright sheets along the fibers, a few long ones among many short ones, none in line with another.
-/// Between them lie the fascicles: fine lines along the fibers, dots across them.
+/// Perimysium: bright sheets along the fibers, a few long ones among many short ones, none in line with another. The
+/// fascicles between them are fine lines along the fibers, and dots in cross-section.
 TextureTile makeSepta() {
   TextureTile tile = emptyTile({64, 64, 256}, {0.5, 0.4, 0.07});
   const std::vector<float> longSheets = sheetsOf(tile, {{9, 2.4, 0.7}, {6, 1.4, 0.4}, 0.36F, 0.16}, 0x5e97a001U);
@@ -233,7 +233,7 @@ TextureTile makeSepta() {
   return packed(std::move(tile));
 }
 
-/// Fat: lobules of unlike tone between thin septa, most of which run along the skin.
+/// Fat: lobules of different echogenicity between thin septa, most of which are parallel to the skin.
 TextureTile makeLobules() {
   TextureTile tile = emptyTile({64, 64, 256}, {0.5, 0.5, 0.065625});
   const std::vector<float> longSepta = sheetsOf(tile, {{4.5, 3.5, 0.8}, {2.5, 2, 0.6}, 0.52F, 0.15}, 0x10b01e01U);
@@ -247,7 +247,7 @@ TextureTile makeLobules() {
   return packed(std::move(tile));
 }
 
-/// Loose connective tissue: wavy sheets that part and meet, more in one place than in the next.
+/// Loose connective tissue: wavy sheets that part and meet, with varying density.
 TextureTile makeSheets() {
   TextureTile tile = emptyTile({64, 64, 512}, {0.4, 0.4, 0.04});
   const std::vector<float> longSheets = sheetsOf(tile, {{5, 4, 0.5}, {2.5, 2.2, 0.5}, 0.38F, 0.13}, 0x54ee7001U);
@@ -261,7 +261,8 @@ TextureTile makeSheets() {
   return packed(std::move(tile));
 }
 
-/// Parenchyma: a grain that varies slowly within the organ, faint strands, and small vessels as dark lines and dots.
+/// Parenchyma: a texture that varies slowly within the organ, faint strands, and small vessels as hypoechoic lines and
+/// dots.
 TextureTile makeFine() {
   TextureTile tile = emptyTile({64, 64, 128}, {0.4, 0.4, 0.16});
   const std::vector<float> coarse = gaussianField(tile.size, tile.voxel_mm, {2.6, 2.6, 2.0}, 0xf14e0001U);
@@ -274,7 +275,7 @@ TextureTile makeFine() {
   return packed(std::move(tile));
 }
 
-/// Nerve: dark fascicles, long along it and round across it, in bright connective tissue.
+/// Nerve: hypoechoic fascicles, long in its long axis and round in its short axis, in hyperechoic connective tissue.
 TextureTile makeBundles() {
   TextureTile tile = emptyTile({32, 64, 64}, {0.5, 0.1, 0.1});
   const std::vector<float> fascicles = gaussianField(tile.size, tile.voxel_mm, {4, 0.22, 0.22}, 0xb0d1e001U);

@@ -11,7 +11,7 @@
 namespace insonate {
 namespace {
 
-/// Maximum size of boxes that are made for one scene: work and memory of a greater one would delay cancelling.
+/// Maximum size of boxes that are made for one scene; work and memory of a larger one would delay cancellation.
 constexpr int kMostNodes = 160;
 
 /// Equal parts of a box, none longer than kMostNodes.
@@ -33,7 +33,7 @@ std::vector<NodeBox> partsOf(const NodeBox& box) {
   return parts;
 }
 
-/// A part of a tile, with the structures that are within reach of it.
+/// A part of a tile, with the structures within reach of it.
 TissueTiles::TilePtr cutOut(const TissueTile& tile, const NodeBox& box, std::int16_t far) {
   auto part = std::make_shared<TissueTile>();
   part->box = box;
@@ -111,7 +111,7 @@ TissueTiles::TilePtr TissueTiles::make(const NodeBox& box, const Stopped& stoppe
   return tile;
 }
 
-/// Empty where any is missing.
+/// Empty if any is missing.
 std::vector<TissueTiles::TilePtr> TissueTiles::kept(const NodeBox& box) {
   const std::vector<std::uint64_t> keys = keysOf(box);
   std::vector<TilePtr> tiles;
@@ -127,7 +127,7 @@ std::vector<TissueTiles::TilePtr> TissueTiles::kept(const NodeBox& box) {
   return tiles;
 }
 
-/// Tiles that were not requested for the longest time are removed first.
+/// Removes first the tiles whose last request is oldest.
 void TissueTiles::keep(std::uint64_t key, const TissueTile& tile) {
   constexpr int kCube = 16;
   Kept kept{{}, 0, 0};

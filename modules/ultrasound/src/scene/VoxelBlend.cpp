@@ -10,10 +10,10 @@
 namespace insonate {
 namespace {
 
-/// Voxel rows that a row of nodes lies between, one to four.
+/// Voxel rows around a row of nodes, one to four.
 struct RowBlend {
   struct Row {
-    std::size_t voxel;  ///< the row's first
+    std::size_t voxel;  ///< first voxel of the row
     float y, z;         ///< weights
   };
   std::array<Row, 4> row;
@@ -29,7 +29,7 @@ struct RowBlend {
   }
 };
 
-/// Calls visit(voxel, weight) for each voxel that a node lies between.
+/// Calls visit(voxel, weight) for each voxel around a node.
 template <class Visit>
 void visitVoxels(const RowBlend& blend, const NodeLattice::AxisNode& x, const Visit& visit) {
   for (int r = 0; r < blend.rows; ++r) {
@@ -51,7 +51,7 @@ std::uint8_t likeliest(const LabelMap& labels, const RowBlend& blend, const Node
   return static_cast<std::uint8_t>(std::max_element(weight.begin(), weight.end()) - weight.begin());
 }
 
-/// True where all voxels round a node have one label: nearly everywhere.
+/// True if all voxels around a node have one label, as at nearly all nodes.
 bool isUniform(const std::uint8_t* labels, const RowBlend& blend, const NodeLattice::AxisNode& x) {
   const std::uint8_t first = labels[blend.row[0].voxel + x.low];
   bool same = true;

@@ -50,7 +50,7 @@ ThesisCpu::ThesisCpu(const Probe& probe, const ImagingSettings& settings)
           static_cast<float>(offset_sd * plan_.elevationSd_mm[std::min(row * plan_.cellGates, plan_.gates - 1)]));
 }
 
-/// One for each thread of the arena; an arena larger than any before adds its own, once.
+/// One for each thread of the arena; a larger arena adds its own once.
 void ThesisCpu::provideWorkspaces(int threads) {
   while (static_cast<int>(workspaces_.size()) < threads) {
     workspaces_.push_back(std::make_unique<Workspace>());

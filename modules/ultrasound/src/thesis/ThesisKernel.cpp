@@ -2,7 +2,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "thesis/ThesisKernel.cpp"
 #include <hwy/foreach_target.h>
-// After foreach_target:
+// Must follow foreach_target:
 #include "thesis/MapRow-inl.h"
 #include "thesis/ThesisKernel.h"
 
@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace insonate::thesis::HWY_NAMESPACE {
 
-/// Vertices of one row of an octave's lattice, interpolated across to each scanline.
+/// Vertices of one row of an octave's lattice, interpolated laterally to each scanline.
 void noiseRow(const KernelInput& in, int firstLine, int octave, int latticeRow, KernelBuffers::NoiseRow& row) {
   const std::uint32_t seed = octaveSeed(in.noiseSeed, octave);
   const double perLine = in.thesis->noise.across * (1 << octave) / in.plan->lines;
@@ -107,7 +107,7 @@ void traceGate(const KernelInput& in, int firstLine, int gate, KernelBuffers& b,
   }
 }
 
-/// The outermost scanlines go on beyond the picture.
+/// The outermost scanlines continue beyond the image.
 void extend(const FramePlan& plan, const EchoRows& echo, int firstLine) {
   for (int gate = 0; gate < plan.gates; ++gate) {
     float* first = echo.row(gate) + echo.margin;
@@ -117,7 +117,7 @@ void extend(const FramePlan& plan, const EchoRows& echo, int firstLine) {
   }
 }
 
-/// Samples the row of nodes that the map row needs first: an even one needs the nodes behind it.
+/// Samples the row of nodes that the map row needs first; an even map row needs the nodes behind it.
 void makeMapRow(const KernelInput& in, int firstLine, int plane, int row, KernelBuffers& b) {
   const int last = in.plan->nodeRows - 1;
   const bool onNodes = row % 2 == 0;

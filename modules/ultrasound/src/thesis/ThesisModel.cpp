@@ -12,7 +12,7 @@ namespace insonate::thesis {
 namespace {
 
 constexpr double kGreatestSlope = fadeSlope(0.5);
-// Integral of (fadeSlope / kGreatestSlope)^2 from 0 to 1: the shape of a weak interface's loss.
+// Integral of (fadeSlope / kGreatestSlope)^2 from 0 to 1: the loss at a weak interface.
 constexpr double kLossShare = 256.0 / 630;
 
 double fromDecibel(double dB) {
@@ -54,7 +54,7 @@ Nearest nearestOf(const SceneSample& here, const SceneSample& slope, int channel
   return n;
 }
 
-/// Every structure weighs by how far its distance lies below the middle of the two smallest.
+/// The weight of a structure depends on how far its distance is below the mean of the two smallest distances.
 Medium mediumOf(const SceneSample& here, const SceneSample& slope, int without, double interface_mm, int channels,
                 const std::array<ChannelAcoustics, TissueField::kStride>& acoustics) {
   const Nearest n = nearestOf(here, slope, channels, without);

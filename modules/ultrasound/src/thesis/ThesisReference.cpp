@@ -23,7 +23,7 @@ SceneSample combined(const SceneSample& a, double wa, const SceneSample& b, doub
   return sum;
 }
 
-/// Tissue from beyond the scene reads as its outermost.
+/// Tissue beyond the scene has the values at the scene's border.
 SceneSample sampleDisplaced(const TissueField& field, const Transform& patientFromProbe, Vec3 seen, Vec3 shift) {
   SceneSample sample = sampleScene(field, patientFromProbe * (seen + shift));
   sample.beyond = std::min(sample.beyond, beyondLattice(field, field.nodeFromPatient * (patientFromProbe * seen)));
@@ -85,7 +85,8 @@ class SceneMap {
     const auto channels = channelAcoustics(plan_.settings, scene);
     const int last = plan_.nodeRows - 1;
     for (int row = 0; row < mapRows_; ++row) {
-      // On a row of nodes the slope is that of the rows before and after, midway between two it is theirs.
+      // On a row of nodes, the slope is that between the rows before and after; midway between two rows, it is the
+      // slope between them.
       const bool onNodes = row % 2 == 0;
       const int here = row / 2, next = onNodes ? here : here + 1;
       const int above = onNodes ? std::max(here - 1, 0) : here, below = onNodes ? std::min(here + 1, last) : next;
@@ -137,8 +138,8 @@ void traceLine(const FramePlan& plan, const ThesisPlan& thesis, const SceneMap& 
   }
 }
 
-/// Radial blur: an exponential tail down each scanline, a convolution across them. The image goes on beyond its
-/// sides as it is there.
+/// Radial blur: an exponential tail along each scanline, and a lateral convolution. Beyond its sides, the image
+/// continues unchanged.
 EchoMap blurred(const FramePlan& plan, const ThesisPlan& thesis, EchoMap echo) {
   for (int line = 0; line < plan.lines; ++line)
     for (int gate = 1; gate < plan.gates; ++gate)

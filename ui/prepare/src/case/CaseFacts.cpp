@@ -28,7 +28,7 @@ QString axesOf(const VolumeGeometry& grid) {
   return letters.join(QStringLiteral(", "));
 }
 
-/// Identifiers, which have no spaces, may break within.
+/// Identifiers without spaces may break anywhere.
 QString breakable(const QString& text) {
   constexpr int kLongest = 16;
   const QChar kBreakHere(0x200b);
@@ -82,7 +82,7 @@ QLabel* CaseFacts::addFact(QFormLayout& form, const QString& name) {
   label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   auto* fact = new QLabel;
   fact->setWordWrap(true);
-  // Its longest word must not widen the column.
+  // The longest word must not widen the column.
   fact->setMinimumWidth(1);
   fact->setTextInteractionFlags(Qt::TextSelectableByMouse);
   fact->setAccessibleName(name);

@@ -12,7 +12,7 @@ namespace {
 
 using Measured = std::shared_ptr<const CaseMeasures>;
 
-/// Counting takes this share of the time; the rest is the check's.
+/// Share of counting in the progress; the rest is the check's.
 constexpr double kCounting = 0.2;
 
 Result<Measured> measure(const CaseView& patient, const Progress& progress) {
@@ -70,7 +70,7 @@ void CaseMeasuring::beginAgain() {
   if (state_ == State::Running) tasks_.cancel();
   trouble_.clear();
   enter(patient_ ? State::Waiting : State::Idle);
-  // The window may be in the middle of the job that brought the case.
+  // The window may be in the job that opened the case.
   QTimer::singleShot(0, this, [this] { tryToRun(); });
 }
 
@@ -109,7 +109,7 @@ void CaseMeasuring::ended(int number, Result<Measured> result) {
     trouble_ = QString::fromStdString(result.error().message);
     return enter(State::Stopped);
   }
-  // Either the user stopped it, or another job takes its place in a moment.
+  // The user has stopped it, or another job replaces it soon.
   enter(State::Waiting);
   QTimer::singleShot(0, this, [this, number] {
     if (number != number_ || state_ != State::Waiting || tasks_.isRunning()) return;

@@ -159,7 +159,7 @@ void FindingsList::refresh() {
   }
   state_->setVisible(true);
   state_->setText(verdict(measures->findings));
-  // A button of the list may be what called this.
+  // The caller may be a button of this list.
   if (list_) list_->deleteLater();
   list_ = new QWidget;
   auto* rows = new QVBoxLayout(list_);

@@ -8,7 +8,7 @@
 namespace insonate::prepare {
 namespace {
 
-/// After the last of several edits.
+/// Delay after the last of several edits.
 constexpr int kRecheck_ms = 700;
 
 }  // namespace

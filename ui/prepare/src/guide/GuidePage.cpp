@@ -23,9 +23,9 @@
 namespace insonate::prepare {
 namespace {
 
-constexpr int kListRows = 3, kWordsLines = 4;  // at least
+constexpr int kListRows = 3, kWordsLines = 4;  // minimum numbers of rows and lines
 
-/// Takes the height that its content needs at its width, and scrolls if the column is too low for that.
+/// A list with the height of its content at its width; it scrolls if the column is too low.
 class WordsArea : public QScrollArea {
  public:
   explicit WordsArea(QWidget* content);
@@ -78,20 +78,21 @@ QString stateWord(GuideSession::State state, bool optional) {
   return {};
 }
 
-/// Describes whether the clicks suffice, and how to complete them.
+/// States whether the clicks suffice, and how to complete them.
 QString clicksWords(const GuideStep& step, int count) {
   QStringList words;
   if (count == 0)
     words << GuidePage::tr(
-                 "No click yet; %1 are enough, %2 where it is hard to see. Ctrl + wheel zooms, a double click "
+                 "No click yet; %1 are enough, %2 if the structure is hard to see. Ctrl + wheel zooms, a double click "
                  "enlarges a view, G hides the labels.")
                  .arg(step.leastClicks)
                  .arg(step.clicks);
   else
     words << (count == 1 ? GuidePage::tr("1 click") : GuidePage::tr("%1 clicks").arg(count)) +
                  (count < step.leastClicks ? GuidePage::tr("; %1 more needed.").arg(step.leastClicks - count)
-                  : count < step.clicks    ? GuidePage::tr(", enough; %1 where it is hard to see.").arg(step.clicks)
-                                           : GuidePage::tr(", enough."))
+                  : count < step.clicks
+                      ? GuidePage::tr(", enough; %1 if the structure is hard to see.").arg(step.clicks)
+                      : GuidePage::tr(", enough."))
           << GuidePage::tr("Drag a point to move it; the right button or Delete removes it.");
   return words.join(QLatin1Char(' '));
 }
@@ -122,8 +123,8 @@ GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), gu
   list_->setHeaderHidden(true);
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
-  list_->setTextElideMode(Qt::ElideMiddle);  // the side comes last
-  // A step's state must be readable in full.
+  list_->setTextElideMode(Qt::ElideMiddle);  // the side is at the end
+  // The state of a step must be fully readable.
   list_->header()->setStretchLastSection(false);
   list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   list_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
@@ -177,8 +178,8 @@ QWidget* GuidePage::buildButtons() {
   };
   run_ = button("guideRun", tr("Run"), {});
   accept_ = button("guideAccept", tr("Accept"), tr("Continues with the next step (Enter)"));
-  correct_ =
-      button("guideCorrect", tr("Correct"), tr("Paints and erases this structure in the slices; others are spared"));
+  correct_ = button("guideCorrect", tr("Correct"),
+                    tr("Paints and erases this structure in the slices; other structures do not change"));
   correct_->setCheckable(true);
   skip_ = button("guideSkip", tr("Skip"), tr("Continues without this structure"));
   auto* radius = new ui::ValueSlider(tr("Brush"), tr("mm"), {0.5, 15, guide_.brush_mm(), 0.5, 1},
@@ -195,7 +196,7 @@ QWidget* GuidePage::buildButtons() {
   connect(run_, &QPushButton::clicked, this,
           [this] { guide_.state(guide_.current()) == GuideSession::State::Working ? guide_.cancel() : guide_.run(); });
   connect(accept_, &QPushButton::clicked, this, [this] {
-    // The button goes, and would leave the keyboard to whatever comes after it.
+    // The button is hidden, which would move the keyboard focus to the next widget.
     list_->setFocus();
     guide_.accept();
   });
@@ -249,7 +250,7 @@ void GuidePage::refreshButtons() {
                    : guide_.step().clicks > 0 ? tr("Makes this structure from the clicks (Enter)")
                                               : tr("Makes these structures (Enter)"));
   run_->setEnabled(working || guide_.canRun());
-  // One thing to do next.
+  // One button for the next action.
   ui::setRole(run_, state == GuideSession::State::Done ? "" : "primary");
   ui::setRole(accept_, state == GuideSession::State::Done ? "primary" : "");
   accept_->setVisible(made);

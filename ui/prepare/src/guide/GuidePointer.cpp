@@ -19,7 +19,7 @@
 namespace insonate::prepare {
 namespace {
 
-constexpr double kNear_px = 9;  // of a point, in logical pixels
+constexpr double kNear_px = 9;  // distance from a point, in logical pixels
 
 }  // namespace
 
@@ -85,13 +85,13 @@ bool GuidePointer::release(const Watched& where, QPoint at) {
   }
   const auto from = std::exchange(pressed_, std::nullopt);
   if (std::exchange(dragged_, std::nullopt)) return true;
-  // A longer way is a drag of the crosshair.
+  // A longer motion is a drag of the crosshair.
   added_ = from && (at - *from).manhattanLength() < QApplication::startDragDistance();
   if (added_) guide_.addClick(patientAt(where, *from));
   return false;
 }
 
-/// A double click is for the view: the point that its first half has put goes.
+/// A double click belongs to the view: removes the point that its first click has set.
 bool GuidePointer::doubleClick(Qt::MouseButton button) {
   if (guide_.isCorrecting()) return true;
   if (button == Qt::LeftButton && std::exchange(added_, false) && !guide_.clicks_mm().empty())

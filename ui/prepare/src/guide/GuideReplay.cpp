@@ -30,7 +30,7 @@ bool GuideReplay::run(std::vector<LabelStep> steps, std::size_t first, std::size
   return true;
 }
 
-/// Either all the way or not at all.
+/// Undoes all steps after the first `count`, or none of them.
 bool GuideReplay::undoTo(std::size_t count) {
   const int here = undo_.index();
   for (std::size_t steps = labels_.recipe().steps.size(); steps > count; steps = labels_.recipe().steps.size()) {
@@ -67,7 +67,7 @@ void GuideReplay::fail() {
   restoreSoon();
 }
 
-/// A user who has cancelled may be about to begin something else, which comes first.
+/// A user who has canceled may start another action, which has precedence.
 void GuideReplay::restoreSoon() {
   QTimer::singleShot(kUntilFree_ms, this, [this, number = number_] {
     if (number == number_) labels_.isFree() ? restore() : restoreSoon();
@@ -75,7 +75,7 @@ void GuideReplay::restoreSoon() {
 }
 
 void GuideReplay::restore() {
-  // If that fails, too, as much is there as could be made.
+  // If that fails, too, the steps that could be made remain.
   if (!undoTo(first_)) return end(false);
   todo_.assign(before_.begin(), before_.end());
   again_ = todo_.size();

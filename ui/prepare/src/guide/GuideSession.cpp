@@ -25,11 +25,11 @@ namespace {
 constexpr const char* kRecipeFile = "recipe.json";
 
 Guide neckGuide() {
-  // It is compiled in, and a test reads it.
+  // The guide is compiled in, and a test reads it.
   return *readGuide(guidePresets().front().text);
 }
 
-/// An author's edits besides voxels: looks and terms of structures, the title and the places.
+/// An author's edits besides voxels: appearance and terms of structures, the title and the places.
 struct AuthoredState {
   StructureLooks looks;
   QString title;
@@ -79,7 +79,7 @@ void GuideSession::beginCase() {
   goToNext();
 }
 
-/// The recipe recorded at the last save tells how far the author was, and where the clicks were.
+/// The recipe of the last save contains the author's progress and the clicks.
 void GuideSession::takeUpRecipe() {
   const QString folder = shared_.openCase.origin().folder;
   if (folder.isEmpty() || !recipe_.steps.empty() || !before_.steps.empty()) return;
@@ -97,7 +97,7 @@ void GuideSession::takeUpRecipe() {
   goToNext();
 }
 
-/// The labels of the import are known only once the case is measured.
+/// The labels of the import are known only once the case has been measured.
 void GuideSession::beginAtFirstToDo() {
   if (!shared_.measuring.measures() || std::exchange(begun_, true)) return Q_EMIT changed();
   if (recipe_.steps.empty() && clicks_mm().empty()) goToNext();
@@ -128,13 +128,13 @@ GuideSession::Span GuideSession::spanOf(int index) const {
   return {std::size_t(first - all.begin()), std::size_t(last - first)};
 }
 
-/// Undone and redone, a step's result goes and comes.
+/// Undo and redo remove and restore the result of a step.
 bool GuideSession::isMade(int index) const {
   const std::size_t made = progress_[std::size_t(index)].made;
   return made > 0 && spanOf(index).count == made;
 }
 
-/// The import has made it.
+/// The import has made this label.
 bool GuideSession::isThere(int index) const {
   const auto& makes = guide_.steps[std::size_t(index)].makes;
   return !makes.empty() &&
@@ -217,7 +217,7 @@ void GuideSession::run() {
   const int index = current_;
   const Span before = isMade(index) ? spanOf(index) : Span{recipe_.steps.size(), 0};
   working_ = index;
-  // Undoing back to an earlier step also undoes the terms set meanwhile.
+  // Undoing an earlier step also undoes the terms set since then.
   const bool begun = replay_.run(
       std::move(way->steps), before.first, before.first + before.count, QString::fromStdString(step().title),
       [this, index, authored = authoredState(shared_), caution = QString::fromStdString(way->caution)](bool well) {
@@ -315,7 +315,7 @@ void GuideSession::setCorrecting(bool on) {
 }
 
 Result<void> GuideSession::saveRecipe(const std::filesystem::path& folder) const {
-  // Asked for now: a stroke has all its points at its end only.
+  // Queried now, since a stroke has all its points only at its end.
   const Recipe made = shared_.labelling.recipe();
   if (made.steps.empty()) return {};
   Recipe all = before_;

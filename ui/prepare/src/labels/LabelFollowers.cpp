@@ -23,13 +23,13 @@ LabelFollowers::LabelFollowers(LabelSession& labels, LivePatient& live, CaseMeas
   });
   connect(&labels_, &LabelSession::changed, this, [this](const LabelChange& change) {
     changed_ |= change.labels;
-    // Its snapshot is wanted for the next ones.
+    // Its snapshot is needed for the next updates.
     measuring_.awaitLabels();
     soon_.start();
     later_.start();
     Q_EMIT restChanged();
   });
-  // Another case: what was to follow is of the one before.
+  // Another case: pending updates belong to the former one.
   connect(&labels_, &LabelSession::caseSet, this, [this] {
     changed_.reset();
     soon_.stop();

@@ -14,8 +14,8 @@
 namespace insonate::prepare {
 namespace {
 
-/// A step of labeling among the window's edits; the edits of one step of the guide are one command. Their changes are
-/// in LabelEdit, in the same order.
+/// A labeling step as a command of the undo stack; the edits of one step of the guide are one command. Their changes
+/// are in LabelEdit, in the same order.
 class LabelCommand : public QUndoCommand {
  public:
   /// `undo` and `redo` apply to one recorded step; `undo` returns false if the step was discarded. `of`: the step of
@@ -32,14 +32,14 @@ class LabelCommand : public QUndoCommand {
   std::function<void()> redo_;
   std::string of_;
   int steps_ = 1;
-  bool isDone_ = true;  ///< by the tool, before the command was made
+  bool isDone_ = true;  ///< the tool has done it before the command was made
 };
 
 void LabelCommand::undo() {
   int undone = 0;
   while (undone < steps_ && undo_()) ++undone;
   if (undone == steps_) return;
-  // All or nothing; the stack forgets it, too.
+  // If it fails, nothing changes, and the stack drops the command.
   for (; undone > 0; --undone) redo_();
   setObsolete(true);
 }
@@ -65,7 +65,7 @@ LabelSession::LabelSession(ui::TaskBar& tasks, QUndoStack& undo, QObject* parent
 }
 
 LabelSession::~LabelSession() {
-  // It writes to the working map, for a fraction of a second.
+  // Writes to the working map, for a fraction of a second.
   writing_.waitForFinished();
 }
 
@@ -219,7 +219,7 @@ void LabelSession::finishWriting() {
   if (writing.done) writing.done(change);
 }
 
-/// Ends what a tool does, without it; the labels are as they were before.
+/// Cancels the work of a tool; the labels are as they were before.
 void LabelSession::settle() {
   if (!busy_) return;
   if (!atWork_) return tasks_.cancel();

@@ -34,7 +34,7 @@ void LabelSnapshots::changed(const VoxelBox& box) {
 std::shared_ptr<const LabelMap> LabelSnapshots::take() {
   if (auto latest = latest_.lock()) return latest;
   const auto isFree = [](const auto& copy) { return !copy->held.load(std::memory_order_acquire); };
-  // The newest has the least to catch up.
+  // The newest snapshot needs the fewest updates.
   const auto newest = std::find_if(copies_.rbegin(), copies_.rend(), isFree);
   std::shared_ptr<Copy> copy = newest == copies_.rend() ? nullptr : *newest;
   std::erase(copies_, copy);

@@ -15,12 +15,12 @@
 namespace insonate::prepare {
 namespace {
 
-/// Coarse enough to follow a slider: a preview is looked at, not kept.
+/// Coarse enough to follow a slider, since a preview is temporary.
 constexpr SurfaceOptions kCoarse{.smoothing_mm = 0, .detail_mm = 3};
 /// Size of the voxels for a preview.
 constexpr double kVoxel_mm = 1;
 
-/// One voxel of each block that is not larger than kVoxel_mm, near its middle.
+/// One voxel for each block not larger than kVoxel_mm, near its center.
 LabelMap thinned(const LabelMap& labels) {
   std::array<int, 3> step{};
   VolumeGeometry grid = labels.geometry;
@@ -48,7 +48,7 @@ std::shared_ptr<const Mesh> surfaceOf(const Proposal& proposal, std::uint8_t lab
         extractSurface(thinned(proposal.labels), label, kCoarse, [&stop](std::string_view, double) { return !stop; });
     return mesh ? std::make_shared<const Mesh>(std::move(*mesh)) : nullptr;
   } catch (const std::exception&) {
-    // The slices show the preview all the same.
+    // The slices still show the preview.
     return nullptr;
   }
 }

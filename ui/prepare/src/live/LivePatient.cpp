@@ -12,15 +12,15 @@
 namespace insonate::prepare {
 namespace {
 
-/// Size of the small image: as many scanlines as it has columns to show them.
+/// Size of the small image, with as many scanlines as its columns can show.
 constexpr int kScanlines = 160, kSamples = 500, kWidth = 410, kHeight = 308;
-/// The slices are painted by then: on two processors they would wait for the image, and for the probe in 3D.
+/// Delay until the slices are painted: on two processors they would wait for the image, and for the probe in 3D.
 constexpr int kAfterSlices_ms = 40;
-/// The latest image is enough.
+/// Only the latest image is needed.
 constexpr std::size_t kCineBytes = std::size_t{4} << 20;
 
 ImagingSetup smallSetup() {
-  // All come with the program.
+  // All presets are compiled in.
   ImagingSetup setup;
   setup.probe = loadProbe("linear").value_or(Probe{});
   setup.settings = settingsFor(setup.probe);
@@ -77,7 +77,7 @@ void LivePatient::makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand)
     work.hand = [this](ProbeHand hand) {
       hand_ = std::move(hand);
       trouble_.clear();
-      // It stands on the skin, which the start may miss by a little.
+      // The probe stands on the skin, from which the start pose may differ slightly.
       rememberPlace();
       moved();
       if (wanted_mm_) follow(*wanted_mm_);
@@ -106,7 +106,7 @@ void LivePatient::makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand)
 
 void LivePatient::replacePatient(std::shared_ptr<const PatientCase> patient) {
   patient_ = std::move(patient);
-  // A worker in the middle of something keeps the old voxels until it is done.
+  // A busy worker keeps the old voxels until it has finished.
   if (surfacesDone_ && worker_) makeWorker({}, !hand_);
   if (feed_.live()) startLive();
 }
@@ -117,7 +117,7 @@ void LivePatient::wantSurface(const ui::SurfaceWish& wish) {
   worker_->want({wish});
 }
 
-/// Some tenths of a second, on another thread; until then the probe stands on the skin as it was.
+/// Takes some tenths of a second on another thread; until then the probe stays on the former skin.
 void LivePatient::findSkin() {
   using Hand = std::shared_ptr<const ProbeHand>;
   auto* found = new QFutureWatcher<Hand>(this);
@@ -126,7 +126,7 @@ void LivePatient::findSkin() {
     const Hand hand = found->result();
     if (number != skin_ || !hand || !hand_) return;
     hand_ = *hand;
-    // It keeps its direction, and comes down on the skin that is there now. It may have been moved meanwhile.
+    // The probe keeps its direction and moves to the present skin. It may have been moved meanwhile.
     hand_->setPose(chosen_->pose);
     hand_->press(chosen_->press_mm - std::max(hand_->state().press_mm, 0.0));
     moved();
@@ -193,7 +193,7 @@ void LivePatient::startLive() {
   forgetTissues();
   auto labels = labels_ ? labels_ : CaseVolumes(patient_).labels;
   if (own_.empty()) return startLiveOf(std::move(labels));
-  // A map of the whole case: some tenths of a second on a busy machine.
+  // Reads a map of the whole case: some tenths of a second on a busy computer.
   tissuesDue_ = true;
   using Map = std::shared_ptr<const LabelMap>;
   auto* made = new QFutureWatcher<Map>(this);
@@ -209,9 +209,9 @@ void LivePatient::startLive() {
 void LivePatient::startLiveOf(std::shared_ptr<const LabelMap> tissues) {
   LiveOptions options;
   options.cineBytes = kCineBytes;
-  // Each edit would throw it away; a small scene is there soon enough without.
+  // Each edit would discard a scene prepared ahead; a small scene is ready soon enough.
   options.workAhead = false;
-  options.background = true;  // slices go first
+  options.background = true;  // slices have precedence
   auto live = LiveImaging::make(CaseVolumes(patient_, std::move(tissues)), setup_, *pose(), options);
   if (!live) {
     trouble_ = QString::fromStdString(live.error().message);
@@ -238,10 +238,10 @@ void LivePatient::news() {
 void LivePatient::follow(Vec3 patient_mm) {
   wanted_mm_ = patient_mm;
   if (!hand_) return;
-  // If the way is blocked, the probe stands as near as it can.
+  // If the path is blocked, the probe moves as near as it can.
   hand_->moveTo(patient_mm);
   rememberPlace();
-  // While the crosshair is dragged, each move does not put it off again.
+  // During a drag of the crosshair, further moves do not delay the update.
   if (!showing_.isActive()) showing_.start();
 }
 

@@ -13,7 +13,7 @@
 namespace insonate::prepare {
 namespace {
 
-/// Few enough triangles that 3D turns without a graphics card: fine for what is small, coarse for what fills the body.
+/// Number of triangles with which 3D turns without a graphics card: fine for small structures, coarse for large ones.
 SurfaceOptions surfaceOptions(std::uint8_t label) {
   switch (label) {
     case kSkin:
@@ -76,7 +76,7 @@ std::vector<ui::SurfaceWish> LiveUpdates::changedSurfaces(const LabelSet& labels
   std::vector<ui::SurfaceWish> wishes;
   for (int label = 1; label < 256; ++label) {
     const auto value = std::uint8_t(label);
-    // The surface of the skin is that of the body: it moves where the outside does.
+    // The surface of the skin is that of the body: it changes when the outside does.
     const bool moved = labels.test(value) || (value == kSkin && labels.test(kBackground));
     if (moved && appearance_.look(value).opacity > 0) wishes.push_back({value, surfaceOptions(value)});
   }

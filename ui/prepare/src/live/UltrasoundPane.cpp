@@ -31,12 +31,12 @@ UltrasoundPane::UltrasoundPane(PrepareModel& shared, QWidget* parent)
       view_(std::make_shared<views::UltrasoundView>()),
       widget_(new ui::ViewWidget(view_, tr("Ultrasound of this label map"), this)),
       press_(new ui::ValueSlider(tr("indentation"), tr("mm"), {0, 15, 0, 0.5, 1},
-                                 tr("indentation of the probe; the tissue gives way as in Train"))),
+                                 tr("indentation of the probe, which compresses the tissue as in Train"))),
       state_(new QLabel),
       pressed_(new QLabel),
       start_(new QPushButton(tr("Start"))),
       keep_(new QPushButton(tr("Begin here"))) {
-  // The column is too small a room to fill, and the image has no more to show when larger.
+  // Not maximized by double click: in the narrow column a larger image would show no more.
   widget_->setMaximiseOnDoubleClick(false);
   widget_->setObjectName(QStringLiteral("labelUltrasound"));
   widget_->setMinimumHeight(kLeastHeight_px);
@@ -109,7 +109,7 @@ void UltrasoundPane::showPress() {
 void UltrasoundPane::showState() {
   const QString state = shared_.live.state();
   state_->setText(state);
-  // One line is always kept, so that the image does not jump.
+  // One line is always reserved, so that the image does not move.
   keep_->setVisible(shared_.places.lacksStart());
   start_->setEnabled(shared_.live.start().has_value());
 }

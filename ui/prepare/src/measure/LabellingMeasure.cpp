@@ -20,10 +20,10 @@ namespace insonate::prepare {
 namespace {
 
 constexpr int kTick_ms = 1;
-constexpr int kDragged = 4;  // times as often as the rest
-/// Then a time that has not come is given up, and counts as this long.
+constexpr int kDragged = 4;  // times as many moves as other actions
+/// Timeout after which a missing result counts with this duration.
 constexpr double kPatience_ms = 180'000;
-constexpr double kRegion_mm = 30;  // from a click to the edge of the region of growing and level set
+constexpr double kRegion_mm = 30;  // distance from a click to the edge of the region for growing and level set
 constexpr HuRange kBlood{120, 240};
 
 double ms(const QElapsedTimer& clock) {
@@ -78,7 +78,7 @@ void LabellingMeasure::addViewTasks(int repeats) {
                     },
                     {{QStringLiteral("slice_change"), painted},
                      {QStringLiteral("ultrasound_follows"), [this] { return shared_.live.isSettled(); }}}});
-  // Without a rest: each as soon as the one before has been painted.
+  // Without pauses: each move as soon as the one before has been painted.
   tasks_.push_back({kDragged * repeats,
                     {},
                     [this, along](int n) {

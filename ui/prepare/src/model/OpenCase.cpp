@@ -21,7 +21,7 @@ void OpenCase::setCase(std::shared_ptr<const PatientCase> patient) {
 }
 
 void OpenCase::replaceCase(std::shared_ptr<const PatientCase> patient) {
-  // An import is named as it is saved.
+  // An import has the name under which it would be saved.
   const bool named = patient_ && title_.toStdString() == patient_->manifest.title;
   if (named) title_ = QString::fromStdString(patient->manifest.title);
   patient_ = std::move(patient);

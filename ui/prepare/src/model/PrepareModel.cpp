@@ -19,7 +19,7 @@
 
 namespace insonate::prepare {
 
-/// A part hears of another case before the parts that are made after it, and all parts before the panels.
+/// Parts receive another case in the order of their construction, and all parts before the panels.
 PrepareModel makePrepareModel(ui::TaskBar& tasks, QObject& parent) {
   auto& openCase = *new OpenCase(&parent);
   auto& notice = *new Notice(&parent);

@@ -69,12 +69,12 @@ PathPanel::PathPanel(PrepareModel& shared, GuideSession& guide, ui::TaskBar& tas
   refresh();
 }
 
-/// Two ways to look at what is labeled, one at a time: both need the column's height.
+/// Guide and table show the labels, one at a time, since both need the column's height.
 QWidget* PathPanel::buildLabelling() {
   labelling_->addWidget(new GuidePage(guide_));
   labelling_->addWidget(table_);
   tabs_->setObjectName(QStringLiteral("labelling"));
-  tabs_->setAccessibleName(tr("Labelling"));
+  tabs_->setAccessibleName(tr("Labeling"));
   tabs_->setDrawBase(false);
   tabs_->setTabToolTip(tabs_->addTab(tr("Guide")), tr("Step by step through the structures of a neck"));
   tabs_->setTabToolTip(tabs_->addTab(tr("Structures")), tr("All structures of the case, with color and visibility"));
@@ -84,7 +84,7 @@ QWidget* PathPanel::buildLabelling() {
   return tabs_;
 }
 
-/// A neck without a vein is to be labeled first, and who has begun with the guide goes on with it.
+/// A neck without a vein must be labeled first; an author who has started with the guide continues with it.
 void PathPanel::chooseLabelling() {
   if (std::exchange(chosen_, true)) return;
   const bool vein = std::ranges::find(shared_.structures.labels(), kVein) != shared_.structures.labels().end();
@@ -119,7 +119,7 @@ QToolButton* PathPanel::button(QAction* action, bool withText) {
 }
 
 void PathPanel::setCaseActions(QAction* open, QAction* import, QAction* reload) {
-  // Texts of the menu are long; the tooltips say the rest.
+  // Texts of the menu are long; the tooltips have the details.
   const std::pair<QAction*, QString> all[] = {{open, tr("Open")}, {import, tr("Import")}, {reload, tr("Reload")}};
   for (const auto& [action, word] : all) {
     QToolButton* made = button(action, true);

@@ -42,7 +42,7 @@ RightColumn::RightColumn(PrepareModel& shared, ToolSession& tools, std::shared_p
           [this, toolPanel] { toolPanel->setHistogram(scene_->histogram().histogram()); });
   setObjectName(QStringLiteral("prepareRight"));
   setChildrenCollapsible(false);
-  // Its margins are those of a column by itself.
+  // Its margins are those of a separate column.
   scene_->layout()->setContentsMargins(0, 0, 0, 0);
   tabs_->setObjectName(QStringLiteral("rightPages"));
   tabs_->setAccessibleName(tr("Beside the slices"));
@@ -97,7 +97,7 @@ std::vector<Section*> RightColumn::buildCheck(PrepareModel& shared) {
   connect(findings, &FindingsList::placeWanted, this, [this, places, placesSection](const QString& kind) {
     placesSection->setOpen(true);
     places->offer(kind);
-    // Its place is known after the next layout only.
+    // Its position is known only after the next layout.
     QMetaObject::invokeMethod(
         this, [this, places] { scroll_->ensureWidgetVisible(places); }, Qt::QueuedConnection);
   });

@@ -21,7 +21,7 @@ Section::Section(const QString& key, const QString& title, QWidget* content, QWi
   bold.setWeight(QFont::DemiBold);
   heading_->setFont(bold);
   heading_->setIconSize({12, 12});
-  // Its text stands in line with what is below it.
+  // Its text is aligned with the content below it.
   heading_->setStyleSheet(QStringLiteral("QToolButton { padding: 4px 4px 4px 0; }"));
   ui::setRole(remark_, "quiet");
   auto* row = new QHBoxLayout;

@@ -195,7 +195,7 @@ void PlacesBox::add() {
   addLandmark(what.toStdString(), name);
 }
 
-/// A target in a vessel with a name bears that name.
+/// A target in a named vessel gets that name.
 void PlacesBox::addTarget() {
   const Vec3 here_mm = shared_.crosshair.position_mm();
   const LabelMap& labels = shared_.labelling.labels();
@@ -211,7 +211,7 @@ void PlacesBox::addTarget() {
   });
 }
 
-/// A neck has one of each that is known; marked again, it moves.
+/// A neck has one of each known landmark; marking it again moves it.
 void PlacesBox::addLandmark(const std::string& code, const QString& name) {
   const Vec3 here_mm = shared_.crosshair.position_mm();
   const auto& before = shared_.places.value().landmarks;
@@ -303,7 +303,7 @@ void PlacesBox::remove() {
 void PlacesBox::rename(QTreeWidgetItem* item) {
   const auto index = std::size_t(item->data(0, kIndexRole).toInt());
   const std::string name = item->text(0).simplified().toStdString();
-  // The list is built anew, which must not happen under the item that tells of its change.
+  // The list is built again, which must not happen during the signal of one of its items.
   QMetaObject::invokeMethod(
       this,
       [this, index, name, kind = Kind(item->data(0, kKindRole).toInt())] {

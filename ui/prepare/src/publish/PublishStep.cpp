@@ -26,7 +26,7 @@ PublishStep::PublishStep(PrepareModel& shared, ui::TaskBar& tasks, QLabel& mark,
   connect(publish_, &QPushButton::clicked, this, [this] { publish(); });
   for (const auto news : {&OpenCase::originChanged, &OpenCase::caseChanged})
     connect(&shared_.openCase, news, this, [this] { readVersions(); });
-  // The folder is read where something was saved, not with each edit.
+  // Reads the folder after a save, not after each edit.
   connect(&shared_.changes, &CaseChanges::changed, this, [this] {
     const bool saved = std::exchange(wasUnsaved_, shared_.changes.isUnsaved()) && !wasUnsaved_;
     saved ? readVersions() : refresh();
@@ -35,7 +35,7 @@ PublishStep::PublishStep(PrepareModel& shared, ui::TaskBar& tasks, QLabel& mark,
   readVersions();
 }
 
-/// Why the case cannot be published now, with what to do; empty where it can.
+/// Reason why the case cannot be published now, with what to do; empty if it can.
 QString PublishStep::obstacle() const {
   if (!shared_.openCase.patient()) return tr("There is no case.");
   const ui::CaseOrigin& origin = shared_.openCase.origin();

@@ -33,7 +33,7 @@ QString wordsOf(const LabelStep& step, const PrepareModel& shared) {
   return words;
 }
 
-/// Not modal: the window goes on.
+/// Not modal: the window stays usable.
 template <class Chosen>
 void ask(QWidget* parent, const char* name, const QString& title, QFileDialog::AcceptMode mode, Chosen chosen) {
   auto* dialog = new QFileDialog(parent, title, QDir::homePath(), RecipeBox::tr("Recipes (*.json)"));

@@ -37,7 +37,7 @@ QComboBox* choice(const char* object, const QString& name, int letters, const QS
 LabelDetails::LabelDetails(PrepareModel& shared, QWidget* parent)
     : QWidget(parent),
       shared_(shared),
-      // "in progress" is read whole; the tissue gets what is left.
+      // "in progress" must be fully readable; the tissue gets the remaining width.
       state_(choice("labelState", tr("State of the selected structure"), 11,
                     tr("Progress on the selected structure (S sets the next state); saved with the case"))),
       tissue_(choice("labelTissue", tr("Tissue of the selected structure"), 3, {})),
@@ -73,8 +73,9 @@ void LabelDetails::refresh() {
   tissue_->setEnabled(any && isOwnLabel(label));
   tissue_->setToolTip(
       tissue_->isEnabled()
-          ? tr("Tissue of the structure: sets its look in ultrasound, its stiffness and its resistance to the needle")
-          : tr("Structures of the label table are their own tissue; Add makes one of your own"));
+          ? tr("Tissue of the structure: determines its ultrasound image, its stiffness and its resistance to the "
+               "needle")
+          : tr("Structures of the label table have a fixed tissue; Add makes a structure of another tissue"));
   if (!any) return term_->setText(tr("Choose a structure, or add one."));
   const std::uint8_t tissue = tissueOf(shared_.terms.value().own, label);
   state_->setCurrentIndex(int(shared_.terms.stateOf(label)));

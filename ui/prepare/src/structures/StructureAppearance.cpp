@@ -19,10 +19,10 @@
 namespace insonate::prepare {
 namespace {
 
-/// Steps of a drag come faster than this, separate wishes slower.
+/// Steps of a drag follow each other faster than this, separate changes slower.
 constexpr std::chrono::milliseconds kOneDrag{700};
 
-/// A change of how one structure is drawn. Changes of opacity that follow each other closely are one.
+/// A change of the appearance of one structure. Changes of opacity in quick succession are merged.
 class LookEdit : public QUndoCommand {
  public:
   using Apply = std::function<void(std::uint8_t label, const StructureLook& look)>;
@@ -68,7 +68,7 @@ void StructureAppearance::takeOver() {
   const auto& patient = openCase_.patient();
   looks_ = defaultLooks(patient ? patient->colours : LabelColours{});
   for (const auto& [label, habit] : habits_)
-    // Without skin, another patient would look broken.
+    // Without skin, another patient would look incomplete.
     looks_[label].opacity = habit.opacity, looks_[label].visible = habit.visible || label == kSkin,
     looks_[label].onSlices = habit.onSlices;
   if (patient) takeShown(patient->manifest.shown, looks_);

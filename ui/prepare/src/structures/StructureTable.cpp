@@ -27,7 +27,7 @@ namespace insonate::prepare {
 namespace {
 
 constexpr int kRow_px = 26, kIconColumn_px = 25, kVolumeColumn_px = 58;
-/// Widths of the columns that a wide table adds, which also decide when there is room for them.
+/// Widths of the columns that a wide table adds; they also determine when these are shown.
 constexpr int kStateColumn_px = 128, kTissueColumn_px = 130, kVoxelsColumn_px = 108;
 constexpr int kRoomForState_px = 380, kRoomForTissue_px = 500, kRoomForAll_px = 880;
 constexpr double kPercent = 100;
@@ -93,7 +93,7 @@ void StructureTable::buildTable() {
     header->resizeSection(column, kIconColumn_px);
   header->resizeSection(StructureModel::kVolume, kVolumeColumn_px);
   header->resizeSection(StructureModel::kTissue, kTissueColumn_px);
-  // Names and terms share what the others leave.
+  // Names and terms share the remaining width.
   header->setSectionResizeMode(StructureModel::kTerm, QHeaderView::Stretch);
   header->resizeSection(StructureModel::kVoxels, kVoxelsColumn_px);
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
@@ -106,7 +106,7 @@ void StructureTable::buildTable() {
   });
 }
 
-/// As many as there is room for; what a narrow table does not show stands below it in words.
+/// As many columns as fit; the text below has the content of the others.
 void StructureTable::showColumns() {
   const int room_px = width();
   model_->setRoomy(room_px >= kRoomForState_px);
@@ -143,8 +143,8 @@ QWidget* StructureTable::buildButtons() {
   remove_ = new QPushButton(tr("Clear"));
   remove_->setObjectName(QStringLiteral("clearLabel"));
   remove_->setToolTip(
-      tr("Changes all voxels of the selected structure to soft tissue; removes an own structure without voxels from "
-         "the list. Ctrl+Z undoes it"));
+      tr("Changes all voxels of the selected structure to soft tissue; removes a structure of your own without voxels "
+         "from the list. Ctrl+Z undoes it"));
   connect(remove_, &QPushButton::clicked, this,
           [this] { shared_.structures.removeVoxels(shared_.structures.selected()); });
   connect(only_, &QPushButton::clicked, this, [this] { shared_.appearance.showOnly(shared_.structures.selected()); });
@@ -205,7 +205,7 @@ void StructureTable::chooseColour() {
   connect(dialog, &QColorDialog::colorSelected, this, [this, label](const QColor& c) {
     shared_.appearance.setColour(label, {std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())});
   });
-  // A color of this case is not one of the next.
+  // A color of this case does not apply to the next one.
   connect(&shared_.openCase, &OpenCase::caseChanged, dialog, &QDialog::reject);
   dialog->open();
 }

@@ -64,7 +64,7 @@ RangeField::RangeField(const QString& name, QWidget* parent)
   box->addLayout(numbers);
   box->addLayout(parts);
   connect(strip_, &RangeStrip::dragged, this, &RangeField::edit);
-  // The end that is typed stays; the other gives way.
+  // The typed end stays; the other end moves.
   connect(from_, qOverload<int>(&QSpinBox::valueChanged), this, [this](int low) {
     if (!showing_) edit({low, std::max(low, to_->value())});
   });
@@ -95,7 +95,7 @@ void RangeField::edit(HuRange range) {
   Q_EMIT edited(range);
 }
 
-/// Enter ends the number alone, and the window has its keys again.
+/// Enter ends the input of the number only, and the window has its keys again.
 void RangeField::keyPressEvent(QKeyEvent* event) {
   const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (!enter || !(from_->hasFocus() || to_->hasFocus())) return QWidget::keyPressEvent(event);

@@ -56,7 +56,7 @@ RangeStrip::Part RangeStrip::partAt(double x) const {
   const double low = placeOf(range_.low), high = placeOf(range_.high);
   const double toLow = std::abs(x - low), toHigh = std::abs(x - high);
   if (std::min(toLow, toHigh) > kReach_px) return x > low && x < high ? Part::Both : Part::None;
-  // Selects the handle that can move there if two are at one place.
+  // If both handles are at one place, selects the one that can move there.
   if (toLow == toHigh) return x < low ? Part::Low : Part::High;
   return toLow < toHigh ? Part::Low : Part::High;
 }

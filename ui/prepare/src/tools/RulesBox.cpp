@@ -18,7 +18,7 @@
 namespace insonate::prepare {
 namespace {
 
-/// From fat to soft tissue with contrast agent: what is labeled by hand most.
+/// From fat to soft tissue with contrast agent, which authors label most.
 constexpr HuRange kUsual_HU{-20, 300};
 
 }  // namespace

@@ -29,7 +29,7 @@ SliceTools::SliceTools(CaseViews& views, ToolSession& tools, PrepareModel& share
   for (int slice = 0; slice < CaseViews::kSlices; ++slice)
     views_.widgets()[std::size_t(slice)]->focusProxy()->installEventFilter(this);
   connect(&tools_, &ToolSession::toolChanged, this, [this] { pointAt(tools_.tool() ? pointer_ : std::nullopt); });
-  // Another slice has come under the pointer.
+  // Another slice is now under the pointer.
   connect(&shared_.crosshair, &Crosshair::moved, this, [this] { pointAt(pointer_); });
   connect(&tools_, &ToolSession::pointsChanged, this, [this] { showMarks(); });
   connect(&tools_, &ToolSession::parametersChanged, this, [this] { showMarks(); });
@@ -52,7 +52,7 @@ bool SliceTools::eventFilter(QObject* watched, QEvent* event) {
   if (slice < 0 || !tools_.tool()) return false;
   switch (event->type()) {
     case QEvent::MouseButtonPress:
-    // The second press of a double click is a press, where clicks set points.
+    // The second press of a double click counts as a press if clicks set points.
     case QEvent::MouseButtonDblClick:
       return pressed(slice, *static_cast<QMouseEvent*>(event));
     case QEvent::MouseMove:
@@ -120,7 +120,7 @@ bool SliceTools::released(const QMouseEvent& event) {
   return true;
 }
 
-/// Keys that the guide has, too: while a tool is in hand they are the tool's.
+/// Keys that the guide also uses belong to a selected tool.
 bool SliceTools::key(int key, bool act) {
   switch (key) {
     case Qt::Key_Return:

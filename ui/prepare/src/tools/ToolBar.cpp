@@ -34,7 +34,7 @@ ToolBar::ToolBar(ToolSession& tools, QWidget* parent) : QWidget(parent), tools_(
         made->setMenu(new QMenu(made));
         made->menu()->setToolTipsVisible(true);
         made->setPopupMode(QToolButton::InstantPopup);
-        // Qt does not tell a button whose menu took the mouse that the pointer is elsewhere.
+        // Qt does not notify a button whose menu has grabbed the mouse that the pointer has left.
         connect(made->menu(), &QMenu::aboutToHide, made, [made] {
           made->setAttribute(Qt::WA_UnderMouse, false);
           made->update();
@@ -75,7 +75,7 @@ QToolButton* ToolBar::add(const QString& id, const QString& name, const QString&
   return button;
 }
 
-/// A name that is cut off tells nothing; the tooltip has it whole.
+/// A truncated name is not readable; the tooltip has the whole name.
 void ToolBar::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   int words_px = 2 * ui::kSmallGap;

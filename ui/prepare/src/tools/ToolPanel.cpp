@@ -74,7 +74,7 @@ ToolPanel::ToolPanel(PrepareModel& shared, ToolSession& tools, QWidget* parent)
 
 ToolPanel::~ToolPanel() = default;
 
-/// Shows that a preview takes a while; nothing flickers while it follows a slider.
+/// Delay before a slow preview is indicated, so that nothing flickers while a preview follows a slider.
 void ToolPanel::showComputing() {
   if (shared_.labelling.preview().isComputing()) return slow_.start();
   slow_.stop();
@@ -182,7 +182,7 @@ void ToolPanel::refresh() {
   name_->setText(tool->name);
   label_->show(shared_.structures.selected());
   const int missing = tool->leastPoints - int(tools_.points().size());
-  // Points on other slices are not seen.
+  // Points on other slices are not visible.
   const bool clicked = tool->input == ToolInput::Points && !tools_.points().empty();
   advice_->setText(shared_.structures.selected() == kBackground
                        ? tr("Choose a label in the table on the left first, or add one there.")

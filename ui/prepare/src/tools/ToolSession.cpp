@@ -17,9 +17,9 @@
 namespace insonate::prepare {
 namespace {
 
-/// Limits of lengths: share of a voxel, and of the CT's longest side.
+/// Limits of lengths, relative to a voxel and to the CT's longest side.
 constexpr double kLeastOfVoxel = 0.5, kMostOfSide = 0.2;
-/// Around the voxel that was clicked.
+/// Radius around the clicked voxel.
 constexpr int kAround_HU = 60;
 
 double ml(std::size_t voxels, Vec3 spacing_mm) {
@@ -142,7 +142,7 @@ void ToolSession::addPoint(Vec3 patient_mm, views::SliceKind slice) {
   if (!points || !isFinite(patient_mm)) return;
   slice_ = slice;
   if (std::exchange(sceneLook_, std::nullopt)) points->clear();
-  // An island is one.
+  // This tool takes one point.
   if (std::holds_alternative<step::KeepIsland>(parameters_)) points->clear();
   points->push_back(patient_mm);
   Q_EMIT pointsChanged();
@@ -156,7 +156,7 @@ bool ToolSession::cutsScene() const {
 void ToolSession::addScenePoint(Vec3 patient_mm, const ScissorsView& look) {
   if (!cutsScene() || !isFinite(patient_mm)) return;
   auto& points = *pointsOf(parameters_);
-  // Seen from elsewhere, or on a slice, what was drawn means another thing.
+  // The drawing has another meaning from another view, or on a slice.
   if (!sceneLook_ || sceneLook_->eye_mm != look.eye_mm) points.clear();
   if (points.empty()) sceneLook_ = look;
   if (!sceneLook_->surface_mm) sceneLook_->surface_mm = look.surface_mm;

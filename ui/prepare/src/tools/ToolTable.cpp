@@ -8,7 +8,7 @@
 namespace insonate::prepare {
 namespace {
 
-/// `field` gives the number's place in the tool's own parameters.
+/// `field` returns a reference to the number in the tool's parameters.
 template <class Step, class Field>
 ToolNumber number(const char* name, const char* unit, ui::ValueRange range, const char* hint, Field field) {
   return {tr(name),
@@ -41,13 +41,13 @@ ToolRange range() {
           [](LabelTool& tool, HuRange value) { std::get<Step>(tool).range_HU = value; }};
 }
 
-/// Blood with contrast agent, to begin with.
+/// Default: blood with contrast agent.
 constexpr HuRange kUsualRange{150, 600};
 
 Tool brush(const char* id, const char* name, int key, const char* advice, bool erases) {
   using S = step::Paint;
   ToolNumber radius = number<S>(
-      "radius", "mm", {0.3, 40, 0, 0.5, 1}, "of the brush; + and -, [ and ], or Shift and the wheel",
+      "radius", "mm", {0.3, 40, 0, 0.5, 1}, "Radius of the brush (+ and -, [ and ], or Shift and the wheel)",
       [](auto& s) -> auto& { return s.radius_mm; });
   radius.ofVoxels = true;
   return {.id = id,
@@ -60,7 +60,7 @@ Tool brush(const char* id, const char* name, int key, const char* advice, bool e
           .numbers = {radius},
           .choices = {{tr("shape"),
                        {tr("circle in the slice"), tr("sphere")},
-                       tr("of the brush"),
+                       tr("Shape of the brush"),
                        [](const LabelTool& t) { return std::get<S>(t).sliceAxis ? 0 : 1; },
                        [](LabelTool& t, int n) {
                          auto& axis = std::get<S>(t).sliceAxis;
@@ -71,28 +71,28 @@ Tool brush(const char* id, const char* name, int key, const char* advice, bool e
 
 Tool scissors(const char* id, const char* name, const char* advice, bool erases) {
   using S = step::Scissors;
-  return {
-      .id = id,
-      .name = tr(name),
-      .group = tr("Scissors"),
-      .key = Qt::Key_4,
-      .input = ToolInput::Outline,
-      .advice = tr(advice),
-      .usual = S{},
-      .numbers = {number<S>(
-          "depth", "mm", {0, 300, 0, 5, 0},
-          "from the surface under the first corner, on slices to either side; 0 cuts through",
-          [](auto& s) -> auto& { return s.view.depth_mm; })},
-      .choices = {choice<S>(
-          "take", {tr("inside"), tr("outside")}, "of the outline", [](auto& s) -> auto& { return s.view.outside; })},
-      .leastPoints = 3,
-      .erases = erases};
+  return {.id = id,
+          .name = tr(name),
+          .group = tr("Scissors"),
+          .key = Qt::Key_4,
+          .input = ToolInput::Outline,
+          .advice = tr(advice),
+          .usual = S{},
+          .numbers = {number<S>(
+              "depth", "mm", {0, 300, 0, 5, 0},
+              "Depth from the surface under the first corner, on slices to either side; 0 cuts through everything",
+              [](auto& s) -> auto& { return s.view.depth_mm; })},
+          .choices = {choice<S>(
+              "take", {tr("inside"), tr("outside")}, "Side of the outline",
+              [](auto& s) -> auto& { return s.view.outside; })},
+          .leastPoints = 3,
+          .erases = erases};
 }
 
 std::vector<Tool> drawing() {
   return {
       brush("paint", "Paint", Qt::Key_1, "Drag on a slice.", false),
-      brush("erase", "Erase", Qt::Key_2, "Drag on a slice; only the current label is taken away.", true),
+      brush("erase", "Erase", Qt::Key_2, "Drag on a slice; only the current label is erased.", true),
       {.id = "draw",
        .name = tr("Draw"),
        .group = {},
@@ -101,12 +101,11 @@ std::vector<Tool> drawing() {
        .advice = tr("Drag around the structure on a slice, or click its corners; Enter fills the outline."),
        .usual = step::Draw{},
        .leastPoints = 3},
-      scissors(
-          "cut", "Cut away",
-          "Draw around a part, on a slice or in 3D; Enter takes from the label what lies within, as deep as one looks.",
-          true),
+      scissors("cut", "Cut away",
+               "Draw around a part, on a slice or in 3D; Enter removes the label inside the outline, along the view.",
+               true),
       scissors("scissors", "Fill",
-               "Draw around a part, on a slice or in 3D; Enter gives the label what lies within, as deep as one looks.",
+               "Draw around a part, on a slice or in 3D; Enter labels everything inside the outline, along the view.",
                false)};
 }
 
@@ -133,13 +132,13 @@ std::vector<Tool> growing() {
        .group = group,
        .key = Qt::Key_6,
        .input = ToolInput::Points,
-       .advice = tr("Click in the structure; the range is learned from around the clicks."),
+       .advice = tr("Click in the structure; the range follows from the CT around the clicks."),
        .usual = C{},
        .numbers = {number<C>(
-                       "spread", "", {0.5, 10, 0, 0.1, 1}, "standard deviations on either side of the mean",
+                       "spread", "", {0.5, 10, 0, 0.1, 1}, "Range in standard deviations on either side of the mean",
                        [](auto& s) -> auto& { return s.confidence.deviations; }),
                    number<C>(
-                       "seed", "mm", {0.5, 20, 0, 0.5, 1}, "radius around each click that is learned from",
+                       "seed", "mm", {0.5, 20, 0, 0.5, 1}, "Radius around each click that determines the range",
                        [](auto& s) -> auto& { return s.confidence.seed_mm; })},
        .leastPoints = 1},
       {.id = "seeds",
@@ -151,7 +150,8 @@ std::vector<Tool> growing() {
            tr("Paint a little of each structure first; all visible, unlocked labels then grow into the space between."),
        .usual = step::GrowSeeds{},
        .numbers = {number<step::GrowSeeds>(
-           "blur", "mm", kBlur, "of the CT before", [](auto& s) -> auto& { return s.competition.smoothing_mm; })}},
+           "blur", "mm", kBlur, "Blur of the CT before the computation",
+           [](auto& s) -> auto& { return s.competition.smoothing_mm; })}},
       {.id = "watershed",
        .name = tr("Watershed"),
        .group = group,
@@ -160,18 +160,19 @@ std::vector<Tool> growing() {
        .advice = tr("Paint a little of each structure first; borders settle where the CT is steepest."),
        .usual = step::Watershed{},
        .numbers = {number<step::Watershed>(
-           "blur", "mm", kBlur, "of the CT before", [](auto& s) -> auto& { return s.smoothing_mm; })}},
+           "blur", "mm", kBlur, "Blur of the CT before the computation",
+           [](auto& s) -> auto& { return s.smoothing_mm; })}},
       {.id = "march",
        .name = tr("Fast marching"),
        .group = group,
        .key = Qt::Key_6,
        .input = ToolInput::Points,
-       .advice = tr("Click in the structure; a front runs until it meets edges."),
+       .advice = tr("Click in the structure; a front grows until it meets edges."),
        .usual = F{},
        .numbers = {number<F>(
-                       "reach", "mm", {1, 60, 0, 1, 0}, "how far it runs",
+                       "reach", "mm", {1, 60, 0, 1, 0}, "Maximum distance from the clicks",
                        [](auto& s) -> auto& { return s.front.reach_mm; }),
-                   number<F>("edge", "HU/mm", kEdge, "the steepness that halves its speed", edge)},
+                   number<F>("edge", "HU/mm", kEdge, "Edge steepness that halves the speed of the front", edge)},
        .leastPoints = 1},
       {.id = "levelset",
        .name = tr("Level set"),
@@ -180,18 +181,19 @@ std::vector<Tool> growing() {
        .input = ToolInput::Nothing,
        .advice = tr("Moves the label's surface to the edges of the CT."),
        .usual = L{},
-       .numbers = {number<L>(
-                       "edge", "HU/mm", kEdge, "the steepness that halves its speed",
-                       [](auto& s) -> auto& { return s.levelSet.edge_HUpmm; }),
-                   number<L>(
-                       "outward", "", {-3, 3, 0, 0.1, 1}, "how strongly it grows; below 0 it shrinks",
-                       [](auto& s) -> auto& { return s.levelSet.propagation; }),
-                   number<L>(
-                       "smoothness", "", {0, 3, 0, 0.1, 1}, "how much it is kept smooth",
-                       [](auto& s) -> auto& { return s.levelSet.curvature; }),
-                   number<L>(
-                       "rounds", "", {1, 1000, 0, 10, 0}, "at most; it stops earlier where it rests",
-                       [](auto& s) -> auto& { return s.levelSet.rounds; })}}};
+       .numbers = {
+           number<L>(
+               "edge", "HU/mm", kEdge, "Edge steepness that halves the speed of the front",
+               [](auto& s) -> auto& { return s.levelSet.edge_HUpmm; }),
+           number<L>(
+               "outward", "", {-3, 3, 0, 0.1, 1}, "Strength of growth; a negative value shrinks the label",
+               [](auto& s) -> auto& { return s.levelSet.propagation; }),
+           number<L>(
+               "smoothness", "", {0, 3, 0, 0.1, 1}, "Strength of smoothing",
+               [](auto& s) -> auto& { return s.levelSet.curvature; }),
+           number<L>(
+               "rounds", "", {1, 1000, 0, 10, 0}, "Maximum number of rounds; stops earlier if the surface is stable",
+               [](auto& s) -> auto& { return s.levelSet.rounds; })}}};
 }
 
 std::vector<Tool> vessels() {
@@ -206,10 +208,10 @@ std::vector<Tool> vessels() {
            .advice = tr("Click along a vessel with contrast agent, from one end to the other, on any slices."),
            .usual = V{},
            .numbers = {number<V>(
-                           "largest", "mm", {2, 30, 0, 0.5, 1}, "no wall is looked for farther from the middle",
+                           "largest", "mm", {2, 30, 0, 0.5, 1}, "Maximum distance of the wall from the center line",
                            [](auto& s) -> auto& { return s.tracking.largest_mm; }),
                        number<V>(
-                           "blur", "mm", kBlur, "of the CT before",
+                           "blur", "mm", kBlur, "Blur of the CT before the computation",
                            [](auto& s) -> auto& { return s.tracking.smoothing_mm; })},
            .leastPoints = 2},
           {.id = "tube",
@@ -221,16 +223,16 @@ std::vector<Tool> vessels() {
                         "end to the other."),
            .usual = T{},
            .numbers = {number<T>(
-                           "largest", "mm", {2, 30, 0, 0.5, 1}, "no wall is looked for farther from the middle",
+                           "largest", "mm", {2, 30, 0, 0.5, 1}, "Maximum distance of the wall from the center line",
                            [](auto& s) -> auto& { return s.tracking.largest_mm; }),
                        number<T>(
-                           "darker", "HU", kEdge, "how much darker than its middle it may be",
+                           "darker", "HU", kEdge, "Maximum difference below the value in its middle",
                            [](auto& s) -> auto& { return s.tracking.darker_HU; }),
                        number<T>(
-                           "brighter", "HU", kEdge, "how much brighter than its middle it may be",
+                           "brighter", "HU", kEdge, "Maximum difference above the value in its middle",
                            [](auto& s) -> auto& { return s.tracking.brighter_HU; }),
                        number<T>(
-                           "stiffness", "", {0, 10, 0, 0.1, 1}, "how much its outline resists dents and bumps",
+                           "stiffness", "", {0, 10, 0, 0.1, 1}, "Resistance of the outline to dents and bumps",
                            [](auto& s) -> auto& { return s.tracking.stiffness; })},
            .leastPoints = 2}};
 }
@@ -246,7 +248,7 @@ Tool smoothing(const char* id, const char* name, const char* advice, ToolNumber 
           .numbers = {std::move(number)}};
 }
 
-/// 3D Slicer has the whole width, its kernel size.
+/// 3D Slicer uses the full width, its kernel size.
 template <class Step>
 Tool smoothingInReach(const char* id, const char* name, const char* advice, const char* hint) {
   ToolNumber radius = number<Step>(
@@ -259,7 +261,7 @@ template <class Step>
 Tool blurring(const char* id, const char* name, const char* advice) {
   return smoothing<Step>(id, name, advice,
                          number<Step>(
-                             "sigma", "mm", kRadius, "standard deviation of the blur; what is smaller goes",
+                             "sigma", "mm", kRadius, "Standard deviation of the blur; smaller details vanish",
                              [](auto& s) -> auto& { return s.sigma_mm; }));
 }
 
@@ -269,80 +271,82 @@ std::vector<Tool> shaping() {
   using M = step::Margin;
   using H = step::Hollow;
   const QString islands = tr("Islands"), shape = tr("Shape");
-  return {smoothingInReach<step::Median>("median", "Median", "Takes bumps and fills dents of the label.",
-                                         "of the block around each voxel that decides; half of Slicer's kernel size"),
-          smoothingInReach<step::Opening>("opening", "Opening", "Removes thin bridges and spikes.",
-                                          "what is narrower than twice this goes; half of Slicer's kernel size"),
-          smoothingInReach<step::Closing>("closing", "Closing", "Fills gaps and pits.",
-                                          "what is narrower than twice this is filled; half of Slicer's kernel size"),
-          blurring<step::Gaussian>("gaussian", "Gaussian", "Rounds the label."),
-          blurring<step::SmoothTogether>("joint", "Together",
-                                         "Smooths all visible, unlocked labels without gaps between them."),
-          {.id = "largest",
-           .name = tr("Keep largest"),
-           .group = islands,
-           .key = Qt::Key_9,
-           .advice = tr("Keeps the largest parts of the label; the rest becomes soft tissue."),
-           .usual = I{},
-           .numbers = {number<I>(
-               "parts", "", {1, 50, 0, 1, 0}, "that are kept", [](auto& s) -> auto& { return s.islands; })}},
-          {.id = "small",
-           .name = tr("Remove small"),
-           .group = islands,
-           .key = Qt::Key_9,
-           .advice = tr("Parts of the label that are smaller become soft tissue."),
-           .usual = R{},
-           .numbers = {number<R>(
-               "least", "mm\u00b3", {1, 10000, 0, 10, 0}, "volume of parts that are kept",
-               [](auto& s) -> auto& { return s.least_mm3; })}},
-          {.id = "island",
-           .name = tr("Keep part"),
-           .group = islands,
-           .key = Qt::Key_9,
-           .input = ToolInput::Points,
-           .advice = tr("Click the part of the label to keep."),
-           .usual = step::KeepIsland{},
-           .leastPoints = 1},
-          {.id = "margin",
-           .name = tr("Margin"),
-           .group = shape,
-           .key = Qt::Key_0,
-           .advice = tr("Makes the label larger on all sides, or smaller below 0."),
-           .usual = M{},
-           .numbers = {number<M>(
-               "margin", "mm", {-20, 20, 0, 0.5, 1}, "above 0 larger", [](auto& s) -> auto& { return s.margin_mm; })}},
-          {.id = "hollow",
-           .name = tr("Hollow"),
-           .group = shape,
-           .key = Qt::Key_0,
-           .advice = tr("Keeps the wall of the label."),
-           .usual = H{},
-           .numbers = {number<H>(
-               "wall", "mm", kRadius, "its thickness", [](auto& s) -> auto& { return s.thickness_mm; })},
-           .choices = {choice<H>(
-               "lies", {tr("inside"), tr("half and half"), tr("outside")}, "of the surface",
-               [](auto& s) -> auto& { return s.wall; })}},
-          {.id = "logical",
-           .name = tr("Combine"),
-           .group = shape,
-           .key = Qt::Key_0,
-           .advice = tr("Adds another label to this one, takes away what lies near it, or leaves only that."),
-           .usual = step::Logical{LogicalOperation::kAdd, 0},
-           .numbers = {number<step::Logical>(
-               "reach", "mm", {0, 20, 0, 0.5, 1}, "around the other label, counted as part of it",
-               [](auto& s) -> auto& { return s.reach_mm; })},
-           .choices = {choice<step::Logical>(
-               "do", {tr("add"), tr("subtract"), tr("intersect")}, "with the other label",
-               [](auto& s) -> auto& { return s.operation; })},
-           .other = ToolLabel{tr("with"), tr("the other label"),
-                              [](const LabelTool& t) { return std::get<step::Logical>(t).with; },
-                              [](LabelTool& t, std::uint8_t label) { std::get<step::Logical>(t).with = label; }}},
-          {.id = "fill",
-           .name = tr("Fill between"),
-           .group = shape,
-           .key = Qt::Key_0,
-           .advice = tr("Interpolates the label between the slices on which it was drawn, along the slices used last."),
-           .usual = step::FillBetween{}}};
+  return {
+      smoothingInReach<step::Median>("median", "Median", "Removes bumps and fills dents of the label.",
+                                     "Radius of the block around each voxel; half of the kernel size in Slicer"),
+      smoothingInReach<step::Opening>("opening", "Opening", "Removes thin bridges and spikes.",
+                                      "Removes parts narrower than twice this; half of the kernel size in Slicer"),
+      smoothingInReach<step::Closing>("closing", "Closing", "Fills gaps and pits.",
+                                      "Fills gaps narrower than twice this; half of the kernel size in Slicer"),
+      blurring<step::Gaussian>("gaussian", "Gaussian", "Rounds the label."),
+      blurring<step::SmoothTogether>("joint", "Together",
+                                     "Smooths all visible, unlocked labels without gaps between them."),
+      {.id = "largest",
+       .name = tr("Keep largest"),
+       .group = islands,
+       .key = Qt::Key_9,
+       .advice = tr("Keeps the largest parts of the label; the rest becomes soft tissue."),
+       .usual = I{},
+       .numbers = {number<I>(
+           "parts", "", {1, 50, 0, 1, 0}, "Number of parts to keep", [](auto& s) -> auto& { return s.islands; })}},
+      {.id = "small",
+       .name = tr("Remove small"),
+       .group = islands,
+       .key = Qt::Key_9,
+       .advice = tr("Smaller parts of the label become soft tissue."),
+       .usual = R{},
+       .numbers = {number<R>(
+           "least", "mm\u00b3", {1, 10000, 0, 10, 0}, "Minimum volume of parts to keep",
+           [](auto& s) -> auto& { return s.least_mm3; })}},
+      {.id = "island",
+       .name = tr("Keep part"),
+       .group = islands,
+       .key = Qt::Key_9,
+       .input = ToolInput::Points,
+       .advice = tr("Click the part of the label to keep."),
+       .usual = step::KeepIsland{},
+       .leastPoints = 1},
+      {.id = "margin",
+       .name = tr("Margin"),
+       .group = shape,
+       .key = Qt::Key_0,
+       .advice = tr("Makes the label larger on all sides, or smaller below 0."),
+       .usual = M{},
+       .numbers = {number<M>(
+           "margin", "mm", {-20, 20, 0, 0.5, 1}, "Distance of the new surface; negative: smaller",
+           [](auto& s) -> auto& { return s.margin_mm; })}},
+      {.id = "hollow",
+       .name = tr("Hollow"),
+       .group = shape,
+       .key = Qt::Key_0,
+       .advice = tr("Keeps the wall of the label."),
+       .usual = H{},
+       .numbers = {number<H>(
+           "wall", "mm", kRadius, "Thickness of the wall", [](auto& s) -> auto& { return s.thickness_mm; })},
+       .choices = {choice<H>(
+           "lies", {tr("inside"), tr("half and half"), tr("outside")}, "Position of the wall relative to the surface",
+           [](auto& s) -> auto& { return s.wall; })}},
+      {.id = "logical",
+       .name = tr("Combine"),
+       .group = shape,
+       .key = Qt::Key_0,
+       .advice = tr("Adds another label, subtracts the voxels near it, or keeps only those near it."),
+       .usual = step::Logical{LogicalOperation::kAdd, 0},
+       .numbers = {number<step::Logical>(
+           "reach", "mm", {0, 20, 0, 0.5, 1}, "Distance around the other label that counts as part of it",
+           [](auto& s) -> auto& { return s.reach_mm; })},
+       .choices = {choice<step::Logical>(
+           "do", {tr("add"), tr("subtract"), tr("intersect")}, "Operation with the other label",
+           [](auto& s) -> auto& { return s.operation; })},
+       .other = ToolLabel{tr("with"), tr("the other label"),
+                          [](const LabelTool& t) { return std::get<step::Logical>(t).with; },
+                          [](LabelTool& t, std::uint8_t label) { std::get<step::Logical>(t).with = label; }}},
+      {.id = "fill",
+       .name = tr("Fill between"),
+       .group = shape,
+       .key = Qt::Key_0,
+       .advice = tr("Interpolates the label between the slices on which it was drawn, in the last slice direction."),
+       .usual = step::FillBetween{}}};
 }
 
 std::vector<Tool> all() {
@@ -356,7 +360,7 @@ std::vector<Tool> all() {
                    .usual = step::Threshold{kUsualRange},
                    .range = range<step::Threshold>()});
   for (auto part : {growing(), vessels(), shaping()}) tools.insert(tools.end(), part.begin(), part.end());
-  // Resetting gives back what the tool begins with.
+  // Reset restores the defaults of the tool.
   for (Tool& tool : tools)
     for (ToolNumber& one : tool.numbers) one.range.usual = one.get(tool.usual);
   return tools;

@@ -27,7 +27,7 @@
 namespace insonate::prepare {
 namespace {
 
-/// 3D follows the probe this often at most, and is drawn in full detail when it has rested.
+/// Minimum interval at which 3D follows the probe; at rest it is drawn in full detail.
 constexpr int kFollow_ms = 80, kRest_ms = 400;
 constexpr double kAcross_deg = 15, kUp_deg = 25;
 
@@ -106,7 +106,7 @@ void CaseViews::arrange() {
     row->setChildrenCollapsible(false);
     row->setHandleWidth(ui::kSmallGap);
     rows_->addWidget(row);
-    // Both rows keep one column line.
+    // Both rows have the same column widths.
     connect(row, &QSplitter::splitterMoved, this, [this, row] {
       QSplitter* other = row == columns_[0] ? columns_[1] : columns_[0];
       other->setSizes(row->sizes());
@@ -245,7 +245,7 @@ void CaseViews::showPlaces() {
 
 void CaseViews::placeCamera() {
   scene_->look(views::Viewpoint::Anterior);
-  // From the side where the probe is.
+  // Views from the side of the probe.
   const auto pose = shared_.live.pose();
   const bool right = pose && pose->offset.x < shared_.openCase.patient()->ct.geometry.centre_mm().x;
   scene_->orbit(right ? kAcross_deg : -kAcross_deg, kUp_deg);
@@ -256,7 +256,7 @@ void CaseViews::followProbe() {
   const LivePatient& live = shared_.live;
   const auto pose = live.pose();
   if (!shared_.openCase.patient() || !pose) return;
-  // There is no skin for it to stand on.
+  // There is no skin for the probe.
   if (isUnlabelled()) {
     scene_->setProbe(std::nullopt);
     return rest_.start();
@@ -272,7 +272,7 @@ void CaseViews::followProbe() {
 void CaseViews::pickAt(QPoint at) {
   const double ratio = widgets_[kSlices]->devicePixelRatioF();
   const views::DisplayPoint point{(at.x() + 0.5) * ratio, (at.y() + 0.5) * ratio};
-  // A click on a vein that shines through the skin means the vein.
+  // A click on a vein that is visible through the skin selects the vein.
   constexpr double kSeenThrough = 0.5;
   auto picked = scene_->pick(point, kSeenThrough);
   if (!picked) picked = scene_->pick(point);

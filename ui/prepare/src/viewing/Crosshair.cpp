@@ -9,7 +9,7 @@
 namespace insonate::prepare {
 namespace {
 
-/// Center of the middle voxel: between two voxels, slices blend both, and the labels are of one side.
+/// Center of the middle voxel: between two voxels, slices would blend both, and labels would be those of one side.
 Vec3 middleOf(const VolumeGeometry& grid) {
   const auto [i, j, k] = nearestVoxel(grid.indexFromPatient() * grid.centre_mm());
   return grid.patientFromIndex() * Vec3{double(i), double(j), double(k)};
@@ -22,7 +22,7 @@ Crosshair::Crosshair(OpenCase& openCase, LivePatient& live, Notice& notice, QObj
   connect(&openCase_, &OpenCase::opened, this,
           [this] { position_mm_ = openCase_.patient() ? middleOf(openCase_.patient()->ct.geometry) : Vec3{}; });
   connect(&live_, &LivePatient::started, this, [this] {
-    // The view begins where the case begins, unless the author already looks elsewhere.
+    // The view starts at the case's start pose, unless the author has already moved it.
     if (position_mm_ != middleOf(openCase_.patient()->ct.geometry)) return;
     position_mm_ = live_.start()->position_mm;
     Q_EMIT moved();

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::int64_t kTrack_us = 1'000'000 / kTrack_Hz;
 
-/// Takes the stream of an attempt and keeps what is shown of it.
+/// Receives the stream of an attempt and keeps the displayed parts.
 class Pass {
  public:
   Pass(AttemptDigest& digest, ProcedureRun run) : digest_(digest), run_(std::move(run)) {}
@@ -75,7 +75,7 @@ Result<std::shared_ptr<const AttemptDigest>> digestOf(const std::string& file, c
   if (!procedure) digest->troubles.push_back("Steps and rules are not shown: " + procedure.error().message);
   const AttemptHeader& header = recording->header();
   Pass pass(*digest, ProcedureRun(procedure.value_or(Procedure{}), header.picture, header.vessels));
-  // Blocks that cannot be found are no stretches.
+  // Blocks that cannot be found are not stretches.
   bool whole = true;
   for (std::size_t i = 0; i < recording->stretches(); ++i) {
     if (!report(progress, "reading the attempt", double(i) / double(recording->stretches())))

@@ -15,7 +15,7 @@ const Stretch* ReplayReader::stretch(std::size_t index) {
 
 std::optional<AttemptSample> ReplayReader::at(std::int64_t time_us) {
   if (recording_->stretches() == 0) return std::nullopt;
-  // An event may begin a stretch before its first sample: then it is the stretch before that holds the last one.
+  // An event may begin a stretch before its first sample: then the stretch before contains the last sample.
   for (std::size_t index = recording_->stretchAt(time_us);; --index) {
     const Stretch* found = stretch(index);
     if (!found) return std::nullopt;
@@ -25,7 +25,7 @@ std::optional<AttemptSample> ReplayReader::at(std::int64_t time_us) {
   }
 }
 
-/// Behind stretches that hold nothing but events.
+/// Moves past stretches that contain only events.
 std::optional<AttemptSample> ReplayReader::first() {
   for (std::size_t index = 0; index < recording_->stretches(); ++index) {
     const Stretch* found = stretch(index);

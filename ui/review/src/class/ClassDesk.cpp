@@ -10,7 +10,7 @@ namespace {
 
 using Standings = std::map<std::string, Standing>;
 
-/// Number of people whose attempts are read at once: other queries wait that long.
+/// Number of people whose attempts are read in one query, which other queries must wait for.
 constexpr std::ptrdiff_t kTogether = 20;
 
 }  // namespace
@@ -52,7 +52,7 @@ const HeatMap& ClassDesk::heat() const {
   return facts_ ? facts_->heat : none;
 }
 
-/// The former user's data must not stay visible.
+/// The data of the former user must not stay visible.
 void ClassDesk::forget() {
   cohorts_.clear(), queue_.clear();
   facts_.reset(), own_.reset(), trouble_.clear();

@@ -180,7 +180,7 @@ void ClassPage::showClass() {
   showConcerns();
 }
 
-/// The table, or why there is none.
+/// The table, or the reason why there is none.
 void ClassPage::showPlace() {
   QString words;
   if (!desk_.trouble().isEmpty())

@@ -96,7 +96,7 @@ QVariant ClassTable::aboutMetric(const Member& member, std::size_t metric, int r
   switch (role) {
     case Qt::DisplayRole:
       return cell.value ? numberOf(*cell.value) : tr("n/a");
-    case kSort:  // what is missing comes last where the best are first
+    case kSort:  // missing values come last if the best come first
       return cell.share.value_or(-1);
     case kGround:
       return cell.share ? QVariant(heatColour(*cell.share)) : QVariant();

@@ -30,11 +30,10 @@ void HeatLegend::paintEvent(QPaintEvent*) {
   for (int x = 0; x < kBar_px; ++x)
     painter.fillRect(from + x, ui::kSmallGap, 1, height() - 2 * ui::kSmallGap, heatColour(100.0 * x / kBar_px));
   painter.setPen(ui::colour(views::theme::kQuiet));
-  painter.drawText(
-      QRect(from + kBar_px + ui::kGap, 0, width(), height()), Qt::AlignVCenter,
-      right + tr("      mean of the last %1 attempts, without free practice      n/a: no data      without a "
-                 "color: nothing to compare with")
-                  .arg(kLastAttempts));
+  painter.drawText(QRect(from + kBar_px + ui::kGap, 0, width(), height()), Qt::AlignVCenter,
+                   right + tr("      mean of the last %1 attempts, without free practice      n/a: no data      "
+                              "without a color: no published values")
+                               .arg(kLastAttempts));
 }
 
 }  // namespace insonate::review

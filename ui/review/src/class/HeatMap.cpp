@@ -48,7 +48,7 @@ QColor heatColour(double share) {
 }
 
 QColor inkOn(const QColor& ground) {
-  // Relative luminance of WCAG 2; black and white are equally far at 0.18.
+  // Relative luminance of WCAG 2; black and white have equal contrast at 0.18.
   const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
   const double luminance =
       0.2126 * linear(ground.redF()) + 0.7152 * linear(ground.greenF()) + 0.0722 * linear(ground.blueF());
@@ -57,7 +57,7 @@ QColor inkOn(const QColor& ground) {
 
 QString heatWords(const std::optional<double>& share) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("Review", text); };
-  if (!share) return tr("nothing to compare with");
+  if (!share) return tr("no published values");
   return *share >= 99   ? tr("as an expert")
          : *share >= 67 ? tr("near expert")
          : *share >= 34 ? tr("midway")

@@ -20,7 +20,7 @@ std::vector<double> valuesOf(const HeatMap& heat, std::size_t metric) {
   return values;
 }
 
-/// A person's mean of counts is no count.
+/// A person's mean of counts is not a count.
 ValueKind kindOfMeans(const MetricMeaning& meaning) {
   return meaning.kind == ValueKind::Count ? ValueKind::NotNegative : meaning.kind;
 }
@@ -34,7 +34,7 @@ QString meanWords(const QString& name, std::span<const double> values, ValueKind
       .arg(words, numberOf(mean->interval->low), numberOf(mean->interval->high), basis);
 }
 
-/// A dot for each person, beside the box at x; strewn so that dots of one height lie apart.
+/// A dot for each person, beside the box at x; dots of similar height are spread sideways.
 ui::ChartPicture::Line peopleBeside(double x, std::span<const double> values, ui::ChartPicture::Tone tone) {
   constexpr double kNear = 0.14, kWide = 0.12, kGolden = 0.618034;
   ui::ChartPicture::Line dots{.name = {}, .points = {}, .tone = tone, .pen = Qt::NoPen, .dots = true};
@@ -43,7 +43,7 @@ ui::ChartPicture::Line peopleBeside(double x, std::span<const double> values, ui
   return dots;
 }
 
-/// Number of people in both classes; the p-value treats them as different people.
+/// Number of people in both classes; the p value treats them as different people.
 std::size_t inBoth(const ComparedClass& first, const ComparedClass& second) {
   return std::size_t(
       std::ranges::count_if(first.heat, [&](const auto& one) { return second.heat.contains(one.first); }));

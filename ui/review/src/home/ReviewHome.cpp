@@ -88,7 +88,7 @@ void ReviewHome::addTab(Tab tab, const char* object, const QString& text, const 
 
 void ReviewHome::connectParts() {
   connect(tabs_, &QButtonGroup::idClicked, this, [this](int tab) {
-    // From the class, to whose row is chosen there.
+    // From the class page to the selected person.
     const QString person = tab == kPerson && classPage_->isVisible() ? classPage_->chosenPerson() : QString();
     person.isEmpty() ? showTab(tab) : choosePerson(person);
   });
@@ -119,14 +119,14 @@ void ReviewHome::setAccount(ui::Account& account) {
   showSignedInPages();
 }
 
-/// Tabs and pages of who sits here now; nothing of who sat here before.
+/// Shows the tabs and pages of the present user, and no data of the former one.
 void ReviewHome::showSignedInPages() {
   const bool somebody = room_->isSomebody();
   bar_->setVisible(somebody);
   for (const Tab tab : {kClass, kCompare, kRaters}) tabs_->button(tab)->setVisible(room_->teaches());
   const QKeySequence key = tabs_->button(kPerson)->shortcut();
   tabs_->button(kPerson)->setText(room_->teaches() ? tr("Person") : tr("My attempts"));
-  tabs_->button(kPerson)->setShortcut(key);  // which a new text takes away
+  tabs_->button(kPerson)->setShortcut(key);  // setting a text removes the shortcut
   person_->show({}, std::nullopt);
   notice_->setVisible(!somebody);
   notice_->setText(account_ && account_->state() == ui::Account::State::Unreachable
@@ -136,7 +136,7 @@ void ReviewHome::showSignedInPages() {
   if (somebody && !room_->teaches()) person_->show(account_->person().id, std::nullopt);
 }
 
-/// A trainee's own page follows the curriculum of their class.
+/// The own page of a trainee uses the curriculum of the trainee's class.
 void ReviewHome::showSelf() {
   if (room_->isSomebody() && !room_->teaches() && room_->curriculum())
     person_->show(account_->person().id, *room_->curriculum());

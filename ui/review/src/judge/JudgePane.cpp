@@ -125,11 +125,11 @@ const Form& JudgePane::form() const {
   return forms_[std::size_t(choice_->currentIndex())];
 }
 
-/// The chosen form's, with what was answered before.
+/// The selected form, with the answers so far.
 void JudgePane::showSheet() {
   if (keeping_.isActive()) keepDraft();
   sheet_ = new ui::FormSheet(form());
-  scroll_->setWidget(sheet_);  // deletes the one before
+  scroll_->setWidget(sheet_);  // deletes the former sheet
   subject_ = desk_.subject();
   if (!subject_.by.empty()) sheet_->setAnswers(draft_->read(subject_, form()));
   connect(sheet_, &ui::FormSheet::changed, &keeping_, qOverload<>(&QTimer::start));
@@ -190,12 +190,13 @@ void JudgePane::handIn() {
   keepDraft();
   handIn_->setEnabled(false);
   handing_ = {subject_, form()};
-  // Forgotten with the store's yes, not with ours: who has signed out by then does not find a draft of what is stored.
+  // The draft is deleted when the store has confirmed, also if the user has signed out by then, so that no draft of a
+  // stored form remains.
   desk_.handIn(form(), sheet_->answers(),
                [draft = draft_, subject = subject_, form = form()] { draft->keep(subject, form, {}); });
 }
 
-/// Meanwhile another form or attempt may have been chosen.
+/// The user may have selected another form or attempt meanwhile.
 void JudgePane::handedIn() {
   const auto& [subject, form] = handing_;
   Q_EMIT said(tr("Handed in. The trainee can now read it beside the attempt."));

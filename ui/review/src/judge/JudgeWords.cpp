@@ -10,7 +10,7 @@ namespace insonate::review {
 QString coefficientOf(const std::optional<double>& value) {
   if (!value) return tr("n/a");
   const double rounded = std::round(*value * 100) / 100;
-  return QString::number(rounded == 0 ? 0 : rounded, 'f', 2);  // not "-0.00"
+  return QString::number(rounded == 0 ? 0 : rounded, 'f', 2);  // avoids "-0.00"
 }
 
 QString coefficientOf(const std::optional<Estimate>& value) {

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kRow_px = 24, kAnswer_px = 130;
 
-/// As it is told in one cell: the answer, and the note to it.
+/// Text of a cell: the answer, and its note.
 QString cellOf(const FormItem& item, const FormAnswers& answers) {
   const QString answer = QString::fromStdString(answerText(item, answers));
   const QString note = QString::fromStdString(noteText(item, answers));
@@ -101,7 +101,7 @@ void JudgementTable::fill() {
     }
 }
 
-/// A sign marks items on which raters differ, not color alone.
+/// A sign marks items on which raters differ, in addition to color.
 void JudgementTable::fillRow(int row, const FormItem& item, bool differs) {
   const auto set = [&](int column, const QString& text) {
     auto* cell = new QTableWidgetItem(text);

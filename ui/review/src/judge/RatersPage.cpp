@@ -58,10 +58,11 @@ RatersPage::RatersPage(const ClassDesk& desk, QWidget* parent)
       choice_(new QComboBox),
       save_(new QPushButton(ui::icon(QStringLiteral("save")), tr("Save table ..."))),
       words_(new QLabel),
-      pairs_(tableOf("raterPairs", tr("Pairs of raters and their agreement"),
-                     {tr("Raters"), tr("Attempts"), tr("Answers"), tr("Alike"), tr("Kappa"), tr("ICC of the scores")})),
+      pairs_(tableOf(
+          "raterPairs", tr("Pairs of raters and their agreement"),
+          {tr("Raters"), tr("Attempts"), tr("Answers"), tr("Agreement"), tr("Kappa"), tr("ICC of the scores")})),
       items_(tableOf("raterItems", tr("Agreement of the selected pair on each item"),
-                     {tr("Item"), tr("Answers"), tr("Alike"), tr("Kappa"), tr("ICC of the points")})) {
+                     {tr("Item"), tr("Answers"), tr("Agreement"), tr("Kappa"), tr("ICC of the points")})) {
   for (const std::string& name : formPresetNames())
     if (auto form = loadForm(name); form && form->purpose != Form::Purpose::Questionnaire)
       forms_.push_back(std::move(*form));
@@ -75,7 +76,7 @@ RatersPage::RatersPage(const ClassDesk& desk, QWidget* parent)
   box->addWidget(words_);
   box->addWidget(pairs_, 1);
   box->addWidget(items_, 3);
-  box->addStretch();  // where there are no tables
+  box->addStretch();  // if there are no tables
   connect(pairs_, &QTableWidget::itemSelectionChanged, this, [this] { showItems(); });
   connect(&desk_, &ClassDesk::classChanged, this, [this] {
     known_ = false;

@@ -45,7 +45,7 @@ AttemptList::AttemptList(QWidget* parent)
   box->addWidget(words_);
   box->addWidget(buildTable(), 100);
   box->addLayout(row);
-  box->addStretch(1);  // where there is no table
+  box->addStretch(1);  // if there is no table
   auto* middle = new QHBoxLayout(this);
   middle->setContentsMargins(ui::kLargeGap, ui::kLargeGap, ui::kLargeGap, ui::kLargeGap);
   middle->addStretch(1);

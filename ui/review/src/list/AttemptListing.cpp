@@ -17,7 +17,7 @@ std::vector<ListedAttempt> attemptsIn(const QString& folder) {
     const auto recording = AttemptRecording::open(file.toStdString());
     if (recording) attempts.push_back({file, recording->header(), recording->status(), recording->end_us()});
   }
-  // ISO 8601 in one time zone: the order of letters is that of time.
+  // ISO 8601 in one time zone, so that alphabetical order is that of time.
   std::ranges::stable_sort(attempts, std::greater{}, [](const ListedAttempt& one) { return one.header.begun; });
   return attempts;
 }

@@ -36,13 +36,13 @@ enum HistoryColumn {
 };
 
 QString placeOf(const KeptAttempt& attempt, const QString& recording) {
-  if (!attempt.recordingFile.empty()) return HistoryTable::tr("kept with the store");
-  if (!recording.isEmpty()) return HistoryTable::tr("here");
+  if (!attempt.recordingFile.empty()) return HistoryTable::tr("in the store");
+  if (!recording.isEmpty()) return HistoryTable::tr("on this computer");
   if (attempt.facts.recording.empty()) return HistoryTable::tr("none");
   return HistoryTable::tr("on %1").arg(QString::fromStdString(attempt.facts.workstation));
 }
 
-/// The recording of this attempt is not to be had, and what to do.
+/// States that the recording of this attempt is not available, and what to do.
 QString whyNoReplay(const KeptAttempt& attempt) {
   if (attempt.facts.recording.empty()) return HistoryTable::tr("This attempt has no recording.");
   return HistoryTable::tr("The recording '%1' is not on this computer but on %2. Copy it from there into %3.")
@@ -50,7 +50,7 @@ QString whyNoReplay(const KeptAttempt& attempt) {
            QDir::toNativeSeparators(ui::attemptsFolder()));
 }
 
-/// It has ended, and nothing vouches for it.
+/// The attempt has ended and is not proven.
 bool isUnproven(const KeptAttempt& attempt) {
   const AttemptState state = attempt.facts.state;
   return (state == AttemptState::Completed || state == AttemptState::Abandoned) && !attempt.crashed &&
@@ -114,14 +114,14 @@ QWidget* HistoryTable::buildButtons() {
   void_->setToolTip(tr("Excludes the attempt from the count, with a reason; it stays in the list (Delete)"));
   void_->setShortcut(QKeySequence(Qt::Key_Delete));
   earlier_->setObjectName(QStringLiteral("earlierAttempts"));
-  earlier_->setToolTip(tr("Lists the %1 attempts before these").arg(kPage));
+  earlier_->setToolTip(tr("Lists %1 earlier attempts").arg(kPage));
   words_->setObjectName(QStringLiteral("historyWords"));
   words_->setTextFormat(Qt::PlainText);
   words_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   ui::setRole(words_, "quiet");
   connect(replay_, &QPushButton::clicked, this, [this] { replay(); });
   accept_->setObjectName(QStringLiteral("acceptAttempt"));
-  accept_->setToolTip(tr("Counts this unproven pass on your word, with a reason"));
+  accept_->setToolTip(tr("Accepts this unproven pass with a reason, so that it counts"));
   connect(void_, &QPushButton::clicked, this, [this] { askReason(Change::Void); });
   connect(accept_, &QPushButton::clicked, this, [this] { askReason(Change::Accept); });
   connect(earlier_, &QPushButton::clicked, this, [this] { desk_.readEarlier(); });

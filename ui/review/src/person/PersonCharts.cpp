@@ -22,7 +22,7 @@ MetricMeaning sharedMeaning(const std::vector<const AttemptFacts*>& attempts, co
   return same ? MetricBook::here().in(procedure, meaning) : meaning;
 }
 
-/// Among the others of the class; those who are as good are not outdone.
+/// Rank among the others of the class; equal values do not count as worse.
 QString placeWords(const std::vector<double>& all, double own, const MetricMeaning& meaning) {
   const double others = double(all.size() - 1);
   const auto percentOf = [others](auto people) { return QString::number(100 * double(people) / others, 'f', 0); };

@@ -88,7 +88,7 @@ QWidget* PersonPage::buildCharts() {
   auto* row = new QHBoxLayout(charts);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(ui::kGap);
-  // Legends and titles of the smaller two fit at 1366 px.
+  // The legends and titles of the two smaller charts fit at 1366 px.
   row->addWidget(learning_, 9);
   row->addWidget(cusum_, 8);
   row->addWidget(place_, 5);

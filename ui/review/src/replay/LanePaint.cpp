@@ -15,7 +15,7 @@ namespace {
 namespace theme = views::theme;
 using ui::colour;
 
-/// 1, 2 or 5 times a power of ten, not below `least`.
+/// 1, 2 or 5 times a power of ten, at least `least`.
 double roundStep(double least) {
   const double ten = std::pow(10, std::floor(std::log10(least)));
   for (const double step : {1.0, 2.0, 5.0})
@@ -98,7 +98,7 @@ void LanePaint::bars(const QRect& lane, const std::function<bool(const TrackPoin
   }
 }
 
-/// Downwards, as in the image; in the needle's colour.
+/// Downward, as in the image, in the color of the needle.
 void LanePaint::depth() {
   const QRect lane = layout_.depth;
   double most_mm = 10;
@@ -159,7 +159,7 @@ void LanePaint::marks() {
         paintMark(painter_, at, moment.severity);
       }
   };
-  // Errors are painted over other events.
+  // Errors are drawn over other events.
   paint(false);
   paint(true);
 }

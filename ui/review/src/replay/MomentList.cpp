@@ -15,7 +15,7 @@ namespace insonate::review {
 namespace {
 
 constexpr int kMark_px = 20;
-/// Space of a row beside and above its words: the mark, and the style sheet's padding.
+/// Space of a row beside and above its text: the mark, and the padding of the style sheet.
 constexpr int kBeside_px = kMark_px + 24, kAround_px = 14;
 
 QIcon markOf(const std::optional<Severity>& severity, double ratio) {
@@ -26,7 +26,7 @@ QIcon markOf(const std::optional<Severity>& severity, double ratio) {
   painter.setRenderHint(QPainter::Antialiasing);
   paintMark(painter, {kMark_px / 2.0, kMark_px / 2.0}, severity);
   QIcon icon;
-  // The mark keeps its color where its row is chosen.
+  // The mark keeps its color in a selected row.
   for (const QIcon::Mode mode : {QIcon::Normal, QIcon::Selected}) icon.addPixmap(pixmap, mode);
   return icon;
 }
@@ -75,7 +75,7 @@ void MomentList::resizeEvent(QResizeEvent* event) {
   fit();
 }
 
-/// Qt counts rows without the style sheet's padding, and would cut words off.
+/// Qt computes the height of rows without the padding of the style sheet, and would cut off texts.
 void MomentList::fit() {
   const QRect room(0, 0, std::max(1, viewport()->width() - kBeside_px), QWIDGETSIZE_MAX);
   for (int row = 0; row < count(); ++row) {

@@ -9,7 +9,7 @@
 
 namespace insonate::review {
 
-/// Renders images, on whichever thread makes the next one: created with the first, since it reads the whole case.
+/// Renders images, on any thread; created with the first image, since it reads the whole case.
 class ReplayPicture::Maker {
  public:
   Maker(std::shared_ptr<const AttemptRecording> recording, std::shared_ptr<const PatientCase> patient)
@@ -34,7 +34,7 @@ ReplayPicture::~ReplayPicture() {
 }
 
 void ReplayPicture::set(std::shared_ptr<const AttemptRecording> recording, std::shared_ptr<const PatientCase> patient) {
-  // Its threads end within a fraction of a second, which is too long for the window.
+  // Its threads take a fraction of a second to end, too long for the window's thread.
   if (maker_) (void)QtConcurrent::run([old = std::exchange(maker_, nullptr)] {});
   maker_ = recording && patient ? std::make_shared<Maker>(std::move(recording), std::move(patient)) : nullptr;
   wanted_us_.reset(), madeFor_us_.reset();

@@ -14,10 +14,10 @@
 namespace insonate::review {
 namespace {
 
-/// 3D follows this often at most, and is drawn in full detail when it has rested.
+/// Minimum interval between updates of 3D, which is drawn in full detail at rest.
 constexpr int kFollow_ms = 80, kRest_ms = 400;
 constexpr double kAcross_deg = 10, kUp_deg = 42, kNearer = 1.8, kSkinOpacity = 0.25;
-/// Steps of a path that are seen.
+/// Minimum length of a visible step of a path.
 constexpr double kStep_mm = 0.2;
 
 }  // namespace
@@ -32,7 +32,7 @@ std::vector<views::ScenePath> pathOf(const AttemptDigest& attempt) {
     }
     const views::Colour colour = ui::wordsOf(point.place).colour;
     if (broken || paths.back().colour != colour) {
-      // Pieces of one way meet.
+      // Pieces of one path share their end points.
       const auto join = broken ? std::vector<Vec3>{} : std::vector<Vec3>{paths.back().points_mm.back()};
       paths.push_back({join, colour});
       broken = false;
@@ -118,7 +118,7 @@ void ReplayScene::showHands() {
   placeCamera();
 }
 
-/// As it was set, also where its image cannot be made.
+/// As set in the attempt, even if its image cannot be made.
 void ReplayScene::showProbe(const AttemptSample& sample) {
   const auto text = session_.attempt()->recording->settingsAt(sample.time_us);
   if (text && *text != settings_) {
@@ -132,7 +132,7 @@ void ReplayScene::showProbe(const AttemptSample& sample) {
   pictured_ = frame;
 }
 
-/// From above the probe, so that needle and image are seen.
+/// From above the probe, so that needle and image are visible.
 void ReplayScene::placeCamera() {
   if (!cameraDue_ || !session_.fits() || !session_.surfacesThere() || !widget_->isVisible()) return;
   const auto& track = session_.attempt()->track;
@@ -140,7 +140,7 @@ void ReplayScene::placeCamera() {
   const double side = first != track.end() && first->tip_mm->x < session_.patient()->ct.geometry.centre_mm().x ? 1 : -1;
   view_->look(views::Viewpoint::Anterior);
   view_->orbit(side * kAcross_deg, kUp_deg);
-  // The place of the puncture in the middle.
+  // The place of the puncture is in the middle.
   if (first != track.end()) {
     const auto deepest = std::ranges::max_element(
         track, {}, [](const TrackPoint& p) { return p.tip_mm ? p.needleDepth_mm.value_or(-1) : -2; });

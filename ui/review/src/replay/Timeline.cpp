@@ -54,7 +54,7 @@ void Timeline::setRange(double first_us, double last_us) {
   update();
 }
 
-/// Scrolls a partial view with the time.
+/// Scrolls a zoomed view with the time.
 void Timeline::follow() {
   const std::int64_t now_us = session_.time_us();
   if (dragging_ || (now_us >= first_us_ && now_us <= last_us_)) return;
@@ -79,7 +79,7 @@ int Timeline::momentAt(QPoint at) const {
   const auto& moments = session_.attempt()->moments;
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const int off = std::abs(xOf(moments[i].time_us) - at.x());
-    // Errors come first among moments in one place.
+    // Errors come first among moments at the same place.
     if (off < least || (off == least && nearest >= 0 && moments[i].severity)) least = off, nearest = int(i);
   }
   return nearest;

@@ -16,7 +16,7 @@
 namespace insonate::review {
 namespace {
 
-/// Less is printed as 0.0.
+/// A smaller value is shown as 0.0.
 constexpr double kFelt_N = 0.05;
 
 }  // namespace
@@ -53,7 +53,7 @@ Transport::Transport(ReviewSession& session, QWidget* parent)
   hands_->setObjectName(QStringLiteral("handsNow"));
   hands_->setToolTip(
       tr("Insertion length along the shaft, depth of the tip on the image's scale, and the probe's force"));
-  // A sentence that grows must not widen the window.
+  // A growing sentence must not widen the window.
   hands_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(hands_, 1);
   connect(previous, &QPushButton::clicked, this, [this] { session_.stepMoment(-1); });
@@ -111,7 +111,7 @@ QString Transport::handsNow() const {
   }
   if (sample->aspirating) words << tr("aspirating");
   if (!sample->patientFromProbe) words << tr("no probe");
-  if (sample->probeForce_N >= kFelt_N) words << tr("probe presses with %1 N").arg(sample->probeForce_N, 0, 'f', 1);
+  if (sample->probeForce_N >= kFelt_N) words << tr("probe force %1 N").arg(sample->probeForce_N, 0, 'f', 1);
   return words.join(QStringLiteral("   "));
 }
 

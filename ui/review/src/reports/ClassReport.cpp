@@ -63,7 +63,7 @@ void paintClassReport(QPainter& painter, const ClassDesk& desk) {
   page.head(QString::fromStdString(facts.cohort.name),
             {countOf(int(facts.learners.size()), tr("person"), tr("people")),
              facts.curriculum ? QString::fromStdString(facts.curriculum->title) : tr("no curriculum yet"),
-             tr("means of the last %1 attempts, without free practice; light is good").arg(kLastAttempts)});
+             tr("means of the last %1 attempts, without free practice; lighter is better").arg(kLastAttempts)});
   painter.setFont(paperFont(kSmall * 0.9));
   const double cell = (kWidth - 2 * kMargin - kName - kLevel - kNeeds) / double(MetricBook::here().comparable());
   tableHead(page, cell);

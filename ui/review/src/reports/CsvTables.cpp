@@ -43,7 +43,7 @@ std::string classCsv(const ClassDesk& desk) {
 }
 
 std::string attemptsCsv(const PersonFacts& facts) {
-  const std::span metrics = std::span(MetricBook::here().all()).subspan(1);  // the points have their column
+  const std::span metrics = std::span(MetricBook::here().all()).subspan(1);  // the points have a column of their own
   const Curriculum* curriculum = facts.curriculum ? &*facts.curriculum : nullptr;
   std::vector<std::vector<std::string>> rows{attemptColumns()};
   rows[0].emplace_back("outcome");

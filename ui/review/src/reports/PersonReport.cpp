@@ -14,7 +14,7 @@ namespace {
 using namespace paper;
 
 constexpr double kChartHeight = 560;
-/// Three charts stand beside each other, smaller than on the screen.
+/// Three charts beside each other are smaller than on the screen.
 constexpr double kChartUnit = kScreen * 0.7;
 constexpr int kMostAttempts = 16;
 constexpr double kOutcomeLeft = 830, kOutcomeWidth = kWidth - 2 * kMargin - kOutcomeLeft;
@@ -40,7 +40,7 @@ void charts(PaperColumn& page, const PersonFacts& facts, const HeatMap& heat) {
   const double width = kWidth - 2 * kMargin;
   const Curriculum* curriculum = facts.curriculum ? &*facts.curriculum : nullptr;
   page.heading(tr("Learning: %1").arg(level.empty() ? tr("all attempts") : levelTitle(curriculum, level)));
-  // As wide beside each other as on the page of the person.
+  // The ratio of their widths is that on the page of the person.
   constexpr double kLearning = 9 / 22.0, kCusum = 8 / 22.0;
   chart(page, kMargin, width * kLearning, learningOf(facts, level, points));
   chart(page, kMargin + width * kLearning, width * kCusum, cusumOf(facts, level));

@@ -22,7 +22,7 @@ namespace {
 
 const QString kHomePage = QStringLiteral("review/xapiHomePage");
 
-/// All statements about these people, written to a file; on the account's thread. Gives leftOutSentence().
+/// Writes all statements about these people to a file, on the account's thread. Returns leftOutSentence().
 Result<std::string> writeStatements(const SignedIn& by, const std::vector<Person>& people, const Curriculum& curriculum,
                                     const XapiSite& site, const std::string& file) {
   XapiExport all;
@@ -43,14 +43,15 @@ Result<std::string> writeStatements(const SignedIn& by, const std::vector<Person
 SaveMenu::SaveMenu(Subject subject, ClassDesk& room, PersonDesk& person, QWidget* parent)
     : QMenu(parent), subject_(subject), room_(room), person_(person) {
   setToolTipsVisible(true);
-  add("savePage", tr("Page (PDF or PNG) ..."), tr("One page of A4, to print or send"),
+  add("savePage", tr("Page (PDF or PNG) ..."), tr("Saves one A4 page, to print or send"),
       QStringLiteral("PDF (*.pdf);;PNG (*.png)"), &SaveMenu::savePage);
   add("saveTable", tr("Table (CSV) ..."),
-      subject_ == Subject::Class ? tr("A line for each person, for a spreadsheet")
-                                 : tr("A line for each attempt with all metrics, for a spreadsheet"),
+      subject_ == Subject::Class ? tr("Saves a line for each person, for a spreadsheet")
+                                 : tr("Saves a line for each attempt with all metrics, for a spreadsheet"),
       QStringLiteral("CSV (*.csv)"), &SaveMenu::saveTable);
-  add("saveXapi", tr("Learning records (xAPI) ..."), tr("All attempts as xAPI 1.0.3, for a learning record store"),
-      QStringLiteral("JSON (*.json)"), &SaveMenu::askXapi);
+  add("saveXapi", tr("Learning records (xAPI) ..."),
+      tr("Saves all attempts as xAPI 1.0.3, for a learning record store"), QStringLiteral("JSON (*.json)"),
+      &SaveMenu::askXapi);
 }
 
 void SaveMenu::add(const char* name, const QString& text, const QString& tip, const QString& ending,

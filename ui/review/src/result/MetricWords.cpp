@@ -16,7 +16,7 @@ QString normOf(Metric metric, double value) {
 
 QString explanationOf(const MetricScore& score) {
   const MetricDefinition& metric = definitionOf(score.metric);
-  QStringList parts{tr("Counted: %1").arg(ui::qt(metric.definition))};
+  QStringList parts{tr("Definition: %1").arg(ui::qt(metric.definition))};
   if (score.norm)
     parts << tr("Novice and expert: %1").arg(QString::fromStdString(score.norm->source));
   else

@@ -10,7 +10,7 @@ namespace {
 
 namespace theme = views::theme;
 
-/// Share of the band's length that is shown on either side of it.
+/// Share of the band's length that extends on either side of it.
 constexpr double kBeyond = 0.35;
 
 }  // namespace

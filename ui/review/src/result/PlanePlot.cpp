@@ -14,9 +14,9 @@ namespace insonate::review {
 namespace {
 
 constexpr double kPixel_mm = 0.2, kAside_mm = 3, kAbove_mm = 5, kTick_mm = 10;
-constexpr int kVessel = 150, kOther = 90;  // of 255
+constexpr int kVessel = 150, kOther = 90;  // opacity, of 255
 
-/// Point at which the vein was reached, or the needle was deepest; among points with both hands.
+/// Point at which the vein was reached, else the deepest point of the needle; among points with both hands.
 const TrackPoint* cutAt(const AttemptDigest& attempt) {
   const TrackPoint* deepest = nullptr;
   for (const TrackPoint& point : attempt.track) {
@@ -47,7 +47,7 @@ QImage structuresAt(const LabelMap& labels, const Transform& patientFromProbe, c
   return image;
 }
 
-/// In pixels, centred, at one scale.
+/// In pixels, centered, with one scale.
 QRectF fitted(const QRectF& room, const QRectF& place_mm) {
   const double scale = std::min(room.width() / place_mm.width(), room.height() / place_mm.height());
   const QSizeF size = place_mm.size() * scale;
@@ -75,7 +75,7 @@ void paintScale(QPainter& painter, const QRectF& inner, const QRectF& place_mm, 
   }
 }
 
-/// Piece of the tip's path that is drawn in one style.
+/// Piece of the tip's path drawn in one style.
 struct Piece {
   NeedlePlace place;
   bool seen;  ///< within the image's slice
@@ -93,7 +93,7 @@ std::vector<Piece> piecesOf(const AttemptDigest& attempt) {
     }
     const bool seen = std::abs(point.tip_probe->y) <= shownOffPlane_mm(field, point.tip_probe->z);
     if (broken || pieces.back().place != point.place || pieces.back().seen != seen) {
-      // Pieces of one way meet.
+      // Pieces of one path share their end points.
       const auto join = broken ? std::vector<Vec3>{} : std::vector<Vec3>{pieces.back().tips_probe.back()};
       pieces.push_back({point.place, seen, join});
       broken = false;

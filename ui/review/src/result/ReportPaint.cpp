@@ -54,7 +54,7 @@ class Page {
     painter_.setFont(paperFont(kText, true));
     text(place, words, ink_.text);
   }
-  /// As high as it needs to be; moves down.
+  /// As high as its content; moves down.
   void paragraph(double left, double width, const QString& words, const QColor& colour) {
     const QRectF room(left, y_, width, 400);
     painter_.setPen(colour);
@@ -139,7 +139,7 @@ void Page::moments() {
   heading(QRectF(kMargin, y_, 900, kRow), tr("Key moments"));
   y_ += kRow + 6;
   painter_.setFont(paperFont(kSmall));
-  // Without room for all moments, errors come first.
+  // If there is no room for all moments, errors come first.
   std::vector<AttemptMoment> told = attempt_.moments;
   std::ranges::stable_partition(told, [](const AttemptMoment& one) { return one.severity.has_value(); });
   const std::size_t count = std::min(told.size(), kMostMoments);
@@ -162,7 +162,7 @@ void Page::moments() {
 void Page::foot() {
   painter_.setFont(paperFont(kSmall));
   text(QRectF(kMargin, kHeight - kMargin, kWidth - 2 * kMargin, 40),
-       tr("%1. For training; points are no measure of competence.")
+       tr("%1. For training; points are not a measure of competence.")
            .arg(QString::fromStdString(attempt_.recording->header().software)),
        ink_.quiet);
 }

@@ -28,7 +28,7 @@ QString pointsOf(const AttemptDigest& attempt) {
 QString pointsNoteOf(const AttemptDigest& attempt) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("Review", text); };
   if (!attempt.score) return tr("No points: parts of the recording are missing, and numbers would be wrong.");
-  if (!attempt.score->points) return tr("No points: the skin was not punctured, or nothing can be compared.");
+  if (!attempt.score->points) return tr("No points: the skin was not punctured, or no metric has published values.");
   switch (attempt.recording->status()) {
     case AttemptStatus::Completed:
       break;
@@ -57,7 +57,7 @@ ResultPage::ResultPage(ReviewSession& session, QWidget* parent)
   points_->setStyleSheet(QStringLiteral("font-size: %1pt; font-weight: 600;").arg(kPoints_pt));
   points_->setObjectName(QStringLiteral("points"));
   points_->setToolTip(
-      tr("Mean of the metrics' positions from novice (0) to expert (100), less 5 for each minor finding and 20 for "
+      tr("Mean of the metrics' positions from novice (0) to expert (100), minus 5 for each minor finding and 20 for "
          "each major one; 0 with a critical one, maximum 50 without success"));
   success_->setWordWrap(true);
   success_->setObjectName(QStringLiteral("pointsNote"));

@@ -23,7 +23,7 @@ bool isServer(const QString& address) {
   return address.startsWith(QLatin1String("postgresql://"));
 }
 
-/// A server keeps no recordings: this workstation does.
+/// A server keeps no recordings; this workstation keeps them.
 StoreServices withRecordings(StoreServices services, const QString& address) {
   if (isServer(address) && services.recordings.empty()) services.recordings = serverRecordingsFolder().toStdString();
   return services;
@@ -123,7 +123,7 @@ void Account::changeDetails(const QString& fullName, const QString& email, Done 
       });
 }
 
-/// On the thread.
+/// Runs on the account's thread.
 Result<void> Account::reachStore() {
   if (store_) return {};
   auto opened = CurriculumStore::open(address_.toStdString(), services_);
@@ -132,7 +132,7 @@ Result<void> Account::reachStore() {
   return {};
 }
 
-/// A question failed: it was refused, or nobody answered.
+/// A query failed: the store refused it or did not answer.
 void Account::checkConnection() {
   if (isServer(address_) && session_ && !away_) look();
 }
@@ -172,7 +172,7 @@ void Account::open(Entering enter, Done done) {
       const QString trouble = QString::fromStdString(outcome->trouble);
       away_ = isServer(address_) && !trouble.isEmpty();
       if (away_) again_.start();
-      if (!done && isSignedIn()) return;  // while the store was opened for a guest
+      if (!done && isSignedIn()) return;  // only while the store was being opened for a guest
       if (!trouble.isEmpty())
         take(State::Unreachable, std::nullopt, trouble);
       else if (!outcome->anybody)

@@ -40,8 +40,8 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, QWidget* window)
   who_->setEnabled(false);
   addSeparator();
   setUp_ = add("accountSetUp", tr("Set up people and levels ..."),
-               tr("Make yourself the administrator of the people who train here"), [this] { askSetUp(); });
-  signIn_ = add("accountSignIn", tr("Sign in ..."), tr("Attempts then count, and levels can be unlocked"),
+               tr("Sets up the store of people and attempts, with you as administrator"), [this] { askSetUp(); });
+  signIn_ = add("accountSignIn", tr("Sign in ..."), tr("Signs in, so that attempts count and levels unlock"),
                 [this] { askSignIn(); });
   signIn_->setShortcut(QKeySequence(QStringLiteral("Ctrl+L")));
   details_ = add("accountDetails", tr("My details ..."), tr("Your name and e-mail address"), [this] { askDetails(); });
@@ -58,7 +58,7 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, QWidget* window)
   signOut_ = add("accountSignOut", tr("Sign out"), tr("Signs out, so that the next user can sign in"),
                  [this] { account_.signOut(); });
   signOut_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+L")));
-  // Keys work while the menu is closed.
+  // Shortcuts work while the menu is closed.
   window_->addActions({signIn_, signOut_});
   connect(&account_, &Account::changed, this, &AccountMenu::refresh);
   connect(&site_, &SiteExchange::exchanged, this, [this] { Q_EMIT said(site_.outcome()); });
@@ -89,7 +89,7 @@ void AccountMenu::refresh() {
   people_->setVisible(state == State::SignedIn && account_.person().role != Role::Trainee);
   levels_->setVisible(people_->isVisible());
   for (QAction* own : {details_, password_, signOut_}) own->setVisible(state == State::SignedIn);
-  QString words = tr("Guest: attempts are recorded, but count for nobody");
+  QString words = tr("Guest: attempts are recorded, but do not count");
   if (state == State::SignedIn)
     words = tr("%1, %2").arg(QString::fromStdString(account_.person().fullName), wordOf(account_.person().role));
   if (state == State::Opening) words = tr("Opening the store of people and attempts ...");
@@ -135,8 +135,8 @@ void AccountMenu::askSetUp() {
                       "in %1. Nobody can read or reset your password; keep it safe.")
                        .arg(account_.place()),
                    {{"setUpName", tr("Name to sign in"), tr("Letters, digits and . _ - + @")},
-                    {"setUpFullName", tr("Full name"), tr("As others see it")},
-                    {"setUpEmail", tr("E-mail"), tr("May be empty")},
+                    {"setUpFullName", tr("Full name"), tr("Shown to other users")},
+                    {"setUpEmail", tr("E-mail"), tr("Optional")},
                     {"setUpPassword", tr("Password"), tr("At least 8 characters"), {}, true},
                     {"setUpAgain", tr("Password again"), tr("Repeat the password"), {}, true}},
                    tr("Set up"), act, window_))
@@ -168,9 +168,9 @@ void AccountMenu::askPassword() {
   };
   (new EntryDialog(tr("Change password"),
                    account_.mustChangePassword()
-                       ? tr("Someone else set your password. Choose your own before you go on.")
+                       ? tr("Another user has set your password. Choose your own before you continue.")
                        : tr("At least 8 characters; a sentence is easy to remember."),
-                   {{"passwordOld", tr("Present password"), tr("The one you signed in with"), {}, true},
+                   {{"passwordOld", tr("Current password"), tr("The one you signed in with"), {}, true},
                     {"passwordNew", tr("New password"), tr("At least 8 characters"), {}, true},
                     {"passwordAgain", tr("New password again"), tr("Repeat the password"), {}, true}},
                    tr("Change"), act, window_))
@@ -182,10 +182,11 @@ void AccountMenu::askDetails() {
     account_.changeDetails(texts[0], texts[1], done);
   };
   const Person& me = account_.person();
-  (new EntryDialog(tr("My details"), tr("You sign in as %1.").arg(QString::fromStdString(me.name)),
-                   {{"detailsFullName", tr("Full name"), tr("As others see it"), QString::fromStdString(me.fullName)},
-                    {"detailsEmail", tr("E-mail"), tr("May be empty"), QString::fromStdString(me.email)}},
-                   tr("Keep"), act, window_))
+  (new EntryDialog(
+       tr("My details"), tr("You sign in as %1.").arg(QString::fromStdString(me.name)),
+       {{"detailsFullName", tr("Full name"), tr("Shown to other users"), QString::fromStdString(me.fullName)},
+        {"detailsEmail", tr("E-mail"), tr("Optional"), QString::fromStdString(me.email)}},
+       tr("Save"), act, window_))
       ->open();
 }
 
@@ -200,8 +201,8 @@ void AccountMenu::askServer() {
   const QString last = site_.outcome().isEmpty() ? tr("Nothing was sent yet.") : site_.outcome();
   (new EntryDialog(
        tr("Server of the site"),
-       tr("Attempts and forms are sent there, people, classes and curricula come from there; without it, all "
-          "stays on this computer. %1")
+       tr("Attempts and forms are sent to the server; people, classes and curricula come from it. Without a server, "
+          "all data stay on this computer. %1")
            .arg(last),
        {{"serverAddress", tr("Address"), tr("postgresql://USER@HOST/DATABASE; empty: no server"), site_.server()}},
        tr("Connect"), act, window_))

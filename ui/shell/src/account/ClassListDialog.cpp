@@ -39,7 +39,7 @@ QString countOf(const std::vector<ClassImportRow>& plan, Step step, const char* 
       .arg(ClassListDialog::tr(words));
 }
 
-/// Planned outcome of a line, with a sign besides its color.
+/// Planned outcome of a line, with a sign in addition to its color.
 QString outcomeOf(const ClassImportRow& row) {
   switch (row.step) {
     case Step::Add:
@@ -51,11 +51,11 @@ QString outcomeOf(const ClassImportRow& row) {
     case Step::Refuse:
       break;
   }
-  const QString line = QStringLiteral("Line %1: ").arg(row.line);  // which stands beside it
+  const QString line = QStringLiteral("Line %1: ").arg(row.line);  // the line number is in another column
   return QStringLiteral("▲  ") + (qt(row.why).startsWith(line) ? qt(row.why).mid(line.size()) : qt(row.why));
 }
 
-/// On the account's thread.
+/// Runs on the account's thread.
 Result<std::vector<ClassImportRow>> planOf(const SignedIn& by, const std::string& cohort, const QString& file) {
   constexpr qint64 kMost = 8 << 20;
   QFile list(file);
@@ -276,7 +276,7 @@ void ClassListDialog::savePasswords() {
   const auto written = writeFirstPasswords(file.toStdString(), passwords_);
   if (!written) return say(qt(written.error().message), true);
   handedOut_ = true;
-  say(tr("Saved as %1, which you alone can read. Delete it once they are handed out.")
+  say(tr("Saved as %1, which only you can read. Delete it after you have handed out the passwords.")
           .arg(QDir::toNativeSeparators(file)),
       false);
 }
@@ -289,7 +289,7 @@ void ClassListDialog::printPasswords() {
   say(*printed, false);
 }
 
-/// Stops a running import and waits for it; asks about passwords that nobody has seen.
+/// Stops a running import and waits for it; asks before passwords that were not saved are discarded.
 void ClassListDialog::reject() {
   if (isWorking()) {
     work_->stopped = true;

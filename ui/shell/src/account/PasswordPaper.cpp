@@ -12,7 +12,7 @@
 namespace insonate::ui {
 namespace {
 
-/// There before anything is written into it, for its owner's eyes alone.
+/// Restricts the file to its owner before anything is written into it.
 bool beginsPrivate(const QString& name) {
   QFile file(name);
   return file.open(QFile::WriteOnly) && file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
@@ -53,7 +53,7 @@ Result<QString> printPasswordPaper(const QString& cohort, const std::vector<Firs
   if (printer.printerState() == QPrinter::Error)
     return fail(tr("The printer did not accept the page; try another one, or save the passwords.").toStdString());
   return file.isEmpty() ? tr("Sent to the printer. Cut the page and hand it out.")
-                        : tr("Saved as %1, which you alone can read. Delete it once it is printed.").arg(file);
+                        : tr("Saved as %1, which only you can read. Delete it after printing.").arg(file);
 }
 
 }  // namespace insonate::ui

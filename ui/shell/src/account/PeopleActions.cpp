@@ -25,7 +25,7 @@ EntryDialog::Entry roleEntry(Role role) {
 
 }  // namespace
 
-/// As EntryDialog's action: asks the store, and reads what is shown anew.
+/// Action of an EntryDialog: queries the store and reads the shown data again.
 EntryDialog::Action PeopleWindow::asking(std::function<Result<void>(const SignedIn&, const QStringList&)> what) {
   return [this, what = std::move(what)](const QStringList& texts, const std::function<void(Result<void>)>& done) {
     account_.ask<void>(
@@ -58,7 +58,7 @@ void PeopleWindow::addClass() {
   };
   (new EntryDialog(
        tr("New class"), tr("People who are taught together, by one curriculum."),
-       {{"className", tr("Name"), tr("As instructors and trainees see it")}}, tr("Add"),
+       {{"className", tr("Name"), tr("Shown to instructors and trainees")}}, tr("Add"),
        [this, act = asking(add)](const QStringList& texts, const std::function<void(Result<void>)>& done) {
          act(texts, [this, name = texts[0], done](const Result<void>& added) {
            if (added) newClass_ = name;
@@ -74,8 +74,8 @@ void PeopleWindow::renameClass() {
   const auto rename = [id = cohort()->id](const SignedIn& by, const QStringList& texts) {
     return CohortStore(by).rename(id, texts[0].toStdString());
   };
-  (new EntryDialog(tr("Rename the class"), tr("Its people and their attempts stay."),
-                   {{"className", tr("Name"), tr("As instructors and trainees see it"), qt(cohort()->name)}},
+  (new EntryDialog(tr("Rename the class"), tr("The people of the class and their attempts do not change."),
+                   {{"className", tr("Name"), tr("Shown to instructors and trainees"), qt(cohort()->name)}},
                    tr("Rename"), asking(rename), this))
       ->open();
 }
@@ -92,12 +92,13 @@ void PeopleWindow::addPerson() {
   };
   std::vector<EntryDialog::Entry> entries{
       {"personName", tr("Name to sign in"), tr("Letters, digits and . _ - + @")},
-      {"personFullName", tr("Full name"), tr("As others see it")},
-      {"personEmail", tr("E-mail"), tr("May be empty")},
-      {"personPassword", tr("Password"), tr("Hand it over; they choose their own at the first sign-in"),
+      {"personFullName", tr("Full name"), tr("Shown to other users")},
+      {"personEmail", tr("E-mail"), tr("Optional")},
+      {"personPassword", tr("Password"), tr("Give it to the person, who chooses another one at the first sign-in"),
        qt(firstPassword())}};
   if (isAdministrator()) entries.push_back(roleEntry(Role::Trainee));
-  const QString where = cohort() ? tr("They join %1.").arg(qt(cohort()->name)) : tr("They are in no class yet.");
+  const QString where =
+      cohort() ? tr("The person joins %1.").arg(qt(cohort()->name)) : tr("The person is in no class yet.");
   (new EntryDialog(tr("Add a person"), where + QLatin1Char(' ') + tr("The password is shown now and never again."),
                    entries, tr("Add"), asking(add), this))
       ->open();
@@ -119,12 +120,12 @@ void PeopleWindow::editPerson() {
     return PeopleStore(by).change(changed);
   };
   const Person& person = chosen()->person;
-  (new EntryDialog(tr("Change a person"), tr("Their attempts and classes stay."),
+  (new EntryDialog(tr("Change a person"), tr("The person's attempts and classes do not change."),
                    {{"personName", tr("Name to sign in"), tr("Letters, digits and . _ - + @"), qt(person.name)},
-                    {"personFullName", tr("Full name"), tr("As others see it"), qt(person.fullName)},
-                    {"personEmail", tr("E-mail"), tr("May be empty"), qt(person.email)},
+                    {"personFullName", tr("Full name"), tr("Shown to other users"), qt(person.fullName)},
+                    {"personEmail", tr("E-mail"), tr("Optional"), qt(person.email)},
                     roleEntry(person.role)},
-                   tr("Keep"), asking(edit), this))
+                   tr("Save"), asking(edit), this))
       ->open();
 }
 
@@ -134,7 +135,8 @@ void PeopleWindow::setPassword() {
     return PeopleStore(by).resetPassword(id, texts[0].toStdString());
   };
   (new EntryDialog(tr("New password for %1").arg(qt(chosen()->person.fullName)),
-                   tr("Hand it over: it is shown now and never again. They choose their own at the next sign-in."),
+                   tr("Give this password to the person; it is not shown again. The person chooses another one at the "
+                      "next sign-in."),
                    {{"personPassword", tr("Password"), tr("At least 8 characters"), qt(firstPassword())}}, tr("Set"),
                    asking(set), this))
       ->open();

@@ -27,7 +27,7 @@ namespace {
 constexpr int kPersonRow_px = 28;
 enum PersonColumn { kPersonFullName, kPersonName, kPersonEmail, kPersonRole, kPersonState, kPersonColumns };
 
-/// Members of one class, or of all, as far as the user may see them.
+/// Members of one class, or of all classes, as far as the user may see them.
 Result<std::vector<Member>> membersOf(const SignedIn& by, const std::string& cohort) {
   if (!cohort.empty()) return CohortStore(by).members(cohort);
   const auto all = PeopleStore(by).all();
@@ -94,10 +94,9 @@ QWidget* PeopleWindow::classColumn() {
   classes_->setAccessibleName(tr("Classes"));
   classes_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   classes_->setToolTip(tr("Class whose people are shown"));
-  addClass_ =
-      button("peopleAddClass", tr("New class ..."), tr("People who are taught together"), &PeopleWindow::addClass);
-  renameClass_ =
-      button("peopleRenameClass", tr("Rename ..."), tr("Give the class another name"), &PeopleWindow::renameClass);
+  addClass_ = button("peopleAddClass", tr("New class ..."), tr("Makes a class of people who are taught together"),
+                     &PeopleWindow::addClass);
+  renameClass_ = button("peopleRenameClass", tr("Rename ..."), tr("Renames the class"), &PeopleWindow::renameClass);
   curriculum_->setObjectName(QStringLiteral("peopleCurriculum"));
   curriculum_->setAccessibleName(tr("Curriculum of the class"));
   curriculum_->setToolTip(
@@ -110,7 +109,7 @@ QWidget* PeopleWindow::classColumn() {
   column->addWidget(renameClass_);
   column->addWidget(heading(tr("Curriculum")));
   column->addWidget(curriculum_);
-  column->addWidget(button("peopleLevels", tr("Levels ..."), tr("Look at curricula and write new versions"),
+  column->addWidget(button("peopleLevels", tr("Levels ..."), tr("Shows curricula and edits new versions"),
                            &PeopleWindow::editLevels));
   side->setFixedWidth(220);
   return side;
@@ -126,10 +125,10 @@ QWidget* PeopleWindow::peopleColumn() {
   for (const int column : {kPersonFullName, kPersonEmail}) header->setSectionResizeMode(column, QHeaderView::Stretch);
   for (const auto& [column, px] : {std::pair{kPersonName, 150}, {kPersonRole, 150}, {kPersonState, 110}})
     header->resizeSection(column, px);
-  add_ = button("peopleAdd", tr("Add ..."), tr("Someone new, with a password to hand over"), &PeopleWindow::addPerson);
+  add_ = button("peopleAdd", tr("Add ..."), tr("Adds a person with a first password"), &PeopleWindow::addPerson);
   import_ = button("peopleImport", tr("Import a list ..."),
-                   tr("Everyone of a class list (CSV) into the class that is shown"), &PeopleWindow::importList);
-  edit_ = button("peopleEdit", tr("Change ..."), tr("Name, e-mail and role"), &PeopleWindow::editPerson);
+                   tr("Adds the people of a class list (CSV) to the selected class"), &PeopleWindow::importList);
+  edit_ = button("peopleEdit", tr("Change ..."), tr("Changes name, e-mail and role"), &PeopleWindow::editPerson);
   password_ = button(
       "peoplePassword", tr("New password ..."),
       tr("For a person who forgot the password or is locked out; the person chooses a new one at the next sign-in"),
@@ -144,8 +143,8 @@ QWidget* PeopleWindow::peopleColumn() {
   as_->setToolTip(tr("Teachers of the class see the attempts of all its learners"));
   as_->addItem(tr("learner"), false);
   as_->addItem(tr("teacher"), true);
-  join_ = button("peopleJoin", tr("Join"), tr("Puts the selected person into that class"), &PeopleWindow::join);
-  leave_ = button("peopleLeave", tr("Leave this class"), tr("Takes the selected person out of the class that is shown"),
+  join_ = button("peopleJoin", tr("Join"), tr("Adds the selected person to that class"), &PeopleWindow::join);
+  leave_ = button("peopleLeave", tr("Leave this class"), tr("Removes the selected person from the class that is shown"),
                   &PeopleWindow::leave);
   auto* first = new QHBoxLayout;
   first->setSpacing(kGap);
@@ -239,7 +238,7 @@ void PeopleWindow::readPeople() {
   account_.ask<std::vector<Member>>(
       this, [id = cohort() ? cohort()->id : std::string()](const SignedIn& by) { return membersOf(by, id); },
       [this, id = cohort() ? cohort()->id : std::string()](const Result<std::vector<Member>>& members) {
-        if (id != (cohort() ? cohort()->id : std::string())) return;  // another class was chosen meanwhile
+        if (id != (cohort() ? cohort()->id : std::string())) return;  // another class was selected meanwhile
         if (!members) return tell(qt(members.error().message));
         std::vector<Shown> people;
         for (const Member& member : *members) people.push_back({member.person, member.teaches});

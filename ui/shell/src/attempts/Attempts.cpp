@@ -15,7 +15,7 @@ QString attemptsFolder() {
 
 QString recordingHere(const std::string& recording, const QString& store) {
   const QString name = QString::fromStdString(recording);
-  // A name from a store is never a way out of the folders.
+  // A name from a store must not lead out of the folders.
   if (name.isEmpty() || QFileInfo(name).fileName() != name) return {};
   for (const QString& folder : {attemptsFolder(), QFileInfo(store).absolutePath() + QStringLiteral("/attempts")})
     if (const QString file = QDir(folder).filePath(name); QFileInfo(file).isFile()) return file;

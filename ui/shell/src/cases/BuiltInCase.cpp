@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint32_t kSeed = 1;
 
-/// Identity of this program: other versions make other necks. Read once: its file may be replaced while it runs.
+/// Identity of this program, since other versions make other necks. Read once: its file may be replaced while it runs.
 const QString& version() {
   static const QString once = [] {
     const QFileInfo program(QCoreApplication::applicationFilePath());
@@ -40,9 +40,9 @@ QThreadPool& keeper() {
   return pool;
 }
 
-/// Given up when the program ends: nothing half written is left. For a thread of its own, which stays slow.
+/// Stops when the program ends, without incomplete files. For a thread of its own, which keeps its low priority.
 void keep(const PatientCase& patient, const QString& folder) {
-  lowerThreadPriority();  // the first image goes first: packing the CT costs a second
+  lowerThreadPriority();  // the first image has precedence, since compressing the CT takes a second
   QDir().mkpath(QFileInfo(folder).path());
   const auto goOn = [](std::string_view, double) { return !QCoreApplication::closingDown(); };
   if (writeCase(patient, folder.toStdString(), goOn)) forgetOfOthers(QFileInfo(folder).dir());

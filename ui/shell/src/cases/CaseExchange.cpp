@@ -41,28 +41,29 @@ std::function<Result<void>(const PatientCase&, const std::string&, const Progres
 
 CaseExchange::CaseExchange(TaskBar& tasks, std::function<OpenCase()> open, QWidget* window)
     : QObject(window), tasks_(tasks), open_(std::move(open)), window_(window) {
-  ways_ = {add(tr("Import labels ..."), tr("Replaces this case's labels by those of another program"), "importLabels",
+  ways_ = {add(tr("Import labels ..."), tr("Replaces this case's labels with those of another program"), "importLabels",
                [this] { chooseLabels(); }),
-           add(tr("Crop and resample ..."), tr("A part of this case, also on another spacing"), "cropCase",
-               [this] { chooseCrop(); })};
-  exports_ = {
-      addExport(tr("CT as DICOM series ..."), tr("To a new folder, one file a slice"), "exportDicom", {}, writeSeries),
-      addExport(tr("Labels as DICOM segmentation ..."), tr("Labels on the slices of the DICOM series"), "exportSeg",
-                QStringLiteral(".dcm"),
-                [](const PatientCase& patient, const std::string& file, const Progress& progress) {
-                  return writeDicomSegmentation(patient, file, progress);
-                }),
-      addExport(tr("Labels for 3D Slicer and ITK-SNAP ..."), tr("With ITK-SNAP's label description beside them"),
-                "exportLabels", QStringLiteral(".seg.nrrd"),
-                [](const PatientCase& patient, const std::string& file, const Progress& progress) {
-                  return writeLabelFile(patient, file, progress);
-                }),
-      addExport(tr("Meshes, STL ..."), tr("Each structure's surface, to a new folder; patient LPS, mm"), "exportStl",
-                {}, writeMeshes("stl")),
-      addExport(tr("Meshes, OBJ ..."), tr("Each structure's surface, to a new folder; patient LPS, mm"), "exportObj",
-                {}, writeMeshes("obj")),
-      addExport(tr("Meshes, VTP ..."), tr("Each structure's surface, to a new folder; patient LPS, mm"), "exportVtp",
-                {}, writeMeshes("vtp"))};
+           add(tr("Crop and resample ..."), tr("Makes a case from a part of this one, also with another spacing"),
+               "cropCase", [this] { chooseCrop(); })};
+  exports_ = {addExport(tr("CT as DICOM series ..."), tr("Exports the CT to a new folder, one file for each slice"),
+                        "exportDicom", {}, writeSeries),
+              addExport(tr("Labels as DICOM segmentation ..."),
+                        tr("Exports the labels on the slices of the DICOM series"), "exportSeg", QStringLiteral(".dcm"),
+                        [](const PatientCase& patient, const std::string& file, const Progress& progress) {
+                          return writeDicomSegmentation(patient, file, progress);
+                        }),
+              addExport(tr("Labels for 3D Slicer and ITK-SNAP ..."),
+                        tr("Exports the labels, with ITK-SNAP's label description"), "exportLabels",
+                        QStringLiteral(".seg.nrrd"),
+                        [](const PatientCase& patient, const std::string& file, const Progress& progress) {
+                          return writeLabelFile(patient, file, progress);
+                        }),
+              addExport(tr("Meshes, STL ..."), tr("Exports each structure's surface to a new folder; patient LPS, mm"),
+                        "exportStl", {}, writeMeshes("stl")),
+              addExport(tr("Meshes, OBJ ..."), tr("Exports each structure's surface to a new folder; patient LPS, mm"),
+                        "exportObj", {}, writeMeshes("obj")),
+              addExport(tr("Meshes, VTP ..."), tr("Exports each structure's surface to a new folder; patient LPS, mm"),
+                        "exportVtp", {}, writeMeshes("vtp"))};
   setEnabled(false);
 }
 

@@ -33,7 +33,7 @@ QStringList qt(const std::vector<std::string>& sentences) {
   return list;
 }
 
-/// Part `index` of `count`, for progress that runs once.
+/// Part `index` of `count` of one progress.
 Progress part(const Progress& whole, int index, int count) {
   return [whole, index, count](std::string_view doing, double fraction) {
     return report(whole, doing, (index + fraction) / count);
@@ -68,7 +68,8 @@ Result<LoadedCase> importCase(const fs::path& input, const ImportChoice& choice,
   return result;
 }
 
-/// Tells whether another content was saved there meanwhile. A case without a version becomes one when it is published.
+/// Tells whether another program saved other content there meanwhile. A case without a version gets one when it is
+/// published.
 bool holdsAnother(const fs::path& folder, const std::string& known, const PatientCase& patient) {
   const auto there = readManifestOf(folder);
   if (!there || there->version.content.empty() || there->version.content == known) return false;
@@ -119,7 +120,7 @@ void CaseLoader::readFolder(const QString& folder) {
         if (!read) return tl::unexpected(read.error());
         LoadedCase result{std::make_shared<PatientCase>(std::move(read->patient)), folder, qt(read->notes)};
         result.content = result.patient->manifest.version.content;
-        // A version stays what it is.
+        // A version never changes.
         if (const auto whole = caseOfVersion(folder.toStdString()))
           result.versionOf = QString::fromStdString(whole->string()), result.folder.clear();
         return result;

@@ -17,7 +17,7 @@
 namespace insonate::ui {
 namespace {
 
-/// The patient coordinates that a grid reaches, to the centers of its outermost voxels.
+/// Range of patient coordinates of a grid, to the centers of its outermost voxels.
 std::array<Vec3, 2> reachOf(const VolumeGeometry& g) {
   std::array<Vec3, 2> reach{g.origin_mm, g.origin_mm};
   for (int corner = 0; corner < 8; ++corner) {
@@ -35,14 +35,14 @@ QString textOf(const VolumeGeometry& g) {
   return CropDialog::tr("%1 x %2 x %3 voxels").arg(g.size[0]).arg(g.size[1]).arg(g.size[2]);
 }
 
-/// Patient directions, the first three axes of LPS.
+/// Names of the patient directions, the first three axes of LPS.
 QString directionWords(int axis) {
   const QString words[] = {CropDialog::tr("right to left"), CropDialog::tr("front to back"),
                            CropDialog::tr("feet to head")};
   return words[axis];
 }
 
-/// Along which way of the patient an axis of the grid runs; oblique, e.g. "RA to LP".
+/// Patient direction of a grid's axis; for oblique ones, for example "RA to LP".
 QString directionOf(Vec3 axis) {
   const std::string to = views::orientationLetters(axis);
   if (to.size() > 1) return CropDialog::tr("%1 to %2").arg(qt(views::orientationLetters(-axis)), qt(to));
@@ -112,7 +112,7 @@ void CropDialog::addRegion(QGridLayout& grid) {
   grid.addWidget(headingOf(tr("from")), 0, 1);
   grid.addWidget(headingOf(tr("to")), 0, 2);
   for (int a = 0; a < 3; ++a) {
-    // A tenth of a millimeter beyond, so that rounding cuts no voxel off.
+    // A margin of a tenth of a millimeter, so that rounding cuts no voxel off.
     const double least = std::floor(low[a] * 10) / 10, most = std::ceil(high[a] * 10) / 10;
     from_[a] = field(tr("From, %1").arg(directionWords(a)), least, most, 1);
     to_[a] = field(tr("To, %1").arg(directionWords(a)), least, most, 1);
@@ -125,7 +125,7 @@ void CropDialog::addRegion(QGridLayout& grid) {
 }
 
 void CropDialog::addSpacing(QGridLayout& grid) {
-  resample_->setToolTip(tr("Coarser takes less memory and time; finer makes nothing sharper"));
+  resample_->setToolTip(tr("Coarser spacing takes less memory and time; finer spacing adds no detail"));
   grid.addWidget(resample_, 4, 0, 1, 3);
   for (int a = 0; a < 3; ++a) {
     const QString direction = directionOf(geometry_.direction.column[a]);
@@ -150,7 +150,7 @@ CropOptions CropDialog::options() const {
   CropOptions options{boxBetween(geometry_, values(from_), values(to_)), {}};
   if (resample_->isChecked()) {
     options.spacing_mm = values(spacing_);
-    // A field that nobody changed holds a rounded number, which would resample, and blur, that axis, too.
+    // A field that the user did not change has a rounded number, which would resample, and blur, that axis, too.
     for (int a = 0; a < 3; ++a)
       if ((*options.spacing_mm)[a] == rounded_mm_[a]) (*options.spacing_mm)[a] = geometry_.spacing_mm[a];
   }
@@ -158,11 +158,11 @@ CropOptions CropDialog::options() const {
 }
 
 void CropDialog::refresh() {
-  if (!spacing_[2]) return;  // not all there yet
+  if (!spacing_[2]) return;  // the fields do not exist yet
   const auto grid = croppedGrid(geometry_, options());
   crop_->setEnabled(grid.has_value());
   if (!grid) return result_->setText(QString::fromStdString(grid.error().message));
-  constexpr double kBytes = 3, kMega = 1e6;  // of a voxel: HU and label
+  constexpr double kBytes = 3, kMega = 1e6;  // of a voxel: CT value and label
   result_->setText(tr("%1 become %2, %3 MB.")
                        .arg(textOf(geometry_), textOf(*grid))
                        .arg(double(grid->voxelCount()) * kBytes / kMega, 0, 'f', 1));

@@ -35,7 +35,7 @@ QString spacingOf(const SeriesInfo& series) {
   return QStringLiteral("%1 x %2 x %3").arg(s.x, 0, 'f', 2).arg(s.y, 0, 'f', 2).arg(s.z, 0, 'f', 2);
 }
 
-/// The name of a file; of a DICOM series the end of its number, which tells it from the others.
+/// The name of a file; for a DICOM series, the end of its UID, which distinguishes it.
 QString nameOf(const SeriesInfo& series) {
   constexpr int kLongest = 28, kEnd = 8;
   const QString uid = QString::fromStdString(series.uid);
@@ -45,7 +45,7 @@ QString nameOf(const SeriesInfo& series) {
 
 QString stateOf(const SeriesInfo& series) {
   if (!series.refusal.empty()) return SeriesDialog::tr("cannot be imported");
-  if (series.warnings.empty()) return SeriesDialog::tr("fine");
+  if (series.warnings.empty()) return SeriesDialog::tr("no notes");
   const auto count = series.warnings.size();
   return count == 1 ? SeriesDialog::tr("1 note") : SeriesDialog::tr("%1 notes").arg(count);
 }
@@ -91,7 +91,7 @@ SeriesDialog::SeriesDialog(const QString& path, std::shared_ptr<const SeriesList
   connect(table_, &QTableWidget::itemActivated, import_, &QPushButton::click);
   connect(shift_, &QCheckBox::toggled, this, &SeriesDialog::showPicture);
   connect(import_, &QPushButton::clicked, this, [this] {
-    // Enter in the table comes here by two ways.
+    // The Enter key in the table arrives in two ways.
     if (result() != Accepted) accept();
   });
   table_->selectRow(likeliestRow());
@@ -122,7 +122,7 @@ void SeriesDialog::fill() {
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  // Names of files may be long; what is noted is read whole.
+  // Names of files may be long; notes are shown completely.
   table_->horizontalHeader()->setSectionResizeMode(kSeriesColumn, QHeaderView::Stretch);
   table_->setTextElideMode(Qt::ElideMiddle);
   table_->setTabKeyNavigation(false);
@@ -146,10 +146,10 @@ void SeriesDialog::setUpWidgets() {
   picture_->setPalette(black);
   picture_->setAccessibleName(tr("Middle slice of the chosen series"));
   label_->setChecked(true);
-  label_->setToolTip(tr("From Hounsfield units; vessels, glands and nerves need an author"));
+  label_->setToolTip(tr("Labels from Hounsfield units; an author has to label vessels, glands and nerves"));
   shift_->setObjectName(QStringLiteral("shiftValues"));
   shift_->setToolTip(tr("Preview, automatic labels and ultrasound need Hounsfield units: air at -1000, water at 0"));
-  // Its text says how much, which the file has to be read for.
+  // Its text states the amount, for which the file must be read.
   shift_->setAccessibleName(tr("Convert to HU"));
   shift_->hide();
   import_->setToolTip(tr("Makes a case from the selected series; data that identify the patient are removed"));
@@ -161,7 +161,7 @@ void SeriesDialog::arrange() {
   setUpWidgets();
   auto* title = new QLabel(tr("Series in %1").arg(QFileInfo(path_).fileName()));
   setRole(title, "title");
-  title->setWordWrap(true);  // a folder's name may be long
+  title->setWordWrap(true);  // the name of a folder may be long
   auto* aside = new QLabel(listing_->setAside.size() == 1
                                ? tr("1 file belongs to no series and is left out.")
                                : tr("%1 files belong to no series and are left out.").arg(listing_->setAside.size()));
@@ -205,7 +205,7 @@ void SeriesDialog::arrange() {
 int SeriesDialog::likeliestRow() const {
   const auto& all = listing_->series;
   const auto worth = [](const SeriesInfo& series) {
-    // A CT before anything else that can be read; of several, the one with most slices.
+    // Prefers a CT to other readable series, and the one with most slices among several.
     const int kind = !series.refusal.empty() ? 0 : series.modality == "CT" ? 2 : 1;
     return std::pair(kind, series.geometry.size[2]);
   };

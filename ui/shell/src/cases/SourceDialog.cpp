@@ -20,7 +20,7 @@ QString startFolder() {
   return cases.empty() ? QDir::homePath() : QFileInfo(cases.front().folder).absolutePath();
 }
 
-/// Qt's own dialogs write down which folders they have shown.
+/// Qt's own dialogs store the folders that they have shown.
 QString keptInMindAlone(const QString& chosen) {
   QSettings toolkit(QSettings::UserScope, QStringLiteral("QtProject"));
   for (const char* place : {"FileDialog/history", "FileDialog/lastVisited"}) toolkit.remove(QLatin1String(place));

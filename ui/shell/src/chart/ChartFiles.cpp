@@ -44,7 +44,7 @@ QByteArray svg(const ChartPicture& picture) {
   out.setSize({kWidth_px, kHeight_px});
   out.setViewBox(QRect(0, 0, kWidth_px, kHeight_px));
   out.setResolution(kDots_perInch);
-  out.setTitle(picture.title.toHtmlEscaped());  // Qt 5 writes it as it is
+  out.setTitle(picture.title.toHtmlEscaped());  // Qt 5 writes the title without escaping
   QPainter painter(&out);
   paintChart(painter, QRectF(0, 0, kWidth_px, kHeight_px), 1, picture);
   painter.end();
@@ -76,7 +76,7 @@ void paintChart(QPainter& painter, const QRectF& place, double unit, const Chart
   fillPlot(plot, picture, paperChartInk());
   QwtPlotRenderer renderer;
   renderer.setDiscardFlags(QwtPlotRenderer::DiscardBackground | QwtPlotRenderer::DiscardCanvasBackground);
-  // The renderer magnifies by the device's resolution, whatever the painter's units are.
+  // The renderer scales by the device's resolution, whatever the painter's units are.
   const double magnified = double(painter.device()->logicalDpiX()) / plot.logicalDpiX();
   painter.save();
   painter.translate(place.topLeft());

@@ -20,7 +20,7 @@ namespace insonate::ui {
 namespace {
 
 constexpr double kDot_px = 3, kBandOpacity = 0.22;
-/// Width of a box: half its share of the axis, between these limits.
+/// Width of a box: half of its share of the axis, between these limits.
 constexpr double kHalfBox = 0.08, kLeastHalf_px = 17, kMostHalf_px = 48;
 
 QPolygonF onCanvas(const std::vector<QPointF>& points, const QwtScaleMap& x, const QwtScaleMap& y) {
@@ -29,7 +29,7 @@ QPolygonF onCanvas(const std::vector<QPointF>& points, const QwtScaleMap& x, con
   return polygon;
 }
 
-/// Qwt's own curves and intervals have headers that are no C++20 (Qwt 6.1).
+/// Headers of Qwt's own curves and intervals are not valid C++20 (Qwt 6.1).
 class Item : public QwtPlotItem {
  public:
   explicit Item(const QString& name) : QwtPlotItem(QwtText(name, QwtText::PlainText)) {
@@ -51,7 +51,7 @@ class Item : public QwtPlotItem {
 };
 
 QRectF around(const std::vector<QPointF>& points) {
-  if (points.empty()) return {1, 1, -2, -2};  // Qwt's rectangle of nothing
+  if (points.empty()) return {1, 1, -2, -2};  // Qwt's empty rectangle
   const auto [left, right] = std::ranges::minmax_element(points, {}, &QPointF::x);
   const auto [low, high] = std::ranges::minmax_element(points, {}, &QPointF::y);
   return {left->x(), low->y(), right->x() - left->x(), high->y() - low->y()};
@@ -146,11 +146,11 @@ class BoxItem final : public Item {
   QColor colour_;
 };
 
-/// Below whole numbers only: themselves, or a name each.
+/// Labels below a count axis: whole numbers, or a name for each.
 class CountDraw final : public QwtScaleDraw {
  public:
   explicit CountDraw(QStringList names) : names_(std::move(names)) {}
-  /// Qwt's own leaves no room for what hangs below the line.
+  /// Qwt's own scale has no room below the labels.
   double extent(const QFont& font) const override { return QwtScaleDraw::extent(font) + QFontMetricsF(font).descent(); }
   QwtText label(double value) const override {
     const int at = int(std::lround(value));
@@ -192,8 +192,8 @@ void setAxes(QwtPlot& plot, const ChartPicture& picture, const ChartInk& ink) {
     plot.setAxisScale(QwtPlot::xBottom, -0.5, picture.categories.size() - 0.5, 1);
   }
   plot.setAxisScaleDraw(QwtPlot::xBottom, new CountDraw(picture.categories));
-  // Qwt asks but once how far names reach past the ends of the axis, which depends on its length; with room for half of
-  // the widest at both ends the answer stays the same, and boxes stand over their names whatever the size.
+  // Qwt asks only once how far labels extend beyond the ends of the axis, which depends on its length. With room for
+  // half of the widest label at both ends the answer does not change, and boxes stay above their labels at any size.
   double widest = 0;
   for (const QString& name : picture.categories)
     widest =

@@ -76,7 +76,7 @@ ChartPicture cusumPicture(const std::vector<bool>& passes, const CusumRule& rule
     picture.words = tr("n/a: no attempt of this level counts yet.");
     return picture;
   }
-  // The axis names it; the legend has room for the limit's rates in one line.
+  // The axis names the score; the legend has the rates of the limit in one line.
   ChartPicture::Line line{{}, {}, Tone::Accent, Qt::SolidLine, scores.size() <= 60};
   for (std::size_t i = 0; i < scores.size(); ++i) line.points.emplace_back(double(i) + 1, scores[i]);
   picture.lines.push_back(std::move(line));

@@ -24,13 +24,13 @@ constexpr int kDoing_px = 180, kProgress_px = 140;
 }  // namespace
 
 struct TaskBar::Job {
-  QElapsedTimer since;  ///< of the window's thread
+  QElapsedTimer since;  ///< used by the window's thread
   std::atomic<bool> cancelled = false;
   std::mutex mutex;
   // Guarded by the mutex.
   std::string doing;
   double fraction = 0;
-  Deliver deliver;  ///< once the work is done
+  Deliver deliver;  ///< called after the work
 };
 
 TaskBar::TaskBar(QWidget* parent)
@@ -43,7 +43,7 @@ TaskBar::TaskBar(QWidget* parent)
   setObjectName(QStringLiteral("taskBar"));
   setRole(title_, "heading");
   setRole(doing_, "quiet");
-  doing_->setFixedWidth(kDoing_px);  // words change, the bar stays where it is
+  doing_->setFixedWidth(kDoing_px);  // texts change, but the bar does not move
   progress_->setRange(0, kFine);
   progress_->setTextVisible(false);
   progress_->setFixedWidth(kProgress_px);
@@ -98,7 +98,7 @@ void TaskBar::look() {
     const std::lock_guard lock(job_->mutex);
     const QString doing = QString::fromStdString(job_->doing);
     doing_->setText(doing);
-    // A job of a single step is named once; the sentence beside the bar takes the room.
+    // A job of a single step is named once; the sentence beside the bar uses the space.
     doing_->setVisible(doing != title_->text());
     progress_->setValue(int(job_->fraction * kFine));
     deliver = std::move(job_->deliver);

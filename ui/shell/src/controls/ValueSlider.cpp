@@ -18,7 +18,7 @@ namespace insonate::ui {
 namespace {
 
 constexpr int kPage = 10;
-constexpr double kNotch = 120;  // QWheelEvent counts eighths of a degree
+constexpr double kNotch = 120;  // QWheelEvent counts in eighths of a degree
 constexpr int kHandle_px = 12;
 
 int stepsOf(const ValueRange& range) {
@@ -27,7 +27,7 @@ int stepsOf(const ValueRange& range) {
 
 }  // namespace
 
-/// Counts steps; the number itself may lie between two.
+/// The slider counts steps; the number itself may be between two.
 class ValueSlider::Track final : public QSlider {
  public:
   explicit Track(ValueSlider& owner) : QSlider(Qt::Horizontal), owner_(owner) {
@@ -67,7 +67,7 @@ class ValueSlider::Track final : public QSlider {
   }
 
  private:
-  /// The handle comes to where the track is pressed.
+  /// A press on the track moves the handle there.
   void jump(const QMouseEvent& event) {
     setValue(
         QStyle::sliderValueFromPosition(minimum(), maximum(), event.pos().x() - kHandle_px / 2, width() - kHandle_px));
@@ -116,16 +116,16 @@ QString ValueSlider::text(double value) const {
 }
 
 void ValueSlider::describe() {
-  QString tip = tr("%1: %2 to %3, usually %4.").arg(name_, text(range_.least), text(range_.most), text(range_.usual));
+  QString tip = tr("%1: %2 to %3, default %4.").arg(name_, text(range_.least), text(range_.most), text(range_.usual));
   if (!hint_.isEmpty()) tip = hint_ + QStringLiteral("\n") + tip;
-  setToolTip(tip + tr("\nDouble click for the usual value; arrows and wheel step."));
+  setToolTip(tip + tr("\nDouble click restores the default; arrows and wheel step."));
   for (QWidget* part : {static_cast<QWidget*>(track_), static_cast<QWidget*>(number_)}) {
     part->setAccessibleName(unit_.isEmpty() ? name_ : tr("%1 in %2").arg(name_, unit_));
     part->setAccessibleDescription(hint_);
   }
 }
 
-/// For the longest number and its unit, no wider: two sliders stand side by side in a narrow column.
+/// For the longest number and its unit, and not wider, since two sliders are beside each other in a narrow column.
 void ValueSlider::fitNumber() {
   constexpr int kFrame_px = 16;  // padding and border of the theme, and the text cursor
   number_->ensurePolished();
@@ -164,8 +164,8 @@ void ValueSlider::typed() {
   const double value = written.trimmed().replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&isNumber);
   isNumber = isNumber && std::isfinite(value);
   if (!isNumber || value < range_.least || value > range_.most) {
-    const QString sentence =
-        isNumber ? tr("%1 can be from %2 to %3; %4 is not.") : tr("%1 takes a number from %2 to %3; \"%4\" is none.");
+    const QString sentence = isNumber ? tr("%1 can be from %2 to %3; %4 is not.")
+                                      : tr("%1 takes a number from %2 to %3; \"%4\" is not a number.");
     QToolTip::showText(number_->mapToGlobal({0, number_->height()}),
                        sentence.arg(name_, text(range_.least), text(range_.most), number_->text().trimmed()), number_);
   }
@@ -180,7 +180,7 @@ bool ValueSlider::eventFilter(QObject* watched, QEvent* event) {
     reset();
     return true;
   }
-  // A number that is taken has nothing to take back: the window may have.
+  // An applied number has no undo of its own; the window may have one.
   if (watched == number_ && event->type() == QEvent::ShortcutOverride && !number_->isUndoAvailable() &&
       static_cast<QKeyEvent*>(event)->matches(QKeySequence::Undo)) {
     event->ignore();
@@ -193,7 +193,7 @@ bool ValueSlider::eventFilter(QObject* watched, QEvent* event) {
       track_->setFocus();
       return true;
     }
-    // It ends the number alone: a window's own Enter, which may write, is another.
+    // Ends the input of the number only, since the window's own Enter may write.
     if (press->key() == Qt::Key_Return || press->key() == Qt::Key_Enter) {
       typed();
       number_->selectAll();

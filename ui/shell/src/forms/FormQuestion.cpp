@@ -34,7 +34,7 @@ FormQuestion::FormQuestion(const FormItem& item, bool takesNote, QWidget* parent
   box->setSpacing(kSmallGap);
   auto* head = new QHBoxLayout;
   head->setSpacing(kGap);
-  head->addWidget(paragraph("", "", item.needed ? tr("%1 (needed)").arg(qt(item.title)) : qt(item.title)), 1);
+  head->addWidget(paragraph("", "", item.needed ? tr("%1 (required)").arg(qt(item.title)) : qt(item.title)), 1);
   box->addLayout(head);
   if (!item.about.empty()) box->addWidget(paragraph("", "quiet", qt(item.about)));
   box->addWidget(item.kind == FormItem::Kind::Choice   ? buildChoice(item)
@@ -65,7 +65,7 @@ QWidget* FormQuestion::buildChoice(const FormItem& item) {
     choice_->addButton(button, int(options_.size()));
     options_.push_back(option.name);
   }
-  // As narrow as one answer; the others go below.
+  // As narrow as one answer; the others wrap below.
   room->setMinimumWidth(1);
   grid_->setColumnStretch(int(options_.size()), 1);
   layOut();
@@ -89,14 +89,14 @@ QWidget* FormQuestion::buildText(const FormItem& item) {
   text_ = new QPlainTextEdit;
   text_->setObjectName(QStringLiteral("form_") + qt(name_));
   text_->setAccessibleName(qt(item.title));
-  text_->setToolTip(tr("In your words; may be left empty"));
+  text_->setToolTip(tr("In your words; optional"));
   text_->setTabChangesFocus(true);
   text_->setFixedHeight(kTextLines * fontMetrics().lineSpacing() + 2 * kGap);
   connect(text_, &QPlainTextEdit::textChanged, this, &FormQuestion::changed);
   return text_;
 }
 
-/// A line that opens by a button.
+/// A line that a button opens.
 void FormQuestion::buildNote(const FormItem& item) {
   noteButton_ = new QToolButton;
   noteButton_->setObjectName(QStringLiteral("noteButton_") + qt(name_));
@@ -112,7 +112,7 @@ void FormQuestion::buildNote(const FormItem& item) {
   note_->hide();
   connect(noteButton_, &QToolButton::toggled, note_, &QWidget::setVisible);
   connect(noteButton_, &QToolButton::clicked, note_, [this] {
-    if (!note().isEmpty()) noteButton_->setChecked(true);  // what is written is not hidden
+    if (!note().isEmpty()) noteButton_->setChecked(true);  // existing text is not hidden
     note_->setFocus(Qt::OtherFocusReason);
   });
   connect(note_, &QLineEdit::textChanged, this, &FormQuestion::changed);
@@ -138,7 +138,7 @@ std::optional<FormQuestion::Answer> FormQuestion::answer() const {
   if (written.isEmpty()) return std::nullopt;
   bool isNumber = false;
   const double value = number_ ? locale().toDouble(written, &isNumber) : 0;
-  // checkAnswers() reports text that is no number.
+  // checkAnswers() reports text that is not a number.
   return isNumber ? Answer(value) : Answer(written.toStdString());
 }
 
@@ -151,7 +151,7 @@ void FormQuestion::setAnswer(const std::optional<Answer>& answer) {
   number_ ? number_->setText(text) : text_->setPlainText(text);
 }
 
-/// One that is not there: none.
+/// An option that does not exist selects none.
 void FormQuestion::choose(int option) {
   choice_->setExclusive(false);
   for (QAbstractButton* button : choice_->buttons()) button->setChecked(choice_->id(button) == option);
@@ -181,7 +181,7 @@ void FormQuestion::resizeEvent(QResizeEvent* event) {
   if (grid_) layOut();
 }
 
-/// Beside each other as far as there is room, in columns of one width.
+/// Beside each other if there is room, in columns of equal width.
 void FormQuestion::layOut() {
   const QList<QAbstractButton*> buttons = choice_->buttons();
   int widest_px = 1;

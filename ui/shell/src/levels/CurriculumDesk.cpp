@@ -17,7 +17,7 @@ using Kind = OfferedCurriculum::Kind;
 constexpr int kSoon_ms = 1500, kAgain_ms = 15'000;
 constexpr std::size_t kMostSteps = 200;
 
-/// The built-in necks and the cases that were opened here.
+/// Built-in necks and the cases opened on this computer.
 TeachingNames namesHere() {
   TeachingNames names = teachingNames().value_or(TeachingNames());
   for (const RecentCase& one : recentCases()) names.cases.push_back(one.title.toStdString());
@@ -83,7 +83,7 @@ void CurriculumDesk::read(const OfferedCurriculum& offer) {
 void CurriculumDesk::take(const OfferedCurriculum& offer, const Result<std::string>& text) {
   auto curriculum = text ? parseDraft(*text) : tl::unexpected(text.error());
   if (!curriculum) {
-    Q_EMIT curriculumChanged();  // the one that is looked at stays chosen
+    Q_EMIT curriculumChanged();  // the selected curriculum stays selected
     return Q_EMIT said(QString::fromStdString(curriculum.error().message), true);
   }
   chosen_ = offer, kept_ = sent_ = *text;
@@ -146,8 +146,8 @@ void CurriculumDesk::redo() {
   changed();
 }
 
-/// The account answers in turn, so that the next may be sent before the last is answered; where that one is refused, so
-/// is the next.
+/// The account answers in order, so that the next draft may be sent before the last answer; if one is refused, the next
+/// is refused, too.
 void CurriculumDesk::save() {
   if (saved_ || contested_ || !isDraft()) return;
   soon_.stop();
@@ -176,7 +176,7 @@ void CurriculumDesk::takeSaved(const std::string& text, const Result<void>& done
   std::exchange(go_, {})();
 }
 
-/// Refused: either another user has saved, or the store does not take it now and is tried again.
+/// The draft was refused: another user has saved, or the store cannot save now and the draft is sent again later.
 void CurriculumDesk::contest(const std::string& refusal) {
   account_->ask<std::string>(
       this, [name = curriculum_->name](const SignedIn& by) { return PublishedCurricula(by).draft(name); },

@@ -138,9 +138,9 @@ QWidget* CurriculumWindow::buildBar() {
 
 QWidget* CurriculumWindow::buildContest() {
   auto* theirs = named(new QPushButton(tr("Reload")), "curriculumTheirs", tr("Reload"),
-                       tr("Shows the saved draft; your changes since are lost"));
+                       tr("Shows the saved draft and discards your changes"));
   auto* mine = named(new QPushButton(tr("Overwrite")), "curriculumMine", tr("Overwrite"),
-                     tr("Saves your draft over theirs; their changes are lost"));
+                     tr("Saves your draft and discards the other user's changes"));
   for (QPushButton* one : {theirs, mine}) one->setAutoDefault(false);
   connect(theirs, &QPushButton::clicked, desk_, &CurriculumDesk::reloadDraft);
   connect(mine, &QPushButton::clicked, desk_, &CurriculumDesk::overwriteTheirs);
@@ -166,7 +166,7 @@ QWidget* CurriculumWindow::buildTeaching() {
   row->addWidget(new QLabel(tr("Class")));
   row->addWidget(cohort_, 1);
   row->addWidget(button("curriculumTeach", tr("Teach this version"),
-                        tr("Gives the class these levels from now on; attempts stay"), &CurriculumWindow::teach));
+                        tr("Assigns these levels to the class; its attempts do not change"), &CurriculumWindow::teach));
   return part;
 }
 
@@ -304,7 +304,7 @@ void CurriculumWindow::askToClose() {
   (new EntryDialog(
        tr("Close without the last changes?"),
        tr("The draft cannot be saved now. While this window stays open it is saved as soon as it can be."), {},
-       tr("Close without passwords"),
+       tr("Close without saving"),
        [this](const QStringList&, const std::function<void(Result<void>)>& done) {
          done({});
          QDialog::reject();

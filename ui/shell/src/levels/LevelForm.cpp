@@ -29,11 +29,11 @@ QString procedureTitle(const std::string& name) {
   return qt(procedure ? procedure->title : name);
 }
 
-/// An unknown value stays visible until something else is chosen.
+/// An unknown value stays visible until another one is selected.
 void choose(QComboBox& box, const QString& value) {
   int at = box.findData(value);
   if (at < 0) {
-    box.addItem(value.isEmpty() ? LevelForm::tr("choose one") : LevelForm::tr("%1 (not known here)").arg(value), value);
+    box.addItem(value.isEmpty() ? LevelForm::tr("choose one") : LevelForm::tr("%1 (not available)").arg(value), value);
     at = box.count() - 1;
   }
   box.setCurrentIndex(at);
@@ -98,7 +98,7 @@ void LevelForm::buildNames(QFormLayout& form) {
                   [text = about_->toPlainText()](Level& level) { level.about = text.toStdString(); });
   });
   named(prerequisites_, "levelEditNeeds", tr("Prerequisites"),
-        tr("The level is locked until those that are ticked are mastered (Space ticks)"));
+        tr("The level is locked until the checked levels are mastered (Space checks one)"));
   prerequisites_->setFixedHeight(kPrerequisites_px);
   connect(prerequisites_, &QListWidget::itemChanged, this, [this] {
     std::vector<std::string> needed;

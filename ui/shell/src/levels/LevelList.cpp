@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kSummary_px = 58;
 
-/// "level_3": attempts count by it, trainees never see it.
+/// "level_3": attempts refer to this name; trainees do not see it.
 std::string freshName(const Curriculum& curriculum) {
   for (std::size_t number = curriculum.levels.size() + 1;; ++number)
     if (const std::string name = "level_" + std::to_string(number); !curriculum.level(name)) return name;
@@ -36,14 +36,14 @@ LevelList::LevelList(QWidget* parent)
     : QWidget(parent), title_(new QLineEdit), about_(new QPlainTextEdit), list_(new QListWidget) {
   named(title_, "curriculumTitle", tr("Title of the curriculum"), tr("Title of the curriculum, as trainees see it"));
   title_->setPlaceholderText(tr("Title of the curriculum"));
-  named(about_, "curriculumAbout", tr("About the curriculum"), tr("Learning goal of the curriculum; may be empty"));
-  about_->setPlaceholderText(tr("About it; may be empty"));
+  named(about_, "curriculumAbout", tr("About the curriculum"), tr("Learning goal of the curriculum; optional"));
+  about_->setPlaceholderText(tr("Learning goal; optional"));
   about_->setTabChangesFocus(true);
   about_->setFixedHeight(kSummary_px);
   named(list_, "curriculumLevels", tr("Levels in their order"), tr("Ctrl+Up and Ctrl+Down move the chosen level"));
   list_->setWordWrap(true);
-  add_ = button("levelAdd", tr("Add"), tr("A new level at the end"), &LevelList::add);
-  copy_ = button("levelCopy", tr("Copy"), tr("Another level with the same rules, after this one"), &LevelList::copy);
+  add_ = button("levelAdd", tr("Add"), tr("Adds a level at the end"), &LevelList::add);
+  copy_ = button("levelCopy", tr("Copy"), tr("Adds a copy of the level after this one"), &LevelList::copy);
   remove_ = button("levelRemove", tr("Remove"), tr("Removes the level, also from the prerequisites of others"),
                    &LevelList::remove);
   up_ = button("levelUp", QStringLiteral("↑"), tr("Moves the level up (Ctrl+Up)"), &LevelList::moveUp);

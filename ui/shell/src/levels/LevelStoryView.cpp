@@ -16,7 +16,7 @@ QString wordsOf(StoryTurn::When when) {
     case StoryTurn::When::Beginning:
       return LevelStoryView::tr("At the beginning");
     case StoryTurn::When::Reached:
-      return LevelStoryView::tr("Once it is reached");
+      return LevelStoryView::tr("Once it is unlocked");
     case StoryTurn::When::AfterFailure:
       return LevelStoryView::tr("After a failure");
     case StoryTurn::When::AfterPass:
@@ -53,7 +53,7 @@ void LevelStoryView::show(const Curriculum& curriculum, const std::string& level
   if (others > 0) wrong << tr("▲  %1 more, in levels marked with ▲").arg(others);
   troubles_->setText(wrong.join(QLatin1Char('\n')));
   troubles_->setVisible(!wrong.isEmpty());
-  // Levels of a draft may be written in any order.
+  // A draft may have its levels in any order.
   const auto whole = parseCurriculum(curriculumText(curriculum));
   if (whole && whole->level(level))
     for (const StoryTurn& turn : levelStory(*whole, level))

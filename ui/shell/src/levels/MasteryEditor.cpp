@@ -51,7 +51,7 @@ QWidget* lineOf(std::initializer_list<QWidget*> parts) {
   return line;
 }
 
-/// The limit, and how many of those who are able reach it.
+/// The limit, and the share of able trainees who reach it.
 struct Calibrated {
   double limit = 0;
   Estimate falseSignals{}, power{};
@@ -61,9 +61,9 @@ Result<Calibrated> calibratedFor(const LcCusum& test, double falseSignals, const
                                  const Progress& progress) {
   const auto exact = calibratedLimit(test, falseSignals, trials, progress);
   if (!exact) return tl::unexpected(exact.error());
-  // With two digits, as it is kept: upward, so that the share still holds.
+  // Rounded up to the two digits that are stored, so that the share is still met.
   const double limit = std::ceil(100 * *exact) / 100;
-  // By careers that the limit was not fitted to.
+  // Computed from careers other than those of the calibration.
   CusumTrials others = trials;
   ++others.seed;
   const auto share = [&](double failureRate) {
@@ -73,7 +73,7 @@ Result<Calibrated> calibratedFor(const LcCusum& test, double falseSignals, const
   return Calibrated{limit, share(test.unacceptable), share(test.acceptable)};
 }
 
-/// "9.9 % (9.5 to 10.3 %)", of a share that was simulated.
+/// "9.9 % (9.5 to 10.3 %)", for a simulated share.
 QString simulatedPercent(const Estimate& share) {
   const auto percent = [](double value) { return QString::number(kPercent * value, 'f', 1); };
   const Interval interval = share.interval.value_or(Interval{share.value, share.value});
@@ -83,8 +83,8 @@ QString simulatedPercent(const Estimate& share) {
 
 QString wordsOf(const Calibrated& done, const LcCusum& test, const CusumTrials& trials) {
   return MasteryEditor::tr(
-             "h %1: about %2 of those who fail %3 % of the time signal falsely within %4 attempts; about %5 of those "
-             "who fail %6 % of the time signal. Simulated, with intervals of 95 %.")
+             "Limit %1: about %2 of trainees who fail %3 % of the time get a false signal within %4 attempts; about %5 "
+             "of those who fail %6 % of the time get a signal. Simulated, with 95 % intervals.")
       .arg(QString::number(done.limit, 'f', 2), simulatedPercent(done.falseSignals),
            QString::number(kPercent * test.unacceptable), QString::number(trials.trials), simulatedPercent(done.power),
            QString::number(kPercent * test.acceptable));
@@ -136,7 +136,7 @@ QWidget* MasteryEditor::buildCalibration() {
       number<QSpinBox>("cusumTrials", tr("Attempts"), tr("Number of attempts for this rate"), 1, 1000, tr(" attempts"));
   trials_->setValue(CusumTrials().trials);
   calibrate_ = named(new QPushButton(tr("Calibrate")), "cusumCalibrate", tr("Calibrate the limit"),
-                     tr("Simulates careers, reproducibly, and sets the limit"));
+                     tr("Sets the limit by a reproducible simulation of trainees"));
   calibrate_->setAutoDefault(false);
   connect(calibrate_, &QPushButton::clicked, this, &MasteryEditor::calibrate);
   calibrated_ = new QLabel;
@@ -230,7 +230,7 @@ void MasteryEditor::calibrate() {
   CusumTrials trials;
   trials.trials = trials_->value();
   tasks_->run<Calibrated>(
-      tr("Simulating %L1 careers of %2 attempts").arg(trials.careers).arg(trials.trials),
+      tr("Simulating %L1 trainees with %2 attempts each").arg(trials.careers).arg(trials.trials),
       [=](const Progress& progress) { return calibratedFor(test, share, trials, progress); },
       [this, test, trials](const Result<Calibrated>& done) {
         const QString words = done ? wordsOf(*done, test, trials) : QString::fromStdString(done.error().message);

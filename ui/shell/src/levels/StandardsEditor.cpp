@@ -43,7 +43,7 @@ QDoubleSpinBox* number(const QString& name, double low, double high, int decimal
 
 StandardsEditor::StandardsEditor(const std::vector<MetricMeaning>& metrics, QWidget* parent)
     : QWidget(parent), metrics_(metrics) {
-  auto* always = new QLabel(tr("It was completed, succeeded, without a critical error, and:"));
+  auto* always = new QLabel(tr("if it was completed and succeeded, had no critical error, and:"));
   setRole(always, "quiet");
   table_ = named(new QTableWidget(0, kColumns), "standards", tr("Standards"),
                  tr("Standards of metrics; the selected one is edited below"));
@@ -106,7 +106,7 @@ QWidget* StandardsEditor::buildStandard() {
   otherwise_->setPlaceholderText(tr("the artery was punctured"));
   critical_ = named(new QCheckBox(tr("Critical error")), "standardCritical", tr("Critical error"),
                     tr("An attempt that misses this standard fails, whatever share of the others it meets"));
-  add_ = pushButton("standardAdd", tr("Add"), tr("Another standard"));
+  add_ = pushButton("standardAdd", tr("Add"), tr("Adds a standard"));
   remove_ = pushButton("standardRemove", tr("Remove"), tr("Removes the selected standard"));
   connect(add_, &QPushButton::clicked, this, &StandardsEditor::add);
   connect(remove_, &QPushButton::clicked, this, &StandardsEditor::remove);
@@ -144,7 +144,7 @@ QWidget* StandardsEditor::buildStandard() {
 
 QString StandardsEditor::titleOf(const MetricStandard& standard) const {
   const auto known = std::ranges::find(metrics_, standard.metric, &MetricMeaning::id);
-  if (known == metrics_.end()) return tr("%1 (not known here)").arg(qt(standard.metric));
+  if (known == metrics_.end()) return tr("%1 (not available)").arg(qt(standard.metric));
   return known->unit.empty() ? qt(known->title) : QStringLiteral("%1, %2").arg(qt(known->title), qt(known->unit));
 }
 

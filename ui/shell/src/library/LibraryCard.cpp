@@ -97,7 +97,7 @@ void LibraryCard::paint(QPainter* painter, const QStyleOptionViewItem& option, c
   write(text, entry.title, theme::kText);
   painter->setFont(option.font);
   write(text.translated(0, line), gradeText(entry), theme::kText);
-  // Two lines, broken where a word ends.
+  // Two lines, broken at the end of a word.
   painter->setPen(colour(entry.state == LibraryEntry::State::Broken ? theme::kText : theme::kQuiet));
   const QRect reason(inner.left(), inner.top() + 2 * line, inner.width() - aside - kGap, inner.height() - 2 * line);
   painter->drawText(reason, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, secondLine(entry));

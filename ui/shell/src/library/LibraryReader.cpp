@@ -31,7 +31,7 @@ namespace insonate::ui {
 namespace {
 
 constexpr int kThumbnail_px = 160;
-/// Version of the cache's format; increase it when other facts are stored.
+/// Version of the cache's format; increase it when the stored facts change.
 constexpr int kFormat = 2;
 
 QImage ultrasoundOf(const CaseView& patient) {
@@ -80,7 +80,7 @@ void findOut(const PatientCase& patient, LibraryEntry& entry, const Progress& pr
   entry.state = LibraryEntry::State::Known;
 }
 
-/// Empty for a neck that is not on disk: nothing tells what was found out about it from what was about others.
+/// Empty for a neck that is not on disk, since its facts cannot be identified.
 QString keptFile(const QString& cache, const LibraryEntry& entry, const QString& folder) {
   if (!QFileInfo::exists(folder)) return {};
   const std::string state = diskStateOf(folder.toStdString());
@@ -98,7 +98,7 @@ void keep(const LibraryEntry& entry, const QString& file) {
   QDir().mkpath(QFileInfo(file).path());
   entry.slice.save(file + QStringLiteral("-ct.png"));
   entry.ultrasound.save(file + QStringLiteral("-us.png"));
-  // Last: what is there is whole.
+  // Written last, so that an existing file is complete.
   QSaveFile out(file + QStringLiteral(".json"));
   if (out.open(QIODevice::WriteOnly) && out.write(QJsonDocument(object).toJson()) > 0) out.commit();
 }
@@ -185,7 +185,7 @@ LibraryEntry knownCase(LibraryEntry entry, const QString& cache, const Progress&
     const auto made = builtInCase(entry.place, folder, progress);
     if (!made) return broken(std::move(entry), made.error().message);
     findOut(**made, entry, progress);
-    // The next start reads the neck instead of making it: only then is its state on disk known.
+    // The next start reads the neck from the disk: only then is its fingerprint known.
     waitForBuiltInCache();
   } else {
     const auto read = readCase(folder.toStdString());

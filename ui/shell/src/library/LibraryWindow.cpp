@@ -38,7 +38,7 @@ QComboBox* choice(const char* name, const QString& spoken, const QString& tip,
   return box;
 }
 
-/// Cases that were opened or saved here are listed, wherever they are.
+/// Includes the cases that were opened or saved on this computer, in any folder.
 QStringList recentFolders() {
   QStringList folders;
   for (const RecentCase& one : recentCases()) folders << QDir(one.folder).absolutePath();
@@ -65,7 +65,7 @@ LibraryWindow::LibraryWindow(QWidget* parent)
                       {{tr("fit and unfit"), int(LibraryFilter::Fitness::All)},
                        {tr("fit for training"), int(LibraryFilter::Fitness::Fit)},
                        {tr("not fit"), int(LibraryFilter::Fitness::Unfit)}})),
-      order_(choice("libraryOrder", tr("Order"), tr("In which order cases are listed"),
+      order_(choice("libraryOrder", tr("Order"), tr("Order of the cases"),
                     {{tr("easy first, ungraded last"), int(LibraryFilter::Order::Difficulty)},
                      {tr("by title"), int(LibraryFilter::Order::Title)},
                      {tr("newest first"), int(LibraryFilter::Order::Newest)}})),
@@ -192,7 +192,7 @@ void LibraryWindow::look() {
   runInBackground([tell, stopped = stopped_, folders = folders() + recentFolders(), builtIn = builtInNames(),
                    cache = libraryCache()] {
     std::vector<LibraryEntry> listed;
-    // One's own first: a built-in neck may have to be made, which takes seconds.
+    // The user's cases first: a built-in neck may have to be computed, which takes seconds.
     for (const QString& folder : casesIn(folders)) listed.push_back(listedCase(folder, false));
     for (const QString& name : builtIn) listed.push_back(listedCase(name, true));
     tell([listed](LibraryWindow& window) { window.take(listed); });

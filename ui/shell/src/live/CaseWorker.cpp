@@ -16,10 +16,10 @@
 
 namespace insonate::ui {
 
-/// The thread's work, which may outlive the worker: it uses the worker only while that exists.
+/// The work of the thread, which may outlive the worker; it accesses the worker only while the worker exists.
 class CaseWorker::Job {
  public:
-  /// A requested result; defined here so that it needs nothing else of the worker.
+  /// A requested result; defined here, so that it has no dependence on the worker.
   struct Wanted {
     bool tissues, start, hand, unplaced, structures, surface, surfacesDone, failed;
   };
@@ -68,22 +68,22 @@ class CaseWorker::Job {
     const std::lock_guard lock(mutex_);
     post(std::move(call));
   }
-  void post(Call call);  ///< with the mutex held
+  void post(Call call);  ///< call it with the mutex held
   void putTissues();
   void placeProbe(const LabelMap& labels);
   bool offerSkin(const LabelMap& labels, const Error& why);
   void makeSurfaces();
   void makeSurface(const SurfaceWish& wish);
 
-  CaseWorker* worker_;  ///< there until it is left, which the mutex guards
+  CaseWorker* worker_;  ///< valid until the worker leaves; guarded by the mutex
   std::shared_ptr<const PatientCase> patient_;
-  std::shared_ptr<const LabelMap> labels_;  ///< of which all is made
+  std::shared_ptr<const LabelMap> labels_;  ///< input of all results
   Wanted wanted_;
   std::atomic<bool> left_{false};
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<SurfaceWish> wishes_;        ///< guarded by the mutex
-  std::shared_ptr<const LabelMap> skin_;  ///< to put the probe on; guarded by the mutex
+  std::shared_ptr<const LabelMap> skin_;  ///< to place the probe on; guarded by the mutex
 };
 
 CaseWorker::CaseWorker(std::shared_ptr<const PatientCase> patient, CaseWork work, std::vector<SurfaceWish> wishes)
@@ -111,7 +111,7 @@ void CaseWorker::want(const std::vector<SurfaceWish>& wishes) {
 
 void CaseWorker::Job::post(Call call) {
   if (left_) return;
-  // Queued to the worker: gone with it, if it goes first.
+  // Queued to the worker, and discarded if the worker is deleted first.
   QMetaObject::invokeMethod(
       worker_, [worker = worker_, call = std::move(call)] { call(worker->work_); }, Qt::QueuedConnection);
 }
@@ -139,7 +139,7 @@ void CaseWorker::Job::placeProbe(const LabelMap& labels) {
   deliver([made = std::move(*hand)](CaseWork& work) { work.hand(made); });
 }
 
-/// From before the patient, the nearest skin is that of the front, wherever the scan cuts it.
+/// From a point in front of the patient, the nearest skin is that of the front, wherever the scan ends.
 bool CaseWorker::Job::offerSkin(const LabelMap& labels, const Error& why) {
   if (!wanted_.unplaced) return false;
   const VolumeGeometry& grid = labels.geometry;
@@ -149,7 +149,7 @@ bool CaseWorker::Job::offerSkin(const LabelMap& labels, const Error& why) {
   if (!hand) return false;
   const double ahead_mm = 0.5 * grid.size[1] * grid.spacing_mm.y;
   hand->moveTo(centre_mm - Vec3{0, ahead_mm, 0});
-  // Square to the skin there, whatever it was where it came from.
+  // Perpendicular to the skin there, whatever its former orientation was.
   hand->tilt(-hand->state().tilt_deg);
   hand->rock(-hand->state().rock_deg);
   deliver([made = std::move(*hand), text = QString::fromStdString(why.message)](CaseWork& work) {
@@ -192,7 +192,7 @@ void CaseWorker::Job::makeSurface(const SurfaceWish& wish) {
   const LabelMap& labels = wish.labels ? *wish.labels : *labels_;
   auto mesh = wish.label == kSkin ? extractBody(labels, wish.options, asked)
                                   : extractSurface(labels, wish.label, wish.options, asked);
-  // A structure that has no surface is not shown; nothing else depends on it.
+  // A structure without a surface is not shown; this has no other effect.
   if (!mesh && !wish.labels) return;
   deliver([label = wish.label, made = std::make_shared<const Mesh>(mesh ? std::move(*mesh) : Mesh())](CaseWork& work) {
     work.surface(label, made);

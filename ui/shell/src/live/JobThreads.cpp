@@ -10,7 +10,7 @@
 namespace insonate::ui {
 namespace {
 
-/// Counts the threads at work, so that the end of the program can wait for them.
+/// Counts the running threads, so that the end of the program can wait for them.
 struct Threads {
   std::mutex mutex;
   std::condition_variable changed;

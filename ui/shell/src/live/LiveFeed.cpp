@@ -14,10 +14,10 @@ LiveFeed::~LiveFeed() {
 }
 
 void LiveFeed::set(std::unique_ptr<LiveImaging> live) {
-  // After this, nobody posts any more; what was posted is dropped before the next probe begins.
+  // After this call no images are posted; posted images are dropped before the next probe starts.
   if (live_) {
     live_->onFrame({});
-    // Its threads end within a fraction of a second, which is too long for the window.
+    // Its threads take a fraction of a second to end, too long for the window's thread.
     runInBackground([old = std::shared_ptr<LiveImaging>(std::move(live_))] {});
   }
   QCoreApplication::removePostedEvents(this, QEvent::User);

@@ -31,7 +31,7 @@ constexpr Kind kKinds[] = {
     {views::ClippingKind::Free, "any plane"},
 };
 
-/// Turned from facing the front toward the patient's left, then tilted up.
+/// Turned from the front toward the patient's left, then tilted up.
 Vec3 directionOf(double turn_deg, double tilt_deg) {
   const double turn = turn_deg / kDegrees, tilt = tilt_deg / kDegrees;
   return {std::cos(tilt) * std::sin(turn), -std::cos(tilt) * std::cos(turn), std::sin(tilt)};

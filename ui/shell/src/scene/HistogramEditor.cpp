@@ -27,7 +27,7 @@ namespace {
 using Function = views::TransferFunction;
 constexpr int kSwatch_px = 16, kNumber_px = 72;
 enum Field { kHu, kOpacity };
-/// Gestures of typing go beside those of the plot.
+/// Ids of the gestures of typing, apart from those of the plot.
 constexpr int kTyping = 1'000'000;
 
 QString nameOf(const views::TransferPreset& preset) {
@@ -47,7 +47,7 @@ QToolButton* button(const QString& iconName, const QString& text, const QString&
 
 }  // namespace
 
-/// One step back or forward; those of one gesture melt into one.
+/// One undo step; the changes of one gesture are merged.
 class HistogramEditor::Change final : public QUndoCommand {
  public:
   Change(HistogramEditor& editor, Function after, int gesture, const QString& what)
@@ -101,12 +101,12 @@ QWidget* HistogramEditor::buildTop() {
   box->setSpacing(kSmallGap);
   preset_ = new QComboBox;
   preset_->setObjectName(QStringLiteral("transferPreset"));
-  preset_->setAccessibleName(tr("Preset of the CT's look"));
+  preset_->setAccessibleName(tr("Preset of the transfer function"));
   preset_->setToolTip(tr("Presets; drag the points to adjust them"));
   for (const auto& preset : views::transferPresets()) preset_->addItem(nameOf(preset));
   preset_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   preset_->setMinimumContentsLength(6);
-  preset_->setPlaceholderText(tr("changed"));  // no preset's any more
+  preset_->setPlaceholderText(tr("changed"));  // no preset is in use
   connect(preset_, qOverload<int>(&QComboBox::activated), this,
           [this](int index) { choosePreset(preset_->itemText(index)); });
   new QuietWheel(preset_);
@@ -124,7 +124,7 @@ QWidget* HistogramEditor::buildTop() {
   };
   undoable(undo_->createUndoAction(this, tr("Undo")), "undo", QKeySequence::Undo);
   undoable(undo_->createRedoAction(this, tr("Redo")), "redo", QKeySequence::Redo);
-  auto* again = button({}, tr("Reset"), tr("Back to the preset"));
+  auto* again = button({}, tr("Reset"), tr("Restores the preset"));
   again->setObjectName(QStringLiteral("transferReset"));
   connect(again, &QToolButton::clicked, this, &HistogramEditor::reset);
   box->addWidget(again);
@@ -144,23 +144,23 @@ QWidget* HistogramEditor::buildNumbers() {
   hu_->setSuffix(tr(" HU"));
   hu_->setSingleStep(10);
   hu_->setAccessibleName(tr("Point's Hounsfield units"));
-  hu_->setToolTip(tr("Where the point is, in Hounsfield units: air −1000, water 0, bone above 200"));
+  hu_->setToolTip(tr("Position of the point in Hounsfield units: air −1000, water 0, bone above 200"));
   opacity_ = new NumberBox<QDoubleSpinBox>(tr("The point's opacity"));
   opacity_->setObjectName(QStringLiteral("nodeOpacity"));
   opacity_->setRange(0, 100);
   opacity_->setDecimals(1);
   opacity_->setSuffix(tr(" %"));
   opacity_->setAccessibleName(tr("Point's opacity in %"));
-  opacity_->setToolTip(tr("Opacity of one millimeter of such tissue, in %"));
+  opacity_->setToolTip(tr("Opacity of one millimeter of tissue with this value, in %"));
   for (QAbstractSpinBox* number : {static_cast<QAbstractSpinBox*>(hu_), static_cast<QAbstractSpinBox*>(opacity_)}) {
     number->setButtonSymbols(QAbstractSpinBox::NoButtons);
     number->setFixedWidth(kNumber_px);
     new QuietWheel(number);
     number->setKeyboardTracking(false);
   }
-  colour_ = button(QStringLiteral("eye"), tr("Point's color"), tr("Color of such tissue"));
+  colour_ = button(QStringLiteral("eye"), tr("Point's color"), tr("Color of tissue with this value"));
   colour_->setObjectName(QStringLiteral("nodeColour"));
-  add_ = button({}, QStringLiteral("+"), tr("A new point beside this one (Insert, or double click)"));
+  add_ = button({}, QStringLiteral("+"), tr("Adds a point beside this one (Insert, or double click)"));
   add_->setAccessibleName(tr("Add a point"));
   remove_ = button(QStringLiteral("close"), tr("Remove the point"), tr("Remove this point (Delete, or right click)"));
   connect(hu_, qOverload<int>(&QSpinBox::valueChanged), this, [this] { typed(kHu); });

@@ -21,7 +21,7 @@ QColor faint(views::Colour base, double share) {
   return result;
 }
 
-/// Round numbers, so that four to eight of them fit.
+/// Round numbers, four to eight of which fit.
 double tickStep(double range) {
   for (const double step : {50.0, 100.0, 200.0, 250.0, 500.0, 1000.0})
     if (range / step <= 7) return step;
@@ -89,7 +89,7 @@ void HistogramPlot::paintAxes(QPainter& painter, const QRectF& area) const {
 
 void HistogramPlot::paintFunction(QPainter& painter, const QRectF& area) const {
   if (function_.nodes.empty()) return;
-  // The scale is not even, so what is straight in opacity is a curve here.
+  // The scale is not linear, so that linear opacity is a curve here.
   QPainterPath curve;
   QLinearGradient colours(area.topLeft(), area.topRight());
   curve.moveTo(placeOf(least_HU_, function_.opacityAt(least_HU_)));

@@ -33,7 +33,7 @@ QRectF HistogramPlot::field() const {
   return {kMargin_px, kMargin_px, width() - 2 * kMargin_px, height() - kMargin_px - kFoot_px};
 }
 
-// Most of what matters is thin: a square root gives low opacities room.
+// Most relevant opacities are low: a square root gives them more space.
 QPointF HistogramPlot::placeOf(double hu, double opacity) const {
   const QRectF area = field();
   return {area.left() + area.width() * (hu - least_HU_) / (most_HU_ - least_HU_),
@@ -68,7 +68,7 @@ void HistogramPlot::setHistogram(const views::HuHistogram& histogram) {
 
 void HistogramPlot::setFunction(const Function& function) {
   function_ = function;
-  // The ground does not move under a hand that drags.
+  // The scale does not change during a drag.
   if (!dragging_) fitRange();
   update();
   if (selected_ >= int(function_.nodes.size())) select(int(function_.nodes.size()) - 1);
@@ -123,7 +123,7 @@ void HistogramPlot::addBeside() {
 }
 
 void HistogramPlot::remove(int node) {
-  // Without any, nothing would be seen and nothing could be held.
+  // Without nodes, nothing would be visible and nothing could be dragged.
   if (node < 0 || function_.nodes.size() < 2) return;
   Function wanted = function_;
   wanted.nodes.erase(wanted.nodes.begin() + node);
@@ -190,7 +190,7 @@ void HistogramPlot::keyPressEvent(QKeyEvent* event) {
   const int across = key == Qt::Key_Right ? 1 : key == Qt::Key_Left ? -1 : 0;
   const int up = key == Qt::Key_Up ? 1 : key == Qt::Key_Down ? -1 : 0;
   if ((across != 0 || up != 0) && selected_ >= 0) {
-    // A run of the same arrow is one step.
+    // Repeated presses of the same arrow are one step.
     if (key != lastArrow_) ++gesture_;
     lastArrow_ = key;
     const auto& at = function_.nodes[std::size_t(selected_)];

@@ -29,7 +29,7 @@ QVBoxLayout* column(QWidget* widget) {
   return box;
 }
 
-/// A case that was saved, or edited, is still the same patient.
+/// A case that was saved or edited is still the same patient.
 bool samePatient(const PatientCase& a, const PatientCase& b) {
   return a.ct.geometry == b.ct.geometry && a.manifest.source == b.manifest.source;
 }
@@ -70,7 +70,7 @@ ScenePanel::ScenePanel(std::shared_ptr<views::SceneView> scene, QWidget* parent,
   connect(clipping_, &ClippingControls::changed, this, &ScenePanel::live);
   connect(eyes_, &EyeControls::changed, this, &ScenePanel::live);
   scene_->setStructuresChanged([this] {
-    // Loading a case is many changes.
+    // Loading a case changes many things at once.
     if (refreshDue_) return;
     refreshDue_ = true;
     QTimer::singleShot(0, this, &ScenePanel::refresh);
@@ -241,7 +241,7 @@ void ScenePanel::showUsual() {
 }
 
 void ScenePanel::showEvent(QShowEvent* event) {
-  // The scene may be in its window only now.
+  // The scene may enter its window only now.
   eyes_->refresh();
   clipping_->refresh();
   QWidget::showEvent(event);

@@ -112,7 +112,7 @@ StructureList::Row StructureList::makeRow(std::uint8_t label) {
   box->addWidget(row.colour);
   box->addWidget(new QLabel(name, widget), 1);
   box->addWidget(row.opacity);
-  // The panel has a slider of its own for how far one looks through the skin.
+  // The panel has a separate slider for the transparency of the skin.
   if (label == kSkin) row.opacity->hide();
   return row;
 }

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kColumns = 90, kMost = 2000;
 
-/// At spaces; where a word is longer than a line, within it.
+/// Breaks at spaces; within a word only if it is longer than a line.
 QStringList wrapped(QString line) {
   QStringList lines;
   while (line.size() > kColumns) {

@@ -13,7 +13,7 @@
 #include <QWidget>
 #include <utility>
 
-// A static library's resources are linked only when they are asked for, and that only outside a namespace.
+// Resources of a static library are linked only if they are initialized, which must be outside a namespace.
 static void useResources() {
   Q_INIT_RESOURCE(theme);
 }
@@ -68,7 +68,7 @@ void setRole(QWidget* widget, const char* role) {
   const QVariant before = widget->property("role"), now = QLatin1String(role);
   if (before == now) return;
   widget->setProperty("role", now);
-  // The style sheet is asked once only.
+  // The style sheet is read once only.
   if (before.isValid()) widget->style()->unpolish(widget), widget->style()->polish(widget);
 }
 

@@ -16,9 +16,9 @@
 namespace insonate::ui {
 namespace {
 
-/// After this long without a wheel, a view is drawn exactly again.
+/// Time without wheel input after which a view is drawn exactly again.
 constexpr int kRest_ms = 300;
-constexpr double kDegreesOfANotch = 120;  // in eighths, as Qt counts
+constexpr double kDegreesOfANotch = 120;  // in eighths of a degree, as Qt counts
 
 views::Button viewButton(Qt::MouseButton button) {
   switch (button) {
@@ -122,7 +122,7 @@ bool ViewWidget::Canvas::event(QEvent* event) {
 }
 
 void ViewWidget::Canvas::takeDrawn() {
-  // The image that is shown lies in the memory that is given for the next.
+  // The memory of the shown image is reused for the next one.
   if (!thread_ || !thread_->take(drawn_)) return;
   if (drawn_.wish > forgotten_) return show(drawn_.pixels);
   picture_ = QImage();
@@ -145,7 +145,7 @@ void ViewWidget::Canvas::forget() {
 
 void ViewWidget::Canvas::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  // An image of another size would leave old contents visible around it.
+  // An image of another size would leave old contents around it.
   if (picture_.size() != deviceSize()) painter.fillRect(rect(), Qt::black);
   if (!picture_.isNull()) painter.drawImage(rect().topLeft(), picture_);
   askIfStale();
@@ -192,7 +192,7 @@ void ViewWidget::Canvas::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void ViewWidget::Canvas::wheelEvent(QWheelEvent* event) {
-  // Alt turns a wheel into a sideways one.
+  // Alt makes a wheel event horizontal.
   const QPoint turned = event->angleDelta();
   const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / kDegreesOfANotch;
   const views::Pointer at{devicePoint(event->position()), viewButton(held_),

@@ -16,7 +16,7 @@ namespace {
 
 constexpr char kRoom[] = "insonateViewRoom";
 constexpr double kFrame_ms = 16;
-/// Share of a slow rendering's duration that is left to other work before the next.
+/// Time for other work before the next rendering, as a share of a slow rendering's duration.
 constexpr double kShareForOthers = 0.3;
 
 QWidget* roomOf(QWidget* view) {
@@ -30,7 +30,7 @@ QWidget* roomOf(QWidget* view) {
 void prepareGraphics() {
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
-  // Lines stay sharp with whole factors; text has its exact size all the same, through the screen's resolution.
+  // Lines stay sharp with whole factors; text gets its exact size from the screen's resolution.
   QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::Round);
 }
 
@@ -74,11 +74,11 @@ ViewWidget::~ViewWidget() {
   canvas_->onFocus = nullptr;
   canvas_->onStale = nullptr;
   canvas_->onDrawn = nullptr;
-  delete canvas_;  // which is left by the mouse as it goes, and its view is asked then
+  delete canvas_;  // its leave event, sent during its deletion, still needs the view
 }
 
 void ViewWidget::want() {
-  // One wish is enough while a thread draws.
+  // One request is enough while a thread draws.
   if (canvas_->isDrawing()) wantedAgain_ = true;
   if (timer_->isActive() || canvas_->isDrawing()) return;
   const double since_ms = sinceRender_.isValid() ? double(sinceRender_.nsecsElapsed()) / 1e6 : kFrame_ms;

@@ -14,7 +14,7 @@
 namespace insonate::ui {
 namespace {
 
-/// The help page without its heading, which stands above it.
+/// The help page without its heading, which is already above it.
 QString aboutText() {
   for (const auto& file : embedded::help::files())
     if (file.name == "about") return qt(file.text).section(QLatin1Char('\n'), 1);

@@ -48,7 +48,7 @@ HeaderBar::HeaderBar(QMenu* viewMenu, QMenu* caseMenu, AccountMenu* accountMenu,
   row->addWidget(product);
   row->addSpacing(kGap);
   row->addLayout(tabRow_);
-  // Shortened rather than widening the window.
+  // Shortened, so that it does not widen the window.
   case_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   case_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row->addWidget(case_, 1);
@@ -63,7 +63,7 @@ HeaderBar::HeaderBar(QMenu* viewMenu, QMenu* caseMenu, AccountMenu* accountMenu,
     const QKeySequence keys = who->shortcut();
     const QString text = who->fontMetrics().elidedText(accountMenu->shortText(), Qt::ElideRight, kMostName_px);
     who->setText(QLatin1Char(' ') + plainCaption(text));
-    who->setShortcut(keys);  // which a new text takes away
+    who->setShortcut(keys);  // setting a text removes the shortcut
   });
   connect(tabs_, &QButtonGroup::idClicked, this, &HeaderBar::tabChosen);
 }
@@ -104,7 +104,7 @@ void HeaderBar::elide() {
 
 void HeaderBar::resizeEvent(QResizeEvent* event) {
   QFrame::resizeEvent(event);
-  // Its own width comes with the next layout.
+  // Its own width is known after the next layout.
   layout()->activate();
   elide();
 }

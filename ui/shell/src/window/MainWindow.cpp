@@ -27,7 +27,7 @@ namespace insonate::ui {
 namespace {
 
 const QString kGeometry = QStringLiteral("window/geometry");
-/// A screen of 1366 x 768 at a scale of 1.5, less its bars.
+/// A screen of 1366 x 768 at a scale of 1.5, minus its bars.
 constexpr QSize kLeast{880, 460};
 const QString kWorkspace = QStringLiteral("window/workspace");
 
@@ -63,9 +63,9 @@ MainWindow::MainWindow(std::unique_ptr<Account> account)
 }
 
 MainWindow::~MainWindow() {
-  // Hiding is news to a workspace, which comes when there is no window any more to be told.
+  // Hiding notifies a workspace, which must happen while the window exists.
   for (const Room& room : rooms_) room.workspace->disconnect(this);
-  // Workspaces may still have something to write down for who sits here.
+  // Workspaces may still have to write data of the user.
   delete takeCentralWidget();
 }
 
@@ -77,7 +77,7 @@ void MainWindow::arrange() {
   column->addWidget(header_);
   column->addWidget(errors_);
   column->addWidget(stack_, 1);
-  // A long job shows beside the status line: nothing above it moves when it comes and goes.
+  // A long job is shown beside the status line, so that nothing moves when it appears and disappears.
   auto* foot = new QWidget;
   foot->setObjectName(QStringLiteral("foot"));
   auto* row = new QHBoxLayout(foot);
@@ -118,7 +118,7 @@ void MainWindow::connectAll() {
               takeMade(patient);
               status_->say(sentence);
             };
-            // If the case holds all edits, only things that end with the case need a question; the files stay.
+            // If the case holds all edits, the window asks only about work that ends with the case; the files stay.
             whole&& loss().ending.isEmpty() ? go() : confirmDiscard(LostBy::Opening, go);
           });
   connect(exchange_, &CaseExchange::written, this,
@@ -240,7 +240,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     room.workspace->saveLayout(settings);
     settings.endGroup();
   }
-  // The window goes at once; what is still at work is told to stop and waited for out of sight.
+  // The window is hidden at once; running work is stopped, and the program waits for it in the background.
   hide();
   tasks_->cancel();
   for (const Room& room : rooms_) room.workspace->stop();

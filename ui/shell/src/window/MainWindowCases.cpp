@@ -1,4 +1,4 @@
-// The part of the window that brings cases in and out.
+// The part of the window that opens and exports cases.
 #include "AboutDialog.h"
 #include "CaseExchange.h"
 #include "HeaderBar.h"
@@ -32,14 +32,14 @@ namespace {
 
 const QString kLastTarget = QStringLiteral("lastTarget");
 
-/// The first local file or folder that is carried; empty when there is none.
+/// The first local file or folder of a drag; empty if there is none.
 QString carriedPath(const QMimeData* data) {
   for (const QUrl& url : data->urls())
     if (url.isLocalFile()) return url.toLocalFile();
   return {};
 }
 
-/// A name that every file system takes.
+/// A name that is valid in every file system.
 QString folderNameFor(const std::string& title) {
   QString name;
   for (const QChar c : QString::fromStdString(title).simplified())
@@ -57,19 +57,20 @@ void MainWindow::makeActions() {
     addAction(action);
     return action;
   };
-  open_ = make("folder", tr("Open case ..."), tr("A case folder, or a folder of DICOM files"), QKeySequence::Open);
+  open_ =
+      make("folder", tr("Open case ..."), tr("Opens a case folder, or a folder of DICOM files"), QKeySequence::Open);
   import_ =
       make("import", tr("Import file ..."),
            tr("Imports the whole DICOM series of any of its files, or an NRRD, NIfTI or MetaImage file"), tr("Ctrl+I"));
-  textbook_ = make("neck", tr("Built-in neck"), tr("The textbook neck that comes with Insonate"), tr("Ctrl+T"));
+  textbook_ = make("neck", tr("Built-in neck"), tr("Opens the textbook neck that comes with Insonate"), tr("Ctrl+T"));
   library_ = make("folder", tr("Case library ..."), tr("Lists all cases with contents and difficulty"), tr("Ctrl+B"));
-  attempt_ = make("review", tr("Open attempt ..."), tr("A recorded attempt, to be replayed"), tr("Ctrl+Shift+O"));
+  attempt_ = make("review", tr("Open attempt ..."), tr("Opens a recorded attempt to replay it"), tr("Ctrl+Shift+O"));
   attempt_->setVisible(false);
   reload_ = make("reload", tr("Reload"), tr("Reads the case from its folder again"), QKeySequence(Qt::Key_F5));
-  save_ = make("save", tr("Save case"), tr("Write the changes to the case's folder"), QKeySequence::Save);
-  saveAs_ = make("save", tr("Save case as ..."), tr("Write the case to a folder"), tr("Ctrl+Shift+S"));
+  save_ = make("save", tr("Save case"), tr("Writes the changes to the case's folder"), QKeySequence::Save);
+  saveAs_ = make("save", tr("Save case as ..."), tr("Writes the case to a new folder"), tr("Ctrl+Shift+S"));
   for (QAction* action : {reload_, save_, saveAs_}) action->setEnabled(false);
-  auto* quit = make("close", tr("Quit"), tr("Close the window"), QKeySequence::Quit);
+  auto* quit = make("close", tr("Quit"), tr("Closes the window"), QKeySequence::Quit);
   auto* page = make("help", tr("Help"), tr("Help for this view"), QKeySequence(Qt::Key_F1));
   auto* keys = make("help", tr("Keys"), tr("All keys"), QKeySequence(Qt::Key_Question));
   auto* glossary = make("help", tr("Glossary"), tr("What each number means and how it is measured"), {});
@@ -143,7 +144,7 @@ void MainWindow::chooseCase() {
 void MainWindow::chooseImport() {
   const QString file =
       askForSourceFile(this, tr("Import a CT: any file of a DICOM series, or a volume file"),
-                       // Hospitals' DICOM files often have no ending.
+                       // DICOM files from hospitals often have no extension.
                        tr("DICOM and volumes (*);;Volumes (*.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd)"));
   if (!file.isEmpty()) open(file);
 }
@@ -167,7 +168,7 @@ void MainWindow::openAttempt(const QString& file) {
     showWorkspace(room->id);
     room->workspace->openAttempt(file);
   };
-  // A case that is not saved is in danger only where the attempt is of another one; that is asked then.
+  // An unsaved case is at risk only if the attempt belongs to another case; the window asks then.
   tasks_->asksWhenClosed() ? confirmDiscard(LostBy::Opening, go) : go();
 }
 
@@ -207,7 +208,7 @@ void MainWindow::takeMade(std::shared_ptr<const PatientCase> patient) {
   handOut();
 }
 
-/// Without a case, what runs brings one.
+/// Without a case, the running job will open one.
 void MainWindow::showOpening() {
   if (case_.patient) return;
   const QString what = tasks_->isRunning() ? tasks_->title() : QString();
@@ -242,7 +243,7 @@ void MainWindow::showHelp(bool keys) {
   const ShortcutGroup views{tr("In every view"), {{tr("M, double click"), tr("maximize this view, and restore it")}}};
   std::vector<ShortcutGroup> groups{std::move(everywhere), views};
   for (const Room& room : rooms_) {
-    // Commands of the present workspace come first.
+    // Commands of the current workspace come first.
     const auto place = room.workspace == currentWorkspace() ? groups.begin() : groups.end();
     if (auto shortcuts = room.workspace->shortcuts(); !shortcuts.empty())
       groups.insert(place, {room.title, std::move(shortcuts)});

@@ -1,4 +1,4 @@
-// The part of the window that closes it, and what it hands on to the workspace.
+// The part of the window that closes it, and the keys that it passes on to the workspace.
 #include <insonate/ui/MainWindow.h>
 
 #include <QCoreApplication>
@@ -13,7 +13,7 @@ void MainWindow::closeAtOnce() {
 }
 
 bool MainWindow::passKey(QKeyEvent& event) {
-  // Space freezes, wherever a click left the keyboard. What the workspace does not know comes back to the window.
+  // Space freezes wherever the keyboard focus is. Keys that the workspace does not use return to the window.
   Workspace* workspace = currentWorkspace();
   if (passing_ || !workspace || workspace->isAncestorOf(focusWidget()) || focusWidget() == workspace) return false;
   passing_ = true;

@@ -1,4 +1,4 @@
-// The part of the window that keeps edits: saving, and asking before they would be lost.
+// The part of the window that saves edits and asks before they are discarded.
 #include "CaseExchange.h"
 #include "HeaderBar.h"
 #include "LossQuestion.h"
@@ -98,13 +98,13 @@ void MainWindow::confirmDiscard(LostBy by, std::function<void()> go) {
   if (!lost) return go();
   if (auto* asked = findChild<LossQuestion*>()) return asked->raise();
   auto* question = new LossQuestion(lost, by, this);
-  // Once the question is gone: it must not go with the window in the middle of its own end.
+  // After the dialog has closed, since the window must not delete it during its own close event.
   connect(question, &LossQuestion::continueChosen, this, [this, go] { QTimer::singleShot(0, this, go); });
   connect(question, &LossQuestion::saveChosen, this, [this, go] {
     afterSaving_ = go;
     saveCase();
   });
-  // The situation has changed: asks again if something else would be lost now, for example an import.
+  // The situation has changed: asks again if other work would be lost now, for example an import.
   connect(tasks_, &TaskBar::runningChanged, question, [this, question, by, go] {
     if (!question->isVisible()) return;
     question->reject();

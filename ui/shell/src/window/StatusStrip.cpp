@@ -14,7 +14,7 @@ namespace insonate::ui {
 namespace {
 
 constexpr int kSaid_ms = 8000;
-/// Time enough to go there.
+/// Time to reach the link with the pointer.
 constexpr int kLink_ms = 30000;
 
 }  // namespace

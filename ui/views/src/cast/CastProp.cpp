@@ -18,11 +18,11 @@ namespace {
 
 /// Time limit for the rays of one moving frame.
 constexpr double kQuick_ms = 20;
-/// Pixels from one ray to the next, along a side.
+/// Pixels between two rays along a side.
 constexpr double kWidest = 8, kStepOfSpacing = 0.5;
 /// Weight of the last measurement for the next frame.
 constexpr double kTrust = 0.3;
-/// Nearest to the eye: what lies before the CT has ended its rays.
+/// Depth nearest to the eye: rays through the CT end at what is drawn in front of it.
 constexpr float kFront = 1e-6F;
 
 }  // namespace
@@ -73,7 +73,7 @@ bool CastProp::ready() {
     });
   refiner_->prepare(case_->shared());
   const auto volume = refiner_->volume();
-  // Another case's grid is not this one's; the same grid in other memory is, until it is made ready itself.
+  // A volume of another grid is unusable; one of the same grid in other memory is used until the new one is ready.
   if (!volume || volume->patient->ct.geometry != case_->patient().ct.geometry) return false;
   if (!quick_.look || quick_.look->volume != volume) quick_.look = std::make_shared<const CastLook>(volume, transfer_);
   return true;
@@ -133,7 +133,7 @@ int CastProp::RenderVolumetricGeometry(vtkViewport* viewport) {
 
 void CastProp::show(vtkRenderer& renderer, const CastTask& task, const std::vector<std::uint8_t>& rgba) {
   int size[2] = {task.across, task.up}, origin[2] = {0, 0};
-  // VTK takes no constants; it only reads these.
+  // VTK has no constant pointers; this code only reads the data.
   display_->RenderTexture(nullptr, &renderer, size, size, size, origin, kFront, const_cast<std::uint8_t*>(rgba.data()));
 }
 

@@ -7,7 +7,7 @@
 namespace insonate::views {
 namespace {
 
-/// In smallest voxels.
+/// In units of the smallest voxels.
 constexpr double kStep = 0.7;
 constexpr float kMostOpaque = 0.999F;
 
@@ -25,7 +25,7 @@ void findRanges(CastGrid& grid) {
       range.least = std::min(range.least, *least), range.most = std::max(range.most, *most);
     }
   };
-  // A row at the border of two blocks belongs to both: between its voxels and the last of the block before, too.
+  // A row at the border of two blocks belongs to both, since interpolation uses the last voxel of the block before.
   const auto first = [](int at) {
     return at % (1 << CastGrid::kShift) == 0 ? std::max(0, (at >> CastGrid::kShift) - 1) : at >> CastGrid::kShift;
   };
@@ -62,7 +62,7 @@ void makeCopy(CastVolume& volume) {
     }
   }
   coarse.voxels = volume.copy.data();
-  // The middle of a box of f voxels is (f - 1) / 2 behind its first one.
+  // The center of a box of f voxels is (f - 1) / 2 after its first voxel.
   Transform coarseFromFine;
   coarse.finest_mm = std::numeric_limits<double>::max();
   for (int axis = 0; axis < 3; ++axis) {
@@ -96,8 +96,8 @@ int CastLook::entryOf(int hu) {
 }
 
 CastLook::CastLook(std::shared_ptr<const CastVolume> of, const TransferFunction& function) : volume(std::move(of)) {
-  std::vector<Entry> entries(kEntries);      // with the opacity of a millimeter
-  std::vector<int> before(kEntries + 1, 0);  // how many entries before this one are seen
+  std::vector<Entry> entries(kEntries);      // with the opacity for a millimeter
+  std::vector<int> before(kEntries + 1, 0);  // number of visible entries before this one
   for (std::size_t k = 0; k < kEntries; ++k) {
     const double hu = kFirst_HU + double(k);
     const Colour colour = function.colourAt(hu);

@@ -12,9 +12,9 @@ namespace {
 
 /// Transmission below which a ray ends.
 constexpr float kOpaque = 0.01F;
-/// Opacity of a step below which shading is not worth its samples.
+/// Opacity of a step below which shading is omitted.
 constexpr float kShadedFrom = 0.004F;
-/// Change in HU of a voxel below which there is no surface to shine on.
+/// Change in HU for each voxel below which there is no surface to shade.
 constexpr double kFlat_HU = 4;
 constexpr double kAmbient = 0.35, kDiffuse = 0.85, kSpecular = 0.1;
 
@@ -28,7 +28,7 @@ bool CastView::operator==(const CastView& other) const {
          height == other.height && depth == other.depth;
 }
 
-/// In the grid's indices: from + t * way for t from first to last; one step is `step` of t.
+/// A ray in the grid's indices: from + t * way for t from first to last; one step is `step` of t.
 struct RayCaster::Ray {
   float from[3], way[3];
   float first, last, step;
@@ -58,7 +58,7 @@ std::optional<RayCaster::Ray> RayCaster::ray(double across, double up, float dep
   const double length_mm = norm(far_mm - near_mm);
   double first = 0, last = 1;
   if (depth < 1) last = norm(patient(across, up, 2 * double(depth) - 1) - near_mm) / length_mm;
-  const auto keep = [&](double distance, double rate) {  // where distance + t * rate is not below 0
+  const auto keep = [&](double distance, double rate) {  // range where distance + t * rate is not negative
     if (std::abs(rate) < 1e-12) return void(last = distance < 0 ? -1 : last);
     if (rate > 0)
       first = std::max(first, -distance / rate);
@@ -79,7 +79,7 @@ std::optional<RayCaster::Ray> RayCaster::ray(double across, double up, float dep
   return ray;
 }
 
-/// Trilinear; the nearest edge voxel outside.
+/// Trilinear; outside, the nearest edge voxel.
 inline float RayCaster::sample(float x, float y, float z) const {
   const auto clamped = [](float at, int size) { return std::min(std::max(at, 0.F), float(size - 1)); };
   x = clamped(x, grid_.size[0]), y = clamped(y, grid_.size[1]), z = clamped(z, grid_.size[2]);
@@ -95,7 +95,7 @@ inline float RayCaster::sample(float x, float y, float z) const {
   return mix(plane(at), plane(at + above), z);
 }
 
-/// Both sides of a surface are lit, as the scene's lights do it.
+/// Lights both sides of a surface, as the lights of the scene do.
 std::array<float, 3> RayCaster::shade(const CastLook::Entry& entry, const float at[3]) const {
   const Vec3 gradient{sample(at[0] + 1, at[1], at[2]) - sample(at[0] - 1, at[1], at[2]),
                       sample(at[0], at[1] + 1, at[2]) - sample(at[0], at[1] - 1, at[2]),
@@ -118,7 +118,7 @@ std::array<float, 3> RayCaster::shade(const CastLook::Entry& entry, const float 
 
 std::array<float, 4> RayCaster::cast(const Ray& ray) const {
   float red = 0, green = 0, blue = 0, through = 1;
-  // Counted in steps from the eye, so that samples do not swim with where a ray enters.
+  // Steps are counted from the eye, so that samples do not depend on where a ray enters.
   float t = std::ceil(ray.first / ray.step) * ray.step;
   std::size_t known = std::size_t(-1);
   while (t < ray.last) {

@@ -8,7 +8,7 @@
 namespace insonate::views {
 namespace {
 
-/// Rows that a thread takes at a time.
+/// Number of rows that a thread takes at a time.
 constexpr int kRows = 2;
 
 }  // namespace
@@ -81,7 +81,7 @@ int Refiner::eyeInWork() const {
 }
 
 void Refiner::run() {
-  lowerThreadPriority();  // live images go first
+  lowerThreadPriority();  // live images have precedence
   std::unique_lock lock(mutex_);
   while (!ends_) {
     if (auto patient = std::exchange(unprepared_, nullptr)) {

@@ -5,7 +5,7 @@
 namespace insonate::views {
 namespace {
 
-/// Less than this across a whole slice is rounding.
+/// A smaller deviation over a whole slice is rounding.
 constexpr double kAligned_voxels = 1e-6;
 
 bool isWithin(double index, int size) {

@@ -14,7 +14,8 @@ void FanMask::apply(std::span<const DisplayPoint> outline, int width_px, int hei
       if ((a.y <= y) != (b.y <= y)) crossings_.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
     }
     std::ranges::sort(crossings_);
-    // Inside are the pixels whose middle lies between the first and the second crossing, the third and the fourth, ...
+    // A pixel is inside if its center is between the first and the second crossing, the third and the fourth, and so
+    // on.
     std::uint8_t* line = rgb.data() + std::size_t(3) * row * width_px;
     int black = 0;
     const auto column = [&](double x) { return std::clamp(int(std::lround(x)), 0, width_px); };

@@ -34,7 +34,7 @@ bool MprView::moved(const Pointer& pointer) {
     middle_mm_ = middle_mm_ - axes.right * (across * mm_per_px_) + axes.up * (along * mm_per_px_);
     changed();
   } else if (held_ == Button::Right) {
-    // Faster for wide windows: the whole view's width is about three times the window.
+    // Proportional to the window: a drag over the whole view changes it by about three windows.
     const double step_HU = std::max(0.5, windowLevel_.window_HU / 300) / scale();
     setWindowLevel({windowLevel_.window_HU + across * step_HU, windowLevel_.level_HU + along * step_HU});
     if (windowLevelChanged_) windowLevelChanged_(windowLevel_);
@@ -54,7 +54,7 @@ bool MprView::wheel(const Pointer& pointer, double notches) {
   if (!patient_) return false;
   if (asPicture()) return true;
   if (pointer.control || kind_ == SliceKind::Oblique) {
-    // The point under the pointer stays there.
+    // The point under the pointer does not move.
     const Vec3 before_mm = patientFromDisplay(pointer.at);
     zoom(std::pow(1.15, notches));
     middle_mm_ = middle_mm_ + (before_mm - patientFromDisplay(pointer.at));

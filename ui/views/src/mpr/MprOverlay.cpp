@@ -10,7 +10,7 @@
 namespace insonate::views {
 namespace {
 
-/// A tool's point belongs to the slices that are nearer than this.
+/// Maximum distance of a tool's point from the slices that show it.
 constexpr double kMarkNear_mm = 1;
 constexpr Stroke kHalo{theme::kBlack, 3, 0.45};
 
@@ -39,7 +39,7 @@ void drawScaleBar(const SlicePlane& plane, double scale, Lines& lines, Texts& te
             {12 * scale, theme::kText, false, Across::Centre, Along::Bottom});
 }
 
-/// Open at the middle, so that what it points at stays in sight.
+/// Open at its center, so that the structure there stays visible.
 void drawCrosshair(Vec3 position_mm, const SlicePlane& plane, double scale, Lines& lines) {
   const DisplayPoint at = plane.displayFromPatient(position_mm);
   const double gap = 9 * scale, w = plane.width_px, h = plane.height_px;
@@ -59,7 +59,7 @@ void drawMarks(const MprOverlay& overlay, const SlicePlane& plane, double scale,
   for (const auto& [number, position_mm] : overlay.marks_mm) {
     const DisplayPoint at = plane.displayFromPatient(position_mm);
     drawPointerMark(at, scale, lines);
-    // The crosshair is often there, too, and has its colour.
+    // Drawn although the crosshair is often at the same place, with the same color.
     lines.circle(at, kRing_px * scale, {theme::kBlack, 3.5 * scale, 0.6});
     lines.circle(at, kRing_px * scale, {theme::kText, 1.5 * scale, 1});
     texts.put({at.x + 9 * scale, at.y - 7 * scale}, std::to_string(number),
@@ -81,7 +81,7 @@ void drawCallipers(const MprOverlay& overlay, const SlicePlane& plane, double sc
   }
 }
 
-/// The section of a ball with the slice; of a flat brush, its circle.
+/// The section of a ball with the slice; the circle of a flat brush.
 void drawBrush(const SliceMarks::Brush& brush, const SlicePlane& plane, double scale, Lines& lines) {
   const double off_mm = std::abs(plane.distance_mm(brush.centre_mm));
   if (off_mm >= (brush.flat ? kMarkNear_mm : brush.radius_mm)) return;
@@ -93,7 +93,7 @@ void drawBrush(const SliceMarks::Brush& brush, const SlicePlane& plane, double s
   lines.circle(at, radius_px, {theme::kText, 1.2 * scale, 0.95});
 }
 
-/// The first letters of a UTF-8 text, the last of them a sign that there are more.
+/// The first letters of a UTF-8 text, followed by a sign if there are more.
 std::string shortened(const std::string& words, std::size_t letters) {
   const auto begins = [](char c) { return (c & 0xC0) != 0x80; };
   if (std::size_t(std::ranges::count_if(words, begins)) <= letters) return words;
@@ -163,7 +163,7 @@ void drawMprOverlay(const MprOverlay& overlay, const SlicePlane& plane, double s
   drawLetters(plane, scale, texts);
   drawScaleBar(plane, scale, lines, texts);
   const double margin = 10 * scale;
-  // The letters in the middle say more than what would run into them.
+  // Leaves out texts that would reach the direction letters in the middle.
   const auto fits = [&](const std::string& words) {
     constexpr double kWidestLetter_px = 7.2, kMiddle_px = 20;
     return margin + kWidestLetter_px * scale * double(words.size()) < plane.width_px / 2.0 - kMiddle_px * scale;

@@ -11,7 +11,7 @@ namespace insonate::views {
 namespace {
 
 constexpr double kOutlineAlone = 0.9;
-/// A slice passes through what is nearer than this.
+/// Maximum distance of a place through which a slice counts as passing.
 constexpr double kNear_mm = 1;
 
 /// Smallest and largest value of a direction over a grid's outer faces.
@@ -85,7 +85,7 @@ void MprView::setFan(std::optional<Probe> probe, const ImagingSettings& settings
   fanProbe_ = std::move(probe);
   fanSettings_ = settings;
   drawing_->fan = fanProbe_ ? fieldOfViewOutline(*fanProbe_, fanSettings_) : std::vector<PlanePoint>{};
-  if (picture_) drawing_->paintStale = true;  // The mask is another one.
+  if (picture_) drawing_->paintStale = true;  // the mask has changed
   changed();
 }
 
@@ -207,7 +207,7 @@ void MprView::fitTo(SlicePlane& plane) const {
     const double wide_mm = grid.maxLateral_mm() - grid.minLateral_mm(),
                  deep_mm = grid.maxAxial_mm() - grid.minAxial_mm();
     plane.centre_mm = patientFromProbe_ * Vec3{0, 0, 0.5 * (grid.minAxial_mm() + grid.maxAxial_mm())};
-    // Some of what surrounds the field of view shows where in the patient it is.
+    // Shows some of the surroundings of the field of view, for orientation in the patient.
     plane.mm_per_px = 1.35 * std::max(wide_mm / room_x, deep_mm / room_y);
     return;
   }
@@ -218,7 +218,7 @@ void MprView::fitTo(SlicePlane& plane) const {
 }
 
 SlicePlane MprView::plane() const {
-  // As much is seen when the view fills its room, and when it has gone back.
+  // Keeps the visible extent when the view is maximized and restored.
   const double zoom = fitted_ ? 1 : double(zoomedIn_px_) / std::min(width_px(), height_px());
   SlicePlane plane{sliceAxes(kind_, patientFromProbe_), middle_mm_, mm_per_px_ * zoom, width_px(), height_px()};
   if ((fitted_ || asPicture()) && (patient_ || overFan())) fitTo(plane);
@@ -316,7 +316,7 @@ void MprView::layout() {
   MprOverlay overlay;
   overlay.kind = kind_, overlay.windowLevel = windowLevel_;
   overlay.slice = asPicture() ? "CT" : sliceWords(kind_, patient_->patient().ct.geometry, now);
-  // On a slice that does not pass through the crosshair, it would point at another place.
+  // On a slice that does not pass through the crosshair, it would mark another place.
   if (crosshairVisible_ && passesThrough(crosshair_mm_, now)) overlay.crosshair_mm = crosshair_mm_;
   if (pointer_mm_ && passesThrough(*pointer_mm_, now)) overlay.pointer_mm = pointer_mm_;
   for (std::size_t k = 0; k < callipers_.size(); ++k)

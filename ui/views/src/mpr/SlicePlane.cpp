@@ -42,7 +42,7 @@ std::string orientationLetters(Vec3 direction) {
                              {std::abs(direction.z), direction.z > 0 ? 'S' : 'I'}}};
   std::ranges::stable_sort(parts, [](const Part& a, const Part& b) { return a.size > b.size; });
   std::string letters;
-  // A part below sin(15 degrees) is a slip of the hand rather than a direction.
+  // A component below sin(15 degrees) counts as an inaccuracy of the hand.
   for (const Part& part : parts)
     if (part.size > 0.26 * norm(direction)) letters += part.letter;
   return letters;
@@ -53,7 +53,7 @@ double sliceStep_mm(const VolumeGeometry& grid, Vec3 normal) {
   for (int axis = 1; axis < 3; ++axis)
     if (std::abs(dot(grid.direction.column[axis], normal)) > std::abs(dot(grid.direction.column[best], normal)))
       best = axis;
-  // Off the grid's own axes there are no slices; the finest voxel size leaves nothing out.
+  // An oblique plane has no slices of the grid; a step of the smallest voxel size omits nothing.
   const bool aligned = std::abs(dot(grid.direction.column[best], normal)) > 0.999;
   return aligned ? grid.spacing_mm[best] : std::min({grid.spacing_mm.x, grid.spacing_mm.y, grid.spacing_mm.z});
 }

@@ -10,7 +10,7 @@ namespace insonate::views {
 namespace {
 
 constexpr int kLowestHu = -32768;
-constexpr std::uint8_t kNothing = 255;  ///< is proposed
+constexpr std::uint8_t kNothing = 255;  ///< nothing is proposed
 constexpr double kProposalFill = 0.5;
 
 float trilinear(const CtVolume& ct, const SliceCell& i, const SliceCell& j, const SliceCell& k) {
@@ -104,7 +104,7 @@ bool SliceSampler::isEdge(const SlicePlane& plane, int row, int column) const {
         column + across >= 0 && column + across < plane.width_px && row + down >= 0 && row + down < plane.height_px;
     return seen && label[std::ptrdiff_t(down) * plane.width_px + across] != *label;
   };
-  // Looking one way only makes the line one pixel wide; each further pixel lies on the other side in turn.
+  // Comparing with one neighbor makes the line one pixel wide; each further pixel is added on alternating sides.
   for (int n = 0; n < outline_px_; ++n) {
     const int away = n % 2 == 0 ? n / 2 + 1 : -(n / 2 + 1);
     if (differs(away, 0) || differs(0, away)) return true;
@@ -158,7 +158,7 @@ void SliceSampler::sample(const CtVolume& ct, const LabelMap& labels, const Slic
     for (int row = range.begin(); row < range.end(); ++row)
       (this->*sampleRow)(ct, labels, plane, row, rgb.data() + row * stride);
   });
-  // Outlines look at the rows above and below.
+  // Outlines need the rows above and below.
   tbb::parallel_for(rows, [&](const auto& range) {
     for (int row = range.begin(); row < range.end(); ++row) paintRow(plane, row, rgb.data() + row * stride);
   });

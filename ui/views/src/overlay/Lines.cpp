@@ -50,7 +50,7 @@ void Lines::segment(DisplayPoint from, DisplayPoint to, const Stroke& stroke) {
   const double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
   if (length < 1e-9) return;
   const double nx = -dy / length, ny = dx / length;
-  // Full strength inside, fading out over a pixel: four rails along the line.
+  // Full strength inside, fading out over a pixel: four lines of points along the line.
   const double inner = std::max(0.0, stroke.width_px / 2 - 0.5), outer = stroke.width_px / 2 + 0.5;
   const double rails[4] = {-outer, -inner, inner, outer};
   const double strength = stroke.opacity * std::min(1.0, stroke.width_px);

@@ -74,7 +74,7 @@ void PictureQuad::place(DisplayPoint topLeft, DisplayPoint bottomRight, int heig
   corners_->SetPoint(2, bottomRight.x, top, 0);
   corners_->SetPoint(3, topLeft.x, top, 0);
   corners_->Modified();
-  // Texture rows count from the image's first row: the top.
+  // Texture rows are counted from the top row of the image.
   coordinates_->SetTuple2(0, part.left, part.bottom);
   coordinates_->SetTuple2(1, part.right, part.bottom);
   coordinates_->SetTuple2(2, part.right, part.top);

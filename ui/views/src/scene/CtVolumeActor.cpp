@@ -27,7 +27,7 @@ CtVolumeActor::CtVolumeActor(vtkRenderer& renderer)
   property.SetScalarOpacity(opacity_);
   property.SetColor(colour_);
   property.SetScalarOpacityUnitDistance(1);
-  // Jitter would hide rings, and make no two images alike.
+  // Jitter would hide rings, but make images differ from each other.
   mapper_->UseJitteringOff();
   mapper_->AutoAdjustSampleDistancesOff();
 }
@@ -40,7 +40,7 @@ void CtVolumeActor::setCase(const std::shared_ptr<const VtkCase>& patient) {
   hasCase_ = patient != nullptr;
   cast_->setCase(patient);
   if (patient) {
-    // The mapper is given the grid's own frame and placed by a matrix: its support of directions varies.
+    // The mapper gets a volume with identity directions and a matrix, since its support of directions varies.
     const VolumeGeometry& grid = patient->patient().ct.geometry;
     vtkNew<vtkImageData> unturned;
     unturned->SetDimensions(patient->ct()->GetDimensions());

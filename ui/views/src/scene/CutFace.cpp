@@ -12,9 +12,9 @@
 namespace insonate::views {
 namespace {
 
-/// Flat colors look brighter than lit ones; the wall is darker than what it holds.
+/// Flat colors look brighter than shaded ones; the wall is darker than the inside.
 constexpr double kInside = 0.92, kWall = 0.5;
-/// The wall before the inside.
+/// Draws the wall before the inside.
 constexpr double kWallLift_mm = 0.03;
 
 vtkSmartPointer<vtkPoints> lifted(const std::vector<float>& from_mm, Vec3 by_mm) {
@@ -50,7 +50,7 @@ CutFace::CutFace() {
     actor->SetMapper(mapper);
     actor->GetProperty()->LightingOff();
     actor->VisibilityOff();
-    // Faces come and go with the plane; what is looked at stays.
+    // Faces change with the plane, and must not change the bounds of the scene.
     actor->UseBoundsOff();
   }
 }

@@ -38,7 +38,7 @@ ImagePlane::ImagePlane(vtkRenderer& renderer) : renderer_(renderer) {
   rimMapper->SetInputData(rimData_);
   sheet_->SetMapper(sheetMapper);
   sheet_->SetTexture(texture_);
-  // The image keeps its own gray: light would change what it says.
+  // The image keeps its gray values: shading would change their meaning.
   sheet_->GetProperty()->LightingOff();
   rim_->SetMapper(rimMapper);
   rim_->GetProperty()->LightingOff();
@@ -71,7 +71,7 @@ void ImagePlane::setFieldOfView(const Probe& probe, const ImagingSettings& setti
   sheetData_->SetPolys(cells);
   rimData_->SetPoints(rim);
   rimData_->SetLines(lines);
-  // The image there is belongs to another field of view.
+  // The present image has another field of view.
   shape_ = {};
   setVisible(visible_);
 }

@@ -12,7 +12,8 @@
 namespace insonate::views {
 namespace {
 
-/// Between them a step is kept, so that detail does not swing. The window's own work comes on top of a picture.
+/// Between these limits the detail does not change, so that it does not oscillate. The window's own work adds to the
+/// time of an image.
 constexpr double kTooSlow_ms = 70, kQuickEnough_ms = 30, kWanted_ms = 50;
 constexpr double kShrink[MovingDetail::kSteps] = {1, 1.25, 1.5, 2, 2.5, 3, 4, 5};
 
@@ -31,7 +32,7 @@ double MovingDetail::shrink() const {
 
 int MovingDetail::nextStep(int step, double took_ms) {
   if (took_ms <= kTooSlow_ms) return took_ms < kQuickEnough_ms ? std::max(0, step - 1) : step;
-  // Nearly all of the time goes with the number of pixels.
+  // Nearly all of the time is proportional to the number of pixels.
   const double wanted = shrinkOf(step) * std::sqrt(took_ms / kWanted_ms);
   while (step < kSteps - 1 && shrinkOf(step) < wanted) ++step;
   return step;
@@ -58,14 +59,14 @@ void MovingDetail::ends(vtkRenderer& renderer) {
   step_ = nextStep(step_, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count());
 }
 
-/// There is no copying within an image, so its corner goes through another.
+/// OpenGL cannot copy within an image, so that its corner is copied through another.
 void MovingDetail::enlarge(vtkOpenGLRenderWindow& window, int across, int up) {
   const int width = window.GetSize()[0], height = window.GetSize()[1];
   vtkOpenGLFramebufferObject& picture = *window.GetRenderFramebuffer();
   vtkOpenGLState& state = *window.GetState();
   state.PushFramebufferBindings();
   corner_->SetContext(&window);
-  // As large as the window, so that another step allocates nothing.
+  // As large as the window, so that another step does not allocate.
   const int* size = corner_->GetLastSize();
   if (corner_->GetNumberOfColorAttachments() == 0)
     corner_->PopulateFramebuffer(width, height, true, 1, VTK_UNSIGNED_CHAR, false, 0, 0);
@@ -78,7 +79,7 @@ void MovingDetail::enlarge(vtkOpenGLRenderWindow& window, int across, int up) {
     to.ActivateDrawBuffer(0);
     state.vtkglBlitFramebuffer(0, 0, across, up, 0, 0, toWidth, toHeight, GL_COLOR_BUFFER_BIT, GL_LINEAR);
   };
-  // Scissors hold for this, too.
+  // The scissor test also applies to this copy.
   vtkOpenGLState::ScopedglEnableDisable scissor(&state, GL_SCISSOR_TEST);
   state.vtkglDisable(GL_SCISSOR_TEST);
   copy(picture, *corner_, across, up);

@@ -17,7 +17,7 @@ namespace insonate::views {
 namespace {
 
 constexpr int kSides = 24;
-/// Between the bevel and the shaft, of an introducer needle.
+/// Angle between the bevel and the shaft of an introducer needle.
 constexpr double kBevel_deg = 20;
 /// Color of an 18 G needle's hub (ISO 6009).
 constexpr Colour kHub{0xd6, 0x86, 0xa8};
@@ -27,7 +27,7 @@ struct Ring {
   double z_mm, radius_mm;
 };
 
-/// Rings about z joined to a surface; the last one ends in the bevel, where that has a length.
+/// Rings about z joined to a surface; the last one ends in the bevel, if that has a length.
 vtkSmartPointer<vtkPolyData> turned(std::initializer_list<Ring> rings, double bevel_mm) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
@@ -54,7 +54,7 @@ vtkSmartPointer<vtkPolyData> turned(std::initializer_list<Ring> rings, double be
   return normals->GetOutput();
 }
 
-/// The opening of the bevel: an ellipse.
+/// The opening of the bevel, an ellipse.
 vtkSmartPointer<vtkPolyData> opening(double radius_mm, double bevel_mm) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;

@@ -26,7 +26,7 @@ OrientationCube::OrientationCube() {
   cube->SetYMinusFaceText("A");
   cube->SetZPlusFaceText("S");
   cube->SetZMinusFaceText("I");
-  // Upright for a patient whose head is up.
+  // The letters are upright for a patient whose head is up.
   cube->SetXFaceTextRotation(0);
   cube->SetYFaceTextRotation(0);
   cube->SetZFaceTextRotation(-90);

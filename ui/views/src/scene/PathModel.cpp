@@ -12,7 +12,7 @@
 namespace insonate::views {
 namespace {
 
-/// A little more than a needle of 18 G, which goes along it.
+/// Slightly thicker than a needle of 18 G, which lies in it.
 constexpr double kRadius_mm = 0.8;
 constexpr int kTubeSides = 8;
 

@@ -6,7 +6,7 @@
 namespace insonate::views {
 namespace {
 
-/// The inside is filled strip by strip, each at least so high, and so many at most.
+/// The inside is filled in strips: their minimum height, and their maximum number.
 constexpr double kLeastStrip_mm = 0.25;
 constexpr double kMostStrips = 500;
 
@@ -48,7 +48,7 @@ void PlaneCut::findEdges(const Surface& surface, const ClippingPlane& plane) {
   distances_.resize(surface.points_mm.size() / 3);
   for (std::size_t k = 0; k < distances_.size(); ++k)
     distances_[k] = float(dot(point(std::uint32_t(k)) - plane.point_mm, plane.normal));
-  // The same for both triangles at an edge, so that the outline is closed.
+  // Equal for both triangles of an edge, so that the outline is closed.
   const auto crossing = [&](std::uint32_t a, std::uint32_t b) {
     if (a > b) std::swap(a, b);
     const double share = distances_[a] / (double(distances_[a]) - distances_[b]);
@@ -59,7 +59,7 @@ void PlaneCut::findEdges(const Surface& surface, const ClippingPlane& plane) {
     const std::uint32_t* corner = surface.triangles.data() + k;
     const bool kept[] = {distances_[corner[0]] >= 0, distances_[corner[1]] >= 0, distances_[corner[2]] >= 0};
     if (kept[0] == kept[1] && kept[1] == kept[2]) continue;
-    // The corner that is on a side of its own.
+    // The corner that is alone on its side of the plane.
     const int alone = kept[1] == kept[2] ? 0 : kept[0] == kept[2] ? 1 : 2;
     Edge edge{crossing(corner[alone], corner[(alone + 1) % 3]), crossing(corner[alone], corner[(alone + 2) % 3])};
     if (edge.low.up > edge.high.up) std::swap(edge.low, edge.high);
@@ -88,9 +88,9 @@ void PlaneCut::fill() {
   }
 }
 
-/// Inside is between the first and the second edge, the third and the fourth, ...
+/// Inside is between the first and the second edge, the third and the fourth, and so on.
 void PlaneCut::fillStrip(double low, double high) {
-  // For a surface with a hole, inside and outside cannot be told apart here.
+  // If the surface has a hole, inside and outside are undefined here.
   if (active_.size() % 2 != 0) return;
   const double middle = (low + high) / 2;
   std::ranges::sort(active_, {}, [&](const Edge* edge) { return edge->acrossAt(middle); });

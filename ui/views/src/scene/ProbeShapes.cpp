@@ -13,7 +13,8 @@
 namespace insonate::views {
 namespace {
 
-/// A section across the body: |x/a|^n + |y/b|^n = 1 at height z. `bulge` is how much of the face's curve it follows.
+/// A cross-section of the housing: |x/a|^n + |y/b|^n = 1 at height z. `bulge` is the share of the face's curvature that
+/// it follows.
 struct Section {
   double z, a, b, n = 4, bulge = 0;
 };
@@ -38,7 +39,7 @@ class Loft {
     }
   }
 
-  /// Closes the last ring; a curved face needs rings inside it.
+  /// Closes the last ring; a curved face needs more rings inside.
   void cap(const Section& last) {
     for (const double share : {0.75, 0.5, 0.25, 0.02})
       add({last.z, last.a * share, last.b * share, last.n, last.bulge});
@@ -62,7 +63,7 @@ class Loft {
 
   void insert(const Section& s, double u, double v) {
     const double x = s.a * u;
-    // Arc through the middle of the face, falling back toward its ends.
+    // Arc through the middle of the face, which recedes toward its ends.
     const double arc = radius_ > 0 ? std::sqrt(std::max(0.0, radius_ * radius_ - x * x)) - radius_ : 0;
     points_->InsertNextPoint(x, s.b * v, s.z + s.bulge * arc);
   }
@@ -85,7 +86,7 @@ vtkSmartPointer<vtkPolyData> loft(double faceRadius_mm, std::initializer_list<Se
 ProbeParts probeParts(const Probe& probe) {
   const bool linear = probe.shape == ProbeShape::Linear;
   const double halfAngle = 0.5 * probe.fovAngle_deg * std::numbers::pi / 180;
-  // Sector probes fan out from a small, flat array.
+  // Sector probes have a small, flat array.
   const bool phased = probe.shape == ProbeShape::Phased;
   const double radius_mm = linear || phased ? 0 : probe.faceRadius_mm;
   const double half = linear ? probe.width_mm / 2 : phased ? 10 : probe.faceRadius_mm * std::sin(halfAngle);

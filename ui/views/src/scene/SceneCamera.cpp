@@ -80,14 +80,14 @@ void enclose(vtkCamera& camera, const double box[6]) {
     const double depth_mm = dot(at - place.position_mm, into);
     near_mm = std::min(near_mm, depth_mm), far_mm = std::max(far_mm, depth_mm);
   }
-  constexpr double kNearest = 1e-3;  // of the farthest
+  constexpr double kNearest = 1e-3;  // relative to the farthest
   far_mm = std::max(far_mm, 1.0);
   camera.SetClippingRange(std::max(near_mm, kNearest * far_mm), far_mm);
 }
 
 namespace {
 
-/// The screen where the camera looks, square to it, as high as what the camera sees there.
+/// The screen at the focal point of the camera, perpendicular to its view, as high as the view there.
 Transform screenBefore(vtkCamera& camera, double height_mm) {
   const CameraPlace place = placeOf(camera);
   const Vec3 toward = normalized(place.position_mm - place.focus_mm);
@@ -125,7 +125,8 @@ void lookThroughScreen(vtkCamera& camera, const HeadCoupling& coupling, double a
   const Vec3 eye_mm = eyeOf(coupling, across_mm);
   const double near_mm = camera.GetClippingRange()[0], far_mm = camera.GetClippingRange()[1];
   const double w = coupling.width_mm, h = coupling.height_mm;
-  // The frustum through the screen's edges (as glFrustum): the same shape at any distance, so screen units will do.
+  // The frustum through the screen's edges (as glFrustum): it has the same shape at any distance, so that units of the
+  // screen suffice.
   const double matrix[16] = {2 * eye_mm.z / w,
                              0,
                              -2 * eye_mm.x / w,

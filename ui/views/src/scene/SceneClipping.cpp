@@ -26,7 +26,7 @@ struct Box {
   Vec3 middle, half;
 };
 
-/// Extent that is clipped: the CT, because surfaces arrive one after the other; without a case, the surfaces.
+/// Extent of clipping: the CT, because surfaces arrive one after the other; without a case, the surfaces.
 Box boxOf(const VtkCase* patient, const SceneState& state) {
   double box[6] = {};
   if (patient)

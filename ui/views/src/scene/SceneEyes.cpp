@@ -19,7 +19,7 @@ bool SceneView::supports(Stereo stereo) {
 }
 
 void SceneView::setHeadCoupling(std::optional<HeadCoupling> coupling) {
-  // An eye in or behind the screen sees nothing through it.
+  // An eye in or behind the screen has no view through it.
   if (coupling && !(coupling->eye_mm.z >= 1 && coupling->width_mm > 0 && coupling->height_mm >= 0)) coupling.reset();
   drawing_->state.coupling = coupling;
   changed();
@@ -34,7 +34,7 @@ Vec3 SceneView::towardViewer() const {
   return -Vec3{into[0], into[1], into[2]};
 }
 
-/// The camera of the next image, or the one between its eyes; near and far enclose the patient.
+/// The camera of the next image, or the one between its eyes; the near and far planes enclose the patient.
 vtkCamera& SceneView::aimed() {
   frame();
   double box[6];

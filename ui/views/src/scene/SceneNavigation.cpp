@@ -79,7 +79,7 @@ std::optional<ScenePick> SceneView::pick(DisplayPoint at, double leastOpacity) {
 }
 
 Vec3 SceneView::frontOf(DisplayPoint at) {
-  // As near as may be without being cut by the near plane.
+  // As near as possible without clipping by the near plane.
   constexpr double kBehindNear = 0.02;
   const Vec3 near_mm = along(at, -1);
   return near_mm + (along(at, 1) - near_mm) * kBehindNear;
@@ -107,7 +107,7 @@ bool SceneView::moved(const Pointer& pointer) {
   } else if (drawing_->held == Button::Middle || pointer.shift) {
     pan(across, down);
   } else {
-    // The view's height turns half round.
+    // The height of the view is half a rotation.
     orbit(180 * across / height_px(), 180 * down / height_px());
   }
   return true;

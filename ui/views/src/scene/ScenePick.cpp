@@ -11,7 +11,7 @@ std::optional<ScenePick> firstVisible(const LabelMap& labels, Vec3 from_mm, Vec3
   const VolumeGeometry& grid = labels.geometry;
   const Transform indexFromPatient = grid.indexFromPatient();
   const Vec3 start = indexFromPatient * from_mm, way = indexFromPatient * to_mm - start;
-  // The stretch of the ray within the grid, as shares of the way.
+  // The part of the ray within the grid, as shares of its length.
   double first = 0, last = 1;
   for (int axis = 0; axis < 3; ++axis) {
     const double low = -0.5 - start[axis], high = grid.size[axis] - 0.5 - start[axis];

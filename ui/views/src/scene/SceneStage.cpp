@@ -15,7 +15,7 @@
 namespace insonate::views {
 namespace {
 
-/// Structures inside the body are drawn before the body where both are cut.
+/// Structures inside the body are drawn before the body if both are cut.
 constexpr double kInnerLift_mm = 0.1;
 constexpr double kWall_px = 2, kCube_px = 84;
 
@@ -40,7 +40,7 @@ std::string graphicsOf(vtkRenderWindow& window) {
   return report.substr(begin, report.find('\n', begin) - begin);
 }
 
-/// Mesa's rasterisers, which have no graphics card behind them.
+/// Mesa's software renderers.
 bool isProcessor(const std::string& graphics) {
   for (const char* name : {"llvmpipe", "softpipe", "swrast"})
     if (graphics.find(name) != graphics.npos) return true;
@@ -77,7 +77,7 @@ SceneStage::SceneStage(vtkRenderer& renderer, std::function<void()> news)
 void SceneStage::attach(vtkRenderWindow& window) {
   window_ = &window;
   cube_.attach(window);
-  // The renderer's own start would be too late for its viewport.
+  // The renderer's own initialization would be too late for its viewport.
   startObserver_ = window.AddObserver(vtkCommand::StartEvent, this, &SceneStage::pictureStarts);
   useStereo(window, now_.stereo);
   due_ = true;
@@ -106,7 +106,7 @@ void SceneStage::show(SceneState& next) {
   showCt();
   showProbe();
   if (now_.stereo != before_.stereo && window_) useStereo(*window_, now_.stereo);
-  // A patient that is closed is not kept.
+  // A closed patient is released.
   before_.patient = nullptr;
   before_.shapes.fill(nullptr);
 }
@@ -139,7 +139,7 @@ void SceneStage::showStructures() {
 }
 
 void SceneStage::showCt() {
-  // Wrapped anew, since the one of the window's thread may be given other memory at any time.
+  // Wraps the array again, since the array of the window's thread may get other memory at any time.
   if (now_.patient != before_.patient) ct_.setCase(now_.patient ? std::make_shared<VtkCase>(now_.patient) : nullptr);
   if (now_.transfer != before_.transfer) ct_.setTransferFunction(now_.transfer);
   if (!same(now_.cut, before_.cut)) ct_.setClipping(now_.cut);
@@ -194,14 +194,14 @@ void SceneStage::layout() {
   int translucent = 0;
   for (auto& [label, structure] : structures_) {
     translucent += structure.translucent();
-    // The skin's surface is the whole body's: it lies around all others.
+    // The skin's surface is that of the whole body and encloses all others.
     structure.close(label == kSkin ? 0 : kInnerLift_mm);
     structure.face().setWall(kWall_px * now_.scale);
   }
-  // One translucent surface, drawn from its near side, needs no sorting.
+  // One translucent surface whose near side is drawn needs no sorting.
   renderer_.SetUseDepthPeeling(translucent > 1 && !now_.moving);
   renderer_.SetMaximumNumberOfPeels(4);
-  // Smooth edges cost a processor a fifth of a coarse frame, and nobody sees them move.
+  // Smooth edges cost a fifth of a coarse frame on a processor, and are invisible during motion.
   renderer_.SetUseFXAA(!now_.moving);
 }
 

@@ -41,7 +41,7 @@ FrameTimes timeOrbit(SceneView& view, int steps, double step_deg) {
   if (steps < 1) return times;
   const bool wasMoving = view.isMoving();
   view.setMoving(true);
-  // Buffers and shaders are made with the first picture.
+  // The first image creates buffers and shaders.
   timeRender_ms(view);
   for (int step = 0; step < steps; ++step) {
     view.orbit(step_deg, 0);

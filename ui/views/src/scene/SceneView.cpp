@@ -171,7 +171,7 @@ const TransferFunction& SceneView::transferFunction() const {
 
 void SceneView::setProbe(std::optional<Probe> probe, const ImagingSettings& settings) {
   SceneState& state = drawing_->state;
-  // The image there is belongs to another field of view.
+  // The present image has another field of view.
   if (probe) state.image.grey.clear();
   state.probe = std::move(probe);
   state.settings = settings;

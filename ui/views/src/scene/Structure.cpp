@@ -23,7 +23,7 @@
 namespace insonate::views {
 namespace {
 
-/// Above this a coarser surface is worth its memory.
+/// Number of triangles above which a coarser surface is worth its memory.
 constexpr vtkIdType kLargeTriangles = 12000;
 /// Maximum number of triangles of the coarser surface.
 constexpr double kCoarseTriangles = 10000;
@@ -64,8 +64,7 @@ vtkSmartPointer<vtkPolyData> polyData(const Surface& surface) {
   return data;
 }
 
-/// Clear where one looks straight through and denser toward the outline, as glass: the shape stays readable while what
-/// lies inside is not veiled.
+/// Clear in the middle and denser toward the outline, like glass: the shape is visible without hiding the inside.
 void showAsGlass(vtkActor& actor, bool glass) {
   vtkShaderProperty& shader = *actor.GetShaderProperty();
   shader.ClearAllFragmentShaderReplacements();
@@ -92,7 +91,8 @@ double area_mm2(vtkPolyData* data) {
   return sum;
 }
 
-/// Gives the coarse points the mean normal of the fine ones in their bin: folded triangles leave none of their own.
+/// Gives the coarse points the mean normal of the fine points in their bin, since folded triangles have no reliable
+/// normal.
 void takeNormals(vtkPolyData& fine, vtkPolyData& coarse, const double box[6], const int divisions[3]) {
   const auto binOf = [&](const double point[3]) {
     std::int64_t bin = 0;
@@ -120,7 +120,7 @@ void takeNormals(vtkPolyData& fine, vtkPolyData& coarse, const double box[6], co
 
 vtkSmartPointer<vtkPolyData> coarser(vtkPolyData* fine) {
   const double triangles = static_cast<double>(fine->GetNumberOfPolys());
-  // Bins in edges of the fine triangles: few for small structures, whose thin parts would fall apart.
+  // Size of bins in edges of the fine triangles: small for small structures, whose thin parts would break.
   const double edge_mm = std::sqrt(2.31 * area_mm2(fine) / triangles);
   const double bin_mm = edge_mm * std::clamp(std::sqrt(triangles / kCoarseTriangles), 1.5, 8.0);
   const double* box = fine->GetBounds();
@@ -181,7 +181,7 @@ void Structure::close(double lift_mm) {
   if (!open_ || (plane_ && !visible())) return;
   open_ = false;
   if (!plane_) return face_.clear();
-  // The fine one: coarse ones need not be closed.
+  // Uses the fine surface, since coarse ones need not be closed.
   face_.cut(shape_->fine.surface(), *plane_, lift_mm);
 }
 
@@ -193,11 +193,11 @@ void Structure::setColour(Colour colour) {
 void Structure::setOpacity(double opacity) {
   opacity_ = std::clamp(opacity, 0.0, 1.0);
   actor_->GetProperty()->SetOpacity(opacity_);
-  // Only the near side of a translucent surface is drawn: that needs no sorting, and its far side would only cloud the
+  // Draws only the near side of a translucent surface, which needs no sorting; the far side would only obscure the
   // inside.
   actor_->GetProperty()->SetBackfaceCulling(opacity_ < 1);
   showAsGlass(*actor_, opacity_ < 1);
-  // One looks into what is translucent: there the wall alone is drawn.
+  // The inside of a translucent structure is visible: only the wall is drawn.
   face_.setFilled(opacity_ == 1);
   setVisible(visible_);
 }

@@ -55,7 +55,7 @@ void TrayModel::set(const std::optional<Transform>& patientFromTray) {
   dish_->SetVisibility(patientFromTray.has_value());
   if (!patientFromTray) return needle_.set(std::nullopt);
   dish_->SetUserMatrix(vtkMatrix(*patientFromTray));
-  // Along the tray, hub and shaft in its middle.
+  // Along the tray, with hub and shaft in its middle.
   const Transform lying{{{Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, 0, 0}}}, {kShaft_mm / 2 + 13, 0, 4.5}};
   needle_.set(SceneView::Needle{.patientFromNeedle = *patientFromTray * lying, .length_mm = kShaft_mm});
 }

@@ -9,7 +9,7 @@ class Pen {
  public:
   Pen(Lines& lines, double scale) : lines_(lines), scale_(scale) {}
 
-  /// The mark of sonographers: a cross whose middle is the place.
+  /// The mark that sonographers use: a cross whose center is the point.
   void cross(DisplayPoint at) {
     const double arm = 6 * scale_;
     line({at.x - arm, at.y}, {at.x + arm, at.y}, 1.5);
@@ -60,7 +60,7 @@ void drawCalliper(const Calliper& calliper, int number, const ToDisplay& toDispl
   }
   const int marks = calliper.kind == CalliperKind::Angle ? 3 : 2;
   for (int k = 0; k < marks; ++k) pen.cross(at[k]);
-  // The value stands in the list below; the number says which is which.
+  // The list below has the values; the number identifies the measurement.
   const DisplayPoint& last = at[marks - 1];
   texts.put({last.x + 9 * scale, last.y - 2 * scale}, std::to_string(number),
             {12 * scale, theme::kText, true, Across::Left, Along::Bottom});

@@ -9,7 +9,7 @@ std::vector<PlanePoint> fieldOfViewStrip(const Probe& probe, const ImagingSettin
   const int columns = probe.shape == ProbeShape::Linear ? 1 : 48;
   std::vector<PlanePoint> strip;
   for (int column = 0; column <= columns; ++column) {
-    // The field of view ends half a scanline outside the first and the last one.
+    // The field of view ends half a scanline beyond the first and the last one.
     const double scanline = -0.5 + double(grid.scanlines()) * column / columns;
     const Vec3 face = grid.origin(scanline), depth = face + grid.direction(scanline) * settings.depth_mm;
     strip.push_back({face.x, face.z});

@@ -74,7 +74,7 @@ void drawPictureFrame(const PictureFrame& frame, double scale, int width_px, Lin
   std::string words = frame.frozen ? "FROZEN" : "";
   if (!frame.notice.empty()) words += (words.empty() ? "" : "  \u00b7  ") + frame.notice;
   if (words.empty()) return;
-  // Smaller rather than cut off where the view is narrow.
+  // Smaller instead of cut off in a narrow view.
   constexpr double kUsual_px = 14, kWidestLetter = 0.66;
   const double size_px = std::min(kUsual_px * scale, width_px / (kWidestLetter * double(words.size())));
   texts.put({width_px / 2.0, 4 * scale}, words, {size_px, theme::kCaution, true, Across::Centre, Along::Top});

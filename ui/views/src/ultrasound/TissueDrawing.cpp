@@ -16,12 +16,13 @@
 namespace insonate::views {
 namespace {
 
-constexpr int kMostLines = 40;        ///< of one direction
-constexpr double kStrength = 0.6;     ///< of the colors where pressure is a quarter of the scale or more
-constexpr double kShrinks = 0.3;      ///< the scale follows only where less of it than this is used
-constexpr double kMostCells = 0.985;  ///< are within the scale; at the face's edges pressure has no bound
+constexpr int kMostLines = 40;        ///< in one direction
+constexpr double kStrength = 0.6;     ///< opacity of the colors if pressure is at least a quarter of the scale
+constexpr double kShrinks = 0.3;      ///< the scale shrinks only if a smaller share of it is used
+constexpr double kMostCells = 0.985;  ///< share of the cells within the scale; at the edges of the face the pressure is
+                                      ///< unbounded
 
-/// Equal steps of pressure look like equal steps, also to color-blind eyes (viridis).
+/// Equal steps of pressure are perceived as equal, also by color-blind eyes (viridis).
 constexpr Colour kColours[] = {
     {0x44, 0x01, 0x54}, {0x3b, 0x52, 0x8b}, {0x21, 0x91, 0x8c}, {0x5e, 0xc9, 0x62}, {0xfd, 0xe7, 0x25}};
 
@@ -39,7 +40,7 @@ DisplayPoint onDisplay(PicturePoint point, const PicturePlane& plane) {
           std::clamp(plane.origin.y + point.axial_mm * plane.down_px, plane.top_px, plane.bottom_px)};
 }
 
-/// 1, 2, 5, 10, ... at or above.
+/// The next of 1, 2, 5, 10, ... upward.
 double rounded(double value) {
   double step = 1;
   for (int k = 0; step < value && k < 12; ++k) step *= k % 3 == 1 ? 2.5 : 2;
@@ -56,7 +57,7 @@ TissueDrawing::TissueDrawing(vtkRenderer& renderer) : renderer_(renderer), lines
   vtkNew<vtkPolyDataMapper2D> mapper;
   mapper->SetInputData(data_);
   actor_->SetMapper(mapper);
-  // The image's layer: over it, as it was added before, and under all lines.
+  // In the image's layer: over the image, as it was added later, and below all lines.
   actor_->SetLayerNumber(0);
   renderer_.AddActor2D(actor_);
 }
@@ -102,7 +103,7 @@ void TissueDrawing::drawGrid(const PictureTissue& tissue, const PicturePlane& pl
       const auto edge = [&](double DisplayPoint::*axis, double low, double high) {
         return last.*axis == at.*axis && (at.*axis == low || at.*axis == high);
       };
-      // Points clamped to the image's edge lie outside it.
+      // Points clamped to the image's edge are outside it.
       const bool outside = edge(&DisplayPoint::x, plane.left_px, plane.right_px) ||
                            edge(&DisplayPoint::y, plane.top_px, plane.bottom_px);
       if (k > 0 && !outside) lines_.segment(last, at, stroke);

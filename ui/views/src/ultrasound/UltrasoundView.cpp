@@ -37,7 +37,7 @@ void UltrasoundView::setImage(const BModeImage& image) {
     std::memcpy(drawing_->quad.picture(image.width, image.height).data(), image.grey.data(), count);
     drawing_->quad.pictureChanged();
   }
-  // A live image changes gray values only; what is drawn around it stays.
+  // A live image changes gray values only; the drawing around it does not change.
   if (moved) {
     changed();
   } else {
@@ -125,7 +125,7 @@ void UltrasoundView::drawGuide() {
     drawing_->lines.disc(at, (chosen ? 7 : 6) * scale(), chosen ? theme::kText : theme::kAccent);
     drawing_->lines.circle(at, (chosen ? 7 : 6) * scale(), {theme::kBlack, 1.5 * scale(), 1});
     if (k >= guide_.words.size() || guide_.words[k].empty()) continue;
-    // Words that would end outside stand on the other side.
+    // Texts that would extend outside are on the other side.
     const bool before = at.x > width_px() - 120 * scale();
     drawing_->texts.put({at.x + (before ? -12 : 12) * scale(), at.y - 8 * scale()}, guide_.words[k],
                         {13 * scale(), theme::kText, false, before ? Across::Right : Across::Left, Along::Bottom});
@@ -196,9 +196,9 @@ void UltrasoundView::layout() {
     frame.focus_mm = focus_mm_, frame.tgc_dB = tgc_dB_;
     frame.scale = scaleVisible_, frame.greyBar = greyBarVisible_, frame.frozen = frozen_,
     frame.markerRight = !mirrored_, frame.notice = notice_;
-    // There may be room around the image itself.
+    // The view may have a margin around the image.
     double side_mm = shape_.left_mm + (shape_.width - 0.5) * shape_.pixel_mm;
-    // A field of view that is being edited may be narrower than the picture.
+    // A field of view that is being edited may be narrower than the image.
     if (!guide_.outline.empty()) side_mm = std::ranges::max(guide_.outline, {}, &PicturePoint::lateral_mm).lateral_mm;
     frame.marker_px = displayFromPicture(
         {std::min(side_mm, shown.maxLateral_mm), std::max(shape_.top_mm - shape_.pixel_mm / 2, shown.minAxial_mm)});

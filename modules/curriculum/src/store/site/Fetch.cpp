@@ -12,7 +12,7 @@
 namespace insonate::store {
 namespace {
 
-/// Rows as texts, by the first column.
+/// Rows as texts, keyed by the first column.
 using Rows = std::map<std::string, std::vector<std::string>>;
 
 /// People with their passwords.
@@ -56,7 +56,7 @@ Result<Taught> readServer(Core& server, const std::string& workstation) {
   });
 }
 
-/// Returns the server's rows that are new or different here.
+/// Returns the rows of the server that are new here or differ.
 std::vector<std::vector<std::string>> changed(const Rows& server, const Rows& here) {
   std::vector<std::vector<std::string>> rows;
   for (const auto& [key, row] : server)
@@ -74,7 +74,7 @@ int takePeople(Transaction& here, const Rows& server) {
   std::set<std::string> unsent;
   for (const Row& row : here.rows("SELECT id FROM outbox WHERE kind = 'password'")) unsent.insert(row.text(0));
   const auto rows = changed(server, own);
-  // Names may have changed places: none may be taken while they are given out.
+  // Two people may have exchanged names: existing names are cleared before new ones are assigned.
   for (const auto& row : rows) here.run("UPDATE people SET name_key = id WHERE id = ?", row[0]);
   for (const auto& row : rows) {
     here.run(
@@ -142,7 +142,7 @@ void takeVoided(Transaction& here, const std::vector<Row>& voided) {
         row.number(1), row.text(2), row.text(3), row.text(0));
 }
 
-/// Takes over which attempts of this workstation instructors accepted on the server.
+/// Applies the server's acceptances of attempts of this workstation.
 void takeAccepted(Transaction& here, const std::vector<Row>& accepted, std::int64_t now_us) {
   for (const Row& row : accepted) {
     const auto person = here.row(

@@ -15,7 +15,7 @@ namespace {
 
 struct SentAttempt {
   KeptAttempt kept{};
-  AttemptFacts ended{};  ///< the state below a voiding
+  AttemptFacts ended{};  ///< the state before the attempt was voided
   std::optional<std::int64_t> voided_us{};
   std::string voidedBy{}, acceptedBy{};
 };
@@ -24,7 +24,7 @@ struct SentAttempt {
 struct Item {
   std::int64_t number = 0;
   std::string kind{}, id{};
-  std::optional<SentAttempt> attempt{};  ///< of a form: the attempt it is about, which has to be there before
+  std::optional<SentAttempt> attempt{};  ///< for a form: its attempt, which must be on the server first
   std::optional<FilledForm> form{};
   std::string password{};
   bool mustChange = false;
@@ -79,14 +79,15 @@ Result<Batch> readBatch(Core& here, std::int64_t after) {
   });
 }
 
-/// The server's attempt takes what it lacks: its beginning, its end, its voiding. In any order and any number of times
-/// the same comes out. Fails where it is another attempt there, and where its recording counts for another there.
+/// The server's attempt receives what it lacks: its beginning, its end, its voiding. The result does not depend on the
+/// order or the number of repetitions. Fails if the server has another attempt of this id, or if the recording already
+/// counts for another attempt there.
 Result<void> mergeAttempt(Transaction& server, const SentAttempt& sent, std::int64_t now_us) {
   const AttemptFacts& facts = sent.ended;
   const auto another = [&] {
     return fail("The attempt " + facts.id + " is another one on the server and stays here; look at both.");
   };
-  // Before anything is written: the others of the batch are kept all the same.
+  // Checks before anything is written, so that the others of the batch are stored all the same.
   if (auto ok = refuseKnownHands(server, facts); !ok)
     return fail("The attempt " + facts.id + " stays here. " + ok.error().message);
   auto there = readAttempt(server, facts.id);
@@ -111,7 +112,7 @@ Result<void> mergeAttempt(Transaction& server, const SentAttempt& sent, std::int
   return {};
 }
 
-/// The server's password is the newer one where both were changed.
+/// If both were changed, the server's password is the newer one.
 void mergePassword(Transaction& server, const Item& item) {
   server.run("UPDATE credentials SET password = ?, must_change = ?, version = ? WHERE person = ? AND version < ?",
              item.password, item.mustChange, item.version, item.id, item.version);
@@ -131,7 +132,7 @@ Result<void> mergeItem(Transaction& transaction, const Core& server, const Item&
   return {};
 }
 
-/// The numbers that the server has taken.
+/// Numbers of the entries that the server has stored.
 Result<std::vector<std::int64_t>> giveBatch(Core& here, Core& server, const Batch& batch, UploadReport& report) {
   UploadReport counted = report;
   auto taken = inTransaction(server, Way::Write, [&](Transaction& transaction) -> Result<std::vector<std::int64_t>> {
@@ -145,7 +146,8 @@ Result<std::vector<std::int64_t>> giveBatch(Core& here, Core& server, const Batc
         counted.troubles.push_back(merged.error().message);
     }
     for (const std::string& person : people) renewStandings(transaction, person, server.now_us());
-    // The end of the workstation's log stands in the server's from now on: cut or written anew, it shows.
+    // Stores the end of the workstation's log in the server's log, so that a later change of the workstation's log is
+    // detected.
     server.audit(transaction, "", "upload", "",
                  std::to_string(numbers.size()) + " facts of " + here.workstation() + ", whose log ends at " +
                      std::to_string(batch.auditEnd.number) + " " + batch.auditEnd.hash);

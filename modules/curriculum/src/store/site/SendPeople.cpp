@@ -28,7 +28,7 @@ Result<std::vector<Sent>> peopleOf(Core& here) {
   });
 }
 
-/// "anna", or "anna-2" where another anna is on the server, and so on.
+/// Free name on the server: "anna", or "anna-2" if another anna exists, and so on.
 std::string freeName(Transaction& server, const std::string& name) {
   std::string free = name;
   for (int i = 2; server.row("SELECT id FROM people WHERE name_key = ?", nameKey(free)); ++i)

@@ -28,7 +28,7 @@ Result<void> checkServer(Core& here, Core& server) {
   return {};
 }
 
-/// From now on people are the server's.
+/// From now on the server determines the people.
 Result<void> joinServer(Core& here, const std::string& server) {
   return inTransaction(here, Way::Write, [&](Transaction& transaction) -> Result<void> {
     const auto site = transaction.row("SELECT server FROM site");

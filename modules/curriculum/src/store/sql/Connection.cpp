@@ -23,8 +23,8 @@ QString latin(std::string_view text) {
   return QString::fromLatin1(text.data(), static_cast<int>(text.size()));
 }
 
-/// Tries again each 2 ms for 10 s. SQLite's own handler sleeps up to 100 ms, and then hardly ever finds the moment
-/// between two transactions of someone who writes one after the other.
+/// Retries every 2 ms for 10 s. SQLite's own handler sleeps up to 100 ms and rarely finds the gap between two
+/// transactions of a busy writer.
 int waitForOthers(void*, int tries) {
   constexpr int kMostTries = 5000;
   if (tries >= kMostTries) return 0;
@@ -70,8 +70,8 @@ Result<void> Connection::setUp(const Address& address) {
   const std::string settings(dialect_.setUp);
   if (address.isServer) return script(settings);
   sqlite3_busy_handler(handle(), waitForOthers, nullptr);
-  // A new file goes over to WAL under a lock that SQLite does not ask its busy handler for: of several programs that
-  // come at once, some are told SQLITE_BUSY immediately. All settings may be made again.
+  // A new file changes to WAL under a lock for which SQLite does not call its busy handler: if several programs open it
+  // at once, some get SQLITE_BUSY immediately. All settings can be repeated.
   auto done = script(settings);
   for (int tries = 0; !done && (sqlite3_errcode(handle()) & 0xff) == SQLITE_BUSY && waitForOthers(nullptr, tries);
        ++tries)
@@ -143,7 +143,7 @@ Result<void> Connection::script(const std::string& sql) {
   }
   QSqlQuery query(database_);
   bool done = query.exec(QString::fromStdString(sql));
-  // Each statement gives a result of its own, and only looking at it tells whether it failed.
+  // Each statement has a result of its own, which must be read to detect its failure.
   while (done && query.nextResult()) done = !query.lastError().isValid();
   if (query.lastError().isValid()) return tl::unexpected(failed(query.lastError()));
   return {};

@@ -10,12 +10,12 @@ const Dialect& Dialect::sqlite() {
   static const Dialect dialect{.name = "sqlite",
                                .driver = "QSQLITE",
                                .options = "",
-                               // Recursive triggers: REPLACE would delete a fact without asking its trigger otherwise.
+                               // Recursive triggers are on: otherwise REPLACE would delete a fact without its trigger.
                                .setUp =
                                    "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON;"
                                    "PRAGMA recursive_triggers = ON; PRAGMA trusted_schema = OFF;"
-                                   // 64 MB instead of 2: what a class's screen reads, so that the next look at it does
-                                   // not fetch each page again.
+                                   // 64 MB instead of 2: the data of a class page, so that the next look does not read
+                                   // each page again.
                                    "PRAGMA cache_size = -65536",
                                .beginReading = "BEGIN",
                                .beginWriting = "BEGIN IMMEDIATE",
@@ -30,19 +30,18 @@ const Dialect& Dialect::postgresql() {
   static const Dialect dialect{
       .name = "postgresql",
       .driver = "QPSQL",
-      // A cable that is pulled or a computer that is cut off says nothing: without these TCP waits for a quarter of an
-      // hour.
+      // A broken connection sends no message: without these settings TCP waits for a quarter of an hour.
       .options =
           "connect_timeout=5;keepalives_idle=5;keepalives_interval=2;keepalives_count=3;tcp_user_timeout=10000;"
           "application_name=insonate",
       .setUp =
           "SET client_min_messages = warning; SET lock_timeout = '10s'; SET statement_timeout = '120s';"
           "SET idle_in_transaction_session_timeout = '120s'; SET synchronous_commit = on;"
-          // All questions are about a person or a cohort and have an index. Where rows are compared with a row
-          // of another table the planner guesses a third of all, and reads the whole table: 0.8 s for 0.06.
+          // All queries are about a person or a cohort and have an index. If rows are compared with a row of another
+          // table, the planner estimates a third of all rows and reads the whole table: 0.8 s instead of 0.06.
           "SET enable_seqscan = off; SET jit = off",
       .beginReading = "BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY",
-      // The number is the store's own, so that it meets no one else's lock in the database ("insonate" in ASCII).
+      // The number is unique to this program's locks in the database ("insonate" in ASCII).
       .beginWriting = "BEGIN; SELECT pg_advisory_xact_lock(7597132986949923941)",
       .integer = "BIGINT",
       .real = "DOUBLE PRECISION",
@@ -102,7 +101,7 @@ Error serverSentence(const QString& code, const std::string& words, const std::s
 
 bool isLost(const QSqlError& error) {
   const QString code = error.nativeErrorCode();
-  // Without a code nobody answered.
+  // Without a code, the server did not answer.
   return error.type() == QSqlError::ConnectionError || code.isEmpty() || code.startsWith("08") ||
          code.startsWith("57P");
 }

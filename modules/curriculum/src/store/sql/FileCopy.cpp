@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kPagesAStep = 1000, kMostWaits = 500;
 
-/// Writers come between two steps, after which SQLite begins anew; 10 s of being locked out are enough.
+/// Another writer between two steps makes SQLite start the copy again; it gives up after 10 s without progress.
 int copyPages(sqlite3_backup* backup, int pagesAStep) {
   int waits = 0;
   for (;;) {
@@ -53,7 +53,7 @@ Result<void> writeCopy(sqlite3* from, const std::string& what, const std::filesy
     const auto to = opened(beside, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
     if (!to) return tl::unexpected(to.error());
     if (auto copied = copy(from, to->get(), kPagesAStep, what + " to " + file.string()); !copied) return copied;
-    // The copy of a store in use would be one that needs files beside it.
+    // The copy of a store in use would need additional files beside it.
     if (sqlite3_exec(to->get(), "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr) != SQLITE_OK)
       return fail("Could not write " + file.string() + ": " + sqlite3_errmsg(to->get()) + ".");
     return {};
@@ -73,7 +73,7 @@ Result<void> copyFile(const std::filesystem::path& from, const std::filesystem::
 }
 
 Result<void> copyInto(Connection& from, Connection& to) {
-  // In one step: a half of it must be seen by no one.
+  // Renames in one step, so that no process sees an incomplete file.
   return copy(from.handle(), to.handle(), -1, from.place() + " to " + to.place());
 }
 

@@ -7,7 +7,7 @@
 namespace insonate::store {
 
 void makePrivate(const std::filesystem::path& database) {
-  // Only a file that is new is opened here: closing one that SQLite has open would end SQLite's locks.
+  // Opens only a new file here: closing a file that SQLite has open would release SQLite's locks.
   if (const int file = ::open(database.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR); file >= 0)
     ::close(file);
   for (const char* part : {"", "-wal", "-shm"}) {
