@@ -17,8 +17,7 @@ const tissuefile::TableForm<AcousticTable>& acousticForm() {
 }  // namespace
 
 std::vector<std::string> acousticPresetNames() {
-  const auto names = acousticForm().names();
-  return {names.begin(), names.end()};
+  return namesOf(acousticForm().presets);
 }
 
 Result<AcousticTable> parseAcousticTable(std::string_view text) {

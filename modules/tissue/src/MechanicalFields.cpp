@@ -1,6 +1,5 @@
 #include "MechanicalFields.h"
-
-#include <insonate/core/Words.h>
+#include "NumberFields.h"
 
 #include <algorithm>
 
@@ -26,60 +25,36 @@ constexpr std::array kLumenFields{
     Field<Tissue>{"pressure_kPa", &Tissue::pressure_kPa, -5, 50},
 };
 
-constexpr std::array<Field<Tissue>, 0> kNoFields{};
-
 /// In the order of Mechanics.
 constexpr std::array<std::string_view, 4> kKinds{"solid", "rigid", "lumen", "gas"};
 
-Result<Mechanics> readKind(const json& entry, bool needed, const std::string& where, Mechanics before) {
-  const std::vector<std::string_view> kinds{kKinds.begin(), kKinds.end()};
-  const auto found = entry.find("kind");
-  if (found == entry.end()) {
-    if (needed) return fail(where + ": kind is missing; it is one of " + joinedWords(kinds) + ".");
-    return before;
-  }
-  const auto choice =
-      found->is_string() ? std::find(kKinds.begin(), kKinds.end(), found->get<std::string>()) : kKinds.end();
-  if (choice == kKinds.end())
-    return fail(where + ": kind must be one of " + joinedWords(kinds) + ", not " + shown(*found) + ".");
-  return static_cast<Mechanics>(choice - kKinds.begin());
-}
-
 /// A field that exists, but not for this kind, deserves another sentence than a misspelt one.
-template <std::size_t N>
-Result<void> readFields(const json& entry, const std::array<Field<Tissue>, N>& fields, bool complete,
-                        const std::string& where, Tissue& tissue) {
-  const auto known = namesOf(fields, {"label", "kind"});
-  const auto all = namesOf(kSolidFields, namesOf(kLumenFields, {}));
-  for (const auto& [key, value] : entry.items())
-    if (std::find(known.begin(), known.end(), key) == known.end() &&
-        std::find(all.begin(), all.end(), key) != all.end())
-      return fail(where + ": " + key + " says nothing of a tissue of kind " +
-                  std::string(kKinds[static_cast<int>(tissue.kind)]) + "; remove it, or change the kind.");
-  if (auto ok = checkKeys(entry, known, where); !ok) return ok;
-  return readNumbers(entry, fields, complete, where, tissue);
+void refuseFieldsOfOtherKinds(JsonEntry& entry, Mechanics kind) {
+  std::vector<std::string_view> own;
+  if (kind == Mechanics::Solid) own = namesOf(kSolidFields, {});
+  if (kind == Mechanics::Lumen) own = namesOf(kLumenFields, {});
+  for (const std::string_view name : namesOf(kLumenFields, namesOf(kSolidFields, {})))
+    if (entry.has(name) && std::ranges::find(own, name) == own.end())
+      entry.refuse("has '" + std::string(name) + "', which says nothing of a tissue of kind " +
+                   std::string(kKinds[static_cast<std::size_t>(kind)]) + "; remove it, or change the kind.");
 }
 
 }  // namespace
 
-Result<void> readMechanics(const json& entry, bool complete, const std::string& where, MechanicalTissue& tissue) {
-  const auto kind = readKind(entry, complete, where, tissue.kind);
-  if (!kind) return tl::unexpected(kind.error());
-  if (complete || *kind != tissue.kind) {
+void readMechanics(const json& object, bool complete, const std::string& where, std::string& trouble,
+                   MechanicalTissue& tissue) {
+  JsonEntry entry(object, where, namesOf(kLumenFields, {"label", "kind", "young_kPa"}), trouble);
+  const auto kind = complete || entry.has("kind")
+                        ? static_cast<Mechanics>(entry.word("kind", {kKinds.begin(), kKinds.end()}))
+                        : tissue.kind;
+  if (complete || kind != tissue.kind) {
     tissue = {};
-    tissue.kind = *kind;
+    tissue.kind = kind;
     complete = true;
   }
-  switch (tissue.kind) {
-    case Mechanics::Solid:
-      return readFields(entry, kSolidFields, complete, where, tissue);
-    case Mechanics::Lumen:
-      return readFields(entry, kLumenFields, complete, where, tissue);
-    case Mechanics::Rigid:
-    case Mechanics::Gas:
-      return readFields(entry, kNoFields, complete, where, tissue);
-  }
-  return {};
+  refuseFieldsOfOtherKinds(entry, kind);
+  if (kind == Mechanics::Solid) readNumbers(entry, kSolidFields, complete, tissue);
+  if (kind == Mechanics::Lumen) readNumbers(entry, kLumenFields, complete, tissue);
 }
 
 json written(const MechanicalTissue& tissue) {

@@ -17,8 +17,7 @@ const tissuefile::TableForm<MechanicalTable>& mechanicalForm() {
 }  // namespace
 
 std::vector<std::string> mechanicalPresetNames() {
-  const auto names = mechanicalForm().names();
-  return {names.begin(), names.end()};
+  return namesOf(mechanicalForm().presets);
 }
 
 Result<MechanicalTable> parseMechanicalTable(std::string_view text) {

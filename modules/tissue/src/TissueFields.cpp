@@ -1,9 +1,5 @@
+#include "NumberFields.h"
 #include "TissueFields.h"
-
-#include <insonate/core/Words.h>
-
-#include <algorithm>
-#include <array>
 
 namespace insonate::tissuefile {
 namespace {
@@ -33,56 +29,27 @@ constexpr std::array kLayerFields{
 
 constexpr std::array<std::string_view, 6> kTextures{"none", "septa", "lobules", "sheets", "fine", "bundles"};
 
-Result<void> readSwitch(const json& entry, const char* name, const std::string& where, bool& target) {
-  const auto found = entry.find(name);
-  if (found == entry.end()) return {};
-  if (!found->is_boolean()) return fail(where + ": " + name + " must be true or false, not " + shown(*found) + ".");
-  target = found->get<bool>();
-  return {};
-}
-
-Result<void> readTexture(const json& entry, const std::string& where, Texture& target) {
-  const auto found = entry.find("texture");
-  if (found == entry.end()) return {};
-  const auto choice =
-      found->is_string() ? std::find(kTextures.begin(), kTextures.end(), found->get<std::string>()) : kTextures.end();
-  if (choice == kTextures.end())
-    return fail(where + ": texture must be one of " + joinedWords({kTextures.begin(), kTextures.end()}) + ", not " +
-                shown(*found) + ".");
-  target = static_cast<Texture>(choice - kTextures.begin());
-  return {};
-}
-
-Result<void> readLayers(const json& entry, const std::string& where, std::vector<BoundaryLayer>& target) {
-  const auto found = entry.find("layers");
-  if (found == entry.end()) return {};
-  if (!found->is_array() || found->size() > kMaxBoundaryLayers)
-    return fail(where + ": layers must be a list of at most " + std::to_string(kMaxBoundaryLayers) + " objects.");
-  std::vector<BoundaryLayer> layers;
-  for (const json& item : *found) {
-    const std::string here = where + ", layer " + std::to_string(layers.size() + 1);
-    if (auto ok = checkKeys(item, namesOf(kLayerFields, {"name"}), here); !ok) return ok;
-    BoundaryLayer layer;
-    if (auto ok = readNumbers(item, kLayerFields, true, here, layer); !ok) return ok;
-    if (!(layer.from_mm < layer.to_mm))
-      return fail(here + ": from_mm is " + shown(layer.from_mm) + ", which must be below to_mm, " + shown(layer.to_mm) +
-                  ".");
-    layers.push_back(layer);
-  }
-  target = std::move(layers);
-  return {};
+BoundaryLayer readLayer(const json& object, const std::string& where, std::string& trouble) {
+  JsonEntry entry(object, where, namesOf(kLayerFields, {"name"}), trouble);
+  BoundaryLayer layer;
+  readNumbers(entry, kLayerFields, true, layer);
+  if (!(layer.from_mm < layer.to_mm)) entry.refuse("needs a 'from_mm' below its 'to_mm'.");
+  return layer;
 }
 
 }  // namespace
 
-Result<void> readTissue(const json& entry, bool complete, const std::string& where, AcousticTissue& tissue) {
-  const auto known = namesOf(kTissueFields, {"label", "texture", "vessel", "gas", "layers"});
-  return checkKeys(entry, known, where)
-      .and_then([&] { return readNumbers(entry, kTissueFields, complete, where, tissue); })
-      .and_then([&] { return readTexture(entry, where, tissue.texture); })
-      .and_then([&] { return readSwitch(entry, "vessel", where, tissue.vessel); })
-      .and_then([&] { return readSwitch(entry, "gas", where, tissue.gas); })
-      .and_then([&] { return readLayers(entry, where, tissue.layers); });
+void readTissue(const json& object, bool complete, const std::string& where, std::string& trouble,
+                AcousticTissue& tissue) {
+  JsonEntry entry(object, where, namesOf(kTissueFields, {"label", "texture", "vessel", "gas", "layers"}), trouble);
+  readNumbers(entry, kTissueFields, complete, tissue);
+  if (entry.has("texture"))
+    tissue.texture = static_cast<Texture>(entry.word("texture", {kTextures.begin(), kTextures.end()}));
+  if (entry.has("vessel")) tissue.vessel = entry.flag("vessel");
+  if (entry.has("gas")) tissue.gas = entry.flag("gas");
+  if (entry.has("layers")) tissue.layers = entry.list("layers", where + ", layer", readLayer, false);
+  if (tissue.layers.size() > kMaxBoundaryLayers)
+    entry.refuse("has more 'layers' than " + std::to_string(kMaxBoundaryLayers) + ".");
 }
 
 json written(const AcousticTissue& tissue) {
