@@ -1,6 +1,4 @@
-#include "column/ColumnModel.h"
-#include "elastic/ElasticModel.h"
-#include "reference/ReferenceModel.h"
+#include "Models.h"
 
 #include <insonate/core/Range.h>
 #include <insonate/core/Words.h>

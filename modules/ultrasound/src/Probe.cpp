@@ -1,5 +1,3 @@
-#include "FormerProbe.h"
-
 #include <insonate/core/AtomicFile.h>
 #include <insonate/core/JsonEntry.h>
 #include <insonate/core/Preset.h>
@@ -9,10 +7,52 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
+#include <string>
 
 namespace insonate {
 namespace {
+
+constexpr std::array kFormerNames{"axialFwhm_wavelengths",     "lateralFNumber",
+                                  "lateralDivergenceNear",     "lateralDivergenceFar",
+                                  "elevationFwhm_wavelengths", "elevationDivergence"};
+constexpr std::array kArrayNames{"pitch_mm",       "bandwidth",        "transmitFNumber",
+                                 "receiveFNumber", "elementHeight_mm", "apodization"};
+
+double pitchOf_mm(const nlohmann::json& shape) {
+  return shape == "curvilinear" ? 0.508 : shape == "phased" ? 0.3 : 0.2;
+}
+
+/// A probe file as it is, or one that states widths of the beam, as files did until November 2026, by the array that
+/// has these widths. Recordings and saved probes hold such files. `trouble` is set by one that is neither.
+///
+/// With the pulse's length p, the width w at the focus and the slice's t, all in wavelengths, and the lens at z:
+/// bandwidth 0.441 / p (a Gaussian); receive F-number w / 1.733 and transmit F-number twice that, Hann (the law of
+/// lateralFwhm_mm()); height 0.98 z / t (a strip at its focus); the pitch of the built-in probe of its shape. How fast
+/// the former beam grew off its foci is left out: the array says it.
+nlohmann::json withFormerNames(const nlohmann::json& file, const std::string& where, std::string& trouble) {
+  const auto has = [&](const char* name) { return file.contains(name); };
+  if (!file.is_object() || std::ranges::none_of(kFormerNames, has)) return file;
+  JsonEntry entry(file, where, keysOf(file), trouble);
+  for (const char* name : kArrayNames)
+    if (has(name))
+      entry.refuse(std::string("has '") + name + "', which describes the array and does not go with widths such as '" +
+                   *std::ranges::find_if(kFormerNames, has) + "'; leave out the widths.");
+  const auto width = [&](const char* name) { return entry.number(name, 0.5, 400); };
+  const double pulse = width("axialFwhm_wavelengths"), lateral = width("lateralFNumber");
+  const double slice = width("elevationFwhm_wavelengths"), lens_mm = width("elevationFocus_mm");
+  if (!trouble.empty()) return file;
+  nlohmann::json array = file;
+  for (const char* name : kFormerNames) array.erase(name);
+  array["pitch_mm"] = pitchOf_mm(file.value("shape", nlohmann::json()));
+  array["bandwidth"] = std::clamp(0.441 / pulse, 0.1, 1.5);
+  array["receiveFNumber"] = std::clamp(lateral / 1.733, 0.5, 10.0);
+  array["transmitFNumber"] = 2 * array["receiveFNumber"].get<double>();
+  array["apodization"] = "hann";
+  array["elementHeight_mm"] = std::clamp(0.98 * lens_mm / slice, 1.0, 40.0);
+  return array;
+}
 
 using Field = ProbeField;
 using Use = ProbeField::Use;
