@@ -2,6 +2,7 @@
 
 #include <insonate/simulator/PictureFiles.h>
 #include <insonate/ultrasound/FovFit.h>
+#include <insonate/ultrasound/SetupText.h>
 
 #include <nlohmann/json.hpp>
 
@@ -30,10 +31,6 @@ struct FitReport {
   std::string probe;     ///< the name of the probe that was written
 };
 
-const char* shapeName(ProbeShape shape) {
-  return shape == ProbeShape::Linear ? "linear" : shape == ProbeShape::Curvilinear ? "curvilinear" : "phased";
-}
-
 void findScale(const FitOptions& options, FitReport& report) {
   if (options.depth_mm > 0) {
     report.mm_per_px = options.depth_mm / depthOf_px(report.fit.shape);
@@ -56,7 +53,7 @@ Result<void> writeProbe(const FitOptions& options, FitReport& report) {
     return fail(
         "The image shows no depth scale, so millimeters are not known: give the depth on display with "
         "--depth-mm.");
-  const auto base = loadProbe(options.base.empty() ? shapeName(report.fit.shape.shape) : options.base);
+  const auto base = loadProbe(options.base.empty() ? nameOf(report.fit.shape.shape) : options.base);
   if (!base) return tl::unexpected(base.error());
   const std::string name = options.name.empty() ? std::filesystem::path(options.out).stem().string() : options.name;
   const auto probe = probeFromFit(report.fit.shape, report.mm_per_px, *base, name);
@@ -67,7 +64,7 @@ Result<void> writeProbe(const FitOptions& options, FitReport& report) {
 
 nlohmann::json jsonOf(const FitReport& report, const FitOptions& options) {
   const FovShape& shape = report.fit.shape;
-  nlohmann::json object{{"shape", shapeName(shape.shape)},
+  nlohmann::json object{{"shape", nameOf(shape.shape)},
                         {"origin_px", {shape.origin.x, shape.origin.y}},
                         {"rotation_deg", shape.rotation_deg},
                         {"upside_down", shape.upsideDown},
@@ -96,7 +93,7 @@ void print(const FitReport& report, const FitOptions& options) {
   if (shape.shape == ProbeShape::Linear)
     std::printf("linear: %.0f px wide, %.0f px deep", shape.width_px, shape.depth_px);
   else
-    std::printf("%s: angle %.1f deg, r1 %.0f px, r2 %.0f px", shapeName(shape.shape), shape.alpha_deg, shape.r1_px,
+    std::printf("%s: angle %.1f deg, r1 %.0f px, r2 %.0f px", nameOf(shape.shape).data(), shape.alpha_deg, shape.r1_px,
                 shape.r2_px);
   std::printf("; turned by %.1f deg; confidence %.2f\n", shape.rotation_deg, report.fit.confidence);
   if (report.mm_per_px > 0)

@@ -117,7 +117,9 @@ TEST_F(SessionCommand, Refusals) {
   std::ofstream(folder / "bad.json") << R"({"acts": [{"advance": 3}]})";
   const auto bad = run(session + path("bad.json") + " --record " + path("a"));
   EXPECT_EQ(bad.status, 1);
-  EXPECT_THAT(bad.errors, HasSubstr("bad.json: Act 1 is of no known kind, 'advance'; did you mean 'advance_mm'?"));
+  EXPECT_THAT(
+      bad.errors,
+      HasSubstr("bad.json: The script cannot be used: act 1 has an unknown 'advance'; did you mean 'advance_mm'?"));
   std::ofstream(folder / "there") << "text";
   const auto there = run(session + path("attempt.json") + " --record " + path("there") + " --json");
   EXPECT_EQ(there.status, 1);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <set>
 
 namespace insonate {
@@ -13,17 +14,27 @@ namespace {
 
 using nlohmann::json;
 
-std::string shown(const json& value) {
-  constexpr std::size_t kMost = 40;
-  if (value.is_structured() && !value.empty()) return value.is_array() ? "[ ... ]" : "{ ... }";
-  std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
-  return text.size() <= kMost ? text : text.substr(0, kMost) + "...";
-}
-
 std::string shown(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%g", value);
   return text;
+}
+
+std::string shown(const json& value) {
+  constexpr std::size_t kMost = 40;
+  if (value.is_structured() && !value.empty()) return value.is_array() ? "[ ... ]" : "{ ... }";
+  if (value.is_number_float() && !std::isfinite(value.get<double>())) return shown(value.get<double>());
+  std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
+  return text.size() <= kMost ? text : text.substr(0, kMost) + "...";
+}
+
+std::string shownRange(double low, double high, bool orInfinity = false) {
+  return shown(low) + " to " + shown(high) + (orInfinity ? ", or \"infinity\"," : "");
+}
+
+std::optional<double> numberIn(const json& value, bool orInfinity) {
+  if (orInfinity && value == "infinity") return std::numeric_limits<double>::infinity();
+  return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
 }
 
 std::string didYouMean(std::string_view word, const std::vector<std::string_view>& known) {
@@ -33,8 +44,24 @@ std::string didYouMean(std::string_view word, const std::vector<std::string_view
 
 }  // namespace
 
-JsonEntry::JsonEntry(const json& object, std::string where, const std::vector<std::string_view>& known)
-    : object_(object), where_(std::move(where)) {
+Result<json> parsedJson(std::string_view text, const std::string& what) {
+  try {
+    return json::parse(text);
+  } catch (const json::exception& e) {
+    return fail(what + " is not valid JSON: " + jsonProblem(e.what()) + ".");
+  }
+}
+
+std::vector<std::string_view> keysOf(const json& object) {
+  std::vector<std::string_view> keys;
+  if (object.is_object())
+    for (const auto& [key, value] : object.items()) keys.push_back(key);
+  return keys;
+}
+
+JsonEntry::JsonEntry(const json& object, std::string where, const std::vector<std::string_view>& known,
+                     std::string& trouble)
+    : object_(object), where_(std::move(where)), trouble_(trouble) {
   if (!object.is_object()) {
     refuse("must be an object { ... }, not " + shown(object) + ".");
     return;
@@ -47,7 +74,7 @@ void JsonEntry::refuse(const std::string& sentence) {
   if (trouble_.empty()) trouble_ = where_ + " " + sentence;
 }
 
-const json* JsonEntry::find(const char* key, bool needed) {
+const json* JsonEntry::find(std::string_view key, bool needed) {
   if (!trouble_.empty()) return nullptr;
   const auto found = object_.find(key);
   if (found != object_.end()) return &*found;
@@ -55,7 +82,7 @@ const json* JsonEntry::find(const char* key, bool needed) {
   return nullptr;
 }
 
-std::string JsonEntry::text(const char* key, bool needed) {
+std::string JsonEntry::text(std::string_view key, bool needed) {
   const json* value = find(key, needed);
   if (!value) return {};
   const std::string text = value->is_string() ? value->get<std::string>() : std::string();
@@ -67,49 +94,101 @@ std::string JsonEntry::text(const char* key, bool needed) {
   return {};
 }
 
-std::optional<double> JsonEntry::numberIfThere(const char* key, double low, double high) {
+std::optional<double> JsonEntry::boundedNumber(std::string_view key, double low, double high, bool orInfinity) {
   const json* value = find(key, false);
   if (!value) return std::nullopt;
-  if (value->is_number() && *value >= low && *value <= high) return value->get<double>();
-  refuse("needs a number from " + shown(low) + " to " + shown(high) + " as '" + key + "', not " + shown(*value) + ".");
+  const auto number = numberIn(*value, orInfinity);
+  if (number && (value->is_string() || (*number >= low && *number <= high))) return number;
+  refuse("needs a number from " + shownRange(low, high, orInfinity) + " as '" + std::string(key) + "', not " +
+         shown(*value) + ".");
   return std::nullopt;
 }
 
-double JsonEntry::number(const char* key, double low, double high) {
+std::optional<double> JsonEntry::numberIfThere(std::string_view key, double low, double high) {
+  return boundedNumber(key, low, high, false);
+}
+
+std::optional<double> JsonEntry::sourcedIfThere(std::string_view key, double low, double high, bool orInfinity) {
+  const json* given = find(key, false);
+  if (!given || !given->is_object()) return boundedNumber(key, low, high, orInfinity);
+  JsonEntry sourced(*given, where_ + ", " + std::string(key) + ",", {"value", "range", "source"}, trouble_);
+  sourced.text("source", false);
+  if (!sourced.find("value", true)) return std::nullopt;
+  const auto value = sourced.boundedNumber("value", low, high, orInfinity);
+  if (value) sourced.checkStatedRange(*value);
+  return value;
+}
+
+/// A "range" beside a value tells how well the value is known.
+void JsonEntry::checkStatedRange(double value) {
+  const json* range = find("range", false);
+  if (!range) return;
+  const bool isPair = range->is_array() && range->size() == 2;
+  const auto low = isPair ? numberIn((*range)[0], true) : std::nullopt;
+  const auto high = isPair ? numberIn((*range)[1], true) : std::nullopt;
+  if (!low || !high || *low > *high)
+    refuse("needs [low, high] as 'range', not " + shown(*range) + ".");
+  else if (value < *low || value > *high)
+    refuse("has the value " + shown(value) + ", outside its own range " + shownRange(*low, *high) + ".");
+}
+
+std::vector<double> JsonEntry::numbers(std::string_view key, std::size_t count, double low, double high,
+                                       std::string_view order) {
+  std::vector<double> all(count);
+  const json* list = find(key, true);
+  if (list && (!list->is_array() || list->size() != count))
+    refuse("needs a list of " + std::to_string(count) + " numbers" + (order.empty() ? "" : ", ") + std::string(order) +
+           (order.empty() ? "" : ",") + " as '" + std::string(key) + "', not " + shown(*list) + ".");
+  for (std::size_t i = 0; trouble_.empty() && i < count; ++i) {
+    all[i] = numberIn((*list)[i], false).value_or(std::nan(""));
+    if (!(all[i] >= low && all[i] <= high))
+      refuse("needs numbers from " + shownRange(low, high) + " in the list '" + std::string(key) + "', not " +
+             shown((*list)[i]) + ".");
+  }
+  return trouble_.empty() ? all : std::vector<double>(count);
+}
+
+double JsonEntry::number(std::string_view key, double low, double high) {
   return find(key, true) ? numberIfThere(key, low, high).value_or(0) : 0;
 }
 
-std::optional<int> JsonEntry::wholeIfThere(const char* key, int low, int high) {
+std::optional<int> JsonEntry::wholeIfThere(std::string_view key, int low, int high) {
   const std::optional<double> value = numberIfThere(key, low, high);
   if (value && *value != std::floor(*value))
     refuse("needs a whole number as '" + std::string(key) + "', not " + shown(*value) + ".");
   return value ? std::optional(static_cast<int>(*value)) : std::nullopt;
 }
 
-int JsonEntry::whole(const char* key, int low, int high) {
+int JsonEntry::whole(std::string_view key, int low, int high) {
   return find(key, true) ? wholeIfThere(key, low, high).value_or(low) : low;
 }
 
-bool JsonEntry::has(const char* key) const {
+bool JsonEntry::has(std::string_view key) const {
   return object_.is_object() && object_.contains(key);
 }
 
-bool JsonEntry::flag(const char* key) {
+bool JsonEntry::flag(std::string_view key) {
   const json* value = find(key, false);
   if (!value) return false;
   if (!value->is_boolean()) refuse("needs true or false as '" + std::string(key) + "', not " + shown(*value) + ".");
   return value->is_boolean() && value->get<bool>();
 }
 
-std::size_t JsonEntry::word(const char* key, const std::vector<std::string_view>& words) {
-  const std::string chosen = text(key);
+std::size_t JsonEntry::word(std::string_view key, const std::vector<std::string_view>& words) {
+  const json* value = find(key, false);
+  const std::string chosen = value && value->is_string() ? value->get<std::string>() : "";
   const auto found = std::ranges::find(words, chosen);
-  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  refuse("has the unknown " + std::string(key) + " '" + chosen + "'" + didYouMean(chosen, words));
+  if (value && found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  if (!value)
+    refuse("has no '" + std::string(key) + "'; it is one of " + joinedWords(words) + ".");
+  else if (chosen.empty())
+    refuse("needs one of " + joinedWords(words) + " as '" + std::string(key) + "', not " + shown(*value) + ".");
+  else
+    refuse("has the unknown " + std::string(key) + " '" + chosen + "'" + didYouMean(chosen, words));
   return 0;
 }
 
-const json& JsonEntry::array(const char* key) {
+const json& JsonEntry::array(std::string_view key) {
   static const json kNone = json::array();
   const json* value = find(key, false);
   if (value && !value->is_array())
@@ -117,7 +196,7 @@ const json& JsonEntry::array(const char* key) {
   return value && value->is_array() ? *value : kNone;
 }
 
-std::vector<std::string> JsonEntry::texts(const char* key) {
+std::vector<std::string> JsonEntry::texts(std::string_view key) {
   std::vector<std::string> all;
   for (const json& entry : array(key)) {
     if (!entry.is_string() || entry.get_ref<const std::string&>().empty())
@@ -128,7 +207,7 @@ std::vector<std::string> JsonEntry::texts(const char* key) {
   return all;
 }
 
-void JsonEntry::each(const char* key, const std::string& noun, const Reader& read) {
+void JsonEntry::each(std::string_view key, const std::string& noun, const Reader& read, bool namesDiffer) {
   std::set<std::string> names;
   int number = 0;
   for (const json& entry : array(key)) {
@@ -138,13 +217,13 @@ void JsonEntry::each(const char* key, const std::string& noun, const Reader& rea
     const std::string where = noun + " " + (named ? "'" + name + "'" : std::to_string(number));
     std::string trouble;
     read(entry, where, trouble);
-    if (trouble.empty() && named && !names.insert(name).second)
+    if (trouble.empty() && named && namesDiffer && !names.insert(name).second)
       trouble = where + " is there twice; names tell them apart.";
     if (!trouble.empty()) return refuse("cannot be used: " + trouble);
   }
 }
 
-const json& JsonEntry::object(const char* key) {
+const json& JsonEntry::value(std::string_view key) {
   static const json kNone = json::object();
   const json* value = find(key, true);
   return value ? *value : kNone;

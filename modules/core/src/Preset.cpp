@@ -1,7 +1,6 @@
 #include <insonate/core/Preset.h>
 #include <insonate/core/Words.h>
 
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -11,6 +10,15 @@ std::vector<std::string> namesOf(const std::vector<Preset>& presets) {
   std::vector<std::string> names;
   for (const Preset& preset : presets) names.emplace_back(preset.name);
   return names;
+}
+
+Result<std::string> textOfFile(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) return fail(file.string() + " is a folder; a file is needed.");
+  std::ifstream stream(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) return fail(file.string() + " cannot be read; check the path and the permissions.");
+  return text;
 }
 
 Result<PresetText> presetOrFile(std::string_view what, std::string_view nameOrPath,
@@ -27,10 +35,7 @@ Result<PresetText> presetOrFile(std::string_view what, std::string_view nameOrPa
     return fail("'" + path.string() + "' is neither " + std::string(what) + " (" + joinedWords(names) + ") nor a file" +
                 (near.empty() ? "." : "; did you mean '" + std::string(near) + "'?"));
   }
-  std::ifstream stream(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) return fail(path.string() + " cannot be read; check its permissions.");
-  return PresetText{std::move(text), path.string() + ": "};
+  return textOfFile(path).map([&](std::string text) { return PresetText{std::move(text), path.string() + ": "}; });
 }
 
 }  // namespace insonate

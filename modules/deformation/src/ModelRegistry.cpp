@@ -1,11 +1,8 @@
-#include "column/ColumnModel.h"
-#include "elastic/ElasticModel.h"
-#include "reference/ReferenceModel.h"
+#include "Models.h"
 
+#include <insonate/core/Range.h>
 #include <insonate/core/Words.h>
 #include <insonate/deformation/DeformationModel.h>
-
-#include <sstream>
 
 namespace insonate {
 namespace {
@@ -25,18 +22,11 @@ const std::vector<KnownModel>& knownModels() {
   return models;
 }
 
-Result<void> checkRange(double value, double low, double high, const char* field) {
-  if (value >= low && value <= high) return {};
-  std::ostringstream text;
-  text << "Deformation: " << field << " is " << value << "; allowed is " << low << " to " << high << ".";
-  return fail(text.str());
-}
-
 Result<void> checkSettings(const DeformationSettings& settings) {
-  if (auto ok = checkRange(settings.mesh_mm, 0.1, 4, "mesh_mm"); !ok) return ok;
-  if (auto ok = checkRange(settings.depth_mm, 10, 200, "depth_mm"); !ok) return ok;
-  if (auto ok = checkRange(settings.mostIterations, 1, 1000, "mostIterations"); !ok) return ok;
-  return checkRange(settings.tolerance_mm, 0, 1, "tolerance_mm");
+  if (auto ok = checkRange(settings.mesh_mm, 0.1, 4, "Deformation: mesh_mm"); !ok) return ok;
+  if (auto ok = checkRange(settings.depth_mm, 10, 200, "Deformation: depth_mm"); !ok) return ok;
+  if (auto ok = checkRange(settings.mostIterations, 1, 1000, "Deformation: mostIterations"); !ok) return ok;
+  return checkRange(settings.tolerance_mm, 0, 1, "Deformation: tolerance_mm");
 }
 
 Error unknownModel(std::string_view name) {

@@ -1,3 +1,4 @@
+#include <insonate/core/Range.h>
 #include <insonate/deformation/Physiology.h>
 
 #include <algorithm>
@@ -56,10 +57,7 @@ double vein_mmHg(const Physiology& p, double breathNow) {
 }
 
 Result<void> checkPhysiologicalRange(double value, double low, double high, const char* field) {
-  if (value >= low && value <= high) return {};
-  std::ostringstream text;
-  text << "Physiology: " << field << " is " << value << "; allowed is " << low << " to " << high << ".";
-  return fail(text.str());
+  return checkRange(value, low, high, std::string("Physiology: ") + field);
 }
 
 Result<void> checkRate(double value, double low, double high, const char* field) {

@@ -1,6 +1,5 @@
 #include <insonate/core/JsonEntry.h>
 #include <insonate/core/Preset.h>
-#include <insonate/core/Words.h>
 #include <insonate/embedded/procedures.h>
 #include <insonate/procedure/Procedure.h>
 
@@ -34,22 +33,20 @@ std::vector<std::string_view> metricNames() {
 }
 
 PatientPosition readPosition(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"name", "tilt_deg"});
+  JsonEntry entry(object, where, {"name", "tilt_deg"}, trouble);
   PatientPosition position{entry.text("name"), entry.number("tilt_deg", -45, 45)};
-  trouble = entry.trouble();
   return position;
 }
 
 NeededStructure readNeed(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"label", "why"});
+  JsonEntry entry(object, where, {"label", "why"}, trouble);
   const auto label = static_cast<Label>(entry.word("label", labelNames()));
   NeededStructure need{label, entry.text("why")};
-  trouble = entry.trouble();
   return need;
 }
 
 std::variant<Happening, Holding> readUntil(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where + ", until,", {"happens", "wall", "holds", "for_s"});
+  JsonEntry entry(object, where + ", until,", {"happens", "wall", "holds", "for_s"}, trouble);
   std::variant<Happening, Holding> until;
   if (entry.has("happens") == entry.has("holds")) {
     entry.refuse("needs one of 'happens' and 'holds'.");
@@ -64,18 +61,15 @@ std::variant<Happening, Holding> readUntil(const json& object, const std::string
     if (entry.has("wall")) happening.wall = static_cast<Label>(entry.word("wall", labelNames()));
     until = happening;
   }
-  trouble = entry.trouble();
   return until;
 }
 
 ProcedureStep readStep(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"name", "title", "say", "optional", "until"});
+  JsonEntry entry(object, where, {"name", "title", "say", "optional", "until"}, trouble);
   ProcedureStep step;
   step.name = entry.text("name"), step.title = entry.text("title"), step.say = entry.text("say");
   step.optional = entry.flag("optional");
-  const json& until = entry.object("until");
-  trouble = entry.trouble();
-  if (trouble.empty()) step.until = readUntil(until, where, trouble);
+  step.until = readUntil(entry.value("until"), where, trouble);
   return step;
 }
 
@@ -89,25 +83,23 @@ MetricLimit limitOf(JsonEntry& entry) {
 }
 
 ProcedureRule readRule(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"name", "metric", "over", "under", "severity", "say", "advice"});
+  JsonEntry entry(object, where, {"name", "metric", "over", "under", "severity", "say", "advice"}, trouble);
   ProcedureRule rule;
   rule.name = entry.text("name"), rule.say = entry.text("say"), rule.advice = entry.text("advice", false);
   rule.limit = limitOf(entry);
   rule.severity = static_cast<Severity>(entry.word("severity", kSeverities));
-  trouble = entry.trouble();
   return rule;
 }
 
 MetricLimit readSuccess(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"metric", "over", "under"});
+  JsonEntry entry(object, where, {"metric", "over", "under"}, trouble);
   const MetricLimit limit = limitOf(entry);
-  trouble = entry.trouble();
   return limit;
 }
 
 MetricNorm readNorm(const json& object, const std::string& where, std::string& trouble) {
   constexpr double kAny = std::numeric_limits<float>::max();
-  JsonEntry entry(object, where, {"metric", "novice", "expert", "source", "advice"});
+  JsonEntry entry(object, where, {"metric", "novice", "expert", "source", "advice"}, trouble);
   MetricNorm norm;
   norm.metric = static_cast<Metric>(entry.word("metric", metricNames()));
   norm.novice = entry.number("novice", -kAny, kAny), norm.expert = entry.number("expert", -kAny, kAny);
@@ -117,14 +109,14 @@ MetricNorm readNorm(const json& object, const std::string& where, std::string& t
     entry.refuse("is of a metric without a better direction; leave it out.");
   else if (better == Better::Lower ? norm.expert >= norm.novice : norm.expert <= norm.novice)
     entry.refuse("has an 'expert' that is no better than the 'novice'.");
-  trouble = entry.trouble();
   return norm;
 }
 
 Procedure readProcedure(const json& object, std::string& trouble) {
   JsonEntry file(object, "The procedure",
                  {"name", "title", "version", "description", "needs", "target", "positions", "steps", "passBegins",
-                  "rules", "success", "norms"});
+                  "rules", "success", "norms"},
+                 trouble);
   Procedure procedure;
   procedure.name = file.text("name"), procedure.title = file.text("title");
   file.text("description", false);
@@ -144,7 +136,6 @@ Procedure readProcedure(const json& object, std::string& trouble) {
   std::vector<std::string_view> steps;
   for (const ProcedureStep& step : procedure.steps) steps.push_back(step.name);
   procedure.passBegins = file.word("passBegins", steps);
-  trouble = file.trouble();
   return procedure;
 }
 
@@ -155,24 +146,16 @@ std::vector<std::string> procedurePresetNames() {
 }
 
 Result<Procedure> parseProcedure(std::string_view text) {
-  json file;
-  try {
-    file = json::parse(text);
-  } catch (const json::exception& e) {
-    return fail("The procedure is not JSON: " + jsonProblem(e.what()));
-  }
+  const auto file = parsedJson(text, "The procedure");
+  if (!file) return tl::unexpected(file.error());
   std::string trouble;
-  Procedure procedure = readProcedure(file, trouble);
+  Procedure procedure = readProcedure(*file, trouble);
   if (!trouble.empty()) return fail(std::move(trouble));
   return procedure;
 }
 
 Result<Procedure> loadProcedure(std::string_view nameOrPath) {
-  const auto file = presetOrFile("a procedure", nameOrPath, presetsOf(embedded::procedures::files()));
-  if (!file) return tl::unexpected(file.error());
-  auto procedure = parseProcedure(file->text);
-  if (!procedure) return fail(file->where + procedure.error().message);
-  return procedure;
+  return presetOrFile("a procedure", nameOrPath, presetsOf(embedded::procedures::files()), parseProcedure);
 }
 
 }  // namespace insonate

@@ -1,4 +1,6 @@
 #include <insonate/cases/StartPose.h>
+#include <insonate/core/JsonEntry.h>
+#include <insonate/core/Preset.h>
 #include <insonate/core/Words.h>
 #include <insonate/simulator/ProbePose.h>
 
@@ -6,28 +8,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 namespace insonate {
 namespace {
 
 using nlohmann::json;
 
-std::string shown(const json& value) {
-  const std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
-  return text.size() > 60 ? text.substr(0, 60) + "..." : text;
-}
-
-Result<Vec3> readVector(const json& pose, const char* name, const std::string& where) {
-  const auto found = pose.find(name);
-  if (found == pose.end())
-    return fail(where + " has no \"" + name + "\"; position_mm, axial and lateral are needed, each [x, y, z].");
-  const bool three = found->is_array() && found->size() == 3 &&
-                     std::all_of(found->begin(), found->end(), [](const json& number) { return number.is_number(); });
-  if (!three) return fail(where + ": " + name + " must be three numbers [x, y, z], not " + shown(*found) + ".");
-  return Vec3{(*found)[0].get<double>(), (*found)[1].get<double>(), (*found)[2].get<double>()};
-}
+constexpr double kFarthest = 1e6;
 
 /// Reported from one degree on; less is rounding.
 std::string straightened(const Transform& patientFromProbe, Vec3 lateral, const std::string& where) {
@@ -40,24 +27,16 @@ std::string straightened(const Transform& patientFromProbe, Vec3 lateral, const 
 }
 
 Result<Transform> readPose(const json& pose, const std::string& where, std::vector<std::string>& warnings) {
-  if (!pose.is_object()) return fail(where + " must be a JSON object { ... }, not " + shown(pose) + ".");
-  const std::vector<std::string_view> known{"name", "position_mm", "axial", "lateral"};
-  for (const auto& [key, value] : pose.items()) {
-    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    const std::string_view near = nearestWord(key, known);
-    return fail(
-        where + ": unknown field '" + key +
-        (near.empty() ? "'; known are " + joinedWords(known) + "." : "'; did you mean '" + std::string(near) + "'?"));
-  }
-  const auto position_mm = readVector(pose, "position_mm", where);
-  if (!position_mm) return tl::unexpected(position_mm.error());
-  const auto axial = readVector(pose, "axial", where);
-  if (!axial) return tl::unexpected(axial.error());
-  const auto lateral = readVector(pose, "lateral", where);
-  if (!lateral) return tl::unexpected(lateral.error());
-  auto transform = patientFromProbe(*position_mm, *axial, *lateral);
+  JsonEntry entry(pose, where, {"name", "position_mm", "axial", "lateral"});
+  const auto vector = [&](const char* key) {
+    const auto three = entry.numbers(key, 3, -kFarthest, kFarthest, "[x, y, z]");
+    return Vec3{three[0], three[1], three[2]};
+  };
+  const Vec3 position_mm = vector("position_mm"), axial = vector("axial"), lateral = vector("lateral");
+  if (!entry.trouble().empty()) return fail(entry.trouble());
+  auto transform = patientFromProbe(position_mm, axial, lateral);
   if (!transform) return fail(where + ": " + transform.error().message);
-  if (std::string warning = straightened(*transform, *lateral, where); !warning.empty())
+  if (std::string warning = straightened(*transform, lateral, where); !warning.empty())
     warnings.push_back(std::move(warning));
   return transform;
 }
@@ -74,19 +53,15 @@ Result<PosePath> readPath(const json& list, const std::string& where) {
 }
 
 Result<PosePath> parsePoses(std::string_view text, const std::string& where) {
-  json parsed;
-  try {
-    parsed = json::parse(text);
-  } catch (const json::exception& error) {
-    return fail(where + " is not valid JSON: " + jsonProblem(error.what()) + ".");
-  }
-  if (parsed.is_array()) return readPath(parsed, where);
-  if (parsed.is_object() && parsed.contains("poses")) {
-    if (parsed.size() > 1) return fail(where + ": no other field may stand beside \"poses\".");
-    return readPath(parsed["poses"], where);
+  const auto parsed = parsedJson(text, where);
+  if (!parsed) return tl::unexpected(parsed.error());
+  if (parsed->is_array()) return readPath(*parsed, where);
+  if (parsed->is_object() && parsed->contains("poses")) {
+    if (parsed->size() > 1) return fail(where + ": no other field may stand beside \"poses\".");
+    return readPath(parsed->at("poses"), where);
   }
   PosePath path;
-  const auto pose = readPose(parsed, where, path.warnings);
+  const auto pose = readPose(*parsed, where, path.warnings);
   if (!pose) return tl::unexpected(pose.error());
   path.patientFromProbe = {*pose};
   return path;
@@ -144,9 +119,9 @@ Result<PosePath> readPoses(std::string_view text, const PatientCase& patient) {
     return parsePoses(text, "The pose");
   const std::filesystem::path file(text);
   std::error_code error;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || !std::filesystem::is_regular_file(file, error)) return fail(neitherNameNorFile(text, patient));
-  return parsePoses(std::string{std::istreambuf_iterator<char>(stream), {}}, file.string());
+  const auto content = textOfFile(file);
+  if (!content || !std::filesystem::is_regular_file(file, error)) return fail(neitherNameNorFile(text, patient));
+  return parsePoses(*content, file.string());
 }
 
 }  // namespace insonate

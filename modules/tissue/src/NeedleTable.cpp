@@ -1,14 +1,12 @@
+#include "NumberFields.h"
 #include "TableFile.h"
 
 #include <insonate/embedded/needles.h>
 #include <insonate/tissue/NeedleTable.h>
 
-#include <algorithm>
-
 namespace insonate {
 namespace {
 
-using nlohmann::json;
 using tissuefile::Field;
 using Tissue = NeedleTissue;
 
@@ -29,46 +27,25 @@ constexpr std::array<std::string_view, 3> kWalls{"none", "membrane", "hard"};
 /// Words of the field "probe", the behavior of the transducer at this structure; the second one is true.
 constexpr std::array<std::string_view, 2> kProbe{"passes", "touches"};
 
-template <std::size_t N>
-Result<int> readWord(const json& entry, const char* key, const std::array<std::string_view, N>& words, int before,
-                     bool complete, const std::string& where) {
-  const auto found = entry.find(key);
-  const std::string all = joinedWords({words.begin(), words.end()});
-  if (found == entry.end()) {
-    if (complete) return fail(where + ": " + key + " is missing; it is one of " + all + ".");
-    return before;
-  }
-  const auto choice =
-      found->is_string() ? std::find(words.begin(), words.end(), found->get<std::string>()) : words.end();
-  if (choice == words.end())
-    return fail(where + ": " + key + " must be one of " + all + ", not " + tissuefile::shown(*found) + ".");
-  return static_cast<int>(choice - words.begin());
-}
-
 /// Contradictory values would make the servo return more energy than it received.
-Result<void> checkTogether(const Tissue& t, const std::string& where) {
+void checkTogether(JsonEntry& entry, const Tissue& t) {
   if (t.stiction_Npmm < t.friction_Npmm)
-    return fail(where + ": stiction_Npmm is " + tissuefile::shown(t.stiction_Npmm) + ", below friction_Npmm " +
-                tissuefile::shown(t.friction_Npmm) + "; what sticks holds at least as well as what slides.");
-  if (t.wall == NeedleWall::None) return {};
+    entry.refuse("has 'stiction_Npmm' below 'friction_Npmm'; what sticks holds at least as well as what slides.");
+  if (t.wall == NeedleWall::None) return;
   if (t.stiffness_Npmm <= 0 && t.stiffening_Npmm2 <= 0)
-    return fail(where + ": a wall needs stiffness_Npmm or stiffening_Npmm2 above 0.");
+    entry.refuse("has a wall, which needs 'stiffness_Npmm' or 'stiffening_Npmm2' above 0.");
   if (t.wall == NeedleWall::Membrane && t.puncture_N <= 0)
-    return fail(where + ": a membrane needs puncture_N above 0.");
-  return {};
+    entry.refuse("has a membrane, which needs 'puncture_N' above 0.");
 }
 
-Result<void> readNeedle(const json& entry, bool complete, const std::string& where, Tissue& tissue) {
-  if (auto ok = tissuefile::checkKeys(entry, tissuefile::namesOf(kNumbers, {"label", "wall", "probe"}), where); !ok)
-    return ok;
-  const auto wall = readWord(entry, "wall", kWalls, static_cast<int>(tissue.wall), complete, where);
-  if (!wall) return tl::unexpected(wall.error());
-  const auto probe = readWord(entry, "probe", kProbe, tissue.probeTouches ? 1 : 0, complete, where);
-  if (!probe) return tl::unexpected(probe.error());
-  tissue.wall = static_cast<NeedleWall>(*wall);
-  tissue.probeTouches = *probe == 1;
-  if (auto ok = tissuefile::readNumbers(entry, kNumbers, complete, where, tissue); !ok) return ok;
-  return checkTogether(tissue, where);
+void readNeedle(const nlohmann::json& object, bool complete, const std::string& where, std::string& trouble,
+                Tissue& tissue) {
+  JsonEntry entry(object, where, tissuefile::namesOf(kNumbers, {"label", "wall", "probe"}), trouble);
+  if (complete || entry.has("wall"))
+    tissue.wall = static_cast<NeedleWall>(entry.word("wall", {kWalls.begin(), kWalls.end()}));
+  if (complete || entry.has("probe")) tissue.probeTouches = entry.word("probe", {kProbe.begin(), kProbe.end()}) == 1;
+  tissuefile::readNumbers(entry, kNumbers, complete, tissue);
+  checkTogether(entry, tissue);
 }
 
 const tissuefile::TableForm<NeedleTable>& needleForm() {
@@ -79,8 +56,7 @@ const tissuefile::TableForm<NeedleTable>& needleForm() {
 }  // namespace
 
 std::vector<std::string> needlePresetNames() {
-  const auto names = needleForm().names();
-  return {names.begin(), names.end()};
+  return namesOf(needleForm().presets);
 }
 
 Result<NeedleTable> parseNeedleTable(std::string_view text) {

@@ -4,22 +4,22 @@ namespace insonate::tissuefile {
 
 using nlohmann::json;
 
-Result<void> checkRemarks(const json& file) {
-  for (const char* key : {"name", "description"})
-    if (file.contains(key) && !file[key].is_string()) return fail(std::string("\"") + key + "\" must be a text.");
-  if (!file.contains("sources")) return {};
-  if (!file["sources"].is_object()) return fail("\"sources\" must be an object of short names and citations.");
-  for (const auto& [key, citation] : file["sources"].items())
-    if (!citation.is_string()) return fail("The citation of source '" + key + "' must be a text.");
-  return {};
+void checkRemarks(JsonEntry& file) {
+  file.text("description", false);
+  if (!file.has("sources")) return;
+  const json& sources = file.value("sources");
+  if (!sources.is_object()) return file.refuse("needs an object of short names and citations as 'sources'.");
+  for (const auto& [key, citation] : sources.items())
+    if (!citation.is_string()) file.refuse("needs a text as the citation of the source '" + key + "'.");
 }
 
-Result<json> parsedJson(std::string_view text) {
-  try {
-    return json::parse(text);
-  } catch (const json::exception& error) {
-    return fail("This is not valid JSON: " + jsonProblem(error.what()) + ".");
-  }
+Label readLabel(const json& object, const std::string& where, std::string& trouble) {
+  JsonEntry entry(object, where, keysOf(object), trouble);
+  if (object.is_object() && object.contains("label") && object["label"].is_number())
+    return static_cast<Label>(entry.whole("label", 0, kLabelCount - 1));
+  std::vector<std::string_view> names;
+  for (const LabelInfo& info : labelTable()) names.push_back(info.name);
+  return static_cast<Label>(entry.word("label", names));
 }
 
 }  // namespace insonate::tissuefile

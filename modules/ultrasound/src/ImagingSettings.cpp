@@ -1,7 +1,12 @@
-#include "JsonFields.h"
-
+#include <insonate/core/JsonEntry.h>
+#include <insonate/core/Preset.h>
+#include <insonate/core/Range.h>
 #include <insonate/ultrasound/GrayMaps.h>
 #include <insonate/ultrasound/SetupText.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 namespace insonate {
 namespace {
@@ -89,97 +94,67 @@ const std::vector<std::string_view> kGrayMaps = [] {
   return names;
 }();
 const std::vector<std::string_view> kLooks{"coherent", "thesis"};
-const std::string kWhere = "settings";
-
-/// Assigns the value of `result` to `target`, or returns its error.
-template <class To, class From>
-Result<void> assign(To& target, const Result<From>& result) {
-  if (!result) return tl::unexpected(result.error());
-  target = static_cast<To>(*result);
-  return {};
-}
+const std::string kSetup = "The imaging setup";
 
 template <class Fields>
 void appendNames(const Fields& table, std::vector<std::string_view>& names) {
   for (const auto& field : table) names.push_back(field.name);
 }
 
-Result<void> readSliders(const Json& value, const SlidersField& field, Settings& settings) {
-  std::array<double, 8>& sliders = settings.*field.member;
-  const std::string name(field.name);
-  if (!value.is_array() || value.size() != sliders.size())
-    return fail(kWhere + ": " + name + " must be a list of 8 numbers, " + std::string(field.order) + ".");
-  for (std::size_t i = 0; i < sliders.size(); ++i)
-    if (auto ok = assign(sliders[i], fields::readNumber(value[i], name + "[" + std::to_string(i) + "]", kWhere)); !ok)
-      return ok;
-  return {};
-}
-
-Result<void> readEffects(const Json& value, Effects& effects) {
+void readEffects(const Json& object, Effects& effects, std::string& trouble) {
   std::vector<std::string_view> known;
   appendNames(kEffects, known);
-  if (auto ok = fields::checkKeys(value, known, kWhere + ": effects"); !ok) return ok;
-  for (const auto& field : kEffects) {
-    const auto found = value.find(field.name);
-    if (found == value.end()) continue;
-    if (auto ok = assign(effects.*field.member, fields::readSwitch(*found, field.name, kWhere + ": effects")); !ok)
-      return ok;
-  }
-  return {};
+  JsonEntry entry(object, kSetup + ", effects,", known, trouble);
+  for (const auto& field : kEffects)
+    if (entry.has(field.name)) effects.*field.member = entry.flag(field.name);
 }
 
-/// Reads one field, whose key is known.
-Result<void> readField(std::string_view key, const Json& value, Settings& settings) {
-  for (const auto& field : kNumbers)
-    if (field.name == key) return assign(settings.*field.member, fields::readNumber(value, key, kWhere));
-  for (const auto& field : kCounts)
-    if (field.name == key) return assign(settings.*field.member, fields::readInteger(value, key, kWhere));
-  for (const auto& field : kSwitches)
-    if (field.name == key) return assign(settings.*field.member, fields::readSwitch(value, key, kWhere));
-  for (const auto& field : kSliders)
-    if (field.name == key) return readSliders(value, field, settings);
-  if (key == "grayMap") return assign(settings.grayMap, fields::readChoice(value, kGrayMaps, key, kWhere));
-  if (key == "look") return assign(settings.look, fields::readChoice(value, kLooks, key, kWhere));
-  return readEffects(value, settings.effects);
+/// The fields that the entry has.
+void readSettings(JsonEntry& entry, Settings& settings) {
+  for (const auto& [name, member, low, high] : kNumbers)
+    settings.*member = entry.numberIfThere(name, low, high).value_or(settings.*member);
+  for (const auto& [name, member, low, high] : kCounts)
+    settings.*member = entry.wholeIfThere(name, low, high).value_or(settings.*member);
+  for (const auto& [name, member] : kSwitches)
+    if (entry.has(name)) settings.*member = entry.flag(name);
+  for (const auto& [name, member, order] : kSliders)
+    if (entry.has(name))
+      std::ranges::copy(entry.numbers(name, 8, -kSlider_dB, kSlider_dB, order), (settings.*member).begin());
+  if (entry.has("grayMap")) settings.grayMap = static_cast<GrayMap>(entry.word("grayMap", kGrayMaps));
+  if (entry.has("look")) settings.look = static_cast<Look>(entry.word("look", kLooks));
 }
 
 /// Files of former versions: `greyMap` is grayMap, and `smoothing` (on or off) is speckleReduction 1 or 0.
-Result<Json> withPresentNames(Json object) {
-  if (!object.is_object()) return object;
+Json withPresentNames(Json object, std::string& trouble) {
+  JsonEntry entry(object, kSetup, keysOf(object), trouble);
   for (const auto& [former, present] : {std::pair{"smoothing", "speckleReduction"}, {"greyMap", "grayMap"}}) {
-    const auto found = object.find(former);
-    if (found == object.end()) continue;
-    if (object.contains(present))
-      return fail(kWhere + ": " + former + " is the former name of " + present + "; leave it out.");
-    Json value = *found;
-    if (present == std::string_view("speckleReduction")) {
-      const auto on = fields::readSwitch(value, former, kWhere);
-      if (!on) return tl::unexpected(on.error());
-      value = *on ? 1 : 0;
-    }
-    object.erase(found);
-    object[present] = std::move(value);
+    if (!entry.has(former)) continue;
+    if (entry.has(present))
+      entry.refuse(std::string("has '") + former + "', which is the former name of '" + present + "'; leave it out.");
+    object[present] = former == std::string_view("smoothing") ? Json(entry.flag(former) ? 1 : 0) : object[former];
+    object.erase(former);
   }
   return object;
 }
 
+Result<void> checkSetting(double value, double low, double high, std::string_view name) {
+  return checkRange(value, low, high, "settings: " + std::string(name));
+}
+
 /// Checks that do not depend on the probe.
 Result<void> checkRanges(const Settings& settings) {
-  for (const auto& field : kNumbers)
-    if (auto ok = fields::checkRange(settings.*field.member, field.low, field.high, field.name, kWhere); !ok) return ok;
-  for (const auto& field : kCounts)
-    if (auto ok = fields::checkRange(settings.*field.member, field.low, field.high, field.name, kWhere); !ok) return ok;
-  for (const auto& field : kSliders)
-    for (std::size_t i = 0; i < (settings.*field.member).size(); ++i) {
-      const std::string name = std::string(field.name) + "[" + std::to_string(i) + "]";
-      if (auto ok = fields::checkRange((settings.*field.member)[i], -kSlider_dB, kSlider_dB, name, kWhere); !ok)
-        return ok;
-    }
+  for (const auto& [name, member, low, high] : kNumbers)
+    if (auto ok = checkSetting(settings.*member, low, high, name); !ok) return ok;
+  for (const auto& [name, member, low, high] : kCounts)
+    if (auto ok = checkSetting(settings.*member, low, high, name); !ok) return ok;
+  for (const auto& [name, member, order] : kSliders)
+    for (const double slider_dB : settings.*member)
+      if (auto ok = checkSetting(slider_dB, -kSlider_dB, kSlider_dB, name); !ok) return ok;
   if (settings.compoundingAngles % 2 == 0)
-    return fail(kWhere + ": compoundingAngles is " + std::to_string(settings.compoundingAngles) +
+    return fail("settings: compoundingAngles is " + std::to_string(settings.compoundingAngles) +
                 "; it must be odd, so that one angle is straight.");
   if (settings.elevationPlanes % 2 == 0)
-    return fail(kWhere + ": elevationPlanes is " + std::to_string(settings.elevationPlanes) +
+    return fail("settings: elevationPlanes is " + std::to_string(settings.elevationPlanes) +
                 "; it must be odd, so that one plane is the imaging plane.");
   return {};
 }
@@ -195,16 +170,17 @@ ImagingSettings settingsFor(const Probe& probe) {
 }
 
 Result<ImagingSettings> settingsFromJson(const nlohmann::json& overrides, ImagingSettings base) {
-  const auto object = withPresentNames(overrides);
-  if (!object) return tl::unexpected(object.error());
+  std::string trouble;
+  const Json object = withPresentNames(overrides, trouble);
   std::vector<std::string_view> known{"grayMap", "look", "effects"};
   appendNames(kNumbers, known);
   appendNames(kCounts, known);
   appendNames(kSwitches, known);
   appendNames(kSliders, known);
-  if (auto ok = fields::checkKeys(*object, known, kWhere); !ok) return tl::unexpected(ok.error());
-  for (const auto& [key, value] : object->items())
-    if (auto ok = readField(key, value, base); !ok) return tl::unexpected(ok.error());
+  JsonEntry entry(object, kSetup, known, trouble);
+  readSettings(entry, base);
+  if (entry.has("effects")) readEffects(entry.value("effects"), base.effects, trouble);
+  if (!trouble.empty()) return fail(std::move(trouble));
   if (auto ok = checkRanges(base); !ok) return tl::unexpected(ok.error());
   return base;
 }
@@ -222,7 +198,9 @@ Json jsonOf(const ImagingSettings& settings) {
 }
 
 Result<ImagingSettings> loadSettings(const std::filesystem::path& file, ImagingSettings base) {
-  const auto json = fields::parseFile(file);
+  const auto text = textOfFile(file);
+  if (!text) return tl::unexpected(text.error());
+  const auto json = parsedJson(*text, file.string());
   if (!json) return tl::unexpected(json.error());
   auto settings = settingsFromJson(*json, base);
   if (!settings) return fail(file.string() + ": " + settings.error().message);
@@ -231,11 +209,9 @@ Result<ImagingSettings> loadSettings(const std::filesystem::path& file, ImagingS
 
 Result<void> validate(const ImagingSettings& settings, const Probe& probe) {
   if (auto ok = checkRanges(settings); !ok) return ok;
-  const std::string where = kWhere + " for the " + probe.name + " probe";
-  if (auto ok = fields::checkRange(settings.depth_mm, probe.minDepth_mm, probe.maxDepth_mm, "depth_mm", where); !ok)
-    return ok;
-  return fields::checkRange(settings.frequency_MHz, probe.minFrequency_MHz, probe.maxFrequency_MHz, "frequency_MHz",
-                            where);
+  const std::string where = "settings for the " + probe.name + " probe: ";
+  if (auto ok = checkRange(settings.depth_mm, probe.minDepth_mm, probe.maxDepth_mm, where + "depth_mm"); !ok) return ok;
+  return checkRange(settings.frequency_MHz, probe.minFrequency_MHz, probe.maxFrequency_MHz, where + "frequency_MHz");
 }
 
 }  // namespace insonate

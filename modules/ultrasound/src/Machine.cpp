@@ -1,9 +1,9 @@
-#include "JsonFields.h"
-
 #include <insonate/core/Words.h>
 #include <insonate/embedded/machines.h>
 #include <insonate/ultrasound/Machine.h>
 #include <insonate/ultrasound/SetupText.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -12,9 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::vector<std::string_view> kShapes{"linear", "curvilinear", "phased"};
-
-/// The presets are compiled in; a test reads all of them.
+/// The presets come with the program; a test reads all of them.
 const Json& presetOf(std::string_view machine) {
   static const Json all = [] {
     Json object = Json::object();
@@ -54,8 +52,7 @@ Result<ImagingSettings> settingsOf(std::string_view machine, const Probe& probe,
   }
   Json overrides = Json::object();
   addValues(json.at("settings"), overrides);
-  const std::string_view shape = kShapes[static_cast<std::size_t>(probe.shape)];
-  if (const auto own = json.find(shape); own != json.end()) addValues(*own, overrides);
+  if (const auto own = json.find(nameOf(probe.shape)); own != json.end()) addValues(*own, overrides);
   auto settings = settingsFromJson(overrides, base);
   if (!settings) return fail("machine " + std::string(machine) + ": " + settings.error().message);
   settings->frequency_MHz = std::clamp(settings->frequency_MHz, probe.minFrequency_MHz, probe.maxFrequency_MHz);

@@ -1,17 +1,58 @@
-#include "FormerProbe.h"
-#include "JsonFields.h"
-
 #include <insonate/core/AtomicFile.h>
-#include <insonate/core/Words.h>
+#include <insonate/core/JsonEntry.h>
+#include <insonate/core/Preset.h>
+#include <insonate/core/Range.h>
 #include <insonate/embedded/probes.h>
 #include <insonate/ultrasound/SetupText.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
+#include <string>
 
 namespace insonate {
 namespace {
+
+constexpr std::array kFormerNames{"axialFwhm_wavelengths",     "lateralFNumber",
+                                  "lateralDivergenceNear",     "lateralDivergenceFar",
+                                  "elevationFwhm_wavelengths", "elevationDivergence"};
+constexpr std::array kArrayNames{"pitch_mm",       "bandwidth",        "transmitFNumber",
+                                 "receiveFNumber", "elementHeight_mm", "apodization"};
+
+double pitchOf_mm(const nlohmann::json& shape) {
+  return shape == "curvilinear" ? 0.508 : shape == "phased" ? 0.3 : 0.2;
+}
+
+/// A probe file as it is, or one that states widths of the beam, as files did until November 2026, by the array that
+/// has these widths. Recordings and saved probes hold such files. `trouble` is set by one that is neither.
+///
+/// With the pulse's length p, the width w at the focus and the slice's t, all in wavelengths, and the lens at z:
+/// bandwidth 0.441 / p (a Gaussian); receive F-number w / 1.733 and transmit F-number twice that, Hann (the law of
+/// lateralFwhm_mm()); height 0.98 z / t (a strip at its focus); the pitch of the built-in probe of its shape. How fast
+/// the former beam grew off its foci is left out: the array says it.
+nlohmann::json withFormerNames(const nlohmann::json& file, const std::string& where, std::string& trouble) {
+  const auto has = [&](const char* name) { return file.contains(name); };
+  if (!file.is_object() || std::ranges::none_of(kFormerNames, has)) return file;
+  JsonEntry entry(file, where, keysOf(file), trouble);
+  for (const char* name : kArrayNames)
+    if (has(name))
+      entry.refuse(std::string("has '") + name + "', which describes the array and does not go with widths such as '" +
+                   *std::ranges::find_if(kFormerNames, has) + "'; leave out the widths.");
+  const auto width = [&](const char* name) { return entry.number(name, 0.5, 400); };
+  const double pulse = width("axialFwhm_wavelengths"), lateral = width("lateralFNumber");
+  const double slice = width("elevationFwhm_wavelengths"), lens_mm = width("elevationFocus_mm");
+  if (!trouble.empty()) return file;
+  nlohmann::json array = file;
+  for (const char* name : kFormerNames) array.erase(name);
+  array["pitch_mm"] = pitchOf_mm(file.value("shape", nlohmann::json()));
+  array["bandwidth"] = std::clamp(0.441 / pulse, 0.1, 1.5);
+  array["receiveFNumber"] = std::clamp(lateral / 1.733, 0.5, 10.0);
+  array["transmitFNumber"] = 2 * array["receiveFNumber"].get<double>();
+  array["apodization"] = "hann";
+  array["elementHeight_mm"] = std::clamp(0.98 * lens_mm / slice, 1.0, 40.0);
+  return array;
+}
 
 using Field = ProbeField;
 using Use = ProbeField::Use;
@@ -44,40 +85,23 @@ Result<void> checkOrder(double low, double middle, double high, std::string_view
   return fail(where + ": the default " + std::string(quantity) + " must lie between its minimum and maximum.");
 }
 
-Result<Probe> probeFromJson(const nlohmann::json& file, const std::string& source) {
-  const std::string where = "probe " + source;
-  const auto converted = withFormerNames(file, where);
-  if (!converted) return tl::unexpected(converted.error());
-  const nlohmann::json& json = *converted;
+Probe probeFrom(const nlohmann::json& file, std::string& trouble) {
+  const std::string where = "The probe";
+  const nlohmann::json json = withFormerNames(file, where, trouble);
   std::vector<std::string_view> known{"name", "shape", "apodization"};
   for (const Field& field : kFields) known.push_back(field.name);
-  if (auto ok = fields::checkKeys(json, known, where); !ok) return tl::unexpected(ok.error());
-  for (const std::string_view name : {"name", "shape", "apodization"})
-    if (!json.contains(name)) return fail(where + ": '" + std::string(name) + "' is missing.");
-
+  JsonEntry entry(json, where, known, trouble);
   Probe probe;
-  if (!json["name"].is_string()) return fail(where + ": name must be text.");
-  probe.name = json["name"].get<std::string>();
-  const auto shape = fields::readChoice(json["shape"], kShapes, "shape", where);
-  if (!shape) return tl::unexpected(shape.error());
-  probe.shape = static_cast<ProbeShape>(*shape);
-  const auto apodization = fields::readChoice(json["apodization"], kApodizations, "apodization", where);
-  if (!apodization) return tl::unexpected(apodization.error());
-  probe.apodization = static_cast<Apodization>(*apodization);
+  probe.name = entry.text("name");
+  probe.shape = static_cast<ProbeShape>(entry.word("shape", kShapes));
+  probe.apodization = static_cast<Apodization>(entry.word("apodization", kApodizations));
   for (const Field& field : kFields) {
-    const std::string name(field.name);
-    if (!applies(field, probe.shape)) {
-      if (json.contains(name))
-        return fail(where + ": " + name + " has no meaning for a " + json["shape"].get<std::string>() +
-                    " probe; leave it out.");
-      continue;
-    }
-    if (!json.contains(name)) return fail(where + ": '" + name + "' is missing.");
-    const auto value = fields::readNumber(json[name], name, where);
-    if (!value) return tl::unexpected(value.error());
-    probe.*field.member = *value;
+    if (applies(field, probe.shape))
+      probe.*field.member = entry.number(field.name, field.low, field.high);
+    else if (entry.has(field.name))
+      entry.refuse("has '" + std::string(field.name) + "', which has no meaning for a " +
+                   std::string(nameOf(probe.shape)) + " probe; leave it out.");
   }
-  if (auto ok = validate(probe); !ok) return tl::unexpected(ok.error());
   return probe;
 }
 
@@ -91,40 +115,31 @@ bool applies(const ProbeField& field, ProbeShape shape) {
   return field.use == Use::Always || (field.use == Use::Linear) == (shape == ProbeShape::Linear);
 }
 
+std::string_view nameOf(ProbeShape shape) {
+  return kShapes[std::size_t(shape)];
+}
+
 std::vector<std::string> probePresetNames() {
-  std::vector<std::string> names;
-  for (const auto& file : embedded::probes::files()) names.emplace_back(file.name);
-  return names;
+  return namesOf(presetsOf(embedded::probes::files()));
 }
 
 Result<Probe> loadProbe(std::string_view nameOrPath) {
-  std::vector<std::string_view> presets;
-  for (const auto& file : embedded::probes::files()) {
-    presets.push_back(file.name);
-    if (file.name != nameOrPath) continue;
-    const auto json = fields::parseText(file.text, "preset " + std::string(file.name));
-    if (!json) return tl::unexpected(json.error());
-    return probeFromJson(*json, std::string(file.name));
-  }
-  const std::filesystem::path path(nameOrPath);
-  std::error_code error;
-  if (nameOrPath.empty() || !std::filesystem::exists(path, error))
-    return fail("there is no probe preset and no file named '" + std::string(nameOrPath) + "'; presets are " +
-                joinedWords(presets) + ".");
-  const auto json = fields::parseFile(path);
-  if (!json) return tl::unexpected(json.error());
-  return probeFromJson(*json, path.string());
+  return presetOrFile("a probe", nameOrPath, presetsOf(embedded::probes::files()), parseProbe);
 }
 
 Result<Probe> parseProbe(std::string_view text) {
-  const auto json = fields::parseText(text, "the probe");
+  const auto json = parsedJson(text, "The probe");
   if (!json) return tl::unexpected(json.error());
-  return probeFromJson(*json, "of the text");
+  std::string trouble;
+  Probe probe = probeFrom(*json, trouble);
+  if (!trouble.empty()) return fail(std::move(trouble));
+  if (auto ok = validate(probe); !ok) return tl::unexpected(ok.error());
+  return probe;
 }
 
 std::string textOf(const Probe& probe) {
   nlohmann::ordered_json json{{"name", probe.name},
-                              {"shape", kShapes[std::size_t(probe.shape)]},
+                              {"shape", nameOf(probe.shape)},
                               {"apodization", kApodizations[std::size_t(probe.apodization)]}};
   for (const Field& field : kFields)
     if (applies(field, probe.shape)) json[std::string(field.name)] = probe.*field.member;
@@ -138,13 +153,16 @@ Result<void> saveProbe(const Probe& probe, const std::filesystem::path& file) {
 
 Result<void> validate(const Probe& probe) {
   const std::string where = "probe '" + probe.name + "'";
+  const auto check = [&](double value, double low, double high, std::string_view name) {
+    return checkRange(value, low, high, where + ": " + std::string(name));
+  };
   if (probe.name.empty()) return fail("the probe has no name; give it one.");
   for (const Field& field : kFields) {
     if (!applies(field, probe.shape)) continue;
-    if (auto ok = fields::checkRange(probe.*field.member, field.low, field.high, field.name, where); !ok) return ok;
+    if (auto ok = check(probe.*field.member, field.low, field.high, field.name); !ok) return ok;
   }
   if (probe.shape == ProbeShape::Curvilinear)
-    if (auto ok = fields::checkRange(probe.faceRadius_mm, 5, 200, "faceRadius_mm", where); !ok) return ok;
+    if (auto ok = check(probe.faceRadius_mm, 5, 200, "faceRadius_mm"); !ok) return ok;
   if (auto ok =
           checkOrder(probe.minFrequency_MHz, probe.defaultFrequency_MHz, probe.maxFrequency_MHz, "frequency", where);
       !ok)

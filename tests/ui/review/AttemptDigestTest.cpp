@@ -101,6 +101,16 @@ TEST_F(Digest, ThePathHasTheColoursOfWhereTheTipWas) {
   EXPECT_GT(length_mm(views::theme::kText), 8 + 3) << "out by the whole way; in from where the skin gave";
 }
 
+TEST_F(Digest, SignsTellThePiecesOfThePathApartWithoutColors) {
+  const auto signs = signsOf(*digest(recorded(file("two"))));
+  const auto count = [&](views::Colour colour, std::size_t points) {
+    return std::ranges::count_if(
+        signs, [&](const auto& sign) { return sign.colour == colour && sign.points_mm.size() == points; });
+  };
+  EXPECT_GE(count(views::theme::kGood, 25), 2) << "circles where the vein is entered";
+  EXPECT_GE(count(views::theme::kDanger, 4), 1) << "a triangle behind the vein";
+}
+
 TEST_F(Digest, ThePlaneShowsTheVeinUnderTheTip) {
   const auto attempt = digest(recorded(file("two")));
   const PlaneSection section = sectionOf(*attempt, block().get());

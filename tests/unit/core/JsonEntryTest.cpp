@@ -47,6 +47,52 @@ TEST(JsonEntry, WhatIsNestedAHundredThousandTimesIsRefusedShortly) {
   EXPECT_EQ(entry.trouble(), "The file needs a text as 'name', not [ ... ].");
 }
 
+TEST(JsonEntry, NumbersMayStateRangeAndSource) {
+  const auto read = [](const char* value) {
+    const json object = json::parse(std::string("{\"stiffness\": ") + value + "}");
+    JsonEntry entry(object, "tissue 'fat'", {"stiffness"});
+    const auto number = entry.sourcedIfThere("stiffness", 1, 9, true);
+    EXPECT_EQ(number.has_value() && entry.trouble().empty(), entry.trouble().empty());
+    return entry.trouble().empty() ? std::to_string(*number) : entry.trouble();
+  };
+  EXPECT_EQ(read("3"), std::to_string(3.0));
+  EXPECT_EQ(read("\"infinity\""), "inf");
+  EXPECT_EQ(read(R"({"value": 3, "range": [2, 4], "source": "a study"})"), std::to_string(3.0));
+  EXPECT_EQ(read("10"), "tissue 'fat' needs a number from 1 to 9, or \"infinity\", as 'stiffness', not 10.");
+  EXPECT_EQ(read(R"({"range": [2, 4]})"), "tissue 'fat', stiffness, has no 'value'.");
+  EXPECT_EQ(read(R"({"value": 5, "range": [2, 4]})"),
+            "tissue 'fat', stiffness, has the value 5, outside its own range 2 to 4.");
+  EXPECT_EQ(read(R"({"value": 5, "range": 4})"), "tissue 'fat', stiffness, needs [low, high] as 'range', not 4.");
+}
+
+TEST(JsonEntry, ListsOfNumbersHaveTheirLengthAndRange) {
+  const json object = json::parse(R"({"two": [1, 2], "text": [1, 2, "a"], "far": [1, 2, 30]})");
+  const auto refusal = [&](const char* key) {
+    JsonEntry entry(object, "The pose", {"two", "text", "far"});
+    EXPECT_EQ(entry.numbers(key, 3, 0, 9, "[x, y, z]"), std::vector<double>(3)) << key;
+    return entry.trouble();
+  };
+  EXPECT_EQ(refusal("two"), "The pose needs a list of 3 numbers, [x, y, z], as 'two', not [ ... ].");
+  EXPECT_EQ(refusal("text"), "The pose needs numbers from 0 to 9 in the list 'text', not \"a\".");
+  EXPECT_EQ(refusal("far"), "The pose needs numbers from 0 to 9 in the list 'far', not 30.");
+  EXPECT_EQ(refusal("none"), "The pose has no 'none'.");
+  JsonEntry entry(object, "The pose", {"two", "text", "far"});
+  EXPECT_EQ(entry.numbers("two", 2, 0, 9), (std::vector<double>{1, 2}));
+}
+
+TEST(JsonEntry, EntriesOfAFileShareTheFirstTrouble) {
+  const json object = json::parse(R"({"name": 3})");
+  std::string trouble;
+  JsonEntry(object, "step 1", {"name"}, trouble).text("name");
+  JsonEntry(object, "step 2", {}, trouble).text("name");
+  EXPECT_EQ(trouble, "step 1 needs a text as 'name', not 3.");
+}
+
+TEST(ParsedJson, FailsWithThePlaceOfTheError) {
+  EXPECT_EQ(parsedJson("[1]", "The list")->size(), 1U);
+  EXPECT_THAT(parsedJson("{", "The list").error().message, testing::StartsWith("The list is not valid JSON: line 1, "));
+}
+
 TEST(Preset, IsFoundByNameElseAsAFile) {
   const std::vector<Preset> presets{{"first", "one"}, {"second", "two"}};
   EXPECT_EQ(namesOf(presets), (std::vector<std::string>{"first", "second"}));

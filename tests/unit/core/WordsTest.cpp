@@ -1,6 +1,9 @@
+#include <insonate/core/Range.h>
 #include <insonate/core/Words.h>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace insonate {
 namespace {
@@ -41,6 +44,13 @@ TEST(JsonTrouble, SaysThePlaceWithoutTheLibrary) {
   EXPECT_EQ(jsonProblem("[json.exception.type_error.302] type must be number, but is string"),
             "type must be number, but is string");
   EXPECT_EQ(jsonProblem("anything else"), "anything else");
+}
+
+TEST(CheckRange, NamesValueAndRange) {
+  EXPECT_TRUE(checkRange(40, -40, 40, "gain_dB"));
+  EXPECT_EQ(checkRange(41, -40, 40, "settings: gain_dB").error().message,
+            "settings: gain_dB is 41; allowed is -40 to 40.");
+  EXPECT_FALSE(checkRange(std::nan(""), -40, 40, "gain_dB"));
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ TEST(Curriculum, BadInputIsToldWhereAndWhatElse) {
     const char *piece, *other, *sentence;
   };
   for (const Case& c : std::initializer_list<Case>{
-           {"{\"name\": \"course\"", "{{", "The curriculum is not JSON: line 1"},
+           {"{\"name\": \"course\"", "{{", "The curriculum is not valid JSON: line 1"},
            {"\"title\": \"A course\",", "", "The curriculum has no 'title'."},
            {"\"course\"", "\"a course/\"", "The curriculum needs a 'name' of at most 64 letters"},
            {"\"version\": 2", "\"version\": 1.5", "The curriculum needs a whole number as 'version', not 1.5."},
@@ -105,7 +105,7 @@ TEST(Curriculum, BadInputIsToldWhereAndWhatElse) {
     EXPECT_THAT(refusalOf(courseWith(c.piece, c.other)), HasSubstr(c.sentence)) << c.other;
   EXPECT_THAT(refusalOf(R"({"name": "c", "title": "C", "version": 1})"), HasSubstr("has no levels"));
   EXPECT_THAT(refusalOf("[]"), HasSubstr("must be an object"));
-  EXPECT_THAT(refusalOf("{\"name\": " + std::string(100'000, '[')), HasSubstr("is not JSON"));
+  EXPECT_THAT(refusalOf("{\"name\": " + std::string(100'000, '[')), HasSubstr("is not valid JSON"));
 }
 
 TEST(Curriculum, LevelsComeInAnOrderInWhichTheyCanBeLearnt) {

@@ -40,8 +40,7 @@ void expectSentences(const std::string& text, int runs, const Read& read) {
     const std::string trouble = read(damaged(text, random));
     if (trouble.empty()) continue;
     ++refused;
-    EXPECT_TRUE(trouble.ends_with(".") || trouble.ends_with("?") || trouble.find("not JSON") != std::string::npos)
-        << trouble;
+    EXPECT_TRUE(trouble.ends_with(".") || trouble.ends_with("?")) << trouble;
   }
   EXPECT_GT(refused, 0);
 }

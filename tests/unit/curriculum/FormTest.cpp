@@ -52,7 +52,7 @@ TEST(Form, BadInputIsToldWhereAndWhatElse) {
     const char *piece, *other, *sentence;
   };
   for (const Case& c : std::initializer_list<Case>{
-           {"{\"name\": \"f\"", "{{", "The form is not JSON: line 1"},
+           {"{\"name\": \"f\"", "{{", "The form is not valid JSON: line 1"},
            {"\"checklist\"", "\"checks\"", "has the unknown purpose 'checks'; did you mean 'checklist'?"},
            {"\"scale\": \"done\"", "\"scale\": \"dome\"", "item 'asepsis' has the unknown scale 'dome'; did you mean"},
            {"\"scale\": \"done\"", "\"options\": []", "item 'asepsis' offers fewer than two options"},
@@ -135,7 +135,7 @@ TEST(Form, AnswersAreKeptAsJson) {
   EXPECT_EQ(*parseAnswers(answersText(answers)), answers);
   EXPECT_THAT(parseAnswers("[]").error().message, HasSubstr("must be an object"));
   EXPECT_THAT(parseAnswers("{\"a\": null}").error().message, HasSubstr("'a' must be a text or a number"));
-  EXPECT_THAT(parseAnswers("{").error().message, HasSubstr("not JSON"));
+  EXPECT_THAT(parseAnswers("{").error().message, HasSubstr("not valid JSON"));
 }
 
 TEST(Form, PresetsAreFine) {

@@ -64,7 +64,7 @@ TEST(Procedure, BadInputIsToldWhereAndWhatElse) {
     const char *piece, *other, *sentence;
   };
   for (const Case& c : std::initializer_list<Case>{
-           {"{\"name\": \"p\"", "{{", "The procedure is not JSON: line 1"},
+           {"{\"name\": \"p\"", "{{", "The procedure is not valid JSON: line 1"},
            {"\"title\": \"P\",", "", "The procedure has no 'title'."},
            {"\"title\": \"P\"", "\"title\": 7", "The procedure needs a text as 'title', not 7."},
            {"\"title\"", "\"titel\"", "The procedure has an unknown 'titel'; did you mean 'title'?"},

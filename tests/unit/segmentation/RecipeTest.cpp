@@ -232,7 +232,7 @@ std::string recipeStepRefusal(const std::string& step) {
 }
 
 TEST(Recipe, BadRecipesAreRefusedWithThePlaceAndWhatIsPossible) {
-  EXPECT_THAT(recipeRefusal("{"), HasSubstr("The recipe is not JSON: line 1"));
+  EXPECT_THAT(recipeRefusal("{"), HasSubstr("The recipe is not valid JSON: line 1"));
   EXPECT_THAT(recipeRefusal("[]"), HasSubstr("must be an object"));
   EXPECT_THAT(recipeRefusal("{}"), HasSubstr("has no steps"));
   EXPECT_THAT(recipeRefusal(R"({"step": []})"), HasSubstr("did you mean 'steps'"));

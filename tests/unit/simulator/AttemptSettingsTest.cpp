@@ -69,7 +69,7 @@ TEST(AttemptSettings, OtherTextsAreRefusedWithASentence) {
   text["physiology"]["tilt_deg"] = 80;
   EXPECT_THAT(refusal(text.dump()), HasSubstr("tilt_deg is 80; allowed is -45 to 45"));
   text["picture"]["gain_dB"] = "high";
-  EXPECT_THAT(refusal(text.dump()), HasSubstr("gain_dB must be a number"));
+  EXPECT_THAT(refusal(text.dump()), HasSubstr("needs a number from -40 to 40 as 'gain_dB', not \"high\"."));
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ TEST(ReadPoses, RefusesASickStartPoseOfTheCase) {
 }
 
 TEST(ReadPoses, RefusalsNamePoseAndField) {
-  EXPECT_THAT(refusalOf(R"({"position_mm": [1, 2, 3], "axial": [0, 1, 0]})"), HasSubstr("\"lateral\""));
+  EXPECT_THAT(refusalOf(R"({"position_mm": [1, 2, 3], "axial": [0, 1, 0]})"), HasSubstr("The pose has no 'lateral'."));
   EXPECT_THAT(refusalOf(R"({"position_mm": [1, 2], "axial": [0, 1, 0], "lateral": [1, 0, 0]})"),
               HasSubstr("position_mm"));
   EXPECT_THAT(refusalOf(R"({"position_mm": [1, 2, null], "axial": [0, 1, 0], "lateral": [1, 0, 0]})"),

@@ -25,7 +25,8 @@ TEST(ScriptFiles, EachFitsTheTextbookNeckOrWhatLiesBelowTheClavicle) {
       continue;
     }
     EXPECT_THAT(script.error().message,
-                HasSubstr("The script '" + name + "' does not fit this case: Act 2 has a probe that cannot"));
+                HasSubstr("The script '" + name +
+                          "' does not fit this case: The script cannot be used: act 2 has a probe that cannot"));
     const auto below = loadSessionScript(name, *chest);
     ASSERT_TRUE(below) << below.error().message;
     EXPECT_EQ(below->procedure, "subclavian");
@@ -41,7 +42,7 @@ TEST(ScriptFiles, NamesAndFiles) {
   EXPECT_TRUE(loadSessionScript((folder / "mine.json").string(), nobody));
   std::ofstream(folder / "bad.json") << "{";
   EXPECT_THAT(loadSessionScript((folder / "bad.json").string(), nobody).error().message,
-              HasSubstr("bad.json: The script is not JSON"));
+              HasSubstr("bad.json: The script is not valid JSON"));
 }
 
 }  // namespace

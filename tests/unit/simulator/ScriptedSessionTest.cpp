@@ -205,26 +205,26 @@ TEST_F(ScriptedSession, BadScriptsAreToldWhereAndWhatElse) {
     const char *text, *sentence;
   };
   for (const Case& c : std::initializer_list<Case>{
-           {"{", "The script is not JSON"},
-           {"[]", "must be an object with a list of 'acts'"},
+           {"{", "The script is not valid JSON"},
+           {"[]", "The script must be an object { ... }, not []."},
            {R"({"acts": [], "speed": 2})", "The script has an unknown 'speed'"},
-           {R"({"acts": [], "probe": 2})", "The script needs a name as 'probe', not 2."},
+           {R"({"acts": [], "probe": 2})", "The script needs a text as 'probe', not 2."},
            {R"({"acts": [], "abandoned": 2})", "The script needs true or false as 'abandoned', not 2."},
            {R"({"acts": [{"wait_s": 1}, {"advnce_mm": 3}]})",
-            "Act 2 is of no known kind, 'advnce_mm'; did you mean 'advance_mm'?"},
-           {R"({"acts": [{"advance_mm": -3}]})", "Act 1 needs a number from 0.0 to 200.0 as 'advance_mm', not -3."},
-           {R"({"acts": [{"advance_mm": 3, "wait_s": 1}]})", "Act 1 must be an object with one of"},
-           {R"({"acts": [{"probe": "nowhere"}]})", "Act 1 has a probe that cannot be put there: "},
-           {R"({"acts": [{"move_probe_mm": [1, 2]}]})", "Act 1 needs [x, y, z] in the probe's frame, 200 mm at most,"},
-           {R"({"acts": [{"move_probe_mm": [1, 2, 3]}]})", "Act 1 moves a probe, and none is on the patient."},
+            "act 2 has an unknown 'advnce_mm'; did you mean 'advance_mm'?"},
+           {R"({"acts": [{"advance_mm": -3}]})", "act 1 needs a number from 0 to 200 as 'advance_mm', not -3."},
+           {R"({"acts": [{"advance_mm": 3, "wait_s": 1}]})", "act 1 must be an object with one of"},
+           {R"({"acts": [{"probe": "nowhere"}]})", "act 1 has a probe that cannot be put there: "},
+           {R"({"acts": [{"move_probe_mm": [1, 2]}]})",
+            "act 1 needs a list of 3 numbers, [x, y, z] in the probe's frame, as 'move_probe_mm'"},
+           {R"({"acts": [{"move_probe_mm": [1, 2, 3]}]})", "act 1 moves a probe, and none is on the patient."},
            {R"({"acts": [{"needle": {"from_mm": {"in_probe_mm": [0, 0, 1]}, "to": "vein"}}]})",
-            "Act 1 has 'from_mm' in the frame of a probe, and none is on the patient."},
-           {R"({"acts": [{"needle": [1, 2, 3]}]})", "Act 1 needs {\"from_mm\": [x, y, z], \"to\": target} as 'needle'"},
-           {R"({"acts": [{"needle": {"from_mm": [0, 0, 0], "to": "artery"}}]})",
-            "targets ('vein') as 'to', not \"artery\"."},
+            "act 1, needle, has 'from_mm' in the frame of a probe, and none is on the patient."},
+           {R"({"acts": [{"needle": [1, 2, 3]}]})", "act 1, needle, must be an object { ... }, not [ ... ]."},
+           {R"({"acts": [{"needle": {"from_mm": [0, 0, 0], "to": "artery"}}]})", "targets ('vein') as 'to'."},
            {R"({"acts": [{"needle": {"from_mm": [0, 12, 0], "to": "vein"}}]})", "less than 1 mm apart"},
-           {R"({"acts": [{"freeze": true}, {"withdraw_mm": 3}]})", "Act 2 moves a needle that is frozen; let it go"},
-           {R"({"acts": [{"replace_needle": false}]})", "Act 1 needs true as 'replace_needle'"}}) {
+           {R"({"acts": [{"freeze": true}, {"withdraw_mm": 3}]})", "act 2 moves a needle that is frozen; let it go"},
+           {R"({"acts": [{"replace_needle": false}]})", "act 1 needs true as 'replace_needle'"}}) {
     const auto script = readSessionScript(c.text, patient);
     ASSERT_FALSE(script) << c.text;
     EXPECT_THAT(script.error().message, HasSubstr(c.sentence));

@@ -104,7 +104,7 @@ TEST(AcousticTableOverrides, LayersMustBeCompleteAndInOrder) {
 
 TEST(AcousticTableOverrides, WithoutABaseEverythingIsNeeded) {
   EXPECT_THAT(refusalOf(R"({"tissues": []})"), AllOf(HasSubstr("background"), HasSubstr("base")));
-  EXPECT_THAT(refusalOf(R"({"tissues": [{"label": "background"}]})"), HasSubstr("impedance_MRayl is missing"));
+  EXPECT_THAT(refusalOf(R"({"tissues": [{"label": "background"}]})"), HasSubstr("has no 'impedance_MRayl'"));
 }
 
 TEST(AcousticTableOverrides, BrokenTextIsRefused) {

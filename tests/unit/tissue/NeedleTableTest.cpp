@@ -59,13 +59,13 @@ TEST(NeedleTable, RefusesWhatContradictsItself) {
   const auto slippery = parseNeedleTable(
       R"({"base": "measured", "tissues": [{"label": "fat", "friction_Npmm": 0.2, "stiction_Npmm": 0.1}]})");
   ASSERT_FALSE(slippery);
-  EXPECT_THAT(slippery.error().message, HasSubstr("stiction_Npmm is 0.1, below friction_Npmm 0.2"));
+  EXPECT_THAT(slippery.error().message, HasSubstr("tissue 'fat' has 'stiction_Npmm' below 'friction_Npmm'"));
   const auto open = parseNeedleTable(R"({"base": "measured", "tissues": [{"label": "vein", "puncture_N": 0}]})");
   ASSERT_FALSE(open);
-  EXPECT_THAT(open.error().message, HasSubstr("tissue 'vein': a membrane needs puncture_N above 0."));
+  EXPECT_THAT(open.error().message, HasSubstr("tissue 'vein' has a membrane, which needs 'puncture_N' above 0."));
   const auto wall = parseNeedleTable(R"({"base": "measured", "tissues": [{"label": "vein", "wall": "soft"}]})");
   ASSERT_FALSE(wall);
-  EXPECT_THAT(wall.error().message, HasSubstr("wall must be one of none, membrane, hard, not \"soft\""));
+  EXPECT_THAT(wall.error().message, HasSubstr("has the unknown wall 'soft'; it is one of none, membrane, hard."));
 }
 
 }  // namespace

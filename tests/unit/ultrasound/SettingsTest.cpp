@@ -55,40 +55,45 @@ TEST(Settings, OverridesTouchOnlyWhatTheyName) {
 }
 
 TEST(Settings, UnknownFieldsAreRefusedWithTheNearestKnown) {
-  EXPECT_THAT(refusal({{"dept_mm", 40}}), HasSubstr("unknown field 'dept_mm'; did you mean 'depth_mm'?"));
+  EXPECT_THAT(refusal({{"dept_mm", 40}}), HasSubstr("unknown 'dept_mm'; did you mean 'depth_mm'?"));
   EXPECT_THAT(refusal({{"frequency", 5}}), HasSubstr("'frequency_MHz'"));
   EXPECT_THAT(refusal({{"effects", {{"spekle", false}}}}), HasSubstr("'speckle'"));
-  EXPECT_THAT(refusal({{"qqqqqq", 1}}), HasSubstr("known are"));
+  EXPECT_THAT(refusal({{"qqqqqq", 1}}), HasSubstr("has an unknown 'qqqqqq'; it is one of"));
 }
 
 TEST(Settings, WrongTypesAreRefusedByName) {
-  EXPECT_THAT(refusal({{"depth_mm", "deep"}}), HasSubstr("depth_mm must be a number, not \"deep\""));
-  EXPECT_THAT(refusal({{"looks", 2.5}}), HasSubstr("looks must be a whole number, not 2.5"));
-  EXPECT_THAT(refusal({{"smoothing", 1}}), HasSubstr("smoothing must be true or false"));
-  EXPECT_THAT(refusal({{"speckleReduction", true}}), HasSubstr("speckleReduction must be a number"));
+  EXPECT_THAT(refusal({{"depth_mm", "deep"}}), HasSubstr("needs a number from 5 to 400 as 'depth_mm', not \"deep\"."));
+  EXPECT_THAT(refusal({{"looks", 2.5}}), HasSubstr("needs a whole number as 'looks', not 2.5."));
+  EXPECT_THAT(refusal({{"smoothing", 1}}), HasSubstr("needs true or false as 'smoothing', not 1."));
+  EXPECT_THAT(refusal({{"speckleReduction", true}}),
+              HasSubstr("needs a number from 0 to 1 as 'speckleReduction', not true."));
   EXPECT_THAT(refusal({{"grayMap", "pink"}}),
-              HasSubstr("grayMap must be one of linear, soft, contrast, bright, dark, flat"));
+              HasSubstr("has the unknown grayMap 'pink'; it is one of linear, soft, contrast, bright, dark, flat."));
   EXPECT_THAT(refusal({{"tgc_dB", {1, 2}}}),
-              HasSubstr("tgc_dB must be a list of 8 numbers, from the face to the depth"));
+              HasSubstr("needs a list of 8 numbers, from the face to the depth, as 'tgc_dB'"));
   EXPECT_THAT(refusal({{"lateralGain_dB", 3}}),
-              HasSubstr("lateralGain_dB must be a list of 8 numbers, from left to right"));
+              HasSubstr("needs a list of 8 numbers, from left to right, as 'lateralGain_dB', not 3."));
   EXPECT_THAT(refusal({{"effects", true}}), HasSubstr("object"));
   EXPECT_THAT(refusal(json::array()), HasSubstr("object"));
-  EXPECT_THAT(refusal({{"depth_mm", nullptr}}), HasSubstr("depth_mm must be a number"));
+  EXPECT_THAT(refusal({{"depth_mm", nullptr}}), HasSubstr("as 'depth_mm', not null."));
 }
 
 TEST(Settings, ValuesOutOfRangeAreRefusedByName) {
-  EXPECT_THAT(refusal({{"gain_dB", 41}}), HasSubstr("gain_dB is 41; allowed is -40 to 40"));
-  EXPECT_THAT(refusal({{"persistence", 1}}), HasSubstr("persistence is 1; allowed is 0 to 0.95"));
-  EXPECT_THAT(refusal({{"scanlines", 1000000}}), HasSubstr("scanlines is 1e+06; allowed is 16 to 1024"));
-  EXPECT_THAT(refusal({{"looks", 1e30}}), HasSubstr("looks must be a whole number"));
+  EXPECT_THAT(refusal({{"gain_dB", 41}}), HasSubstr("needs a number from -40 to 40 as 'gain_dB', not 41."));
+  EXPECT_THAT(refusal({{"persistence", 1}}), HasSubstr("needs a number from 0 to 0.95 as 'persistence', not 1."));
+  EXPECT_THAT(refusal({{"scanlines", 1000000}}),
+              HasSubstr("needs a number from 16 to 1024 as 'scanlines', not 1000000."));
+  EXPECT_THAT(refusal({{"looks", 1e30}}), HasSubstr("needs a number from 1 to 3 as 'looks', not 1e+30."));
   EXPECT_THAT(refusal({{"elevationPlanes", 4}}), HasSubstr("must be odd"));
-  EXPECT_THAT(refusal({{"tgc_dB", {0, 0, 0, 21, 0, 0, 0, 0}}}), HasSubstr("tgc_dB[3] is 21"));
-  EXPECT_THAT(refusal({{"lateralGain_dB", {0, 0, 0, 0, 0, 0, 0, -21}}}), HasSubstr("lateralGain_dB[7] is -21"));
-  EXPECT_THAT(refusal({{"speckleReduction", 1.5}}), HasSubstr("speckleReduction is 1.5; allowed is 0 to 1"));
-  EXPECT_THAT(refusal({{"noise_dB", 3}}), HasSubstr("noise_dB is 3; allowed is -120 to 0"));
-  EXPECT_THAT(refusal({{"depth_mm", std::nan("")}}), HasSubstr("depth_mm is nan"));
-  EXPECT_THAT(refusal({{"gain_dB", std::numeric_limits<double>::infinity()}}), HasSubstr("gain_dB is inf"));
+  EXPECT_THAT(refusal({{"tgc_dB", {0, 0, 0, 21, 0, 0, 0, 0}}}),
+              HasSubstr("needs numbers from -20 to 20 in the list 'tgc_dB', not 21."));
+  EXPECT_THAT(refusal({{"lateralGain_dB", {0, 0, 0, 0, 0, 0, 0, -21}}}),
+              HasSubstr("needs numbers from -20 to 20 in the list 'lateralGain_dB', not -21."));
+  EXPECT_THAT(refusal({{"speckleReduction", 1.5}}),
+              HasSubstr("needs a number from 0 to 1 as 'speckleReduction', not 1.5."));
+  EXPECT_THAT(refusal({{"noise_dB", 3}}), HasSubstr("needs a number from -120 to 0 as 'noise_dB', not 3."));
+  EXPECT_THAT(refusal({{"depth_mm", std::nan("")}}), HasSubstr("as 'depth_mm', not nan."));
+  EXPECT_THAT(refusal({{"gain_dB", std::numeric_limits<double>::infinity()}}), HasSubstr("as 'gain_dB', not inf."));
 }
 
 TEST(Settings, FilesOfFormerVersionsAreRead) {
@@ -96,7 +101,7 @@ TEST(Settings, FilesOfFormerVersionsAreRead) {
   EXPECT_EQ(settingsFromJson({{"smoothing", false}}, {})->speckleReduction, 0);
   EXPECT_EQ(settingsFromJson({{"greyMap", "linear"}}, {})->grayMap, GrayMap::Linear);
   EXPECT_THAT(refusal({{"smoothing", true}, {"speckleReduction", 0.5}}),
-              HasSubstr("smoothing is the former name of speckleReduction; leave it out"));
+              HasSubstr("has 'smoothing', which is the former name of 'speckleReduction'; leave it out."));
 }
 
 TEST(Settings, TheProbeLimitsDepthAndFrequency) {
@@ -113,13 +118,14 @@ TEST(Settings, TheProbeLimitsDepthAndFrequency) {
 TEST(Settings, FileErrorsNameTheFile) {
   const test::TemporaryFolder folder;
   const auto file = folder / "settings.json";
-  EXPECT_THAT(loadSettings(file, {}).error().message, HasSubstr("cannot be opened"));
+  EXPECT_THAT(loadSettings(file, {}).error().message, HasSubstr("cannot be read"));
   std::ofstream(file) << "{\"depth_mm\": }";
   EXPECT_THAT(loadSettings(file, {}).error().message, HasSubstr("settings.json is not valid JSON"));
   std::ofstream(file) << "{\"depth_mm\": 1e999}";
   EXPECT_FALSE(loadSettings(file, {}));
   std::ofstream(file) << "{\"depth_mm\": 1}";
-  EXPECT_THAT(loadSettings(file, {}).error().message, HasSubstr("settings.json: settings: depth_mm is 1"));
+  EXPECT_THAT(loadSettings(file, {}).error().message,
+              HasSubstr("settings.json: The imaging setup needs a number from 5 to 400 as 'depth_mm', not 1."));
   std::ofstream(file) << "{\"depth_mm\": 50}";
   EXPECT_EQ(loadSettings(file, {})->depth_mm, 50);
 }

@@ -9,6 +9,7 @@
 #include "probe/ProbeEditor.h"
 #include "scene/PatientViews.h"
 
+#include <insonate/ui/StateColors.h>
 #include <insonate/ui/Theme.h>
 
 #include <QEvent>
@@ -107,7 +108,7 @@ void TrainWorkspace::Parts::showAttempt() {
   const bool made =
       attempt->state() != AttemptControl::State::Idle && attempt->state() != AttemptControl::State::Starting;
   const NeedlePlace place = made ? attempt->view().needle : NeedlePlace::Clean;
-  patient->setNeedleColour(ui::wordsOf(disclosed(place, model.disclosure.current())).colour);
+  patient->setNeedleColour(ui::colorOf(disclosed(place, model.disclosure.current())));
   patient->setTrayVisible(attempt->isRunning());
 }
 

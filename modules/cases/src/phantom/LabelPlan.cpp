@@ -1,158 +1,117 @@
 #include "LabelPlan.h"
 
-#include <insonate/core/Words.h>
+#include <insonate/core/JsonEntry.h>
+#include <insonate/core/Preset.h>
 
 #include <nlohmann/json.hpp>
 
 #include <charconv>
-#include <fstream>
-#include <initializer_list>
-#include <stdexcept>
 
 namespace insonate {
 namespace {
 
 using Json = nlohmann::json;
 
-/// Carries a sentence to readLabelPlan, which converts it to an error with the name of the file.
-struct BadEntry : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+constexpr double kFarthest_mm = 1e5;
 
-void allowOnly(const Json& object, const std::string& where, std::initializer_list<const char*> known) {
-  if (!object.is_object()) throw BadEntry(where + " is not an object.");
-  std::string names;
-  for (const char* name : known) names += (names.empty() ? "" : ", ") + std::string(name);
-  for (const auto& [key, value] : object.items()) {
-    bool found = false;
-    for (const char* name : known) found = found || key == name;
-    if (!found) throw BadEntry(where + " has an unknown entry '" + key + "'; known are " + names + ".");
-  }
+/// The name or the number of a label.
+Label labelIn(JsonEntry& entry, std::string_view key) {
+  const Json& value = entry.value(key);
+  if (value.is_number()) return static_cast<Label>(entry.whole(key, 0, kLabelCount - 1));
+  std::vector<std::string_view> names;
+  for (const LabelInfo& info : labelTable()) names.push_back(info.name);
+  return static_cast<Label>(entry.word(key, names));
 }
 
-const Json& needed(const Json& object, const std::string& where, const char* key) {
-  if (!object.contains(key)) throw BadEntry(where + " lacks '" + key + "'.");
-  return object.at(key);
+Vec3 positionIn(JsonEntry& entry, std::string_view key) {
+  const auto p = entry.numbers(key, 3, -kFarthest_mm, kFarthest_mm, "[x, y, z]");
+  return {p[0], p[1], p[2]};
 }
 
-double number(const Json& value, const std::string& where, double low, double high) {
-  if (value.is_number()) {
-    const double x = value.get<double>();
-    if (x >= low && x <= high) return x;
-  }
-  throw BadEntry(where + " must be a number from " + std::to_string(low) + " to " + std::to_string(high) + ", not " +
-                 value.dump() + ".");
-}
-
-Vec3 position(const Json& value, const std::string& where) {
-  if (!value.is_array() || value.size() != 3) throw BadEntry(where + " must be three numbers [x, y, z].");
-  return {number(value[0], where, -1e5, 1e5), number(value[1], where, -1e5, 1e5), number(value[2], where, -1e5, 1e5)};
-}
-
-Label label(const Json& value, const std::string& where) {
-  if (value.is_number_integer() && value.get<long>() >= 0 && value.get<long>() < kLabelCount)
-    return static_cast<Label>(value.get<int>());
-  if (value.is_string())
-    if (const auto known = labelFromName(value.get<std::string>())) return *known;
-  std::string names;
-  for (const LabelInfo& info : labelTable()) names += (names.empty() ? "" : ", ") + std::string(info.name);
-  throw BadEntry(where + " is " + value.dump() + ", which is no label. Use a number from 0 to " +
-                 std::to_string(kLabelCount - 1) + " or one of: " + names + ".");
-}
-
-std::int32_t sourceNumber(const std::string& key) {
+std::int32_t sourceNumber(JsonEntry& entry, std::string_view key) {
   std::int32_t value = 0;
   const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), value);
   if (error != std::errc() || end != key.data() + key.size())
-    throw BadEntry("\"labels\" has the key '" + key + "'; keys are the numbers of the label file.");
+    entry.refuse("has the key '" + std::string(key) + "'; keys are the numbers of the label file.");
   return value;
 }
 
-TubePlan tube(const Json& json) {
-  const std::string where = "A tube";
-  allowOnly(json, where, {"label", "points_mm", "radius_mm", "wall", "wall_mm"});
+TubePlan readTube(const Json& object, const std::string& where, std::string& trouble) {
+  JsonEntry entry(object, where, {"label", "points_mm", "radius_mm", "wall", "wall_mm"}, trouble);
   TubePlan plan;
-  plan.label = label(needed(json, where, "label"), "A tube's label");
-  if (json.contains("wall")) plan.wall = label(json["wall"], "A tube's wall");
-  if (json.contains("wall_mm")) plan.wall_mm = number(json["wall_mm"], "A tube's wall_mm", 0, 20);
-  const Json& points = needed(json, where, "points_mm");
-  const Json& radius = needed(json, where, "radius_mm");
-  if (!points.is_array() || points.size() < 2) throw BadEntry("A tube needs at least two points_mm.");
-  if (radius.is_array() && radius.size() != points.size())
-    throw BadEntry("A tube has " + std::to_string(points.size()) + " points_mm and " + std::to_string(radius.size()) +
-                   " values of radius_mm.");
-  for (std::size_t n = 0; n < points.size(); ++n)
-    plan.knots.push_back({position(points[n], "A point of a tube"),
-                          number(radius.is_array() ? radius[n] : radius, "A tube's radius_mm", 0.1, 100)});
+  plan.label = labelIn(entry, "label");
+  if (entry.has("wall")) plan.wall = labelIn(entry, "wall");
+  plan.wall_mm = entry.numberIfThere("wall_mm", 0, 20).value_or(plan.wall_mm);
+  const Json &points = entry.value("points_mm"), &radii = entry.value("radius_mm");
+  if (!points.is_array() || points.size() < 2) entry.refuse("needs a list of two or more points as 'points_mm'.");
+  const std::size_t count = points.size();
+  const std::vector<double> radii_mm = radii.is_array()
+                                           ? entry.numbers("radius_mm", count, 0.1, 100, "one for each point")
+                                           : std::vector<double>(count, entry.number("radius_mm", 0.1, 100));
+  for (std::size_t n = 0; trouble.empty() && n < count; ++n) {
+    const Json point{{"point", points[n]}};
+    JsonEntry knot(point, where + ", point " + std::to_string(n + 1) + ",", {"point"}, trouble);
+    plan.knots.push_back({positionIn(knot, "point"), radii_mm[n]});
+  }
   return plan;
 }
 
-CompletionPlan completion(const Json& json) {
-  allowOnly(json, "\"complete\"", {"skin_mm", "fat_mm", "margin_mm"});
+CompletionPlan readCompletion(const Json& object, std::string& trouble) {
+  JsonEntry entry(object, "The entry 'complete'", {"skin_mm", "fat_mm", "margin_mm"}, trouble);
   CompletionPlan plan;
-  if (json.contains("skin_mm")) plan.skin_mm = number(json["skin_mm"], "skin_mm", 0.5, 5);
-  if (json.contains("fat_mm")) plan.fat_mm = number(json["fat_mm"], "fat_mm", 0, 60);
-  if (json.contains("margin_mm")) plan.margin_mm = number(json["margin_mm"], "margin_mm", 0, 30);
+  plan.skin_mm = entry.numberIfThere("skin_mm", 0.5, 5).value_or(plan.skin_mm);
+  plan.fat_mm = entry.numberIfThere("fat_mm", 0, 60).value_or(plan.fat_mm);
+  plan.margin_mm = entry.numberIfThere("margin_mm", 0, 30).value_or(plan.margin_mm);
   return plan;
 }
 
-TargetPlan target(const Json& json) {
-  const std::string where = "A target";
-  allowOnly(json, where, {"name", "number", "z_mm"});
-  const Json& name = needed(json, where, "name");
-  if (!name.is_string()) throw BadEntry("A target's name must be text.");
-  return {name.get<std::string>(),
-          static_cast<std::int32_t>(number(needed(json, where, "number"), "A target's number", -1e9, 1e9)),
-          number(needed(json, where, "z_mm"), "A target's z_mm", -1e5, 1e5)};
+TargetPlan readTarget(const Json& object, const std::string& where, std::string& trouble) {
+  JsonEntry entry(object, where, {"name", "number", "z_mm"}, trouble);
+  return {entry.text("name"), entry.whole("number", -1'000'000'000, 1'000'000'000),
+          entry.number("z_mm", -kFarthest_mm, kFarthest_mm)};
 }
 
-LabelPlan plan(const Json& json) {
-  allowOnly(json, "The file", {"labels", "others", "title", "crop_mm", "tubes", "complete", "targets", "vessels"});
-  LabelPlan p;
-  const Json& labels = needed(json, "The file", "labels");
-  if (!labels.is_object()) throw BadEntry("\"labels\" is not an object.");
-  for (const auto& [key, value] : labels.items())
-    p.labels[sourceNumber(key)] = label(value, "The entry '" + key + "' of \"labels\"");
-  if (json.contains("others")) p.others = label(json["others"], "\"others\"");
-  if (json.contains("title")) {
-    if (!json["title"].is_string()) throw BadEntry("\"title\" must be text.");
-    p.title = json["title"].get<std::string>();
+std::pair<Vec3, Vec3> readCrop(const Json& object, std::string& trouble) {
+  JsonEntry entry(object, "The entry 'crop_mm'", {"min", "max"}, trouble);
+  return {positionIn(entry, "min"), positionIn(entry, "max")};
+}
+
+LabelPlan readPlan(const Json& object, std::string& trouble) {
+  JsonEntry file(object, "The file",
+                 {"labels", "others", "title", "crop_mm", "tubes", "complete", "targets", "vessels"}, trouble);
+  LabelPlan plan;
+  const Json& numbers = file.value("labels");
+  JsonEntry labels(numbers, "The entry 'labels'", keysOf(numbers), trouble);
+  for (const std::string_view key : keysOf(numbers)) plan.labels[sourceNumber(labels, key)] = labelIn(labels, key);
+  if (file.has("others")) plan.others = labelIn(file, "others");
+  plan.title = file.text("title", false);
+  if (file.has("crop_mm")) plan.crop_mm = readCrop(file.value("crop_mm"), trouble);
+  plan.tubes = file.list("tubes", "tube", readTube);
+  if (file.has("complete")) plan.complete = readCompletion(file.value("complete"), trouble);
+  plan.targets = file.list("targets", "target", readTarget, false);
+  if (!file.has("vessels")) return plan;
+  const Json& names = file.value("vessels");
+  JsonEntry vessels(names, "The entry 'vessels'", keysOf(names), trouble);
+  for (const std::string_view key : keysOf(names)) {
+    const std::int32_t number = sourceNumber(vessels, key);
+    if (!plan.labels.contains(number)) vessels.refuse("has '" + std::string(key) + "', which 'labels' does not list.");
+    plan.vessels[number] = vessels.text(key);
   }
-  if (json.contains("crop_mm")) {
-    const Json& crop = json["crop_mm"];
-    allowOnly(crop, "\"crop_mm\"", {"min", "max"});
-    p.crop_mm = {position(needed(crop, "\"crop_mm\"", "min"), "crop_mm min"),
-                 position(needed(crop, "\"crop_mm\"", "max"), "crop_mm max")};
-  }
-  for (const Json& t : json.value("tubes", Json::array())) p.tubes.push_back(tube(t));
-  if (json.contains("complete")) p.complete = completion(json["complete"]);
-  for (const Json& t : json.value("targets", Json::array())) p.targets.push_back(target(t));
-  const Json vessels = json.value("vessels", Json::object());
-  if (!vessels.is_object()) throw BadEntry("\"vessels\" is not an object.");
-  for (const auto& [key, name] : vessels.items()) {
-    if (!name.is_string()) throw BadEntry("The name of the vessel '" + key + "' must be text.");
-    const std::int32_t number = sourceNumber(key);
-    if (p.labels.count(number) == 0) throw BadEntry("The vessel '" + key + "' is not listed under \"labels\".");
-    p.vessels[number] = name.get<std::string>();
-  }
-  return p;
+  return plan;
 }
 
 }  // namespace
 
 Result<LabelPlan> readLabelPlan(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error))
-    return fail("The label map description '" + file.string() + "' is a folder; name a JSON file.");
-  if (!stream) return fail("The label map description '" + file.string() + "' cannot be read.");
-  try {
-    return plan(Json::parse(stream));
-  } catch (const Json::exception& e) {
-    return fail("The label map description '" + file.string() + "' is not valid JSON: " + jsonProblem(e.what()) + ".");
-  } catch (const BadEntry& e) {
-    return fail("The label map description '" + file.string() + "': " + e.what());
-  }
+  const std::string what = "The label map description '" + file.string() + "'";
+  const auto text = textOfFile(file);
+  if (!text) return fail("The label map description cannot be read: " + text.error().message);
+  const auto object = parsedJson(*text, what);
+  if (!object) return tl::unexpected(object.error());
+  std::string trouble;
+  LabelPlan plan = readPlan(*object, trouble);
+  if (!trouble.empty()) return fail(what + ": " + trouble);
+  return plan;
 }
 
 }  // namespace insonate

@@ -1,3 +1,4 @@
+#include <insonate/core/JsonEntry.h>
 #include <insonate/core/Words.h>
 #include <insonate/curriculum/Csv.h>
 #include <insonate/curriculum/Form.h>
@@ -93,15 +94,11 @@ std::string noteText(const FormItem& item, const FormAnswers& answers) {
 }
 
 Result<FormAnswers> parseAnswers(std::string_view text) {
-  json object;
-  try {
-    object = json::parse(text);
-  } catch (const json::exception& e) {
-    return fail("The answers are not JSON: " + jsonProblem(e.what()));
-  }
-  if (!object.is_object()) return fail("The answers must be an object { ... } of texts and numbers.");
+  const auto object = parsedJson(text, "The text of the answers");
+  if (!object) return tl::unexpected(object.error());
+  if (!object->is_object()) return fail("The answers must be an object { ... } of texts and numbers.");
   FormAnswers answers;
-  for (const auto& [name, value] : object.items()) {
+  for (const auto& [name, value] : object->items()) {
     if (value.is_string())
       answers.emplace(name, value.get<std::string>());
     else if (value.is_number())

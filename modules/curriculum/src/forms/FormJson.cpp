@@ -2,7 +2,6 @@
 
 #include <insonate/core/JsonEntry.h>
 #include <insonate/core/Preset.h>
-#include <insonate/core/Words.h>
 #include <insonate/curriculum/Form.h>
 #include <insonate/embedded/forms.h>
 
@@ -25,17 +24,15 @@ const std::vector<std::string_view> kKinds{"choice", "number", "text"};
 using OptionSets = std::map<std::string, std::vector<FormOption>, std::less<>>;
 
 FormOption readOption(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"name", "title", "points"});
+  JsonEntry entry(object, where, {"name", "title", "points"}, trouble);
   FormOption option{entry.text("name"), entry.text("title"), entry.numberIfThere("points", -1000, 1000)};
-  trouble = entry.trouble();
   return option;
 }
 
 void readScale(const json& object, const std::string& where, std::string& trouble, OptionSets& sets) {
-  JsonEntry entry(object, where, {"name", "options"});
+  JsonEntry entry(object, where, {"name", "options"}, trouble);
   const std::string name = entry.text("name");
   sets[name] = entry.list("options", where + ", option", readOption);
-  trouble = entry.trouble();
 }
 
 void readChoice(JsonEntry& entry, FormItem& item, const OptionSets& sets) {
@@ -53,7 +50,8 @@ void readChoice(JsonEntry& entry, FormItem& item, const OptionSets& sets) {
 
 FormItem readItem(const json& object, const std::string& where, std::string& trouble, const OptionSets& sets) {
   constexpr double kAny = std::numeric_limits<float>::max();
-  JsonEntry entry(object, where, {"name", "title", "about", "kind", "needed", "scale", "options", "least", "most"});
+  JsonEntry entry(object, where, {"name", "title", "about", "kind", "needed", "scale", "options", "least", "most"},
+                  trouble);
   FormItem item;
   item.name = entry.text("name"), item.title = entry.text("title"), item.about = entry.text("about", false);
   if (!item.name.empty() && !isPlainName(item.name)) entry.refuse(kPlainNameSentence);
@@ -62,17 +60,15 @@ FormItem readItem(const json& object, const std::string& where, std::string& tro
   if (item.kind == FormItem::Kind::Choice) readChoice(entry, item, sets);
   if (item.kind == FormItem::Kind::Number)
     item.least = entry.number("least", -kAny, kAny), item.most = entry.number("most", item.least, kAny);
-  trouble = entry.trouble();
   return item;
 }
 
 FormSection readSection(const json& object, const std::string& where, std::string& trouble, const OptionSets& sets) {
-  JsonEntry entry(object, where, {"title", "about", "items"});
+  JsonEntry entry(object, where, {"title", "about", "items"}, trouble);
   FormSection section{entry.text("title"), entry.text("about", false), {}};
   section.items = entry.list("items", "item", [&](const json& item, const std::string& at, std::string& wrong) {
     return readItem(item, at, wrong, sets);
   });
-  trouble = entry.trouble();
   return section;
 }
 
@@ -93,13 +89,9 @@ std::vector<std::string> formPresetNames() {
 }
 
 Result<Form> parseForm(std::string_view text) {
-  json object;
-  try {
-    object = json::parse(text);
-  } catch (const json::exception& e) {
-    return fail("The form is not JSON: " + jsonProblem(e.what()));
-  }
-  JsonEntry file(object, "The form", {"name", "title", "about", "source", "version", "purpose", "scales", "sections"});
+  const auto object = parsedJson(text, "The form");
+  if (!object) return tl::unexpected(object.error());
+  JsonEntry file(*object, "The form", {"name", "title", "about", "source", "version", "purpose", "scales", "sections"});
   Form form;
   form.name = file.text("name"), form.title = file.text("title");
   if (!form.name.empty() && !isPlainName(form.name)) file.refuse(kPlainNameSentence);
@@ -121,11 +113,7 @@ Result<Form> parseForm(std::string_view text) {
 }
 
 Result<Form> loadForm(std::string_view nameOrPath) {
-  const auto file = presetOrFile("a form", nameOrPath, presetsOf(embedded::forms::files()));
-  if (!file) return tl::unexpected(file.error());
-  auto form = parseForm(file->text);
-  if (!form) return fail(file->where + form.error().message);
-  return form;
+  return presetOrFile("a form", nameOrPath, presetsOf(embedded::forms::files()), parseForm);
 }
 
 }  // namespace insonate

@@ -3,7 +3,6 @@
 
 #include <insonate/core/JsonEntry.h>
 #include <insonate/core/Preset.h>
-#include <insonate/core/Words.h>
 #include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/CurriculumDraft.h>
 #include <insonate/embedded/curricula.h>
@@ -42,7 +41,7 @@ class Reader {
 
 MetricStandard Reader::standard(const json& object, const std::string& where, std::string& trouble) const {
   constexpr double kAny = std::numeric_limits<float>::max();
-  JsonEntry entry(object, where, {"metric", "version", "least", "most", "otherwise", "source", "critical"});
+  JsonEntry entry(object, where, {"metric", "version", "least", "most", "otherwise", "source", "critical"}, trouble);
   MetricStandard standard;
   standard.metric = entry.text("metric");
   standard.version = entry.wholeIfThere("version", 1, 1'000'000).value_or(1);
@@ -50,58 +49,54 @@ MetricStandard Reader::standard(const json& object, const std::string& where, st
   if (standard.least.has_value() == standard.most.has_value()) entry.refuse("needs one of 'least' and 'most'.");
   standard.otherwise = entry.text("otherwise", isWhole_), standard.source = entry.text("source", false);
   standard.critical = entry.flag("critical");
-  trouble = entry.trouble();
   return standard;
 }
 
 PassRule Reader::pass(const json& object, const std::string& where, std::string& trouble) const {
-  JsonEntry entry(object, where + ", pass,", {"leastPoints", "standards", "mastery_percent"});
+  JsonEntry entry(object, where + ", pass,", {"leastPoints", "standards", "mastery_percent"}, trouble);
   PassRule rule;
   rule.leastPoints = entry.numberIfThere("leastPoints", 0, 100);
   rule.mastery_percent = entry.numberIfThere("mastery_percent", 1, 100).value_or(100);
   rule.standards = entry.list("standards", where + ", standard", [this](const auto& one, const auto& at, auto& wrong) {
     return standard(one, at, wrong);
   });
-  trouble = entry.trouble();
   return rule;
 }
 
 CusumRule Reader::cusum(const json& object, const std::string& where, std::string& trouble) const {
-  JsonEntry entry(object, where + ", cusum,", {"acceptable", "unacceptable", "limit"});
+  JsonEntry entry(object, where + ", cusum,", {"acceptable", "unacceptable", "limit"}, trouble);
   CusumRule rule{entry.number("acceptable", 0.001, 0.999), entry.number("unacceptable", 0.001, 0.999),
                  entry.number("limit", 0.01, 100)};
   if (isWhole_ && entry.trouble().empty() && rule.acceptable >= rule.unacceptable)
     entry.refuse("needs a rate of failure as 'acceptable' that is below the 'unacceptable' one.");
-  trouble = entry.trouble();
   return rule;
 }
 
 FailureRule Reader::failures(const json& object, const std::string& where, std::string& trouble) const {
-  JsonEntry entry(object, where + ", lapsesAfter,", {"failures", "within"});
+  JsonEntry entry(object, where + ", lapsesAfter,", {"failures", "within"}, trouble);
   FailureRule rule{entry.whole("failures", 1, 1000), entry.whole("within", 1, 1000)};
   if (isWhole_ && entry.trouble().empty() && rule.failures > rule.within)
     entry.refuse("asks for more 'failures' than there are attempts in 'within'; it would never lapse.");
-  trouble = entry.trouble();
   return rule;
 }
 
 MasteryRule Reader::mastery(const json& object, const std::string& where, std::string& trouble) const {
-  JsonEntry entry(object, where + ", mastery,", {"passesInARow", "cusum", "lapsesAfter_days", "lapsesAfter", "source"});
+  JsonEntry entry(object, where + ", mastery,", {"passesInARow", "cusum", "lapsesAfter_days", "lapsesAfter", "source"},
+                  trouble);
   MasteryRule rule;
   rule.passesInARow = entry.whole("passesInARow", 1, 100);
   rule.lapsesAfter_days = entry.wholeIfThere("lapsesAfter_days", 1, 36'500);
   rule.source = entry.text("source", false);
-  trouble = entry.trouble();
-  if (trouble.empty() && entry.has("cusum")) rule.cusum = cusum(entry.object("cusum"), where, trouble);
-  if (trouble.empty() && entry.has("lapsesAfter"))
-    rule.lapsesAfter = failures(entry.object("lapsesAfter"), where, trouble);
+  if (entry.has("cusum")) rule.cusum = cusum(entry.value("cusum"), where, trouble);
+  if (entry.has("lapsesAfter")) rule.lapsesAfter = failures(entry.value("lapsesAfter"), where, trouble);
   return rule;
 }
 
 Level Reader::level(const json& object, const std::string& where, std::string& trouble) const {
   JsonEntry entry(
       object, where,
-      {"name", "title", "about", "case", "procedure", "position", "assistance", "prerequisites", "pass", "mastery"});
+      {"name", "title", "about", "case", "procedure", "position", "assistance", "prerequisites", "pass", "mastery"},
+      trouble);
   Level level;
   level.name = entry.text("name"), level.title = entry.text("title", isWhole_);
   level.about = entry.text("about", isWhole_);
@@ -110,10 +105,8 @@ Level Reader::level(const json& object, const std::string& where, std::string& t
   level.assistance = static_cast<Assistance>(entry.word("assistance", kAssistances));
   level.prerequisites = entry.texts("prerequisites");
   if (!level.name.empty() && !isPlainName(level.name)) entry.refuse(kPlainNameSentence);
-  const json &passObject = entry.object("pass"), &masteryObject = entry.object("mastery");
-  trouble = entry.trouble();
-  if (trouble.empty()) level.pass = pass(passObject, where, trouble);
-  if (trouble.empty()) level.mastery = mastery(masteryObject, where, trouble);
+  level.pass = pass(entry.value("pass"), where, trouble);
+  level.mastery = mastery(entry.value("mastery"), where, trouble);
   return level;
 }
 
@@ -134,13 +127,9 @@ Curriculum Reader::curriculum(JsonEntry& file) const {
 
 /// With levels as they are written.
 Result<Curriculum> read(std::string_view text, bool isWhole) {
-  json object;
-  try {
-    object = json::parse(text);
-  } catch (const json::exception& e) {
-    return fail("The curriculum is not JSON: " + jsonProblem(e.what()));
-  }
-  JsonEntry file(object, "The curriculum", {"name", "title", "about", "version", "levels"});
+  const auto object = parsedJson(text, "The curriculum");
+  if (!object) return tl::unexpected(object.error());
+  JsonEntry file(*object, "The curriculum", {"name", "title", "about", "version", "levels"});
   Curriculum curriculum = Reader(isWhole).curriculum(file);
   if (!file.trouble().empty()) return fail(file.trouble());
   return curriculum;
@@ -213,11 +202,7 @@ Result<Curriculum> parseDraft(std::string_view text) {
 }
 
 Result<Curriculum> loadCurriculum(std::string_view nameOrPath) {
-  const auto file = presetOrFile("a curriculum", nameOrPath, presetsOf(embedded::curricula::files()));
-  if (!file) return tl::unexpected(file.error());
-  auto curriculum = parseCurriculum(file->text);
-  if (!curriculum) return fail(file->where + curriculum.error().message);
-  return curriculum;
+  return presetOrFile("a curriculum", nameOrPath, presetsOf(embedded::curricula::files()), parseCurriculum);
 }
 
 std::string_view nameOf(Assistance assistance) {

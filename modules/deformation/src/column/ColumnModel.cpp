@@ -1,7 +1,6 @@
-#include "ColumnModel.h"
-
 #include "ColumnGrid.h"
 #include "LabelSprings.h"
+#include "Models.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,4 @@
-#include "elastic/ElasticModel.h"
-
+#include "Models.h"
 #include "elastic/CarryOver.h"
 #include "elastic/InverseMap.h"
 

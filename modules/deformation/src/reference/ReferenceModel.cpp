@@ -1,5 +1,4 @@
-#include "reference/ReferenceModel.h"
-
+#include "Models.h"
 #include "elastic/InverseMap.h"
 #include "reference/Equilibrium.h"
 

@@ -1,7 +1,6 @@
 #include "metrics/NeedleWork.h"
 #include "metrics/ProbeWork.h"
 #include "metrics/Punctures.h"
-#include "metrics/TipSight.h"
 
 #include <insonate/procedure/AttemptMetrics.h>
 
@@ -25,6 +24,27 @@ constexpr double kOffBone_mm = 1;
 constexpr double kRest_mm = 0.5;
 constexpr std::int64_t kRest_us = 500'000;
 constexpr double kDegrees = 180 / std::numbers::pi;
+
+/// The share of a time in which the image shows the tip.
+class TipSight {
+ public:
+  /// Adds a sample; the time since the previous sample counts if both samples count.
+  void follow(std::int64_t time_us, bool counts, bool isShown) {
+    if (counts && last_us_) {
+      all_us_ += time_us - *last_us_;
+      if (isShown) shown_us_ += time_us - *last_us_;
+    }
+    last_us_ = counts ? std::optional(time_us) : std::nullopt;
+  }
+  std::optional<double> percent() const {
+    if (all_us_ == 0) return std::nullopt;
+    return 100 * static_cast<double>(shown_us_) / static_cast<double>(all_us_);
+  }
+
+ private:
+  std::optional<std::int64_t> last_us_;
+  std::int64_t all_us_ = 0, shown_us_ = 0;
+};
 
 void keepLeast(std::optional<double>& least, const std::optional<double>& value) {
   if (value) least = least ? std::min(*least, *value) : *value;
@@ -59,7 +79,7 @@ struct AttemptMetrics::State {
   metrics::Punctures vein, otherVein, artery, lung;
   metrics::NeedleWork needle;
   metrics::ProbeWork probe;
-  metrics::TipSight sight;
+  TipSight sight;
 
   std::optional<std::int64_t> first_us, last_us;
   std::optional<std::int64_t> firstSkin_us, passSkin_us, access_us;

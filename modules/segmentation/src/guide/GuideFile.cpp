@@ -1,6 +1,5 @@
 #include "recipe/StepFile.h"
 
-#include <insonate/core/Words.h>
 #include <insonate/embedded/guides.h>
 #include <insonate/segmentation/Guide.h>
 #include <insonate/tissue/Labels.h>
@@ -24,7 +23,7 @@ std::optional<GuideRange> rangeOf(JsonEntry& entry, const json& object, const ch
 
 GuideWay readWay(const json& object, const std::string& where, std::string& trouble) {
   const std::vector<std::string_view> known{"clicks_HU", "around_mm", "steps", "caution", "comment"};
-  JsonEntry entry(object, where, known);
+  JsonEntry entry(object, where, known, trouble);
   GuideWay way;
   way.around_mm = entry.numberIfThere("around_mm", 1, 100);
   way.caution = entry.text("caution", false);
@@ -32,11 +31,8 @@ GuideWay readWay(const json& object, const std::string& where, std::string& trou
     return segmentation::readStep(step, whereStep, wrong, Points::kLater);
   });
   if (entry.trouble().empty() && way.steps.empty()) entry.refuse("has no steps in its list 'steps'.");
-  trouble = entry.trouble();
-  if (!trouble.empty()) return way;
-  StepReader reader(object, where, known, Points::kLater);
+  StepReader reader(object, where, known, Points::kLater, trouble);
   reader("clicks_HU", way.clicks_HU);
-  trouble = reader.trouble();
   return way;
 }
 
@@ -44,7 +40,7 @@ GuideStep readGuideStep(const json& object, const std::string& where, std::strin
   const std::vector<std::string_view> known{"name",  "title",        "label",     "say",      "look_for", "if_wrong",
                                             "side",  "least_clicks", "clicks",    "optional", "ways",     "makes",
                                             "apart", "diameter_mm",  "volume_ml", "source",   "comment",  "vessel"};
-  JsonEntry entry(object, where, known);
+  JsonEntry entry(object, where, known, trouble);
   GuideStep step;
   step.name = entry.text("name");
   step.title = entry.text("title");
@@ -61,29 +57,22 @@ GuideStep readGuideStep(const json& object, const std::string& where, std::strin
   if (entry.trouble().empty() && step.ways.empty()) entry.refuse("has no way of doing it in its list 'ways'.");
   step.diameter_mm = rangeOf(entry, object, "diameter_mm");
   step.volume_ml = rangeOf(entry, object, "volume_ml");
-  trouble = entry.trouble();
-  if (!trouble.empty()) return step;
-  StepReader reader(object, where, known, Points::kLater);
+  StepReader reader(object, where, known, Points::kLater, trouble);
   reader("label", step.label);
   reader("makes", step.makes);
   reader("apart", step.apart);
   if (step.clicks > 0 && step.label == 0) reader.refuse("has clicks but no 'label': name the one that they are for.");
   if (!step.vessel.empty() && step.label != kVein && step.label != kArtery)
     reader.refuse("names a 'vessel' but its 'label' is neither vein nor artery.");
-  trouble = reader.trouble();
   return step;
 }
 
 }  // namespace
 
 Result<Guide> readGuide(std::string_view text) {
-  json file;
-  try {
-    file = json::parse(text);
-  } catch (const json::exception& e) {
-    return fail("The guide is not JSON: " + jsonProblem(e.what()));
-  }
-  JsonEntry entry(file, "The guide", {"description", "steps"});
+  const auto file = parsedJson(text, "The guide");
+  if (!file) return tl::unexpected(file.error());
+  JsonEntry entry(*file, "The guide", {"description", "steps"});
   Guide guide;
   guide.description = entry.text("description", false);
   guide.steps = entry.list("steps", "step", readGuideStep);

@@ -1,6 +1,5 @@
 #include "StepFile.h"
 
-#include <insonate/core/Words.h>
 #include <insonate/embedded/recipes.h>
 #include <insonate/segmentation/Recipe.h>
 
@@ -13,13 +12,12 @@ using nlohmann::json;
 namespace {
 
 std::pair<std::uint8_t, OwnLabel> readOwnLabel(const json& object, const std::string& where, std::string& trouble) {
-  JsonEntry entry(object, where, {"label", "name", "tissue"});
+  JsonEntry entry(object, where, {"label", "name", "tissue"}, trouble);
   const auto label = static_cast<std::uint8_t>(entry.whole("label", kLabelCount, kLastOwnLabel));
   const std::string name = tidyLabelName(entry.text("name", false)), tissue = entry.text("tissue", false);
   const auto made = tissue.empty() ? kSoftTissue : labelFromName(tissue);
   if (!made || *made == kBackground)
     entry.refuse("needs a structure of the label table as 'tissue', not '" + tissue + "'.");
-  trouble = entry.trouble();
   return {label, {name, made.value_or(kSoftTissue)}};
 }
 
@@ -35,13 +33,9 @@ json jsonOf(const OwnLabels& labels) {
 }  // namespace
 
 Result<Recipe> readRecipe(std::string_view text) {
-  json file;
-  try {
-    file = json::parse(text);
-  } catch (const json::exception& e) {
-    return fail("The recipe is not JSON: " + jsonProblem(e.what()));
-  }
-  JsonEntry entry(file, "The recipe", {"description", "labels", "steps"});
+  const auto file = parsedJson(text, "The recipe");
+  if (!file) return tl::unexpected(file.error());
+  JsonEntry entry(*file, "The recipe", {"description", "labels", "steps"});
   Recipe recipe;
   recipe.description = entry.text("description", false);
   for (auto& [label, own] : entry.list("labels", "label", readOwnLabel)) recipe.labels[label] = std::move(own);
@@ -68,11 +62,7 @@ const std::vector<Preset>& recipePresets() {
 }
 
 Result<Recipe> loadRecipe(std::string_view nameOrPath) {
-  const auto source = presetOrFile("a recipe", nameOrPath, recipePresets());
-  if (!source) return tl::unexpected(source.error());
-  auto recipe = readRecipe(source->text);
-  if (!recipe) return fail(source->where + recipe.error().message);
-  return recipe;
+  return presetOrFile("a recipe", nameOrPath, recipePresets(), readRecipe);
 }
 
 Result<std::vector<LabelChange>> perform(const Recipe& recipe, LabelEdit& edit, const Progress& progress) {

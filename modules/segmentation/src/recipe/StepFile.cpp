@@ -45,26 +45,19 @@ bool needsLabel(const LabelTool& tool) {
 
 LabelStep readStep(const json& object, const std::string& where, std::string& trouble, Points points) {
   LabelStep step;
-  {
-    // The known fields depend on the tool, which is read first.
-    std::vector<std::string_view> any;
-    if (object.is_object())
-      for (const auto& [key, value] : object.items()) any.push_back(key);
-    JsonEntry entry(object, where, any);
-    step.tool = toolOf(entry.word("tool", {kToolNames.begin(), kToolNames.end()}),
-                       std::make_index_sequence<std::variant_size_v<LabelTool>>());
-    trouble = entry.trouble();
-  }
+  // The known fields depend on the tool, which is read first.
+  JsonEntry entry(object, where, keysOf(object), trouble);
+  step.tool = toolOf(entry.word("tool", {kToolNames.begin(), kToolNames.end()}),
+                     std::make_index_sequence<std::variant_size_v<LabelTool>>());
   if (!trouble.empty()) return step;
   const std::string tool = where + " (" + std::string(nameOf(step.tool)) + ")";
   FieldNames known;
   commonFields(known, step);
   std::visit([&](auto& parameters) { fields(known, parameters); }, step.tool);
-  StepReader reader(object, tool, known.names, points);
+  StepReader reader(object, tool, known.names, points, trouble);
   commonFields(reader, step);
   std::visit([&](auto& parameters) { fields(reader, parameters); }, step.tool);
   if (needsLabel(step.tool) && !object.contains("label")) reader.refuse("has no 'label': name the one it is for.");
-  trouble = reader.trouble();
   return step;
 }
 

@@ -15,8 +15,8 @@ enum class Points { kGiven, kLater };
 class StepReader {
  public:
   StepReader(const nlohmann::json& object, const std::string& where, const std::vector<std::string_view>& known,
-             Points points)
-      : object_(object), entry_(object, where, known), points_(points) {}
+             Points points, std::string& trouble)
+      : object_(object), entry_(object, where, known, trouble), points_(points) {}
 
   void operator()(const char* key, double& value, double low, double high);
   void operator()(const char* key, int& value, int low, int high);
@@ -40,7 +40,6 @@ class StepReader {
   }
 
   void refuse(const std::string& sentence) { entry_.refuse(sentence); }
-  const std::string& trouble() const { return entry_.trouble(); }
 
  private:
   std::optional<std::uint8_t> labelIn(const nlohmann::json& value, const char* key);

@@ -1,10 +1,10 @@
+#include <insonate/core/Range.h>
 #include <insonate/simulator/TissueMechanics.h>
 #include <insonate/ultrasound/BeamGrid.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 namespace insonate {
 namespace {
@@ -31,11 +31,7 @@ bool operator==(const TissueMechanics& a, const TissueMechanics& b) {
 }
 
 Result<void> validate(const TissueMechanics& mechanics) {
-  if (!(mechanics.footprint_mm >= 1 && mechanics.footprint_mm <= 100)) {
-    std::ostringstream text;
-    text << "Deformation: footprint_mm is " << mechanics.footprint_mm << "; allowed is 1 to 100.";
-    return fail(text.str());
-  }
+  if (auto ok = checkRange(mechanics.footprint_mm, 1, 100, "Deformation: footprint_mm"); !ok) return ok;
   if (mechanics.model == kNoDeformation) return {};
   auto model = makeDeformationModel(mechanics.model, mechanics.tissues, mechanics.settings);
   if (!model) return tl::unexpected(model.error());

@@ -1,18 +1,48 @@
 #include "scene/CaseFacts.h"
 
-#include "scene/FibreAxis.h"
-
 #include <insonate/core/Hash.h>
+#include <insonate/core/Transform.h>
+#include <insonate/core/Vec3.h>
+#include <insonate/image/Volume.h>
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace insonate {
 namespace {
 
-/// Sums over a slab of the case, added in the order of the slabs, so that the number of threads does not change the
-/// result.
+/// Direction in which a structure is longest on one side of the midline (first principal axis of its voxels), unit,
+/// patient LPS, pointing headward. Cranio-caudal where the structure is missing.
+Vec3 fibreAxis(const LabelMap& labels, std::uint8_t label, double midline_mm, bool rightSide) {
+  const Transform patientFromIndex = labels.geometry.patientFromIndex();
+  const auto& size = labels.geometry.size;
+  std::vector<Vec3> points;
+  Vec3 mean;
+  for (int k = 0; k < size[2]; ++k)
+    for (int j = 0; j < size[1]; j += 2)
+      for (int i = 0; i < size[0]; i += 2) {
+        if (labels.at(i, j, k) != label) continue;
+        const Vec3 p = patientFromIndex * Vec3{double(i), double(j), double(k)};
+        if ((p.x < midline_mm) != rightSide) continue;
+        points.push_back(p);
+        mean = mean + p;
+      }
+  if (points.size() < 20) return {0, 0, 1};
+  mean = mean / static_cast<double>(points.size());
+  Mat3 covariance{{Vec3{}, Vec3{}, Vec3{}}};
+  for (const Vec3& p : points) {
+    const Vec3 d = p - mean;
+    for (int a = 0; a < 3; ++a) covariance.column[a] = covariance.column[a] + d * d[a];
+  }
+  // Power iteration: the long axis of a muscle stands out, a few steps settle it.
+  Vec3 axis = normalized({0.1, 0.1, 1});
+  for (int step = 0; step < 60; ++step) axis = normalized(covariance * axis);
+  return axis.z < 0 ? -axis : axis;
+}
+
+/// Sums over a slab of the case, added up in the slabs' order, so that threads change nothing.
 struct Sums {
   std::array<std::int64_t, kLabelCount> hu{}, count{};
   std::array<bool, 256> seen{};

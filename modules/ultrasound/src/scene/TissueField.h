@@ -1,7 +1,5 @@
 #pragma once
 
-#include "scene/Uninitialised.h"
-
 #include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
 #include <insonate/core/Transform.h>
@@ -9,11 +7,32 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace insonate {
 
 class TissueTiles;
+
+/// Leaves new elements as they are: who fills them all needs no zeros before, least of all on one thread.
+template <class T>
+struct UninitialisedAllocator : std::allocator<T> {
+  template <class U>
+  struct rebind {
+    using other = UninitialisedAllocator<U>;
+  };
+  template <class U, class... Arguments>
+  void construct(U* place, Arguments&&... arguments) {
+    if constexpr (sizeof...(Arguments) == 0)
+      ::new (static_cast<void*>(place)) U;
+    else
+      ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
+  }
+};
+
+template <class T>
+using UninitialisedVector = std::vector<T, UninitialisedAllocator<T>>;
 
 /// Smooth signed distances to every structure on a fine, nearly isotropic lattice that cuts the voxels of the label map
 /// into equal parts, so that boundaries show no voxel stairs and need no normals. One channel a structure present,

@@ -40,16 +40,20 @@ TEST(DeviceTable, ReadsWhatItSays) {
 }
 
 TEST(DeviceTable, RefusesWithTheReason) {
-  EXPECT_THAT(refusal("{\"version\"", "\"version\""), HasSubstr("not JSON"));
-  EXPECT_THAT(refusal("\"kind\": \"force\"", "\"kind\": \"toy\""), HasSubstr("'kind' is 'toy'"));
-  EXPECT_THAT(refusal("\"source\": \"S\",", ""), HasSubstr("lacks 'source'"));
-  EXPECT_THAT(refusal("16c0", "16cx"), HasSubstr("four hexadecimal digits"));
-  EXPECT_THAT(refusal("encoder", "encodr"), HasSubstr("'encodr', which no report carries"));
-  EXPECT_THAT(refusal("\"index\": 2", "\"index\": 3"), HasSubstr("'index' is 3; it can be 0 to 2"));
+  EXPECT_THAT(refusal("{\"version\"", "\"version\""), HasSubstr("The device table is not valid JSON"));
+  EXPECT_THAT(refusal("\"kind\": \"force\"", "\"kind\": \"toy\""),
+              HasSubstr("has the unknown kind 'toy'; it is one of force, motion, pedal."));
+  EXPECT_THAT(refusal("\"source\": \"S\",", ""), HasSubstr("has no 'source'."));
+  EXPECT_THAT(refusal("16c0", "16cx"), HasSubstr("match 1 needs four hexadecimal digits as 'vendor', not '16cx'."));
+  EXPECT_THAT(refusal("encoder", "encodr"),
+              HasSubstr("field 1 has the unknown quantity 'encodr'; did you mean 'encoder'?"));
+  EXPECT_THAT(refusal("\"index\": 2", "\"index\": 3"),
+              HasSubstr("field 1 needs a number from 0 to 2 as 'index', not 3."));
   EXPECT_THAT(refusal("\"bit\": 32", "\"bit\": 33"), HasSubstr("reaches beyond its report"));
-  EXPECT_THAT(refusal("\"bits\": 16}]}],", "\"bits\": 33}]}],"), HasSubstr("'bits' is 33"));
+  EXPECT_THAT(refusal("\"bits\": 16}]}],", "\"bits\": 33}]}],"),
+              HasSubstr("needs a number from 1 to 32 as 'bits', not 33."));
   EXPECT_THAT(refusal("\"sensed_axes\": 3", "\"sensed_axes\": 4"), HasSubstr("0, 3 or 6"));
-  EXPECT_THAT(refusal("rate_Hz", "rate_hz"), HasSubstr("lacks 'rate_Hz'"));
+  EXPECT_THAT(refusal("rate_Hz", "rate_hz"), HasSubstr("has an unknown 'rate_hz'; did you mean 'rate_Hz'?"));
   EXPECT_THAT(refusal("\"report\": 1", "\"raport\": 2, \"report\": 1"), HasSubstr("did you mean 'report'"));
   EXPECT_THAT(refusal("\"max_force_N\": 4,", ""), HasSubstr("force device of 0 N"));
   EXPECT_THAT(refusal("\"quantity\": \"force\"", "\"quantity\": \"current\""), HasSubstr("no 'arm'"));

@@ -3,11 +3,13 @@
 #include "../attempt/Words.h"
 
 #include <insonate/ui/AttemptWords.h>
+#include <insonate/ui/StateColors.h>
 #include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace insonate::review {
 namespace {
@@ -22,6 +24,9 @@ double roundStep(double least) {
     if (least <= step * ten) return step * ten;
   return 10 * ten;
 }
+
+/// Signs of the needle's place closer than this would overlap.
+constexpr double kSignsApart_px = 16;
 
 QFont smallFont(const QFont& font) {
   QFont small = font;
@@ -98,7 +103,7 @@ void LanePaint::bars(const QRect& lane, const std::function<bool(const TrackPoin
   }
 }
 
-/// Downward, as in the image, in the color of the needle.
+/// Downwards, as in the image; in the color of the needle's place, with its sign where the place changes.
 void LanePaint::depth() {
   const QRect lane = layout_.depth;
   double most_mm = 10;
@@ -106,11 +111,18 @@ void LanePaint::depth() {
   most_mm = std::ceil(most_mm / 10) * 10;
   painter_.setClipRect(lane);
   const auto y = [&](double depth_mm) { return lane.top() + 1 + depth_mm / most_mm * (lane.height() - 2); };
+  std::optional<NeedlePlace> signedPlace;
+  double sign_px = lane.left() - kSignsApart_px;
   for (std::size_t i = 1; i < attempt_.track.size(); ++i) {
     const TrackPoint &a = attempt_.track[i - 1], &b = attempt_.track[i];
     if (!a.needleDepth_mm || !b.needleDepth_mm || b.time_us < first_us_ || a.time_us > last_us_) continue;
-    painter_.setPen(QPen(colour(ui::wordsOf(b.place).colour), 1.8));
+    painter_.setPen(QPen(colour(ui::colorOf(b.place)), 1.8));
     painter_.drawLine(QPointF(x(a.time_us), y(*a.needleDepth_mm)), QPointF(x(b.time_us), y(*b.needleDepth_mm)));
+    if (b.place == signedPlace || x(b.time_us) - sign_px < kSignsApart_px) continue;
+    signedPlace = b.place;
+    sign_px = x(b.time_us);
+    const double least = lane.top() + painter_.fontMetrics().ascent();
+    painter_.drawText(QPointF(sign_px + 2, std::max(least, y(*b.needleDepth_mm) - 4)), ui::wordsOf(b.place).sign);
   }
   painter_.setClipping(false);
   painter_.setPen(colour(theme::kQuiet));
@@ -154,7 +166,7 @@ void LanePaint::marks() {
     for (const AttemptMoment& moment : attempt_.moments)
       if (moment.severity.has_value() == wrong && moment.time_us >= first_us_ && moment.time_us <= last_us_) {
         const QPointF at(x(moment.time_us), layout_.marks.center().y());
-        painter_.setPen(QPen(colour(ui::colourOf(moment.severity)), 1, Qt::DotLine));
+        painter_.setPen(QPen(colour(ui::colorOf(moment.severity)), 1, Qt::DotLine));
         if (wrong) painter_.drawLine(QPointF(at.x(), layout_.marks.bottom()), QPointF(at.x(), layout_.axis.top()));
         paintMark(painter_, at, moment.severity);
       }
@@ -166,7 +178,7 @@ void LanePaint::marks() {
 
 void paintMark(QPainter& painter, QPointF middle, const std::optional<Severity>& severity) {
   painter.setPen(QPen(colour(theme::kPanel), 1));
-  painter.setBrush(colour(ui::colourOf(severity)));
+  painter.setBrush(colour(ui::colorOf(severity)));
   const double x = middle.x(), y = middle.y();
   if (!severity) {
     painter.drawEllipse(middle, 3.5, 3.5);

@@ -2,14 +2,16 @@
 
 #include <insonate/simulator/AttemptSettings.h>
 #include <insonate/tissue/Labels.h>
-#include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/ScenePanel.h>
+#include <insonate/ui/StateColors.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
 #include <insonate/views/VtkCase.h>
 
 #include <QScrollArea>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace insonate::review {
 namespace {
@@ -19,6 +21,23 @@ constexpr int kFollow_ms = 80, kRest_ms = 400;
 constexpr double kAcross_deg = 10, kUp_deg = 42, kNearer = 1.8, kSkinOpacity = 0.25;
 /// Minimum length of a visible step of a path.
 constexpr double kStep_mm = 0.2;
+constexpr double kSign_mm = 1.5;
+
+/// Outline of the place's sign, in the coronal plane: a circle in the vein, a triangle in a wrong place, a square once
+/// used. Empty in other places.
+views::ScenePath signAt(Vec3 middle_mm, NeedlePlace place) {
+  const int corners = place == NeedlePlace::Vein         ? 24
+                      : place == NeedlePlace::WrongPlace ? 3
+                      : place == NeedlePlace::Used       ? 4
+                                                         : 0;
+  views::ScenePath outline{{}, ui::colorOf(place)};
+  for (int i = 0; corners > 0 && i <= corners; ++i) {
+    // The triangle points up, the square stands on its side.
+    const double angle = (2.0 * i + (corners == 4 ? 1 : 0)) * std::numbers::pi / corners;
+    outline.points_mm.push_back(middle_mm + kSign_mm * Vec3{std::sin(angle), 0, std::cos(angle)});
+  }
+  return outline;
+}
 
 }  // namespace
 
@@ -30,7 +49,7 @@ std::vector<views::ScenePath> pathOf(const AttemptDigest& attempt) {
       broken = true;
       continue;
     }
-    const views::Colour colour = ui::wordsOf(point.place).colour;
+    const views::Colour colour = ui::colorOf(point.place);
     if (broken || paths.back().colour != colour) {
       // Pieces of one path share their end points.
       const auto join = broken ? std::vector<Vec3>{} : std::vector<Vec3>{paths.back().points_mm.back()};
@@ -41,6 +60,18 @@ std::vector<views::ScenePath> pathOf(const AttemptDigest& attempt) {
     if (points.empty() || norm(points.back() - *point.tip_mm) >= kStep_mm) points.push_back(*point.tip_mm);
   }
   return paths;
+}
+
+std::vector<views::ScenePath> signsOf(const AttemptDigest& attempt) {
+  std::vector<views::ScenePath> signs;
+  auto before = NeedlePlace::Clean;
+  for (const TrackPoint& point : attempt.track) {
+    if (point.needleDepth_mm && point.tip_mm && point.place != before) {
+      if (auto sign = signAt(*point.tip_mm, point.place); !sign.points_mm.empty()) signs.push_back(std::move(sign));
+    }
+    before = point.place;
+  }
+  return signs;
 }
 
 ReplayScene::ReplayScene(ReviewSession& session, QObject* parent)
@@ -99,7 +130,12 @@ void ReplayScene::showCase() {
 }
 
 void ReplayScene::showPath() {
-  view_->setPaths(session_.attempt() ? pathOf(*session_.attempt()) : std::vector<views::ScenePath>{});
+  std::vector<views::ScenePath> paths;
+  if (const auto& attempt = session_.attempt()) {
+    paths = pathOf(*attempt);
+    for (auto& sign : signsOf(*attempt)) paths.push_back(std::move(sign));
+  }
+  view_->setPaths(std::move(paths));
 }
 
 void ReplayScene::showHands() {
@@ -109,10 +145,9 @@ void ReplayScene::showHands() {
   view_->setImagePlaneVisible(probe);
   if (probe) showProbe(*sample);
   const bool needle = sample && sample->patientFromNeedle;
-  view_->setNeedle(needle
-                       ? std::optional(views::SceneView::Needle{.patientFromNeedle = *sample->patientFromNeedle,
-                                                                .colour = ui::wordsOf(session_.needle().place).colour})
-                       : std::nullopt);
+  view_->setNeedle(needle ? std::optional(views::SceneView::Needle{.patientFromNeedle = *sample->patientFromNeedle,
+                                                                   .colour = ui::colorOf(session_.needle().place)})
+                          : std::nullopt);
   if (session_.isPlaying()) view_->setMoving(true);
   rest_.start();
   placeCamera();

@@ -20,8 +20,8 @@ class ViewWidget;
 
 namespace insonate::review {
 
-/// The patient in 3D, probe and needle as the hands have them, and the way of the needle's tip in the colors of where
-/// it was. The camera is the user's.
+/// The patient in 3D, probe and needle as the hands have them, and the path of the needle's tip in the colors of where
+/// it was, with signs where that changes. The camera is the user's.
 class ReplayScene : public QObject {
  public:
   explicit ReplayScene(ReviewSession& session, QObject* parent = nullptr);
@@ -58,5 +58,7 @@ class ReplayScene : public QObject {
 
 /// The tip's path under the skin over a whole attempt: pieces of one color, in patient LPS.
 std::vector<views::ScenePath> pathOf(const AttemptDigest& attempt);
+/// Outlines of the needle's signs where its place changes: they tell the path's pieces apart without their colors.
+std::vector<views::ScenePath> signsOf(const AttemptDigest& attempt);
 
 }  // namespace insonate::review

@@ -5,6 +5,7 @@
 
 #include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/QuietWheel.h>
+#include <insonate/ui/StateColors.h>
 #include <insonate/ui/Theme.h>
 
 #include <QComboBox>
@@ -95,7 +96,7 @@ void Transport::showTime() {
   const AttemptDigest::PlaceChange now = session_.needle();
   const ui::PlaceWords place = ui::wordsOf(now.place, QString::fromStdString(now.vessel));
   place_->setText(needle ? QStringLiteral("<span style='color:%1'>%2</span> %3")
-                               .arg(ui::colour(place.colour).name(), place.sign, place.words)
+                               .arg(ui::colour(ui::colorOf(now.place)).name(), place.sign, place.words)
                          : QString());
   hands_->setText(handsNow());
 }

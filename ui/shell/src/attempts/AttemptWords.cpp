@@ -7,34 +7,21 @@
 #include <cmath>
 
 namespace insonate::ui {
-namespace {
-
-namespace theme = views::theme;
-
-}  // namespace
 
 PlaceWords wordsOf(NeedlePlace place, const QString& vessel) {
   switch (place) {
     case NeedlePlace::Clean:
-      return {QStringLiteral("○"), tr("needle new"), theme::kText};
+      return {QStringLiteral("○"), tr("needle new")};
     case NeedlePlace::Underway:
-      return {QStringLiteral("◐"), tr("needle inserted"), theme::kText};
+      return {QStringLiteral("◐"), tr("needle inserted")};
     case NeedlePlace::Vein:
-      return {QStringLiteral("●"), vessel.isEmpty() ? tr("in the vein") : tr("in the %1").arg(vessel), theme::kGood};
+      return {QStringLiteral("●"), vessel.isEmpty() ? tr("in the vein") : tr("in the %1").arg(vessel)};
     case NeedlePlace::WrongPlace:
-      return {QStringLiteral("▲"), vessel.isEmpty() ? tr("wrong place") : tr("wrong place: %1").arg(vessel),
-              theme::kDanger};
+      return {QStringLiteral("▲"), vessel.isEmpty() ? tr("wrong place") : tr("wrong place: %1").arg(vessel)};
     case NeedlePlace::Used:
       break;
   }
-  return {QStringLiteral("■"), tr("needle used"), theme::kCaution};
-}
-
-views::Colour colourOf(const std::optional<Severity>& severity) {
-  if (!severity) return theme::kQuiet;
-  return *severity == Severity::Minor   ? theme::kAccent
-         : *severity == Severity::Major ? theme::kCaution
-                                        : theme::kDanger;
+  return {QStringLiteral("■"), tr("needle used")};
 }
 
 QString wordOf(Severity severity) {

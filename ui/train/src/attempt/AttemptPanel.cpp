@@ -11,6 +11,7 @@
 #include "AttemptWords.h"
 #include "StepList.h"
 
+#include <insonate/ui/StateColors.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -268,7 +269,7 @@ void AttemptPanel::refreshResult() {
   QStringList errors;
   for (const AttemptMoment& moment : score.criticalErrors)
     errors << QStringLiteral("<span style='color:%1'>▲</span>&nbsp; <b>%2, %3.</b> %4")
-                  .arg(ui::colour(ui::colourOf(Severity::Critical)).name(), capital(ui::wordOf(Severity::Critical)),
+                  .arg(ui::colour(ui::colorOf(Severity::Critical)).name(), capital(ui::wordOf(Severity::Critical)),
                        clockOf(double(moment.time_us) * 1e-6), QString::fromStdString(moment.say).toHtmlEscaped());
   errors_->setText(errors.join(QStringLiteral("<br>")));
   errors_->setVisible(!errors.isEmpty());

@@ -7,6 +7,7 @@
 #include "AttemptWords.h"
 #include "SyringeView.h"
 
+#include <insonate/ui/StateColors.h>
 #include <insonate/ui/Theme.h>
 
 #include <QHBoxLayout>
@@ -103,7 +104,7 @@ void AttemptStrip::refreshNeedle() {
           : tr("Whether the needle is new, inserted or used (U takes a new one)"));
   // The sign has the color: words of that color would be hard to read.
   needle_->setText(QStringLiteral("<span style='color:%1'>%2</span> %3")
-                       .arg(ui::colour(words.colour).name(), words.sign, words.words));
+                       .arg(ui::colour(ui::colorOf(disclosed(place, told))).name(), words.sign, words.words));
   needle_->setAccessibleName(tr("Needle: %1").arg(named.words));
 }
 

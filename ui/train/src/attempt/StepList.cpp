@@ -3,6 +3,7 @@
 #include "AttemptWords.h"
 
 #include <insonate/simulator/LiveAttempt.h>
+#include <insonate/ui/StateColors.h>
 #include <insonate/ui/Theme.h>
 
 #include <QLabel>
@@ -77,7 +78,7 @@ bool StepList::show(const Procedure& procedure, const AttemptView& view, bool wi
   const std::size_t count = view.findings.size(), first = count - std::min(count, kFindingsShown);
   for (std::size_t i = count; i-- > first;) {
     const ProcedureRule& rule = procedure.rules[view.findings[i].rule];
-    findings << coloured(QStringLiteral("▲"), ui::colourOf(rule.severity)) +
+    findings << coloured(QStringLiteral("▲"), ui::colorOf(rule.severity)) +
                     QStringLiteral("&nbsp; <b>%1, %2.</b> %3")
                         .arg(capital(ui::wordOf(rule.severity)), clockOf(double(view.findings[i].time_us) * 1e-6),
                              plain(sentenceOf(rule, view.findings[i])));

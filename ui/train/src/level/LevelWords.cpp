@@ -68,15 +68,15 @@ QString changeOf(const Level& level, LevelState before, LevelState after) {
 StateWords wordsOf(LevelState state) {
   switch (state) {
     case LevelState::Locked:
-      return {QStringLiteral("○"), tr("locked"), views::theme::kQuiet};
+      return {QStringLiteral("○"), tr("locked")};
     case LevelState::Open:
-      return {QStringLiteral("▶"), tr("open"), views::theme::kAccent};
+      return {QStringLiteral("▶"), tr("open")};
     case LevelState::Mastered:
-      return {QStringLiteral("✓"), tr("mastered"), views::theme::kGood};
+      return {QStringLiteral("✓"), tr("mastered")};
     case LevelState::Lapsed:
       break;
   }
-  return {QStringLiteral("▲"), tr("lapsed"), views::theme::kCaution};
+  return {QStringLiteral("▲"), tr("lapsed")};
 }
 
 QString dotsOf(const Level& level, const LevelProgress& progress) {

@@ -3,7 +3,6 @@
 #include <insonate/curriculum/AttemptFacts.h>
 #include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/Unlocking.h>
-#include <insonate/views/Theme.h>
 
 #include <QString>
 #include <QStringList>
@@ -12,10 +11,9 @@
 
 namespace insonate::train {
 
-/// Presentation of a level's state: a sign and a word as well as a color.
+/// Sign and word of a level's state.
 struct StateWords {
   QString sign, word;
-  views::Colour colour;
 };
 StateWords wordsOf(LevelState state);
 

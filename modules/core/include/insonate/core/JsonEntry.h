@@ -1,5 +1,7 @@
 #pragma once
 
+#include <insonate/core/Result.h>
+
 #include <nlohmann/json_fwd.hpp>
 
 #include <functional>
@@ -11,37 +13,59 @@
 
 namespace insonate {
 
+/// Parses JSON; fails with line and column of the error. `what` begins the sentence: "The recipe".
+Result<nlohmann::json> parsedJson(std::string_view text, const std::string& what);
+
+/// The keys of an object, for an entry that may have any; none of another value.
+std::vector<std::string_view> keysOf(const nlohmann::json& object);
+
 /// Reader of an object in a JSON file that people write; fields are taken one by one. The first error is kept as a
 /// sentence; fields after it are empty. `where` begins the sentence: "step 'scan'". The object must outlive the
 /// reader.
 class JsonEntry {
  public:
-  JsonEntry(const nlohmann::json& object, std::string where, const std::vector<std::string_view>& known);
+  JsonEntry(const nlohmann::json& object, std::string where, const std::vector<std::string_view>& known)
+      : JsonEntry(object, std::move(where), known, ownTrouble_) {}
+  /// Keeps the first error in `trouble`, which entries of one file share.
+  JsonEntry(const nlohmann::json& object, std::string where, const std::vector<std::string_view>& known,
+            std::string& trouble);
+  JsonEntry(const JsonEntry&) = delete;
+  JsonEntry& operator=(const JsonEntry&) = delete;
 
-  std::string text(const char* key, bool needed = true);
-  double number(const char* key, double low, double high);
-  std::optional<double> numberIfThere(const char* key, double low, double high);
+  std::string text(std::string_view key, bool needed = true);
+  double number(std::string_view key, double low, double high);
+  std::optional<double> numberIfThere(std::string_view key, double low, double high);
+  /// Reads a number, or an object with the "value", its "range" [low, high] and its "source".
+  std::optional<double> sourcedIfThere(std::string_view key, double low, double high, bool orInfinity = false);
   /// Returns a whole number.
-  int whole(const char* key, int low, int high);
-  std::optional<int> wholeIfThere(const char* key, int low, int high);
-  bool flag(const char* key);
+  int whole(std::string_view key, int low, int high);
+  std::optional<int> wholeIfThere(std::string_view key, int low, int high);
+  /// Returns `count` numbers, zeros after an error. `order` names them in its sentence: "[x, y, z]".
+  std::vector<double> numbers(std::string_view key, std::size_t count, double low, double high,
+                              std::string_view order = {});
+  bool flag(std::string_view key);
   /// The index, among these words, of the word under the key.
-  std::size_t word(const char* key, const std::vector<std::string_view>& words);
-  std::vector<std::string> texts(const char* key);
-  const nlohmann::json& object(const char* key);
+  std::size_t word(std::string_view key, const std::vector<std::string_view>& words);
+  std::vector<std::string> texts(std::string_view key);
+  /// Returns the value under the key, which must be there; an empty object after an error.
+  const nlohmann::json& value(std::string_view key);
 
   /// Reads the entries of a list with `read(entry, where, trouble)` until one leaves a trouble; a missing list is
-  /// empty. `noun` and an entry's name or number make its `where`. Entries with a "name" need different ones.
+  /// empty. `noun` and an entry's name or number make its `where`. Entries with a "name" need different ones, unless
+  /// `namesDiffer` is false.
   template <class Read>
-  auto list(const char* key, const std::string& noun, const Read& read) {
+  auto list(std::string_view key, const std::string& noun, const Read& read, bool namesDiffer = true) {
     std::vector<std::invoke_result_t<Read, const nlohmann::json&, const std::string&, std::string&>> all;
-    each(key, noun, [&](const nlohmann::json& entry, const std::string& where, std::string& trouble) {
-      all.push_back(read(entry, where, trouble));
-    });
+    each(
+        key, noun,
+        [&](const nlohmann::json& entry, const std::string& where, std::string& trouble) {
+          all.push_back(read(entry, where, trouble));
+        },
+        namesDiffer);
     return all;
   }
 
-  bool has(const char* key) const;
+  bool has(std::string_view key) const;
   void refuse(const std::string& sentence);
   const std::string& where() const { return where_; }
   /// "" while all is well.
@@ -50,12 +74,15 @@ class JsonEntry {
  private:
   using Reader = std::function<void(const nlohmann::json& entry, const std::string& where, std::string& trouble)>;
 
-  const nlohmann::json* find(const char* key, bool needed);
-  const nlohmann::json& array(const char* key);
-  void each(const char* key, const std::string& noun, const Reader& read);
+  const nlohmann::json* find(std::string_view key, bool needed);
+  const nlohmann::json& array(std::string_view key);
+  std::optional<double> boundedNumber(std::string_view key, double low, double high, bool orInfinity);
+  void checkStatedRange(double value);
+  void each(std::string_view key, const std::string& noun, const Reader& read, bool namesDiffer);
 
   const nlohmann::json& object_;
-  std::string where_, trouble_;
+  std::string where_, ownTrouble_;
+  std::string& trouble_;
 };
 
 }  // namespace insonate

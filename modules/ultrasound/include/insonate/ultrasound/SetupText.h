@@ -9,6 +9,9 @@
 
 namespace insonate {
 
+/// The shape's name in a probe file: "linear".
+std::string_view nameOf(ProbeShape shape);
+
 /// Text form of a probe, as saveProbe() writes and loadProbe() reads it; exact to the last bit.
 std::string textOf(const Probe& probe);
 Result<Probe> parseProbe(std::string_view json);

@@ -2,7 +2,6 @@
 
 #include <insonate/procedure/AttemptMetrics.h>
 #include <insonate/procedure/Procedure.h>
-#include <insonate/views/Theme.h>
 
 #include <QString>
 #include <cstdint>
@@ -10,16 +9,13 @@
 
 namespace insonate::ui {
 
-/// Presentation of the needle's place: a sign and words as well as the thesis's color.
+/// Sign and words of the needle's place; StateColors.h has its color.
 struct PlaceWords {
   QString sign, words;
-  views::Colour colour;
 };
 /// `vessel`: the name of the vessel that the tip is in; empty if it is in none or the name is unknown.
 PlaceWords wordsOf(NeedlePlace place, const QString& vessel = {});
 
-/// Color of a finding; quiet if there is none.
-views::Colour colourOf(const std::optional<Severity>& severity);
 QString wordOf(Severity severity);
 
 /// "needle path", of a metric's id.

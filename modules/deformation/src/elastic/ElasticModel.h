@@ -1,9 +1,0 @@
-#pragma once
-
-#include <insonate/deformation/DeformationModel.h>
-
-namespace insonate {
-
-std::unique_ptr<DeformationModel> makeElasticModel(const MechanicalTable& tissues, const DeformationSettings& settings);
-
-}  // namespace insonate

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <insonate/core/JsonEntry.h>
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+
+/// Numbers of a tissue in the files of resources/tissues, resources/mechanics and resources/haptics.
+namespace insonate::tissuefile {
+
+/// A number with its permitted range; the narrower "range" beside a value in a file states how well it is known.
+template <class T>
+struct Field {
+  std::string_view name;
+  double T::*member;
+  double low, high;
+  bool orInfinity = false;
+};
+
+/// Reads the fields that an entry has; with `complete`, all have to be there.
+template <class T, std::size_t N>
+void readNumbers(JsonEntry& entry, const std::array<Field<T>, N>& all, bool complete, T& target) {
+  for (const Field<T>& field : all) {
+    const auto value = entry.sourcedIfThere(field.name, field.low, field.high, field.orInfinity);
+    if (complete && !entry.has(field.name)) entry.refuse("has no '" + std::string(field.name) + "'.");
+    target.*field.member = value.value_or(target.*field.member);
+  }
+}
+
+/// Inverse of readNumbers().
+template <class T, std::size_t N>
+void writeNumbers(const T& from, const std::array<Field<T>, N>& all, nlohmann::json& object) {
+  for (const Field<T>& field : all) {
+    const double value = from.*field.member;
+    object[std::string(field.name)] = std::isinf(value) ? nlohmann::json("infinity") : nlohmann::json(value);
+  }
+}
+
+template <class T, std::size_t N>
+std::vector<std::string_view> namesOf(const std::array<Field<T>, N>& all, std::vector<std::string_view> names) {
+  for (const Field<T>& field : all) names.push_back(field.name);
+  return names;
+}
+
+}  // namespace insonate::tissuefile

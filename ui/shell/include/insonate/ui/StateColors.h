@@ -1,0 +1,16 @@
+#pragma once
+
+#include <insonate/procedure/AttemptMetrics.h>
+#include <insonate/procedure/Procedure.h>
+#include <insonate/views/Theme.h>
+
+#include <optional>
+
+namespace insonate::ui {
+
+/// Colors of states. Some users cannot tell them apart: show the sign or the words of AttemptWords.h beside each.
+views::Colour colorOf(NeedlePlace place);
+/// Color of a finding; quiet if there is none.
+views::Colour colorOf(const std::optional<Severity>& severity);
+
+}  // namespace insonate::ui

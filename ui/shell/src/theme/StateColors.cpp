@@ -1,0 +1,29 @@
+#include <insonate/ui/StateColors.h>
+
+namespace insonate::ui {
+
+namespace theme = views::theme;
+
+views::Colour colorOf(NeedlePlace place) {
+  switch (place) {
+    case NeedlePlace::Clean:
+    case NeedlePlace::Underway:
+      return theme::kText;
+    case NeedlePlace::Vein:
+      return theme::kGood;
+    case NeedlePlace::WrongPlace:
+      return theme::kDanger;
+    case NeedlePlace::Used:
+      break;
+  }
+  return theme::kCaution;
+}
+
+views::Colour colorOf(const std::optional<Severity>& severity) {
+  if (!severity) return theme::kQuiet;
+  return *severity == Severity::Minor   ? theme::kAccent
+         : *severity == Severity::Major ? theme::kCaution
+                                        : theme::kDanger;
+}
+
+}  // namespace insonate::ui
