@@ -1,5 +1,5 @@
 #include "AttemptWindow.h"
-#include "scene/PatientViews.h"
+#include "patient3d/PatientViews.h"
 
 #include <insonate/haptics/SimulatedHand.h>
 

@@ -1,6 +1,6 @@
 #include "AttemptWindow.h"
 #include "attempt/SyringeView.h"
-#include "scene/PatientViews.h"
+#include "patient3d/PatientViews.h"
 
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/cases/Phantom.h>

@@ -4,10 +4,10 @@
 #include "attempt/AttemptPanel.h"
 #include "attempt/AttemptWords.h"
 #include "image/CineBar.h"
-#include "level/LevelControl.h"
+#include "levels/LevelControl.h"
 #include "panel/ControlsPanel.h"
+#include "patient3d/PatientViews.h"
 #include "probe/ProbeEditor.h"
-#include "scene/PatientViews.h"
 
 #include <insonate/ui/Theme.h>
 

@@ -2,13 +2,13 @@
 #include "TrainParts.h"
 #include "attempt/AttemptControl.h"
 #include "attempt/AttemptPanel.h"
-#include "level/AttemptKeeper.h"
-#include "level/Course.h"
-#include "level/CoursePage.h"
-#include "level/LevelControl.h"
-#include "level/LevelWords.h"
-#include "level/UnsentFacts.h"
-#include "level/VerdictView.h"
+#include "levels/AttemptKeeper.h"
+#include "levels/Course.h"
+#include "levels/CoursePage.h"
+#include "levels/LevelControl.h"
+#include "levels/LevelWords.h"
+#include "levels/UnsentFacts.h"
+#include "levels/VerdictView.h"
 
 #include <insonate/ui/Account.h>
 

@@ -5,7 +5,7 @@
 #include "image/CineBar.h"
 #include "image/CtBeside.h"
 #include "image/EqualPanes.h"
-#include "scene/PatientViews.h"
+#include "patient3d/PatientViews.h"
 
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>

@@ -4,8 +4,8 @@
 #include "image/CtBeside.h"
 #include "image/ImageInput.h"
 #include "image/SliceMeasure.h"
-#include "scene/FourSlices.h"
-#include "scene/PatientViews.h"
+#include "patient3d/FourSlices.h"
+#include "patient3d/PatientViews.h"
 
 #include <insonate/ui/ViewWidget.h>
 

@@ -2,7 +2,7 @@
 #include "TrainParts.h"
 #include "measure/LiveMeasure.h"
 #include "measure/SceneMeasure.h"
-#include "scene/PatientViews.h"
+#include "patient3d/PatientViews.h"
 
 #include <insonate/views/SceneTiming.h>
 

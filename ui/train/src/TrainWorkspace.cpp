@@ -1,10 +1,10 @@
 #include "TrainParts.h"
 #include "attempt/AttemptControl.h"
 #include "devices/DevicePanel.h"
-#include "files/ImageExports.h"
-#include "hand/KeyTable.h"
+#include "feature/KeyTable.h"
+#include "image/export/ImageExports.h"
 #include "panel/ControlsPanel.h"
-#include "scene/PatientViews.h"
+#include "patient3d/PatientViews.h"
 #include "tissue/TissueShown.h"
 
 #include <insonate/train/TrainWorkspace.h>

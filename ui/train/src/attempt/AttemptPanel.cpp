@@ -1,8 +1,8 @@
 #include "AttemptPanel.h"
 
-#include "../level/LevelCard.h"
-#include "../level/LevelControl.h"
-#include "../level/VerdictView.h"
+#include "../levels/LevelCard.h"
+#include "../levels/LevelControl.h"
+#include "../levels/VerdictView.h"
 #include "../model/CaseModel.h"
 #include "../model/Disclosure.h"
 #include "../model/ImagingModel.h"
@@ -32,14 +32,14 @@ constexpr Metric kFurther[] = {Metric::TimeToVein,     Metric::Passes,       Met
                                Metric::InsertionAngle, Metric::TipInPicture, Metric::NearestArtery,
                                Metric::ProbeForceMost};
 
-QVBoxLayout* column(QWidget* widget) {
+QVBoxLayout* pageColumn(QWidget* widget) {
   auto* box = new QVBoxLayout(widget);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kSmallGap);
   return box;
 }
 
-QComboBox* choice(const char* object, const QString& name, const QString& says) {
+QComboBox* attemptChoice(const char* object, const QString& name, const QString& says) {
   auto* combo = ui::choiceBox(object, name, says, Qt::TabFocus);
   combo->setMinimumContentsLength(6);
   return combo;
@@ -85,15 +85,16 @@ QPushButton* AttemptPanel::button(const char* object, const QString& text, const
 
 QWidget* AttemptPanel::buildBegin() {
   auto* page = new QWidget;
-  auto* box = column(page);
-  procedure_ = choice("attemptProcedure", tr("Procedure"), tr("The steps of the procedure"));
+  auto* box = pageColumn(page);
+  procedure_ = attemptChoice("attemptProcedure", tr("Procedure"), tr("The steps of the procedure"));
   for (const Procedure& one : attempt_.procedures()) {
     procedure_->addItem(QString::fromStdString(one.title), QString::fromStdString(one.name));
     procedure_->setItemData(procedure_->count() - 1, QString::fromStdString(one.title), Qt::ToolTipRole);
   }
-  assistance_ = choice("attemptAssistance", tr("Assistance"),
-                       tr("Guided: states each step and each error. Hints: states errors only. Test: shows neither CT "
-                          "nor anatomy until the end"));
+  assistance_ =
+      attemptChoice("attemptAssistance", tr("Assistance"),
+                    tr("Guided: states each step and each error. Hints: states errors only. Test: shows neither CT "
+                       "nor anatomy until the end"));
   for (const Assistance one : {Assistance::Guided, Assistance::Hints, Assistance::Test})
     assistance_->addItem(wordOf(one), int(one));
   start_ = button("attemptStart", tr("Start"), tr("Begins an attempt, which is recorded and scored (Ctrl+Return)"));
@@ -122,8 +123,8 @@ QWidget* AttemptPanel::buildHands() {
   auto* grid = new QGridLayout(page);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(ui::kSmallGap);
-  position_ = choice("attemptPosition", tr("The patient's position"),
-                     tr("Tilt of the table in degrees; above 0 the head is down"));
+  position_ = attemptChoice("attemptPosition", tr("The patient's position"),
+                            tr("Tilt of the table in degrees; above 0 the head is down"));
   draw_ = button("attemptDraw", tr("Aspirate"), tr("Aspirates with the syringe, or stops (B)"));
   draw_->setCheckable(true);
   auto* fresh =
@@ -140,9 +141,9 @@ QWidget* AttemptPanel::buildHands() {
 
 QWidget* AttemptPanel::buildRunning() {
   auto* page = new QWidget;
-  auto* box = column(page);
+  auto* box = pageColumn(page);
   auto* inner = new QWidget;
-  auto* told = column(inner);
+  auto* told = pageColumn(inner);
   steps_ = new StepList;
   numbers_ = ui::paragraph("attemptNumbers", "");
   numbers_->setTextFormat(Qt::RichText);
@@ -173,7 +174,7 @@ QWidget* AttemptPanel::buildRunning() {
 
 QWidget* AttemptPanel::buildResult() {
   auto* page = new QWidget;
-  auto* box = column(page);
+  auto* box = pageColumn(page);
   headline_ = ui::paragraph("attemptHeadline", "title");
   advice_ = ui::paragraph("attemptAdvice", "");
   errors_ = ui::paragraph("attemptErrors", "");

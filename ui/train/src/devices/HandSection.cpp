@@ -1,6 +1,6 @@
 #include "HandSection.h"
 
-#include "../panel/NumberField.h"
+#include "../layout/NumberField.h"
 
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
@@ -20,7 +20,7 @@ constexpr double kTest_N = 0.8;
 
 const char* const kStands[] = {"the patient's head", "the patient's right", "the patient's left", "the patient's feet"};
 
-QPushButton* button(const char* object, const QString& text, const QString& says) {
+QPushButton* handButton(const char* object, const QString& text, const QString& says) {
   return ui::pushButton(object, text, says, Qt::TabFocus);
 }
 
@@ -143,12 +143,13 @@ QWidget* HandSection::buildButtons() {
   auto* box = new QHBoxLayout(row);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(4);
-  begin_ = button(
+  begin_ = handButton(
       "beginHere", tr("Begin here"),
       tr("Sets the stylus's present pose as the tool's start: the probe stays in place, the needle lies beside it"));
-  calibrate_ =
-      button("calibrate", tr("Home"), tr("Sets the device's present posture as home: its encoders count from here"));
-  test_ = button("testForce", tr("Test force"), tr("Pushes the stylus up with 0.8 N for a second. Hold it loosely"));
+  calibrate_ = handButton("calibrate", tr("Home"),
+                          tr("Sets the device's present posture as home: its encoders count from here"));
+  test_ =
+      handButton("testForce", tr("Test force"), tr("Pushes the stylus up with 0.8 N for a second. Hold it loosely"));
   for (QPushButton* one : {begin_, calibrate_, test_}) box->addWidget(one, 1);
   connect(begin_, &QPushButton::clicked, this, [this] { hands_.beginHere(hand_); });
   connect(calibrate_, &QPushButton::clicked, this, [this] {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../tissue/TissueChoice.h"
+#include "TissueChoice.h"
 
 #include <insonate/simulator/Imager.h>
 #include <insonate/tissue/AcousticTable.h>

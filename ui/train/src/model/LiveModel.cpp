@@ -1,7 +1,7 @@
 #include "LiveModel.h"
 
-#include "../hands/HandsControl.h"
 #include "CaseModel.h"
+#include "HandsControl.h"
 #include "ImagingModel.h"
 #include "StatusLine.h"
 

@@ -1,14 +1,14 @@
 #include "ControlsPanel.h"
 
-#include "../hands/NeedleControls.h"
+#include "../image/EffectWords.h"
+#include "../image/GainSliders.h"
+#include "../image/MachineChooser.h"
 #include "../model/TrainModel.h"
+#include "../needle/NeedleControls.h"
+#include "../probe/Positions.h"
 #include "../probe/ProbeChooser.h"
+#include "../probe/ProbeNumbers.h"
 #include "../tissue/TissueControls.h"
-#include "EffectWords.h"
-#include "GainSliders.h"
-#include "MachineChooser.h"
-#include "Positions.h"
-#include "ProbeNumbers.h"
 
 #include <insonate/simulator/EffectLayers.h>
 #include <insonate/ui/QuietWheel.h>

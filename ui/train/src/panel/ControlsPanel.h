@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ScrollingColumn.h"
+#include "../layout/ScrollingColumn.h"
 
 #include <array>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "ProbeNumbers.h"
 
-#include "NumberField.h"
+#include "../layout/NumberField.h"
 
 #include <insonate/ui/Theme.h>
 
@@ -10,14 +10,14 @@
 namespace insonate::train {
 namespace {
 
-struct Row {
+struct AngleRow {
   HandAxis axis;
   const char* name;
   const char* unit;
   double low, high, step;
   const char* says;
 };
-constexpr Row kRows[] = {
+constexpr AngleRow kAngleRows[] = {
     {HandAxis::Rotation, "rotation", "°", -180, 180, 2,
      "About the probe's axis, in degrees; 0: across the body, the marker to the patient's left (Q, E)"},
     {HandAxis::Tilt, "tilt", "°", -ProbeHand::kMostAngle_deg, ProbeHand::kMostAngle_deg, 1,
@@ -66,7 +66,7 @@ ProbeNumbers::ProbeNumbers(QWidget* parent) : QWidget(parent) {
 void ProbeNumbers::addAngles() {
   auto* grid = static_cast<QGridLayout*>(layout());
   for (std::size_t i = 0; i < fields_.size(); ++i) {
-    const Row& row = kRows[i];
+    const AngleRow& row = kAngleRows[i];
     auto* box =
         new NumberField(QLatin1String(row.name), QString::fromUtf8(row.unit), {row.low, row.high, row.step}, this);
     box->setToolTip(hint(row.says));

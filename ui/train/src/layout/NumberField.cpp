@@ -11,7 +11,7 @@ namespace insonate::train {
 namespace {
 
 constexpr int kMargin_px = 16;
-constexpr double kNotch = 120;  // in eighths of a degree, as Qt counts
+constexpr double kWheelNotch = 120;  // in eighths of a degree, as Qt counts
 
 QString said(const char* words) {
   return QCoreApplication::translate("NumberField", words);
@@ -86,7 +86,7 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
 void NumberField::wheelEvent(QWheelEvent* event) {
   // A wheel that scrolls the panel does not move the probe on its way.
   if (!hasFocus()) return event->ignore();
-  wheelRest_ += event->angleDelta().y() / kNotch;
+  wheelRest_ += event->angleDelta().y() / kWheelNotch;
   const double whole = std::trunc(wheelRest_);
   wheelRest_ -= whole;
   if (whole != 0) step(whole);

@@ -15,7 +15,7 @@
 namespace insonate::train {
 namespace {
 
-QPushButton* button(const char* object, const QString& text, const QString& says) {
+QPushButton* levelButton(const char* object, const QString& text, const QString& says) {
   return ui::pushButton(object, text, says, Qt::TabFocus);
 }
 
@@ -26,9 +26,10 @@ LevelCard::LevelCard(LevelControl& levels, QWidget* parent)
       levels_(levels),
       title_(ui::paragraph("levelTitle", "heading")),
       rule_(ui::paragraph("levelRule", "quiet")) {
-  auto* course = button("levelsOpen", tr("Levels"), tr("Levels, your attempts and their curve, the questionnaire (J)"));
-  open_ = button("levelOpenCase", tr("Open its case"), tr("Opens the level's case in place of the present one"));
-  free_ = button("levelLeave", tr("Free practice"), tr("Leaves the level: any case, procedure and assistance"));
+  auto* course =
+      levelButton("levelsOpen", tr("Levels"), tr("Levels, your attempts and their curve, the questionnaire (J)"));
+  open_ = levelButton("levelOpenCase", tr("Open its case"), tr("Opens the level's case in place of the present one"));
+  free_ = levelButton("levelLeave", tr("Free practice"), tr("Leaves the level: any case, procedure and assistance"));
   auto* row = new QHBoxLayout;
   row->setSpacing(ui::kSmallGap);
   for (QPushButton* one : {course, open_, free_}) row->addWidget(one, 1);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "../hands/HandsControl.h"
-#include "ProbeControl.h"
+#include "../model/HandsControl.h"
+#include "../model/ProbeControl.h"
 
 #include <QString>
 #include <span>

@@ -10,16 +10,16 @@
 namespace insonate::train {
 namespace {
 
-struct Row {
+struct StoredValue {
   double Physiology::*field;
   const char* key;
 };
-constexpr Row kRows[] = {{&Physiology::centralVenous_mmHg, "centralVenous_mmHg"},
-                         {&Physiology::systolic_mmHg, "systolic_mmHg"},
-                         {&Physiology::diastolic_mmHg, "diastolic_mmHg"},
-                         {&Physiology::tilt_deg, "tilt_deg"}};
+constexpr StoredValue kStoredValues[] = {{&Physiology::centralVenous_mmHg, "centralVenous_mmHg"},
+                                         {&Physiology::systolic_mmHg, "systolic_mmHg"},
+                                         {&Physiology::diastolic_mmHg, "diastolic_mmHg"},
+                                         {&Physiology::tilt_deg, "tilt_deg"}};
 
-auto fields(const TissueChoice& c) {
+auto allOf(const TissueChoice& c) {
   const Physiology& b = c.body;
   return std::tie(c.model, c.pulse, c.breathing, b.centralVenous_mmHg, b.systolic_mmHg, b.diastolic_mmHg,
                   b.heartRate_perMin, b.breathing_perMin, b.breathingSwing_mmHg, b.tilt_deg, b.neckAboveHeart_mm,
@@ -29,7 +29,7 @@ auto fields(const TissueChoice& c) {
 }  // namespace
 
 bool operator==(const TissueChoice& a, const TissueChoice& b) {
-  return fields(a) == fields(b);
+  return allOf(a) == allOf(b);
 }
 
 Physiology physiologyOf(const TissueChoice& choice) {
@@ -43,7 +43,7 @@ void saveTissue(const TissueChoice& choice, QSettings& settings) {
   settings.setValue("model", QString::fromStdString(choice.model));
   settings.setValue("pulse", choice.pulse);
   settings.setValue("breathing", choice.breathing);
-  for (const Row& row : kRows) settings.setValue(row.key, choice.body.*row.field);
+  for (const StoredValue& row : kStoredValues) settings.setValue(row.key, choice.body.*row.field);
 }
 
 TissueChoice restoredTissue(QSettings& settings) {
@@ -55,7 +55,7 @@ TissueChoice restoredTissue(QSettings& settings) {
   if (!validate(mechanics)) choice.model = usual.model;
   choice.pulse = settings.value("pulse", usual.pulse).toBool();
   choice.breathing = settings.value("breathing", usual.breathing).toBool();
-  for (const Row& row : kRows) {
+  for (const StoredValue& row : kStoredValues) {
     bool ok = false;
     const double value = settings.value(row.key).toDouble(&ok);
     if (ok && std::isfinite(value)) choice.body.*row.field = value;

@@ -1,7 +1,7 @@
 #include "SceneInput.h"
 
-#include "../hand/KeyTable.h"
-#include "../hands/HandsControl.h"
+#include "../feature/KeyTable.h"
+#include "../model/HandsControl.h"
 #include "../model/NeedleMotion.h"
 #include "../model/ProbeMotion.h"
 

@@ -26,13 +26,13 @@ namespace {
 
 /// Renderings of both views together may take this share of the time; the rest is the image's. Each also makes Qt put
 /// the whole window together again, which a processor without a graphics card feels.
-constexpr double kShare = 0.2;
+constexpr double kPatientShare = 0.2;
 /// But the CT cast in 3D would follow a few times a second only, and who shows it wants to see it move.
 constexpr int kSoonest_ms = 50, kLatest_ms = 800, kLatestWithCt_ms = 70;
 /// After this long without a move, 3D is drawn in full detail.
 constexpr int kRest_ms = 400;
 /// Room for the tabs.
-constexpr int kLeast_px = 446, kShort_px = 292;
+constexpr int kRoomyWidth_px = 446, kCompactWidth_px = 292;
 constexpr int kSceneShare = 35;  // of the height, beside four slices, in percent
 /// The tabs beside those of the slices.
 constexpr int kScenePanel = 100, kAllSlices = 101;
@@ -179,7 +179,7 @@ void PatientViews::setCompact(bool compact) {
     tab->style()->polish(tab);
   }
   // Said, since it would change with the chosen tab's bold letters.
-  setMinimumWidth(compact ? kShort_px : kLeast_px);
+  setMinimumWidth(compact ? kCompactWidth_px : kRoomyWidth_px);
 }
 
 void PatientViews::showBelow(QWidget* shown) {
@@ -316,7 +316,7 @@ void PatientViews::want() {
       1000 * (scene_->renderTime_s() +
               (showsAllSlices() ? four_->renderTime_s() : mpr_->renderer()->GetLastRenderTimeInSeconds()));
   const int latest_ms = scene_->isCtVisible() ? kLatestWithCt_ms : kLatest_ms;
-  const int gap_ms = std::clamp(int(cost_ms / kShare), kSoonest_ms, latest_ms);
+  const int gap_ms = std::clamp(int(cost_ms / kPatientShare), kSoonest_ms, latest_ms);
   const int since_ms =
       sinceFollowed_.isValid() ? int(std::min<qint64>(sinceFollowed_.elapsed(), latest_ms)) : latest_ms;
   timer_.start(std::max(0, gap_ms - since_ms));

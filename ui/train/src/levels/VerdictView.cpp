@@ -11,11 +11,11 @@
 namespace insonate::train {
 namespace {
 
-QString coloured(const QString& sign, views::Colour colour) {
+QString verdictSign(const QString& sign, views::Colour colour) {
   return QStringLiteral("<span style='color:%1'>%2</span>").arg(ui::colour(colour).name(), sign);
 }
 
-void write(QLabel& label, const QString& text) {
+void showText(QLabel& label, const QString& text) {
   label.setText(text);
   label.setVisible(!text.isEmpty());
 }
@@ -38,25 +38,26 @@ VerdictView::VerdictView(QWidget* parent)
 }
 
 void VerdictView::show(const Verdict& verdict) {
-  const QString sign = verdict.passed ? coloured(QStringLiteral("✓"), views::theme::kGood)
-                                      : coloured(QStringLiteral("▲"), views::theme::kCaution);
-  write(*headline_, sign + QStringLiteral("&nbsp; ") + verdict.headline.toHtmlEscaped());
+  const QString sign = verdict.passed ? verdictSign(QStringLiteral("✓"), views::theme::kGood)
+                                      : verdictSign(QStringLiteral("▲"), views::theme::kCaution);
+  showText(*headline_, sign + QStringLiteral("&nbsp; ") + verdict.headline.toHtmlEscaped());
   QStringList lines;
   for (const QString& one : verdict.missed)
-    lines << coloured(QStringLiteral("✗"), views::theme::kDanger) + QStringLiteral("&nbsp; ") + one.toHtmlEscaped();
+    lines << verdictSign(QStringLiteral("✗"), views::theme::kDanger) + QStringLiteral("&nbsp; ") + one.toHtmlEscaped();
   if (!verdict.met.isEmpty())
-    lines << coloured(QStringLiteral("✓"), views::theme::kGood) + tr("&nbsp; %1 of %2 standards met")
-                                                                      .arg(verdict.met.size())
-                                                                      .arg(verdict.met.size() + verdict.missed.size());
-  write(*standards_, lines.join(QStringLiteral("<br>")));
+    lines << verdictSign(QStringLiteral("✓"), views::theme::kGood) +
+                 tr("&nbsp; %1 of %2 standards met")
+                     .arg(verdict.met.size())
+                     .arg(verdict.met.size() + verdict.missed.size());
+  showText(*standards_, lines.join(QStringLiteral("<br>")));
   standards_->setToolTip(verdict.met.isEmpty() ? QString() : tr("Met: %1").arg(verdict.met.join(QStringLiteral("; "))));
-  write(*changes_, verdict.changes.join(QLatin1Char('\n')));
+  showText(*changes_, verdict.changes.join(QLatin1Char('\n')));
 }
 
 void VerdictView::show(const QString& sentence) {
-  write(*headline_, {});
-  write(*standards_, {});
-  write(*changes_, sentence);
+  showText(*headline_, {});
+  showText(*standards_, {});
+  showText(*changes_, sentence);
 }
 
 }  // namespace insonate::train

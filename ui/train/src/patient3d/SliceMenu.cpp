@@ -11,7 +11,7 @@
 namespace insonate::train {
 namespace {
 
-constexpr int kSlider_px = 220;
+constexpr int kOpacitySlider_px = 220;
 
 QString words(const views::WindowLevelPreset& preset) {
   return ui::qt(preset.name);
@@ -44,7 +44,7 @@ void SliceMenu::addStructures() {
   opacity_ = new ui::ValueSlider(tr("structures"), QStringLiteral("%"), {0, 100, 0, 5, 0},
                                  tr("opacity of the structures over the CT (G, A, D)"));
   opacity_->setObjectName(QStringLiteral("labelOpacity"));
-  opacity_->setMinimumWidth(kSlider_px);
+  opacity_->setMinimumWidth(kOpacitySlider_px);
   connect(opacity_, &ui::ValueSlider::valueChanged, this, [this](double percent) {
     forAll([percent](views::MprView& slice) {
       slice.setLabelOpacity(percent / 100);

@@ -1,12 +1,12 @@
 #include "NeedleControls.h"
 
+#include "../layout/NumberField.h"
 #include "../model/Disclosure.h"
+#include "../model/HandsControl.h"
 #include "../model/NeedleMotion.h"
+#include "../model/NeedleWords.h"
 #include "../model/ProbeMotion.h"
 #include "../model/StatusLine.h"
-#include "../panel/NumberField.h"
-#include "HandsControl.h"
-#include "NeedleWords.h"
 
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
@@ -19,7 +19,7 @@
 namespace insonate::train {
 namespace {
 
-struct Row {
+struct NeedleRow {
   NeedleAxis axis;
   const char* object;  ///< after "needle_"
   const char* name;
@@ -28,7 +28,7 @@ struct Row {
   const char* says;
 };
 /// The longer names in one column: the panel is narrow.
-constexpr Row kRows[] = {
+constexpr NeedleRow kNeedleRows[] = {
     {NeedleAxis::Angle, "angle", "angle", "°", NeedleHand::kLeastAngle_deg, NeedleHand::kMostAngle_deg, 1,
      "Between needle and skin, in degrees; 90: square to it (Alt+W, Alt+S)"},
     {NeedleAxis::Heading, "heading", "heading", "°", -180, 180, 2,
@@ -39,7 +39,7 @@ constexpr Row kRows[] = {
      "How far the hand has advanced the needle from the skin, in mm; below 0: off it (Page Down, Page Up)"},
 };
 
-QPushButton* choice(const char* object, const QString& text, const QString& says) {
+QPushButton* planeButton(const char* object, const QString& text, const QString& says) {
   auto* button = ui::pushButton(object, text, says, Qt::TabFocus);
   button->setCheckable(true);
   return button;
@@ -64,10 +64,10 @@ NeedleControls::NeedleControls(StatusLine& status, DisclosureModel& disclosure, 
   head->addWidget(heading, 1);
   head->addWidget(devices);
   box->addLayout(head);
-  along_ = choice("needleAlong", tr("in-plane"),
-                  tr("Takes an 18 G needle of 70 mm in-plane, beside the probe's end, or puts it away (I)"));
-  across_ = choice("needleAcross", tr("out-of-plane"),
-                   tr("Takes an 18 G needle of 70 mm out-of-plane, before the probe, or puts it away (I)"));
+  along_ = planeButton("needleAlong", tr("in-plane"),
+                       tr("Takes an 18 G needle of 70 mm in-plane, beside the probe's end, or puts it away (I)"));
+  across_ = planeButton("needleAcross", tr("out-of-plane"),
+                        tr("Takes an 18 G needle of 70 mm out-of-plane, before the probe, or puts it away (I)"));
   auto* take = new QHBoxLayout;
   take->setSpacing(4);
   take->addWidget(along_, 1);
@@ -103,7 +103,7 @@ QWidget* NeedleControls::buildNumbers() {
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(3, 1);
   for (std::size_t i = 0; i < fields_.size(); ++i) {
-    const Row& row = kRows[i];
+    const NeedleRow& row = kNeedleRows[i];
     auto* field =
         new NumberField(QLatin1String(row.name), QString::fromUtf8(row.unit), {row.low, row.high, row.step}, all);
     field->setObjectName(QStringLiteral("needle_") + QLatin1String(row.object));

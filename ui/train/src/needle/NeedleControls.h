@@ -1,6 +1,6 @@
 #pragma once
 
-#include "HandsControl.h"
+#include "../model/HandsControl.h"
 
 #include <QWidget>
 #include <array>

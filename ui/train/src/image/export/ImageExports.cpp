@@ -1,11 +1,11 @@
 #include "ImageExports.h"
 
-#include "../image/CineBar.h"
-#include "../image/EqualPanes.h"
-#include "../image/ImageInput.h"
-#include "../model/CaseModel.h"
-#include "../model/LiveModel.h"
-#include "../model/StatusLine.h"
+#include "../../model/CaseModel.h"
+#include "../../model/LiveModel.h"
+#include "../../model/StatusLine.h"
+#include "../CineBar.h"
+#include "../EqualPanes.h"
+#include "../ImageInput.h"
 #include "ScaledPicture.h"
 
 #include <insonate/train/TrainWorkspace.h>

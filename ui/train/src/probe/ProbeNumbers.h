@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../hand/ProbeControl.h"
+#include "../model/ProbeControl.h"
 
 #include <QString>
 #include <QWidget>
