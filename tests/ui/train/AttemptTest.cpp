@@ -166,7 +166,8 @@ TEST_F(TrainAttempt, AgainBeginsAnotherAndLeavingTheCaseKeepsWhatWasMade) {
   EXPECT_FALSE(hands().needleHand()) << "laid down";
   EXPECT_EQ(files().filter(".part").size(), 1);
   workspace_->setCase(nullptr);
-  EXPECT_EQ(attempt_->state(), State::Idle);
+  EXPECT_EQ(attempt_->state(), State::Writing) << "another thread finishes the recording";
+  ASSERT_TRUE(waitFor([&] { return attempt_->state() == State::Idle; }));
   EXPECT_EQ(files().size(), 2);
   EXPECT_TRUE(files().filter(".part").isEmpty()) << "both are whole";
   openWide();

@@ -14,6 +14,7 @@
 #include <QSettings>
 #include <QSplitter>
 #include <algorithm>
+#include <utility>
 
 namespace insonate::train {
 namespace {
@@ -31,6 +32,8 @@ TrainWorkspace::TrainWorkspace(QWidget* parent) : ui::Workspace(parent), parts_(
 TrainWorkspace::~TrainWorkspace() {
   parts_->endAttempt();
   parts_->model.patientCase.stop();
+  // It waits for the recording, whose end the other parts hear of.
+  delete std::exchange(parts_->attempt, nullptr);
   parts_->releaseCanvases();
   // The widgets refer to the model: they go first.
   delete parts_->devices;
