@@ -1,14 +1,10 @@
-#include "ControlsPanel.h"
+#include "ImagePanel.h"
 
-#include "../image/EffectWords.h"
-#include "../image/GainSliders.h"
-#include "../image/MachineChooser.h"
-#include "../model/TrainModel.h"
-#include "../needle/NeedleControls.h"
-#include "../probe/Positions.h"
-#include "../probe/ProbeChooser.h"
-#include "../probe/ProbeNumbers.h"
-#include "../tissue/TissueControls.h"
+#include "../model/Disclosure.h"
+#include "../model/ImagingModel.h"
+#include "EffectWords.h"
+#include "GainSliders.h"
+#include "MachineChooser.h"
 
 #include <insonate/simulator/EffectLayers.h>
 #include <insonate/ui/QuietWheel.h>
@@ -20,7 +16,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPushButton>
 #include <QSettings>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -94,69 +89,31 @@ constexpr CountKey kCounts[] = {{"looks", &Settings::looks},
                                 {"scanlines", &Settings::scanlines},
                                 {"compoundingAngles", &Settings::compoundingAngles}};
 
-QVBoxLayout* column(QWidget* widget) {
-  auto* box = new QVBoxLayout(widget);
-  box->setContentsMargins(0, 0, 0, 0);
-  box->setSpacing(4);
-  return box;
-}
-
 }  // namespace
 
-ControlsPanel::ControlsPanel(TrainModel& model, ProbeLibrary& library, QWidget* parent)
-    : ScrollingColumn(parent), model_(model), library_(library) {
-  setObjectName("trainControls");
-  auto* inner = new QWidget;
-  auto* box = new QVBoxLayout(inner);
-  box->setContentsMargins(12, 8, 12, 8);
-  box->setSpacing(12);
-  box->addWidget(buildPositionSection());
-  needle_ = new NeedleControls(model_.status, model_.disclosure, model_.hands, model_.motion, model_.needle);
-  box->addWidget(needle_);
-  box->addWidget(buildPicture());
-  auto* tissue = new TissueControls(model_.status, model_.imaging);
-  box->addWidget(tissue);
-  anatomy_.push_back(tissue);
-  box->addStretch();
-  setParts(inner, buildFreeze());
-  setMinimumWidth(inner->minimumSizeHint().width() + 16);
-
-  connect(&model_.imaging, &ImagingModel::setupChanged, this, [this] { refresh(); });
-  connect(&model_.motion, &ProbeMotion::handMoved, this, [this] { numbers_->show(model_.motion.numbers()); });
-  connect(&model_.live, &LiveModel::frozenChanged, this, [this] { refreshFreeze(); });
-  connect(&model_.disclosure, &DisclosureModel::changed, this, [this] {
-    for (QWidget* one : anatomy_) one->setVisible(model_.disclosure.current().anatomy);
-  });
-  connect(&model_.patientCase, &CaseModel::caseChanged, this, [this] { refreshFreeze(); });
-  connect(&model_.live, &LiveModel::pictureShown, this, [this] {
-    if (!freeze_->isEnabled()) refreshFreeze();
-  });
+ImagePanel::ImagePanel(DisclosureModel& disclosure, ImagingModel& imaging, QWidget& probeChooser, QWidget* parent)
+    : QWidget(parent), imaging_(imaging) {
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(4);
+  box->addWidget(ui::heading(tr("Image")));
+  box->addWidget(labelled(tr("probe"), &probeChooser));
+  box->addWidget(labelled(tr("machine"), new MachineChooser(imaging_)));
+  buildProcessing(*box);
+  buildModel(*box);
+  QWidget* effects = labelled(tr("show"), effect_);
+  box->addWidget(effects);
+  connect(&disclosure, &DisclosureModel::changed, effects,
+          [&disclosure, effects] { effects->setVisible(disclosure.current().anatomy); });
+  connect(&imaging_, &ImagingModel::setupChanged, this, [this] { refresh(); });
   refresh();
-  refreshFreeze();
 }
 
-QWidget* ControlsPanel::buildPositionSection() {
-  auto* place = new QWidget;
-  auto* box = column(place);
-  positions_ = new Positions(model_.status, model_.history, model_.patientCase, model_.motion, place);
-  numbers_ = new ProbeNumbers(place);
-  numbers_->setTyped([this](HandAxis axis, double value) { model_.motion.typed(axis, value); });
-  numbers_->setPlaced([this](Vec3 patient_mm) { model_.motion.placed(patient_mm); });
-  numbers_->setRefused([this](const QString& sentence) { model_.status.say(sentence); });
-  box->addWidget(ui::heading(tr("Position")));
-  box->addWidget(positions_);
-  anatomy_.push_back(positions_);
-  box->addSpacing(4);
-  box->addWidget(numbers_);
-  return place;
-}
-
-void ControlsPanel::addSliders(QVBoxLayout& box, std::size_t first, std::size_t last) {
+void ImagePanel::addSliders(QVBoxLayout& box, std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     const SliderRow& row = kSliders[i];
-    auto* slider =
-        new ui::ValueSlider(tr(row.name), tr(row.unit),
-                            rangeOf(row.field, model_.imaging.probe(), model_.imaging.settings()), tr(row.hint));
+    auto* slider = new ui::ValueSlider(tr(row.name), tr(row.unit),
+                                       rangeOf(row.field, imaging_.probe(), imaging_.settings()), tr(row.hint));
     slider->setObjectName(row.object);
     connect(slider, &ui::ValueSlider::valueChanged, this,
             [this, field = row.field](double value) { change(field, value); });
@@ -165,7 +122,7 @@ void ControlsPanel::addSliders(QVBoxLayout& box, std::size_t first, std::size_t 
   }
 }
 
-QWidget* ControlsPanel::labelled(const QString& name, QWidget* widget) {
+QWidget* ImagePanel::labelled(const QString& name, QWidget* widget) {
   auto* row = new QWidget;
   auto* box = new QHBoxLayout(row);
   box->setContentsMargins(0, 0, 0, 0);
@@ -179,43 +136,33 @@ QWidget* ControlsPanel::labelled(const QString& name, QWidget* widget) {
   return row;
 }
 
-QWidget* ControlsPanel::buildPicture() {
-  auto* picture = new QWidget;
-  auto* box = column(picture);
-  box->addWidget(ui::heading(tr("Image")));
-  probe_ = new ProbeChooser(model_.imaging, library_);
-  box->addWidget(labelled(tr("probe"), probe_));
-  box->addWidget(labelled(tr("machine"), new MachineChooser(model_.imaging)));
-  buildProcessing(*box);
+void ImagePanel::buildModel(QVBoxLayout& box) {
   look_ = new QComboBox;
   look_->setObjectName("look");
   look_->addItem(tr("natural"), int(Look::Coherent));
   look_->addItem(tr("in layers (thesis)"), int(Look::Thesis));
   look_->setToolTip(
       tr("Natural: speckle that belongs to the tissue. In layers: reflection, absorption, blur and noise"));
-  box->addWidget(labelled(tr("look"), look_));
+  box.addWidget(labelled(tr("look"), look_));
   effect_ = new QComboBox;
   effect_->setObjectName("effect");
   effect_->setToolTip(tr("The whole image, or one effect of the model by itself (N, Shift+N; 0 for the whole)"));
-  anatomy_.push_back(labelled(tr("show"), effect_));
-  box->addWidget(anatomy_.back());
   for (QComboBox* combo : {grayMap_, compounding_, look_, effect_}) {
     new ui::QuietWheel(combo);
     combo->setFocusPolicy(Qt::TabFocus);
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   }
   connect(look_, qOverload<int>(&QComboBox::activated), this, [this] {
-    Settings settings = model_.imaging.settings();
+    Settings settings = imaging_.settings();
     settings.look = Look(look_->currentData().toInt());
-    model_.imaging.setEffect(ImagingModel::kWholeModel);
-    model_.imaging.setSettings(settings);
+    imaging_.setEffect(ImagingModel::kWholeModel);
+    imaging_.setSettings(settings);
   });
   connect(effect_, qOverload<int>(&QComboBox::activated), this,
-          [this] { model_.imaging.setEffect(effect_->currentData().toString().toStdString()); });
-  return picture;
+          [this] { imaging_.setEffect(effect_->currentData().toString().toStdString()); });
 }
 
-void ControlsPanel::buildProcessing(QVBoxLayout& box) {
+void ImagePanel::buildProcessing(QVBoxLayout& box) {
   addSliders(box, 0, kBeforeTgc);
   tgc_ = gains(&Settings::tgc_dB,
                new GainSliders(Qt::Vertical, tr("Time-gain compensation"),
@@ -237,9 +184,9 @@ void ControlsPanel::buildProcessing(QVBoxLayout& box) {
                           Qt::ToolTipRole);
   }
   connect(grayMap_, qOverload<int>(&QComboBox::activated), this, [this] {
-    Settings settings = model_.imaging.settings();
+    Settings settings = imaging_.settings();
     settings.grayMap = GrayMap(grayMap_->currentData().toInt());
-    model_.imaging.setSettings(settings);
+    imaging_.setSettings(settings);
   });
   box.addWidget(labelled(tr("gray map"), grayMap_));
   compounding_ = new QComboBox;
@@ -249,49 +196,34 @@ void ControlsPanel::buildProcessing(QVBoxLayout& box) {
   compounding_->addItem(tr("off"), 1);
   for (const int angles : {3, 5}) compounding_->addItem(tr("%1 angles").arg(angles), angles);
   connect(compounding_, qOverload<int>(&QComboBox::activated), this, [this] {
-    Settings settings = model_.imaging.settings();
+    Settings settings = imaging_.settings();
     settings.compoundingAngles = compounding_->currentData().toInt();
-    model_.imaging.setSettings(settings);
+    imaging_.setSettings(settings);
   });
   box.addWidget(labelled(tr("compounding"), compounding_));
 }
 
-GainSliders* ControlsPanel::gains(std::array<double, 8> Settings::*field, GainSliders* sliders) {
+GainSliders* ImagePanel::gains(std::array<double, 8> Settings::*field, GainSliders* sliders) {
   sliders->setChanged([this, field, sliders] {
-    Settings settings = model_.imaging.settings();
+    Settings settings = imaging_.settings();
     settings.*field = sliders->values();
-    model_.imaging.setSettings(settings);
+    imaging_.setSettings(settings);
   });
   return sliders;
 }
 
-QWidget* ControlsPanel::buildFreeze() {
-  auto* foot = new QWidget;
-  auto* box = new QVBoxLayout(foot);
-  box->setContentsMargins(12, 8, 12, 8);
-  freeze_ = new QPushButton(tr("Freeze"));
-  freeze_->setObjectName("freeze");
-  freeze_->setCheckable(true);
-  freeze_->setFocusPolicy(Qt::TabFocus);
-  freeze_->setToolTip(tr("Freezes the image, or makes it live again (Space)"));
-  freeze_->setMinimumHeight(36);
-  box->addWidget(freeze_);
-  connect(freeze_, &QPushButton::clicked, &model_.live, &LiveModel::setFrozen);
-  return foot;
-}
-
-void ControlsPanel::change(double Settings::*field, double value) {
+void ImagePanel::change(double Settings::*field, double value) {
   if (refreshing_) return;
-  Settings settings = model_.imaging.settings();
+  Settings settings = imaging_.settings();
   settings.*field = value;
-  model_.imaging.setSettings(settings);
+  imaging_.setSettings(settings);
 }
 
-void ControlsPanel::refresh() {
+void ImagePanel::refresh() {
   refreshing_ = true;
-  const Settings& settings = model_.imaging.settings();
+  const Settings& settings = imaging_.settings();
   for (const Slider& slider : sliders_) {
-    slider.widget->setRange(rangeOf(slider.field, model_.imaging.probe(), settings));
+    slider.widget->setRange(rangeOf(slider.field, imaging_.probe(), settings));
     slider.widget->setValue(settings.*slider.field);
   }
   tgc_->setValues(settings.tgc_dB);
@@ -303,41 +235,24 @@ void ControlsPanel::refresh() {
   effect_->addItem(tr("the whole image"), QString());
   for (const EffectLayer& layer : effectLayers(settings))
     effect_->addItem(tr("only %1").arg(effectWords(layer.name)), QString::fromStdString(layer.name));
-  effect_->setCurrentIndex(std::max(0, effect_->findData(QString::fromStdString(model_.imaging.effect()))));
+  effect_->setCurrentIndex(std::max(0, effect_->findData(QString::fromStdString(imaging_.effect()))));
   refreshing_ = false;
 }
 
-void ControlsPanel::refreshFreeze() {
-  freeze_->setEnabled(model_.live.shown() != nullptr);
-  freeze_->setChecked(model_.live.isFrozen());
-  freeze_->setText(model_.live.isFrozen() ? tr("Unfreeze") : tr("Freeze"));
-}
-
-void ControlsPanel::save(QSettings& settings) const {
-  settings.setValue("probe",
-                    probe_->key().isEmpty() ? QString::fromStdString(model_.imaging.probe().name) : probe_->key());
-  for (const SliderRow& row : kSliders) settings.setValue(row.object, model_.imaging.settings().*row.field);
+void ImagePanel::save(QSettings& settings) const {
+  for (const SliderRow& row : kSliders) settings.setValue(row.object, imaging_.settings().*row.field);
   for (const auto& [key, field] : kGains) {
     QVariantList list;
-    for (double value : model_.imaging.settings().*field) list << value;
+    for (double value : imaging_.settings().*field) list << value;
     settings.setValue(key, list);
   }
-  settings.setValue("grayMap", int(model_.imaging.settings().grayMap));
-  for (const auto& [key, field] : kCounts) settings.setValue(key, model_.imaging.settings().*field);
-  settings.setValue("look", int(model_.imaging.settings().look));
-  settings.beginGroup("tissue");
-  saveTissue(model_.imaging.tissue(), settings);
-  settings.endGroup();
-  positions_->save(settings);
-  settings.beginGroup("hands");
-  model_.hands.save(settings);
-  settings.endGroup();
+  settings.setValue("grayMap", int(imaging_.settings().grayMap));
+  for (const auto& [key, field] : kCounts) settings.setValue(key, imaging_.settings().*field);
+  settings.setValue("look", int(imaging_.settings().look));
 }
 
-void ControlsPanel::restore(QSettings& settings) {
-  model_.imaging.setProbe(
-      settings.value("probe", QString::fromStdString(model_.imaging.probe().name)).toString().toStdString());
-  Settings all = model_.imaging.settings();
+void ImagePanel::restore(QSettings& settings) {
+  Settings all = imaging_.settings();
   for (const SliderRow& row : kSliders) {
     bool ok = false;
     const double value = settings.value(row.object).toDouble(&ok);
@@ -352,14 +267,7 @@ void ControlsPanel::restore(QSettings& settings) {
   if (grayMap_->findData(map) >= 0) all.grayMap = GrayMap(map);
   for (const auto& [key, field] : kCounts) all.*field = settings.value(key, all.*field).toInt();
   all.look = settings.value("look").toInt() == int(Look::Thesis) ? Look::Thesis : Look::Coherent;
-  model_.imaging.setSettings(all);
-  settings.beginGroup("tissue");
-  model_.imaging.setTissue(restoredTissue(settings));
-  settings.endGroup();
-  positions_->restore(settings);
-  settings.beginGroup("hands");
-  model_.hands.restore(settings);
-  settings.endGroup();
+  imaging_.setSettings(all);
 }
 
 }  // namespace insonate::train

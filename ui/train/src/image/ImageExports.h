@@ -14,6 +14,10 @@
 
 class QSettings;
 
+namespace insonate::ui {
+class Workspace;
+}
+
 namespace insonate::train {
 
 class CaseModel;
@@ -22,7 +26,6 @@ class EqualPanes;
 class ImageInput;
 class LiveModel;
 class StatusLine;
-class TrainWorkspace;
 
 /// Saves images and clips as the user asks for them, and remembers the folder.
 class ImageExports : public QObject {
@@ -37,7 +40,7 @@ class ImageExports : public QObject {
     ImageInput& input;
     EqualPanes& panes;  ///< the image, and the CT beside it
   };
-  ImageExports(const Sources& sources, TrainWorkspace& workspace, QObject* parent);
+  ImageExports(const Sources& sources, ui::Workspace& workspace, QObject* parent);
 
   void savePicture(const std::filesystem::path& file);
   void saveScreen(const std::filesystem::path& file);
@@ -55,7 +58,7 @@ class ImageExports : public QObject {
   std::vector<views::Calliper> measurements() const;
 
   Sources sources_;
-  TrainWorkspace& workspace_;
+  ui::Workspace& workspace_;
   QString folder_;  ///< where images went last
   std::vector<std::unique_ptr<PictureWriter>> writers_;
 };

@@ -1,15 +1,15 @@
 #include "ImageExports.h"
 
-#include "../../model/CaseModel.h"
-#include "../../model/LiveModel.h"
-#include "../../model/StatusLine.h"
-#include "../CineBar.h"
-#include "../EqualPanes.h"
-#include "../ImageInput.h"
+#include "../model/CaseModel.h"
+#include "../model/LiveModel.h"
+#include "../model/StatusLine.h"
+#include "CineBar.h"
+#include "EqualPanes.h"
+#include "ImageInput.h"
 #include "ScaledPicture.h"
 
-#include <insonate/train/TrainWorkspace.h>
 #include <insonate/ui/TaskBar.h>
+#include <insonate/ui/Workspace.h>
 
 #include <QDir>
 #include <QFileDialog>
@@ -19,7 +19,7 @@
 
 namespace insonate::train {
 
-ImageExports::ImageExports(const Sources& sources, TrainWorkspace& workspace, QObject* parent)
+ImageExports::ImageExports(const Sources& sources, ui::Workspace& workspace, QObject* parent)
     : QObject(parent), sources_(sources), workspace_(workspace) {
   connect(&sources_.cine, &CineBar::savePicture, this, [this] { askPicture(); });
   connect(&sources_.cine, &CineBar::saveScreen, this, [this] { askScreen(); });
