@@ -269,12 +269,6 @@ void AttemptControl::replaceNeedle() {
   model_.status.say(tr("A new needle."));
 }
 
-void AttemptControl::position(double tilt_deg) {
-  TissueChoice choice = model_.imaging.tissue();
-  choice.body.tilt_deg = tilt_deg;
-  model_.imaging.setTissue(choice);
-}
-
 void AttemptControl::save(QSettings& settings) const {
   settings.setValue("procedure", QString::fromStdString(procedure().name));
   settings.setValue("assistance", int(assistance_));

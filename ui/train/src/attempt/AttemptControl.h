@@ -81,8 +81,6 @@ class AttemptControl : public QObject {
   void setAspirating(bool on);
   /// A new needle from the tray. Refused while the old one is in the skin.
   void replaceNeedle();
-  /// One of the procedure's positions.
-  void position(double tilt_deg);
 
   void save(QSettings& settings) const;
   void restore(QSettings& settings);

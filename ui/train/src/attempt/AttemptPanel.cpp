@@ -125,7 +125,7 @@ QWidget* AttemptPanel::buildHands() {
   grid->addWidget(draw_, 1, 0);
   grid->addWidget(fresh, 1, 1);
   connect(position_, qOverload<int>(&QComboBox::activated), this,
-          [this] { attempt_.position(position_->currentData().toDouble()); });
+          [this] { imaging_.setTilt(position_->currentData().toDouble()); });
   connect(draw_, &QPushButton::clicked, &attempt_, &AttemptControl::setAspirating);
   connect(fresh, &QPushButton::clicked, &attempt_, &AttemptControl::replaceNeedle);
   return page;

@@ -173,7 +173,7 @@ void DeviceList::refreshPedals() {
   QStringList ids{QString()};
   for (const auto& device : hands_.session().devices().devices())
     if (device->info().kind == DeviceKind::kPedal) ids << deviceText(device->info().id);
-  if (!ids.contains(hands_.assignedPedal())) ids << hands_.assignedPedal();
+  if (!ids.contains(hands_.choice().pedal())) ids << hands_.choice().pedal();
   QStringList shown;
   for (int n = 0; n < pedal_->count(); ++n) shown << pedal_->itemData(n).toString();
   const QSignalBlocker quiet(pedal_);
@@ -187,7 +187,7 @@ void DeviceList::refreshPedals() {
                       id);
     }
   }
-  pedal_->setCurrentIndex(std::max(0, pedal_->findData(hands_.assignedPedal())));
+  pedal_->setCurrentIndex(std::max(0, pedal_->findData(hands_.choice().pedal())));
 }
 
 void DeviceList::refresh(const QHash<QString, double>& rates_Hz) {

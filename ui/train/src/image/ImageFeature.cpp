@@ -8,11 +8,11 @@
 #include "EffectWords.h"
 #include "EqualPanes.h"
 #include "FreezeButton.h"
+#include "ImageExports.h"
 #include "ImageInput.h"
 #include "ImagePanel.h"
 #include "LinkedPointer.h"
 #include "Measurements.h"
-#include "ImageExports.h"
 
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
@@ -34,7 +34,7 @@ ImageFeature::ImageFeature(TrainModel& model, TrainLayout& layout, QWidget& prob
                Command::MeasureDistance, Command::MeasureEllipse, Command::MeasureAngle, Command::StopMeasuring,
                Command::ClearMeasures, Command::NextEffect, Command::WholePicture, Command::CtBeside}),
       panel_(new ImagePanel(model.disclosure, model.imaging, probeChooser)),
-      // The key is in the table; it is only told here.
+      // The key table has the key; the menu only names it.
       besideAction_(layout.addAction(tr("CT beside the image\tC"), tr("The same plane of the CT at the same scale"))) {
   layout.controls().addSection(panel_);
   layout.controls().setFoot(new FreezeButton(model.patientCase, model.live));

@@ -110,7 +110,7 @@ void LevelControl::arrange() {
   const auto& positions = attempt_.procedure().positions;
   const auto position = std::ranges::find(positions, level_->position, &PatientPosition::name);
   if (position != positions.end() && !waitsForCase() && imaging_.tissue().body.tilt_deg != position->tilt_deg)
-    attempt_.position(position->tilt_deg);
+    imaging_.setTilt(position->tilt_deg);
 }
 
 /// On the vein, a level would ask for no more than to push the needle in.

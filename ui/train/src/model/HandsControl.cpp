@@ -71,10 +71,6 @@ void HandsControl::setSilent(bool silent) {
   if (std::exchange(silent_, silent) != silent) Q_EMIT needleChanged();
 }
 
-QString HandsControl::vesselAt(Label label, Vec3 patient_mm) const {
-  return label == kVein || label == kArtery ? ui::qt(session_->vesselAt(label, patient_mm)) : QString();
-}
-
 bool HandsControl::drivesProbe() const {
   return put_[kProbeHand] && !session_->isMouse(kProbeHand);
 }
@@ -98,7 +94,7 @@ Transform HandsControl::startOf(Hand hand) const {
 /// Puts the chosen device into a hand if it holds another one.
 void HandsControl::put(Hand hand) {
   const bool ready = labels_ && probe_;
-  std::shared_ptr<HapticDevice> device = inMouse(hand) ? nullptr : deviceOf(wanted_[hand]);
+  std::shared_ptr<HapticDevice> device = choice_.isMouse(hand) ? nullptr : deviceOf(choice_.device(hand));
   const bool simulated = dynamic_cast<SimulatedDevice*>(device.get()) != nullptr;
   // A real needle is there as soon as its device is; that of mouse and keys is taken up. Nobody feels a force without
   // looking.
@@ -110,11 +106,11 @@ void HandsControl::put(Hand hand) {
     Q_EMIT handsChanged();
     return;
   }
-  if (!inMouse(hand) && !device) return;  // it may come back
+  if (!choice_.isMouse(hand) && !device) return;  // it may come back
   if (session_->held(hand) && (device ? put_[hand] == device : session_->isMouse(hand))) return;
   const Transform start = startOf(hand);
   if (device) {
-    HandMapping mapping = mappings_.value(wanted_[hand]);
+    HandMapping mapping = choice_.mapping(choice_.device(hand));
     DeviceState state;
     if (simulated && device->take(state)) mapping.begin = state.deviceFromStylus;
     session_->put(hand, device, setupOf(mapping, start));
@@ -129,12 +125,12 @@ void HandsControl::put(Hand hand) {
 void HandsControl::apply() {
   put(kNeedleHand);
   put(kProbeHand);
-  if (auto pedal = pedal_.isEmpty() ? nullptr : deviceOf(pedal_); pedal != pedalDevice_)
+  if (auto pedal = choice_.pedal().isEmpty() ? nullptr : deviceOf(choice_.pedal()); pedal != pedalDevice_)
     session_->setPedal(pedalDevice_ = pedal);
   const bool active = session_->held(kProbeHand) || session_->held(kNeedleHand) || pedalDevice_;
   if (active && !timer_.isActive()) clock_.start(), timer_.start();
   if (!active) timer_.stop();
-  const bool waits = !wanted_[0].isEmpty() || !wanted_[1].isEmpty() || !pedal_.isEmpty();
+  const bool waits = choice_.isAny();
   if (waits != slow_.isActive()) waits ? slow_.start() : slow_.stop();
   if (!session_->held(kNeedleHand) && std::exchange(needle_, std::nullopt)) Q_EMIT needleChanged();
 }
@@ -143,8 +139,7 @@ void HandsControl::checkDevices() {
   apply();
   for (const DeviceEvent& event : session_->devices().takeEvents()) {
     const QString id = QString::fromStdString(event.device);
-    if (event.trouble && (id == wanted_[0] || id == wanted_[1] || id == pedal_))
-      Q_EMIT said(QString::fromStdString(event.text));
+    if (event.trouble && choice_.has(id)) Q_EMIT said(QString::fromStdString(event.text));
     Q_EMIT deviceEvent(event);
   }
 }
@@ -156,7 +151,7 @@ void HandsControl::look() {
   follow(now);
   if (now.present[kNeedleHand] && !session_->isMouse(kNeedleHand)) checkButtons(now.states[kNeedleHand]);
   for (const NeedleEvent& event : session_->takeEvents())
-    if (!silent_) Q_EMIT said(sentenceOf(event, vesselAt(event.wall, event.tip_mm)));
+    if (!silent_) Q_EMIT said(sentenceOf(event, vesselAt(*session_, event.wall, event.tip_mm)));
   for (std::uint32_t down = session_->takePresses(), button = 0; down; down >>= 1, ++button)
     if (down & 1) Q_EMIT pedalPressed(int(button));
 }
@@ -217,7 +212,7 @@ void HandsControl::targetChanged() {
 void HandsControl::takeNeedle(NeedlePlane plane) {
   if (!labels_ || !probe_) return Q_EMIT said(tr("There is no patient for the needle yet."));
   plane_ = plane;
-  if (!inMouse(kNeedleHand) && !dynamic_cast<SimulatedDevice*>(deviceOf(wanted_[kNeedleHand]).get()))
+  if (!choice_.isMouse(kNeedleHand) && !dynamic_cast<SimulatedDevice*>(deviceOf(choice_.device(kNeedleHand)).get()))
     return Q_EMIT said(tr("The needle is in the hand of a device."));
   if (wish_) layNeedleDown();
   wish_ = NeedleHand::beside(*probe_, halfWidth_mm_, plane);
@@ -296,29 +291,35 @@ void HandsControl::needleTo(Vec3 patient_mm) {
 }
 
 void HandsControl::assign(Hand hand, const QString& device) {
-  if (wanted_[hand] == device) return;
+  if (choice_.device(hand) == device) return;
   if (hand == kNeedleHand) layNeedleDown();
-  wanted_[hand] = device;
-  // One device is in one hand.
   const Hand other = hand == kProbeHand ? kNeedleHand : kProbeHand;
-  if (!device.isEmpty() && wanted_[other] == device) assign(other, {});
-  put_[hand] = nullptr;
-  if (session_->held(hand)) session_->put(hand, nullptr, {});
+  const QString others = choice_.device(other);
+  choice_.setDevice(hand, device);
+  if (choice_.device(other) != others) leave(other);
+  leave(hand);
   apply();
   Q_EMIT handsChanged();
 }
 
+/// Takes the present device out of a hand.
+void HandsControl::leave(Hand hand) {
+  if (hand == kNeedleHand) layNeedleDown();
+  put_[hand] = nullptr;
+  if (session_->held(hand)) session_->put(hand, nullptr, {});
+}
+
 void HandsControl::assignPedal(const QString& device) {
-  pedal_ = device;
+  choice_.setPedal(device);
   apply();
   Q_EMIT handsChanged();
 }
 
 void HandsControl::setMapping(const QString& device, const HandMapping& mapping) {
-  const bool otherSide = mappings_.value(device).stand != mapping.stand;
-  mappings_[device] = mapping;
+  const bool otherSide = choice_.mapping(device).stand != mapping.stand;
+  choice_.setMapping(device, mapping);
   for (const Hand hand : {kProbeHand, kNeedleHand})
-    if (wanted_[hand] == device && !device.isEmpty() && session_->held(hand) == put_[hand] && put_[hand]) {
+    if (choice_.device(hand) == device && !device.isEmpty() && session_->held(hand) == put_[hand] && put_[hand]) {
       // Forces at once; the tool goes on from where it is, or, seen from another side, from where it began.
       HandSetup now = otherSide ? setupOf(mapping, startOf(hand)) : session_->setupOf(hand);
       now.gain = mapping.gain, now.mostForce_N = mapping.mostForce_N, now.apart_mm = mapping.apart_mm;
@@ -329,11 +330,11 @@ void HandsControl::setMapping(const QString& device, const HandMapping& mapping)
 
 void HandsControl::beginHere(Hand hand) {
   const ServoSnapshot now = session_->snapshot();
-  if (!labels_ || !probe_ || inMouse(hand) || !now.present[hand])
+  if (!labels_ || !probe_ || choice_.isMouse(hand) || !now.present[hand])
     return Q_EMIT said(tr("Choose a device that reports its position for this hand first."));
-  HandMapping mapping = mappings_.value(wanted_[hand]);
+  HandMapping mapping = choice_.mapping(choice_.device(hand));
   mapping.begin = now.states[hand].deviceFromStylus;
-  mappings_[wanted_[hand]] = mapping;
+  choice_.setMapping(choice_.device(hand), mapping);
   session_->put(hand, put_[hand], setupOf(mapping, startOf(hand)));
   Q_EMIT handsChanged();
   Q_EMIT said(hand == kProbeHand ? tr("The device's present pose now matches the probe in the image.")
@@ -341,30 +342,13 @@ void HandsControl::beginHere(Hand hand) {
 }
 
 void HandsControl::save(QSettings& settings) const {
-  settings.setValue("probeHand", wanted_[kProbeHand]);
-  settings.setValue("needleHand", wanted_[kNeedleHand]);
-  settings.setValue("pedal", pedal_);
+  choice_.save(settings);
   settings.setValue("needleAcross", plane_ == NeedlePlane::Across);
-  settings.beginWriteArray("devices");
-  int n = 0;
-  for (auto it = mappings_.begin(); it != mappings_.end(); ++it) {
-    settings.setArrayIndex(n++);
-    settings.setValue("id", it.key());
-    train::save(it.value(), settings);
-  }
-  settings.endArray();
 }
 
 void HandsControl::restore(QSettings& settings) {
-  const int count = settings.beginReadArray("devices");
-  for (int n = 0; n < count; ++n) {
-    settings.setArrayIndex(n);
-    mappings_[settings.value("id").toString()] = restoredMapping(settings);
-  }
-  settings.endArray();
+  choice_.restore(settings);
   plane_ = settings.value("needleAcross", false).toBool() ? NeedlePlane::Across : NeedlePlane::Along;
-  wanted_ = {settings.value("probeHand").toString(), settings.value("needleHand").toString()};
-  pedal_ = settings.value("pedal").toString();
   apply();
   Q_EMIT handsChanged();
 }

@@ -1,13 +1,12 @@
 #pragma once
 
-#include "HandMapping.h"
+#include "DeviceChoice.h"
 
 #include <insonate/simulator/HandsSession.h>
 #include <insonate/simulator/LiveAttempt.h>
 #include <insonate/simulator/NeedleHand.h>
 
 #include <QElapsedTimer>
-#include <QHash>
 #include <QObject>
 #include <QString>
 #include <QTimer>
@@ -49,7 +48,6 @@ class HandsControl : public QObject {
   void setAttempt(std::shared_ptr<LiveAttempt> attempt);
   /// In a test, messages about the needle's contacts are suppressed.
   void setSilent(bool silent);
-  void setImaging(LiveImaging* imaging) { session_->setImaging(imaging); }
   /// Hands are empty while the workspace is not watched.
   void setWatched(bool watched);
   /// Reports the pose at which mouse and keys hold the probe, and the half width of its face.
@@ -62,16 +60,12 @@ class HandsControl : public QObject {
   const Transform& drivenPose() const { return driven_; }
 
   // The needle
-  /// Tells whether a needle is in a hand, of mouse and keys or of a device.
-  bool hasNeedle() const { return needle_.has_value(); }
   /// The needle held by mouse and keys; null without one, and in a real device.
   const NeedleHand* needleHand() const { return wish_ ? &*wish_ : nullptr; }
   /// Insertion that mouse and keys aim at; the needle is moving there.
   double wantedAdvance_mm() const { return advance_mm_; }
+  /// The needle in a hand, of mouse and keys or of a device; none without one.
   const std::optional<NeedleShown>& needle() const { return needle_; }
-  /// Name of the vessel of this label, vein or artery, at a point of the patient; empty for other labels, and where the
-  /// case names none.
-  QString vesselAt(Label label, Vec3 patient_mm) const;
   /// Beside the probe, ready to go in.
   void takeNeedle(NeedlePlane plane);
   /// The last one.
@@ -87,15 +81,14 @@ class HandsControl : public QObject {
   void setHeld(bool held);
 
   // Devices
-  /// Assigns a device by DeviceInfo::id; empty for mouse and keys. Remembered, also while the device is not connected.
+  const DeviceChoice& choice() const { return choice_; }
+  /// Assigns a device by DeviceInfo::id; empty for mouse and keys.
   void assign(Hand hand, const QString& device);
-  QString assigned(Hand hand) const { return wanted_[hand]; }
   void assignPedal(const QString& device);
-  QString assignedPedal() const { return pedal_; }
-  HandMapping mapping(const QString& device) const { return mappings_.value(device); }
   void setMapping(const QString& device, const HandMapping& mapping);
   /// The device in this hand, as it is held now, holds the tool at its start.
   void beginHere(Hand hand);
+  /// A connected device; null if it is not.
   std::shared_ptr<HapticDevice> deviceOf(const QString& id);
 
   /// News of devices, which come by themselves while one is in a hand.
@@ -126,14 +119,12 @@ class HandsControl : public QObject {
   void tell(HandMove move);
   void targetChanged();
   Transform startOf(Hand hand) const;
-  bool inMouse(Hand hand) const { return wanted_[hand].isEmpty(); }
+  void leave(Hand hand);
 
   std::unique_ptr<HandsSession> session_;
-  std::array<QString, 2> wanted_;
+  DeviceChoice choice_;
   std::array<std::shared_ptr<HapticDevice>, 2> put_;
-  QString pedal_;
   std::shared_ptr<HapticDevice> pedalDevice_;
-  QHash<QString, HandMapping> mappings_;
   std::shared_ptr<const LabelMap> labels_;
   std::optional<ProbeHand> probe_;
   double halfWidth_mm_ = 19;

@@ -59,6 +59,10 @@ QString placeOf(const NeedleState& state, const QString& vessel) {
 
 }  // namespace
 
+QString vesselAt(const HandsSession& session, Label label, Vec3 patient_mm) {
+  return label == kVein || label == kArtery ? ui::qt(session.vesselAt(label, patient_mm)) : QString();
+}
+
 QString sentenceOf(const NeedleEvent& event, const QString& vessel) {
   const QString length = tr("%1\u00a0mm").arg(event.depth_mm, 0, 'f', 1);
   switch (event.kind) {

@@ -1,10 +1,15 @@
 #pragma once
 
 #include <insonate/haptics/NeedleState.h>
+#include <insonate/simulator/HandsSession.h>
 
 #include <QString>
 
 namespace insonate::train {
+
+/// Name of the vessel of this label, vein or artery, at a point of the patient; empty for other labels, and where the
+/// case names none.
+QString vesselAt(const HandsSession& session, Label label, Vec3 patient_mm);
 
 /// Describes an event of the needle in a sentence. `vessel`: name of the vessel whose wall it is, as vesselName(); may
 /// be empty.

@@ -127,7 +127,7 @@ void NeedleControls::refresh() {
   along_->setChecked(held && hands.needlePlane() == NeedlePlane::Along);
   across_->setChecked(held && hands.needlePlane() == NeedlePlane::Across);
   numbers_->setVisible(held);
-  words_->setVisible(hands.hasNeedle());
+  words_->setVisible(hands.needle().has_value());
   words_->setToolTip(disclosure_.current().anatomy
                          ? tr("Tissue at the tip; insertion length along the shaft from the skin, in mm; depth of the "
                               "tip on the image's scale, in mm; resistance in N")
@@ -140,10 +140,10 @@ void NeedleControls::refresh() {
 }
 
 QString NeedleControls::wordsNow(const NeedleShown& needle) const {
-  const HandsControl& hands = hands_;
   if (!disclosure_.current().anatomy) return plainWordsOf(needle.state);
   const Vec3 tip_mm = needle.patientFromNeedle.offset;
-  return wordsOf(needle.state, hands.vesselAt(needle.state.in, tip_mm), (inverted(motion_.pose()) * tip_mm).z);
+  return wordsOf(needle.state, vesselAt(hands_.session(), needle.state.in, tip_mm),
+                 (inverted(motion_.pose()) * tip_mm).z);
 }
 
 }  // namespace insonate::train

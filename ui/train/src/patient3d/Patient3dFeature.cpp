@@ -5,6 +5,7 @@
 #include "../model/TrainModel.h"
 #include "FourSlices.h"
 #include "PatientViews.h"
+#include "SceneNeedle.h"
 
 #include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/ScenePanel.h>
@@ -34,7 +35,7 @@ Patient3dFeature::Patient3dFeature(TrainModel& model, TrainLayout& layout)
 
 void Patient3dFeature::connectNeedle() {
   connect(&model_.tray, &NeedleTray::changed, this, [this] {
-    patient_->setNeedleColour(ui::wordsOf(model_.tray.needle()).colour);
+    patient_->needle().setColour(ui::wordsOf(model_.tray.needle()).colour);
     patient_->setTrayVisible(model_.tray.isOut());
   });
   // A new needle is taken by touching the tray, with the pointer or with the needle itself.
@@ -42,7 +43,7 @@ void Patient3dFeature::connectNeedle() {
   connect(&model_.hands, &HandsControl::needleChanged, this, [this] {
     const auto& held = model_.hands.needle();
     const bool used = model_.tray.isOut() && model_.tray.needle() == NeedlePlace::Used;
-    const bool touches = used && held && patient_->isOnTray(held->patientFromNeedle.offset);
+    const bool touches = used && held && patient_->needle().isOnTray(held->patientFromNeedle.offset);
     // Once a touch: the tray hears of the new needle a little later.
     if (!std::exchange(touchesTray_, touches) && touches) model_.tray.touch();
   });
@@ -55,7 +56,7 @@ void Patient3dFeature::act(const KeyRow& row, KeyPress press) {
   if (row.command == Command::CutAtNeedle && press.repeated) return;
   if (!model_.disclosure.mayShowAnatomy()) return;
   row.command == Command::AllSlices ? patient_->setAllSlices(!patient_->showsAllSlices())
-                                    : patient_->toggleCutAtNeedle();
+                                    : patient_->needle().toggleCut();
 }
 
 bool Patient3dFeature::isViewKey(const QObject* canvas, const QKeyEvent& event) const {

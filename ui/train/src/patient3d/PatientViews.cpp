@@ -3,6 +3,7 @@
 #include "../model/TrainModel.h"
 #include "FourSlices.h"
 #include "SceneInput.h"
+#include "SceneNeedle.h"
 #include "SliceMenu.h"
 
 #include <insonate/tissue/Labels.h>
@@ -13,6 +14,7 @@
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QScrollArea>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -74,6 +76,9 @@ PatientViews::PatientViews(TrainModel& model, QWidget* parent)
   box->setContentsMargins(0, 0, 0, 0);
   box->addWidget(splitter_);
   input_ = new SceneInput(model_.hands, model_.motion, model_.needle, *scene_, *sceneWidget_->focusProxy(), this);
+
+  needle_ = new SceneNeedle(model_.hands, model_.patientCase, model_.status, *scene_, this);
+  connect(needle_, &SceneNeedle::changed, this, [this] { showMoving(); });
 
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, [this] { follow(); });
@@ -272,7 +277,7 @@ void PatientViews::showCase() {
   for (const LabelInfo& info : labelTable()) scene_->setSurface(info.label, {});
   scene_->setCase(case_);
   setTrayVisible(false);
-  if (std::exchange(needleCut_, std::nullopt)) scene_->setClipping({});
+  needle_->removeCut();
   scenePanel_->setCase(model_.patientCase.patient());
   scene_->setProbe(std::nullopt);
   scene_->setImage({});
@@ -341,13 +346,10 @@ void PatientViews::follow() {
     mpr_->setFan(shape_->probe, shape_->settings);
   }
   const Transform pose = poseNow();
-  if (pose != pose_) {
-    scene_->setMoving(true);
-    rest_.start();
-  }
+  if (pose != pose_) showMoving();
   pose_ = pose;
   scene_->setProbePose(pose);
-  showNeedle();
+  needle_->follow();
   mpr_->setProbePose(pose);
   // Slices follow the probe when it moves; in between, they are the user's.
   sliceToProbe();
@@ -355,6 +357,56 @@ void PatientViews::follow() {
   if (frame != followed_) scene_->setImage(frame->image);
   if (cameraDue_ && sceneWidget_->isVisible()) placeCamera();
   followed_ = frame;
+}
+
+void PatientViews::showMoving() {
+  scene_->setMoving(true);
+  rest_.start();
+}
+
+void PatientViews::turn(double across_deg, double up_deg) {
+  scene_->orbit(across_deg, up_deg);
+  showMoving();
+}
+
+void PatientViews::setTrayVisible(bool visible) {
+  needle_->setTray(visible, visible ? poseNow().offset : Vec3{});
+  input_->setTray(needle_->tray());
+}
+
+void PatientViews::setTrayTaken(std::function<void()> listener) {
+  input_->setTrayTaken(std::move(listener));
+}
+
+QWidget* PatientViews::buildSilence() {
+  auto* words = new QLabel(tr("A test shows neither CT nor anatomy."));
+  words->setObjectName(QStringLiteral("testWords"));
+  words->setAlignment(Qt::AlignCenter);
+  ui::setRole(words, "quiet");
+  return words;
+}
+
+void PatientViews::applyDisclosure() {
+  const bool hidden = !model_.disclosure.current().anatomy;
+  if (hidden == looksBefore_.has_value()) return;
+  below_->setCurrentIndex(hidden ? 1 : 0);
+  if (hidden) {
+    needle_->removeCut();
+    looksBefore_ = Looks{scene_->opacity(kSkin), scene_->isCtVisible(), {}, scene_->clipping()};
+    // Also those whose surface is still being made.
+    for (const LabelInfo& info : labelTable())
+      if (info.label != kSkin && scene_->isVisible(info.label)) looksBefore_->shown.push_back(info.label);
+    for (const std::uint8_t label : looksBefore_->shown) scene_->setVisible(label, false);
+    scene_->setSkinOpacity(1);
+    scene_->setCtVisible(false);
+    scene_->setClipping({});
+  } else {
+    for (const std::uint8_t label : looksBefore_->shown) scene_->setVisible(label, true);
+    scene_->setSkinOpacity(looksBefore_->skin);
+    scene_->setCtVisible(looksBefore_->ct);
+    scene_->setClipping(looksBefore_->clipping);
+    looksBefore_.reset();
+  }
 }
 
 }  // namespace insonate::train

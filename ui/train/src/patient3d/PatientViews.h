@@ -29,6 +29,7 @@ namespace insonate::train {
 
 class FourSlices;
 class SceneInput;
+class SceneNeedle;
 class SliceMenu;
 struct TrainModel;
 
@@ -61,19 +62,14 @@ class PatientViews : public QWidget {
   void setSliceWindow(int preset);
   /// Called when the user changed window or level of the slice.
   void setWindowChanged(const std::function<void(views::WindowLevel)>& listener);
-  /// Sets the color of the needle's shaft in 3D.
-  void setNeedleColour(views::Colour colour);
+  /// The needle in 3D.
+  SceneNeedle& needle() const { return *needle_; }
   /// The view in 3D: to the right and up, in degrees.
   void turn(double across_deg, double up_deg);
-  /// A tray with a new needle, beside the patient's chest; while there is an attempt.
+  /// Shows a tray with a new needle beside the patient's chest.
   void setTrayVisible(bool visible);
-  const std::optional<Transform>& tray() const { return tray_; }
-  /// Tells whether a point lies on the tray or just over it, like a tip that touches it.
-  bool isOnTray(Vec3 patient_mm) const;
   /// Called when the tray is clicked.
   void setTrayTaken(std::function<void()> listener);
-  /// Opens the patient along the needle, toward the viewer, or closes it again.
-  void toggleCutAtNeedle();
   /// Sets whether the views follow the probe.
   void setFollowing(bool following);
 
@@ -91,7 +87,7 @@ class PatientViews : public QWidget {
   Transform poseNow() const;
   void want();
   void follow();
-  void showNeedle();
+  void showMoving();
   /// Shows or hides anatomy: hidden means no CT, and an opaque skin.
   void applyDisclosure();
 
@@ -117,11 +113,8 @@ class PatientViews : public QWidget {
   bool sliceShown_ = false;                    ///< the slice has the case
   bool following_ = true;
   Transform pose_;
-  std::optional<Transform> needle_;  ///< as drawn
-  views::Colour needleColour_ = views::theme::kText;
-  std::optional<views::Clipping> needleCut_;
-  std::optional<Transform> tray_;
   SceneInput* input_ = nullptr;
+  SceneNeedle* needle_ = nullptr;
   struct Looks {
     double skin = 1;
     bool ct = false;

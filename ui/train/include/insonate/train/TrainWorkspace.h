@@ -15,9 +15,9 @@ class TrainBenchmark;
 class TrainLayout;
 struct TrainModel;
 
-/// The room where a probe is moved over a patient and the ultrasound image follows. Controls on the left, the image
-/// in the middle, the patient in 3D and as CT on the right. The hand is the mouse and the keyboard; shortcuts() lists
-/// what they do. Computing happens on threads that end within a second; the window never waits for a picture.
+/// The workspace where the user moves a probe over a patient and the ultrasound image follows: controls on the left,
+/// the image in the middle, the patient in 3D and as CT on the right. Mouse and keyboard hold the probe; shortcuts()
+/// lists their actions. Images are computed on threads that end within a second; the window never waits for one.
 class TrainWorkspace : public ui::Workspace {
   Q_OBJECT
 
