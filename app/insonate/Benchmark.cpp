@@ -4,6 +4,7 @@
 #include <insonate/cases/Phantom.h>
 #include <insonate/core/AtomicFile.h>
 #include <insonate/prepare/PrepareWorkspace.h>
+#include <insonate/train/TrainBenchmark.h>
 #include <insonate/train/TrainWorkspace.h>
 #include <insonate/ui/MainWindow.h>
 #include <insonate/ui/TaskBar.h>
@@ -110,7 +111,7 @@ void Benchmark::opened() {
 }
 
 void Benchmark::measureLive(bool follows) {
-  train_.measureLive(plan_.quick ? 0.5 : 6, follows, [this, follows](const train::LiveRates& rates) {
+  train_.benchmark().measureLive(plan_.quick ? 0.5 : 6, follows, [this, follows](const train::LiveRates& rates) {
     const QString name = follows ? QStringLiteral("live_3d_follows_%1") : QStringLiteral("live_3d_idle_%1");
     add(name.arg(QStringLiteral("images_per_second")), rates.imagesPerSecond, QStringLiteral("1/s"));
     add(name.arg(QStringLiteral("latency_median")), rates.median_ms, QStringLiteral("ms"));
@@ -122,7 +123,7 @@ void Benchmark::measureLive(bool follows) {
 }
 
 void Benchmark::measureHands() {
-  train_.measureHands(plan_.quick ? 0.5 : 6, [this](const train::HandRates& rates) {
+  train_.benchmark().measureHands(plan_.quick ? 0.5 : 6, [this](const train::HandRates& rates) {
     add(QStringLiteral("hands_images_per_second"), rates.imagesPerSecond, QStringLiteral("1/s"));
     add(QStringLiteral("servo_ticks"), rates.ticks, {});
     add(QStringLiteral("servo_ticks_late"), rates.late, {});
@@ -135,7 +136,7 @@ void Benchmark::measureHands() {
 }
 
 void Benchmark::measureOrbit() {
-  const train::OrbitRates rates = train_.measureOrbit(plan_.quick ? 4 : 60);
+  const train::OrbitRates rates = train_.benchmark().measureOrbit(plan_.quick ? 4 : 60);
   add(QStringLiteral("orbit_frames_per_second"), rates.framesPerSecond, QStringLiteral("1/s"));
   add(QStringLiteral("orbit_median"), rates.median_ms, QStringLiteral("ms"));
   add(QStringLiteral("orbit_p95"), rates.p95_ms, QStringLiteral("ms"));
@@ -145,7 +146,7 @@ void Benchmark::measureOrbit() {
 }
 
 void Benchmark::measureVolume() {
-  train_.measureVolume(plan_.quick ? 0.5 : 4, [this](const train::VolumeRates& rates) {
+  train_.benchmark().measureVolume(plan_.quick ? 0.5 : 4, [this](const train::VolumeRates& rates) {
     add(QStringLiteral("volume_orbit_frames_per_second"), rates.orbitPerSecond, QStringLiteral("1/s"));
     add(QStringLiteral("volume_zoom_frames_per_second"), rates.zoomPerSecond, QStringLiteral("1/s"));
     add(QStringLiteral("volume_probe_frames_per_second"), rates.followPerSecond, QStringLiteral("1/s"));

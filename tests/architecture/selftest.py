@@ -78,6 +78,8 @@ BAD = [
     ("check_architecture_page", "ARCHITECTURE.md", "```mermaid\ncases --> core\n```\n", "module ultrasound is missing"),
     ("check_functions", "modules/core/src/X.cpp", "void work() {\n" + "  f();\n" * (rules.MAX_FUNCTION_LINES + 1) + "}\n", "work has 61"),
     ("check_basenames", "modules/core/src/deep/A.h", "#pragma once\n", "has the name of"),
+    ("check_train_features", "ui/train/src/needle/X.cpp", '#include "../probe/P.h"\n', "another feature"),
+    ("check_train_features", "ui/train/src/model/X.cpp", '#include "../probe/P.h"\n', "model includes ../probe/P.h"),
     ("check_comments", "modules/core/src/X.cpp", "/// Of the probe, in mm.\nint x;\n", 'begins with "Of"'),
     ("check_comments", "ui/shell/src/X.cpp", "int x;  ///< What it holds\n", 'X.cpp:1: a comment begins with "What"'),
     ("check_comments", "shaders/x.glsl", "// Where gates lie.\n", 'begins with "Where"'),

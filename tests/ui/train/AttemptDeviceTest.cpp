@@ -1,5 +1,6 @@
 #include "AttemptWindow.h"
-#include "scene/PatientViews.h"
+#include "patient3d/PatientViews.h"
+#include "patient3d/SceneNeedle.h"
 
 #include <insonate/haptics/SimulatedHand.h>
 
@@ -117,11 +118,11 @@ TEST_F(AttemptByDevice, ANeedleInADeviceIsFrozenDrawnOutAndReplacedAtTheTray) {
   EXPECT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Used; }));
   auto* scene = workspace_->findChild<ui::ViewWidget*>("sceneView");
   const auto& patient = *static_cast<PatientViews*>(scene->parentWidget()->parentWidget());
-  ASSERT_TRUE(patient.tray());
+  ASSERT_TRUE(patient.needle().tray());
   moveBy(Vec3{0, -60, 0}, 10);  // over the patient
-  moveBy(*patient.tray() * Vec3{10, 5, 60} - tip(), 10);
+  moveBy(*patient.needle().tray() * Vec3{10, 5, 60} - tip(), 10);
   EXPECT_EQ(attempt_->view().needle, NeedlePlace::Used) << "not touched yet";
-  moveBy(*patient.tray() * Vec3{10, 5, 3} - tip(), 10);
+  moveBy(*patient.needle().tray() * Vec3{10, 5, 3} - tip(), 10);
   EXPECT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Clean; })) << "touched";
   finish();
   const MetricValues& metrics = attempt_->view().metrics;

@@ -1,6 +1,7 @@
 #include "AttemptWindow.h"
 #include "attempt/SyringeView.h"
-#include "scene/PatientViews.h"
+#include "patient3d/PatientViews.h"
+#include "patient3d/SceneNeedle.h"
 
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/cases/Phantom.h>
@@ -166,7 +167,8 @@ TEST_F(TrainAttempt, AgainBeginsAnotherAndLeavingTheCaseKeepsWhatWasMade) {
   EXPECT_FALSE(hands().needleHand()) << "laid down";
   EXPECT_EQ(files().filter(".part").size(), 1);
   workspace_->setCase(nullptr);
-  EXPECT_EQ(attempt_->state(), State::Idle);
+  EXPECT_EQ(attempt_->state(), State::Writing) << "another thread finishes the recording";
+  ASSERT_TRUE(waitFor([&] { return attempt_->state() == State::Idle; }));
   EXPECT_EQ(files().size(), 2);
   EXPECT_TRUE(files().filter(".part").isEmpty()) << "both are whole";
   openWide();
@@ -265,11 +267,12 @@ TEST_F(TrainAttempt, TouchingTheTrayTakesANewNeedle) {
   ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Used; }));
   auto* scene = workspace_->findChild<ui::ViewWidget*>("sceneView");
   const auto& patient = *static_cast<PatientViews*>(scene->parentWidget()->parentWidget());
-  ASSERT_TRUE(patient.tray());
-  EXPECT_TRUE(patient.isOnTray(*patient.tray() * Vec3{50, 10, 3}));
-  EXPECT_FALSE(patient.isOnTray(*patient.tray() * Vec3{50, 30, 3}));
-  EXPECT_FALSE(patient.isOnTray(*patient.tray() * Vec3{0, 0, 60}));
-  const views::DisplayPoint at = const_cast<PatientViews&>(patient).scene().displayFromPatient(patient.tray()->offset);
+  ASSERT_TRUE(patient.needle().tray());
+  EXPECT_TRUE(patient.needle().isOnTray(*patient.needle().tray() * Vec3{50, 10, 3}));
+  EXPECT_FALSE(patient.needle().isOnTray(*patient.needle().tray() * Vec3{50, 30, 3}));
+  EXPECT_FALSE(patient.needle().isOnTray(*patient.needle().tray() * Vec3{0, 0, 60}));
+  const views::DisplayPoint at =
+      const_cast<PatientViews&>(patient).scene().displayFromPatient(patient.needle().tray()->offset);
   QWidget* canvas = scene->focusProxy();
   const QPointF where(at.x / canvas->devicePixelRatioF(), at.y / canvas->devicePixelRatioF());
   EXPECT_TRUE(QRectF(canvas->rect()).contains(where)) << "the tray is in sight";
@@ -278,7 +281,7 @@ TEST_F(TrainAttempt, TouchingTheTrayTakesANewNeedle) {
   QApplication::sendEvent(canvas, &press);
   EXPECT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Clean; }));
   finish();
-  EXPECT_FALSE(patient.tray());
+  EXPECT_FALSE(patient.needle().tray());
 }
 
 }  // namespace

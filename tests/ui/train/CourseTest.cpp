@@ -1,5 +1,5 @@
 #include "LevelWindow.h"
-#include "level/LevelWords.h"
+#include "levels/LevelWords.h"
 
 #include <insonate/curriculum/Form.h>
 #include <insonate/curriculum/FormStore.h>

@@ -56,7 +56,7 @@ TEST_F(TrainDevices, SimulatedDevicesAreListedAndHoldProbeAndNeedle) {
   choose(in<QComboBox>("probeHand", "device"), "simulated:omega#2");
   choose(in<QComboBox>("needleHand", "device"), "simulated:Touch#1");
   EXPECT_TRUE(waitFor([&] { return now().present[kProbeHand]; }));
-  EXPECT_FALSE(hands().hasNeedle()) << "until it is taken up";
+  EXPECT_FALSE(hands().needle()) << "until it is taken up";
   EXPECT_TRUE(in<QLabel>("needleHand", "state").text().contains("no needle") ||
               waitFor([&] { return !in<QLabel>("needleHand", "state").text().isEmpty(); }));
   // Mouse and keys lead the hand; the image follows the device.
@@ -112,9 +112,9 @@ TEST_F(TrainDevices, WhatIsSetForADeviceIsKept) {
   TrainWorkspace other;
   other.restoreLayout(settings);
   const HandsControl& restored = other.findChild<TrainModel*>()->hands;
-  EXPECT_EQ(restored.assigned(kNeedleHand), "simulated:Desktop#1");
-  EXPECT_EQ(restored.assigned(kProbeHand), QString());
-  const HandMapping mapping = restored.mapping("simulated:Desktop#1");
+  EXPECT_EQ(restored.choice().device(kNeedleHand), "simulated:Desktop#1");
+  EXPECT_EQ(restored.choice().device(kProbeHand), QString());
+  const HandMapping mapping = restored.choice().mapping("simulated:Desktop#1");
   EXPECT_EQ(mapping.gain, 0.5);
   EXPECT_EQ(mapping.mostForce_N, 1.5);
   EXPECT_EQ(mapping.stand, Stand::Left);

@@ -1,7 +1,7 @@
 #include "LevelWindow.h"
+#include "image/EffectWords.h"
 #include "model/Disclosure.h"
-#include "panel/EffectWords.h"
-#include "scene/PatientViews.h"
+#include "patient3d/PatientViews.h"
 
 #include <insonate/simulator/EffectLayers.h>
 #include <insonate/ui/AttemptWords.h>

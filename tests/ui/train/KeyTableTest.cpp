@@ -1,4 +1,4 @@
-#include "hand/KeyTable.h"
+#include "feature/KeyTable.h"
 
 #include <gtest/gtest.h>
 

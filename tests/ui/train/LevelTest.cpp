@@ -1,5 +1,5 @@
 #include "LevelWindow.h"
-#include "level/LevelWords.h"
+#include "levels/LevelWords.h"
 
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/teaching/RecomputedAttempts.h>
@@ -157,7 +157,8 @@ TEST_F(TrainLevel, AttemptsThatAreLeftAreStoredAsAbandoned) {
   openWide();
   begin();
   account_->signOut();
-  EXPECT_EQ(attempt_->state(), State::Idle) << "who signs out leaves it";
+  EXPECT_FALSE(attempt_->isRunning()) << "signing out ends it";
+  ASSERT_TRUE(waitFor([&] { return attempt_->state() == State::Idle; }));
   const auto isStored = [&] {
     const auto all = stored();
     return all.size() == 2 && all.front().facts.state == AttemptState::Abandoned;

@@ -2,9 +2,9 @@
 
 #include "NeedleWindow.h"
 #include "attempt/AttemptControl.h"
-#include "level/Course.h"
-#include "level/LevelControl.h"
-#include "level/UnsentFacts.h"
+#include "levels/Course.h"
+#include "levels/LevelControl.h"
+#include "levels/UnsentFacts.h"
 
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/curriculum/CohortStore.h>

@@ -111,7 +111,7 @@ TEST_F(TrainNeedle, AnotherCaseAndClosingFindNoNeedleInTheAir) {
   overTheVein();
   type("needle_depth", "8");
   workspace_->setCase(nullptr);
-  EXPECT_FALSE(hands().hasNeedle());
+  EXPECT_FALSE(hands().needle());
   openWide();
   overTheVein();
   type("needle_depth", "30");

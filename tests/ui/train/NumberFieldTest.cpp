@@ -1,5 +1,5 @@
 #include "TrainWindow.h"
-#include "panel/NumberField.h"
+#include "layout/NumberField.h"
 
 #include <QLineEdit>
 #include <QToolTip>

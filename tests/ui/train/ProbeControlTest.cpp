@@ -1,4 +1,4 @@
-#include "hand/ProbeControl.h"
+#include "model/ProbeControl.h"
 
 #include <insonate/simulator/ProbePose.h>
 

@@ -1,5 +1,5 @@
 #include "TrainWindow.h"
-#include "hand/HeldPress.h"
+#include "probe/HeldPress.h"
 #include "tissue/AreaPlot.h"
 
 #include <insonate/tissue/Labels.h>

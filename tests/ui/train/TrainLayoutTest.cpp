@@ -1,5 +1,5 @@
 #include "TrainWindow.h"
-#include "scene/FourSlices.h"
+#include "patient3d/FourSlices.h"
 
 #include <insonate/views/MprView.h>
 #include <insonate/views/UltrasoundView.h>

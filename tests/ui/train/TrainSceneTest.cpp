@@ -1,6 +1,7 @@
 #include "TrainWindow.h"
 
 #include <insonate/tissue/Labels.h>
+#include <insonate/train/TrainBenchmark.h>
 #include <insonate/ui/ScenePanel.h>
 #include <insonate/views/SceneView.h>
 
@@ -46,10 +47,10 @@ TEST_F(TrainScene, ThePanelStandsInThePlaceOfTheSlice) {
 TEST_F(TrainScene, SpeedIsMeasuredFromWhenPicturesCome) {
   openCase();
   std::optional<LiveRates> rates;
-  workspace_->measureLive(0.01, false, [&](const LiveRates& measured) { rates = measured; });
+  workspace_->benchmark().measureLive(0.01, false, [&](const LiveRates& measured) { rates = measured; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return rates.has_value(); }, kPatience_ms));
   EXPECT_LT(rates->seconds, 5) << "the time before is not counted";
-  workspace_->measureLive(2, false, [&](const LiveRates& measured) { rates = measured; });
+  workspace_->benchmark().measureLive(2, false, [&](const LiveRates& measured) { rates = measured; });
   rates.reset();
   ASSERT_TRUE(QTest::qWaitFor([&] { return rates.has_value(); }, kPatience_ms));
   EXPECT_GT(rates->images, 0);

@@ -1,5 +1,5 @@
 #include "TrainWindow.h"
-#include "files/ScaledPicture.h"
+#include "image/ScaledPicture.h"
 
 #include <insonate/tissue/Labels.h>
 

@@ -1,4 +1,4 @@
-#include "level/UnsentFacts.h"
+#include "levels/UnsentFacts.h"
 
 #include <insonate/procedure/AttemptRecorder.h>
 #include <insonate/teaching/AttemptFactsOf.h>

@@ -1,19 +1,29 @@
-#include "TrainParts.h"
-#include "attempt/AttemptControl.h"
-#include "devices/DevicePanel.h"
-#include "files/ImageExports.h"
-#include "hand/KeyTable.h"
-#include "panel/ControlsPanel.h"
-#include "scene/PatientViews.h"
-#include "tissue/TissueShown.h"
+#include "attempt/AttemptFeature.h"
+#include "devices/DevicesFeature.h"
+#include "feature/KeyTable.h"
+#include "image/ImageExports.h"
+#include "image/ImageFeature.h"
+#include "layout/LayoutFeature.h"
+#include "layout/TrainLayout.h"
+#include "levels/LevelsFeature.h"
+#include "model/TrainModel.h"
+#include "needle/NeedleFeature.h"
+#include "patient3d/Patient3dFeature.h"
+#include "probe/ProbeFeature.h"
+#include "tissue/TissueFeature.h"
+#include "undo/UndoFeature.h"
 
+#include <insonate/train/TrainBenchmark.h>
 #include <insonate/train/TrainWorkspace.h>
-#include <insonate/ui/ScenePanel.h>
+#include <insonate/ui/KeyOffer.h>
+#include <insonate/ui/ViewWidget.h>
 
+#include <QAbstractSpinBox>
+#include <QApplication>
 #include <QKeyEvent>
-#include <QSettings>
-#include <QSplitter>
+#include <QLineEdit>
 #include <algorithm>
+#include <utility>
 
 namespace insonate::train {
 namespace {
@@ -23,69 +33,137 @@ constexpr int kRoomy_px = 1260;
 
 }  // namespace
 
-TrainWorkspace::TrainWorkspace(QWidget* parent) : ui::Workspace(parent), parts_(std::make_unique<Parts>(*this)) {
+TrainWorkspace::TrainWorkspace(QWidget* parent)
+    : ui::Workspace(parent), model_(new TrainModel(this)), layout_(std::make_unique<TrainLayout>(*this)) {
   setObjectName("train");
-  parts_->model.live.setAwake(false);
+  const auto watch = [this](ui::ViewWidget* view) { view->focusProxy()->installEventFilter(this); };
+  watch(&layout_->views().imageWidget());
+  connect(&layout_->views(), &SharedViews::added, this, watch);
+  addFeatures();
+  layout_->assemble();
+  connectModel();
+  model_->live.setAwake(false);
+}
+
+/// The order is that of the sections in the left column and, reversed, of the actions in the View menu; settings are
+/// restored in it, and signals of the model arrive in it.
+void TrainWorkspace::addFeatures() {
+  auto& attempt = add<AttemptFeature>();
+  add<LevelsFeature>(attempt.control(), attempt.panel());
+  auto& devices = add<DevicesFeature>();
+  auto& probe = add<ProbeFeature>();
+  add<NeedleFeature>(devices.panelAction());
+  add<LayoutFeature>();
+  exports_ = &add<ImageFeature>(probe.chooser()).exports();
+  add<TissueFeature>();
+  patient_ = &add<Patient3dFeature>().patientViews();
+  add<UndoFeature>();
+}
+
+template <class T, class... Parts>
+T& TrainWorkspace::add(Parts&... parts) {
+  auto* feature = new T(*model_, *layout_, parts...);
+  connect(feature, &Feature::caseReleased, this, [this] { takeSavedCase(); });
+  features_.push_back(feature);
+  return *feature;
+}
+
+void TrainWorkspace::connectModel() {
+  connect(&model_->patientCase, &CaseModel::caseChanged, this, [this] {
+    trouble_.clear();
+    checkReady();
+  });
+  connect(&model_->live, &LiveModel::pictureShown, this, [this] { checkReady(); });
+  connect(&model_->motion, &ProbeMotion::placingChanged, this, [this] { checkReady(); });
+  connect(&model_->patientCase, &CaseModel::surfacesDone, this, &Workspace::readyChanged);
+  connect(&model_->status, &StatusLine::messageChanged, this, &Workspace::statusChanged);
+  connect(&model_->engine, &EngineText::changed, this, &Workspace::statusChanged);
+  connect(&model_->patientCase, &CaseModel::failed, this, [this](const QString& what) {
+    trouble_ = what;
+    reportProblem();
+  });
 }
 
 TrainWorkspace::~TrainWorkspace() {
-  parts_->endAttempt();
-  parts_->model.patientCase.stop();
-  parts_->releaseCanvases();
-  // The widgets refer to the model: they go first.
-  delete parts_->devices;
-  delete parts_->columns;
+  stop();
+  benchmark_ = nullptr;
+  for (Feature* feature : std::exchange(features_, {})) delete feature;
+  // The widgets refer to the model, which is deleted after them.
+  layout_ = nullptr;
 }
 
 void TrainWorkspace::setOpening(const QString& what) {
-  parts_->showOpening(what);
+  for (Feature* feature : features_) feature->setOpening(what);
 }
 
 void TrainWorkspace::setAccount(ui::Account& account) {
-  parts_->setAccount(account);
+  for (Feature* feature : features_) feature->setAccount(account);
 }
 
 void TrainWorkspace::setOrigin(const ui::CaseOrigin& origin) {
-  parts_->origin = origin;
+  origin_ = origin;
 }
 
 void TrainWorkspace::setCase(std::shared_ptr<const PatientCase> patient) {
-  parts_->setCase(std::move(patient));
+  savedCase_ = nullptr;
+  model_->patientCase.setCase(std::move(patient), origin_);
 }
 
 void TrainWorkspace::caseSaved(std::shared_ptr<const PatientCase> patient) {
-  parts_->takeSaved(std::move(patient));
+  savedCase_ = std::move(patient);
+  takeSavedCase();
+  if (savedCase_)
+    model_->status.say(tr("The case was saved in Prepare. This attempt continues with the former version."));
+}
+
+/// Replaces the case by its saved state: now, or once no feature holds it.
+void TrainWorkspace::takeSavedCase() {
+  if (!savedCase_ || std::ranges::any_of(features_, &Feature::holdsCase)) return;
+  model_->patientCase.setCase(std::exchange(savedCase_, nullptr), origin_);
 }
 
 QString TrainWorkspace::statusText() const {
-  return parts_->model.status.message();
+  return model_->status.message();
 }
 
 QString TrainWorkspace::engineNote() const {
-  const auto frame = parts_->model.live.shown();
+  const auto frame = model_->live.shown();
   return frame ? QString::fromStdString(frame->engineNote) : QString();
 }
 
 QString TrainWorkspace::engineText() const {
-  return parts_->engineText;
-}
-
-bool TrainWorkspace::isComplete() const {
-  return parts_->ready && parts_->model.patientCase.surfacesThere();
+  return model_->engine.text();
 }
 
 QString TrainWorkspace::endsWithTheCase() const {
-  if (!parts_->attempt->isRunning()) return {};
-  return tr("An attempt is in progress in Train. Continuing ends it and saves it as abandoned.");
+  for (const Feature* feature : features_)
+    if (QString what = feature->endsWithTheCase(); !what.isEmpty()) return what;
+  return {};
 }
 
 QString TrainWorkspace::blocksWorkspaceChange() const {
-  if (parts_->model.disclosure.current().anatomy) return {};
+  if (model_->disclosure.current().anatomy) return {};
   return tr("A test is in progress: Prepare and Review would show where the vessels are. End the attempt first.");
 }
 
 bool TrainWorkspace::isReady() const {
-  return parts_->ready;
+  return isReady_;
+}
+
+bool TrainWorkspace::isComplete() const {
+  return isReady_ && model_->patientCase.surfacesThere();
+}
+
+/// Without an image, the offer to place the probe is all there is to see.
+void TrainWorkspace::checkReady() {
+  const bool isReady = model_->live.shown() || (model_->patientCase.patient() && model_->motion.isUnplaced());
+  if (std::exchange(isReady_, isReady) != isReady) Q_EMIT readyChanged();
+}
+
+/// Reports why there is no image, once the user sees the workspace: during labeling the problem does not concern Train.
+void TrainWorkspace::reportProblem() {
+  if (trouble_.isEmpty() || !isVisible()) return;
+  Q_EMIT failed(std::exchange(trouble_, {}), tr("Check the case in Prepare, or open another one."), {});
 }
 
 std::vector<ui::Shortcut> TrainWorkspace::shortcuts() const {
@@ -97,108 +175,88 @@ std::vector<ui::Shortcut> TrainWorkspace::shortcuts() const {
 }
 
 void TrainWorkspace::saveLayout(QSettings& settings) const {
-  settings.setValue("leftHanded", parts_->isLeftHanded());
-  settings.setValue("ctBeside", parts_->isCtBeside());
-  parts_->exports->save(settings);
-  settings.setValue("labelOpacity", parts_->patient->mpr().labelOpacity());
-  const bool allSlices = parts_->patient->showsAllSlices();
-  // Four slices take their room again when they are back.
-  parts_->patient->setAllSlices(false);
-  settings.setValue("columns", parts_->columns->saveState());
-  settings.setValue("patientViews", parts_->patient->splitter().saveState());
-  parts_->patient->setAllSlices(allSlices);
-  settings.setValue("slice", int(parts_->patient->mpr().kind()));
-  settings.setValue("allSlices", allSlices);
-  settings.beginGroup("scene");
-  parts_->patient->scenePanel().save(settings);
-  settings.endGroup();
-  parts_->panel->save(settings);
-  parts_->tissue->save(settings);
-  settings.beginGroup("attempt");
-  parts_->attempt->save(settings);
-  settings.endGroup();
+  for (const Feature* feature : features_) feature->save(settings);
 }
 
 void TrainWorkspace::restoreLayout(QSettings& settings) {
-  // First the order, then the widths.
-  parts_->setLeftHanded(settings.value("leftHanded", false).toBool());
-  parts_->setCtBeside(settings.value("ctBeside", false).toBool());
-  parts_->exports->restore(settings);
-  parts_->patient->mpr().setLabelOpacity(settings.value("labelOpacity", 0).toDouble());
-  parts_->columns->restoreState(settings.value("columns").toByteArray());
-  parts_->patient->splitter().restoreState(settings.value("patientViews").toByteArray());
-  const int slice = settings.value("slice", int(views::SliceKind::Oblique)).toInt();
-  parts_->patient->setSliceKind(views::SliceKind(std::clamp(slice, 0, int(views::SliceKind::Oblique))));
-  if (settings.value("allSlices", false).toBool()) parts_->patient->setAllSlices(true);
-  settings.beginGroup("scene");
-  parts_->patient->scenePanel().restore(settings);
-  settings.endGroup();
-  parts_->panel->restore(settings);
-  parts_->tissue->restore(settings);
-  settings.beginGroup("attempt");
-  parts_->attempt->restore(settings);
-  settings.endGroup();
+  for (Feature* feature : features_) feature->restore(settings);
   // Restoring the last session's state must not be undoable.
-  parts_->model.history.clear();
+  model_->history.clear();
 }
 
 void TrainWorkspace::stop() {
-  parts_->endAttempt();
-  parts_->model.patientCase.stop();
+  for (Feature* feature : features_) feature->stop();
+  model_->patientCase.stop();
 }
 
 void TrainWorkspace::savePicture(const std::filesystem::path& file) {
-  parts_->exports->savePicture(file);
+  exports_->savePicture(file);
 }
 
 void TrainWorkspace::saveScreen(const std::filesystem::path& file) {
-  parts_->exports->saveScreen(file);
+  exports_->saveScreen(file);
 }
 
 void TrainWorkspace::saveClip(const std::filesystem::path& folder) {
-  parts_->exports->saveClip(folder);
+  exports_->saveClip(folder);
 }
 
-void TrainWorkspace::measureHands(double seconds, std::function<void(HandRates)> done) {
-  parts_->measureHands(seconds, std::move(done));
+TrainBenchmark& TrainWorkspace::benchmark() {
+  if (!benchmark_) benchmark_ = std::make_unique<TrainBenchmark>(*model_, layout_->views().imageWidget(), *patient_);
+  return *benchmark_;
 }
 
-void TrainWorkspace::measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done) {
-  parts_->measureLive(seconds, viewsFollow, std::move(done));
+bool TrainWorkspace::key(const QKeyEvent& event, bool isPerformed) {
+  const KeyRow* row = rowFor(event);
+  if (!row) return false;
+  const auto taker = std::ranges::find_if(features_, [row](const Feature* one) { return one->takes(row->command); });
+  if (taker == features_.end()) return false;
+  if (isPerformed) (*taker)->act(*row, {bool(event.modifiers() & Qt::ShiftModifier), event.isAutoRepeat()});
+  return true;
 }
 
-OrbitRates TrainWorkspace::measureOrbit(int steps) {
-  return parts_->measureOrbit(steps);
-}
-
-void TrainWorkspace::measureVolume(double seconds, std::function<void(VolumeRates)> done) {
-  parts_->measureVolume(seconds, std::move(done));
-}
-
+/// Handles keys of the table for the views, and moves the keyboard focus to the image with the mouse.
 bool TrainWorkspace::eventFilter(QObject* watched, QEvent* event) {
-  return parts_->canvasEvent(watched, event) || ui::Workspace::eventFilter(watched, event);
+  // The views are being deleted.
+  if (features_.empty()) return false;
+  if (event->type() == QEvent::Enter) takeKeyboard(watched);
+  const bool isHandled = ui::offerKey(*event, [&](const QKeyEvent& pressed, bool isPerformed) {
+    // The view's own keys stay with the view, and away from the window's shortcuts.
+    if (std::ranges::any_of(features_, [&](const Feature* one) { return one->isViewKey(watched, pressed); }))
+      return !isPerformed;
+    return key(pressed, isPerformed);
+  });
+  return isHandled || ui::Workspace::eventFilter(watched, event);
+}
+
+void TrainWorkspace::takeKeyboard(const QObject* canvas) {
+  // A field in which the user types keeps the keyboard focus.
+  QWidget* holder = QApplication::focusWidget();
+  const bool typing = qobject_cast<QLineEdit*>(holder) || qobject_cast<QAbstractSpinBox*>(holder);
+  ui::ViewWidget& image = layout_->views().imageWidget();
+  if (canvas == image.focusProxy() && isActiveWindow() && !typing) image.setFocus(Qt::MouseFocusReason);
 }
 
 void TrainWorkspace::resizeEvent(QResizeEvent* event) {
-  parts_->setCompact(width() < kRoomy_px);
+  for (Feature* feature : features_) feature->setCompact(width() < kRoomy_px);
   ui::Workspace::resizeEvent(event);
 }
 
 void TrainWorkspace::showEvent(QShowEvent* event) {
-  parts_->model.live.setAwake(true);
-  parts_->model.live.setWatched(!parts_->isCourseShown());
+  model_->live.setAwake(true);
+  model_->live.setWatched(!layout_->isPageShown());
   ui::Workspace::showEvent(event);
-  parts_->reportProblem();
+  reportProblem();
 }
 
 void TrainWorkspace::hideEvent(QHideEvent* event) {
-  parts_->model.live.setWatched(false);
-  parts_->model.live.setAwake(parts_->attempt->isRunning());
+  model_->live.setWatched(false);
+  model_->live.setAwake(std::ranges::any_of(features_, &Feature::needsImages));
   ui::Workspace::hideEvent(event);
 }
 
 void TrainWorkspace::keyPressEvent(QKeyEvent* event) {
-  if (!parts_->key(*event, true)) ui::Workspace::keyPressEvent(event);
+  if (!key(*event, true)) ui::Workspace::keyPressEvent(event);
 }
 
 }  // namespace insonate::train

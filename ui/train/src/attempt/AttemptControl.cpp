@@ -110,13 +110,19 @@ void AttemptControl::hashCase() {
 }
 
 void AttemptControl::close() {
-  if (isRunning()) {
-    model_.hands.setAttempt(nullptr);
-    status_ = AttemptStatus::Abandoned;
-    conclude(attempt_->finish(status_));
-  }
+  again_ = false;
   setAspirating(false);
-  if (state_ != State::Idle && state_ != State::Writing) show(State::Idle);
+  if (isRunning()) write(AttemptStatus::Abandoned);
+  isClosed_ = state_ == State::Writing;
+  if (!isClosed_ && state_ != State::Idle) show(State::Idle);
+}
+
+/// Ends the recording on a thread of its own; look() shows the result.
+void AttemptControl::write(AttemptStatus status) {
+  model_.hands.setAttempt(nullptr);
+  status_ = status;
+  writing_ = std::async(std::launch::async, [attempt = attempt_, status] { return attempt->finish(status); });
+  show(State::Writing);
 }
 
 void AttemptControl::show(State state) {
@@ -200,10 +206,7 @@ void AttemptControl::end(AttemptStatus status) {
   if (!isRunning()) return;
   setAspirating(false);
   if (settingsDue_) keepSettings();
-  model_.hands.setAttempt(nullptr);
-  status_ = status;
-  writing_ = std::async(std::launch::async, [attempt = attempt_, status] { return attempt->finish(status); });
-  show(State::Writing);
+  write(status);
 }
 
 void AttemptControl::conclude(const Result<MetricValues>& kept) {
@@ -235,7 +238,7 @@ void AttemptControl::look() {
     return isThere(hash_) && isSealed ? begin() : void();
   }
   if (!attempt_) return;
-  if (settingsDue_) keepSettings();
+  if (settingsDue_ && isRunning()) keepSettings();
   view_ = attempt_->view();
   if (const std::string trouble = attempt_->trouble(); trouble != trouble_) {
     trouble_ = trouble;
@@ -243,7 +246,7 @@ void AttemptControl::look() {
   }
   if (state_ == State::Writing && isThere(writing_)) {
     conclude(writing_.get());
-    show(model_.patientCase.patient() ? State::Over : State::Idle);
+    show(std::exchange(isClosed_, false) ? State::Idle : State::Over);
     if (std::exchange(again_, false)) startAgain();
   }
   Q_EMIT viewChanged();
@@ -264,12 +267,6 @@ void AttemptControl::replaceNeedle() {
   Q_EMIT needleReplaced();
   if (model_.hands.needleHand()) model_.needle.take(model_.hands.needlePlane());
   model_.status.say(tr("A new needle."));
-}
-
-void AttemptControl::position(double tilt_deg) {
-  TissueChoice choice = model_.imaging.tissue();
-  choice.body.tilt_deg = tilt_deg;
-  model_.imaging.setTissue(choice);
 }
 
 void AttemptControl::save(QSettings& settings) const {

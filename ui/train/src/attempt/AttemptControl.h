@@ -61,7 +61,8 @@ class AttemptControl : public QObject {
   void awaitSeal() { sealIsDue_ = true; }
   /// Sets the attempt's identity in a store, and the key of its nonce.
   void setSeal(const RecordedFor& whose, const std::optional<RecordKey>& key);
-  /// Ends a running attempt at once, as abandoned, because the case or the program is closed.
+  /// Ends a running attempt as abandoned, because its case or the program is closed. The recording is finished on
+  /// another thread, for which the destructor waits; ended() reports it, and the state is Idle then.
   void close();
   /// Changes from Over to Idle.
   void leave();
@@ -80,8 +81,6 @@ class AttemptControl : public QObject {
   void setAspirating(bool on);
   /// A new needle from the tray. Refused while the old one is in the skin.
   void replaceNeedle();
-  /// One of the procedure's positions.
-  void position(double tilt_deg);
 
   void save(QSettings& settings) const;
   void restore(QSettings& settings);
@@ -101,6 +100,7 @@ class AttemptControl : public QObject {
   void settingsChanged();
   void keepSettings();
   void end(AttemptStatus status);
+  void write(AttemptStatus status);
   void conclude(const Result<MetricValues>& kept);
   void look();
   void show(State state);
@@ -120,7 +120,8 @@ class AttemptControl : public QObject {
   QElapsedTimer sinceStart_;
   std::shared_ptr<LiveAttempt> attempt_;
   std::future<Result<MetricValues>> writing_;
-  bool again_ = false;  ///< starts another once this one is written
+  bool again_ = false;     ///< starts another once this one is written
+  bool isClosed_ = false;  ///< the result of the one being written is not shown
   std::shared_future<std::string> hash_;
   AttemptView view_;
   AttemptScore score_;

@@ -1,8 +1,5 @@
 #include "AttemptPanel.h"
 
-#include "../level/LevelCard.h"
-#include "../level/LevelControl.h"
-#include "../level/VerdictView.h"
 #include "../model/CaseModel.h"
 #include "../model/Disclosure.h"
 #include "../model/ImagingModel.h"
@@ -33,14 +30,14 @@ constexpr Metric kFurther[] = {Metric::TimeToVein,     Metric::Passes,       Met
                                Metric::InsertionAngle, Metric::TipInPicture, Metric::NearestArtery,
                                Metric::ProbeForceMost};
 
-QVBoxLayout* column(QWidget* widget) {
+QVBoxLayout* pageColumn(QWidget* widget) {
   auto* box = new QVBoxLayout(widget);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kSmallGap);
   return box;
 }
 
-QComboBox* choice(const char* object, const QString& name, const QString& says) {
+QComboBox* attemptChoice(const char* object, const QString& name, const QString& says) {
   auto* combo = ui::choiceBox(object, name, says, Qt::TabFocus);
   combo->setMinimumContentsLength(6);
   return combo;
@@ -49,14 +46,13 @@ QComboBox* choice(const char* object, const QString& name, const QString& says) 
 }  // namespace
 
 AttemptPanel::AttemptPanel(DisclosureModel& disclosure, CaseModel& patientCase, ImagingModel& imaging, LiveModel& live,
-                           AttemptControl& attempt, LevelControl& levels, QWidget* parent)
+                           AttemptControl& attempt, QWidget* parent)
     : QWidget(parent),
       disclosure_(disclosure),
       patientCase_(patientCase),
       imaging_(imaging),
       live_(live),
-      attempt_(attempt),
-      levels_(levels) {
+      attempt_(attempt) {
   setObjectName("attemptPanel");
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(12, 8, 12, 8);
@@ -68,7 +64,6 @@ AttemptPanel::AttemptPanel(DisclosureModel& disclosure, CaseModel& patientCase, 
   connect(&attempt_, &AttemptControl::stateChanged, this, [this] { refresh(); });
   connect(&attempt_, &AttemptControl::viewChanged, this, [this] { refreshRunning(); });
   connect(&attempt_, &AttemptControl::aspiratingChanged, this, [this] { draw_->setChecked(attempt_.isAspirating()); });
-  connect(&levels_, &LevelControl::changed, this, [this] { refreshBegin(); });
   connect(&patientCase_, &CaseModel::caseChanged, this, [this] { refreshBegin(); });
   connect(&patientCase_, &CaseModel::structuresKnown, this, [this] { refreshBegin(); });
   connect(&live_, &LiveModel::pictureShown, this, [this] {
@@ -86,15 +81,16 @@ QPushButton* AttemptPanel::button(const char* object, const QString& text, const
 
 QWidget* AttemptPanel::buildBegin() {
   auto* page = new QWidget;
-  auto* box = column(page);
-  procedure_ = choice("attemptProcedure", tr("Procedure"), tr("The steps of the procedure"));
+  auto* box = beginBox_ = pageColumn(page);
+  procedure_ = attemptChoice("attemptProcedure", tr("Procedure"), tr("The steps of the procedure"));
   for (const Procedure& one : attempt_.procedures()) {
     procedure_->addItem(QString::fromStdString(one.title), QString::fromStdString(one.name));
     procedure_->setItemData(procedure_->count() - 1, QString::fromStdString(one.title), Qt::ToolTipRole);
   }
-  assistance_ = choice("attemptAssistance", tr("Assistance"),
-                       tr("Guided: states each step and each error. Hints: states errors only. Test: shows neither CT "
-                          "nor anatomy until the end"));
+  assistance_ =
+      attemptChoice("attemptAssistance", tr("Assistance"),
+                    tr("Guided: states each step and each error. Hints: states errors only. Test: shows neither CT "
+                       "nor anatomy until the end"));
   for (const Assistance one : {Assistance::Guided, Assistance::Hints, Assistance::Test})
     assistance_->addItem(wordOf(one), int(one));
   start_ = button("attemptStart", tr("Start"), tr("Begins an attempt, which is recorded and scored (Ctrl+Return)"));
@@ -104,12 +100,9 @@ QWidget* AttemptPanel::buildBegin() {
   row->addWidget(assistance_, 1);
   row->addWidget(start_, 1);
   unfit_ = ui::paragraph("attemptUnfit", "problem");
-  auto* card = new LevelCard(levels_);
-  box->addWidget(card);
   box->addWidget(procedure_);
   box->addWidget(unfit_);
   box->addLayout(row);
-  connect(card, &LevelCard::courseWanted, this, &AttemptPanel::courseWanted);
   connect(procedure_, qOverload<int>(&QComboBox::activated), this,
           [this] { attempt_.choose(procedure_->currentData().toString().toStdString()); });
   connect(assistance_, qOverload<int>(&QComboBox::activated), this,
@@ -123,8 +116,8 @@ QWidget* AttemptPanel::buildHands() {
   auto* grid = new QGridLayout(page);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(ui::kSmallGap);
-  position_ = choice("attemptPosition", tr("The patient's position"),
-                     tr("Tilt of the table in degrees; above 0 the head is down"));
+  position_ = attemptChoice("attemptPosition", tr("The patient's position"),
+                            tr("Tilt of the table in degrees; above 0 the head is down"));
   draw_ = button("attemptDraw", tr("Aspirate"), tr("Aspirates with the syringe, or stops (B)"));
   draw_->setCheckable(true);
   auto* fresh =
@@ -133,7 +126,7 @@ QWidget* AttemptPanel::buildHands() {
   grid->addWidget(draw_, 1, 0);
   grid->addWidget(fresh, 1, 1);
   connect(position_, qOverload<int>(&QComboBox::activated), this,
-          [this] { attempt_.position(position_->currentData().toDouble()); });
+          [this] { imaging_.setTilt(position_->currentData().toDouble()); });
   connect(draw_, &QPushButton::clicked, &attempt_, &AttemptControl::setAspirating);
   connect(fresh, &QPushButton::clicked, &attempt_, &AttemptControl::replaceNeedle);
   return page;
@@ -141,9 +134,9 @@ QWidget* AttemptPanel::buildHands() {
 
 QWidget* AttemptPanel::buildRunning() {
   auto* page = new QWidget;
-  auto* box = column(page);
+  auto* box = pageColumn(page);
   auto* inner = new QWidget;
-  auto* told = column(inner);
+  auto* told = pageColumn(inner);
   steps_ = new StepList;
   numbers_ = ui::paragraph("attemptNumbers", "");
   numbers_->setTextFormat(Qt::RichText);
@@ -174,30 +167,24 @@ QWidget* AttemptPanel::buildRunning() {
 
 QWidget* AttemptPanel::buildResult() {
   auto* page = new QWidget;
-  auto* box = column(page);
+  auto* box = resultBox_ = pageColumn(page);
   headline_ = ui::paragraph("attemptHeadline", "title");
   advice_ = ui::paragraph("attemptAdvice", "");
   errors_ = ui::paragraph("attemptErrors", "");
   errors_->setTextFormat(Qt::RichText);
-  verdict_ = new VerdictView;
-  for (QWidget* one : {static_cast<QWidget*>(headline_), static_cast<QWidget*>(errors_),
-                       static_cast<QWidget*>(verdict_), static_cast<QWidget*>(advice_)})
-    box->addWidget(one);
+  for (QLabel* one : {headline_, errors_, advice_}) box->addWidget(one);
   review_ = button("attemptReview", tr("Open in Review"), tr("Replays this attempt, with its events and metrics"));
   ui::setRole(review_, "primary");
   box->addWidget(review_);
-  auto* row = new QHBoxLayout;
+  auto* row = resultButtons_ = new QHBoxLayout;
   row->setSpacing(ui::kSmallGap);
   auto* again = button("attemptNext", tr("Once more"), tr("Starts another attempt"));
   auto* leave = button("attemptLeave", tr("Close"), tr("Returns to free scanning; the attempt is saved"));
-  auto* course = button("attemptLevels", tr("Levels"), tr("Levels, your attempts and their curve (J)"));
   row->addWidget(again, 1);
-  row->addWidget(course, 1);
   row->addWidget(leave, 1);
   box->addLayout(row);
   connect(review_, &QPushButton::clicked, this, [this] { Q_EMIT reviewWanted(attempt_.file()); });
   connect(again, &QPushButton::clicked, &attempt_, &AttemptControl::startAgain);
-  connect(course, &QPushButton::clicked, this, &AttemptPanel::courseWanted);
   connect(leave, &QPushButton::clicked, &attempt_, &AttemptControl::leave);
   return page;
 }
@@ -222,7 +209,7 @@ void AttemptPanel::refresh() {
 void AttemptPanel::refreshBegin() {
   procedure_->setCurrentIndex(procedure_->findData(QString::fromStdString(attempt_.procedure().name)));
   assistance_->setCurrentIndex(assistance_->findData(int(attempt_.assistance())));
-  for (QWidget* one : {procedure_, assistance_}) one->setVisible(!levels_.level());
+  for (QWidget* one : {procedure_, assistance_}) one->setVisible(!isProcedureFixed_);
   const QString unfit = attempt_.unfit();
   unfit_->setText(unfit);
   unfit_->setVisible(!unfit.isEmpty());
@@ -274,6 +261,29 @@ void AttemptPanel::refreshResult() {
   errors_->setText(errors.join(QStringLiteral("<br>")));
   errors_->setVisible(!errors.isEmpty());
   review_->setEnabled(!attempt_.file().isEmpty());
+}
+
+void AttemptPanel::addCard(QWidget* card) {
+  beginBox_->insertWidget(0, card);
+  // Tab goes from the card to the choice under it.
+  QWidget* last = card;
+  for (QPushButton* one : card->findChildren<QPushButton*>()) last = one;
+  for (QWidget* next :
+       {static_cast<QWidget*>(procedure_), static_cast<QWidget*>(assistance_), static_cast<QWidget*>(start_)}) {
+    setTabOrder(last, next);
+    last = next;
+  }
+}
+
+void AttemptPanel::addToResult(QWidget* verdict, QWidget* button) {
+  resultBox_->insertWidget(resultBox_->indexOf(advice_), verdict);
+  resultButtons_->insertWidget(1, button, 1);
+  setTabOrder(resultButtons_->itemAt(0)->widget(), button);
+}
+
+void AttemptPanel::setProcedureFixed(bool isFixed) {
+  isProcedureFixed_ = isFixed;
+  refreshBegin();
 }
 
 void AttemptPanel::setMostHeight(int most_px) {

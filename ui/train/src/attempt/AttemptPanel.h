@@ -3,20 +3,20 @@
 #include <QWidget>
 
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QScrollArea;
+class QVBoxLayout;
 
 namespace insonate::train {
 
 class AttemptControl;
-class LevelControl;
 class StepList;
 class CaseModel;
 class DisclosureModel;
 class ImagingModel;
 class LiveModel;
-class VerdictView;
 
 /// The panel above the controls: choice of the procedure, then steps with instructions and errors, then the result. In
 /// a test it discloses nothing before the end.
@@ -25,10 +25,14 @@ class AttemptPanel final : public QWidget {
 
  public:
   AttemptPanel(DisclosureModel& disclosure, CaseModel& patientCase, ImagingModel& imaging, LiveModel& live,
-               AttemptControl& attempt, LevelControl& levels, QWidget* parent = nullptr);
+               AttemptControl& attempt, QWidget* parent = nullptr);
 
-  /// Beside the result.
-  VerdictView& verdict() { return *verdict_; }
+  /// Puts a card over the choice of the procedure.
+  void addCard(QWidget* card);
+  /// Puts a verdict under the result's errors, and a button beside the others.
+  void addToResult(QWidget* verdict, QWidget* button);
+  /// Hides the choice of procedure and assistance while a level decides both.
+  void setProcedureFixed(bool isFixed);
 
   /// Maximum height; the panel takes as much as its text needs.
   void setMostHeight(int most_px);
@@ -36,8 +40,6 @@ class AttemptPanel final : public QWidget {
  Q_SIGNALS:
   /// A finished attempt's file is to be shown.
   void reviewWanted(const QString& file);
-  /// Levels are to be seen.
-  void courseWanted();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -60,7 +62,7 @@ class AttemptPanel final : public QWidget {
   ImagingModel& imaging_;
   LiveModel& live_;
   AttemptControl& attempt_;
-  LevelControl& levels_;
+  bool isProcedureFixed_ = false;
   int most_px_ = 400;
   QWidget *begin_ = nullptr, *running_ = nullptr, *result_ = nullptr;
   QComboBox *procedure_ = nullptr, *assistance_ = nullptr, *position_ = nullptr;
@@ -69,7 +71,8 @@ class AttemptPanel final : public QWidget {
          *errors_ = nullptr;
   QScrollArea* scroll_ = nullptr;
   StepList* steps_ = nullptr;
-  VerdictView* verdict_ = nullptr;
+  QVBoxLayout *beginBox_ = nullptr, *resultBox_ = nullptr;
+  QHBoxLayout* resultButtons_ = nullptr;
 };
 
 }  // namespace insonate::train

@@ -1,8 +1,8 @@
 #include "SyringeView.h"
 
-#include "../hands/HandsControl.h"
 #include "../model/CaseModel.h"
 #include "../model/Disclosure.h"
+#include "../model/HandsControl.h"
 #include "AttemptControl.h"
 
 #include <insonate/ui/Theme.h>

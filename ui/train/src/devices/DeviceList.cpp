@@ -27,7 +27,7 @@ namespace {
 
 constexpr int kMostEvents = 200;
 
-QString text(const std::string& words) {
+QString deviceText(const std::string& words) {
   return QString::fromStdString(words);
 }
 
@@ -77,7 +77,7 @@ DeviceList::DeviceList(HandsControl& hands, QWidget* parent) : QWidget(parent), 
   events_->setMinimumHeight(60);
   box->addWidget(events_, 1);
   connect(&hands_, &HandsControl::deviceEvent, this,
-          [this](const DeviceEvent& event) { tell(text(event.text), event.trouble); });
+          [this](const DeviceEvent& event) { tell(deviceText(event.text), event.trouble); });
 }
 
 QWidget* DeviceList::buildButtons() {
@@ -145,7 +145,7 @@ void DeviceList::replay(const std::filesystem::path& file) {
   const auto reports = readRecording(file);
   auto device = reports ? replayRecording(*reports, {}, true)
                         : Result<std::shared_ptr<HapticDevice>>(tl::unexpected(reports.error()));
-  if (!device) return tell(text(device.error().message), true);
+  if (!device) return tell(deviceText(device.error().message), true);
   hands_.session().devices().add(std::move(*device));
   hands_.checkDevices();
   Q_EMIT hands_.handsChanged();
@@ -156,9 +156,9 @@ bool DeviceList::record(const std::filesystem::path& file) {
   if (file.empty() && !recorder.isRunning()) return true;
   const auto done = file.empty() ? recorder.stop() : recorder.start(file);
   if (!done)
-    tell(text(done.error().message), true);
+    tell(deviceText(done.error().message), true);
   else
-    tell(file.empty() ? tr("The recording is written.") : tr("Recording to %1.").arg(text(file.string())), false);
+    tell(file.empty() ? tr("The recording is written.") : tr("Recording to %1.").arg(deviceText(file.string())), false);
   return done.has_value();
 }
 
@@ -172,8 +172,8 @@ void DeviceList::tell(const QString& sentence, bool trouble) {
 void DeviceList::refreshPedals() {
   QStringList ids{QString()};
   for (const auto& device : hands_.session().devices().devices())
-    if (device->info().kind == DeviceKind::kPedal) ids << text(device->info().id);
-  if (!ids.contains(hands_.assignedPedal())) ids << hands_.assignedPedal();
+    if (device->info().kind == DeviceKind::kPedal) ids << deviceText(device->info().id);
+  if (!ids.contains(hands_.choice().pedal())) ids << hands_.choice().pedal();
   QStringList shown;
   for (int n = 0; n < pedal_->count(); ++n) shown << pedal_->itemData(n).toString();
   const QSignalBlocker quiet(pedal_);
@@ -182,12 +182,12 @@ void DeviceList::refreshPedals() {
     for (const QString& id : ids) {
       const auto device = hands_.deviceOf(id);
       pedal_->addItem(id.isEmpty() ? tr("none")
-                      : device     ? text(device->info().name)
+                      : device     ? deviceText(device->info().name)
                                    : tr("%1 (not connected)").arg(id),
                       id);
     }
   }
-  pedal_->setCurrentIndex(std::max(0, pedal_->findData(hands_.assignedPedal())));
+  pedal_->setCurrentIndex(std::max(0, pedal_->findData(hands_.choice().pedal())));
 }
 
 void DeviceList::refresh(const QHash<QString, double>& rates_Hz) {
@@ -196,14 +196,14 @@ void DeviceList::refresh(const QHash<QString, double>& rates_Hz) {
   none_->setVisible(devices.empty());
   for (int row = 0; row < int(devices.size()); ++row) {
     const HapticDevice& device = *devices[row];
-    const QString trouble = text(device.trouble());
-    const QString cells[] = {text(device.info().name), wordsOf(device.phase()), limitsOf(device.info().limits),
-                             QString::number(rates_Hz.value(text(device.info().id)), 'f', 0)};
+    const QString trouble = deviceText(device.trouble());
+    const QString cells[] = {deviceText(device.info().name), wordsOf(device.phase()), limitsOf(device.info().limits),
+                             QString::number(rates_Hz.value(deviceText(device.info().id)), 'f', 0)};
     for (int column = 0; column < 4; ++column) {
       QTableWidgetItem* item = table_->item(row, column);
       if (!item) table_->setItem(row, column, item = new QTableWidgetItem);
       if (item->text() != cells[column]) item->setText(cells[column]);
-      item->setToolTip(trouble.isEmpty() ? text(device.info().id) : trouble);
+      item->setToolTip(trouble.isEmpty() ? deviceText(device.info().id) : trouble);
       const bool faulty = column == 1 && !trouble.isEmpty();
       item->setIcon(faulty ? ui::icon("warning", views::theme::kCaution) : QIcon());
     }

@@ -84,9 +84,9 @@ void DevicePanel::look() {
   std::array<double, 2> force_N{-1, -1}, rate_Hz{-1, -1};
   for (const Hand hand : {kProbeHand, kNeedleHand}) {
     if (more) sections_[hand]->refresh();
-    const double rate = rates_Hz_.value(hands_.assigned(hand));
+    const double rate = rates_Hz_.value(hands_.choice().device(hand));
     sections_[hand]->show(now, rate);
-    if (!now.present[hand] || hands_.assigned(hand).isEmpty()) continue;
+    if (!now.present[hand] || hands_.choice().device(hand).isEmpty()) continue;
     force_N[hand] = norm(now.output.hands[hand].force.force_N);
     rate_Hz[hand] = rate;
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../hands/HandsControl.h"
+#include "../model/HandsControl.h"
 
 #include <QDialog>
 #include <QElapsedTimer>

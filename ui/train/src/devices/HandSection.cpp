@@ -1,6 +1,6 @@
 #include "HandSection.h"
 
-#include "../panel/NumberField.h"
+#include "../layout/NumberField.h"
 
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
@@ -20,7 +20,7 @@ constexpr double kTest_N = 0.8;
 
 const char* const kStands[] = {"the patient's head", "the patient's right", "the patient's left", "the patient's feet"};
 
-QPushButton* button(const char* object, const QString& text, const QString& says) {
+QPushButton* handButton(const char* object, const QString& text, const QString& says) {
   return ui::pushButton(object, text, says, Qt::TabFocus);
 }
 
@@ -143,32 +143,33 @@ QWidget* HandSection::buildButtons() {
   auto* box = new QHBoxLayout(row);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(4);
-  begin_ = button(
+  begin_ = handButton(
       "beginHere", tr("Begin here"),
       tr("Sets the stylus's present pose as the tool's start: the probe stays in place, the needle lies beside it"));
-  calibrate_ =
-      button("calibrate", tr("Home"), tr("Sets the device's present posture as home: its encoders count from here"));
-  test_ = button("testForce", tr("Test force"), tr("Pushes the stylus up with 0.8 N for a second. Hold it loosely"));
+  calibrate_ = handButton("calibrate", tr("Home"),
+                          tr("Sets the device's present posture as home: its encoders count from here"));
+  test_ =
+      handButton("testForce", tr("Test force"), tr("Pushes the stylus up with 0.8 N for a second. Hold it loosely"));
   for (QPushButton* one : {begin_, calibrate_, test_}) box->addWidget(one, 1);
   connect(begin_, &QPushButton::clicked, this, [this] { hands_.beginHere(hand_); });
   connect(calibrate_, &QPushButton::clicked, this, [this] {
-    if (const auto device = hands_.deviceOf(hands_.assigned(hand_))) device->calibrate();
+    if (const auto device = hands_.deviceOf(hands_.choice().device(hand_))) device->calibrate();
   });
   connect(test_, &QPushButton::clicked, this, [this] { hands_.session().testForce(hand_, {0, kTest_N, 0}); });
   return row;
 }
 
 void HandSection::change(const std::function<void(HandMapping&)>& edit) {
-  const QString device = hands_.assigned(hand_);
+  const QString device = hands_.choice().device(hand_);
   if (refreshing_ || device.isEmpty()) return;
-  HandMapping mapping = hands_.mapping(device);
+  HandMapping mapping = hands_.choice().mapping(device);
   edit(mapping);
   hands_.setMapping(device, mapping);
 }
 
 void HandSection::refresh() {
   refreshing_ = true;
-  const QString assigned = hands_.assigned(hand_);
+  const QString assigned = hands_.choice().device(hand_);
   {
     const QSignalBlocker quiet(device_);
     device_->clear();
@@ -184,7 +185,7 @@ void HandSection::refresh() {
   mapping_->setVisible(!assigned.isEmpty());
   for (QWidget* one : {static_cast<QWidget*>(gain_), static_cast<QWidget*>(most_), static_cast<QWidget*>(test_)})
     one->setEnabled(pushes);
-  const HandMapping mapping = hands_.mapping(assigned);
+  const HandMapping mapping = hands_.choice().mapping(assigned);
   stand_->setCurrentIndex(int(mapping.stand));
   for (int axis = 0; axis < 3; ++axis) apart_[axis]->show(mapping.apart_mm[axis]);
   gain_->setValue(mapping.gain * 100);
@@ -194,13 +195,13 @@ void HandSection::refresh() {
 
 void HandSection::show(const ServoSnapshot& now, double rate_Hz) {
   const auto device = hands_.session().held(hand_);
-  if (const auto known = hands_.deviceOf(hands_.assigned(hand_)); known && !known->trouble().empty())
+  if (const auto known = hands_.deviceOf(hands_.choice().device(hand_)); known && !known->trouble().empty())
     state_->setText(QString::fromStdString(known->trouble()));
   else if (device)
     // Mouse and keys send none.
     state_->setText(rate_Hz > 0 ? tr("%1, %2 states a second").arg(wordsOf(device->phase())).arg(rate_Hz, 0, 'f', 0)
                                 : wordsOf(device->phase()));
-  else if (!hands_.assigned(hand_).isEmpty())
+  else if (!hands_.choice().device(hand_).isEmpty())
     state_->setText(known ? wordsOf(known->phase()) : tr("waits for its connection"));
   else
     state_->setText(hand_ == kProbeHand ? tr("the probe follows the mouse") : tr("no needle in hand"));

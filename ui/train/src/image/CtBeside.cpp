@@ -13,8 +13,8 @@ namespace insonate::train {
 namespace {
 
 /// Share of the window's time; the rest is the image's.
-constexpr double kShare = 0.25;
-constexpr int kSoonest_ms = 33, kLatest_ms = 400;
+constexpr double kBesideShare = 0.25;
+constexpr int kBesideSoonest_ms = 33, kBesideLatest_ms = 400;
 
 }  // namespace
 
@@ -62,9 +62,9 @@ void CtBeside::showCase() {
 void CtBeside::want() {
   if (!shown_ || timer_.isActive()) return;
   const double cost_ms = 1000 * view_->renderer()->GetLastRenderTimeInSeconds();
-  const int gap_ms = std::clamp(int(cost_ms / kShare), kSoonest_ms, kLatest_ms);
+  const int gap_ms = std::clamp(int(cost_ms / kBesideShare), kBesideSoonest_ms, kBesideLatest_ms);
   const int since_ms =
-      sinceFollowed_.isValid() ? int(std::min<qint64>(sinceFollowed_.elapsed(), kLatest_ms)) : kLatest_ms;
+      sinceFollowed_.isValid() ? int(std::min<qint64>(sinceFollowed_.elapsed(), kBesideLatest_ms)) : kBesideLatest_ms;
   timer_.start(std::max(0, gap_ms - since_ms));
 }
 

@@ -1,6 +1,6 @@
 #include "ImageInput.h"
 
-#include "../hand/KeyTable.h"
+#include "../feature/KeyTable.h"
 #include "../model/ImagingModel.h"
 #include "../model/NeedleMotion.h"
 #include "../model/ProbeMotion.h"

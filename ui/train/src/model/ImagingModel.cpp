@@ -84,6 +84,12 @@ void ImagingModel::hideAnatomy() {
   history_.clear();
 }
 
+void ImagingModel::setTilt(double tilt_deg) {
+  TissueChoice choice = tissue_;
+  choice.body.tilt_deg = tilt_deg;
+  setTissue(choice);
+}
+
 ImagingSetup ImagingModel::setup() const {
   ImagingSetup all{probe_, settings_, tissues_, "cpu"};
   all.mechanics.model = tissue_.model;

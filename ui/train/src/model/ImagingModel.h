@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../tissue/TissueChoice.h"
+#include "TissueChoice.h"
 
 #include <insonate/simulator/Imager.h>
 #include <insonate/tissue/AcousticTable.h>
@@ -46,6 +46,8 @@ class ImagingModel : public QObject {
   const TissueChoice& tissue() const { return tissue_; }
   /// Applies a choice; values out of range are refused with a sentence.
   void setTissue(const TissueChoice& choice);
+  /// Tilts the table; above 0 the head is down.
+  void setTilt(double tilt_deg);
 
   /// All of it, for the simulator.
   ImagingSetup setup() const;

@@ -1,7 +1,7 @@
 #include "LiveModel.h"
 
-#include "../hands/HandsControl.h"
 #include "CaseModel.h"
+#include "HandsControl.h"
 #include "ImagingModel.h"
 #include "StatusLine.h"
 
@@ -38,7 +38,7 @@ LiveModel::~LiveModel() {
 }
 
 void LiveModel::stop() {
-  hands_.setImaging(nullptr);
+  hands_.session().setImaging(nullptr);
   feed_.set(nullptr);
 }
 
@@ -59,7 +59,7 @@ void LiveModel::start() {
       LiveImaging::make(CaseVolumes(case_.patient(), case_.tissueLabels()), imaging_.setup(), *pose, liveOptions());
   if (!live) return case_.fail(QString::fromStdString(live.error().message));
   feed_.set(std::move(*live));
-  hands_.setImaging(feed_.live());
+  hands_.session().setImaging(feed_.live());
   updateTissueRequest();
 }
 

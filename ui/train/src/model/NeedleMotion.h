@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../hands/HandsControl.h"
+#include "HandsControl.h"
 
 namespace insonate::train {
 

@@ -1,8 +1,8 @@
 #include "ProbeMotion.h"
 
-#include "../hands/HandsControl.h"
 #include "CaseModel.h"
 #include "Disclosure.h"
+#include "HandsControl.h"
 #include "History.h"
 #include "ImagingModel.h"
 #include "LiveModel.h"

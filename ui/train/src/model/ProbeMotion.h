@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../hand/ProbeControl.h"
+#include "ProbeControl.h"
 
 #include <QObject>
 #include <optional>

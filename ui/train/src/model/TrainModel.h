@@ -1,12 +1,14 @@
 #pragma once
 
-#include "../hands/HandsControl.h"
 #include "CaseModel.h"
 #include "Disclosure.h"
+#include "EngineText.h"
+#include "HandsControl.h"
 #include "History.h"
 #include "ImagingModel.h"
 #include "LiveModel.h"
 #include "NeedleMotion.h"
+#include "NeedleTray.h"
 #include "ProbeMotion.h"
 #include "StatusLine.h"
 
@@ -26,11 +28,13 @@ struct TrainModel : public QObject {
   History history;
   DisclosureModel disclosure{status};
   HandsControl hands;  ///< needle, devices and pedal
+  NeedleTray tray;
   CaseModel patientCase{status};
   ImagingModel imaging{disclosure, history, status};
   LiveModel live{patientCase, imaging, hands, status};
   ProbeMotion motion{{patientCase, imaging, live, disclosure, hands, history, status}};
   NeedleMotion needle{hands, live};
+  EngineText engine{patientCase, live, motion};
 };
 
 }  // namespace insonate::train

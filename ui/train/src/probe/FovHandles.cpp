@@ -54,6 +54,8 @@ FovHandles::FovHandles(StatusLine& status, History& history, ImagingModel& imagi
 
 void FovHandles::setActive(bool active) {
   active_ = active;
+  // Asked before other filters of the image, whose keys and mouse it has while it is active.
+  if (active) canvas_.installEventFilter(this);
   held_ = false;
   chosen_ = Handle::None;
   if (!active) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../panel/ScrollingColumn.h"
+#include "../layout/ScrollingColumn.h"
 
 #include <insonate/ultrasound/Probe.h>
 

@@ -1,8 +1,8 @@
 #include "TissueControls.h"
 
+#include "../layout/NumberField.h"
 #include "../model/ImagingModel.h"
 #include "../model/StatusLine.h"
-#include "../panel/NumberField.h"
 
 #include <insonate/simulator/TissueMechanics.h>
 #include <insonate/ui/Theme.h>

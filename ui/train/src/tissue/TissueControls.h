@@ -1,6 +1,6 @@
 #pragma once
 
-#include "TissueChoice.h"
+#include "../model/TissueChoice.h"
 
 #include <QWidget>
 #include <functional>

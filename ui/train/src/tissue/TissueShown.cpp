@@ -16,7 +16,7 @@
 namespace insonate::train {
 namespace {
 
-constexpr const char* kKeys[TissueStrip::kShows] = {"tissueGrid", "tissuePressure", "tissueCurve"};
+constexpr const char* kShownKeys[TissueStrip::kShows] = {"tissueGrid", "tissuePressure", "tissueCurve"};
 
 }  // namespace
 
@@ -96,12 +96,12 @@ void TissueShown::showPicture() {
 }
 
 void TissueShown::save(QSettings& settings) const {
-  for (int k = 0; k < TissueStrip::kShows; ++k) settings.setValue(kKeys[k], strip_->shows(TissueStrip::Show(k)));
+  for (int k = 0; k < TissueStrip::kShows; ++k) settings.setValue(kShownKeys[k], strip_->shows(TissueStrip::Show(k)));
 }
 
 void TissueShown::restore(QSettings& settings) {
   for (int k = 0; k < TissueStrip::kShows; ++k)
-    strip_->setShown(TissueStrip::Show(k), settings.value(kKeys[k], false).toBool());
+    strip_->setShown(TissueStrip::Show(k), settings.value(kShownKeys[k], false).toBool());
 }
 
 }  // namespace insonate::train

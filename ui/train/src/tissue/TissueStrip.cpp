@@ -34,7 +34,7 @@ constexpr OverlayRow kOverlayRows[] = {
     {"tissuePlot", "Areas against force\tK", "Curve of the areas of vein and artery against the probe's force"},
 };
 
-QLabel* number(const char* object, const QString& says, QWidget* parent) {
+QLabel* numberLabel(const char* object, const QString& says, QWidget* parent) {
   auto* label = new QLabel(parent);
   label->setObjectName(QLatin1String(object));
   label->setToolTip(says);
@@ -48,15 +48,15 @@ TissueStrip::TissueStrip(DisclosureModel& disclosure, CaseModel& patientCase, Li
       disclosure_(disclosure),
       patientCase_(patientCase),
       live_(live),
-      force_(number("pressForce", tr("Force with which the tissue presses back on the probe, in N"), this)),
-      indentation_(number("pressIndentation", tr("Indentation of the probe from first contact, in mm"), this)),
-      vein_(number(
+      force_(numberLabel("pressForce", tr("Force with which the tissue presses back on the probe, in N"), this)),
+      indentation_(numberLabel("pressIndentation", tr("Indentation of the probe from first contact, in mm"), this)),
+      vein_(numberLabel(
           "veinArea",
           tr("Present area of the veins in the image's plane, in mm² and in % of their uncompressed area in the CT"),
           this)),
-      artery_(number("arteryArea",
-                     tr("Present area of the arteries in the image's plane, in mm² and in % of their area in the CT"),
-                     this)),
+      artery_(numberLabel(
+          "arteryArea",
+          tr("Present area of the arteries in the image's plane, in mm² and in % of their area in the CT"), this)),
       menu_(new QPushButton(tr("Tissue"), this)) {
   setObjectName("tissueStrip");
   auto* row = new QHBoxLayout(this);

@@ -1,17 +1,23 @@
 #pragma once
 
-#include <insonate/train/LiveRates.h>
 #include <insonate/ui/Workspace.h>
 
 #include <filesystem>
-#include <functional>
 #include <memory>
+#include <vector>
 
 namespace insonate::train {
 
-/// The room where a probe is moved over a patient and the ultrasound image follows. Controls on the left, the image
-/// in the middle, the patient in 3D and as CT on the right. The hand is the mouse and the keyboard; shortcuts() lists
-/// what they do. Computing happens on threads that end within a second; the window never waits for a picture.
+class Feature;
+class ImageExports;
+class PatientViews;
+class TrainBenchmark;
+class TrainLayout;
+struct TrainModel;
+
+/// The workspace where the user moves a probe over a patient and the ultrasound image follows: controls on the left,
+/// the image in the middle, the patient in 3D and as CT on the right. Mouse and keyboard hold the probe; shortcuts()
+/// lists their actions. Images are computed on threads that end within a second; the window never waits for one.
 class TrainWorkspace : public ui::Workspace {
   Q_OBJECT
 
@@ -49,16 +55,8 @@ class TrainWorkspace : public ui::Workspace {
   /// failed() tell the end.
   void saveClip(const std::filesystem::path& folder);
 
-  /// Moves the linear probe with its own settings for a while and times the images on the screen, while 3D and CT
-  /// follow or stand still. To be called when there is an image; `done` comes later, unless the workspace goes first.
-  void measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done);
-  /// Measures with a needle in the hand and 3D following.
-  void measureHands(double seconds, std::function<void(HandRates)> done);
-  /// Turns the patient in 3D, which takes its time.
-  OrbitRates measureOrbit(int steps);
-  /// Shows the CT in 3D and moves there and with the probe, `seconds` each; `done` comes later, unless the workspace
-  /// goes first.
-  void measureVolume(double seconds, std::function<void(VolumeRates)> done);
+  /// Measures how fast this workspace is.
+  TrainBenchmark& benchmark();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -68,8 +66,26 @@ class TrainWorkspace : public ui::Workspace {
   void hideEvent(QHideEvent* event) override;
 
  private:
-  class Parts;
-  std::unique_ptr<Parts> parts_;
+  void addFeatures();
+  template <class T, class... Parts>
+  T& add(Parts&... parts);
+  void connectModel();
+  void takeSavedCase();
+  void checkReady();
+  void reportProblem();
+  bool key(const QKeyEvent& event, bool isPerformed);
+  void takeKeyboard(const QObject* canvas);
+
+  TrainModel* model_;  ///< a child, deleted after the widgets
+  std::unique_ptr<TrainLayout> layout_;
+  std::vector<Feature*> features_;
+  ImageExports* exports_ = nullptr;
+  PatientViews* patient_ = nullptr;
+  std::unique_ptr<TrainBenchmark> benchmark_;
+  ui::CaseOrigin origin_;                         ///< of the case that comes next
+  std::shared_ptr<const PatientCase> savedCase_;  ///< waits until no feature holds the present one
+  QString trouble_;                               ///< why there is no image; not reported yet
+  bool isReady_ = false;
 };
 
 }  // namespace insonate::train

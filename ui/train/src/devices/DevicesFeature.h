@@ -1,0 +1,33 @@
+#pragma once
+
+#include "../feature/Feature.h"
+
+#include <QPointer>
+
+class QAction;
+
+namespace insonate::train {
+
+class DevicePanel;
+
+/// The hands that hold probe and needle, and the panel of haptic devices.
+class DevicesFeature final : public Feature {
+  Q_OBJECT
+
+ public:
+  DevicesFeature(TrainModel& model, TrainLayout& layout);
+  ~DevicesFeature() override;
+
+  /// Shows the panel.
+  QAction& panelAction() { return *panelAction_; }
+  void save(QSettings& settings) const override;
+  void restore(QSettings& settings) override;
+
+ private:
+  void showPanel();
+
+  QAction* panelAction_;
+  QPointer<DevicePanel> panel_;  ///< once it was asked for
+};
+
+}  // namespace insonate::train

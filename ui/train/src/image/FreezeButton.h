@@ -1,0 +1,21 @@
+#pragma once
+
+#include <QPushButton>
+
+namespace insonate::train {
+
+class CaseModel;
+class LiveModel;
+
+/// Freezes the image, and makes it live again.
+class FreezeButton final : public QPushButton {
+ public:
+  FreezeButton(CaseModel& patientCase, LiveModel& live, QWidget* parent = nullptr);
+
+ private:
+  void refresh();
+
+  LiveModel& live_;
+};
+
+}  // namespace insonate::train

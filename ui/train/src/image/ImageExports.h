@@ -1,0 +1,66 @@
+#pragma once
+
+#include "PictureExport.h"
+
+#include <insonate/views/Calliper.h>
+
+#include <QImage>
+#include <QObject>
+#include <QString>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <vector>
+
+class QSettings;
+
+namespace insonate::ui {
+class Workspace;
+}
+
+namespace insonate::train {
+
+class CaseModel;
+class CineBar;
+class EqualPanes;
+class ImageInput;
+class LiveModel;
+class StatusLine;
+
+/// Saves images and clips as the user asks for them, and remembers the folder.
+class ImageExports : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Sources {
+    CaseModel& patientCase;
+    LiveModel& live;
+    StatusLine& status;
+    CineBar& cine;
+    ImageInput& input;
+    EqualPanes& panes;  ///< the image, and the CT beside it
+  };
+  ImageExports(const Sources& sources, ui::Workspace& workspace, QObject* parent);
+
+  void savePicture(const std::filesystem::path& file);
+  void saveScreen(const std::filesystem::path& file);
+  void saveClip(const std::filesystem::path& folder);
+  void askPicture();
+
+  void save(QSettings& settings) const;
+  void restore(QSettings& settings);
+
+ private:
+  void askScreen();
+  void askClip();
+  QString askFile(const QString& title, const QString& ending);
+  void startWriting(std::function<QImage()> make, const std::filesystem::path& file);
+  std::vector<views::Calliper> measurements() const;
+
+  Sources sources_;
+  ui::Workspace& workspace_;
+  QString folder_;  ///< where images went last
+  std::vector<std::unique_ptr<PictureWriter>> writers_;
+};
+
+}  // namespace insonate::train

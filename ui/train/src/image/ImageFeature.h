@@ -1,0 +1,66 @@
+#pragma once
+
+#include "../feature/Feature.h"
+
+#include <QString>
+#include <memory>
+
+class QAction;
+class QLabel;
+
+namespace insonate {
+struct ImagingSetup;
+}
+
+namespace insonate::train {
+
+class CineBar;
+class CtBeside;
+class EqualPanes;
+class ImageExports;
+class ImagePanel;
+class Measurements;
+
+/// The ultrasound image with its settings, measurements, the last seconds, the CT beside it, and its export.
+class ImageFeature final : public Feature {
+  Q_OBJECT
+
+ public:
+  /// `probeChooser`: for the section of the image's settings.
+  ImageFeature(TrainModel& model, TrainLayout& layout, QWidget& probeChooser);
+
+  ImageExports& exports() { return *exports_; }
+
+  void act(const KeyRow& row, KeyPress press) override;
+  void save(QSettings& settings) const override;
+  void restore(QSettings& settings) override;
+  void setOpening(const QString& what) override;
+  void setCompact(bool isCompact) override;
+
+ protected:
+  bool isAvailable(Command command) const override;
+
+ private:
+  void buildColumn();
+  void buildInput();
+  void connectModel();
+  void showCase();
+  void showPlacing();
+  void showImage();
+  void showNotice();
+  void showFrozen();
+  void setCtBeside(bool isShown);
+
+  ImagePanel* panel_;
+  QAction* besideAction_;
+  QLabel *empty_ = nullptr, *vesselNote_ = nullptr;
+  EqualPanes* panes_ = nullptr;  ///< the image, and the CT beside it
+  CtBeside* beside_ = nullptr;
+  CineBar* cine_ = nullptr;
+  Measurements* measurements_ = nullptr;
+  ImageExports* exports_ = nullptr;
+  std::shared_ptr<const ImagingSetup> shape_;  ///< of the image as laid out
+  bool isOneEffect_ = false, isImageThere_ = false;
+};
+
+}  // namespace insonate::train

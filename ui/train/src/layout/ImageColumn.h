@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+class QVBoxLayout;
+
+namespace insonate::train {
+
+/// The middle column: the image, and slots under it.
+class ImageColumn final : public QWidget {
+ public:
+  /// From top to bottom. Image takes the height that the others leave.
+  enum Slot { Image, Note, Curve, Line, Bar };
+
+  explicit ImageColumn(QWidget* parent = nullptr);
+
+  /// Adds a widget under the others of its slot.
+  void add(Slot slot, QWidget* widget);
+
+ private:
+  std::array<QVBoxLayout*, Bar + 1> slots_{};
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "../feature/Feature.h"
+
+class QAction;
+
+namespace insonate::train {
+
+/// The widths of the columns, and the layout for left-handed users.
+class LayoutFeature final : public Feature {
+  Q_OBJECT
+
+ public:
+  LayoutFeature(TrainModel& model, TrainLayout& layout);
+
+  void save(QSettings& settings) const override;
+  void restore(QSettings& settings) override;
+
+ private:
+  QAction* leftHanded_;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,70 @@
+#include "TrainLayout.h"
+
+#include "Columns.h"
+#include "ControlsColumn.h"
+#include "LeftColumn.h"
+
+#include <insonate/ui/ViewWidget.h>
+#include <insonate/ui/Workspace.h>
+
+#include <QAction>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <utility>
+
+namespace insonate::train {
+
+TrainLayout::TrainLayout(ui::Workspace& workspace)
+    : workspace_(workspace),
+      controls_(new ControlsColumn),
+      leftPages_(new QStackedWidget),
+      left_(new LeftColumn(leftPages_)),
+      image_(new ImageColumn),
+      columns_(new Columns(&workspace)) {
+  leftPages_->addWidget(controls_);
+  views_ = new SharedViews(*image_);
+  auto* box = new QVBoxLayout(&workspace);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->addWidget(columns_);
+  ui::markViewRoom(columns_);
+}
+
+TrainLayout::~TrainLayout() {
+  delete columns_;
+}
+
+void TrainLayout::assemble() {
+  columns_->set(left_, image_, patient_);
+}
+
+void TrainLayout::addControlsPage(QWidget* page) {
+  leftPages_->addWidget(page);
+}
+
+void TrainLayout::showControlsPage(QWidget* page) {
+  leftPages_->setCurrentWidget(page ? page : controls_);
+}
+
+void TrainLayout::showPage(QWidget* page) {
+  if (page_) page_->hide();
+  page_ = page;
+  columns_->setVisible(!page_);
+  if (!page_) return;
+  workspace_.layout()->addWidget(page_);
+  page_->show();
+}
+
+bool TrainLayout::isPageShown() const {
+  return page_ && page_->isVisibleTo(&workspace_);
+}
+
+QAction* TrainLayout::addAction(const QString& text, const QString& tip, bool isCheckable) {
+  auto* action = new QAction(text, &workspace_);
+  action->setCheckable(isCheckable);
+  action->setToolTip(tip);
+  const QList<QAction*> others = workspace_.actions();
+  workspace_.insertAction(others.isEmpty() ? nullptr : others.front(), action);
+  return action;
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,63 @@
+#include "LevelCard.h"
+
+#include "../attempt/AttemptWords.h"
+#include "LevelControl.h"
+#include "LevelWords.h"
+
+#include <insonate/ui/PlainToolTip.h>
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
+
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace insonate::train {
+namespace {
+
+QPushButton* levelButton(const char* object, const QString& text, const QString& says) {
+  return ui::pushButton(object, text, says, Qt::TabFocus);
+}
+
+}  // namespace
+
+LevelCard::LevelCard(LevelControl& levels, QWidget* parent)
+    : QWidget(parent),
+      levels_(levels),
+      title_(ui::paragraph("levelTitle", "heading")),
+      rule_(ui::paragraph("levelRule", "quiet")) {
+  auto* course =
+      levelButton("levelsOpen", tr("Levels"), tr("Levels, your attempts and their curve, the questionnaire (J)"));
+  open_ = levelButton("levelOpenCase", tr("Open its case"), tr("Opens the level's case in place of the present one"));
+  free_ = levelButton("levelLeave", tr("Free practice"), tr("Leaves the level: any case, procedure and assistance"));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(ui::kSmallGap);
+  for (QPushButton* one : {course, open_, free_}) row->addWidget(one, 1);
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kSmallGap);
+  box->addWidget(title_);
+  box->addWidget(rule_);
+  box->addLayout(row);
+  connect(course, &QPushButton::clicked, this, &LevelCard::courseWanted);
+  connect(open_, &QPushButton::clicked, &levels_, &LevelControl::openCase);
+  connect(free_, &QPushButton::clicked, &levels_, &LevelControl::leave);
+  connect(&levels_, &LevelControl::changed, this, [this] { refresh(); });
+  refresh();
+}
+
+void LevelCard::refresh() {
+  const Level* level = levels_.level();
+  title_->setVisible(level);
+  rule_->setVisible(level);
+  free_->setVisible(level);
+  open_->setVisible(levels_.waitsForCase());
+  if (!level) return;
+  title_->setText(QString::fromStdString(level->title));
+  rule_->setText(tr("%1. A pass: %2.").arg(capital(wordOf(level->assistance)), passOf(level->pass)));
+  QStringList limits;
+  for (const MetricStandard& standard : level->pass.standards) limits << limitOf(standard);
+  rule_->setToolTip(ui::plainToolTip(limits.join(QLatin1Char('\n'))));
+}
+
+}  // namespace insonate::train

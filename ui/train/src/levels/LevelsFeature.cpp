@@ -1,0 +1,113 @@
+#include "LevelsFeature.h"
+
+#include "../attempt/AttemptControl.h"
+#include "../attempt/AttemptPanel.h"
+#include "../layout/TrainLayout.h"
+#include "../model/TrainModel.h"
+#include "AttemptKeeper.h"
+#include "Course.h"
+#include "CoursePage.h"
+#include "LevelCard.h"
+#include "LevelControl.h"
+#include "LevelWords.h"
+#include "UnsentFacts.h"
+#include "VerdictView.h"
+
+#include <insonate/ui/Widgets.h>
+#include <insonate/ui/Workspace.h>
+
+#include <QAction>
+#include <QPushButton>
+
+namespace insonate::train {
+
+LevelsFeature::LevelsFeature(TrainModel& model, TrainLayout& layout, AttemptControl& attempt, AttemptPanel& panel)
+    : Feature(model, layout, {Command::ShowCourse}),
+      attempt_(attempt),
+      panel_(panel),
+      pageAction_(layout.addAction(tr("Levels and attempts\tJ"), tr("Levels, your progress and your attempts"))),
+      course_(new Course(unsentFolder(), this)),
+      levels_(new LevelControl(model.status, model.patientCase, model.imaging, model.motion, attempt, *course_, this)),
+      keeper_(new AttemptKeeper(attempt, unsentFolder(), this)) {
+  fillPanel();
+  connectParts();
+}
+
+LevelsFeature::~LevelsFeature() {
+  delete page_;
+}
+
+void LevelsFeature::fillPanel() {
+  auto* card = new LevelCard(*levels_);
+  verdict_ = new VerdictView;
+  auto* toLevels =
+      ui::pushButton("attemptLevels", tr("Levels"), tr("Levels, your attempts and their curve (J)"), Qt::TabFocus);
+  panel_.addCard(card);
+  panel_.addToResult(verdict_, toLevels);
+  connect(card, &LevelCard::courseWanted, this, [this] { showPage(true); });
+  connect(toLevels, &QPushButton::clicked, this, [this] { showPage(true); });
+  connect(levels_, &LevelControl::changed, &panel_, [this] { panel_.setProcedureFixed(levels_->level()); });
+}
+
+void LevelsFeature::connectParts() {
+  keeper_->setAim([this] { return levels_->aim(); });
+  connect(levels_, &LevelControl::caseWanted, &layout_.workspace(), &ui::Workspace::caseWanted);
+  connect(levels_, &LevelControl::changed, this, [this] {
+    if (!holdsCase()) Q_EMIT caseReleased();
+  });
+  connect(levels_, &LevelControl::changed, keeper_, &AttemptKeeper::prepare);
+  connect(keeper_, &AttemptKeeper::said, &model_.status, &StatusLine::say);
+  connect(keeper_, &AttemptKeeper::allSent, course_, &Course::refresh);
+  connect(keeper_, &AttemptKeeper::ended, this, [this](const AttemptFacts& facts) { judge(facts); });
+  connect(&attempt_, &AttemptControl::begun, this, [this] {
+    verdict_->show(course_->isSomebodys() ? tr("Free practice: the attempt is listed, but counts for no level.")
+                                          : tr("You are a guest: the attempt is recorded, but counts for nobody."));
+  });
+  connect(pageAction_, &QAction::triggered, this, [this](bool on) { showPage(on); });
+}
+
+void LevelsFeature::setAccount(ui::Account& account) {
+  account_ = &account;
+  // Unsent facts are stored first, so that the course knows them.
+  keeper_->setAccount(account);
+  course_->setAccount(account);
+}
+
+void LevelsFeature::judge(const AttemptFacts& facts) {
+  const Curriculum* curriculum = course_->curriculum();
+  const Level* level = curriculum && facts.curriculum == curriculum->name ? curriculum->level(facts.level) : nullptr;
+  const std::vector<LevelProgress> before = course_->progress();
+  course_->add(facts);
+  if (level) verdict_->show(verdictOf(*curriculum, *level, facts, before, course_->progress()));
+}
+
+void LevelsFeature::act(const KeyRow&, KeyPress press) {
+  if (!press.repeated) showPage(!layout_.isPageShown());
+}
+
+bool LevelsFeature::holdsCase() const {
+  return levels_->level();
+}
+
+void LevelsFeature::makePage() {
+  ui::Workspace& workspace = layout_.workspace();
+  page_ = new CoursePage(*course_, *levels_, account_, &workspace);
+  connect(page_, &CoursePage::left, this, [this] { showPage(false); });
+  connect(page_, &CoursePage::attemptWanted, &workspace, &ui::Workspace::attemptWanted);
+  connect(page_, &CoursePage::said, &model_.status, &StatusLine::say);
+  connect(page_, &CoursePage::written, &workspace, &ui::Workspace::written);
+  connect(page_, &CoursePage::failed, &workspace,
+          [&workspace](const QString& what, const QString& advice) { Q_EMIT workspace.failed(what, advice, {}); });
+}
+
+void LevelsFeature::showPage(bool isShown) {
+  if (isShown && !page_) makePage();
+  if (!page_) return;
+  layout_.showPage(isShown ? page_ : nullptr);
+  pageAction_->setChecked(isShown);
+  model_.live.setWatched(!isShown);
+  isShown ? page_->takeKeyboard() : layout_.workspace().setFocus();
+  model_.status.setHint(isShown ? tr("Enter starts the marked level. J returns to the image.") : QString());
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "../feature/Feature.h"
+
+class QAction;
+
+namespace insonate {
+struct AttemptFacts;
+}
+
+namespace insonate::train {
+
+class AttemptControl;
+class AttemptKeeper;
+class AttemptPanel;
+class Course;
+class CoursePage;
+class LevelControl;
+class VerdictView;
+
+/// Levels, the user's attempts and the questionnaire: the level in the attempt's panel, the verdict beside its result,
+/// and the page in place of the columns.
+class LevelsFeature final : public Feature {
+  Q_OBJECT
+
+ public:
+  LevelsFeature(TrainModel& model, TrainLayout& layout, AttemptControl& attempt, AttemptPanel& panel);
+  ~LevelsFeature() override;
+
+  void act(const KeyRow& row, KeyPress press) override;
+  void setAccount(ui::Account& account) override;
+  bool holdsCase() const override;
+
+ protected:
+  /// The page is also shown without a patient.
+  bool isAvailable(Command /*command*/) const override { return true; }
+
+ private:
+  void fillPanel();
+  void connectParts();
+  void judge(const AttemptFacts& facts);
+  void makePage();
+  void showPage(bool isShown);
+
+  AttemptControl& attempt_;
+  AttemptPanel& panel_;
+  QAction* pageAction_;
+  Course* course_;
+  LevelControl* levels_;
+  AttemptKeeper* keeper_;
+  VerdictView* verdict_ = nullptr;
+  CoursePage* page_ = nullptr;  ///< once it was asked for
+  ui::Account* account_ = nullptr;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,47 @@
+#include "DeviceChoice.h"
+
+#include <QSettings>
+
+namespace insonate::train {
+
+void DeviceChoice::setDevice(Hand hand, const QString& device) {
+  const Hand other = hand == kProbeHand ? kNeedleHand : kProbeHand;
+  if (!device.isEmpty() && devices_[other] == device) devices_[other].clear();
+  devices_[hand] = device;
+}
+
+bool DeviceChoice::has(const QString& device) const {
+  return device == devices_[kProbeHand] || device == devices_[kNeedleHand] || device == pedal_;
+}
+
+bool DeviceChoice::isAny() const {
+  return !isMouse(kProbeHand) || !isMouse(kNeedleHand) || !pedal_.isEmpty();
+}
+
+void DeviceChoice::save(QSettings& settings) const {
+  settings.setValue("probeHand", devices_[kProbeHand]);
+  settings.setValue("needleHand", devices_[kNeedleHand]);
+  settings.setValue("pedal", pedal_);
+  settings.beginWriteArray("devices");
+  int n = 0;
+  for (auto it = mappings_.begin(); it != mappings_.end(); ++it) {
+    settings.setArrayIndex(n++);
+    settings.setValue("id", it.key());
+    train::save(it.value(), settings);
+  }
+  settings.endArray();
+}
+
+void DeviceChoice::restore(QSettings& settings) {
+  const int count = settings.beginReadArray("devices");
+  for (int n = 0; n < count; ++n) {
+    settings.setArrayIndex(n);
+    mappings_[settings.value("id").toString()] = restoredMapping(settings);
+  }
+  settings.endArray();
+  devices_[kProbeHand] = settings.value("probeHand").toString();
+  devices_[kNeedleHand] = settings.value("needleHand").toString();
+  pedal_ = settings.value("pedal").toString();
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,356 @@
+#include "HandsControl.h"
+
+#include "NeedleWords.h"
+
+#include <insonate/haptics/SimulatedDevice.h>
+#include <insonate/haptics/VendorKit.h>
+#include <insonate/ui/Text.h>
+
+#include <QSettings>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace insonate::train {
+namespace {
+
+constexpr int kPoll_ms = 16, kSlow_ms = 500;
+/// Force above which the other tool counts as pushing a needle that is outside.
+constexpr double kTouch_N = 0.3;
+constexpr double kStart_mm = 5;  // off the skin
+/// Bits of DeviceState::buttons.
+constexpr std::uint32_t kTurnButton = 1, kDrawButton = 2;
+constexpr double kStill_deg = 0.01;
+
+bool sameNeedle(const NeedleShown& a, const NeedleShown& b) {
+  const NeedleState &s = a.state, &t = b.state;
+  return a.patientFromNeedle == b.patientFromNeedle && s.inBody == t.inBody && s.in == t.in && s.onBone == t.onBone &&
+         s.tenting == t.tenting && std::abs(s.axial_N - t.axial_N) < 0.01 && std::abs(s.tent_mm - t.tent_mm) < 0.01 &&
+         std::abs(s.depth_mm - t.depth_mm) < 0.01;
+}
+
+}  // namespace
+
+HandsControl::HandsControl(QObject* parent) : QObject(parent), session_(std::make_unique<HandsSession>(allDevices())) {
+  timer_.setInterval(kPoll_ms);
+  timer_.setTimerType(Qt::PreciseTimer);
+  connect(&timer_, &QTimer::timeout, this, [this] { look(); });
+  slow_.setInterval(kSlow_ms);
+  connect(&slow_, &QTimer::timeout, this, [this] { checkDevices(); });
+}
+
+HandsControl::~HandsControl() = default;
+
+void HandsControl::setCase(std::shared_ptr<const LabelMap> labels, const ProbeHand* hand, VesselNames vessels) {
+  layNeedleDown();
+  if (labels) session_->devices();  // begins to look for them
+  labels_ = std::move(labels);
+  probe_ = hand ? std::optional(*hand) : std::nullopt;
+  session_->setVessels(std::move(vessels));
+  session_->setCase(labels_, hand);
+  apply();
+}
+
+void HandsControl::setWatched(bool watched) {
+  if (std::exchange(watched_, watched) != watched) apply();
+}
+
+void HandsControl::probeMoved(const ProbeHand& hand, double halfWidth_mm) {
+  probe_ = hand;
+  halfWidth_mm_ = halfWidth_mm;
+  session_->moveByMouse(kProbeHand, hand.pose());
+}
+
+void HandsControl::setAttempt(std::shared_ptr<LiveAttempt> attempt) {
+  attempted_ = attempt != nullptr;
+  session_->setAttempt(std::move(attempt));
+  apply();
+}
+
+void HandsControl::setSilent(bool silent) {
+  if (std::exchange(silent_, silent) != silent) Q_EMIT needleChanged();
+}
+
+bool HandsControl::drivesProbe() const {
+  return put_[kProbeHand] && !session_->isMouse(kProbeHand);
+}
+
+bool HandsControl::probeFollowsMouse() const {
+  return !drivesProbe() || session_->followsMouse(kProbeHand);
+}
+
+std::shared_ptr<HapticDevice> HandsControl::deviceOf(const QString& id) {
+  for (const auto& device : session_->devices().devices())
+    if (device->info().id == id.toStdString()) return device;
+  return nullptr;
+}
+
+Transform HandsControl::startOf(Hand hand) const {
+  if (hand == kProbeHand) return probe_->pose();
+  if (wish_) return wish_->patientFromNeedle();
+  return NeedleHand::beside(*probe_, halfWidth_mm_, plane_).patientFromNeedle();
+}
+
+/// Puts the chosen device into a hand if it holds another one.
+void HandsControl::put(Hand hand) {
+  const bool ready = labels_ && probe_;
+  std::shared_ptr<HapticDevice> device = choice_.isMouse(hand) ? nullptr : deviceOf(choice_.device(hand));
+  const bool simulated = dynamic_cast<SimulatedDevice*>(device.get()) != nullptr;
+  // A real needle is there as soon as its device is; that of mouse and keys is taken up. Nobody feels a force without
+  // looking.
+  const bool taken = hand == kProbeHand ? device || needle_ || wish_ || attempted_ : wish_ || (device && !simulated);
+  if (!ready || !taken || (device && !simulated && !watched_)) {
+    if (!session_->held(hand)) return;
+    put_[hand] = nullptr;
+    session_->put(hand, nullptr, {});
+    Q_EMIT handsChanged();
+    return;
+  }
+  if (!choice_.isMouse(hand) && !device) return;  // it may come back
+  if (session_->held(hand) && (device ? put_[hand] == device : session_->isMouse(hand))) return;
+  const Transform start = startOf(hand);
+  if (device) {
+    HandMapping mapping = choice_.mapping(choice_.device(hand));
+    DeviceState state;
+    if (simulated && device->take(state)) mapping.begin = state.deviceFromStylus;
+    session_->put(hand, device, setupOf(mapping, start));
+    session_->moveByMouse(hand, start);
+  } else {
+    session_->putMouse(hand, start);
+  }
+  put_[hand] = session_->held(hand);
+  Q_EMIT handsChanged();
+}
+
+void HandsControl::apply() {
+  put(kNeedleHand);
+  put(kProbeHand);
+  if (auto pedal = choice_.pedal().isEmpty() ? nullptr : deviceOf(choice_.pedal()); pedal != pedalDevice_)
+    session_->setPedal(pedalDevice_ = pedal);
+  const bool active = session_->held(kProbeHand) || session_->held(kNeedleHand) || pedalDevice_;
+  if (active && !timer_.isActive()) clock_.start(), timer_.start();
+  if (!active) timer_.stop();
+  const bool waits = choice_.isAny();
+  if (waits != slow_.isActive()) waits ? slow_.start() : slow_.stop();
+  if (!session_->held(kNeedleHand) && std::exchange(needle_, std::nullopt)) Q_EMIT needleChanged();
+}
+
+void HandsControl::checkDevices() {
+  apply();
+  for (const DeviceEvent& event : session_->devices().takeEvents()) {
+    const QString id = QString::fromStdString(event.device);
+    if (event.trouble && choice_.has(id)) Q_EMIT said(QString::fromStdString(event.text));
+    Q_EMIT deviceEvent(event);
+  }
+}
+
+void HandsControl::look() {
+  const double step_s = std::min(0.1, double(clock_.restart()) / 1000);
+  const ServoSnapshot now = session_->snapshot();
+  if (wish_) advanceTowardTarget(now, step_s);
+  follow(now);
+  if (now.present[kNeedleHand] && !session_->isMouse(kNeedleHand)) checkButtons(now.states[kNeedleHand]);
+  for (const NeedleEvent& event : session_->takeEvents())
+    if (!silent_) Q_EMIT said(sentenceOf(event, vesselAt(*session_, event.wall, event.tip_mm)));
+  for (std::uint32_t down = session_->takePresses(), button = 0; down; down >>= 1, ++button)
+    if (down & 1) Q_EMIT pedalPressed(int(button));
+}
+
+void HandsControl::checkButtons(const DeviceState& now) {
+  const DeviceState before = std::exchange(stylus_, now);
+  if ((now.buttons ^ before.buttons) & kDrawButton) Q_EMIT drawButton(now.buttons & kDrawButton);
+  if (!(now.buttons & before.buttons & kTurnButton)) return;
+  // For small turns: the sum of the axes' cross products is twice the turn.
+  Vec3 twice;
+  for (int i = 0; i < 3; ++i)
+    twice = twice + cross(before.deviceFromStylus.linear.column[i], now.deviceFromStylus.linear.column[i]);
+  const Vec3 turn_deg = twice * (0.5 * 180 / 3.14159265358979);
+  // The patient goes along with the hand: the view goes the other way round.
+  if (norm(turn_deg) > kStill_deg) Q_EMIT anatomyTurned(-turn_deg.y, turn_deg.x);
+}
+
+void HandsControl::follow(const ServoSnapshot& now) {
+  if (drivesProbe() && now.present[kProbeHand]) {
+    const Transform& held = now.output.hands[kProbeHand].patientFromTool;
+    if (std::exchange(driven_, held) != held) Q_EMIT probeDriven();
+  }
+  std::optional<NeedleShown> shown;
+  if (now.present[kNeedleHand])
+    shown = NeedleShown{now.output.hands[kNeedleHand].patientFromShown, now.output.needle};
+  else if (wish_)
+    shown = NeedleShown{wish_->patientFromNeedle(), {}};
+  if (shown && needle_ && sameNeedle(*shown, *needle_)) return;
+  if (!shown && !needle_) return;
+  const bool came = shown.has_value() != needle_.has_value();
+  needle_ = shown;
+  Q_EMIT needleChanged();
+  if (came) apply();  // the probe is there for the needle to touch
+}
+
+/// Mouse and keys push on until something stops the needle: bone, or the probe.
+void HandsControl::advanceTowardTarget(const ServoSnapshot& now, double step_s) {
+  const double left_mm = advance_mm_ - wish_->state().advance_mm;
+  if (left_mm == 0) return;
+  const HandOutput& out = now.output.hands[kNeedleHand];
+  const NeedleState& state = now.output.needle;
+  const bool probe = !state.inBody && !state.tenting && norm(out.wanted_N) > kTouch_N;
+  if (left_mm > 0 && now.present[kNeedleHand] && (state.onBone || probe)) {
+    advance_mm_ = wish_->state().advance_mm;
+    if (probe) Q_EMIT said(tr("The needle meets the probe: move one of them aside."));
+    return;
+  }
+  const double most_mm = kAdvance_mmPerS * step_s;
+  wish_->advance(std::clamp(left_mm, -most_mm, most_mm));
+  if (std::abs(left_mm) <= most_mm) advance_mm_ = wish_->state().advance_mm;
+  targetChanged();
+}
+
+void HandsControl::targetChanged() {
+  session_->moveByMouse(kNeedleHand, wish_->patientFromNeedle());
+}
+
+void HandsControl::takeNeedle(NeedlePlane plane) {
+  if (!labels_ || !probe_) return Q_EMIT said(tr("There is no patient for the needle yet."));
+  plane_ = plane;
+  if (!choice_.isMouse(kNeedleHand) && !dynamic_cast<SimulatedDevice*>(deviceOf(choice_.device(kNeedleHand)).get()))
+    return Q_EMIT said(tr("The needle is in the hand of a device."));
+  if (wish_) layNeedleDown();
+  wish_ = NeedleHand::beside(*probe_, halfWidth_mm_, plane);
+  advance_mm_ = -kStart_mm;
+  apply();
+  follow(session_->snapshot());
+  constexpr double kInPlane_mm = 0.1;
+  if (plane == NeedlePlane::Along && wish_->offPlane_mm(probe_->pose()) > kInPlane_mm)
+    return Q_EMIT said(
+        tr("The needle is not in-plane: beside the probe there is no skin, or it faces away. Move the "
+           "probe, then press I twice."));
+  Q_EMIT said(session_->tissueReady()
+                  ? tr("The needle is beside the probe, at 20 degrees to the skin. Alt+W makes it steeper, Page Down "
+                       "advances it, Page Up withdraws it.")
+                  : tr("The needle is in hand; contact with the patient is ready in a moment."));
+}
+
+void HandsControl::setHeld(bool held) {
+  if (wish_) advance_mm_ = wish_->state().advance_mm;
+  session_->holdNeedle(held);
+}
+
+void HandsControl::layNeedleDown() {
+  if (!std::exchange(wish_, std::nullopt)) return;
+  apply();
+  Q_EMIT needleChanged();
+}
+
+void HandsControl::tell(HandMove move) {
+  if (!move.done()) Q_EMIT said(ui::qt(move.stopped));
+  targetChanged();
+  Q_EMIT needleChanged();
+}
+
+void HandsControl::moveNeedle(NeedleAxis axis, double amount) {
+  if (!wish_)
+    return Q_EMIT said(needle_ ? tr("The needle is in the hand of a device.") : tr("Take up the needle first (I)."));
+  switch (axis) {
+    case NeedleAxis::Lateral:
+      return tell(wish_->slide(probe_->pose(), amount, 0));
+    case NeedleAxis::Elevation:
+      return tell(wish_->slide(probe_->pose(), 0, amount));
+    case NeedleAxis::Heading:
+      return tell(wish_->turn(amount));
+    case NeedleAxis::Angle:
+      return tell(wish_->tilt(amount));
+    case NeedleAxis::Bevel:
+      return tell(wish_->rotateBevel(amount));
+    case NeedleAxis::Advance: {
+      const double wanted_mm = advance_mm_ + amount;
+      advance_mm_ = std::clamp(wanted_mm, -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm);
+      if (wanted_mm != advance_mm_)
+        Q_EMIT said(amount > 0 ? tr("The needle is in up to its hub, 70 mm.") : tr("The needle is off the skin."));
+      return Q_EMIT needleChanged();
+    }
+  }
+}
+
+void HandsControl::setNeedle(NeedleAxis axis, double value) {
+  if (!wish_) return moveNeedle(axis, 0);
+  const NeedleHandState& now = wish_->state();
+  switch (axis) {
+    case NeedleAxis::Heading:
+      return moveNeedle(axis, std::remainder(value - wish_->heading_deg(), 360));
+    case NeedleAxis::Angle:
+      return moveNeedle(axis, value - now.angle_deg);
+    case NeedleAxis::Bevel:
+      return moveNeedle(axis, value - now.bevel_deg);
+    default:
+      return moveNeedle(NeedleAxis::Advance, value - advance_mm_);
+  }
+}
+
+void HandsControl::needleTo(Vec3 patient_mm) {
+  if (wish_) tell(wish_->moveTo(patient_mm));
+}
+
+void HandsControl::assign(Hand hand, const QString& device) {
+  if (choice_.device(hand) == device) return;
+  if (hand == kNeedleHand) layNeedleDown();
+  const Hand other = hand == kProbeHand ? kNeedleHand : kProbeHand;
+  const QString others = choice_.device(other);
+  choice_.setDevice(hand, device);
+  if (choice_.device(other) != others) leave(other);
+  leave(hand);
+  apply();
+  Q_EMIT handsChanged();
+}
+
+/// Takes the present device out of a hand.
+void HandsControl::leave(Hand hand) {
+  if (hand == kNeedleHand) layNeedleDown();
+  put_[hand] = nullptr;
+  if (session_->held(hand)) session_->put(hand, nullptr, {});
+}
+
+void HandsControl::assignPedal(const QString& device) {
+  choice_.setPedal(device);
+  apply();
+  Q_EMIT handsChanged();
+}
+
+void HandsControl::setMapping(const QString& device, const HandMapping& mapping) {
+  const bool otherSide = choice_.mapping(device).stand != mapping.stand;
+  choice_.setMapping(device, mapping);
+  for (const Hand hand : {kProbeHand, kNeedleHand})
+    if (choice_.device(hand) == device && !device.isEmpty() && session_->held(hand) == put_[hand] && put_[hand]) {
+      // Forces at once; the tool goes on from where it is, or, seen from another side, from where it began.
+      HandSetup now = otherSide ? setupOf(mapping, startOf(hand)) : session_->setupOf(hand);
+      now.gain = mapping.gain, now.mostForce_N = mapping.mostForce_N, now.apart_mm = mapping.apart_mm;
+      session_->put(hand, put_[hand], now);
+    }
+  Q_EMIT handsChanged();
+}
+
+void HandsControl::beginHere(Hand hand) {
+  const ServoSnapshot now = session_->snapshot();
+  if (!labels_ || !probe_ || choice_.isMouse(hand) || !now.present[hand])
+    return Q_EMIT said(tr("Choose a device that reports its position for this hand first."));
+  HandMapping mapping = choice_.mapping(choice_.device(hand));
+  mapping.begin = now.states[hand].deviceFromStylus;
+  choice_.setMapping(choice_.device(hand), mapping);
+  session_->put(hand, put_[hand], setupOf(mapping, startOf(hand)));
+  Q_EMIT handsChanged();
+  Q_EMIT said(hand == kProbeHand ? tr("The device's present pose now matches the probe in the image.")
+                                 : tr("The device's present pose now matches a needle beside the probe."));
+}
+
+void HandsControl::save(QSettings& settings) const {
+  choice_.save(settings);
+  settings.setValue("needleAcross", plane_ == NeedlePlane::Across);
+}
+
+void HandsControl::restore(QSettings& settings) {
+  choice_.restore(settings);
+  plane_ = settings.value("needleAcross", false).toBool() ? NeedlePlane::Across : NeedlePlane::Along;
+  apply();
+  Q_EMIT handsChanged();
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <insonate/procedure/AttemptMetrics.h>
+
+#include <QObject>
+
+namespace insonate::train {
+
+/// The needle of an attempt as the trainee may see it, and the tray with a new one beside the patient.
+class NeedleTray : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  /// Tells whether the tray is beside the patient: while an attempt is running.
+  bool isOut() const { return isOut_; }
+  /// Place of the needle as far as it is disclosed; Clean outside attempts.
+  NeedlePlace needle() const { return needle_; }
+  void set(bool isOut, NeedlePlace needle);
+  /// Reports that pointer or needle touch the tray.
+  void touch() { Q_EMIT touched(); }
+
+ Q_SIGNALS:
+  void changed();
+  void touched();
+
+ private:
+  bool isOut_ = false;
+  NeedlePlace needle_ = NeedlePlace::Clean;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,149 @@
+#include "NeedleControls.h"
+
+#include "../layout/NumberField.h"
+#include "../model/Disclosure.h"
+#include "../model/HandsControl.h"
+#include "../model/NeedleMotion.h"
+#include "../model/NeedleWords.h"
+#include "../model/ProbeMotion.h"
+#include "../model/StatusLine.h"
+
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace insonate::train {
+namespace {
+
+struct NeedleRow {
+  NeedleAxis axis;
+  const char* object;  ///< after "needle_"
+  const char* name;
+  const char* unit;
+  double low, high, step;
+  const char* says;
+};
+/// The longer names in one column: the panel is narrow.
+constexpr NeedleRow kNeedleRows[] = {
+    {NeedleAxis::Angle, "angle", "angle", "°", NeedleHand::kLeastAngle_deg, NeedleHand::kMostAngle_deg, 1,
+     "Between needle and skin, in degrees; 90: square to it (Alt+W, Alt+S)"},
+    {NeedleAxis::Heading, "heading", "heading", "°", -180, 180, 2,
+     "Direction of the needle along the skin, in degrees; 0: to the patient's head, 90: to the left (Alt+Q, Alt+E)"},
+    {NeedleAxis::Bevel, "bevel", "bevel", "°", -180, 180, 10,
+     "Turn of the needle about itself, in degrees; 0: the bevel looks up (Alt+A, Alt+D)"},
+    {NeedleAxis::Advance, "depth", "advance", " mm", -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm, 1,
+     "How far the hand has advanced the needle from the skin, in mm; below 0: off it (Page Down, Page Up)"},
+};
+
+QPushButton* planeButton(const char* object, const QString& text, const QString& says) {
+  auto* button = ui::pushButton(object, text, says, Qt::TabFocus);
+  button->setCheckable(true);
+  return button;
+}
+
+}  // namespace
+
+NeedleControls::NeedleControls(StatusLine& status, DisclosureModel& disclosure, HandsControl& hands,
+                               ProbeMotion& motion, NeedleMotion& needle, QWidget* parent)
+    : QWidget(parent), status_(status), disclosure_(disclosure), hands_(hands), motion_(motion), needle_(needle) {
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(4);
+  auto* head = new QHBoxLayout;
+  auto* heading = new QLabel(tr("Needle"), this);
+  ui::setRole(heading, "heading");
+  auto* devices = new QPushButton(tr("Devices"));
+  devices->setObjectName("showDevices");
+  devices->setToolTip(tr("Haptic devices and pedals: what is there, and what it holds"));
+  devices->setFocusPolicy(Qt::TabFocus);
+  connect(devices, &QPushButton::clicked, this, &NeedleControls::devicesWanted);
+  head->addWidget(heading, 1);
+  head->addWidget(devices);
+  box->addLayout(head);
+  along_ = planeButton("needleAlong", tr("in-plane"),
+                       tr("Takes an 18 G needle of 70 mm in-plane, beside the probe's end, or puts it away (I)"));
+  across_ = planeButton("needleAcross", tr("out-of-plane"),
+                        tr("Takes an 18 G needle of 70 mm out-of-plane, before the probe, or puts it away (I)"));
+  auto* take = new QHBoxLayout;
+  take->setSpacing(4);
+  take->addWidget(along_, 1);
+  take->addWidget(across_, 1);
+  box->addLayout(take);
+  numbers_ = buildNumbers();
+  box->addWidget(numbers_);
+  words_ = new QLabel(this);
+  words_->setObjectName("needleWords");
+  words_->setWordWrap(true);
+  box->addWidget(words_);
+  const auto taken = [this](QPushButton* button, NeedlePlane plane) {
+    connect(button, &QPushButton::clicked, this, [this, plane](bool on) {
+      if (on)
+        needle_.take(plane);
+      else
+        hands_.layNeedleDown();
+      refresh();
+    });
+  };
+  taken(along_, NeedlePlane::Along);
+  taken(across_, NeedlePlane::Across);
+  connect(&hands_, &HandsControl::needleChanged, this, [this] { refresh(); });
+  refresh();
+}
+
+QWidget* NeedleControls::buildNumbers() {
+  auto* all = new QWidget(this);
+  auto* grid = new QGridLayout(all);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(8);
+  grid->setVerticalSpacing(4);
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(3, 1);
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    const NeedleRow& row = kNeedleRows[i];
+    auto* field =
+        new NumberField(QLatin1String(row.name), QString::fromUtf8(row.unit), {row.low, row.high, row.step}, all);
+    field->setObjectName(QStringLiteral("needle_") + QLatin1String(row.object));
+    field->setAccessibleName(tr("Needle, %1").arg(tr(row.name)));
+    field->setToolTip(QString::fromUtf8(row.says) + tr("\nEnter applies, arrows and wheel step."));
+    field->setTyped([this, axis = row.axis](double value) { needle_.set(axis, value); });
+    field->setRefused([this](const QString& sentence) { status_.say(sentence); });
+    fields_[i] = field;
+    auto* name = new QLabel(tr(row.name), all);
+    ui::setRole(name, "quiet");
+    const int column = int(i % 2) * 2, line = int(i / 2);
+    grid->addWidget(name, line, column);
+    grid->addWidget(field, line, column + 1);
+  }
+  return all;
+}
+
+void NeedleControls::refresh() {
+  const HandsControl& hands = hands_;
+  const NeedleHand* held = hands.needleHand();
+  along_->setChecked(held && hands.needlePlane() == NeedlePlane::Along);
+  across_->setChecked(held && hands.needlePlane() == NeedlePlane::Across);
+  numbers_->setVisible(held);
+  words_->setVisible(hands.needle().has_value());
+  words_->setToolTip(disclosure_.current().anatomy
+                         ? tr("Tissue at the tip; insertion length along the shaft from the skin, in mm; depth of the "
+                              "tip on the image's scale, in mm; resistance in N")
+                         : tr("Insertion length along the shaft from the skin, in mm; resistance in N"));
+  if (hands.needle()) words_->setText(wordsNow(*hands.needle()));
+  if (!held) return;
+  const NeedleHandState& state = held->state();
+  const double values[] = {state.angle_deg, held->heading_deg(), state.bevel_deg, hands.wantedAdvance_mm()};
+  for (std::size_t i = 0; i < fields_.size(); ++i) fields_[i]->show(values[i]);
+}
+
+QString NeedleControls::wordsNow(const NeedleShown& needle) const {
+  if (!disclosure_.current().anatomy) return plainWordsOf(needle.state);
+  const Vec3 tip_mm = needle.patientFromNeedle.offset;
+  return wordsOf(needle.state, vesselAt(hands_.session(), needle.state.in, tip_mm),
+                 (inverted(motion_.pose()) * tip_mm).z);
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,113 @@
+#include "Patient3dFeature.h"
+
+#include "../layout/Columns.h"
+#include "../layout/TrainLayout.h"
+#include "../model/TrainModel.h"
+#include "FourSlices.h"
+#include "PatientViews.h"
+#include "SceneNeedle.h"
+
+#include <insonate/ui/ScenePanel.h>
+#include <insonate/ui/StateColors.h>
+#include <insonate/ui/ViewWidget.h>
+
+#include <QKeyEvent>
+#include <QSettings>
+#include <QSplitter>
+#include <algorithm>
+#include <utility>
+
+namespace insonate::train {
+
+Patient3dFeature::Patient3dFeature(TrainModel& model, TrainLayout& layout)
+    : Feature(model, layout, {Command::AllSlices, Command::SliceWindow, Command::CutAtNeedle}),
+      patient_(new PatientViews(model)) {
+  layout.setPatient(patient_);
+  SharedViews& views = layout.views();
+  views.add(patient_->sceneWidget());
+  views.addSlice({&patient_->mpr(), &patient_->mprWidget()});
+  FourSlices& four = patient_->allSlices();
+  for (std::size_t n = 0; n < FourSlices::kCount; ++n) views.addSlice({&four.slice(n), &four.widget(n)});
+  patient_->setWindowChanged([&views](views::WindowLevel value) { Q_EMIT views.windowLevelChanged(value); });
+  patient_->setRoomWanted([this](bool more) { layout_.columns().expandPatient(more); });
+  connectNeedle();
+}
+
+void Patient3dFeature::connectNeedle() {
+  connect(&model_.tray, &NeedleTray::changed, this, [this] {
+    patient_->needle().setColour(ui::colorOf(model_.tray.needle()));
+    patient_->setTrayVisible(model_.tray.isOut());
+  });
+  // A new needle is taken by touching the tray, with the pointer or with the needle itself.
+  patient_->setTrayTaken([this] { model_.tray.touch(); });
+  connect(&model_.hands, &HandsControl::needleChanged, this, [this] {
+    const auto& held = model_.hands.needle();
+    const bool used = model_.tray.isOut() && model_.tray.needle() == NeedlePlace::Used;
+    const bool touches = used && held && patient_->needle().isOnTray(held->patientFromNeedle.offset);
+    // Once a touch: the tray hears of the new needle a little later.
+    if (!std::exchange(touchesTray_, touches) && touches) model_.tray.touch();
+  });
+  connect(&model_.hands, &HandsControl::anatomyTurned, this,
+          [this](double across_deg, double up_deg) { patient_->turn(across_deg, up_deg); });
+}
+
+void Patient3dFeature::act(const KeyRow& row, KeyPress press) {
+  if (row.command == Command::SliceWindow) return patient_->setSliceWindow(row.place);
+  if (row.command == Command::CutAtNeedle && press.repeated) return;
+  if (!model_.disclosure.mayShowAnatomy()) return;
+  row.command == Command::AllSlices ? patient_->setAllSlices(!patient_->showsAllSlices())
+                                    : patient_->needle().toggleCut();
+}
+
+bool Patient3dFeature::isViewKey(const QObject* canvas, const QKeyEvent& event) const {
+  const views::MprView* slice = patient_->sliceOf(canvas);
+  if (!slice || event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) return false;
+  switch (event.key()) {
+    case Qt::Key_A:
+    case Qt::Key_D:
+    case Qt::Key_G:
+    case Qt::Key_R:
+      return true;
+    // The probe's plane has no neighbors: there the arrows are the probe's.
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_PageUp:
+    case Qt::Key_PageDown:
+      return slice->kind() != views::SliceKind::Oblique;
+    default:
+      return false;
+  }
+}
+
+void Patient3dFeature::setCompact(bool isCompact) {
+  patient_->setCompact(isCompact);
+}
+
+void Patient3dFeature::save(QSettings& settings) const {
+  settings.setValue("labelOpacity", patient_->mpr().labelOpacity());
+  const bool allSlices = patient_->showsAllSlices();
+  // Four slices take their height again when they are restored.
+  patient_->setAllSlices(false);
+  settings.setValue("patientViews", patient_->splitter().saveState());
+  patient_->setAllSlices(allSlices);
+  settings.setValue("slice", int(patient_->mpr().kind()));
+  settings.setValue("allSlices", allSlices);
+  settings.beginGroup("scene");
+  patient_->scenePanel().save(settings);
+  settings.endGroup();
+}
+
+void Patient3dFeature::restore(QSettings& settings) {
+  patient_->mpr().setLabelOpacity(settings.value("labelOpacity", 0).toDouble());
+  patient_->splitter().restoreState(settings.value("patientViews").toByteArray());
+  const int slice = settings.value("slice", int(views::SliceKind::Oblique)).toInt();
+  patient_->setSliceKind(views::SliceKind(std::clamp(slice, 0, int(views::SliceKind::Oblique))));
+  if (settings.value("allSlices", false).toBool()) patient_->setAllSlices(true);
+  settings.beginGroup("scene");
+  patient_->scenePanel().restore(settings);
+  settings.endGroup();
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "../feature/Feature.h"
+
+namespace insonate::train {
+
+class PatientViews;
+
+/// The patient in 3D and as slices of the CT, in a column beside the image.
+class Patient3dFeature final : public Feature {
+  Q_OBJECT
+
+ public:
+  Patient3dFeature(TrainModel& model, TrainLayout& layout);
+
+  PatientViews& patientViews() { return *patient_; }
+
+  void act(const KeyRow& row, KeyPress press) override;
+  bool isViewKey(const QObject* canvas, const QKeyEvent& event) const override;
+  void save(QSettings& settings) const override;
+  void restore(QSettings& settings) override;
+  void setCompact(bool isCompact) override;
+
+ private:
+  void connectNeedle();
+
+  PatientViews* patient_;
+  bool touchesTray_ = false;  ///< the used needle, in a hand
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <insonate/core/Transform.h>
+#include <insonate/views/SceneView.h>
+
+#include <QObject>
+#include <optional>
+
+namespace insonate::train {
+
+class CaseModel;
+class HandsControl;
+class StatusLine;
+
+/// The needle in 3D, the tray with a new one beside the patient's chest, and the cut along the needle.
+class SceneNeedle final : public QObject {
+  Q_OBJECT
+
+ public:
+  SceneNeedle(HandsControl& hands, CaseModel& patientCase, StatusLine& status, views::SceneView& scene,
+              QObject* parent);
+
+  /// Draws the needle as it is held now.
+  void follow();
+  /// Sets the color of the shaft.
+  void setColour(views::Colour colour);
+
+  /// Shows the tray on the side away from the probe, or hides it.
+  void setTray(bool isVisible, Vec3 probe_mm);
+  const std::optional<Transform>& tray() const { return tray_; }
+  /// Tells whether a point lies on the tray or just over it, like a tip that touches it.
+  bool isOnTray(Vec3 patient_mm) const;
+
+  /// Opens the patient along the needle, toward the viewer, or closes it again.
+  void toggleCut();
+  /// Closes the patient if it was opened along the needle.
+  void removeCut();
+
+ Q_SIGNALS:
+  /// The needle is drawn elsewhere or in another color.
+  void changed();
+
+ private:
+  HandsControl& hands_;
+  CaseModel& patientCase_;
+  StatusLine& status_;
+  views::SceneView& scene_;
+  std::optional<Transform> needle_;  ///< as drawn
+  views::Colour colour_ = views::theme::kText;
+  std::optional<views::Clipping> cut_;
+  std::optional<Transform> tray_;
+};
+
+}  // namespace insonate::train

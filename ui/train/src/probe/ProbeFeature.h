@@ -1,0 +1,42 @@
+#pragma once
+
+#include "../feature/Feature.h"
+
+namespace insonate::train {
+
+class FovHandles;
+class HeldPress;
+class Positions;
+class ProbeChooser;
+class ProbeEditor;
+class ProbeLibrary;
+
+/// The probe: its moves by keys and numbers, its positions, its choice, and the editor of its shape.
+class ProbeFeature final : public Feature {
+  Q_OBJECT
+
+ public:
+  ProbeFeature(TrainModel& model, TrainLayout& layout);
+
+  /// For the section of the image.
+  QWidget& chooser();
+
+  void act(const KeyRow& row, KeyPress press) override;
+  void save(QSettings& settings) const override;
+  void restore(QSettings& settings) override;
+
+ private:
+  QWidget* buildPositionSection();
+  void buildEditor();
+  void edit(bool isEdited);
+  void fitToImage();
+
+  ProbeLibrary* library_;
+  ProbeChooser* chooser_;
+  Positions* positions_ = nullptr;
+  ProbeEditor* editor_ = nullptr;
+  FovHandles* handles_ = nullptr;
+  HeldPress* heldPress_;
+};
+
+}  // namespace insonate::train

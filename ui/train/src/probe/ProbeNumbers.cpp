@@ -1,0 +1,118 @@
+#include "ProbeNumbers.h"
+
+#include "../layout/NumberField.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QGridLayout>
+#include <QLabel>
+
+namespace insonate::train {
+namespace {
+
+struct AngleRow {
+  HandAxis axis;
+  const char* name;
+  const char* unit;
+  double low, high, step;
+  const char* says;
+};
+constexpr AngleRow kAngleRows[] = {
+    {HandAxis::Rotation, "rotation", "°", -180, 180, 2,
+     "About the probe's axis, in degrees; 0: across the body, the marker to the patient's left (Q, E)"},
+    {HandAxis::Tilt, "tilt", "°", -ProbeHand::kMostAngle_deg, ProbeHand::kMostAngle_deg, 1,
+     "Fanning out of the image's plane, in degrees; 0: square to the skin (W, S)"},
+    {HandAxis::Rock, "rock", "°", -ProbeHand::kMostAngle_deg, ProbeHand::kMostAngle_deg, 1,
+     "Rocking within the image's plane, in degrees; 0: square to the skin (A, D)"},
+    {HandAxis::Press, "press", " mm", -ProbeHand::kLift_mm, ProbeHand::kMostPress_mm, 0.5,
+     "Into the skin, in mm; below 0 off it (+, -)"},
+};
+
+struct Axis {
+  const char* name;
+  const char* says;
+};
+constexpr Axis kAxes[] = {
+    {"x", "Where the probe touches the skin, in mm of the CT: to the patient's left"},
+    {"y", "Where the probe touches the skin, in mm of the CT: to the patient's back"},
+    {"z", "Where the probe touches the skin, in mm of the CT: to the patient's head"},
+};
+/// No body is larger, and few scanners count from further away.
+constexpr double kFar_mm = 2999;
+
+QLabel* quiet(const char* name, QWidget* parent) {
+  auto* label = new QLabel(QLatin1String(name), parent);
+  ui::setRole(label, "quiet");
+  return label;
+}
+
+QString hint(const char* says) {
+  return QString::fromUtf8(says) + QWidget::tr("\nEnter applies, arrows and wheel step.");
+}
+
+}  // namespace
+
+ProbeNumbers::ProbeNumbers(QWidget* parent) : QWidget(parent) {
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(8);
+  grid->setVerticalSpacing(4);
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(3, 1);
+  addAngles();
+  addPlace();
+}
+
+void ProbeNumbers::addAngles() {
+  auto* grid = static_cast<QGridLayout*>(layout());
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    const AngleRow& row = kAngleRows[i];
+    auto* box =
+        new NumberField(QLatin1String(row.name), QString::fromUtf8(row.unit), {row.low, row.high, row.step}, this);
+    box->setToolTip(hint(row.says));
+    box->setTyped([this, axis = row.axis](double value) {
+      if (typed_) typed_(axis, value);
+    });
+    box->setRefused([this](const QString& sentence) {
+      if (refused_) refused_(sentence);
+    });
+    fields_[i] = {row.axis, box};
+    const int column = int(i % 2) * 2, line = int(i / 2);
+    grid->addWidget(quiet(row.name, this), line, column);
+    grid->addWidget(box, line, column + 1);
+  }
+}
+
+void ProbeNumbers::addPlace() {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  for (int i = 0; i < 3; ++i) {
+    auto* box = new NumberField(QLatin1String(kAxes[i].name), {}, {-kFar_mm, kFar_mm, 1}, this);
+    box->setAccessibleName(tr("%1 in mm").arg(QLatin1String(kAxes[i].name)));
+    box->setToolTip(hint(kAxes[i].says));
+    box->setTyped([this, i](double value) {
+      Vec3 place_mm = skin_mm_;
+      place_mm[i] = value;
+      if (placed_) placed_(place_mm);
+    });
+    box->setRefused([this](const QString& sentence) {
+      if (refused_) refused_(sentence);
+    });
+    place_[i] = box;
+    auto* name = quiet(kAxes[i].name, this);
+    name->setToolTip(box->toolTip());
+    row->addWidget(name);
+    row->addWidget(box, 1);
+  }
+  auto* unit = quiet("mm", this);
+  row->addWidget(unit);
+  static_cast<QGridLayout*>(layout())->addLayout(row, 2, 0, 1, 4);
+}
+
+void ProbeNumbers::show(const HandNumbers& numbers) {
+  skin_mm_ = numbers.skin_mm;
+  for (const Field& field : fields_) field.box->show(numbers.of(field.axis));
+  for (int i = 0; i < 3; ++i) place_[i]->show(numbers.skin_mm[i]);
+}
+
+}  // namespace insonate::train

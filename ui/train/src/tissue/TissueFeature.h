@@ -1,0 +1,24 @@
+#pragma once
+
+#include "../feature/Feature.h"
+
+namespace insonate::train {
+
+class TissueShown;
+
+/// The tissue under the probe: its model, the patient's blood and posture, and the display of its mechanics.
+class TissueFeature final : public Feature {
+  Q_OBJECT
+
+ public:
+  TissueFeature(TrainModel& model, TrainLayout& layout);
+
+  void act(const KeyRow& row, KeyPress press) override;
+  void save(QSettings& settings) const override;
+  void restore(QSettings& settings) override;
+
+ private:
+  TissueShown* shown_;
+};
+
+}  // namespace insonate::train

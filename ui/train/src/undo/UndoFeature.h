@@ -1,0 +1,20 @@
+#pragma once
+
+#include "../feature/Feature.h"
+
+namespace insonate::train {
+
+/// The keys of undo and redo, also without a patient, since a probe can be edited without one.
+class UndoFeature final : public Feature {
+  Q_OBJECT
+
+ public:
+  UndoFeature(TrainModel& model, TrainLayout& layout);
+
+  void act(const KeyRow& row, KeyPress press) override;
+
+ protected:
+  bool isAvailable(Command command) const override;
+};
+
+}  // namespace insonate::train
