@@ -96,6 +96,8 @@ TEST_F(TrainWindow, CompoundingIsChosenByTheNumberOfAngles) {
   compounding->setCurrentIndex(compounding->findData(3));
   Q_EMIT compounding->activated(compounding->currentIndex());
   EXPECT_EQ(model_->imaging.settings().compoundingAngles, 3);
+  child<QCheckBox>("harmonic")->click();
+  EXPECT_TRUE(model_->imaging.settings().harmonic);
 }
 
 }  // namespace

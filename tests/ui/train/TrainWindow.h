@@ -13,6 +13,7 @@
 #include <ui/support/Patience.h>
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QImage>
 #include <QLineEdit>

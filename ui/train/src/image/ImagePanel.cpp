@@ -13,6 +13,7 @@
 #include <insonate/ui/Widgets.h>
 #include <insonate/ultrasound/GrayMaps.h>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -201,6 +202,16 @@ void ImagePanel::buildProcessing(QVBoxLayout& box) {
     imaging_.setSettings(settings);
   });
   box.addWidget(labelled(tr("compounding"), compounding_));
+  harmonic_ = new QCheckBox(tr("harmonic imaging"));
+  harmonic_->setObjectName("harmonic");
+  harmonic_->setToolTip(
+      tr("Transmits at half the frequency and receives the harmonic: a narrower beam and less haze, but more noise"));
+  connect(harmonic_, &QCheckBox::clicked, this, [this](bool on) {
+    Settings settings = imaging_.settings();
+    settings.harmonic = on;
+    imaging_.setSettings(settings);
+  });
+  box.addWidget(harmonic_);
 }
 
 GainSliders* ImagePanel::gains(std::array<double, 8> Settings::*field, GainSliders* sliders) {
@@ -230,6 +241,7 @@ void ImagePanel::refresh() {
   lateral_->setValues(settings.lateralGain_dB);
   grayMap_->setCurrentIndex(grayMap_->findData(int(settings.grayMap)));
   compounding_->setCurrentIndex(compounding_->findData(settings.compoundingAngles));
+  harmonic_->setChecked(settings.harmonic);
   look_->setCurrentIndex(look_->findData(int(settings.look)));
   effect_->clear();
   effect_->addItem(tr("the whole image"), QString());
@@ -248,6 +260,7 @@ void ImagePanel::save(QSettings& settings) const {
   }
   settings.setValue("grayMap", int(imaging_.settings().grayMap));
   for (const auto& [key, field] : kCounts) settings.setValue(key, imaging_.settings().*field);
+  settings.setValue("harmonic", imaging_.settings().harmonic);
   settings.setValue("look", int(imaging_.settings().look));
 }
 
@@ -266,6 +279,7 @@ void ImagePanel::restore(QSettings& settings) {
   const int map = settings.value("grayMap", int(all.grayMap)).toInt();
   if (grayMap_->findData(map) >= 0) all.grayMap = GrayMap(map);
   for (const auto& [key, field] : kCounts) all.*field = settings.value(key, all.*field).toInt();
+  all.harmonic = settings.value("harmonic", all.harmonic).toBool();
   all.look = settings.value("look").toInt() == int(Look::Thesis) ? Look::Thesis : Look::Coherent;
   imaging_.setSettings(all);
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+class QCheckBox;
 class QComboBox;
 class QSettings;
 class QVBoxLayout;
@@ -49,6 +50,7 @@ class ImagePanel final : public QWidget {
   GainSliders* lateral_ = nullptr;
   QComboBox* grayMap_ = nullptr;
   QComboBox* compounding_ = nullptr;
+  QCheckBox* harmonic_ = nullptr;
   QComboBox* look_ = nullptr;
   QComboBox* effect_ = nullptr;
   bool refreshing_ = false;
