@@ -232,7 +232,7 @@ TEST_F(CurriculumWindowTest, TheLimitOfLcCusumIsCalibrated) {
   EXPECT_TRUE(told.contains("within 50 attempts"));
   // By adding up all ways it is 8.9 % (LcCusumTest), which an interval of simulated careers holds.
   const QRegularExpressionMatch share =
-      QRegularExpression("about ([0-9.]+) % \\(([0-9.]+) to ([0-9.]+) %\\) of those who fail 25 %").match(told);
+      QRegularExpression("about ([0-9.]+) % \\(([0-9.]+) to ([0-9.]+) %\\) of trainees who fail 25 %").match(told);
   ASSERT_TRUE(share.hasMatch()) << told.toStdString();
   EXPECT_LT(share.captured(2).toDouble(), 8.9);
   EXPECT_GT(share.captured(3).toDouble(), 8.9);
