@@ -38,8 +38,8 @@ TEST_F(Compare, TwoClassesHaveNumbersAndAnEffectSize) {
   EXPECT_TRUE(result.words.contains("B %2: n = 5, mean 70, 95 % interval 52")) << result.words.toStdString();
   EXPECT_TRUE(result.words.contains("(bootstrap)")) << result.words.toStdString();
   EXPECT_TRUE(
-      result.words.contains("delta) -1.00: a person of A %1 is above a person of B %2 in 0 % of pairs; p = 0.016 "
-                            "(Mann-Whitney, exact)"))
+      result.words.contains("delta) -1.00: in 0 % of pairs the person of A %1 has a higher value than the person of B "
+                            "%2; p = 0.016 (Mann-Whitney, exact)"))
       << result.words.toStdString();
 }
 

@@ -78,7 +78,8 @@ TEST(LiveImaging, PersistenceSettlesAndThenRests) {
   EXPECT_EQ(picturesThere(), 10) << "0.5^9 of 255 grey levels is the first below a half";
   const Frame settled = live->latest();
   setup.settings.persistence = 0;
-  EXPECT_LE(greatestDifference(settled->image, freshPicture(*wideCase(), setup, poseAt(8))), 1);
+  // What is left of the former image, half a gray, and the overshoot of the interpolation between scanlines.
+  EXPECT_LE(greatestDifference(settled->image, freshPicture(*wideCase(), setup, poseAt(8))), 2);
 }
 
 TEST(LiveImaging, EachFrameHasElectronicNoiseOfItsOwn) {
@@ -292,9 +293,10 @@ TEST(LiveImaging, InTheBackgroundItComesBehindOthers) {
     LiveOptions options;
     options.background = background;
     Live live(poseAt(0), smallSetup(), options);
-    std::atomic<int> nice{-1};
+    constexpr int kUnknown = 100;  // beyond -20 to 19
+    std::atomic<int> nice{kUnknown};
     live->onFrame([&] { nice = getpriority(PRIO_PROCESS, id_t(gettid())); });
-    ASSERT_TRUE(live.until([&] { return nice >= 0 && live->latest(); }));
+    ASSERT_TRUE(live.until([&] { return nice != kUnknown && live->latest(); }));
     live->onFrame({});
     EXPECT_EQ(nice > getpriority(PRIO_PROCESS, id_t(gettid())), background);
   }

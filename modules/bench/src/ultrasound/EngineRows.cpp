@@ -149,11 +149,11 @@ EngineRows::EngineRows(const UltrasoundBenchPlan& plan, const AcousticScene& sce
 Result<EngineRows> EngineRows::make(const UltrasoundBenchPlan& plan, const AcousticScene& scene,
                                     std::span<const Transform> path) {
   EngineRows rows(plan, scene, path);
-  if (auto ok = rows.renderDense(); !ok) return tl::unexpected(ok.error());
+  if (auto ok = rows.renderDenseReference(); !ok) return tl::unexpected(ok.error());
   return rows;
 }
 
-Result<void> EngineRows::renderDense() {
+Result<void> EngineRows::renderDenseReference() {
   auto imager = makeImager(plan_->setup, denseSettings_, kReference);
   if (!imager) return tl::unexpected(imager.error());
   imager->render(*scene_, path_.front(), dense_);

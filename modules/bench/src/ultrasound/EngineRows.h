@@ -30,7 +30,7 @@ class EngineRows {
   Result<void> measure(const ImagingSettings& settings, const PlaneContents& contents,
                        std::vector<UltrasoundBenchRow>& rows) const;
   Result<void> measureOwn(const PlaneContents& contents, const char* what, std::vector<UltrasoundBenchRow>& rows) const;
-  Result<void> renderDense();
+  Result<void> renderDenseReference();
   Result<void> addDiscretisation(const ImagingSettings& settings, const PlaneContents& contents,
                                  UltrasoundBenchRow& row) const;
 

@@ -75,7 +75,7 @@ struct Rule {
 std::span<const Rule> rules();
 const Rule& ruleOf(Act act);
 
-/// A request for an act. An attempt stands for the person who made it.
+/// A request for an act. If it names an attempt, the permission is checked for the person who made that attempt.
 struct Request {
   Act act;
   std::string person{}, cohort{}, attempt{};

@@ -42,7 +42,7 @@ class Session {
   auto write(const Request& request, const Work& work) {
     return *attempt(Way::Write, request, work);
   }
-  /// One more thing within a write(): decided and logged as if it were asked for by itself.
+  /// Performs a further request within a write(); it is authorized and logged like a separate one.
   Result<void> also(Transaction& transaction, const Request& request);
 
  private:

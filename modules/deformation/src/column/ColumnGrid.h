@@ -27,7 +27,7 @@ class ColumnGrid {
   static constexpr double kCovered = 3.5;
   static constexpr int kMaxSprings = 400000;
 
-  /// The standard deviation of a normal profile that takes as much room as a flat face: width / sqrt(2 pi).
+  /// Standard deviation of the Gaussian with the height and area of a rectangle of this width: width / sqrt(2 pi).
   static double profileSd_mm(double faceWidth_mm);
 
   void layOut(double faceWidth_mm, const DeformationSettings& settings);

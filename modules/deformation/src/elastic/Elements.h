@@ -41,7 +41,7 @@ struct Elements {
   std::size_t count() const { return std::size_t(columns) * (rows - 1); }
 };
 
-/// L and A0 of the rest geometry: m = mu L.
+/// Computes L and A0 of each element from the undeformed mesh; its stiffness is m = mu L with the shear modulus mu.
 void shapeElements(const Nodes& rest, Elements& elements);
 
 /// Adds every cell's tangent to `matrix` and the negative gradient of the energy to `force` ([2 * node + axis]). With

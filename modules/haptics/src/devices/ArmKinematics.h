@@ -18,8 +18,8 @@ class ArmKinematics {
   std::array<double, 3> anglesOf(const std::array<double, 3>& counts) const noexcept;
   /// Position in the device's frame: x to the right, y up, z to the user, from the middle of the workspace.
   Vec3 position_mm(const std::array<double, 3>& angles) const noexcept;
-  /// Torque of each body is the force's part along the way that its angle moves the end. Where a motor would get more
-  /// than its most, all are reduced alike: weaker, but in the same direction.
+  /// Motor currents for a force at the end point: the torques are the transposed Jacobian times the force. If a motor
+  /// would exceed its maximum current, all are scaled by the same factor, so that the direction is kept.
   std::array<double, 3> currents_mA(const std::array<double, 3>& angles, Vec3 force_N) const noexcept;
 
  private:

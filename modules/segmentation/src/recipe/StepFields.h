@@ -8,8 +8,10 @@
 
 namespace insonate::segmentation {
 
-/// The fields of each tool in a recipe, once for reading, writing and listing them: io(key, value, ...), where numbers
-/// are followed by the least and the most, lists of points by how many there must be, enumerations by their words.
+// The fields of each tool in a recipe, written once for reading, writing and listing: io(key, value, ...). A number is
+// followed by its minimum and maximum, a list of points by their count, an enumeration by its words.
+
+/// Maxima of distances and of HU gradients in recipes.
 inline constexpr double kMostMm = 100, kMostHuPerMm = 2000;
 using Words = std::vector<std::string_view>;
 

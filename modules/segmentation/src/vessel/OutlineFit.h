@@ -21,7 +21,7 @@ class OutlineFit {
   Radii fitted(const std::vector<VesselOutline>& sections, int n, const SectionShape& shape, const BloodLevel& level,
                const Radii* expected) const;
 
-  /// The median in the inner half of a section whose radii fitted() has found.
+  /// Median HU of the CT in the inner half of a section whose radii fitted() has found.
   double bloodIn(const VesselOutline& section, const SectionShape& shape) const;
 
   /// The n-th section's radii that fitted() has found, moved to where the CT is half-way from the blood to what lies

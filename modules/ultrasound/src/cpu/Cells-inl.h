@@ -21,9 +21,9 @@ using CellIntTag = hn::Rebind<std::int32_t, CellTag>;
 using FloatVec = hn::Vec<CellTag>;
 using IntVec = hn::Vec<CellIntTag>;
 
-/// Channels that can be among the two nearest anywhere in a row of cells: two channels are nowhere farther than the
-/// second least of all channels' greatest distances, so what is nowhere nearer than that is out. Of those out of reach,
-/// which are all equally far, the first stands for all.
+/// Bits of the channels that can be the nearest or second nearest somewhere in a row of cells. The bound is the second
+/// smallest of the channels' greatest distances: a channel whose least distance exceeds it is left out. Of the channels
+/// out of reach, which all have the same distance, only the first is kept.
 HWY_INLINE std::uint32_t activeChannels(int channels, const TraceBuffers::NodeRow& top,
                                         const TraceBuffers::NodeRow& bottom) {
   float first = 1e30F, second = 1e30F;

@@ -135,7 +135,7 @@ struct TraceBuffers {
   struct ShiftRow {
     alignas(64) float columnX[kMaxColumns], columnZ[kMaxColumns], lineX[kBlockLines], lineZ[kBlockLines];
   };
-  /// One row of cells, spread to scanlines.
+  /// One row of grid cells, interpolated to the scanlines.
   struct CellRow {
     alignas(64) float sTop[kBlockLines], sBottom[kBlockLines];
     alignas(64) float cosine[kBlockLines], facing_dB[kBlockLines];

@@ -19,7 +19,7 @@ Real specularLobe(const AcousticTissue& above, const AcousticTissue& below, Real
 /// its loss in the mean and the weight of dark places, both per dB of roughness, and the depth.
 inline constexpr double kRoughnessLoss = 0.8, kRoughnessBreaks = 2.5, kRoughnessDepth_mmPdB = 0.05;
 
-/// Gain of a boundary's echo where the field of strengths along it, of unit SD, has the value `patch`.
+/// Gain of a boundary's echo; `patch` is the local value of a random field of SD 1 that varies the echo along it.
 inline double roughnessGain_dB(const AcousticTissue& below, double patch) {
   return below.roughness_dB * ((patch < 0 ? kRoughnessBreaks * patch : patch) - kRoughnessLoss);
 }

@@ -14,9 +14,9 @@ namespace insonate {
 /// Values are -127..127 for -1..1, to be multiplied with a tissue's texture strength in dB. Sizes are powers of two, so
 /// that a position wraps by a mask.
 struct TextureTile {
-  /// Voxels after each row along w and each plane of them: the row's beginning once more, so that a voxel is fetched
-  /// together with the next ones as a word. They also keep neighboring rows, which are a power of two long, from
-  /// falling into the same places of a processor's cache.
+  /// Padding after each row along w and each plane of rows, filled with a copy of the row's beginning: a voxel and the
+  /// next ones can then be loaded as one word. It also keeps rows, whose length is a power of two, out of the same sets
+  /// of the processor's cache.
   static constexpr int kGap = 64;
 
   std::array<int, 3> size{};

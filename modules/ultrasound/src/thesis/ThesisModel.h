@@ -72,7 +72,7 @@ struct MapSample {
 /// change of ln Z is artanh R, so that tanh keeps strong contrasts right too. The slope along the beam carries the
 /// cosine of incidence.
 double reflectionOf(double lnImpedanceSlope_pmm, const ThesisPlan& plan);
-/// The factor (1 - reflected) of equation 8, there and back.
+/// Two-way loss by the factor (1 - reflected) of equation 8 of the thesis.
 double reflectionLoss_dBpmm(double lnImpedanceSlope_pmm, const ThesisPlan& plan);
 
 /// Maps a node and its change along the beam, per mm.

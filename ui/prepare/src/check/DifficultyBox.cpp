@@ -21,7 +21,7 @@ QString measuresText(const DifficultyEstimate& estimate) {
     lines << QStringLiteral("%1: %2 (%3)")
                  .arg(QString::fromStdString(share.what), QString::fromStdString(share.value))
                  .arg(share.points, 0, 'f', 2);
-  lines << DifficultyBox::tr("Together %1 points; moderate from 0.25, hard from 1 (formula %2).")
+  lines << DifficultyBox::tr("Difficulty: %1 points in total; moderate from 0.25, hard from 1 (formula %2).")
                .arg(estimate.points, 0, 'f', 2)
                .arg(DifficultyEstimate::kVersion);
   return lines.join(QLatin1Char('\n'));

@@ -100,7 +100,7 @@ QPushButton* FindingsList::way(const Finding& finding) {
                                                        {"no_vessel_names", kVesselKind},
                                                        {"target_without_vessel", kVesselKind}};
   if (const auto missing = kMissing.find(finding.code); missing != kMissing.end()) {
-    auto* mark = button(tr("Mark it"), tr("Goes to the marks of targets, vessels, start poses and landmarks"));
+    auto* mark = button(tr("Mark it"), tr("Opens the list of targets, vessels, start poses and landmarks"));
     connect(mark, &QPushButton::clicked, this, [this, finding, kind = missing->second] {
       if (finding.place_mm) shared_.crosshair.moveTo(*finding.place_mm);
       Q_EMIT placeWanted(kind);

@@ -145,7 +145,7 @@ void PlacesBox::refresh() {
   auto* vessels = heading(places.vessels.empty() ? tr("Vessels: none named yet") : tr("Vessels"));
   for (std::size_t n = 0; n < places.vessels.size(); ++n)
     add(vessels, Kind::Vessel, n, QString::fromStdString(places.vessels[n].name));
-  auto* poses = heading(places.startPoses.empty() ? tr("Start poses: none yet")
+  auto* poses = heading(places.startPoses.empty() ? tr("Start poses of the probe: none yet")
                                                   : tr("Start poses, the case begins at the first"));
   for (std::size_t n = 0; n < places.startPoses.size(); ++n)
     add(poses, Kind::StartPose, n, QString::fromStdString(places.startPoses[n].name));

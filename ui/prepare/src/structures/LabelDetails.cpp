@@ -38,7 +38,7 @@ LabelDetails::LabelDetails(PrepareModel& shared, QWidget* parent)
     : QWidget(parent),
       shared_(shared),
       // "in progress" must be fully readable; the tissue gets the remaining width.
-      state_(choice("labelState", tr("State of the selected structure"), 11,
+      state_(choice("labelState", tr("Labeling state of the selected structure"), 11,
                     tr("Progress on the selected structure (S sets the next state); saved with the case"))),
       tissue_(choice("labelTissue", tr("Tissue of the selected structure"), 3, {})),
       term_(ui::paragraph("labelTerm", "quiet")) {

@@ -196,7 +196,7 @@ void ToolPanel::refresh() {
   apply_->setVisible(!brush);
   preview_->setEnabled(tools_.isComplete());
   apply_->setEnabled(tools_.isComplete());
-  apply_->setToolTip(missing > 0 ? tr("Click %1 more on the slices first").arg(missing)
+  apply_->setToolTip(missing > 0 ? tr("Click %1 more points on the slices first").arg(missing)
                                  : tr("Writes the result to the labels (Enter); Ctrl+Z undoes it"));
 }
 

@@ -39,7 +39,7 @@ class CaseViews : public QWidget {
   /// The slices first, 3D last.
   const std::array<ui::ViewWidget*, kSlices + 1>& widgets() const { return widgets_; }
   const PreviewSurface& previewSurface() const { return previewSurface_; }
-  /// 3D shows what there is, in full detail.
+  /// True if the 3D view is up to date and in full detail.
   bool isAtRest() const { return !follow_.isActive() && !rest_.isActive(); }
   void setRested(std::function<void()> listener) { rested_ = std::move(listener); }
   /// Replaces the case by the same voxels in other memory.

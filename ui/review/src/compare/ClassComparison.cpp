@@ -72,7 +72,8 @@ ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& 
   result.picture.lines.push_back(peopleBeside(1, b, ui::ChartPicture::Tone::Caution));
   result.words =
       QStringList{meanWords(first.name, a, kind), meanWords(second.name, b, kind),
-                  tr("Effect size (Cliff's delta) %1: a person of %2 is above a person of %3 in %4 % of pairs; p = %5 "
+                  tr("Effect size (Cliff's delta) %1: in %4 % of pairs the person of %2 has a higher value than the "
+                     "person of %3; p = %5 "
                      "(Mann-Whitney, %6).")
                       .arg(QString::number(ranks->effect, 'f', 2), first.name, second.name,
                            QString::number(100 * ranks->superiority, 'f', 0), QString::number(ranks->p, 'g', 2),

@@ -72,7 +72,7 @@ void ComparePage::fillClasses() {
   ownId_ = ownClass();
   const QVariant before = other_->currentData();
   other_->clear();
-  other_->addItem(tr("with ..."), QString());
+  other_->addItem(tr("Compare with ..."), QString());
   for (const Cohort& cohort : desk_.cohorts())
     if (cohort.id != ownId_) other_->addItem(QString::fromStdString(cohort.name), QString::fromStdString(cohort.id));
   // If there is only one other class, it is selected.

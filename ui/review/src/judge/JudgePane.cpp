@@ -199,7 +199,7 @@ void JudgePane::handIn() {
 /// The user may have selected another form or attempt meanwhile.
 void JudgePane::handedIn() {
   const auto& [subject, form] = handing_;
-  Q_EMIT said(tr("Handed in. The trainee can now read it beside the attempt."));
+  Q_EMIT said(tr("The form is handed in. The trainee can now read it beside the attempt."));
   if (subject != subject_ || form.name != sheet_->form().name) return;
   sheet_->setAnswers({});
   keepDraft();

@@ -60,9 +60,9 @@ RatersPage::RatersPage(const ClassDesk& desk, QWidget* parent)
       words_(new QLabel),
       pairs_(tableOf(
           "raterPairs", tr("Pairs of raters and their agreement"),
-          {tr("Raters"), tr("Attempts"), tr("Answers"), tr("Agreement"), tr("Kappa"), tr("ICC of the scores")})),
+          {tr("Raters"), tr("Attempts"), tr("Answers"), tr("Equal answers"), tr("Kappa"), tr("ICC of the scores")})),
       items_(tableOf("raterItems", tr("Agreement of the selected pair on each item"),
-                     {tr("Item"), tr("Answers"), tr("Agreement"), tr("Kappa"), tr("ICC of the points")})) {
+                     {tr("Item"), tr("Answers"), tr("Equal answers"), tr("Kappa"), tr("ICC of the points")})) {
   for (const std::string& name : formPresetNames())
     if (auto form = loadForm(name); form && form->purpose != Form::Purpose::Questionnaire)
       forms_.push_back(std::move(*form));

@@ -170,7 +170,7 @@ void HistoryTable::show() {
   table_->setRowCount(int(attempts.size()));
   for (int row = 0; row < int(attempts.size()); ++row) fill(row, attempts[std::size_t(row)]);
   if (!attempts.empty()) table_->selectRow(std::clamp(before, 0, int(attempts.size()) - 1));
-  earlier_->setVisible(desk_.hasEarlier());
+  earlier_->setVisible(desk_.hasEarlierAttempts());
   showChosen();
 }
 
@@ -244,7 +244,7 @@ void HistoryTable::askReason(Change change) {
 void HistoryTable::wordReason(bool voids) {
   question_->setText(voids ? tr("Void this attempt:") : tr("Accept this attempt:"));
   changeNow_->setText(voids ? tr("Void") : tr("Accept"));
-  reason_->setAccessibleName(voids ? tr("Why the attempt does not count") : tr("Why the attempt counts"));
+  reason_->setAccessibleName(voids ? tr("Reason why the attempt does not count") : tr("Reason why the attempt counts"));
   reason_->setPlaceholderText(voids ? tr("Why it does not count, for example: the device lost its calibration")
                                     : tr("Reason to trust it, for example: I watched the attempt"));
   reason_->setToolTip(voids ? tr("The trainee can read it. Enter voids, Esc cancels")

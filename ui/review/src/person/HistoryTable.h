@@ -24,7 +24,7 @@ class HistoryTable final : public QWidget {
   explicit HistoryTable(PersonDesk& desk, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// The recording of this attempt of the store.
+  /// The user wants to replay the recording of an attempt in the store.
   void replayWanted(const QString& file, const QString& attempt);
   void failed(const QString& what, const QString& advice);
 

@@ -30,7 +30,7 @@ class PersonDesk : public QObject {
   const PersonFacts* facts() const { return facts_ ? &*facts_ : nullptr; }
   /// Newest first, as far as they were asked for.
   const std::vector<KeptAttempt>& attempts() const { return attempts_; }
-  bool hasEarlier() const { return earlier_; }
+  bool hasEarlierAttempts() const { return earlier_; }
   void readEarlier();
 
   /// Tells whether the user may void this person's attempts.

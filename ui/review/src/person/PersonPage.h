@@ -31,7 +31,7 @@ class PersonPage final : public QWidget {
   }
 
  Q_SIGNALS:
-  /// The recording of this attempt of the store.
+  /// The user wants to replay the recording of an attempt in the store.
   void replayWanted(const QString& file, const QString& attempt);
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice);

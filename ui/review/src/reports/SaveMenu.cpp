@@ -111,7 +111,7 @@ void SaveMenu::saveXapi(const QString& file, const QString& homePage) {
   const Curriculum* curriculum = room_.curriculum();
   if (!curriculum)
     return Q_EMIT failed(tr("There are no statements: the class has no curriculum yet."),
-                         tr("Choose one for the class first."));
+                         tr("Choose a curriculum for the class first."));
   std::vector<Person> people;
   if (subject_ == Subject::Person && person_.facts()) people.push_back(person_.facts()->person);
   if (subject_ == Subject::Class && room_.facts())

@@ -120,7 +120,7 @@ void PeopleWindow::editPerson() {
     return PeopleStore(by).change(changed);
   };
   const Person& person = chosen()->person;
-  (new EntryDialog(tr("Change a person"), tr("The person's attempts and classes do not change."),
+  (new EntryDialog(tr("Edit a person"), tr("The person's attempts and classes do not change."),
                    {{"personName", tr("Name to sign in"), tr("Letters, digits and . _ - + @"), qt(person.name)},
                     {"personFullName", tr("Full name"), tr("Shown to other users"), qt(person.fullName)},
                     {"personEmail", tr("E-mail"), tr("Optional"), qt(person.email)},

@@ -145,7 +145,7 @@ void CaseLoader::list(const QString& path) {
           const bool picture = !QImageReader::imageFormat(path).isEmpty();
           return refuse(listing.error(),
                         picture ? tr("This is an image. To fit a probe to a scanner's image: Train, Edit beside the "
-                                     "probe, Fit to an image.")
+                                     "probe, Fit probe to an image.")
                                 : tr("A case folder, a folder of DICOM files, NRRD, NIfTI and MetaImage open here."));
         }
         choose(path, *listing);

@@ -264,11 +264,11 @@ void SeriesDialog::preview() {
       [this](Result<Read> read) {
         if (!read) return noPicture(read.error());
         read_ = *read;
-        showRead();
+        showWhatWasRead();
       });
 }
 
-void SeriesDialog::showRead() {
+void SeriesDialog::showWhatWasRead() {
   notes_->setText(notesOf(read_->series));
   table_->item(chosenRow(), table_->columnCount() - 1)->setText(stateOf(read_->series));
   const std::optional<int> likely = read_->likelyShift_HU;

@@ -41,7 +41,7 @@ class SeriesDialog : public QDialog {
   void showChosen();
   void preview();
   /// Shows facts that need the voxels, once they are read.
-  void showRead();
+  void showWhatWasRead();
   void showPicture();
   std::string chosenUid() const;
   std::optional<int> wantedShift() const;

@@ -10,8 +10,8 @@ class QLabel;
 
 namespace insonate::ui {
 
-/// Shows why a curriculum cannot be published, and the sentences that a trainee would read of one of its levels at
-/// each turn.
+/// Shows why a curriculum cannot be published, and the texts that a trainee would read at each stage of
+/// one of its levels.
 class LevelStoryView final : public QFrame {
   Q_OBJECT
 

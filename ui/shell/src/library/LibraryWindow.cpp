@@ -64,7 +64,7 @@ LibraryWindow::LibraryWindow(QWidget* parent)
       fitness_(choice("libraryFitness", tr("Fitness"), tr("Show cases that are fit for training, or that are not"),
                       {{tr("fit and unfit"), int(LibraryFilter::Fitness::All)},
                        {tr("fit for training"), int(LibraryFilter::Fitness::Fit)},
-                       {tr("not fit"), int(LibraryFilter::Fitness::Unfit)}})),
+                       {tr("unsuitable"), int(LibraryFilter::Fitness::Unfit)}})),
       order_(choice("libraryOrder", tr("Order"), tr("Order of the cases"),
                     {{tr("easy first, ungraded last"), int(LibraryFilter::Order::Difficulty)},
                      {tr("by title"), int(LibraryFilter::Order::Title)},
@@ -238,8 +238,9 @@ void LibraryWindow::showState() {
   state_->setText(words);
   const bool none = shown == 0 && count > 0, onlyBuiltIn = all.isEmpty();
   empty_->setVisible(none || onlyBuiltIn);
-  empty_->setText(none ? tr("No case matches. Shorten the search, or show all difficulties, fit and unfit.")
-                       : tr("These necks are built in. Add the folder in which your own cases are kept."));
+  empty_->setText(
+      none ? tr("No case matches. Shorten the search, or show cases of all difficulties, also unsuitable ones.")
+           : tr("These necks are built in. Add the folder in which your own cases are kept."));
 }
 
 void LibraryWindow::addFolder() {

@@ -18,8 +18,8 @@ constexpr const char* kHandsGroup = "hands";
 
 DevicesFeature::DevicesFeature(TrainModel& model, TrainLayout& layout)
     : Feature(model, layout),
-      panelAction_(layout.addAction(tr("Devices ..."),
-                                    tr("Haptic devices and pedals: what is there, and what it holds"), false)) {
+      panelAction_(layout.addAction(
+          tr("Devices ..."), tr("Haptic devices and pedals: which are connected, and what each one controls"), false)) {
   connect(panelAction_, &QAction::triggered, this, [this] { showPanel(); });
 }
 

@@ -199,7 +199,7 @@ void HandSection::show(const ServoSnapshot& now, double rate_Hz) {
     state_->setText(QString::fromStdString(known->trouble()));
   else if (device)
     // Mouse and keys send none.
-    state_->setText(rate_Hz > 0 ? tr("%1, %2 states a second").arg(wordsOf(device->phase())).arg(rate_Hz, 0, 'f', 0)
+    state_->setText(rate_Hz > 0 ? tr("%1, %2 updates per second").arg(wordsOf(device->phase())).arg(rate_Hz, 0, 'f', 0)
                                 : wordsOf(device->phase()));
   else if (!hands_.choice().device(hand_).isEmpty())
     state_->setText(known ? wordsOf(known->phase()) : tr("waits for its connection"));

@@ -103,7 +103,7 @@ void ImageExports::askScreen() {
   if (!sources_.live.shown()) return sources_.status.say(tr("There is no image yet."));
   // As it was when it was asked for, whatever the dialog takes.
   const QImage screen = sources_.panes.grab().toImage();
-  const QString file = askFile(tr("Save what the screen shows of the image"), "-screen.png");
+  const QString file = askFile(tr("Save the image as displayed"), "-screen.png");
   if (!file.isEmpty()) startWriting([screen] { return screen; }, file.toStdString());
 }
 

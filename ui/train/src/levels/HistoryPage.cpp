@@ -207,7 +207,7 @@ void HistoryPage::refreshCurve() {
   for (const MetricMeaning& meaning : curveMetrics(which.procedure))
     if (meaning.id == metric) {
       auto picture = ui::learningPicture(meaning, curveValues(course_.curriculum(), course_.history(), which, meaning));
-      picture.xTitle = which.level.empty() ? tr("attempt at this procedure, of all levels and free practice")
+      picture.xTitle = which.level.empty() ? tr("number of the attempt at this procedure, all levels and free practice")
                                            : tr("attempt at this level");
       chart_->show(picture);
     }

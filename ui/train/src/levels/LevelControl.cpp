@@ -85,7 +85,7 @@ void LevelControl::leave() {
 void LevelControl::caseChanged() {
   if (!level_ || !patientCase_.patient()) return;
   if (!fits()) {
-    status_.say(tr("'%1' needs another case: this is free practice now.").arg(ui::qt(level_->title)));
+    status_.say(tr("'%1' needs another case; with this case, attempts are free practice.").arg(ui::qt(level_->title)));
     return leave();
   }
   arrange();

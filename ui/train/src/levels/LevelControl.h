@@ -39,7 +39,7 @@ class LevelControl final : public QObject {
   /// Level of the next attempt.
   AttemptAim aim() const;
 
-  /// One that is locked, or an attempt that runs, refuses with a sentence in the status line.
+  /// Chooses a level. If it is locked or an attempt is running, nothing changes and the status line says why.
   void choose(const std::string& level);
   void leave();
   /// Asks the window for the level's case.

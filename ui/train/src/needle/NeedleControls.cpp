@@ -58,7 +58,7 @@ NeedleControls::NeedleControls(StatusLine& status, DisclosureModel& disclosure, 
   ui::setRole(heading, "heading");
   auto* devices = new QPushButton(tr("Devices"));
   devices->setObjectName("showDevices");
-  devices->setToolTip(tr("Haptic devices and pedals: what is there, and what it holds"));
+  devices->setToolTip(tr("Haptic devices and pedals: which are connected, and what each one controls"));
   devices->setFocusPolicy(Qt::TabFocus);
   connect(devices, &QPushButton::clicked, this, &NeedleControls::devicesWanted);
   head->addWidget(heading, 1);

@@ -102,7 +102,7 @@ void ProbeEditor::buildHead(QVBoxLayout& box) {
   apodization_->setAccessibleName(tr("Receive apodization"));
   apodization_->setToolTip(tr("Weights of the elements on receive: from the narrowest beam to the lowest side lobes"));
   apodization_->setFocusPolicy(Qt::TabFocus);
-  auto* fit = button(tr("Fit to an image..."), "fitToPicture",
+  auto* fit = button(tr("Fit probe to an image ..."), "fitToPicture",
                      tr("Take angle, radii and depth from a photograph or screen capture of a machine"));
   box.addWidget(title);
   auto* grid = new QGridLayout;

@@ -18,7 +18,7 @@ class ProbeFeature final : public Feature {
  public:
   ProbeFeature(TrainModel& model, TrainLayout& layout);
 
-  /// For the section of the image.
+  /// The list of probes, for the image section of the left column.
   QWidget& chooser();
 
   void act(const KeyRow& row, KeyPress press) override;

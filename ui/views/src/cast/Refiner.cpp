@@ -94,14 +94,14 @@ void Refiner::run() {
       news_();
       lock.lock();
     } else if (const int eye = eyeInWork(); eye >= 0) {
-      castSome(lock, eye);
+      castNextRays(lock, eye);
     } else {
       changed_.wait(lock, [this] { return ends_ || unprepared_ || eyeInWork() >= 0; });
     }
   }
 }
 
-void Refiner::castSome(std::unique_lock<std::mutex>& lock, int eye) {
+void Refiner::castNextRays(std::unique_lock<std::mutex>& lock, int eye) {
   const std::shared_ptr<Work> work = works_[std::size_t(eye)];
   CastPicture& picture = *work->picture;
   const int first = work->next, end = std::min(first + kRows, picture.task.up);

@@ -49,7 +49,7 @@ class Refiner {
     std::atomic<bool> left{false};
   };
   void run();
-  void castSome(std::unique_lock<std::mutex>& lock, int eye);
+  void castNextRays(std::unique_lock<std::mutex>& lock, int eye);
   int eyeInWork() const;
 
   std::function<void()> news_;

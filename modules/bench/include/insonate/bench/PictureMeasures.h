@@ -29,7 +29,7 @@ struct Grain {
 Grain grainOf(const BModeImage& image, const PictureBox& patch);
 
 /// The lumen of a vessel, from a box well inside it. Boxes more than 2.5 times as wide as tall are long-axis views:
-/// their surroundings are bands above and below, and what lies below is not compared with the sides.
+/// their surroundings are bands above and below, and enhancement behind them is not measured.
 struct Lumen {
   double mean = 0, sd = 0;
   double overSurroundings = 0;  ///< ring of 1.7 to 2.4 times the box's half axes; NaN where none is in the image

@@ -9,14 +9,14 @@
 /// Agreement of raters who judged the same attempts.
 namespace insonate {
 
-/// Share of pairs that are alike, 0 to 1. None for nothing, or lists of unequal length.
+/// Share of pairs that are alike, 0 to 1. No value for empty lists or lists of unequal length.
 std::optional<double> agreement(std::span<const int> first, std::span<const int> second);
 
 enum class KappaWeights { None, Linear, Quadratic };
 
 /// Cohen's kappa of two raters, (po - pe) / (1 - pe) (Educ Psychol Meas 1960, 20:37; weighted: Psychol Bull 1968,
-/// 70:213). Grades are 0 to grades - 1, in order, 1000 at most. None for nothing, unequal lengths, a grade outside, or
-/// where chance alone would agree always.
+/// 70:213). Grades are 0 to grades - 1, in order, 1000 at most. No value for empty lists, unequal lengths, a grade
+/// outside, or if chance alone would always agree.
 std::optional<double> cohenKappa(std::span<const int> first, std::span<const int> second, int grades,
                                  KappaWeights weights = KappaWeights::None);
 

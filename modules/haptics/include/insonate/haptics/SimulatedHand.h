@@ -20,7 +20,7 @@ struct DeviceProfile {
 std::span<const DeviceProfile> deviceProfiles();
 
 /// The greatest stiffness of a virtual wall with which a device stays passive, N/mm: Colgate and Schenkel, J Robot Syst
-/// 1997;14:37: b > K T / 2 + |B|; and where its own friction is all that there is, the smaller of what covers the
+/// 1997;14:37: b > K T / 2 + |B|. If friction is the device's only damping, the smaller of two limits holds: the
 /// encoder's steps, f > K d / 2 (Abbott and Okamura, IEEE Trans Robot 2005;21:952), and f > K T v / 2 at the speed
 /// `fastest_mmps` (Diolaiti, Niemeyer, Barbagli and Salisbury, IEEE Trans Robot 2006;22:256).
 double passiveStiffness_Npmm(const DeviceLimits& limits, double virtualDamping_Nspm, double fastest_mmps);

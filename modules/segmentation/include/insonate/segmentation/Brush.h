@@ -14,8 +14,8 @@ struct Brush {
 
 /// Returns the voxels whose centers are within the radius of a stroke: a line through points in the patient, mm, or a
 /// dab at one point. A circle paints in the slice of the first point. The voxel nearest to each point is always
-/// included, so that the smallest brush paints, too. Empty beside the grid. The time depends on the stroke's size, not
-/// on the CT's: a few milliseconds.
+/// included, so that the smallest brush paints, too. A stroke outside the grid selects nothing. The time depends on the
+/// stroke's size, not on the CT's: a few milliseconds.
 Selection brushed(const VolumeGeometry& geometry, std::span<const Vec3> stroke_mm, const Brush& brush);
 
 }  // namespace insonate

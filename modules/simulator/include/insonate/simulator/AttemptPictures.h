@@ -17,8 +17,8 @@ namespace insonate {
 class AttemptPictures {
  public:
   /// Fails with a sentence on another case than the recording's, and on a recording without settings. `workAhead`: a
-  /// thread of low priority computes, for some seconds, what the scenes of all places are made of where the probe was;
-  /// then an image takes some tenths of a second at most, from anywhere. Without it, the first at each place takes
+  /// thread of low priority prepares the scenes of all probe positions of the recording, which takes some seconds; then
+  /// an image of any moment takes some tenths of a second at most. Without it, the first image at each position takes
   /// seconds.
   static Result<AttemptPictures> make(std::shared_ptr<const AttemptRecording> recording,
                                       std::shared_ptr<const PatientCase> patient, bool workAhead = false);

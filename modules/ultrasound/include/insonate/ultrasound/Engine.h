@@ -35,7 +35,7 @@ class Engine {
   /// without folds; tissue from beyond the scene reads as the outermost within.
   ///
   /// `needle`, valid (see validate()), or null: none, which costs nothing. It echoes and casts its shadow at its own
-  /// place, independent of the tissue's displacement. The look of the thesis does not show it.
+  /// place, independent of the tissue's displacement. Look::Thesis does not draw it.
   virtual void render(const AcousticScene& scene, const Transform& patientFromProbe,
                       const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) = 0;
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,

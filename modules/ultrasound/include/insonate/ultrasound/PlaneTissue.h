@@ -13,8 +13,8 @@ namespace insonate {
 /// Limit of signed distances, either way; a distance out of reach may read as up to half a voxel less.
 inline constexpr float kPlaneReach_mm = 6;
 
-/// Undisturbed tissue at points of a plane, one entry a point. Signed distances are those that images are made of,
-/// negative inside the structure; kPlaneReach_mm to a structure that the scene lacks.
+/// Undisturbed tissue at points of a plane, one entry a point. The signed distances are those of the rendering,
+/// negative inside the structure; kPlaneReach_mm for a structure that is not in the scene.
 struct PlaneSamples {
   std::vector<std::uint8_t> label;  ///< of the structure that the point lies in: the nearest by signed distance
   std::vector<float> toArtery_mm, toVein_mm, toBone_mm;

@@ -79,7 +79,7 @@ class Workspace : public QWidget {
   virtual QString statusText() const { return {}; }
   /// Engine and rate, e.g. "processor   62 images/s": right in the status bar. Empty where nothing is computed.
   virtual QString engineText() const { return {}; }
-  /// Why this engine, a sentence; empty where there is nothing to say.
+  /// A sentence that says why this engine was chosen; empty if there is nothing to say.
   virtual QString engineNote() const { return {}; }
 
   /// Tells whether everything is on screen that belongs there, for example the first live image.
