@@ -17,11 +17,10 @@ struct VeinMeasures {
   double area_mm2 = 0;                    ///< of the lumen
   double width_mm = 0, height_mm = 0;     ///< axes of the ellipse with the lumen's second moments
   std::optional<double> overlap_percent;  ///< share of the artery's width behind the vein; no value: no artery
-  std::optional<double>
-      angle_deg;  ///< angle at the vein from the beam to the artery; 0: artery straight behind the vein
-  std::optional<double> artery_mm;  ///< distance from the vein's wall to the artery's wall
-  std::optional<double> second_mm;  ///< distance to the wall of a second artery within the probe's reach
-  std::optional<double> lung_mm;    ///< distance along the beam from the vein's back wall to air
+  std::optional<double> angle_deg;        ///< angle at the vein from the beam to the artery; 0: straight behind
+  std::optional<double> artery_mm;        ///< distance from the vein's wall to the artery's wall
+  std::optional<double> second_mm;        ///< distance to the wall of a second artery within the probe's reach
+  std::optional<double> lung_mm;          ///< distance along the beam from the vein's back wall to air
 };
 
 /// Contribution of one property to the difficulty.
