@@ -29,7 +29,8 @@ class FolderPart {
   int lock_ = -1;
 };
 
-/// Hidden name of the old folder while a new one replaces it in two steps, where the system has no single step for it.
+/// Returns the hidden path of a target's old folder during a replacement in two steps, on systems that cannot exchange
+/// folders in one step.
 std::filesystem::path oldBeside(const std::filesystem::path& target);
 
 }  // namespace insonate

@@ -7,7 +7,8 @@
 #include <array>
 #include <cmath>
 
-/// Numbers of a tissue in the files of resources/tissues, resources/mechanics and resources/haptics.
+/// Reads and writes the numbers of a tissue in the files of resources/tissues, resources/mechanics and
+/// resources/haptics.
 namespace insonate::tissuefile {
 
 /// Name, member and permitted range of a numeric field. (The "range" beside a value in a file is different: it is
@@ -30,7 +31,7 @@ void readNumbers(JsonEntry& entry, const std::array<Field<T>, N>& all, bool comp
   }
 }
 
-/// Inverse of readNumbers().
+/// Writes all fields to a JSON object, as readNumbers() reads them.
 template <class T, std::size_t N>
 void writeNumbers(const T& from, const std::array<Field<T>, N>& all, nlohmann::json& object) {
   for (const Field<T>& field : all) {

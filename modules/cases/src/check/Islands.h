@@ -8,7 +8,7 @@ namespace insonate::check {
 
 /// A connected component of labeled voxels, joined by faces.
 struct Island {
-  std::uint8_t label = 0;  ///< of its first voxel
+  std::uint8_t label = 0;  ///< label of its first voxel
   std::size_t voxels = 0;
   std::size_t first = 0;  ///< offset of its first voxel
 };

@@ -24,9 +24,9 @@ struct DicomSegments {
     std::uint8_t label = 0;  ///< in this program's numbers; not used in a label map, whose pixels hold the labels
     std::size_t first = 0;   ///< index of its first pixel in `pixels`
   };
-  std::vector<Frame> frames;  ///< by segment, as the file numbers them
+  std::vector<Frame> frames;  ///< ordered by the file's segment numbers
   int columns = 0, rows = 0;
-  std::array<Vec3, 2> direction;       ///< of i and j, unit, at right angles
+  std::array<Vec3, 2> direction;       ///< directions of i and j, unit, perpendicular
   std::array<double, 2> spacing_mm{};  ///< along i, along j
   double step_mm = 0;                  ///< distance of neighboring slices
   std::vector<std::uint8_t> pixels;    ///< one bit per pixel, lowest bit first, or one byte per pixel

@@ -23,7 +23,7 @@ struct DicomSlice {
   std::optional<double> thickness_mm;
   std::optional<double> slope, intercept;
   bool lookupTable = false;                   ///< values are converted by a lookup table instead of slope and intercept
-  std::string kernel;                         ///< of the reconstruction
+  std::string kernel;                         ///< reconstruction kernel, as the scanner names it
   std::optional<std::array<int, 2>> padding;  ///< stored values from..to that mean "no image here"
   bool burnedInText = false;
   bool lossy = false;      ///< the image has been compressed with loss

@@ -21,9 +21,9 @@ struct NeckParameters {
   double veinForward_mm[2] = {0, 0};
   double carotidScale = 1;
   double carotidLateral_mm = 0;
-  double bifurcation_z_mm = 31;   ///< above the cricoid
-  double headTurn_deg = 0;        ///< face toward the patient's left, at the top of the model
-  double sternomastoidScale = 1;  ///< thickness
+  double bifurcation_z_mm = 31;   ///< level of the carotid bifurcation above the cricoid
+  double headTurn_deg = 0;        ///< rotation of the head toward the patient's left, at the top of the model
+  double sternomastoidScale = 1;  ///< scale of the muscle's thickness
   double thyroidScale = 1;
   bool chest = false;  ///< add the structures below the clavicles, down to 100 mm below the cricoid
 };
@@ -65,7 +65,7 @@ double airwayCentre_mm(double z_mm);
 std::vector<Tube::Knot> axillaryVein();
 std::vector<Tube::Knot> axillaryArtery();
 
-// The regions that makeAnatomy is composed of; each appends its structures.
+// Parts of makeAnatomy(); each appends the structures of one region.
 void addSpine(std::vector<Structure>& into, std::uint32_t seed);
 void addGirdle(std::vector<Structure>& into, const NeckParameters& parameters, std::uint32_t seed);
 void addAirway(std::vector<Structure>& into, std::uint32_t seed);

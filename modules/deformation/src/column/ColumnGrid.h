@@ -10,7 +10,7 @@ namespace insonate::column {
 
 /// Tissue of one column, from the skin downward.
 struct TissueColumn {
-  bool met = false;       ///< the column contains skin below or at the face
+  bool met = false;       ///< false if the column contains no tissue under the face
   bool skinFound = true;  ///< false if tissue continues to the upper end of the grid
   double skin_mm = 0;     ///< z of the skin
   int first = 0;          ///< row of the first spring

@@ -20,7 +20,7 @@ using LengthByLabel = std::array<double, kLabelCount>;
 struct ColumnLoad {
   double pressure_kPa = 0;  ///< the same in all springs of a column
   double shortening_mm = 0;
-  bool limited = false;  ///< shortening is less than requested: the column is rigid, or at kMaxShortening
+  bool limited = false;  ///< shortened less than requested, since all springs are rigid or at kMaxShortening
 };
 
 /// Springs in series, by label. The compliance of a label is 1 / E in 1/kPa, which is exactly 0 for an infinite

@@ -29,7 +29,7 @@ struct Elements {
   static constexpr float kShutBelow = 0.1f;  ///< Jmin: relative area at which a lumen is closed
 
   int columns = 0, rows = 0;
-  std::array<std::vector<float>, 10> m;           ///< kPa: 00 01 02 03 11 12 13 22 23 33
+  std::array<std::vector<float>, 10> m;           ///< upper triangle of m_ab, kPa: 00 01 02 03 11 12 13 22 23 33
   std::vector<float> area;                        ///< A0, mm2
   std::vector<float> mu, bulk, hoop, shut, base;  ///< kPa
   std::vector<float> guarded;                     ///< above 0: allowedShare() limits the step for this cell

@@ -41,7 +41,7 @@ class Mesh {
   const MeshLines& lines() const { return lines_; }
   const Nodes& rest() const { return rest_; }
   const std::vector<PlaneTissue>& tissue() const { return tissue_; }  ///< tissue at each node
-  const std::vector<PlaneTissue>& middle() const { return middle_; }  ///< in the middle of each cell, by its first node
+  const std::vector<PlaneTissue>& middle() const { return middle_; }  ///< at cell middles, indexed by first node
   const std::vector<float>& skin_mm() const { return skin_; }         ///< z of the skin in each column
 
   /// Copies lines, skin and rest positions, without the tissue.

@@ -8,7 +8,7 @@ namespace insonate::reference {
 struct Load {
   BloodPressure blood;
   const FaceProfile* face = nullptr;  ///< null if no face presses
-  double shift_mm = 0;                ///< of the face along z
+  double shift_mm = 0;                ///< shift of the face along z
   /// Positions whose x determines where nodes meet the face's profile; it is not updated while the nodes move. Nodes
   /// that followed the profile within one solution would alternately touch the face's edge and come off it. Empty for
   /// the positions at the beginning of the solution.

@@ -16,7 +16,7 @@ class Equilibrium {
 
   struct State {
     Vector at;
-    std::vector<double> tension;  ///< of each cell
+    std::vector<double> tension;  ///< tension of each cell
     double shift_mm = 0;          ///< shift of the face, determined by solve() if a force is required
   };
   State state;  ///< starting point of the next solve(); fixed nodes keep their positions in it

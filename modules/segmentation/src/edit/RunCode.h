@@ -8,7 +8,7 @@ namespace insonate::segmentation {
 
 /// Consecutive voxels that an edit changed from one label to another.
 struct ChangedRun {
-  std::size_t begin, length;  ///< voxels of one slice, j * ni + i
+  std::size_t begin, length;  ///< in voxels of one slice, numbered j * ni + i
   std::uint8_t before, after;
 };
 

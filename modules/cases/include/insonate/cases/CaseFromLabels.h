@@ -16,9 +16,10 @@ struct CaseFromLabelsResult {
 
 /// Makes a case from a label map of any origin (NRRD, NIfTI, MetaImage; axial slices): translates its numbers, adds
 /// missing structures and synthesizes a CT. `mapFile` is JSON:
-///   "labels"      {"109": "vein", "118": 8, ...}: the file's numbers to names or numbers of insonate/tissue/Labels.h
+///   "labels"      {"109": "vein", "118": 8, ...}: the file's numbers, each with a name or number of
+///                 insonate/tissue/Labels.h
 ///   "others"      the label for numbers that are not listed; without it such numbers are refused
-///   "title"       of the case
+///   "title"       the title of the case
 ///   "crop_mm"     {"min": [x, y, z], "max": [x, y, z]}: the part to keep, patient LPS
 ///   "tubes"       [{"label": "airway and lung", "points_mm": [[x, y, z], ...], "radius_mm": 8 or one per point,
 ///                   "wall": "cartilage", "wall_mm": 1.8}]: missing structures, drawn into unlabeled voxels
@@ -27,8 +28,8 @@ struct CaseFromLabelsResult {
 ///   "targets"     [{"name": "right internal jugular vein", "number": 109, "z_mm": -65}]: center of that number's
 ///                 voxels in the slice nearest to that level; each gets a transverse and a longitudinal start pose
 ///   "vessels"     {"109": "right internal jugular vein", ...}: the names of the file's vessels, by number
-/// Fails with the file and the invalid entry. Refuses unknown entries, a map file that lists no structure, and one that
-/// covers the numbers of less than half of the labeled voxels.
+/// Fails with the file and the invalid entry. Refuses unknown entries, a map file that lists no structure, and a map
+/// file whose numbers cover less than half of the labeled voxels.
 Result<CaseFromLabelsResult> caseFromLabels(const std::filesystem::path& labelFile,
                                             const std::filesystem::path& mapFile, const CtSynthesisOptions& ct,
                                             const Progress& progress = {});

@@ -15,7 +15,7 @@ struct CaseView {
   const LabelMap& labels;
 
   CaseView(const PatientCase& patient)
-      : CaseView(patient, patient.labels) {}  // a case is seen wherever it is asked for
+      : CaseView(patient, patient.labels) {}  // implicit, so that a case can be passed as a view
   CaseView(const PatientCase& patient, const LabelMap& instead) : CaseView(patient.manifest, patient.ct, instead) {}
   CaseView(const CaseManifest& about, const CtVolume& volume, const LabelMap& map)
       : manifest(about), ct(volume), labels(map) {}

@@ -26,7 +26,7 @@ struct VeinMeasures {
 /// Contribution of one property to the difficulty.
 struct DifficultyShare {
   std::string what;    ///< name of the property, e.g. "height of the vein"
-  std::string value;   ///< with its unit
+  std::string value;   ///< value of the property, with its unit
   double points = 0;   ///< 0 easy .. 1 hard
   std::string reason;  ///< as a clause: "the vein is only 4 mm high"
 };

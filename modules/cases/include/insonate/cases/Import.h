@@ -13,11 +13,11 @@ namespace insonate {
 
 /// One importable image stack, without data that identify the patient, except `uid`, which is never stored in a case.
 struct SeriesInfo {
-  std::string uid;       ///< names the series for importSeries: DICOM Series Instance UID, with "#2" when one UID holds
-                         ///< several stacks; the file's name for NRRD, NIfTI and MetaImage
+  std::string uid;  ///< identifies the series for importSeries(): DICOM Series Instance UID, with "#2" if one UID holds
+                    ///< several stacks; file name for NRRD, NIfTI and MetaImage
   std::string modality;  ///< as in DICOM ("CT", "MR", ...); empty if the file does not specify it
-  std::string kernel;  ///< of the reconstruction, in the scanner's own word, which never enters a case; empty when the
-                       ///< slices do not say, or not the same
+  std::string kernel;  ///< reconstruction kernel, as the scanner names it; never stored in a case; empty if missing or
+                       ///< different between slices
   VolumeGeometry geometry;            ///< the orthogonal grid that an import produces, patient LPS mm
   bool geometryKnown = true;          ///< false if a refused series lacks its geometry; only the size is valid then
   std::vector<std::string> warnings;  ///< one sentence each, without file names

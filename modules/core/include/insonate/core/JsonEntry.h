@@ -27,7 +27,7 @@ class JsonEntry {
  public:
   JsonEntry(const nlohmann::json& object, std::string where, const std::vector<std::string_view>& known)
       : JsonEntry(object, std::move(where), known, ownTrouble_) {}
-  /// Keeps the first error in `trouble`, which entries of one file share.
+  /// Makes a reader that stores the first error in `trouble`, which the entries of one file share.
   JsonEntry(const nlohmann::json& object, std::string where, const std::vector<std::string_view>& known,
             std::string& trouble);
   JsonEntry(const JsonEntry&) = delete;

@@ -21,7 +21,7 @@ struct Physiology {
   double breathingSwing_mmHg = 2.5;
   double tilt_deg = 0;                   ///< tilt of the table, -45..45; above 0 head down (Trendelenburg)
   double neckAboveHeart_mm = 150;        ///< along the body, from the heart to the probe; 50..300
-  double indifferenceFromHeart_mm = 70;  ///< caudal distance to the point where tilt keeps venous pressure; 0..200
+  double indifferenceFromHeart_mm = 70;  ///< caudal distance to where tilt does not change venous pressure; 0..200
 };
 
 /// Fails with a sentence that names field, value and allowed range.

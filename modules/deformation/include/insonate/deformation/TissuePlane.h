@@ -30,7 +30,7 @@ struct OutlineBend {
 class TissuePlane {
  public:
   virtual ~TissuePlane() = default;
-  /// Samples the tissue at any number of points; `tissue` is as long as `at`. Called on one thread at a time.
+  /// Samples the tissue at any number of points; `tissue` must be as long as `at`. Called on one thread at a time.
   virtual void sample(std::span<const PlanePoint> at, std::span<PlaneTissue> tissue) const = 0;
   /// Returns the curvature of the artery's or the vein's outline. The default, for planes that do not know the tissue
   /// beside them, treats all vessels as perpendicular to the plane.

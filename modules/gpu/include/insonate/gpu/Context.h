@@ -7,7 +7,7 @@
 #include <mutex>
 #include <string>
 
-/// Computing on a graphics card through OpenGL, without a window. No type of OpenGL or EGL leaves this module.
+/// Computing on a graphics card through OpenGL, without a window. No OpenGL or EGL type is visible outside this module.
 namespace insonate::gpu {
 
 /// Capabilities that a driver must offer; the defaults are what the shaders of this project need.

@@ -8,7 +8,7 @@
 
 namespace insonate::gpu {
 
-/// Memory on the card.
+/// A buffer in the card's memory.
 class Buffer {
  public:
   Buffer() = default;

@@ -30,8 +30,8 @@ struct GuideWay {
 
 /// One step of the guide: the author's task, the view, and the expected result.
 struct GuideStep {
-  std::string name;                 ///< "vein-right"
-  std::string title;                ///< "Jugular vein, right"
+  std::string name;                 ///< identifier, e.g. "vein-right"
+  std::string title;                ///< e.g. "Jugular vein, right"
   std::optional<GuideSide> side;    ///< side of the patient on which to click
   std::uint8_t label = 0;           ///< label of the result; 0 for a step that makes several labels
   std::string vessel;               ///< name of the vein or artery in the result, e.g. "right internal jugular vein"

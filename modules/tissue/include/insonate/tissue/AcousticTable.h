@@ -14,7 +14,7 @@ namespace insonate {
 /// A layer of connective tissue (wall, fascia, capsule) along a structure's boundary. Distances are measured from the
 /// boundary and are negative inside the structure.
 struct BoundaryLayer {
-  double from_mm = 0, to_mm = 0;  ///< from < to
+  double from_mm = 0, to_mm = 0;  ///< inner and outer border; from_mm < to_mm
   double echo_dB = 0;             ///< scattering relative to unit speckle, if the layer is perpendicular to the beam
   double anisotropy = 1;          ///< 0: echo independent of angle; 1: amplitude falls as 0.12 + 0.88 cos^2(incidence)
   double patchiness = 0;          ///< 0: even; 1: interrupted along the boundary
@@ -31,9 +31,9 @@ struct AcousticTissue {
   double attenuation_dBpcmMHz = 0.7;     ///< in dB of amplitude, one way; at least 0
   double attenuationExponent = 1;        ///< exponent of the frequency in MHz, 0.5..2
   double echogenicity_dB = 0;            ///< mean scattering relative to unit speckle
-  double ctImpedancePer100HU = 0;        ///< relative change of impedance for CT above the structure's mean
-  double ctEchogenicity_dBper100HU = 0;  ///< change of scattering for CT above the structure's mean
-  double specularExponent = 12;          ///< n of cos^n(incidence), amplitude
+  double ctImpedancePer100HU = 0;        ///< relative change of impedance per 100 HU above the structure's mean
+  double ctEchogenicity_dBper100HU = 0;  ///< change of scattering per 100 HU above the structure's mean
+  double specularExponent = 12;          ///< exponent n of the specular echo's amplitude, cos^n(incidence)
   double specularDiffuse = 0.15;         ///< share of the amplitude that falls only as cos(incidence), 0..1
   double roughness_dB = 0;  ///< change of the specular echo per SD of the random pattern along the boundary
   Texture texture = Texture::None;

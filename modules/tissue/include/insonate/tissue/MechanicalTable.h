@@ -23,9 +23,9 @@ struct MechanicalTissue {
   double young_kPa = 10;       ///< of solids, above 0; infinity for rigid
   double poisson = 0.49;       ///< 0..0.499
   double wall_mm = 0;          ///< lumens: thickness of the wall, outside the label
-  double wallYoung_kPa = 0;    ///< of the wall
+  double wallYoung_kPa = 0;    ///< Young's modulus of the wall
   double sheath_mm = 0;        ///< lumens: loose tissue outside the wall
-  double sheathYoung_kPa = 0;  ///< of the loose tissue
+  double sheathYoung_kPa = 0;  ///< Young's modulus of the loose tissue
   double pressure_kPa = 0;     ///< lumens: blood pressure above atmospheric when the CT was taken
   bool operator==(const MechanicalTissue&) const = default;
 };

@@ -29,7 +29,7 @@ struct NeedleTissue {
   double stiction_Npmm = 0;          ///< friction up to which the shaft sticks, per mm of shaft; at least friction_Npmm
   double viscosity_Nspmm2 = 0;       ///< viscous force in N per mm of shaft and per mm/s of speed
   double lateral_Npmm2 = 0;          ///< stiffness against lateral motion, N/mm per mm of depth
-  bool probeTouches = false;         ///< the probe feels this structure: the transducer's row of Table II
+  bool probeTouches = false;         ///< false: the probe passes through it; the transducer's row of Table II
   bool operator==(const NeedleTissue&) const = default;
 };
 
