@@ -28,8 +28,8 @@ struct NeckParameters {
   bool chest = false;  ///< add the structures below the clavicles, down to 100 mm below the cricoid
 };
 
-/// Determines how a structure meets its neighbors. Organs take their space in the order of the list; muscles share the
-/// remaining space and are separated by fascia.
+/// Kind of a structure, which determines how it meets its neighbors. Organs take their space in the order of the list;
+/// muscles share the remaining space and are separated by fascia.
 enum class Kind { kOrgan, kArtery, kVein, kMuscle };
 
 struct Structure {

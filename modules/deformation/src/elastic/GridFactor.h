@@ -8,7 +8,7 @@
 namespace insonate::elastic {
 
 /// Cholesky factor of a GridMatrix by the multifrontal method (I. S. Duff and J. K. Reid, ACM TOMS 9, 1983), in single
-/// precision. Allocates only if the grid is larger than all before.
+/// precision. Allocates only if the grid is larger than every earlier one.
 class GridFactor {
  public:
   void prepare(int columns, int rows);

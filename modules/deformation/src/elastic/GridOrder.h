@@ -34,7 +34,7 @@ class GridOrder {
     bool transposed = false;
   };
 
-  /// Prepares a grid of this size. Allocates only if the grid is larger than all before.
+  /// Prepares a grid of this size. Allocates only if the grid is larger than every earlier one.
   void arrange(int columns, int rows);
 
   int columns() const { return columns_; }

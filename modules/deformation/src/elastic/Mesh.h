@@ -33,7 +33,7 @@ class Mesh {
   static constexpr float kBeyond_mm = 70;    ///< range of the mesh beyond the face on each side
   static constexpr float kMostSkin_mm = 25;  ///< maximum distance between face and skin that is searched
 
-  /// Builds the mesh; allocates only if it is larger than all before.
+  /// Builds the mesh; allocates only if it is larger than every earlier mesh.
   void build(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings);
 
   int columns() const { return static_cast<int>(lines_.x_mm.size()); }

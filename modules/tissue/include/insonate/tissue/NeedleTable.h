@@ -12,7 +12,7 @@ namespace insonate {
 
 /// Behavior of a structure's surface at the needle's tip: the needle's row of the thesis's Table II.
 enum class NeedleWall {
-  None,      ///< no wall: the needle passes without resistance from the surface
+  None,      ///< no wall: the surface does not resist the needle
   Membrane,  ///< yields like a spring, then is punctured
   Hard,      ///< stops the needle
 };
