@@ -27,7 +27,8 @@ class PatientBody {
       if (!(index[a] >= -0.5 && index[a] <= patient_.ct.geometry.size[a] - 0.5)) return false;
     return true;
   }
-  /// Air this wide is outside the patient. Without labels the windpipe looks like outside, and is up to 25 mm wide.
+  /// Minimum width of air outside the patient. It is larger without labels, since the windpipe, up to 25 mm wide, then
+  /// looks like outside air.
   double outsideWidth_mm() const { return labelled_ ? 5 : 30; }
 
  private:

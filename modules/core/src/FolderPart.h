@@ -5,11 +5,12 @@
 
 namespace insonate {
 
-/// A hidden name beside a target that no other writer uses; its extension is that of the target.
+/// Returns a hidden path beside a target, with the target's extension, that no other writer uses.
 std::filesystem::path partBeside(const std::filesystem::path& target);
 
-/// A folder that is filled beside its target. A lock marks it as in use for other programs; the lock ends with this
-/// process, however that ends. On a file system without locks, leftovers are never taken for abandoned.
+/// A temporary folder that is filled beside its target. A lock tells other programs that it is in use; the system
+/// releases the lock when this process ends, even after a crash. On a file system without locks, removeAbandonedParts()
+/// leaves such folders.
 class FolderPart {
  public:
   explicit FolderPart(const std::filesystem::path& target);
@@ -19,7 +20,7 @@ class FolderPart {
   FolderPart& operator=(const FolderPart&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// Why it could not be made.
+  /// Error of creating the folder, if any.
   const std::error_code& error() const { return error_; }
 
  private:
@@ -28,7 +29,8 @@ class FolderPart {
   int lock_ = -1;
 };
 
-/// Hidden name of the old folder while a new one replaces it in two steps, where the system has no single step for it.
+/// Returns the hidden path of a target's old folder during a replacement in two steps, on systems that cannot exchange
+/// folders in one step.
 std::filesystem::path oldBeside(const std::filesystem::path& target);
 
 }  // namespace insonate

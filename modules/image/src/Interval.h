@@ -4,11 +4,11 @@
 
 namespace insonate {
 
-/// The two points of a row between which a position lies, for linear interpolation; the outermost go on beyond the
-/// ends.
+/// The two points of a row between which a position lies, for linear interpolation; a position beyond an end is moved
+/// to that end.
 struct Interval {
   int low, high;
-  double fraction;  ///< of the way from low to high
+  double fraction;  ///< position between the points: 0 at low, 1 at high
 };
 
 inline Interval intervalAt(double position, int points) {

@@ -4,8 +4,8 @@
 
 namespace insonate::segmentation {
 
-/// Blood whose contrast agent makes it as bright as bone: wide, even, and bordered by soft tissue. Empty without such
-/// blood, as in a CT without contrast.
+/// Voxels of blood whose contrast agent makes it as bright as bone; such blood is wide, even, and bordered by soft
+/// tissue. Empty if there is none, as in a CT without contrast agent.
 struct BrightBlood {
   bool present = false;
   Mask mask;

@@ -6,11 +6,11 @@
 
 namespace insonate::segmentation {
 
-/// Threshold of matter: half-way between air and the lightest tissue, apart from the noise of lung.
+/// Threshold between air and tissue: half-way between air and the lightest tissue, above the noise of lung.
 inline constexpr int kMatter_HU = -400;
 
-/// kBackground outside the patient, kAirway in air that the body encloses, kSoftTissue in the body. Nothing when there
-/// is no body.
+/// Labels voxels outside the patient kBackground, air enclosed by the body kAirway, and the rest of the body
+/// kSoftTissue. No value if there is no body.
 std::optional<LabelMap> findBody(const CtVolume& ct, Work& work);
 
 }  // namespace insonate::segmentation

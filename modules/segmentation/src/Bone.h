@@ -4,7 +4,7 @@
 
 namespace insonate::segmentation {
 
-/// Bone with its marrow, inside the body (kSoftTissue of findBody).
+/// Returns bone with its marrow, inside the body (kSoftTissue of findBody()).
 Mask findBone(const CtVolume& ct, const LabelMap& body, Work& work);
 
 }  // namespace insonate::segmentation

@@ -6,15 +6,15 @@
 
 namespace insonate::segmentation {
 
-/// Standard deviation of the CT in the body (kSoftTissue) between voxels just far enough apart for their noise to be
-/// independent: noise, and some ten HU of anatomy.
+/// Returns the standard deviation of the CT in the body (kSoftTissue), from differences of voxels just far enough apart
+/// that their noise is independent. It includes noise, and some ten HU of anatomy.
 double noiseInBody_HU(const CtVolume& ct, const LabelMap& body, Work& work);
 
-/// Tells whether calmed() removes most of the noise: along two axes or more, voxels are not wider than the scanner's
-/// blur.
+/// Tells whether calmed() removes most of the noise: the voxels are no wider than the scanner's blur along at least two
+/// axes.
 bool canBeCalmed(const VolumeGeometry& geometry);
 
-/// Smoothed a little along each axis whose voxels are not wider than the scanner's blur, so that little is lost.
+/// Smooths slightly along each axis whose voxels are no wider than the scanner's blur, so that little detail is lost.
 CtVolume calmed(const CtVolume& ct, Work& work);
 
 }  // namespace insonate::segmentation

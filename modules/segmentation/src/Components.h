@@ -8,8 +8,8 @@
 
 namespace insonate::segmentation {
 
-/// Voxels of a mask that hang together by their faces, kept as runs along i: a few hundred thousand runs stand for the
-/// many millions of voxels of a scan.
+/// Connected components of a mask, joined by faces of voxels and stored as runs along i: a scan's many millions of
+/// voxels make only a few hundred thousand runs.
 class Components {
  public:
   struct Run {
@@ -25,13 +25,13 @@ class Components {
   const std::vector<Run>& runs() const { return runs_; }
   /// Components are numbered 0 .. count() - 1.
   std::uint32_t count() const { return count_; }
-  /// Number of voxels of each.
+  /// Returns the number of voxels of each component.
   std::vector<std::size_t> sizes() const;
 
-  /// Component of a voxel that is set in the mask.
+  /// Returns the component of a voxel that is set in the mask.
   std::uint32_t componentAt(int i, int j, int k) const;
 
-  /// Sets the voxels of the chosen components to `value`.
+  /// Sets the voxels of the chosen components in `target` to `value`.
   void paint(const std::vector<bool>& chosen, std::uint8_t value, Volume<std::uint8_t>& target) const;
 
  private:

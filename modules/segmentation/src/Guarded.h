@@ -19,7 +19,7 @@ struct ResultOf<Result<T>> {
   using type = Result<T>;
 };
 
-/// The result of `work`, a function that may be cancelled, run out of memory, or meet a library's exception.
+/// Calls `work` and returns its result; converts cancellation, lack of memory and exceptions of libraries to errors.
 template <class Function>
 auto guarded(const Function& work) -> typename ResultOf<decltype(work())>::type {
   try {

@@ -6,11 +6,11 @@
 
 namespace insonate::segmentation {
 
-/// 1 inside, 0 outside.
+/// Binary mask: 1 inside, 0 outside.
 using Mask = Volume<std::uint8_t>;
 
-/// Morphology with a ball of `radius_mm` between voxel centres. What lies beyond the grid is unknown: it neither grows
-/// into the grid nor erodes it.
+/// Morphology with a ball of `radius_mm`, measured between voxel centers. Voxels beyond the grid are unknown: they
+/// neither grow into the grid nor erode the mask.
 void dilate(Mask& mask, double radius_mm, Work& work);
 void erode(Mask& mask, double radius_mm, Work& work);
 void open(Mask& mask, double radius_mm, Work& work);
@@ -19,7 +19,7 @@ void close(Mask& mask, double radius_mm, Work& work);
 /// Adds the six neighbors of each voxel.
 void dilateToNeighbours(Mask& mask, Work& work);
 
-/// Each voxel becomes what most of its 3 x 3 neighbors in the slice are.
+/// Sets each voxel to the majority of the 3 x 3 voxels around it in the slice.
 void majorityInSlice(Mask& mask, Work& work);
 
 }  // namespace insonate::segmentation

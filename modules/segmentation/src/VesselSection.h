@@ -8,22 +8,23 @@
 
 namespace insonate::segmentation {
 
-/// The part of a vessel in one plane that hangs together with the point where it was looked for. Patient space.
+/// The part of a vessel in one plane that is connected to the point at which the plane was placed. Patient space.
 struct VesselSection {
-  Vec3 centre_mm;  ///< its centroid
+  Vec3 centre_mm;  ///< centroid of the section
   double area_mm2 = 0;
-  double reach_mm = 0;  ///< from the center to its farthest point
-  bool cut = false;     ///< the volume's edge cuts it
+  double reach_mm = 0;  ///< from the centroid to the farthest point
+  bool cut = false;     ///< the volume's edge cuts the section
 };
 
-/// Looks at planes through the voxels of one label. Holds memory for one plane, so that many are cheap.
+/// Finds sections of one label by planes. Reuses memory for one plane, so that finding many sections is fast.
 class SectionFinder {
  public:
   SectionFinder(const LabelMap& labels, std::uint8_t label);
 
-  /// Finds the section through `at_mm`, perpendicular to the unit vector `axis`; none if the label is not there.
+  /// Finds the section through `at_mm`, perpendicular to the unit vector `axis`; no value if the label is not at
+  /// `at_mm`.
   std::optional<VesselSection> find(Vec3 at_mm, Vec3 axis);
-  /// The middle of the label's voxels within a ball, or the point itself where there are none.
+  /// Returns the centroid of the label's voxels within a ball; `at_mm` if there are none.
   Vec3 middleOfBall(Vec3 at_mm, double radius_mm) const;
 
  private:

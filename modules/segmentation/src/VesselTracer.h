@@ -6,21 +6,22 @@
 
 namespace insonate::segmentation {
 
-/// Follows vessels of one label from section to section, and remembers which voxels belong to lines that are done.
+/// Follows vessels of one label from section to section, and stores which voxels belong to finished lines.
 class VesselTracer {
  public:
   VesselTracer(const LabelMap& labels, std::uint8_t label);
 
-  /// A voxel that no line has gone by yet.
+  /// Tells whether no line has passed this voxel yet.
   bool isOpen(std::size_t offset) const { return voxels_[offset] == kOpen; }
-  /// The line through the vessel at an open voxel, which is open no more, with all voxels beside the line; empty where
-  /// there is too little, and where the volume's edge cuts the vessel and `evenCut` is not set.
+  /// Returns the line of the vessel at an open voxel, which is then no longer open, like all voxels beside the line.
+  /// Empty if the vessel is too short, or if the volume's edge cuts the section at the voxel and `evenCut` is false;
+  /// that section is then deferred.
   CentreLine trace(int i, int j, int k, bool evenCut);
-  /// Opens again the sections that were deferred because they were cut.
+  /// Opens the deferred sections again.
   void reopen();
 
  private:
-  /// States in the order in which one replaces another.
+  /// States of a voxel; each state may only be replaced by a later one.
   enum : std::uint8_t { kOpen, kPutOff, kRim, kDone };
   struct Start {
     std::optional<VesselSection> section;
@@ -39,7 +40,7 @@ class VesselTracer {
   SectionFinder finder_;
   Transform indexFromPatient_, patientFromIndex_;
   std::vector<std::uint8_t> voxels_;
-  std::vector<VesselSection> trail_;  ///< of the line that is being followed
+  std::vector<VesselSection> trail_;  ///< sections of the line that is being followed
 };
 
 }  // namespace insonate::segmentation

@@ -12,14 +12,15 @@ namespace insonate::segmentation {
 
 struct Cancelled {};
 
-/// Runs slices in parallel and asks between batches whether to go on. Throws Cancelled, which stays in this module.
+/// Runs slices in parallel and checks for cancellation between batches. Throws Cancelled, which is caught within this
+/// module.
 class Work {
  public:
   Work(const Progress& progress, double expectedPasses) : progress_(progress), expectedPasses_(expectedPasses) {}
 
   void start(std::string_view doing) { doing_ = doing; }
 
-  /// One pass over `count` slices: body(k) for each, in any order.
+  /// Runs one pass over `count` slices: calls body(k) for each slice, in any order.
   template <class Body>
   void slices(int count, const Body& body) {
     // Large enough to keep all cores busy, small enough that a batch of large slices takes far less than a second.
@@ -32,7 +33,8 @@ class Work {
     passes_ += 1;
   }
 
-  /// A part of a pass: body(k) for each of these of `count` slices, which take far less than a second.
+  /// Runs a part of a pass: calls body(k) for the slices from `begin` to before `end`, of `count` in the pass. They
+  /// must take far less than a second.
   template <class Body>
   void part(int begin, int end, int count, const Body& body) {
     tbb::parallel_for(begin, end, body);
@@ -40,7 +42,7 @@ class Work {
     checkpoint();
   }
 
-  /// One pass over the voxels of a grid: function(v) for each, in any order.
+  /// Runs one pass over the voxels of a grid: calls function(v) for each voxel, in any order.
   template <class Function>
   void voxels(const VolumeGeometry& g, const Function& function) {
     const std::size_t slice = std::size_t(g.size[0]) * g.size[1];

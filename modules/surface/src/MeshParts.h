@@ -12,15 +12,16 @@ inline Vec3 pointOf(const std::vector<float>& xyz, std::size_t point) {
   return {xyz[3 * point], xyz[3 * point + 1], xyz[3 * point + 2]};
 }
 
-/// Moves points back toward their place in `mesh`, in each connected part by itself, until the part encloses at least
-/// `volumeKept` of its volume in `mesh`. Otherwise a smoothed grain would vanish.
+/// Moves smoothed points back toward their position in `mesh`, separately in each connected part, until the part
+/// encloses at least `volumeKept` (a fraction) of its volume in `mesh`. Otherwise smoothing would remove very small
+/// parts.
 void keepSmallParts(const Mesh& mesh, std::vector<float>& moved_mm, double volumeKept);
 
-/// Moves all points along their normals, by the same way, so that the mesh encloses `target_mm3`; by `limit_mm` at
-/// most. Corners that flying edges cut off and round structures that smoothing made smaller get their volume back.
+/// Moves all points along their normals by the same distance, at most `limit_mm`, so that the mesh encloses
+/// `target_mm3`. This restores volume that flying edges lose at corners and smoothing loses on round structures.
 void restoreVolume(Mesh& mesh, double target_mm3, double limit_mm);
 
-/// Unit normals at the points, the mean over their triangles by area.
+/// Returns unit normals at the points: means over the adjacent triangles, weighted by area.
 std::vector<float> pointNormals(const Mesh& mesh);
 
 }  // namespace insonate

@@ -7,8 +7,8 @@
 
 namespace insonate {
 
-/// Updates a filter. What VTK would print becomes the error. Reports `from` to `to` of the whole work and asks the
-/// filter to stop when the listener does.
+/// Updates a filter; messages that VTK would print become the error. Reports progress as `from` to `to` of the whole
+/// work; when the listener cancels, asks the filter to stop.
 Result<void> runFilter(vtkAlgorithm& filter, const Progress& progress, std::string_view doing, double from, double to);
 
 }  // namespace insonate

@@ -7,10 +7,12 @@
 #include <array>
 #include <cmath>
 
-/// Numbers of a tissue in the files of resources/tissues, resources/mechanics and resources/haptics.
+/// Reads and writes the numbers of a tissue in the files of resources/tissues, resources/mechanics and
+/// resources/haptics.
 namespace insonate::tissuefile {
 
-/// A number with its permitted range; the narrower "range" beside a value in a file states how well it is known.
+/// Name, member and permitted range of a numeric field. (The "range" beside a value in a file is different: it is
+/// narrower and states the value's uncertainty.)
 template <class T>
 struct Field {
   std::string_view name;
@@ -19,7 +21,7 @@ struct Field {
   bool orInfinity = false;
 };
 
-/// Reads the fields that an entry has; with `complete`, all have to be there.
+/// Reads the fields that are present in an entry; with `complete`, a missing field is an error.
 template <class T, std::size_t N>
 void readNumbers(JsonEntry& entry, const std::array<Field<T>, N>& all, bool complete, T& target) {
   for (const Field<T>& field : all) {
@@ -29,7 +31,7 @@ void readNumbers(JsonEntry& entry, const std::array<Field<T>, N>& all, bool comp
   }
 }
 
-/// Inverse of readNumbers().
+/// Writes all fields to a JSON object, as readNumbers() reads them.
 template <class T, std::size_t N>
 void writeNumbers(const T& from, const std::array<Field<T>, N>& all, nlohmann::json& object) {
   for (const Field<T>& field : all) {

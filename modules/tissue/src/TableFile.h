@@ -10,27 +10,27 @@
 #include <bitset>
 #include <filesystem>
 
-/// A table of properties by label, as a preset or a file: what resources/tissues and resources/mechanics share.
+/// Reading and writing of tables of properties by label, shared by all kinds of tissue tables, as presets or files.
 namespace insonate::tissuefile {
 
-/// Properties that distinguish one kind of table. `Table` has a name and `tissues` by label.
+/// Properties that distinguish one kind of table from another. `Table` has a `name`, and `tissues` by label.
 template <class Table>
 struct TableForm {
   using Tissue = typename decltype(Table::tissues)::value_type;
 
-  std::string noun;             ///< "tissue": a tissue table, a tissue file
+  std::string noun;             ///< e.g. "tissue" for "a tissue table" and "the tissue file"
   std::vector<Preset> presets;  ///< the default first
 
-  /// Fills `tissue` from an entry of "tissues". With `complete`, every number has to be there; without, the missing
-  /// ones stay as they are.
+  /// Fills `tissue` from an entry of "tissues". With `complete`, a missing number is an error; otherwise it keeps its
+  /// value.
   void (*readTissue)(const nlohmann::json& entry, bool complete, const std::string& where, std::string& trouble,
                      Tissue& tissue);
 };
 
-/// "description" and "sources" are for readers; they only have to be text.
+/// Checks that "description" and "sources", which only people read, are text.
 void checkRemarks(JsonEntry& file);
 
-/// The entry's "label": a name or number of insonate/tissue/Labels.h.
+/// Reads the entry's "label": a name or number of insonate/tissue/Labels.h.
 Label readLabel(const nlohmann::json& object, const std::string& where, std::string& trouble);
 
 template <class Table>
@@ -80,7 +80,7 @@ Result<Table> loadTable(std::string_view nameOrPath, const TableForm<Table>& for
   return table;
 }
 
-/// A file that parseTable() reads, complete. `written` is the entry of one tissue but for its label.
+/// Writes a complete file for parseTable(). `written` returns the entry of one tissue without its label.
 template <class Table>
 std::string tableText(const Table& table, nlohmann::json (*written)(const typename TableForm<Table>::Tissue&)) {
   nlohmann::json tissues = nlohmann::json::array();

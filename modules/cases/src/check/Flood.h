@@ -9,21 +9,22 @@ namespace insonate::check {
 /// One bit for each voxel.
 using VoxelSet = std::vector<bool>;
 
-/// The voxels of `label` that a path of face neighbors of that label joins to a side of the volume, where the
-/// sides are the four faces that `endAxis` does not cross.
+/// Returns the voxels of `label` that are connected by faces, within the label, to a side of the volume. The sides are
+/// the four faces of the volume that are parallel to `endAxis`.
 VoxelSet floodFromSides(const LabelMap& labels, std::uint8_t label, int endAxis);
 
-/// Voxels of a label that hang together by faces, edges or corners.
+/// A connected component of a label: voxels joined by faces, edges or corners.
 struct Part {
   std::size_t voxels = 0;
-  int low = 0, high = 0;       ///< first and last index along the axis that was asked for
-  Vec3 lowEnd_mm, highEnd_mm;  ///< patient centers of the voxels at these two indices
+  int low = 0, high = 0;       ///< minimum and maximum index along the axis given to partsOf()
+  Vec3 lowEnd_mm, highEnd_mm;  ///< mean positions, in the patient, of the component's voxels at these two indices
 };
 
-/// All parts of a label, largest first.
+/// Returns all connected components of a label, largest first.
 std::vector<Part> partsOf(const LabelMap& labels, std::uint8_t label, int axis);
 
-/// Longest side of the box around what hangs together with a voxel (continuous index) of its label; 0 outside the grid.
+/// Returns the longest side of the bounding box of the connected component that contains a voxel (continuous index); 0
+/// outside the grid.
 double pieceLength_mm(const LabelMap& labels, Vec3 index);
 
 }  // namespace insonate::check

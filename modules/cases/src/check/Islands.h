@@ -6,9 +6,9 @@
 
 namespace insonate::check {
 
-/// Voxels that hang together by faces.
+/// A connected component of labeled voxels, joined by faces.
 struct Island {
-  std::uint8_t label = 0;  ///< of its first voxel
+  std::uint8_t label = 0;  ///< label of its first voxel
   std::size_t voxels = 0;
   std::size_t first = 0;  ///< offset of its first voxel
 };
@@ -16,7 +16,8 @@ struct Island {
 /// Rule by which voxels are connected: only voxels of one label, or labeled voxels of any label.
 enum class Joining { kOneLabel, kAnyLabel };
 
-/// All islands of labeled voxels, in the order of their first voxels. Needs memory for rows of equal voxels only.
+/// Returns all islands of labeled voxels, in the order of their first voxels. Memory grows with the number of rows of
+/// equal voxels, not with the number of voxels.
 std::vector<Island> islandsOf(const LabelMap& labels, Joining joining);
 
 }  // namespace insonate::check

@@ -13,33 +13,33 @@
 
 namespace insonate {
 
-/// Name of the algorithm in segments of this program.
+/// Algorithm name in segments that this program writes.
 inline constexpr const char* kAlgorithm = "Insonate";
 
-/// A DICOM segmentation as it is stored: frames of one size in any order, each a slice of one segment, or of all where
-/// the segmentation is a label map.
+/// A DICOM segmentation as it is stored: frames of one size in any order. Each frame is a slice of one segment; in a
+/// label map, a slice of all segments.
 struct DicomSegments {
   struct Frame {
     Vec3 position_mm;        ///< center of its first pixel, patient LPS
-    std::uint8_t label = 0;  ///< in this program's numbers; that of a label map is in its pixels
-    std::size_t first = 0;   ///< its first pixel among all
+    std::uint8_t label = 0;  ///< in this program's numbers; not used in a label map, whose pixels hold the labels
+    std::size_t first = 0;   ///< index of its first pixel in `pixels`
   };
-  std::vector<Frame> frames;  ///< by segment, as the file numbers them
+  std::vector<Frame> frames;  ///< ordered by the file's segment numbers
   int columns = 0, rows = 0;
-  std::array<Vec3, 2> direction;       ///< of i and j, unit, at right angles
+  std::array<Vec3, 2> direction;       ///< directions of i and j, unit, perpendicular
   std::array<double, 2> spacing_mm{};  ///< along i, along j
   double step_mm = 0;                  ///< distance of neighboring slices
-  std::vector<std::uint8_t> pixels;    ///< a bit each, the first in the lowest bit, or a byte each
-  bool isLabelMap = false;             ///< bytes are labels, in this program's numbers
-  int threshold = 0;                   ///< 0 for bits; of fractions, bytes from here on are inside
+  std::vector<std::uint8_t> pixels;    ///< one bit per pixel, lowest bit first, or one byte per pixel
+  bool isLabelMap = false;             ///< pixels are labels, in this program's numbers
+  int threshold = 0;  ///< 0 if pixels are bits; else a byte of at least this value is inside (fractional segmentation)
 
-  std::string seriesUid;  ///< of the CT it was drawn on, where it says so; identifies, and must not be kept
+  std::string seriesUid;  ///< UID of the CT it was drawn on, if stated; identifies the patient and must not be stored
   std::vector<std::string> notes;
   LabelColours colours;
   OwnLabels own;
-  std::set<std::uint8_t> foreign;  ///< of these, whose names another program's user wrote
+  std::set<std::uint8_t> foreign;  ///< labels of `own` whose names were written by users of another program
 
-  /// Label of a pixel, counted from the frame's first; 0 if no segment is there.
+  /// Returns the label of a frame's pixel, counted from the frame's first pixel; 0 if no segment is there.
   std::uint8_t labelAt(const Frame& frame, std::size_t pixel) const {
     const std::size_t at = frame.first + pixel;
     if (isLabelMap) return pixels[at];
@@ -48,12 +48,12 @@ struct DicomSegments {
   }
 };
 
-/// Fails on files that are cut off, hold fewer pixels than they say, name segments or places that are not there, or lie
-/// in more than one orientation.
+/// Reads a segmentation file. Fails on files that are truncated, contain fewer pixels than declared, refer to missing
+/// segments or positions, or have more than one orientation.
 Result<DicomSegments> readDicomSegments(const std::filesystem::path& file);
 
-/// Each voxel of `grid` takes the pixel that it lies in; later segments win. Fails where nothing lands in the grid, and
-/// when cancelled.
+/// Gives each voxel of `grid` the label of the pixel that contains it; later segments replace earlier ones. Fails if no
+/// labeled pixel lies in the grid, and when cancelled.
 Result<LabelReadResult> placeSegments(const DicomSegments& segments, const VolumeGeometry& grid,
                                       const Progress& progress);
 

@@ -15,15 +15,15 @@ struct SegmentFrame {
   int k = 0;
 };
 
-/// A label map as DICOM stores it: a bit a voxel, frame after frame without gaps (PS3.5 8.1.1), the first pixel in the
-/// lowest bit.
+/// A label map as DICOM stores it: one bit per voxel, frame after frame without gaps (PS3.5 8.1.1), the first pixel in
+/// the lowest bit.
 struct SegmentFrames {
-  std::vector<std::uint8_t> labels;  ///< those that occur, ascending
+  std::vector<std::uint8_t> labels;  ///< labels that occur, ascending
   std::vector<SegmentFrame> frames;  ///< slices in which a structure occurs, by structure, then by k
   std::vector<std::uint8_t> bits;
 };
 
-/// Fails when cancelled.
+/// Converts a label map to frames; fails only when cancelled.
 Result<SegmentFrames> framesOfLabels(const LabelMap& labels, const Progress& progress);
 
 }  // namespace insonate

@@ -10,7 +10,8 @@
 
 namespace insonate {
 
-/// ITK-SNAP's label description file: every known label, and others that have a name or occur in the map.
+/// Returns the text of ITK-SNAP's label description file: every known label, and other labels that have a name or occur
+/// in the map.
 std::string itkSnapLabelText(const PatientCase& patient);
 
 struct ItkSnapLabel {
@@ -18,7 +19,8 @@ struct ItkSnapLabel {
   LabelColour colour{};
 };
 
-/// Reads labels by their number in the map. Fails on a file of another kind and on an invalid line, with its number.
+/// Reads an ITK-SNAP label description: names and colors by number in the map. Fails on another kind of file, and on an
+/// invalid line, with the line's number.
 Result<std::map<std::int32_t, ItkSnapLabel>> readItkSnapLabels(const std::filesystem::path& file);
 
 }  // namespace insonate

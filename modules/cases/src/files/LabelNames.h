@@ -7,10 +7,12 @@
 
 namespace insonate {
 
-/// This program's label for a SNOMED CT code of a structure that it knows, e.g. 12123001 (internal jugular vein).
+/// Returns this program's label for a structure's SNOMED CT code, e.g. 12123001 (internal jugular vein); no value if
+/// the code is unknown.
 std::optional<Label> labelFromSnomed(std::string_view code);
 
-/// This program's label for a structure's name as people write it ("Left internal jugular vein", "trachea").
+/// Returns this program's label for a structure's usual name ("Left internal jugular vein", "trachea"); no value if the
+/// name is unknown.
 std::optional<Label> labelFromAnyName(std::string_view name);
 
 }  // namespace insonate

@@ -9,8 +9,8 @@ namespace insonate {
 
 std::string manifestToJson(const CaseManifest& manifest);
 
-/// Fails on text that is no JSON, a missing or newer schema version, or a field of the wrong kind. Unknown fields and
-/// poses that had to be straightened are noted.
+/// Reads a manifest from JSON. Fails on invalid JSON, a missing or newer schema version, or a field of the wrong type.
+/// Adds notes on unknown fields and on poses whose directions had to be corrected.
 Result<CaseManifest> manifestFromJson(const std::string& text, std::vector<std::string>& notes);
 
 }  // namespace insonate

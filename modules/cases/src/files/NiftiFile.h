@@ -4,10 +4,10 @@
 
 namespace insonate {
 
-/// Reads NIfTI-1 or NIfTI-2, compressed or not, in either byte order. By itself: ITK 5.2 knows no NIfTI-2, refuses
-/// oblique grids whose directions are rounded to floats, and fills missing voxels with zeros. Where sform and qform
-/// differ, the sform counts if it leads to the scanner's frame, else the qform, as 3D Slicer has it. Fails as
-/// readVolumeFile does.
+/// Reads NIfTI-1 or NIfTI-2, compressed or not, in either byte order. ITK 5.2 is not used, because it does not read
+/// NIfTI-2, refuses oblique grids whose directions are rounded to floats, and fills missing voxels with zeros. If sform
+/// and qform differ, the sform is used if it leads to the scanner's frame, else the qform, as in 3D Slicer. Fails like
+/// readVolumeFile().
 Result<RawVolume> readNifti(const std::filesystem::path& file, ReadPart part);
 
 }  // namespace insonate

@@ -6,7 +6,7 @@
 
 namespace insonate {
 
-/// Text of a field in an NRRD's header; empty if there is none.
+/// Returns the text of a field in an NRRD header; empty if the field is missing.
 inline std::string nrrdField(const std::filesystem::path& file, const std::string& name) {
   std::ifstream in(file, std::ios::binary);
   for (std::string line; std::getline(in, line) && !line.empty() && line != "\r";) {

@@ -12,15 +12,15 @@
 
 namespace insonate {
 
-/// Writes a gzip-compressed 3-D NRRD in left-posterior-superior space. `type` is NRRD's name of the element type,
-/// `fields` become "key:=value" lines in this order. Not atomic: give a path that may be thrown away.
-/// ITK's writer is not used because it hides a full disk and sorts and escapes custom fields.
+/// Writes a gzip-compressed 3-D NRRD in left-posterior-superior space. `type` is NRRD's name of the element type;
+/// `fields` become "key:=value" lines in this order. Not atomic: write to a temporary path. ITK's writer is not used
+/// because it does not report a full disk, and sorts and escapes custom fields.
 Result<void> writeNrrd(const std::filesystem::path& file, const VolumeGeometry& geometry, const std::string& type,
                        std::span<const std::byte> voxels,
                        const std::vector<std::pair<std::string, std::string>>& fields = {},
                        const Progress& progress = {});
 
-/// Shortest decimal that reads back to the same double, in any locale.
+/// Returns the shortest decimal that reads back to the same double, in any locale.
 std::string exactDecimal(double value);
 
 }  // namespace insonate

@@ -7,11 +7,11 @@
 
 namespace insonate {
 
-/// Assigns own labels to structures of another program that this program does not know.
+/// Assigns label numbers to structures of another program that this program does not know.
 class OwnNumbers {
  public:
   void keep(std::uint8_t label) { taken_.set(label); }
-  /// `wanted` if it is free, else the first free number; kSoftTissue if all are taken.
+  /// Reserves and returns `wanted` if it is free, else the first free number; returns kSoftTissue if all are taken.
   std::uint8_t take(long wanted) {
     if (wanted < kLabelCount || wanted > kLastOwnLabel || taken_.test(static_cast<std::size_t>(wanted)))
       for (wanted = kLabelCount; wanted <= kLastOwnLabel && taken_.test(static_cast<std::size_t>(wanted));) ++wanted;
@@ -24,7 +24,7 @@ class OwnNumbers {
   std::bitset<256> taken_;
 };
 
-/// Note to the author about an unknown structure.
+/// Returns a note to the author about an unknown structure.
 inline std::string unknownStructure(const std::string& what, std::uint8_t label) {
   return what + " is no structure this program knows and is read as " +
          (isOwnLabel(label) ? labelName(label) + ", of soft tissue; say in the table of structures what it is."

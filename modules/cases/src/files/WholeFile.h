@@ -9,10 +9,10 @@
 
 namespace insonate {
 
-/// Bytes found in a file, decompressed.
+/// Number of bytes found in a file, after decompression.
 struct HeldBytes {
   double count = 0;
-  bool streamBreaks = false;  ///< a compressed stream ended early or did not match its check sum
+  bool streamBreaks = false;  ///< a compressed stream ended early or did not match its checksum
 };
 
 /// Reads a file's bytes from its beginning, decompressed if it is a gzip file.
@@ -22,7 +22,7 @@ class GzipReader {
   ~GzipReader();
   /// Reads up to the size of `bytes`; returns the number read.
   std::size_t read(std::span<char> bytes);
-  /// Skips bytes; false if fewer are left.
+  /// Skips bytes; returns false if fewer are left.
   bool skip(std::size_t count);
   /// Tells whether the stream was damaged.
   bool broken() const;
@@ -32,27 +32,27 @@ class GzipReader {
   std::unique_ptr<File> file_;
 };
 
-/// Reads to the end, where the check sum stands.
+/// Counts a file's bytes up to its end, including the check of the gzip checksum.
 HeldBytes decompressedBytes(const std::filesystem::path& file);
 
-/// Decompresses the zlib or gzip stream at `offset` of a file.
+/// Decompresses and counts the zlib or gzip stream at `offset` of a file.
 HeldBytes inflatedBytes(const std::filesystem::path& file, std::uint64_t offset);
 
-/// Number of bytes of a file behind `offset`.
+/// Returns the number of bytes of a file after `offset`.
 double bytesFrom(const std::filesystem::path& file, std::uint64_t offset);
 
-/// Fails with a sentence where less was found than promised.
+/// Fails with a sentence if fewer bytes were found than promised.
 Result<void> checkHeld(const std::filesystem::path& file, double promised_bytes, HeldBytes held);
 
-/// Refuses a number of dimensions for which ITK 5.2 would look without end.
+/// Refuses a header with a number of dimensions at which ITK 5.2 would never return.
 Result<void> checkMetaImageHeader(const std::filesystem::path& file);
 
-/// Fails with a sentence when an NRRD with its voxels inside or in one other file holds fewer bytes than promised,
-/// before memory is asked for. Of numbers written as text, each is taken for the shortest.
+/// Fails with a sentence, before memory is allocated, if an NRRD holds fewer bytes than promised. Its voxels are inside
+/// it or in one other file. For voxels written as text, the check assumes the shortest possible text per number.
 Result<void> checkWholeNrrd(const std::filesystem::path& file, double promised_bytes);
 
-/// Fails with a sentence when a MetaImage with its voxels inside, in one other file or in a list of files, compressed
-/// or not, ends or breaks before its last promised byte. `promised_bytes` are those of all voxels, decompressed.
+/// Fails with a sentence if a MetaImage ends or is damaged before its last promised byte. Its voxels are inside it, in
+/// one other file or in a list of files, compressed or not. `promised_bytes` is the size of all voxels, decompressed.
 Result<void> checkWholeMetaImage(const std::filesystem::path& file, double promised_bytes);
 
 }  // namespace insonate

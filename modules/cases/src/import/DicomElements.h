@@ -8,15 +8,15 @@
 
 namespace insonate {
 
-/// Text without padding; empty when the element is absent.
+/// Returns an element's text without padding; empty if the element is absent.
 std::string textOf(const gdcm::DataSet& data, gdcm::Tag tag);
-/// The numbers of a decimal or integer string; empty when absent or malformed.
+/// Returns the numbers of a decimal or integer string; empty if absent or malformed.
 std::vector<double> numbersOf(const gdcm::DataSet& data, gdcm::Tag tag);
 std::optional<double> numberOf(const gdcm::DataSet& data, gdcm::Tag tag);
 std::optional<int> integerOf(const gdcm::DataSet& data, gdcm::Tag tag);
-/// A 16-bit binary value (VR US or SS), sign not yet applied.
+/// Returns a 16-bit binary value (VR US or SS) as unsigned; the caller applies the sign.
 std::optional<unsigned> shortOf(const gdcm::DataSet& data, gdcm::Tag tag);
-/// The items of a sequence; empty when absent.
+/// Returns the items of a sequence; empty if absent.
 std::vector<gdcm::DataSet> itemsOf(const gdcm::DataSet& data, gdcm::Tag tag);
 
 }  // namespace insonate

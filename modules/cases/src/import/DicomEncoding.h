@@ -23,13 +23,13 @@ std::string sliceUid(const SeriesUids& uids, int k);
 /// Sets an element's text, padded to even length.
 void put(gdcm::DataSet& data, gdcm::Tag tag, gdcm::VR::VRType vr, std::string text);
 void putShorts(gdcm::DataSet& data, gdcm::Tag tag, std::initializer_list<std::uint16_t> values);
-/// A sequence with one item for each data set.
+/// Sets a sequence with one item for each data set.
 void putSequence(gdcm::DataSet& data, gdcm::Tag tag, const std::vector<gdcm::DataSet>& items);
 
-/// The most exact text of numbers within the 16 characters of a decimal string (DICOM PS3.5, VR DS).
+/// Returns the most exact text of numbers within the 16 characters of a decimal string (DICOM PS3.5, VR DS).
 std::string decimalStrings(std::initializer_list<double> values);
 
-/// Patient and study modules (DICOM PS3.3 A.3); type 2 attributes are empty.
+/// Sets the patient and study modules (DICOM PS3.3 A.3); type 2 attributes are empty.
 void putPatientAndStudy(gdcm::DataSet& data, const DicomSeriesIdentity& identity, const SeriesUids& uids);
 
 }  // namespace insonate

@@ -10,7 +10,8 @@
 
 namespace insonate {
 
-/// The slices of a data set: one, or one for each frame of a multi-frame object, with what its functional groups say.
+/// Returns the slices of a data set: one, or one for each frame of a multi-frame object, with the values of its
+/// functional groups.
 std::vector<DicomSlice> framesOf(const std::filesystem::path& file, const gdcm::DataSet& data);
 
 std::string upper(std::string text);

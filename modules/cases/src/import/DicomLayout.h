@@ -7,12 +7,12 @@ namespace insonate {
 enum class DicomLayout {
   kNotDicom,
   kCutInHeader,  ///< ends or breaks before its pixels begin
-  kCutInPixels,  ///< a readable header, but not all of the pixels it announces
+  kCutInPixels,  ///< the header is readable, but fewer pixels are present than it declares
   kWhole,
 };
 
-/// Walks a file's elements by their lengths, without interpreting them. Needed before GDCM sees a file: GDCM fills
-/// missing pixels silently and aborts the program on some broken headers.
+/// Checks the lengths of a file's elements, without interpreting the elements, before GDCM reads the file: GDCM
+/// silently fills missing pixels and aborts the program on some broken headers.
 DicomLayout layoutOf(const std::filesystem::path& file);
 
 }  // namespace insonate

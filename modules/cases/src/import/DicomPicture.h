@@ -9,9 +9,9 @@
 
 namespace insonate {
 
-/// The stored pixels of a file, decompressed; none unless all are there. `size` is columns, rows, frames; of one sample
-/// a pixel. Not by GDCM's ImageReader: it knows no label maps, and it ends the program on curves, overlays, icons and
-/// representations that it does not expect.
+/// Returns the stored pixels of a file, decompressed; no value unless all are present. `size` is columns, rows, frames;
+/// one sample per pixel. GDCM's ImageReader is not used: it does not read label maps, and it aborts the program on
+/// unexpected curves, overlays, icons and representations.
 std::optional<std::vector<char>> storedPixels(const gdcm::File& file, const std::array<unsigned, 3>& size,
                                               const gdcm::PixelFormat& format);
 

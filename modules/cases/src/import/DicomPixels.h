@@ -11,9 +11,9 @@
 
 namespace insonate {
 
-/// Decodes every slice of a series, in its order, to HU: slope and intercept of each slice; padding and everything
-/// below -1024 become -1024. Fails on missing or truncated pixels and on formats that a CT does not have; notes its
-/// changes.
+/// Decodes every slice of a series, in the series' order, to HU, with each slice's own slope and intercept; padding and
+/// everything below -1024 become -1024. Fails on missing or truncated pixels and on formats that a CT does not have.
+/// Adds a note for each kind of change.
 Result<std::vector<std::int16_t>> readSlices(const DicomSeries& series, std::vector<std::string>& notes,
                                              const Progress& progress);
 

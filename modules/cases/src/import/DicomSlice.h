@@ -10,7 +10,7 @@
 
 namespace insonate {
 
-/// Properties of one slice that an import needs: a CT file, or one frame of an enhanced CT file.
+/// Properties of one slice that an import needs. A slice is a CT file, or one frame of an enhanced CT file.
 struct DicomSlice {
   std::filesystem::path file;
   int frame = 0;
@@ -22,24 +22,24 @@ struct DicomSlice {
   std::optional<std::array<double, 2>> pixelSpacing_mm;  ///< as in DICOM: between rows, then between columns
   std::optional<double> thickness_mm;
   std::optional<double> slope, intercept;
-  bool lookupTable = false;                   ///< its values go through a table instead
-  std::string kernel;                         ///< of the reconstruction
+  bool lookupTable = false;                   ///< values are converted by a lookup table instead of slope and intercept
+  std::string kernel;                         ///< reconstruction kernel, as the scanner names it
   std::optional<std::array<int, 2>> padding;  ///< stored values from..to that mean "no image here"
   bool burnedInText = false;
-  bool lossy = false;      ///< was compressed with loss at some time
-  bool otherUnit = false;  ///< says that its values are something else than Hounsfield units, or does not say what
+  bool lossy = false;      ///< the image has been compressed with loss
+  bool otherUnit = false;  ///< values are in another unit than Hounsfield units, or in an unspecified unit
   bool cutOff = false;     ///< its pixels are incomplete
 };
 
-/// The slices of a file, or why it has none.
+/// The slices of a file, or the reason why it has none.
 struct DicomScan {
   std::vector<DicomSlice> slices;
   std::string setAside;
   bool isDirectory = false;  ///< an index of the images in the folders beside it (DICOMDIR)
 };
 
-/// Reads a file's header. Scouts, screenshots, segmentations, reports, indexes and files that are no DICOM are set
-/// aside; images of other modalities are returned as slices, for the list.
+/// Reads a file's header. Sets aside scouts, screenshots, segmentations, reports, indexes and files other than DICOM;
+/// returns images of other modalities as slices, so that they can be listed.
 DicomScan scanDicom(const std::filesystem::path& file);
 
 }  // namespace insonate

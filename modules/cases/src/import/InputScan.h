@@ -11,7 +11,7 @@
 
 namespace insonate {
 
-/// A volume file as a series; `stack` is set where its slices must be resampled to an orthogonal grid.
+/// A volume file as a series; `stack` is set if its slices must be resampled to an orthogonal grid.
 struct VolumeSeries {
   std::filesystem::path file;
   std::optional<SliceStack> stack;
@@ -27,14 +27,15 @@ struct FoundSeries {
 struct InputScan {
   std::vector<FoundSeries> series;
   std::vector<SetAside> setAside;
-  std::vector<SetAside> unreadable;  ///< of these, the files and folders that could not be opened
+  std::vector<SetAside> unreadable;  ///< the entries of setAside that could not be opened
 };
 
-/// "FILE cannot be read (why), and so are 2 more"; the list is not empty.
+/// Returns "FILE cannot be read (why), and so are 2 more"; the list must not be empty.
 std::string unreadableText(const std::vector<SetAside>& unreadable);
 
-/// Reads the headers of a folder with its subfolders, or of one file; of a DICOM slice, those of its series beside it,
-/// too; a DICOM directory stands for its folder. Fails on a missing or unreadable input.
+/// Reads the headers of all files in a folder and its subfolders, or of one file. For a single DICOM slice it also
+/// reads the other slices of its series in the same folder; a DICOM directory stands for its folder. Fails on a missing
+/// or unreadable input.
 Result<InputScan> scanInput(const std::filesystem::path& input, const Progress& progress);
 
 }  // namespace insonate

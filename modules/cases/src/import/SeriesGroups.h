@@ -8,19 +8,20 @@
 
 namespace insonate {
 
-/// Slices that make one volume, in the order of the plan where there is one.
+/// Slices that make one volume, in the order of the plan if there is one.
 struct DicomSeries {
   std::string uid;  ///< Series Instance UID, with "#2" when one UID holds several stacks
   std::string modality;
   std::vector<DicomSlice> slices;
   SliceStack stack;
   StackPlan plan;
-  std::vector<std::string> warnings;  ///< the plan's included
+  std::vector<std::string> warnings;  ///< include those of the plan
   std::string refusal;
 };
 
-/// Sorts slices into series. Series Instance UID alone is not trusted: slices of one UID that differ in study, frame
-/// of reference, size, pixel spacing or orientation, or that fill the same places twice, form different series.
+/// Sorts slices into series. The Series Instance UID alone is not sufficient: slices of one UID that differ in study,
+/// frame of reference, size, pixel spacing or orientation, or that occupy the same positions twice, form different
+/// series.
 std::vector<DicomSeries> groupSlices(const std::vector<DicomSlice>& slices);
 
 }  // namespace insonate

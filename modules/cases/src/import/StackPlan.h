@@ -8,38 +8,41 @@
 
 namespace insonate {
 
-/// Parallel slices of one size, each at its own place, in any order.
+/// Parallel slices of one size, in any order, each at a different position.
 struct SliceStack {
   int columns = 0, rows = 0;
   std::array<double, 2> spacing_mm{};  ///< along i (between columns), along j (between rows)
-  std::array<Vec3, 2> direction;       ///< of i and j; nearly at right angles
+  std::array<Vec3, 2> direction;       ///< directions of i and j; nearly perpendicular
   std::vector<Vec3> positions_mm;      ///< center of each slice's first pixel, patient LPS
   double thickness_mm = 0;             ///< 0 when unknown; used as the spacing of a single slice
 };
 
-/// Plan by which a stack becomes a volume.
+/// Grid and order in which a stack becomes a volume.
 struct StackPlan {
   VolumeGeometry grid;          ///< orthogonal, right-handed
-  std::vector<int> order;       ///< slice of the stack at each step along k, ascending
-  std::vector<Vec3> offset_mm;  ///< of each slice in that order: its first pixel relative to the grid's, along i, j, k
-  bool resample = false;        ///< false: slice n of the order is slice n of the grid
+  std::vector<int> order;       ///< indices of slices in the stack, by increasing k
+  std::vector<Vec3> offset_mm;  ///< offset of each ordered slice's first pixel from the grid's origin, along i, j, k
+  bool resample = false;        ///< false if slice n of the order is slice n of the grid
   std::vector<std::string> warnings;
   std::string refusal;
 };
 
-/// Positions within this distance are one place.
+/// Maximum distance of two positions that are regarded as equal.
 inline constexpr double kSamePlace_mm = 0.01;
-/// Slices further apart than this are not interpolated: a puncture-sized structure could hide between them.
+/// Maximum distance of slices between which values are interpolated: a structure the size of a vessel could lie unseen
+/// in a larger gap.
 inline constexpr double kLargestFilledGap_mm = 10;
 
-/// Finds spacing, tilt and gaps from the positions alone. The stack has at least one slice and no two at one place.
+/// Determines spacing, tilt and gaps from the positions alone. The stack must have at least one slice, and no two at
+/// the same position.
 StackPlan planStack(const SliceStack& stack);
 
-/// Spacing regular enough to need no resampling and no gap.
+/// Tells whether the spacing is even enough that the stack has no gap and needs no resampling along k.
 bool isRegular(const SliceStack& stack);
 
-/// Resamples the slices of `stack` (voxels in the plan's order, kept along k) to the plan's grid: linear within each
-/// slice and between neighbors, -1024 HU where a slice that counts for a twentieth or more does not reach.
+/// Resamples the slices of `stack` to the plan's grid. `slices` holds the voxels in the plan's order. Interpolates
+/// linearly within each slice and between neighboring slices; a voxel is -1024 HU if a slice with a weight of a
+/// twentieth or more does not cover it.
 CtVolume resampleStack(const StackPlan& plan, const SliceStack& stack, const std::vector<std::int16_t>& slices);
 
 }  // namespace insonate

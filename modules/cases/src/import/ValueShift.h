@@ -6,10 +6,10 @@
 
 namespace insonate {
 
-/// Tells whether nothing but padding is below 0.
+/// Tells whether all values below 0 are padding.
 bool hasNothingBelowZero(const CtVolume& ct);
 
-/// ImportedCt::likelyShift_HU, from the histogram.
+/// Returns ImportedCt::likelyShift_HU, estimated from the histogram.
 std::optional<int> likelyShift(const CtVolume& ct);
 
 }  // namespace insonate

@@ -7,13 +7,13 @@
 namespace insonate {
 
 /// A smooth, closed body around labeled structures: the convex hull of each axial slice, smoothed from slice to slice
-/// and grown. Coordinates within a slice are mm along the grid's first two axes from voxel (0, 0).
+/// and enlarged. Coordinates within a slice are in mm along the grid's first two axes from voxel (0, 0).
 class BodyHull {
  public:
-  /// Every non-zero label is a structure. `grow_mm` is added all around. At least one voxel must be labeled.
+  /// Every non-zero label is a structure; at least one voxel must be labeled. `grow_mm` is added on all sides.
   BodyHull(const LabelMap& structures, double grow_mm);
 
-  /// Distance inside the surface (negative outside), mm, to first order. k is a slice of the grid.
+  /// Returns the depth below the body's surface (negative outside), mm, to first order. `k` is a slice of the grid.
   double depth_mm(double x_mm, double y_mm, int k) const;
 
  private:
@@ -21,7 +21,7 @@ class BodyHull {
 
   struct Slice {
     double centreX = 0, centreY = 0;
-    std::vector<double> support_mm;  ///< reach of the structures in each direction from the center
+    std::vector<double> support_mm;  ///< maximum distance of the structures from the center, by direction
     std::vector<double> radius_mm;   ///< of the hull, by direction
   };
   void measure(const LabelMap& structures);

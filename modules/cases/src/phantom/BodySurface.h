@@ -10,25 +10,25 @@ namespace insonate::phantom {
 
 /// A point in the coordinates that shapes use. Model frame: patient LPS mm, midline x = 0, lower cricoid z = 0.
 struct Site {
-  Vec3 p_mm;                  ///< model position, after the warp that keeps boundaries irregular
+  Vec3 p_mm;                  ///< model position after the warp that makes boundaries irregular
   double angle = 0;           ///< about the neck's axis, 0 at the front, positive to the patient's right, radians
-  double belowFascia_mm = 0;  ///< distance inside the investing fascia (negative: in the layers above it)
-  double belowSkin_mm = 0;    ///< distance inside the skin surface (negative: outside the body)
-  double skin_mm = 0;         ///< thickness of the skin over it
+  double belowFascia_mm = 0;  ///< depth below the investing fascia (negative in the layers above it)
+  double belowSkin_mm = 0;    ///< depth below the skin's surface (negative outside the body)
+  double skin_mm = 0;         ///< thickness of the skin above the point
 };
 
 struct LayerOptions {
   double fat_mm = 4.5;   ///< mean thickness of the subcutaneous fat over the front and sides
-  double skin_mm = 1.6;  ///< mean
+  double skin_mm = 1.6;  ///< mean thickness of the skin
   double girth_mm = 0;   ///< added to the usual radius of the fascia
   std::uint32_t seed = 1;
 };
 
-/// The sheet of muscle in the subcutaneous fat.
+/// The platysma: a sheet of muscle in the subcutaneous fat.
 struct Platysma {
-  double height = 0.3;  ///< above the fascia, of the thickness of the fat
+  double height = 0.3;  ///< height above the fascia, as a share of the fat's thickness
   double halfThickness_mm = 0.55;
-  double first = 0.14, last = 1.7;  ///< where it begins and ends, radians from the front
+  double first = 0.14, last = 1.7;  ///< angles of its edges from the front, radians
   double top_z_mm = 46;
 };
 
@@ -37,13 +37,13 @@ class BodySurface {
  public:
   explicit BodySurface(const LayerOptions& options) : options_(options) {}
 
-  /// The surface in one direction: radius of the fascia, cosine of the surface's slant, layers above the fascia and
-  /// the skin among them.
+  /// The surface in one direction: radius of the fascia, cosine of the surface's slant, total thickness of the layers
+  /// above the fascia (skin included), and thickness of the skin.
   struct Ray {
     double radius_mm, slant, layers_mm, skin_mm;
   };
 
-  /// The outline of one level as a table over the angle: makes many sites of one slice cheap.
+  /// The outline at one level, tabulated by angle, so that many sites of one slice are computed quickly.
   class Slice {
    public:
     Site site(Vec3 p_mm) const;
@@ -56,10 +56,10 @@ class BodySurface {
   };
   Slice slice(double z_mm) const;
 
-  /// Distance of one point inside the skin surface (negative outside), mm.
+  /// Returns the depth of one point below the skin's surface (negative outside), mm.
   double belowSkin_mm(Vec3 p_mm) const;
 
-  static constexpr double kAxisY_mm = 40;  ///< the neck's axis stands on (0, kAxisY_mm)
+  static constexpr double kAxisY_mm = 40;  ///< the neck's axis passes through (0, kAxisY_mm)
 
  private:
   struct Level {

@@ -13,7 +13,7 @@
 
 namespace insonate {
 
-/// The body to build around structures; lengths mm.
+/// Parameters of the body to build around structures; lengths in mm.
 struct CompletionPlan {
   double skin_mm = 1.8;  ///< 0.5 to 5
   double fat_mm = 5;     ///< mean, 0 to 60
@@ -38,7 +38,7 @@ struct TargetPlan {
   double z_mm = 0;
 };
 
-/// A map file, read and checked; see CaseFromLabels.h.
+/// Contents of a map file, read and checked; see CaseFromLabels.h.
 struct LabelPlan {
   std::map<std::int32_t, Label> labels;
   std::optional<Label> others;
@@ -47,7 +47,7 @@ struct LabelPlan {
   std::vector<TubePlan> tubes;
   std::optional<CompletionPlan> complete;
   std::vector<TargetPlan> targets;
-  std::map<std::int32_t, std::string> vessels;  ///< names, by number
+  std::map<std::int32_t, std::string> vessels;  ///< names of vessels, by the file's numbers
 };
 
 Result<LabelPlan> readLabelPlan(const std::filesystem::path& file);

@@ -10,27 +10,28 @@
 
 namespace insonate::phantom {
 
-/// A whole neck as functions of patient position; voxels are only samples of it. Immutable.
+/// A whole neck as functions of patient position, which label maps sample. Immutable.
 class NeckModel {
  public:
   NeckModel(const NeckParameters& parameters, std::uint32_t seed);
 
-  /// Labels at the voxel centers of a grid whose axes are those of the patient. Same bytes on any number of threads.
+  /// Returns the labels at the voxel centers of a grid whose axes are those of the patient. Identical bytes on any
+  /// number of threads.
   Result<LabelMap> rasterise(const VolumeGeometry& geometry, const Progress& progress) const;
 
-  /// Distance inside the skin surface at a patient position (negative outside), mm, to first order.
+  /// Returns the depth below the skin's surface at a patient position (negative outside), mm, to first order.
   double belowSkin_mm(Vec3 patient_mm) const;
-  /// Centre of an internal jugular vein at a level, patient mm.
+  /// Returns the center of an internal jugular vein at a level, patient mm.
   Vec3 jugularCentre_mm(Side side, double z_mm) const;
-  /// Centre of an axillary vein as far from the midline, patient mm.
+  /// Returns the center of an axillary vein at a distance from the midline, patient mm.
   Vec3 axillaryCentre_mm(Side side, double lateral_mm) const;
   Vec3 patientFromModel(Vec3 model_mm) const;
-  /// All vessels that have names, patient mm.
+  /// Returns all named vessels, patient mm.
   std::vector<NamedVessel> namedVessels() const;
 
  private:
   Vec3 modelFromPatient(Vec3 patient_mm) const;
-  /// Turn of the head at a level, radians.
+  /// Returns the rotation of the head at a level, radians.
   double twist(double z_mm) const;
 
   NeckParameters parameters_;

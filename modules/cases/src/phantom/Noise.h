@@ -7,8 +7,8 @@
 
 namespace insonate::phantom {
 
-/// Smooth value noise in [-1, 1]: hashed lattice values, quintic fade (K. Perlin, "Improving noise", 2002), so that
-/// it has continuous second derivatives. One cell is one unit of p.
+/// Smooth value noise in [-1, 1]: hashed lattice values with quintic interpolation (K. Perlin, "Improving noise",
+/// 2002), which has continuous second derivatives. The lattice constant is one unit of p.
 inline double smoothNoise(Vec3 p, std::uint32_t seed) {
   const double fx = std::floor(p.x), fy = std::floor(p.y), fz = std::floor(p.z);
   const auto i = static_cast<std::int32_t>(fx), j = static_cast<std::int32_t>(fy), k = static_cast<std::int32_t>(fz);

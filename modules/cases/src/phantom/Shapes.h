@@ -12,53 +12,54 @@
 
 namespace insonate::phantom {
 
-/// Axis-aligned rectangle of one level, model mm.
+/// Axis-aligned rectangle at one level, model mm.
 struct Box2 {
   double minX = 0, maxX = 0, minY = 0, maxY = 0;
 };
 
-/// A shape at one level: where it can be, and its signed distance (mm, negative inside, first order).
+/// A shape at one level: its bounding box, and its signed distance (mm, negative inside, first order).
 struct Section {
   Box2 bounds_mm;
   std::function<double(const Site&)> distance_mm;
 };
 
-/// A shape as a function of level; empty where the level does not meet it.
+/// A shape as a function of level; returns no value if the shape does not extend to the level.
 using Shape = std::function<std::optional<Section>(const BodySurface::Slice&, double z_mm)>;
 
-/// Side of the body on which a shape stands. Shapes are written with x as the distance from the midline toward their
-/// own side, so that left and right share one description.
+/// Side of the body. Shapes are defined with x as the distance from the midline toward their own side, so that left and
+/// right share one definition.
 enum class Side { kRight, kLeft };
 
-/// Patient x of a lateral coordinate.
+/// Returns patient x for a distance from the midline.
 constexpr double patientX(Side side, double lateral_mm) {
   return side == Side::kRight ? -lateral_mm : lateral_mm;
 }
 
-/// A cross-section's form.
+/// Form of a cross-section.
 enum class Form {
-  kOval,    ///< ends of the column are half ellipsoids
-  kBelly,   ///< of muscle: lobed, thins out into a tendon at both ends of the column
-  kLens,    ///< of flat muscle: sharp edges as well
-  kFaceted  ///< of a soft vein: flat toward its neighbors, dented by the one that its `facing_deg` points to
+  kOval,    ///< oval; the ends of the column are half ellipsoids
+  kBelly,   ///< muscle: lobed, thins out into a tendon at both ends of the column
+  kLens,    ///< flat muscle: like kBelly, with sharp edges
+  kFaceted  ///< soft vein: flat toward its neighbors, indented by the neighbor in direction `facing_deg`
 };
 
-/// An upright organ or muscle: an oval with smoothly changing center, half axes and turn.
+/// An upright organ or muscle: an oval whose center, half axes and turn change smoothly.
 struct Column {
-  /// lateral and posterior position of the center, half axes along lateral and posterior (mm), turn (degrees, from
+  /// Lateral and posterior position of the center, half axes along lateral and posterior (mm), turn (degrees, from
   /// lateral toward posterior).
   Curve<5> course;
-  double taper_mm = 3;        ///< length over which each end rounds off
+  double taper_mm = 3;        ///< length over which each end is rounded
   double irregular_mm = 0.5;  ///< amplitude of the boundary's noise
   Form form = Form::kOval;
-  double facing_deg = 0;  ///< of a faceted form, from lateral toward posterior
+  double facing_deg = 0;  ///< kFaceted: direction of the indenting neighbor, from lateral toward posterior
 };
 Shape column(Side side, Column column, std::uint32_t seed);
 
-/// A flat muscle that hugs the investing fascia: a lens in arc length along the fascia and depth below it, whose
-/// edges lie nearer to the fascia than its middle.
+/// A flat muscle that follows the investing fascia: a lens in the coordinates arc length along the fascia and depth
+/// below it. Its edges lie closer to the fascia than its middle.
 struct Sheet {
-  /// angle from the front (degrees), depth of the center below the fascia, half width along it, half thickness (mm).
+  /// Angle from the front (degrees), depth of the center below the fascia, half width along the fascia, half thickness
+  /// (mm).
   Curve<4> course;
   double taper_mm = 4;
   double irregular_mm = 0.5;
@@ -66,27 +67,27 @@ struct Sheet {
 };
 Shape sheet(Side side, Sheet sheet, std::uint32_t seed);
 
-/// A round cord in any direction, through points of (lateral, posterior, head) with radius.
+/// A round cord in any direction, through points (lateral, posterior, head) with a radius each.
 struct Tube {
   struct Knot {
     Vec3 p_mm;
     double radius_mm;
   };
   std::vector<Knot> knots;
-  double flatness = 1;  ///< above 1: thinner from head to foot by this factor
+  double flatness = 1;  ///< above 1: height from head to foot divided by this factor
   double irregular_mm = 0.15;
-  double oval = 0;  ///< relative departure of the cross-section from a circle
+  double oval = 0;  ///< relative deviation of the cross-section from a circle
 };
 Shape tube(Side side, Tube tube, std::uint32_t seed);
 
-/// Position and radius of a tube's center line, finely sampled (used where another thing follows it).
+/// Returns closely spaced points of a tube's center line with their radii, for structures that follow the tube.
 std::vector<Tube::Knot> centreLine(const std::vector<Tube::Knot>& knots);
 
-/// Union.
+/// Returns the union of shapes.
 Shape join(std::vector<Shape> shapes);
-/// The space between two distances from a shape's boundary (positive outside, up to 3 mm).
+/// Returns the space between two distances from a shape's boundary (positive outside, up to 3 mm).
 Shape shell(Shape inner, double from_mm, double to_mm);
-/// The part of a shape where a function of the model position is negative.
+/// Returns the part of a shape in which a function of the model position is negative.
 Shape clip(Shape shape, std::function<double(Vec3)> limit_mm);
 
 }  // namespace insonate::phantom

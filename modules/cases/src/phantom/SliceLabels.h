@@ -9,7 +9,7 @@
 
 namespace insonate::phantom {
 
-/// One level of a grid whose axes are the patient's.
+/// One level of a grid whose axes are those of the patient.
 struct SliceGrid {
   double z_mm;
   std::uint32_t seed;
@@ -18,12 +18,12 @@ struct SliceGrid {
 };
 
 /// Decides the label of every voxel of one level: layers of the skin, organs in order of precedence, muscles separated
-/// by fascia, fat and connective tissue in the rest. Used by one thread.
+/// by fascia, and fat and connective tissue in the rest. For one thread at a time.
 class SliceLabels {
  public:
   SliceLabels(std::span<const Structure> structures, BodySurface::Slice body, const Platysma& platysma, SliceGrid grid);
 
-  /// Sets the position of each voxel in the model.
+  /// Computes the model position of each voxel.
   void place(const std::function<Vec3(Vec3)>& modelFromPatient);
   /// Writes width * height labels.
   void paint(std::uint8_t* labels);
@@ -32,13 +32,14 @@ class SliceLabels {
   struct Voxel {
     Site site;
     std::uint8_t organ = 0;                                 ///< 0: none yet
-    bool arterial = false, venous = false, walled = false;  ///< within the sheath of an artery, vein, other organ
+    bool arterial = false, venous = false, walled = false;  ///< within the sheath of an artery, a vein, another organ
     std::uint8_t muscle = 0;
     double muscle_mm = 1e9, nextMuscle_mm = 1e9;  ///< distances to the two nearest muscles
-    double organ_mm = 1e9;                        ///< and to the nearest organ that fascia wraps
+    double organ_mm = 1e9;                        ///< distance to the nearest organ that fascia wraps
   };
 
-  /// Voxels of a square block, and the box of their model positions: most shapes are far from most blocks.
+  /// A square block of voxels and the bounding box of their model positions, used to skip blocks that a shape does not
+  /// reach.
   struct Tile {
     int firstI, lastI, firstJ, lastJ;
     Box2 bounds_mm;

@@ -8,31 +8,32 @@
 
 namespace insonate::column {
 
-/// Tissue of a column, from the skin down.
+/// Tissue of one column, from the skin downward.
 struct TissueColumn {
-  bool met = false;       ///< there is skin in it
-  bool skinFound = true;  ///< false: tissue up to the upper end of the grid
-  double skin_mm = 0;     ///< z
+  bool met = false;       ///< false if the column contains no tissue under the face
+  bool skinFound = true;  ///< false if tissue continues to the upper end of the grid
+  double skin_mm = 0;     ///< z of the skin
   int first = 0;          ///< row of the first spring
   LengthByLabel length_mm{};
 };
 
-/// The plane in columns of springs, one of them through the middle of the face; the last row ends where nothing moves.
-/// Keeps its memory from question to question.
+/// Divides the plane into columns of springs; the middle column lies under the middle of the face. The lower end of the
+/// last row does not move. Memory is reused from solution to solution.
 class ColumnGrid {
  public:
-  /// Distance above the face within which skin is looked for.
+  /// Distance above the face within which skin is searched for.
   static constexpr double kReach_mm = 30;
-  /// The profile's standard deviations to either side that the columns cover.
+  /// The columns cover this number of the profile's standard deviations on either side.
   static constexpr double kCovered = 3.5;
   static constexpr int kMaxSprings = 400000;
 
-  /// Standard deviation of the Gaussian with the height and area of a rectangle of this width: width / sqrt(2 pi).
+  /// Returns the standard deviation of the Gaussian with the height and area of a rectangle of this width: width /
+  /// sqrt(2 pi).
   static double profileSd_mm(double faceWidth_mm);
 
   void layOut(double faceWidth_mm, const DeformationSettings& settings);
 
-  /// Samples and measures the middle column, which decides whether the face touches.
+  /// Samples and measures only the middle column, which decides whether the face touches.
   void sampleMiddle(const TissuePlane& plane);
   void sampleAll(const TissuePlane& plane);
 
@@ -42,13 +43,13 @@ class ColumnGrid {
   double step_mm() const { return step; }
   double bottom_mm() const { return bottom; }
   double x_mm(int column) const { return (column - middle()) * step; }
-  /// Upper end of a row.
+  /// Returns z of the upper end of a row.
   double z_mm(int row) const { return bottom - (rowCount - row) * step; }
   double profile(int column) const { return weights[column]; }
 
   const TissueColumn& column(int column) const { return measured[column]; }
   std::uint8_t label(int column, int row) const { return tissue[at(column, row)].label; }
-  /// Length of a spring; the skin cuts the first of a column.
+  /// Returns the length of a spring; the first spring of a column begins at the skin.
   double length_mm(int column, int row) const {
     return row == measured[column].first ? z_mm(row + 1) - measured[column].skin_mm : step;
   }

@@ -6,35 +6,36 @@
 
 namespace insonate::column {
 
-/// No spring is shortened by more than this share of its length, so that nothing folds. It matters only where the
-/// linear law of the springs would press tissue to nothing.
+/// Maximum shortening of a spring, as a share of its length, so that tissue does not fold. Only reached if the linear
+/// law of the springs would compress tissue to almost zero length.
 inline constexpr double kMaxShortening = 0.9;
 
-/// Young's modulus, kPa, with which a lumen enters a column: Table I of the thesis. A spring can be soft; it cannot be
-/// emptied or filled as a vessel is.
+/// Young's modulus of a lumen in a column, kPa: Table I of the thesis. A soft spring replaces the lumen, because a
+/// spring cannot be emptied and filled like a vessel.
 inline constexpr double kArteryLumen_kPa = 200, kVeinLumen_kPa = 23;
 
-/// Length of each label in a column, mm.
+/// Total length of each label in a column, mm.
 using LengthByLabel = std::array<double, kLabelCount>;
 
 struct ColumnLoad {
   double pressure_kPa = 0;  ///< the same in all springs of a column
   double shortening_mm = 0;
-  bool limited = false;  ///< shorter than asked for: rigid, or at kMaxShortening
+  bool limited = false;  ///< shortened less than requested, since all springs are rigid or at kMaxShortening
 };
 
-/// Springs in series by label. A label's compliance is 1 / E in 1/kPa, so that an infinite modulus is exactly 0.
+/// Springs in series, by label. The compliance of a label is 1 / E in 1/kPa, which is exactly 0 for an infinite
+/// modulus.
 class LabelSprings {
  public:
   explicit LabelSprings(const MechanicalTable& tissues);
 
-  /// Equation 3: the pressure that shortens the column by `shortening_mm`.
+  /// Equation 3: returns the pressure that shortens the column by `shortening_mm`.
   ColumnLoad loadAtShortening(double shortening_mm, const LengthByLabel& length_mm) const;
 
-  /// The most by which it can be shortened.
+  /// Returns the maximum by which the column can be shortened.
   double limit_mm(const LengthByLabel& length_mm) const;
 
-  /// Equation 4: the share of its length that a spring loses.
+  /// Equation 4: returns the relative shortening of a spring.
   double strain(std::uint8_t label, double pressure_kPa) const;
 
  private:

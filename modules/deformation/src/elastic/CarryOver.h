@@ -8,23 +8,25 @@
 
 namespace insonate::elastic {
 
-/// Carries a solution over to a moved probe: each node looks up the place of its tissue in an earlier mesh. Tissue
-/// that has left the plane counts as if it were in it.
+/// Transfers a solution to the mesh of a moved probe: each node takes the solution at the same position of the patient
+/// in the previous mesh. Tissue that was outside the previous plane takes the solution at its projection onto that
+/// plane.
 class CarryOver {
  public:
-  /// Mesh and solution as they are now.
+  /// Stores the present mesh and solution.
   void keep(const Mesh& mesh, const Solver& solver);
 
   bool fits(const Mesh& mesh) const { return mesh.columns() == mesh_.columns() && mesh.rows() == mesh_.rows(); }
-  /// Carries the stress to a mesh of the same size.
+  /// Transfers the stress to a mesh of the same size.
   void giveStress(const Mesh& mesh, const Materials& materials, const Transform& keptFromNow,
                   Prestress& prestress) const;
   void shareSolution(const Mesh& mesh, const Materials& materials, const Transform& keptFromNow, Solver& solver) const;
 
  private:
   Mesh::Place placeOf(const Mesh& mesh, std::size_t node, const Transform& keptFromNow) const;
-  /// The cell that the middle of a cell was in, where `place` is that of its first corner; or a neighbor, if that is
-  /// more like what the cell is made of now: a wall's stress in soft tissue beside it would make that buckle.
+  /// Returns the cell of the stored mesh that corresponds to a cell, where `place` is the place of the cell's first
+  /// corner. A neighbor is returned if its stiffness is closer to `mu`, the cell's present shear modulus: the stress of
+  /// a vessel wall in soft tissue beside it would make that tissue buckle.
   std::size_t cellOf(const Mesh::Place& place, float mu) const;
 
   Mesh mesh_;

@@ -8,16 +8,18 @@
 
 namespace insonate::elastic {
 
-/// The face pushes the mesh's top nodes: a stiff one-sided spring along z, by the length that a node stands for.
+/// Contact between the face and the nodes of the mesh's top row: a stiff one-sided spring along z per node,
+/// proportional to the length of skin that the node represents.
 class Contact {
  public:
   static constexpr float kStiffness_kPa_mm = 1500;
 
   void prepare(const Nodes& rest, int columns);
-  /// Samples the face's profile at the nodes' present x; the samples are kept while the nodes slide along. If the same
-  /// mesh is met again, moves half way there: at the rounded ends of the face strongly pressed skin slides to and fro.
-  /// Columns that touched at the end of the last solution count as touching in the first round; otherwise the skin
-  /// would spring back between two images whenever the face retreats.
+  /// Samples the face's profile at the present x of the nodes; the samples remain valid while the nodes slide. If the
+  /// same mesh is met again, the sampling positions move only half-way to the present x: under the rounded ends of the
+  /// face, strongly compressed skin would otherwise oscillate. Columns that touched at the end of the last solution
+  /// count as touching in the first round; otherwise the skin would spring back between two images whenever the face
+  /// retreats.
   void meet(const FaceProfile& face, const Nodes& at);
   /// Stores which columns touch, for the next meet().
   void remember(float shift_mm, const Nodes& at);
@@ -25,26 +27,26 @@ class Contact {
     touched_.clear();
     met_.clear();
   }
-  /// Begins the next round: columns that came off are released.
+  /// Begins the next round: columns that lost contact are released.
   void settle();
 
-  /// Adds spring and push to the top row; the face is `shift_mm` further in. With `sticking`, nodes that touch keep
-  /// the x of their first contact: that at rest for those that touch in the first round.
+  /// Adds the springs and their forces to the top row, with the face moved by `shift_mm` along z. With `sticking`,
+  /// nodes that touch keep the x of their first contact; nodes that touch in the first round keep their x at rest.
   void add(float shift_mm, bool sticking, const Nodes& at, GridMatrix& matrix, std::vector<float>& force);
 
-  /// kPa mm: on the face along z, a millimeter of footprint.
+  /// Returns the force on the face along z per millimeter of footprint, kPa mm.
   float pressing(float shift_mm, const Nodes& at) const;
-  /// The same for the columns that touched in the last add(), as the linear system predicted. Columns that a step has
-  /// just pushed a little into the face or off it, which so stiff a spring would exaggerate, enter with the next
-  /// round.
+  /// Returns the same force, but only of the columns that touched in the last add(), as the linear system predicted. A
+  /// column that the last step has moved slightly into the face or off it is counted from the next round on, because
+  /// its stiff spring would exaggerate the force.
   float foreseen(float shift_mm, const Nodes& at) const;
 
-  /// Derivative of add()'s push by the shift, as a right-hand side.
+  /// Adds the derivative of add()'s force with respect to the shift, as a right-hand side.
   void pushByShift(float shift_mm, const Nodes& at, std::vector<float>& force) const;
-  /// Sum of the top row's z entries.
+  /// Returns the sum of the top row's z entries.
   float sum(const std::vector<float>& force) const;
   float product(const std::vector<float>& a, const std::vector<float>& b) const;
-  /// Distance of the face from touching.
+  /// Returns the minimum distance between face and skin along z.
   float gap(float shift_mm, const Nodes& at) const;
 
  private:

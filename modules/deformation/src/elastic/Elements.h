@@ -7,7 +7,7 @@
 
 namespace insonate::elastic {
 
-/// Positions of a grid's nodes, mm in the probe frame; padded for whole vectors.
+/// Positions of a grid's nodes, mm in the probe frame; padded for whole SIMD vectors.
 struct Nodes {
   std::vector<float> x, z;
   void resize(std::size_t nodes) {
@@ -16,43 +16,45 @@ struct Nodes {
   }
 };
 
-/// Four-node cells of a grid, in plane strain. Cell n lies between nodes n, n+1, n+1+columns and n+columns; those of
-/// the last column do not exist and hold zeros. Energy, with positions x_a of the corners:
+/// Four-node cells of a grid, in plane strain. Cell n has the nodes n, n+1, n+1+columns and n+columns; cells of the
+/// last column do not exist and hold zeros. The energy of a cell with the corners x_a and the area A is
 ///
-///   W = 1/2 sum m_ab x_a.x_b + base A + bulk/2 A0 (J-1)^2 + hoop/2 A0 (J-1)^2 where J > 1
-///     + shut/2 A0 (J-Jmin)^2 where J < Jmin,   J = A/A0,
+///   W = 1/2 sum m_ab x_a.x_b + base A + bulk/2 A0 (J-1)^2 + hoop/2 A0 (J-1)^2 if J > 1
+///     + shut/2 A0 (J-Jmin)^2 if J < Jmin,   J = A/A0, A0 = A at rest.
 ///
-/// A the area by the corners (so that the dilatation is a mean over the cell, which does not lock). With m = mu L (L
-/// the Laplacian in the rest geometry) and base = -mu it is the compressible neo-Hookean mu/2 (|F|^2-2) - mu (J-1) +
-/// bulk/2 (J-1)^2, bulk = lambda + mu. A prestress S adds to m, blood of pressure p takes p from base.
+/// Since J is a mean over the cell, nearly incompressible cells do not lock. L is the Laplacian in the rest geometry.
+/// With m = mu L and base = -mu, W is the compressible neo-Hookean energy mu/2 (|F|^2-2) - mu (J-1) + bulk/2 (J-1)^2,
+/// bulk = lambda + mu. A prestress S is added to m; the pressure p of blood is subtracted from base.
 struct Elements {
-  static constexpr float kShutBelow = 0.1f;  ///< Jmin, where a lumen is closed
+  static constexpr float kShutBelow = 0.1f;  ///< Jmin: relative area at which a lumen is closed
 
   int columns = 0, rows = 0;
-  std::array<std::vector<float>, 10> m;           ///< kPa: 00 01 02 03 11 12 13 22 23 33
+  std::array<std::vector<float>, 10> m;           ///< upper triangle of m_ab, kPa: 00 01 02 03 11 12 13 22 23 33
   std::vector<float> area;                        ///< A0, mm2
   std::vector<float> mu, bulk, hoop, shut, base;  ///< kPa
-  std::vector<float> guarded;                     ///< above 0: allowedShare() looks after the cell
-  /// Coefficient of the area's second derivative in the tangent: the pressure as an unknown of its own, which follows
-  /// the last step linearly (mixed Newton). With the pressure of the present area, steps overshoot.
+  std::vector<float> guarded;                     ///< above 0: allowedShare() limits the step for this cell
+  /// Coefficient of the area's second derivative in the tangent: the cell's pressure, treated as an unknown that
+  /// changes linearly with each step (mixed Newton). With the pressure of the present area instead, steps would
+  /// overshoot.
   std::vector<float> carried;
 
   void resize(int c, int r);
   std::size_t count() const { return std::size_t(columns) * (rows - 1); }
 };
 
-/// Computes L and A0 of each element from the undeformed mesh; its stiffness is m = mu L with the shear modulus mu.
+/// Computes m = mu L and A0 of each element from the undeformed mesh, where L is the Laplacian and mu the shear
+/// modulus.
 void shapeElements(const Nodes& rest, Elements& elements);
 
-/// Adds every cell's tangent to `matrix` and the negative gradient of the energy to `force` ([2 * node + axis]). With
-/// `caution` above 0, pressures count up to mu in the tangent and m counts 1 + caution times: cells are then positive
-/// semidefinite, and steps need no small start, but close to the solution they go to and fro.
+/// Adds every cell's tangent to `matrix` and the negative gradient of the energy to `force` ([2 * node + axis]). If
+/// `caution` is above 0, pressures in the tangent are limited to mu, and m is multiplied by 1 + caution. Cells are then
+/// positive semidefinite, so that steps may be large from the beginning, but steps oscillate close to the solution.
 void assemble(const Elements& elements, const Nodes& at, float caution, GridMatrix& matrix, std::vector<float>& force);
 
-/// The share of `step` ([2 * node + axis]) that can be gone until a cell has lost 60 % of its area; at most 1.
+/// Returns the share of `step` ([2 * node + axis]), at most 1, at which a guarded cell has lost 60 % of its area.
 float allowedShare(const Elements& elements, const Nodes& at, const std::vector<float>& step);
 
-/// Applies `share` of the step: moves the nodes, and the carried pressures with them.
+/// Moves the nodes by `share` of the step, and updates the carried pressures.
 void advance(Elements& elements, Nodes& at, const std::vector<float>& step, float share);
 
 }  // namespace insonate::elastic

@@ -11,17 +11,17 @@ struct FrontWork {
   const GridOrder& order;
   const GridMatrix& matrix;
   float* panels;
-  float* right;  ///< right-hand side, in the order of elimination: substituted forward on the way
-  std::vector<std::vector<float>>* updates;  ///< two: [side][depth]
+  float* right;  ///< right-hand side, in the order of elimination; forward substitution is done during elimination
+  std::vector<std::vector<float>>* updates;  ///< two sides: [side][depth]
 };
 
-/// Assembles and eliminates one front whose children are done. The factor's rows are those of the upper triangle.
-/// Returns how many pivots were not positive.
+/// Assembles and eliminates one front whose children are done. Stores the factor's rows as an upper triangle. Returns
+/// the number of pivots that were not positive.
 int eliminateFront(const FrontWork& work, int front);
 
-/// Solves with the transposed factor; `x` is in the order of elimination, `border` a buffer.
+/// Solves with the transposed factor. `x` is in the order of elimination; `border` is a buffer.
 void substituteForward(const GridOrder& order, const float* panels, float* x, float* border);
-/// Solves with the factor.
+/// Solves with the factor. `x` is in the order of elimination; `border` is a buffer.
 void substituteBackward(const GridOrder& order, const float* panels, float* x, float* border);
 
 }  // namespace insonate::elastic

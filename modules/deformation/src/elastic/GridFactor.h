@@ -7,17 +7,17 @@
 
 namespace insonate::elastic {
 
-/// Cholesky factor of a GridMatrix by fronts (multifrontal method; I. S. Duff and J. K. Reid, ACM TOMS 9, 1983), in
-/// single precision. Allocates only for a grid larger than those before.
+/// Cholesky factor of a GridMatrix by the multifrontal method (I. S. Duff and J. K. Reid, ACM TOMS 9, 1983), in single
+/// precision. Allocates only if the grid is larger than every earlier one.
 class GridFactor {
  public:
   void prepare(int columns, int rows);
 
-  /// Factors the matrix and solves for `x` ([2 * node + axis], in place). False if the matrix is not positive
-  /// definite: there is no solution then.
+  /// Factors the matrix and solves for `x` ([2 * node + axis], in place). Returns false, without a solution, if the
+  /// matrix is not positive definite.
   bool factor(const GridMatrix& matrix, std::vector<float>& x);
 
-  /// Solves for another right-hand side.
+  /// Solves for another right-hand side with the same factor.
   void solve(std::vector<float>& x);
 
   std::size_t factorBytes() const { return panels_.size() * sizeof(float); }

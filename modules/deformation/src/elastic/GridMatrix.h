@@ -5,14 +5,16 @@
 
 namespace insonate::elastic {
 
-/// A symmetric matrix over a grid of nodes with two unknowns each: the node's own 2x2 block and those to four of its
-/// neighbors; the other four follow by symmetry. One array a number, so that a row of nodes is worked on in vectors.
+/// A symmetric matrix over a grid of nodes with two unknowns each. Holds each node's own 2x2 block and its blocks with
+/// four neighbors; the blocks with the other four neighbors follow by symmetry. Each entry of the blocks has an array
+/// over all nodes, so that rows of nodes are processed as SIMD vectors.
 struct GridMatrix {
   enum Block { Self, East, SouthWest, South, SouthEast, kBlocks };
-  /// First array of a block: xx, xz, zz of Self; xx, xz, zx, zz of others (this node's unknown first).
+  /// Returns the first array of a block. Self has the arrays xx, xz, zz; other blocks have xx, xz, zx, zz (this node's
+  /// unknown first).
   static constexpr int first(int block) { return block == Self ? 0 : 4 * block - 1; }
   static constexpr int kArrays = 19;
-  static constexpr int kPadding = 64;  ///< floats beyond the last node, for whole vectors
+  static constexpr int kPadding = 64;  ///< floats beyond the last node, for whole SIMD vectors
 
   int columns = 0, rows = 0;
   std::array<std::vector<float>, kArrays> value;

@@ -6,13 +6,15 @@
 
 namespace insonate::elastic {
 
-/// A mesh that has moved, seen backwards: a lattice of `step_mm` over the part of the plane within `half_mm` of the
-/// axis and from `top_mm` to `bottom_mm`. One-to-one: single points that sharp
-/// folds would turn over are moved between their neighbours.
+/// Extent of the lattice on which invertMesh() computes the displacement: |x| up to `half_mm`, z from `top_mm` to
+/// `bottom_mm`, spacing `step_mm`.
 struct InverseMapExtent {
   float half_mm = 30, top_mm = -5, bottom_mm = 50, step_mm = 0.5f;
 };
-/// `folded` is a buffer. False where a mesh is turned over so widely that the displacement is not one-to-one.
+/// Inverts the motion of a mesh to the positions `now`: computes the displacement at each point of a lattice. The
+/// displacement is one-to-one: single lattice points that sharp folds would turn over are moved between their
+/// neighbors. Returns false if larger parts of the mesh are turned over, so that the displacement is not one-to-one.
+/// `folded` is a buffer.
 bool invertMesh(const Mesh& mesh, const Nodes& now, const InverseMapExtent& extent, std::vector<int>& folded,
                 PlaneDisplacement& displacement);
 

@@ -5,16 +5,17 @@
 
 namespace insonate::elastic {
 
-/// Materials of each cell of a mesh: shares of lumen, wall, loose tissue and of the tissue at its corners.
+/// Material of each cell of a mesh: a mixture of lumen, wall, loose tissue and the tissue at the cell's corners, by
+/// their shares.
 struct Materials {
-  static constexpr float kGasMu_kPa = 0.02f;  ///< next to nothing: keeps cells in order
+  static constexpr float kGasMu_kPa = 0.02f;  ///< very soft, only to keep cells regular
   static constexpr bool isGas(float mu_kPa) { return mu_kPa < 2 * kGasMu_kPa; }
 
-  std::vector<float> mu, bulk;                ///< kPa
-  std::vector<float> hoop;                    ///< kPa, beside bulk where a lumen becomes wider: see TubeStiffness.h
-  std::vector<float> artery, vein;            ///< shares of a cell's area, whatever they are made of, 0..1
-  std::vector<float> arteryBlood, veinBlood;  ///< the same where they are lumens, else 0
-  std::vector<char> fixed;                    ///< [node]: does not move
+  std::vector<float> mu, bulk;      ///< kPa
+  std::vector<float> hoop;          ///< kPa, added to bulk if a lumen becomes wider; see TubeStiffness.h
+  std::vector<float> artery, vein;  ///< share of a cell's area inside the vessel, for any kind of vessel material, 0..1
+  std::vector<float> arteryBlood, veinBlood;  ///< the same if the vessel is a lumen, else 0
+  std::vector<char> fixed;                    ///< [node]: the node does not move
   bool anyBlood = false;
 
   void fill(const Mesh& mesh, const TissuePlane& plane, const MechanicalTable& tissues);

@@ -8,47 +8,47 @@
 
 namespace insonate::elastic {
 
-/// Blocks of about a millimeter of a line that have fine cells.
+/// Division of a line into blocks of about a millimeter, some of which have fine cells.
 struct FineBlocks {
   std::vector<char> fine;
   float first_mm = 0, size_mm = 1;
 
   void mark(float from_mm, float to_mm);
-  /// Tells whether these blocks suffice for the needed ones, which may end earlier, without being far too many.
+  /// Tells whether these blocks contain all needed fine blocks without far too many others. `needed` may end earlier.
   bool serves(const FineBlocks& needed) const;
   float end_mm() const { return first_mm + size_mm * float(fine.size()); }
 };
 
-/// Grid lines of a mesh: columns along x, rows by depth below the skin. Cells of mesh_mm near vessels, skin and the
-/// ends of the face, twice that between, growing beyond.
+/// Grid lines of a mesh: columns along x, rows by depth below the skin. The cell size is mesh_mm near vessels, skin and
+/// the ends of the face, twice that between them, and grows beyond.
 struct MeshLines {
   std::vector<float> x_mm, depth_mm;
   FineBlocks across, down;
 };
 
-/// A mesh of four-node cells that follows the skin: its top row lies on it. Nodes next to the outline of a vessel or a
-/// bone are moved onto it.
+/// A mesh of four-node cells whose top row follows the skin. Nodes close to the outline of a vessel or a bone are moved
+/// onto the outline.
 class Mesh {
  public:
-  static constexpr float kBeyond_mm = 70;    ///< tissue that is meshed beyond the face, each way
-  static constexpr float kMostSkin_mm = 25;  ///< skin further than this off the face is not looked for
+  static constexpr float kBeyond_mm = 70;    ///< range of the mesh beyond the face on each side
+  static constexpr float kMostSkin_mm = 25;  ///< maximum distance between face and skin that is searched
 
-  /// Allocates only for a mesh larger than those before.
+  /// Builds the mesh; allocates only if it is larger than every earlier mesh.
   void build(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings);
 
   int columns() const { return static_cast<int>(lines_.x_mm.size()); }
   int rows() const { return static_cast<int>(lines_.depth_mm.size()); }
   const MeshLines& lines() const { return lines_; }
   const Nodes& rest() const { return rest_; }
-  const std::vector<PlaneTissue>& tissue() const { return tissue_; }  ///< at each node
-  const std::vector<PlaneTissue>& middle() const { return middle_; }  ///< of each cell, numbered as its first node
-  const std::vector<float>& skin_mm() const { return skin_; }         ///< z of the top of each column
+  const std::vector<PlaneTissue>& tissue() const { return tissue_; }  ///< tissue at each node
+  const std::vector<PlaneTissue>& middle() const { return middle_; }  ///< at cell middles, indexed by first node
+  const std::vector<float>& skin_mm() const { return skin_; }         ///< z of the skin in each column
 
-  /// Lines, skin and rest positions, without the tissue.
+  /// Copies lines, skin and rest positions, without the tissue.
   void takeShape(const Mesh& other);
 
-  /// Continuous column and row of a point, clamped to the mesh; as if no node had been moved onto an outline. Fast
-  /// near the node `guess`.
+  /// Continuous column and row of a point, limited to the mesh. Nodes that were moved onto an outline count at their
+  /// original positions. placeOf() is fast if the point is near the node `guess`.
   struct Place {
     float column = 0, row = 0;
   };

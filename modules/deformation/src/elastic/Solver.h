@@ -8,7 +8,8 @@
 
 namespace insonate::elastic {
 
-/// Stress of each cell in the rest geometry, kPa: deviatoric (with its share of the trace), and what stands before dA.
+/// Stress of each cell in the rest geometry, kPa: deviatoric components xx, zz, xz (including their share of the
+/// trace), and `volume`, the coefficient of dA.
 struct Prestress {
   std::vector<float> xx, zz, xz, volume;
   void resize(std::size_t cells) {
@@ -16,36 +17,36 @@ struct Prestress {
   }
 };
 
-/// Equilibrium of a mesh under a face and blood pressure by mixed Newton steps, each with a fresh factor.
+/// Computes the equilibrium of a mesh under a face and blood pressure by mixed Newton steps, each with a new factor.
 class Solver {
  public:
-  /// Sets a new rest geometry: stiffness, and the prestress that makes it an equilibrium under the tissues' own
-  /// pressures. With a `known` prestress, a dead load compensates the difference.
+  /// Sets a new rest geometry: its stiffness, and the prestress with which it is in equilibrium under the blood
+  /// pressures of the CT. If a `known` prestress is given, a dead load compensates the difference from equilibrium.
   void prepare(const Mesh& mesh, const Materials& materials, const MechanicalTable& tissues,
                const Prestress* known = nullptr);
   const Prestress& prestress() const { return prestress_; }
 
   void setPressure(const BloodPressure& pressure);
 
-  /// Starts from rest.
+  /// Resets the solution to rest.
   void start();
-  /// Positions and pressures of cells above base, to start from.
+  /// Positions of nodes, from which the next solution starts.
   Nodes& at() { return at_; }
   const Nodes& at() const { return at_; }
   std::vector<float>& cellPressure() { return cellPressure_; }
   const std::vector<float>& cellPressure() const { return cellPressure_; }
-  /// Continues with the cells' present pressures.
+  /// Starts the next solution from at() and cellPressure().
   void carry();
 
   struct Load {
     float shift_mm = 0;
-    float force_kPa_mm = 0;  ///< above 0: the shift is found
+    float force_kPa_mm = 0;  ///< if above 0, the solver determines the shift that gives this force
     bool sticking = false;
   };
   struct Patience {
     int mostIterations = 60;
     float tolerance_mm = 0.01f;
-    float enough_mm = 0;  ///< a solution that was carried over is left at a step this small
+    float enough_mm = 0;  ///< a carried-over solution is accepted at a step shorter than this
   };
   struct Outcome {
     int iterations = 0;
@@ -79,12 +80,12 @@ class Solver {
   std::vector<float> force_, dead_, step_, byShift_, response_, cellPressure_, restBase_;
   const Materials* materials_ = nullptr;
   BloodPressure restPressure_;
-  std::vector<char> solid_;  ///< nodes of cells that are not blood alone
+  std::vector<char> solid_;  ///< nodes of cells that are not only blood
   bool atRestPressure_ = true, carried_ = false;
-  float caution_ = 0;  ///< of the next tangents, see assemble()
+  float caution_ = 0;  ///< caution of the next tangents; see assemble()
   int cautiousRounds_ = 0;
-  int rounds_ = 0;  ///< since what is solved began: a live image takes a few at a time
-  float last_ = 0;  ///< longest step of the last one
+  int rounds_ = 0;  ///< steps since the start of this solution; a live image takes a few at a time
+  float last_ = 0;  ///< longest displacement in the last step
 };
 
 }  // namespace insonate::elastic

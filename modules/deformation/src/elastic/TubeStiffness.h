@@ -6,23 +6,27 @@
 
 namespace insonate::elastic {
 
-/// A vessel along the plane is a slit in plane strain: only the surrounding tissue holds its walls, and an artery
-/// would swell to twice its width with each beat. In the body its curved wall holds them. The wall's stiffness, as a
-/// modulus of the lumen's change of area, A/A0 - 1, with r the radius and s the share of the outline's curvature that
-/// is perpendicular to the plane (0 for a vessel perpendicular to it, which the mesh then represents fully):
+/// Stiffness that a vessel's curved wall adds. In plane strain, a vessel along the plane is a slit whose walls are held
+/// only by the surrounding tissue, and an artery would swell to twice its width with each beat; in the body, its curved
+/// wall holds it. The stiffness is a modulus of the lumen's relative change of area, A/A0 - 1. r is the vessel's
+/// radius, s the share of the outline's curvature that is perpendicular to the plane. s is 0 for a vessel perpendicular
+/// to the plane, which the mesh represents completely.
 ///
-/// wider     s (E/(1-0.49^2) h/r + 2 mu)   a thin tube of wall h under pressure, in loose tissue
+/// wider:    s (E/(1-0.49^2) h/r + 2 mu): a thin tube under pressure in loose tissue; the wall has thickness h and
+///           Young's modulus E, the loose tissue the shear modulus mu.
 ///
-/// narrower  s 3 p, at most that           a round tube under the tension of its pressure p, bent oval (n = 2)
+/// narrower: s 3 p, limited to the value for wider: a round tube under the tension of its pressure p, bent oval
+///           (mode n = 2).
 struct TubeStiffness {
   float wider_kPa = 0, narrower_kPa = 0;
 };
 
-/// Stiffness of one vessel under the pressure at which the CT was taken; `bend` is a mean over its outline.
+/// Returns the stiffness of one vessel under the pressure at which the CT was taken; `bend` is the mean over its
+/// outline.
 TubeStiffness tubeStiffness(const MechanicalTissue& vessel, const OutlineBend& bend);
 
-/// One a cell, numbered as in Mesh::middle(), of what of a vessel's connected part lies in this plane. `shares` of the
-/// cells that are lumen.
+/// Finds the stiffness of each cell, numbered as in Mesh::middle(): all cells of a connected part of a vessel in this
+/// plane get the same. `shares` are the shares of the cells' areas that are lumen.
 class TubeFinder {
  public:
   void find(const Mesh& mesh, const TissuePlane& plane, float PlaneTissue::*outline, const MechanicalTissue& vessel,

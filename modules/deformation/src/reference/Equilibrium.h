@@ -6,8 +6,8 @@
 
 namespace insonate::reference {
 
-/// Equilibrium of a body by Newton steps in double precision, the tension of each cell an unknown of its own that is
-/// eliminated cell by cell: with it, a tangent that is linear in the positions overshoots less where tissue is nearly
+/// Equilibrium of a body by Newton steps in double precision. The tension of each cell is an additional unknown, which
+/// is eliminated cell by cell. With it, a tangent that is linear in the positions overshoots less if tissue is nearly
 /// incompressible (mean dilatation as a three-field method: J. C. Simo and R. L. Taylor, Comput. Methods Appl. Mech.
 /// Eng. 85, 1991).
 class Equilibrium {
@@ -16,24 +16,25 @@ class Equilibrium {
 
   struct State {
     Vector at;
-    std::vector<double> tension;  ///< of each cell
-    double shift_mm = 0;          ///< of the face, found where a force is asked for
+    std::vector<double> tension;  ///< tension of each cell
+    double shift_mm = 0;          ///< shift of the face, determined by solve() if a force is required
   };
-  State state;  ///< where the next solve starts; fixed nodes stay where it has them
+  State state;  ///< starting point of the next solve(); fixed nodes keep their positions in it
 
   struct Outcome {
-    bool converged = false;  ///< the last whole step moved nothing by more than the tolerance
+    bool converged = false;  ///< no node moved by more than the tolerance in the last full step
     int iterations = 0;
-    double missed_mm = 0;  ///< of the face's height where touching nodes have moved to, and where they met it
+    double missed_mm = 0;  ///< maximum error of the face's height at touching nodes that moved along it
   };
-  /// Solves at load.shift_mm; or, with force_kPa_mm above 0, at the shift at which the face presses with it. Leaves in
-  /// `load` the positions at which nodes met the face, and its shift.
+  /// Solves at load.shift_mm; if force_kPa_mm is above 0, at the shift at which the face presses with that force.
+  /// Stores in `load` the positions at which nodes met the face, and the shift.
   Outcome solve(Load& load, double force_kPa_mm, double tolerance_mm, int mostIterations);
 
-  /// A whole Newton step from the present state, not taken. Nothing where the tangent is not positive definite.
+  /// Returns the full Newton step from the present state without applying it; zero if the tangent is not positive
+  /// definite.
   Vector step(const Load& load);
 
-  /// Every cell that is not lumen has kept the right way round.
+  /// Tells whether no cell outside the lumens is turned over.
   bool inOrder() const;
 
  private:
@@ -45,7 +46,7 @@ class Equilibrium {
   void advance(const Load& load, const Vector& step);
 
   const Body& body_;
-  std::vector<int> unknown_;  ///< [2 * node + axis]: in the order of elimination; -1 where fixed
+  std::vector<int> unknown_;  ///< [2 * node + axis]: position in the order of elimination; -1 for fixed nodes
   int unknowns_ = 0;
   Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor_;
   bool analysed_ = false;

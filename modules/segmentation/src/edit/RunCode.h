@@ -6,18 +6,18 @@
 
 namespace insonate::segmentation {
 
-/// Voxels in a row that an edit changed from one label to another.
+/// Consecutive voxels that an edit changed from one label to another.
 struct ChangedRun {
-  std::size_t begin, length;  ///< voxels of one slice, j * ni + i
+  std::size_t begin, length;  ///< in voxels of one slice, numbered j * ni + i
   std::uint8_t before, after;
 };
 
-/// Runs of one slice, by rising begin, packed into four bytes each as a rule: the gap since the last run and the length
-/// in seven bits a byte, then the two labels.
+/// Packs the runs of one slice, by increasing begin, usually into four bytes each: the gap since the previous run and
+/// the length, both with seven bits per byte, then the two labels.
 class RunPacker {
  public:
   void add(std::size_t voxel, std::uint8_t before, std::uint8_t after);
-  /// Returns the code; call after the last voxel.
+  /// Returns the packed bytes; call after the last voxel.
   std::vector<std::uint8_t> take();
 
  private:
@@ -29,7 +29,7 @@ class RunPacker {
   std::size_t packed_ = 0;  ///< end of the last run in bytes_
 };
 
-/// Calls `visit(const ChangedRun&)` for each run in order.
+/// Unpacks runs: calls `visit(const ChangedRun&)` for each run in order.
 template <class Visit>
 void unpackRuns(const std::vector<std::uint8_t>& bytes, const Visit& visit) {
   std::size_t at = 0, end = 0;

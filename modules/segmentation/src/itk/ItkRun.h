@@ -12,8 +12,8 @@
 
 namespace insonate::segmentation {
 
-/// An image over a volume's voxels, which must outlive it. With their spacing, but without place and direction:
-/// filters work in millimeters along the grid's own axes, of either handedness.
+/// Returns an ITK image that uses a volume's voxels; the volume must outlive it. The image has the volume's spacing,
+/// but not its position and direction: filters work in millimeters along the grid's own axes, of either handedness.
 template <class T>
 typename itk::Image<T, 3>::Pointer itkImageOver(Volume<T>& volume) {
   using Image = itk::Image<T, 3>;
@@ -31,7 +31,7 @@ typename itk::Image<T, 3>::Pointer itkImageOver(Volume<T>& volume) {
   return image;
 }
 
-/// Updates a filter and stops it when asked; throws Cancelled then.
+/// Runs a filter; if the listener cancels, stops the filter and throws Cancelled.
 template <class Filter>
 void run(Filter& filter, const Progress& progress, std::string_view doing) {
   const auto tell = [&](itk::Object*, const itk::EventObject&) {

@@ -8,8 +8,8 @@
 
 namespace insonate::segmentation {
 
-// The fields of each tool in a recipe, written once for reading, writing and listing: io(key, value, ...). A number is
-// followed by its minimum and maximum, a list of points by their count, an enumeration by its words.
+// Lists the fields of each tool in a recipe, once for reading, writing and listing: io(key, value, ...). After a number
+// come its minimum and maximum, after a list of points its minimum count, after an enumeration its words.
 
 /// Maxima of distances and of HU gradients in recipes.
 inline constexpr double kMostMm = 100, kMostHuPerMm = 2000;
@@ -157,7 +157,7 @@ void fields(Io& io, step::Tube& s) {
   io("stiffness", s.tracking.stiffness, 0, 10);
 }
 
-/// Names of tools, in the order of LabelTool.
+/// Names of the tools, in the order of LabelTool.
 inline constexpr std::array<std::string_view, std::variant_size_v<LabelTool>> kToolNames{"auto",
                                                                                          "threshold",
                                                                                          "paint",

@@ -4,11 +4,11 @@
 
 namespace insonate::segmentation {
 
-/// Reads a step of a recipe from its JSON object; an error is left in `trouble`.
+/// Reads a step of a recipe from its JSON object; stores the first error in `trouble`.
 LabelStep readStep(const nlohmann::json& object, const std::string& where, std::string& trouble,
                    Points points = Points::kGiven);
 
-/// Inverse of readStep().
+/// Writes a step as a JSON object that readStep() reads.
 nlohmann::json jsonOf(LabelStep step);
 
 }  // namespace insonate::segmentation

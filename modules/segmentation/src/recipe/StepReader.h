@@ -8,7 +8,7 @@
 
 namespace insonate::segmentation {
 
-/// Tells whether a step must have its points, or gets them later from the clicks of a guide.
+/// Tells whether a step must contain its points, or gets them later from the clicks of a guide.
 enum class Points { kGiven, kLater };
 
 /// Reads a step's fields from its JSON object; the first error is kept as a sentence.

@@ -8,7 +8,7 @@
 
 namespace insonate::segmentation {
 
-/// Writes a step's fields to a JSON object, for StepReader.
+/// Writes a step's fields to a JSON object, as StepReader reads them.
 class StepWriter {
  public:
   explicit StepWriter(nlohmann::json& object) : object_(object) {}

@@ -11,9 +11,9 @@
 
 namespace insonate::segmentation {
 
-/// Fronts that run from labeled seeds over a grid in the order of their cost (R. B. Dial, "Algorithm 360", CACM 12,
-/// 1969): costs are whole numbers and a step costs less than kBuckets, so that a ring of lists stands for a queue.
-/// Voxels of one cost are settled in the order in which they were reached.
+/// Fronts that grow from labeled seeds over a grid in the order of their cost (R. B. Dial, "Algorithm 360", CACM 12,
+/// 1969). Costs are integers and a step costs less than kBuckets, so that a ring of lists replaces a priority queue.
+/// Voxels of equal cost are settled in the order in which they were reached.
 class SeedFront {
  public:
   static constexpr std::uint32_t kBuckets = 1U << 13;
@@ -21,8 +21,8 @@ class SeedFront {
   SeedFront(Proposal& labels, const Selection& contested)
       : labels_(labels.labels), contested_(contested.mask), cost_(labels_.voxels.size(), kFar), buckets_(kBuckets) {}
 
-  /// `costOf(cost, from, to, axis)`: what the way to `to` costs that reaches it from `from`, whose way costs `cost`;
-  /// not less than that, and less than that and kBuckets.
+  /// Grows the fronts. `costOf(cost, from, to, axis)` returns the cost of the path to `to` by a step from `from`, where
+  /// the path to `from` costs `cost`. The result must be at least `cost` and less than `cost` + kBuckets.
   template <class CostOf>
   void run(Work& work, const CostOf& costOf) {
     for (std::size_t v = 0; v < labels_.voxels.size(); ++v)
@@ -42,7 +42,7 @@ class SeedFront {
     }
   }
 
-  /// Cost of a voxel after the run; the greatest number if no seed has reached it.
+  /// Returns the cost of a voxel after the run; the maximum number if no seed has reached it.
   std::uint32_t cost(std::size_t v) const { return cost_[v]; }
 
  private:

@@ -9,30 +9,33 @@
 
 namespace insonate::segmentation {
 
-/// Brightness of blood, and the limits beyond which it is other tissue.
+/// Brightness of blood, and the limits beyond which the CT shows other tissue.
 struct BloodLevel {
   double low_HU = 0, blood_HU = 0, high_HU = 0;
-  double half_HU = 0;  ///< half-way to the darker tissue around
+  double half_HU = 0;  ///< half-way between the blood and the darker tissue around it
 
-  /// 0 at the blood's brightness, 1 at the limits, 4 at most.
+  /// Returns the squared difference from the blood's brightness: 0 at that brightness, 1 at the limits, at most 4.
   double unlikeness(double hu) const;
 };
 
-/// Level around a point in blood, patient mm, of a blurred CT. Its limits are nearer than half-way to the darker
-/// tissue within `reach_mm`: a vein beside an artery differs by less than tissue does.
+/// Measures the level around a point in blood (patient, mm) in a blurred CT. The limits are closer to the blood than
+/// the half-way value to the darker tissue within `reach_mm`, because a vein differs less from an artery beside it than
+/// from tissue.
 BloodLevel bloodAt(const CtVolume& ct, Vec3 patient_mm, double reach_mm);
 
-/// `share` from a to b.
+/// Interpolates linearly from a (`share` 0) to b (1).
 BloodLevel mixed(const BloodLevel& a, const BloodLevel& b, double share);
 
-/// The levels along a vessel, once sections are found in it: blood is as bright as it was measured in them, and as in
-/// those around, since noise of a section would be its level's; the tissue around is as it was.
+/// Returns the levels along a vessel with the brightness of blood that was measured in its sections. Takes the median
+/// over neighboring sections, so that the noise of a single section has little effect. The brightness of the
+/// surrounding tissue is that of `levels`.
 std::vector<BloodLevel> measured(const std::vector<BloodLevel>& levels, const std::vector<double>& blood_HU);
 
-/// Levels at the clicks; each click is a point `clickOnWay` of a path through the blood in steps of a millimeter. A
-/// click's ball is a few voxels, whose noise would set the level as far as the next click, and blood changes little
-/// along a vessel: the level is therefore the median over the path around the click, unless the click's own differs by
-/// more than the scatter along the path explains, as at a thin end.
+/// Returns the levels at the clicks. `way_mm` is a path through the blood in steps of a millimeter, and click n is its
+/// point `clickOnWay[n]`. The ball around a click contains only a few voxels, whose noise would affect the level up to
+/// the next click, whereas blood changes little along a vessel. The level is therefore the median over the path around
+/// the click. Exception: the click's own level is used if it differs by more than the scatter along the path explains,
+/// as at a thin end.
 std::vector<BloodLevel> levelsAtClicks(const CtVolume& ct, std::span<const Vec3> clicks_mm,
                                        std::span<const Vec3> way_mm, std::span<const std::size_t> clickOnWay,
                                        double reach_mm, Work& work);

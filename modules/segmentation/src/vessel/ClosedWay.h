@@ -8,10 +8,10 @@
 
 namespace insonate::segmentation {
 
-/// A radius for each ray of a section.
+/// Radius of an outline on each ray of a section.
 using Radii = std::array<double, VesselOutline::kRays>;
 
-/// Cost of a wall at each radius of each ray: wall r lies at step_mm (r + 1).
+/// Cost of placing the wall at each radius of each ray: index r is the radius step_mm (r + 1).
 struct RadialCost {
   RadialCost(int count, double apart_mm)
       : steps(count), step_mm(apart_mm), cost(std::size_t(VesselOutline::kRays) * std::size_t(count)) {}
@@ -22,18 +22,18 @@ struct RadialCost {
   std::vector<double> cost;
 };
 
-/// Motion of a wall from one ray to the next: at most this many steps; n steps cost stiffness n^2.
+/// Limits of the wall's change of radius from one ray to the next: at most `most` steps; n steps cost stiffness n^2.
 struct Bend {
   int most = 3;
   double stiffness = 0;
 };
 
-/// The cheapest closed way around, where wall r bends from the ray before as `bendAt(r)` says; with `expected`, radii
-/// that are not like it cost more, too (dynamic programming over two turns, of which the middle is free of where it
-/// began).
+/// Returns the closed outline of minimum cost. `bendAt(r)` limits the change of radius from the previous ray to index
+/// r. If `expected` is given, deviations from it cost more, too. Dynamic programming over two turns; the result is the
+/// middle turn, which does not depend on the start.
 Radii closedWay(RadialCost cost, const std::function<Bend(int)>& bendAt, const Radii* expected);
 
-/// For each ray, the median of its radii in `reach` sections to both sides.
+/// Returns, for each section and ray, the median of the radii of the section and `reach` sections on both sides.
 std::vector<Radii> likeNeighbours(const std::vector<VesselOutline>& sections, int reach);
 
 }  // namespace insonate::segmentation

@@ -4,7 +4,7 @@
 
 namespace insonate::segmentation {
 
-/// The voxels whose centers lie in the outlines, between the first and the last.
+/// Returns the voxels whose centers lie within the outlines, between the first and the last outline.
 Selection fillLumen(const VolumeGeometry& geometry, std::span<const VesselOutline> outlines);
 
 }  // namespace insonate::segmentation

@@ -11,28 +11,29 @@
 
 namespace insonate::segmentation {
 
-/// Finds the wall of a vessel in sections along it. The CT is averaged over the sections around instead of blurred.
+/// Finds the wall of a vessel in sections along it. The CT is averaged over neighboring sections, but not blurred.
 class OutlineFit {
  public:
   OutlineFit(const CtVolume& ct, double largest_mm);
 
-  /// The best radii about the n-th section's center, in its plane, along the rays of `shape`. Where `expected` is
-  /// given, radii like its cost less.
+  /// Returns the best radii around the n-th section's center, in its plane, along the rays of `shape`. If `expected` is
+  /// given, radii close to it cost less.
   Radii fitted(const std::vector<VesselOutline>& sections, int n, const SectionShape& shape, const BloodLevel& level,
                const Radii* expected) const;
 
-  /// Median HU of the CT in the inner half of a section whose radii fitted() has found.
+  /// Returns the median HU of the CT at up to half the radius on all rays of a section with radii from fitted().
   double bloodIn(const VesselOutline& section, const SectionShape& shape) const;
 
-  /// The n-th section's radii that fitted() has found, moved to where the CT is half-way from the blood to what lies
-  /// behind the wall there.
+  /// Returns the n-th section's radii from fitted(), moved to the position at which the CT is half-way between the
+  /// blood and the tissue behind the wall.
   Radii refined(const std::vector<VesselOutline>& sections, int n, const SectionShape& shape,
                 const BloodLevel& level) const;
 
  private:
   static constexpr double kStep_mm = 0.25;
 
-  /// Profile in steps of x and y mm in the plane of the n-th section, from `first` steps on.
+  /// Returns CT values along a ray in the plane of the n-th section, averaged over neighboring sections: `samples`
+  /// values at intervals of `step` (x and y, mm), beginning at `first` intervals from the center.
   std::vector<double> profile(const std::vector<VesselOutline>& sections, int n, std::pair<double, double> step,
                               double first, int samples) const;
 
@@ -41,8 +42,8 @@ class OutlineFit {
   const CtVolume& ct_;
   Transform indexFromPatient_;
   int steps_;
-  double blur_mm2_;  ///< variance of all blur that is known
-  int reach_;        ///< walls are moved by so many steps at most
+  double blur_mm2_;  ///< variance of the known blur: scanner and voxels
+  int reach_;        ///< maximum number of steps by which refined() searches from a wall
 };
 
 }  // namespace insonate::segmentation

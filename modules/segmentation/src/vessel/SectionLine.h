@@ -6,20 +6,21 @@
 
 namespace insonate::segmentation {
 
-/// Means over this many neighbors on both sides, as many on one side as on the other, so that the ends stay.
+/// Returns moving averages over `reach` points on both sides. Near an end, the number on both sides is reduced equally,
+/// so that the ends do not move.
 std::vector<Vec3> smoothed(const std::vector<Vec3>& line, int reach);
 
-/// Points a millimeter apart on a polyline.
+/// Returns points a millimeter apart on a polyline.
 std::vector<Vec3> resampled(const std::vector<Vec3>& line);
 
-/// Sections perpendicular to a line, turned as little as possible from one to the next, so that a ray stays on its
-/// side.
+/// Returns sections perpendicular to a line. Each is rotated as little as possible relative to the previous one, so
+/// that a ray stays on the same side of the vessel.
 std::vector<VesselOutline> sectionsAlong(const std::vector<Vec3>& line);
 
-/// A part of the CT, blurred.
+/// Returns a part of the CT, blurred with a Gaussian.
 CtVolume blurredPart(const CtVolume& ct, const VoxelBox& box, double sigma_mm);
 
-/// Why these are no clicks along a vessel; nothing where they are.
+/// Fails with the reason if these are not valid clicks along a vessel.
 Result<void> checkClicks(const CtVolume& ct, std::span<const Vec3> clicks_mm);
 
 }  // namespace insonate::segmentation

@@ -7,26 +7,26 @@
 
 namespace insonate::segmentation {
 
-/// Moments of the area inside an outline: its middle, mm, and its second moments about it, mm^2.
+/// Moments of the area within an outline: its centroid, mm, and its second moments about the centroid, mm^2.
 struct SectionMoments {
   double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
 };
 
-/// Mean moments of the sections up to `reach` to both sides.
+/// Returns the mean moments of section n and up to `reach` sections on both sides.
 SectionMoments meanMoments(const std::vector<SectionMoments>& sections, int n, int reach);
 
-/// Stretch of a section that makes a flat outline round: a symmetric matrix whose determinant is 1.
+/// Linear transform of a section that makes a flat outline round: a symmetric matrix with determinant 1.
 class SectionShape {
  public:
   SectionShape() = default;
-  /// Stretch of an ellipse with these second moments, no flatter than 1 to 4.
+  /// Computes the stretch from an ellipse with these second moments; the axis ratio is limited to 1:4.
   explicit SectionShape(const SectionMoments& moments);
 
-  /// Displacement in the section, mm, of a millimeter along this ray.
+  /// Returns the displacement in the section, mm, that corresponds to one millimeter along this ray.
   std::pair<double, double> along(int ray) const;
-  /// Moments of the outline with these radii along the stretched rays.
+  /// Returns the moments of the outline with these radii along the stretched rays.
   SectionMoments momentsOf(const Radii& radii) const;
-  /// Converts the outline to radii along unstretched rays.
+  /// Converts an outline from radii along stretched rays to radii along unstretched rays.
   Radii unstretched(const Radii& radii) const;
 
  private:

@@ -12,19 +12,19 @@ namespace insonate {
 
 enum class FindingSeverity { kError, kWarning, kInfo };
 
-/// "error", "warning" or "info".
+/// Returns "error", "warning" or "info".
 std::string_view nameOf(FindingSeverity severity);
 
 /// One reason why a case is fit or unfit for training.
 struct Finding {
   FindingSeverity severity;
   std::string code;                ///< stable, for scripts, e.g. "no_vein"
-  std::string text;                ///< a sentence: what, where, what to do
-  std::optional<Vec3> place_mm{};  ///< patient LPS, where it has one place; may lie outside the volume
-  std::uint8_t label = 0;          ///< the structure it is about; 0 for none
+  std::string text;                ///< a sentence: what is wrong, where, and what to do
+  std::optional<Vec3> place_mm{};  ///< patient LPS, if the finding has a single position; may lie outside the volume
+  std::uint8_t label = 0;          ///< the structure that the finding concerns; 0 for none
 };
 
-/// Looks for everything that would make training on this case fail or mislead. Volumes must be on one grid.
+/// Searches for everything that would make training on this case fail or mislead. CT and labels must be on one grid.
 /// Fails only when cancelled.
 Result<std::vector<Finding>> checkCase(const CaseView& patient, const Progress& progress = {});
 

@@ -8,12 +8,12 @@
 
 namespace insonate {
 
-/// Reads a folder's case.json without its volumes; returns an empty manifest if the folder has none. Fails like
+/// Reads a folder's case.json without the volumes; returns an empty manifest if the folder has no case.json. Fails like
 /// readCase().
 Result<CaseManifest> readManifestOf(const std::filesystem::path& folder);
 
-/// Identifies the state of a case on disk without reading volumes: a Fingerprint of case.json and of the sizes and
-/// times of the volumes. Results computed from a case may be cached under it.
+/// Returns a Fingerprint of a case on disk: of case.json and of the sizes and times of the volume files, which are not
+/// read. Results that are computed from a case can be cached under it.
 std::string diskStateOf(const std::filesystem::path& folder);
 
 }  // namespace insonate

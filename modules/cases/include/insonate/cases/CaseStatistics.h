@@ -10,13 +10,13 @@
 
 namespace insonate {
 
-/// Numbers that describe a case.
+/// Statistics of a case's CT and labels.
 struct CaseStatistics {
   static constexpr int kLowest_HU = -1024, kHighest_HU = 3071;
-  int least_HU = 0, most_HU = 0;  ///< of the CT, whatever they are
-  /// Voxels of each Hounsfield unit from lowest to highest; the ends take the rest.
+  int least_HU = 0, most_HU = 0;  ///< minimum and maximum of the CT, without limits
+  /// Number of voxels for each HU from kLowest_HU to kHighest_HU; the first and last entries include all values beyond.
   std::vector<std::uint64_t> histogram = std::vector<std::uint64_t>(kHighest_HU - kLowest_HU + 1);
-  std::array<std::uint64_t, 256> voxels{};  ///< of each label
+  std::array<std::uint64_t, 256> voxels{};  ///< number of voxels of each label
   double voxel_mm3 = 0;
 
   double volume_ml(std::uint8_t label) const { return static_cast<double>(voxels[label]) * voxel_mm3 / 1000; }

@@ -7,11 +7,11 @@
 
 namespace insonate {
 
-/// Title of an imported CT until the author names it: patient data must never become a title by themselves.
+/// Title of an imported CT until the author names it. Titles are never taken from patient data.
 inline constexpr std::string_view kImportedTitle = "Imported CT";
 
-/// Gives an unnamed case the name of its folder ("neck" of `/cases/neck.case`): lists, levels and recordings identify
-/// cases by their titles.
+/// Gives an untitled case the name of its folder ("neck" for `/cases/neck.case`), because lists, levels and recordings
+/// identify cases by title.
 void nameAfterFolder(CaseManifest& manifest, const std::filesystem::path& folder);
 
 }  // namespace insonate

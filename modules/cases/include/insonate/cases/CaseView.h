@@ -7,27 +7,27 @@
 
 namespace insonate {
 
-/// A case as other code reads it: its own volumes, or other labels in place of its own, for example while those are
-/// edited. Refers to its parts, which must outlive it.
+/// A read-only view of a case: its own volumes, or other labels in place of its own, e.g. labels that are being edited.
+/// Refers to its parts, which must outlive it.
 struct CaseView {
   const CaseManifest& manifest;
   const CtVolume& ct;
   const LabelMap& labels;
 
   CaseView(const PatientCase& patient)
-      : CaseView(patient, patient.labels) {}  // a case is seen wherever it is asked for
+      : CaseView(patient, patient.labels) {}  // implicit, so that a case can be passed as a view
   CaseView(const PatientCase& patient, const LabelMap& instead) : CaseView(patient.manifest, patient.ct, instead) {}
   CaseView(const CaseManifest& about, const CtVolume& volume, const LabelMap& map)
       : manifest(about), ct(volume), labels(map) {}
 };
 
-/// The volumes of a case for who keeps them: its own, or other labels beside its CT, so that nothing is copied where
-/// only labels change. They never change while they are shared.
+/// Shared ownership of a case's volumes: its own, or other labels with its CT, so that nothing is copied if only labels
+/// change. The volumes must not change while they are shared.
 struct CaseVolumes {
   std::shared_ptr<const CtVolume> ct;
   std::shared_ptr<const LabelMap> labels;
 
-  /// Holds a patient's volumes; null if the patient is.
+  /// Shares a patient's volumes; both pointers are null if `patient` is null.
   CaseVolumes(const std::shared_ptr<const PatientCase>& patient)
       : CaseVolumes(patient, patient ? std::shared_ptr<const LabelMap>(patient, &patient->labels) : nullptr) {}
   CaseVolumes(const std::shared_ptr<const PatientCase>& patient, std::shared_ptr<const LabelMap> instead)

@@ -10,22 +10,23 @@
 namespace insonate {
 
 struct CropOptions {
-  VoxelBox box;                      ///< what is kept, in the case's own voxels
-  std::optional<Vec3> spacing_mm{};  ///< of the new grid along the same axes; without, voxels stay as they are
+  VoxelBox box;                      ///< the part that is kept, in voxels of the original case
+  std::optional<Vec3> spacing_mm{};  ///< new spacing along the same axes; empty: no resampling
 };
 
-/// The voxels of a case that lie between two opposite corners in the patient (LPS), whichever comes first.
+/// Returns the voxels of a case between two opposite corners in the patient (LPS), in any order.
 VoxelBox boxBetween(const VolumeGeometry& geometry, Vec3 corner_mm, Vec3 opposite_mm);
 
-/// The grid that cropCase makes. It fills the box: its border lies where the box's does, give or take half a new voxel.
-/// Fails on an empty box, one beyond the grid, and a spacing that no scanner has.
+/// Returns the grid that cropCase makes. Its border coincides with the box's border within half a new voxel. Fails on
+/// an empty box, a box beyond the grid, and a spacing outside a scanner's range.
 Result<VolumeGeometry> croppedGrid(const VolumeGeometry& geometry, const CropOptions& options);
 
-/// Crops a case, on the same or on another spacing: CT and labels together. A new voxel's HU is the mean of the
-/// linearly interpolated CT over it, its label the one with the largest share of it, each label interpolated by itself
-/// (so that a thin wall is not torn as by nearest voxels). Title, colors, targets and start poses stay, in patient
-/// coordinates; targets outside are dropped. The import notes list the changes. Uses all cores. Same input: same
-/// bytes, on any number of threads. Fails as croppedGrid does, and when cancelled.
+/// Crops CT and labels of a case, with the same or another spacing. A new voxel's HU is the mean of the linearly
+/// interpolated CT over the voxel; its label is the one with the largest share of the voxel. Each label is interpolated
+/// separately, so that thin walls keep together (nearest-voxel resampling would tear them). Title, colors, targets and
+/// start poses are kept, in patient coordinates; targets outside the crop are removed. The import notes list the
+/// changes. Uses all cores. The result is bit-identical on any number of threads. Fails like croppedGrid(), and when
+/// cancelled.
 Result<PatientCase> cropCase(const PatientCase& patient, const CropOptions& options, const Progress& progress = {});
 
 }  // namespace insonate

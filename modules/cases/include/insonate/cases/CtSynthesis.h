@@ -8,7 +8,7 @@
 
 namespace insonate {
 
-/// Iodine in the vessels: none, or an arterial phase with early venous return.
+/// Iodine in the vessels: none (kNative), or an arterial phase with early venous return (kArterial).
 enum class CtContrast { kNative, kArterial };
 
 struct CtSynthesisOptions {
@@ -18,9 +18,9 @@ struct CtSynthesisOptions {
   double resolution_FWHM_mm = 0.9;  ///< full width at half maximum of the scanner's blur; 0 to 5
 };
 
-/// Synthesizes a CT (HU, int16) for a label map of insonate/tissue/Labels.h: mean HU and smooth texture per label,
-/// compact bone around trabecular, partial volume by a Gaussian blur, noise with a little correlation. Works on any
-/// grid. Same labels and options: same bytes, on any number of threads. Uses all cores. Fails on options outside their
+/// Synthesizes a CT (HU, int16) for a label map of insonate/tissue/Labels.h on any grid: mean HU and smooth texture per
+/// label, compact bone around trabecular bone, partial volume by a Gaussian blur, slightly correlated noise. Uses all
+/// cores. The same labels and options give identical bytes on any number of threads. Fails on options outside their
 /// range, an invalid grid, and when cancelled.
 Result<CtVolume> synthesiseCt(const LabelMap& labels, const CtSynthesisOptions& options, const Progress& progress = {});
 

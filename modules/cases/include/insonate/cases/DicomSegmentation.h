@@ -9,14 +9,14 @@
 
 namespace insonate {
 
-/// Identity of a case in DICOM. It depends on the CT's voxels and grid alone, so that series and segmentation belong
-/// together whenever each of them was written.
+/// Returns the identity of a case in DICOM. It depends only on the CT's voxels and grid, so that a series and a
+/// segmentation refer to each other even if they are written at different times.
 DicomSeriesIdentity dicomIdentityOf(const PatientCase& patient);
 
-/// Writes the labels as a DICOM segmentation (PS3.3 A.51; binary, one segment a label, frames without a voxel left
-/// out) with SNOMED CT codes and the case's colors. It refers to the slices that writeDicomSeries makes of the same CT
-/// under dicomIdentityOf. On any failure an existing file is untouched. Fails if nothing is labeled, or if the file
-/// cannot be written.
+/// Writes the labels as a DICOM segmentation (PS3.3 A.51) with SNOMED CT codes and the case's colors: binary, one
+/// segment per label, without empty frames. It refers to the slices that writeDicomSeries() writes of the same CT under
+/// dicomIdentityOf(). On any failure an existing file is unchanged. Fails if nothing is labeled, or if the file cannot
+/// be written.
 Result<void> writeDicomSegmentation(const PatientCase& patient, const std::filesystem::path& file,
                                     const Progress& progress = {});
 

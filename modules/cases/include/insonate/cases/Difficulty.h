@@ -9,46 +9,46 @@
 
 namespace insonate {
 
-/// Properties that make a vein easy or hard to puncture, measured in its cross-section at a target, as a probe over it
-/// shows it.
+/// Properties that make a vein easy or hard to puncture, measured in its cross-section at a target, as a probe over the
+/// target shows it.
 struct VeinMeasures {
   std::string target;
   double depth_mm = 0;                    ///< from the skin to the front wall
   double area_mm2 = 0;                    ///< of the lumen
   double width_mm = 0, height_mm = 0;     ///< axes of the ellipse with the lumen's second moments
-  std::optional<double> overlap_percent;  ///< share of the artery's width that lies behind the vein; none: no artery
-  std::optional<double> angle_deg;        ///< of the artery off the beam through the vein; 0 is straight behind it
-  std::optional<double> artery_mm;        ///< from wall to wall
-  std::optional<double> second_mm;        ///< to a second artery within reach of a probe
-  std::optional<double> lung_mm;          ///< from the back wall to air behind it, along the beam
+  std::optional<double> overlap_percent;  ///< share of the artery's width behind the vein; no value: no artery
+  std::optional<double> angle_deg;        ///< angle at the vein from the beam to the artery; 0: straight behind
+  std::optional<double> artery_mm;        ///< distance from the vein's wall to the artery's wall
+  std::optional<double> second_mm;        ///< distance to the wall of a second artery within the probe's reach
+  std::optional<double> lung_mm;          ///< distance along the beam from the vein's back wall to air
 };
 
 /// Contribution of one property to the difficulty.
 struct DifficultyShare {
-  std::string what;    ///< e.g. "height of the vein"
-  std::string value;   ///< with its unit
+  std::string what;    ///< name of the property, e.g. "height of the vein"
+  std::string value;   ///< value of the property, with its unit
   double points = 0;   ///< 0 easy .. 1 hard
-  std::string reason;  ///< as in a sentence: "the vein is only 4 mm high"
+  std::string reason;  ///< as a clause: "the vein is only 4 mm high"
 };
 
-/// Difficulty estimated from the labels; modules/cases/README.md has the formula and its basis.
+/// Difficulty estimated from the labels; modules/cases/README.md states the formula and its basis.
 struct DifficultyEstimate {
-  static constexpr int kVersion = 1;  ///< of the formula
+  static constexpr int kVersion = 1;  ///< version of the formula
   std::string_view grade;             ///< "easy", "moderate" or "hard"
   double points = 0;                  ///< sum of the shares
   VeinMeasures measures;
   std::vector<DifficultyShare> shares;  ///< the largest first
-  std::string sentence;                 ///< the grade and why
+  std::string sentence;                 ///< the grade and the reasons for it
 };
 
-/// Estimates the difficulty of the first target, the one of the procedure. Fails, with the reason, if there is none,
-/// if it is not in its vessel, or if no skin lies in front of it.
+/// Estimates the difficulty of the first target, to which the procedure applies. Fails, with the reason, if there is no
+/// target, if the target is not in its vessel, or if there is no skin in front of it.
 Result<DifficultyEstimate> estimateDifficulty(const CaseView& patient);
 
-/// The cross-section of the vessel at a target. Fails as above.
+/// Measures the vessel's cross-section at a target. Fails like estimateDifficulty().
 Result<VeinMeasures> measureVein(const CaseView& patient, const Target& target);
 
-/// The author's grade, else the estimated one; empty where neither is known.
+/// Returns the author's grade, else the estimated one; empty if neither is known.
 std::string gradeOf(const CaseView& patient);
 
 }  // namespace insonate

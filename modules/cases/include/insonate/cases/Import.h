@@ -11,20 +11,20 @@
 
 namespace insonate {
 
-/// One importable image stack, without anything that identifies the patient except `uid`, which never enters a case.
+/// One importable image stack, without data that identify the patient, except `uid`, which is never stored in a case.
 struct SeriesInfo {
-  std::string uid;       ///< names the series for importSeries: DICOM Series Instance UID, with "#2" when one UID holds
-                         ///< several stacks; the file's name for NRRD, NIfTI and MetaImage
-  std::string modality;  ///< as in DICOM ("CT", "MR", ...); empty when the file does not say
-  std::string kernel;  ///< of the reconstruction, in the scanner's own word, which never enters a case; empty when the
-                       ///< slices do not say, or not the same
-  VolumeGeometry geometry;    ///< the orthogonal grid that an import produces, patient LPS mm
-  bool geometryKnown = true;  ///< false for a refused series that does not say; only the size is meaningful then
-  std::vector<std::string> warnings;  ///< a sentence each, without names of files
-  std::string refusal;                ///< why it cannot be imported; empty when it can
+  std::string uid;  ///< identifies the series for importSeries(): DICOM Series Instance UID, with "#2" if one UID holds
+                    ///< several stacks; file name for NRRD, NIfTI and MetaImage
+  std::string modality;  ///< as in DICOM ("CT", "MR", ...); empty if the file does not specify it
+  std::string kernel;  ///< reconstruction kernel, as the scanner names it; never stored in a case; empty if missing or
+                       ///< different between slices
+  VolumeGeometry geometry;            ///< the orthogonal grid that an import produces, patient LPS mm
+  bool geometryKnown = true;          ///< false if a refused series lacks its geometry; only the size is valid then
+  std::vector<std::string> warnings;  ///< one sentence each, without file names
+  std::string refusal;                ///< reason why the series cannot be imported; empty if it can
 };
 
-/// A file that is in no series, and why.
+/// A file that belongs to no series, with the reason.
 struct SetAside {
   std::filesystem::path file;
   std::string reason;
@@ -38,31 +38,30 @@ struct SeriesListing {
 /// Result of an import. `ct` is int16 HU; padding and everything below -1024 are set to -1024.
 struct ImportedCt {
   CtVolume ct;
-  SeriesInfo series;   ///< its warnings say everything that was changed on the way: for CaseManifest::importNotes
-  std::string source;  ///< for CaseManifest::source; holds a one-way hash of the UID, no names, dates or file names
-  /// Offset that seems to be missing for conversion to HU, for shiftValues(); -1024 if air lies at 0 and soft tissue
-  /// above 1000. Never applied without a request. Empty if the values look right, or match no known pattern.
+  SeriesInfo series;   ///< its warnings list all changes made during the import, for CaseManifest::importNotes
+  std::string source;  ///< for CaseManifest::source; contains a one-way hash of the UID, no names, dates or file names
+  /// Offset for shiftValues() that the conversion to HU seems to lack: -1024 if air lies at 0 and soft tissue above
+  /// 1000. Only applied on request. No value if the HU look right or match no known pattern.
   std::optional<int> likelyShift_HU{};
 };
 
-/// Lists what a folder (searched with its subfolders) or a single file holds, from the headers only. A DICOM slice
-/// stands for its series, as far as that lies in the same folder, and a DICOM directory (DICOMDIR) for its folder.
-/// Fails when the input does not exist, cannot be read, or holds no series at all.
+/// Lists the series in a folder (with its subfolders) or a single file; reads headers only. A single DICOM slice stands
+/// for its series within the same folder, a DICOM directory (DICOMDIR) for its folder. Fails if the input does not
+/// exist, cannot be read, or holds no series.
 Result<SeriesListing> listSeries(const std::filesystem::path& input, const Progress& progress = {});
 
-/// Reads one series as HU. DICOM slices are placed by their own position and orientation only: gantry tilt, uneven
-/// spacing and small gaps are resampled onto an orthogonal grid and said so; large gaps are refused.
-/// `uid` may be empty when there is exactly one importable series; otherwise fails with the list. Files that cannot be
-/// opened may be slices of it: without `uid` they are an error, with it a warning. A volume file that holds but a few
-/// different numbers, none below 0, is a label map and refused.
-/// Blocking; `progress` is called on the calling thread.
+/// Reads one series as HU. DICOM slices are placed only by their own position and orientation. Gantry tilt, uneven
+/// spacing and small gaps are resampled onto an orthogonal grid, with a warning; large gaps are refused. `uid` may be
+/// empty if there is exactly one importable series; otherwise the error lists the series. Files that cannot be opened
+/// may be slices of the series: they cause an error without `uid`, and a warning with it. A volume file with only a few
+/// different values, none below 0, is a label map and is refused. Blocking; `progress` is called on the calling thread.
 Result<ImportedCt> importSeries(const std::filesystem::path& input, const std::string& uid = {},
                                 const Progress& progress = {});
 
-/// Adds to every value but padding (-1024), limited to -1024..32767 HU, and says so in the warnings.
+/// Adds `shift_HU` to every value except padding (-1024), limits the result to -1024..32767 HU, and adds a warning.
 void shiftValues(ImportedCt& imported, int shift_HU);
 
-/// The list as lines of text, e.g. for the error of an ambiguous import.
+/// Writes the listing as lines of text, e.g. for the error of an ambiguous import.
 std::string describe(const SeriesListing& listing);
 
 }  // namespace insonate

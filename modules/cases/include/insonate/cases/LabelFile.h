@@ -15,38 +15,38 @@ namespace insonate {
 
 struct LabelReadResult {
   LabelMap labels;
-  std::vector<std::string> notes;    ///< what was mapped, flattened or ignored, one sentence each
-  LabelColours colours{};            ///< of the file's structures, where not the label table's
-  OwnLabels own{};                   ///< structures that this program does not know, under numbers of their own
-  std::set<std::uint8_t> foreign{};  ///< of these, whose names another program's user wrote
-  LabelStates states{};              ///< where the file says so
+  std::vector<std::string> notes;    ///< structures that were mapped, flattened or ignored, one sentence each
+  LabelColours colours{};            ///< colors of the file's structures that differ from the label table's
+  OwnLabels own{};                   ///< structures unknown to this program, under label numbers of their own
+  std::set<std::uint8_t> foreign{};  ///< labels of `own` whose names were written by users of another program
+  LabelStates states{};              ///< progress on structures, if the file states it
 };
 
-/// Reads a label map file (NRRD, NIfTI, MetaImage; 3-D, whole numbers) with its own numbers, of any meaning.
+/// Reads a label map file (NRRD, NIfTI, MetaImage; 3-D, whole numbers) and returns the file's numbers unchanged.
 Result<Volume<std::int32_t>> readLabelValues(const std::filesystem::path& file);
 
-/// Reads a label map in this program's numbers (insonate/tissue/Labels.h). A 3D Slicer segmentation is mapped by each
-/// segment's terminology, then by its name; a segment of unknown name becomes a label of its own (OwnLabels) with that
-/// name and is noted. A plain label map keeps its numbers; above 255 or negative is refused. Layers are flattened,
-/// later segments win.
+/// Reads a label map in this program's numbers (insonate/tissue/Labels.h). A segment of a 3D Slicer segmentation is
+/// mapped by its terminology, then by its name; a segment with an unknown name becomes one of the author's own labels
+/// (OwnLabels) with that name, with a note. A plain label map keeps its numbers; numbers above 255 or below 0 are
+/// refused. Layers are flattened; later segments replace earlier ones.
 Result<LabelReadResult> readLabelMap(const std::filesystem::path& file);
 
-/// Reads labels for a case: a DICOM segmentation, or any file of readLabelMap, put on the grid of the case's CT.
-/// Labels of another grid are resampled (nearest voxel), with a note; labels that lie elsewhere in the patient are
-/// refused. The structure of a segment or label is found by its code, then by its name; an unknown one becomes a label
-/// of its own, without its name, since people write anything there. Also notes if the segmentation refers to another
-/// CT than the one that the case was imported from.
+/// Reads labels for a case: a DICOM segmentation, or any file that readLabelMap() reads, placed on the grid of the
+/// case's CT. Labels on another grid are resampled (nearest voxel), with a note; labels that do not overlap the CT are
+/// refused. The structure of a segment or label is identified by its code, then by its name. An unknown structure
+/// becomes one of the author's own labels without a name, because such names may contain patient data. Adds a note if
+/// the segmentation refers to another CT than the one from which the case was imported.
 Result<LabelReadResult> importLabels(const PatientCase& patient, const std::filesystem::path& file,
                                      const std::filesystem::path& names = {}, const Progress& progress = {});
 
-/// Replaces a case's labels by labels imported for it, and adds a note, without the names of segments.
+/// Replaces a case's labels with imported ones, and adds a note that contains no names of segments.
 void takeLabels(LabelReadResult&& imported, PatientCase& patient);
 
-/// Refuses a name that writeLabelFile does not take.
+/// Refuses a file name that writeLabelFile() does not accept.
 Result<void> checkLabelTarget(const std::filesystem::path& file);
 
-/// Writes the labels alone as a 3D Slicer segmentation (NAME.seg.nrrd), and ITK-SNAP's label description
-/// (NAME.label.txt) beside it. On failure, an existing file of either kind is untouched.
+/// Writes only the labels, as a 3D Slicer segmentation (NAME.seg.nrrd) with ITK-SNAP's label description
+/// (NAME.label.txt) beside it. On failure, existing files are unchanged.
 Result<void> writeLabelFile(const PatientCase& patient, const std::filesystem::path& file,
                             const Progress& progress = {});
 

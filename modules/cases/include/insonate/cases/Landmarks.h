@@ -7,17 +7,17 @@
 
 namespace insonate {
 
-/// A place on every neck that instructions to a trainee refer to.
+/// An anatomical landmark of the neck to which instructions for trainees refer.
 struct LandmarkKind {
   std::string_view code;  ///< as in case.json, e.g. "cricoid"
   std::string_view name;
   bool onSkin;  ///< lies on the skin, not below it
 };
 
-/// Kinds of landmarks, in the order of a form.
+/// Returns the kinds of landmarks, in the order in which forms list them.
 std::span<const LandmarkKind> landmarkKinds();
 
-/// Kind of a code; null if the code is unknown.
+/// Returns the landmark kind with this code; null if the code is unknown.
 const LandmarkKind* landmarkKind(std::string_view code);
 
 }  // namespace insonate

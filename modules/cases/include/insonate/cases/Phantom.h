@@ -13,19 +13,19 @@ namespace insonate {
 
 /// One of the built-in necks.
 struct PhantomVariant {
-  std::string_view name;        ///< what a user types, e.g. "small-vein"
+  std::string_view name;        ///< name for the command line, e.g. "small-vein"
   std::string_view title;       ///< one line for a list
   std::string_view difficulty;  ///< "easy", "moderate" or "hard"
   std::string_view description;
 };
 
-/// All variants, easiest first; the first is the default.
+/// Returns all variants, easiest first; the first is the default.
 std::span<const PhantomVariant> phantomVariants();
 
-/// Builds a neck from hyoid to manubrium: labels from an analytic model, CT synthesised from them, targets in both
-/// internal jugular veins at the level of the cricoid, start poses over them. Uses all cores.
-/// Same variant, seed and contrast: same bytes, on any number of threads.
-/// Fails on an unknown variant (the sentence lists the known ones) and when cancelled.
+/// Builds a neck from hyoid to manubrium: labels from an analytic model, a CT synthesized from the labels, targets in
+/// both internal jugular veins at the level of the cricoid, and start poses over the targets. Uses all cores. The same
+/// variant, seed and contrast give identical bytes on any number of threads. Fails on an unknown variant (the error
+/// lists the known ones) and when cancelled.
 Result<PatientCase> makePhantom(std::string_view variant, std::uint32_t seed, const Progress& progress = {},
                                 CtContrast contrast = CtContrast::kNative);
 

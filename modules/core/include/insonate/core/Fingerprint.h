@@ -7,14 +7,14 @@
 
 namespace insonate {
 
-/// Hash that distinguishes two things, not safe against intent: FNV-1a (Fowler, Noll, Vo), 64 bits, a step a value.
+/// 64-bit FNV-1a hash (Fowler, Noll, Vo) with one step per added value. Distinguishes two things; not cryptographic.
 class Fingerprint {
  public:
   void add(std::uint64_t value) { hash_ = (hash_ ^ value) * 0x100000001b3U; }
   void add(std::string_view text) {
     for (const char letter : text) add(std::uint64_t{static_cast<unsigned char>(letter)});
   }
-  /// 16 hexadecimal digits.
+  /// Returns the hash as 16 hexadecimal digits.
   std::string text() const {
     char digits[17];
     std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash_));

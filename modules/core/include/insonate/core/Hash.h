@@ -4,8 +4,8 @@
 
 namespace insonate {
 
-/// 32-bit finaliser with low bias (C. Wellons, "Prospecting for hash functions", 2018). Shared by phantom noise and
-/// scatterers, so that they need no memory; uses only operations that a shader has too.
+/// 32-bit finalizer with low bias (C. Wellons, "Prospecting for hash functions", 2018). Phantom noise and scatterers
+/// compute their random values with it instead of storing them; it uses only operations that shaders have, too.
 constexpr std::uint32_t hash32(std::uint32_t x) {
   x ^= x >> 16;
   x *= 0x21f0aaadU;
@@ -21,7 +21,7 @@ constexpr std::uint32_t hashNode(std::int32_t i, std::int32_t j, std::int32_t k,
                 static_cast<std::uint32_t>(k) * 0xcb1ab31fU ^ seed);
 }
 
-/// Uniform in [0, 1).
+/// Maps a hash to a number that is uniform in [0, 1).
 constexpr double unitInterval(std::uint32_t hash) {
   return hash * (1.0 / 4294967296.0);
 }

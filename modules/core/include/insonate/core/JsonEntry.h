@@ -13,20 +13,21 @@
 
 namespace insonate {
 
-/// Parses JSON; fails with line and column of the error. `what` begins the sentence: "The recipe".
+/// Parses JSON; fails with line and column of the error. `what` is the subject of the error sentence, e.g. "The
+/// recipe".
 Result<nlohmann::json> parsedJson(std::string_view text, const std::string& what);
 
-/// The keys of an object, for an entry that may have any; none of another value.
+/// Returns the keys of an object, for an entry that accepts any key; empty if `object` is another kind of value.
 std::vector<std::string_view> keysOf(const nlohmann::json& object);
 
-/// Reader of an object in a JSON file that people write; fields are taken one by one. The first error is kept as a
-/// sentence; fields after it are empty. `where` begins the sentence: "step 'scan'". The object must outlive the
-/// reader.
+/// Reader of an object in a JSON file that people write. Each field is read by its own call. The first error is kept as
+/// a sentence; fields that are read after an error are empty. `where` begins the sentence: "step 'scan'". Keys other
+/// than the `known` ones are errors. The object must outlive the reader.
 class JsonEntry {
  public:
   JsonEntry(const nlohmann::json& object, std::string where, const std::vector<std::string_view>& known)
       : JsonEntry(object, std::move(where), known, ownTrouble_) {}
-  /// Keeps the first error in `trouble`, which entries of one file share.
+  /// Makes a reader that stores the first error in `trouble`, which the entries of one file share.
   JsonEntry(const nlohmann::json& object, std::string where, const std::vector<std::string_view>& known,
             std::string& trouble);
   JsonEntry(const JsonEntry&) = delete;
@@ -40,19 +41,19 @@ class JsonEntry {
   /// Returns a whole number.
   int whole(std::string_view key, int low, int high);
   std::optional<int> wholeIfThere(std::string_view key, int low, int high);
-  /// Returns `count` numbers, zeros after an error. `order` names them in its sentence: "[x, y, z]".
+  /// Returns `count` numbers; zeros after an error. `order` describes the list in the error sentence: "[x, y, z]".
   std::vector<double> numbers(std::string_view key, std::size_t count, double low, double high,
                               std::string_view order = {});
   bool flag(std::string_view key);
-  /// The index, among these words, of the word under the key.
+  /// Returns the index, within `words`, of the word under the key.
   std::size_t word(std::string_view key, const std::vector<std::string_view>& words);
   std::vector<std::string> texts(std::string_view key);
   /// Returns the value under the key, which must be there; an empty object after an error.
   const nlohmann::json& value(std::string_view key);
 
-  /// Reads the entries of a list with `read(entry, where, trouble)` until one leaves a trouble; a missing list is
-  /// empty. `noun` and an entry's name or number make its `where`. Entries with a "name" need different ones, unless
-  /// `namesDiffer` is false.
+  /// Reads the entries of a list with `read(entry, where, trouble)`; stops at the first entry that sets `trouble`. A
+  /// missing list is empty. `where` is `noun` followed by the entry's name or number. Two entries with the same "name"
+  /// are an error, unless `namesDiffer` is false.
   template <class Read>
   auto list(std::string_view key, const std::string& noun, const Read& read, bool namesDiffer = true) {
     std::vector<std::invoke_result_t<Read, const nlohmann::json&, const std::string&, std::string&>> all;
@@ -68,7 +69,7 @@ class JsonEntry {
   bool has(std::string_view key) const;
   void refuse(const std::string& sentence);
   const std::string& where() const { return where_; }
-  /// "" while all is well.
+  /// Returns the first error; empty if there is none.
   const std::string& trouble() const { return trouble_; }
 
  private:

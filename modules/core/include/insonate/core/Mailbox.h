@@ -10,9 +10,9 @@
 
 namespace insonate {
 
-/// Passes the latest value from any thread to any thread: a value that has not been taken is replaced by the next. No
-/// lock and no allocation: a thread waits only while more than 30 others are in the middle of post() or take(). A
-/// triple buffer for any number of writers.
+/// Passes the latest value from any thread to any thread; post() replaces a value that has not been taken. A triple
+/// buffer generalized to any number of writers: no lock and no allocation; a thread waits only while more than 30
+/// others are in the middle of post() or take().
 template <class T>
 class Mailbox {
  public:
@@ -22,7 +22,7 @@ class Mailbox {
     if (const int replaced = latest_.exchange(slot, std::memory_order_acq_rel); replaced >= 0) release(replaced);
   }
 
-  /// The latest value, once.
+  /// Returns the latest value and empties the mailbox; no value if nothing was posted since the last call.
   std::optional<T> take() {
     const int slot = latest_.exchange(kNone, std::memory_order_acq_rel);
     if (slot < 0) return std::nullopt;
@@ -48,7 +48,7 @@ class Mailbox {
   void release(int slot) { free_.fetch_or(1U << slot, std::memory_order_acq_rel); }
 
   std::array<T, 32> slots_{};
-  std::atomic<std::uint32_t> free_{~0U};  ///< one bit a slot
+  std::atomic<std::uint32_t> free_{~0U};  ///< one bit per slot, set while the slot is free
   std::atomic<int> latest_{kNone};
 };
 

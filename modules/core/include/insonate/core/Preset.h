@@ -10,12 +10,12 @@
 
 namespace insonate {
 
-/// A text that is compiled in.
+/// A named text file that is compiled into the program.
 struct Preset {
   std::string_view name, text;
 };
 
-/// Finds a preset among the files that insonate_embed() compiled in.
+/// Returns the files that insonate_embed() compiled in as presets.
 template <class Files>
 std::vector<Preset> presetsOf(const Files& files) {
   std::vector<Preset> presets;
@@ -25,18 +25,20 @@ std::vector<Preset> presetsOf(const Files& files) {
 
 std::vector<std::string> namesOf(const std::vector<Preset>& presets);
 
-/// Returns a file's whole text; refuses a folder.
+/// Returns the whole text of a file; fails on a folder.
 Result<std::string> textOfFile(const std::filesystem::path& file);
 
 struct PresetText {
   std::string text;
-  std::string where;  ///< opens a sentence on what is wrong in it: "" for a preset, "PATH: " for a file
+  std::string where;  ///< prefix for an error sentence about the text: "" for a preset, "PATH: " for a file
 };
 
-/// Returns a preset's text, else that of the file with this path. `what` names the expected kind: "a procedure".
+/// Returns the text of the preset with this name, else of the file with this path. `what` names the expected kind: "a
+/// procedure".
 Result<PresetText> presetOrFile(std::string_view what, std::string_view nameOrPath, const std::vector<Preset>& presets);
 
-/// Parses that text by `parse`, a function of a text that returns a Result; an error in a file begins with its path.
+/// Parses the text of a preset or file with `parse`, a function from text to a Result. An error in a file begins with
+/// its path.
 template <class Parse>
 auto presetOrFile(std::string_view what, std::string_view nameOrPath, const std::vector<Preset>& presets,
                   const Parse& parse) -> std::invoke_result_t<Parse, std::string_view> {

@@ -12,12 +12,12 @@ inline double processorTime_ms(clockid_t clock) {
 }
 }  // namespace detail
 
-/// Processor time of this thread.
+/// Returns the processor time that this thread has used, ms.
 inline double threadTime_ms() {
   return detail::processorTime_ms(CLOCK_THREAD_CPUTIME_ID);
 }
 
-/// Processor time of all threads of this process together.
+/// Returns the processor time that all threads of this process together have used, ms.
 inline double processTime_ms() {
   return detail::processorTime_ms(CLOCK_PROCESS_CPUTIME_ID);
 }

@@ -7,7 +7,7 @@
 
 namespace insonate {
 
-/// Reason for a refusal: a sentence that says what is wrong, where, and what to do.
+/// Reason why a function failed: a sentence that says what is wrong, where, and what to do.
 struct Error {
   std::string message;
 };

@@ -5,10 +5,10 @@
 
 namespace insonate {
 
-/// Lowers the priority of this thread, and of threads that it starts later, below that of the window's thread and of
-/// images that users wait for; high enough that it still ends promptly on request. Cannot be undone. Work that a
-/// thread passes to TBB's workers has their priority: an arena of one thread keeps it here. setpriority(2): on Linux,
-/// of a thread.
+/// Lowers the priority of this thread, and of threads that it starts later, below that of the GUI thread and of images
+/// that users wait for; the thread still responds promptly to cancellation. Cannot be undone. Work that a thread passes
+/// to TBB's workers runs at the workers' priority; run it in a TBB arena of one thread to keep it at this priority. On
+/// Linux, setpriority(2) acts on a single thread.
 inline void lowerThreadPriority() {
   constexpr int kNice = 10;
   setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);

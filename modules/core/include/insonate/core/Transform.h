@@ -25,15 +25,15 @@ constexpr Mat3 transposed(const Mat3& m) {
 constexpr double determinant(const Mat3& m) {
   return dot(m.column[0], cross(m.column[1], m.column[2]));
 }
-/// Undefined for a singular matrix.
+/// Inverse of a matrix; undefined if the matrix is singular.
 constexpr Mat3 inverted(const Mat3& m) {
   const auto& c = m.column;
   const double d = determinant(m);
   return transposed({{cross(c[1], c[2]) / d, cross(c[2], c[0]) / d, cross(c[0], c[1]) / d}});
 }
 
-/// x_target = linear * x_source + offset. Name it targetFromSource, so that products chain visibly:
-/// patientFromIndex = patientFromProbe * probeFromIndex.
+/// Maps a point: x_target = linear * x_source + offset. Variables are named targetFromSource, so that products read as
+/// a chain: patientFromIndex = patientFromProbe * probeFromIndex.
 struct Transform {
   Mat3 linear;
   Vec3 offset;

@@ -41,7 +41,7 @@ constexpr Vec3 cross(Vec3 a, Vec3 b) {
 inline double norm(Vec3 a) {
   return std::sqrt(dot(a, a));
 }
-/// Undefined for the zero vector.
+/// Returns the unit vector along `a`; undefined for the zero vector.
 inline Vec3 normalized(Vec3 a) {
   return a / norm(a);
 }

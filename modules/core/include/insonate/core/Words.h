@@ -6,14 +6,14 @@
 
 namespace insonate {
 
-/// The known word most like `word`, for "did you mean"; empty when none resembles it. A name without its unit
-/// ("depth" for "depth_mm") counts as the most alike.
+/// Returns the known word most similar to `word`, for "did you mean"; empty if none is similar. A known word that
+/// differs only by an appended unit ("depth_mm" for "depth") is the best match.
 std::string_view nearestWord(std::string_view word, const std::vector<std::string_view>& known);
 
-/// "a, b, c"
+/// Joins words with commas: "a, b, c".
 std::string joinedWords(const std::vector<std::string_view>& words);
 
-/// "'a', 'b', 'c'", for names that may hold commas or spaces.
+/// Quotes and joins names that may contain commas or spaces: "'a', 'b', 'c'".
 std::string quotedWords(const std::vector<std::string_view>& words);
 
 /// Rewrites the text of a JSON parser's exception for users: "line 1, column 2: ..." without the library's names.

@@ -4,8 +4,8 @@
 
 namespace insonate {
 
-/// Outline of a probe's face in its plane, probe frame, mm: flat or round, its ends rounded off by an arc that
-/// continues until it is steeper than 60 degrees.
+/// Outline of a probe's face in its plane, probe frame, mm: flat or round. An arc rounds each end and continues up to a
+/// slope of 60 degrees.
 class FaceProfile {
  public:
   static constexpr float kEndRadius_mm = 3;
@@ -13,12 +13,12 @@ class FaceProfile {
   explicit FaceProfile(const ProbeFace& face);
 
   struct Point {
-    bool under = false;  ///< false: beside the face
+    bool under = false;  ///< false beside the face
     float z_mm = 0;
   };
   Point at(float x_mm) const;
 
-  /// Extent from the middle, ends included.
+  /// Returns the distance from the middle to each end of the outline, rounded ends included.
   float reach_mm() const;
 
  private:

@@ -10,31 +10,30 @@ namespace insonate {
 
 /// Undeformed tissue at a point.
 struct PlaneTissue {
-  static constexpr float kFar_mm = 6;  ///< distances are cut off here
+  static constexpr float kFar_mm = 6;  ///< maximum absolute distance that is reported
 
-  std::uint8_t label = 0;  ///< of insonate/tissue/Labels.h; 0 outside the body
+  std::uint8_t label = 0;  ///< label of insonate/tissue/Labels.h; 0 outside the body
   float artery_mm = kFar_mm, vein_mm = kFar_mm,
-        bone_mm = kFar_mm;   ///< to the structure, negative inside it
-  float skin_mm = -kFar_mm;  ///< to the skin, negative inside the body
+        bone_mm = kFar_mm;   ///< distance to the structure, negative inside it
+  float skin_mm = -kFar_mm;  ///< distance to the skin, negative inside the body
 };
 
-/// Curvature of a vessel's outline at a point near it, 1/mm, as a second derivative of the distance to it: in the
-/// plane, and perpendicular to it. A round vessel perpendicular to the plane has (1/radius, 0), one along the plane
-/// (0, 1/radius).
+/// Curvature of a vessel's outline at a point near it, 1/mm: second derivatives of the distance to the outline, in the
+/// plane (`within`) and perpendicular to it (`across`). A round vessel perpendicular to the plane has (1/radius, 0),
+/// one along the plane (0, 1/radius).
 struct OutlineBend {
   float within_permm = 0, across_permm = 0;
 };
 
-/// The patient's tissue in the plane of the image, undeformed: what a model
-/// asks for. The plane belongs to a pose of the probe, whose face may lie
-/// inside the tissue: that is how deep it presses.
+/// Undeformed tissue in the image plane, as models query it. The plane belongs to a pose of the probe; the face may lie
+/// inside the undeformed tissue, and its depth there is the indentation.
 class TissuePlane {
  public:
   virtual ~TissuePlane() = default;
-  /// Samples the tissue at any number of points; `tissue` is as long as `at`. Called on one thread at a time.
+  /// Samples the tissue at any number of points; `tissue` must be as long as `at`. Called on one thread at a time.
   virtual void sample(std::span<const PlanePoint> at, std::span<PlaneTissue> tissue) const = 0;
-  /// Curvature of the artery's or the vein's outline. A plane without knowledge beyond itself takes all vessels as
-  /// perpendicular to it.
+  /// Returns the curvature of the artery's or the vein's outline. The default, for planes that do not know the tissue
+  /// beside them, treats all vessels as perpendicular to the plane.
   virtual void bend(std::span<const PlanePoint> at, float PlaneTissue::*outline, std::span<OutlineBend> bends) const {
     static_cast<void>(outline);
     std::ranges::fill(bends.first(at.size()), OutlineBend{});

@@ -7,41 +7,41 @@
 #include <mutex>
 #include <string>
 
-/// Computing on a graphics card through OpenGL, without a window. No type of OpenGL or EGL leaves this module.
+/// Computing on a graphics card through OpenGL, without a window. No OpenGL or EGL type is visible outside this module.
 namespace insonate::gpu {
 
 /// Capabilities that a driver must offer; the defaults are what the shaders of this project need.
 struct Requirements {
-  int major = 4, minor = 3;  ///< of OpenGL, core profile
-  int storageBuffers = 8;    ///< that one compute shader may see
+  int major = 4, minor = 3;  ///< OpenGL version, core profile
+  int storageBuffers = 8;    ///< storage buffers that one compute shader can access
   int workgroupThreads = 256;
-  bool hardware = false;  ///< a software renderer will not do, and is not even loaded where EGL tells them apart
+  bool hardware = false;  ///< a software renderer is refused, and not even loaded if EGL identifies it
 };
 
 struct DeviceInfo {
   std::string renderer, vendor, version;
-  bool software = false;  ///< the "card" is the processor: Mesa's llvmpipe, SwiftShader and the like
+  bool software = false;  ///< the processor does the rendering: Mesa's llvmpipe, SwiftShader and the like
 };
 
 class Current;
 
-/// An OpenGL context of its own, on the first hardware device that serves, else on a software renderer. Objects made
-/// with it keep it alive. May be handed from thread to thread; used by one at a time (see Current).
+/// An OpenGL context on the first hardware device that meets the requirements, else on a software renderer. Objects
+/// made with it keep it alive. Any thread may use it, but only one at a time (see Current).
 class Context : public std::enable_shared_from_this<Context> {
  public:
-  /// Fails where no EGL, no device or no driver with these features is there; the sentence says which.
+  /// Fails if there is no EGL, no device, or no driver that meets the requirements; the sentence says which.
   static Result<std::shared_ptr<Context>> make(const Requirements& requirements = {});
   ~Context();
 
   const DeviceInfo& device() const { return device_; }
 
-  /// Makes it current on the calling thread; waits while another thread uses it. Fails when the context is lost, or
-  /// where the thread draws with an OpenGL that cannot be put aside (GLX).
+  /// Makes the context current on the calling thread; waits while another thread uses it. Fails if the context is lost,
+  /// or if the thread has another current OpenGL context that cannot be set aside (GLX).
   Result<Current> use();
 
-  /// Tells whether use() or Current::check() found the context lost; its contents are gone.
+  /// Tells whether use() or Current::check() found the context lost, with all its contents.
   bool lost() const { return lost_; }
-  /// Simulates a reset of the card: from now on use() fails. For tests.
+  /// Simulates a reset of the card, for tests: use() fails from now on.
   void simulateLoss() { lost_ = true; }
 
  private:
@@ -55,8 +55,9 @@ class Context : public std::enable_shared_from_this<Context> {
   std::atomic<bool> lost_ = false;
 };
 
-/// Makes the context current on this thread, and on no other, while the object lives; then the former context is
-/// current again. Every function that uses the card takes one, so that none can be called without it.
+/// Keeps the context current on this thread, and on no other, during the object's lifetime; afterwards the previous
+/// context is current again. Every function that uses the card takes a Current, so that none can be called without a
+/// current context.
 class Current {
  public:
   ~Current();
@@ -65,8 +66,8 @@ class Current {
 
   const std::shared_ptr<Context>& context() const { return context_; }
 
-  /// The sentence of what went wrong since the last check: an error, memory run out, the card reset (after which the
-  /// context is lost). Waits for nothing.
+  /// Fails with a sentence if an error has occurred since the last check: an OpenGL error, exhausted memory, or a reset
+  /// of the card (after which the context is lost). Does not wait for the card.
   Result<void> check() const;
 
  private:

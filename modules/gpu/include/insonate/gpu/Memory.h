@@ -8,11 +8,12 @@
 
 namespace insonate::gpu {
 
-/// Memory on the card.
+/// A buffer in the card's memory.
 class Buffer {
  public:
   Buffer() = default;
-  /// Contents undefined. Fails when the card has no room for it or does not show so much to a shader.
+  /// Allocates a buffer with undefined contents. Fails if the card has too little memory, or if shaders cannot access a
+  /// buffer of this size.
   static Result<Buffer> make(const Current& current, std::size_t bytes);
   template <class T>
   static Result<Buffer> of(const Current& current, std::span<const T> values) {
@@ -23,11 +24,12 @@ class Buffer {
   Buffer& operator=(Buffer&& other) noexcept;
 
   std::size_t bytes() const { return bytes_; }
-  /// Replaces the whole contents, at most bytes(); running work still sees the old contents.
+  /// Replaces the contents from the beginning, at most bytes(); work that is already running still sees the old
+  /// contents.
   void write(const Current& current, std::span<const std::byte> contents) const;
-  /// Waits for running work. For tests; see ReadBack.
+  /// Waits for running work, then reads; for tests. ReadBack reads without stopping the card.
   void read(const Current& current, std::span<std::byte> contents) const;
-  /// Binds as `layout(binding = slot) buffer` or, up to 16 KB, `layout(binding = slot) uniform`.
+  /// Binds the buffer as `layout(binding = slot) buffer`, or as `layout(binding = slot) uniform` up to 16 KB.
   void bindStorage(const Current& current, unsigned slot) const;
   void bindUniform(const Current& current, unsigned slot) const;
 
@@ -40,7 +42,7 @@ class Buffer {
   unsigned id_ = 0;
 };
 
-/// A table of pairs of floats, looked up by whole numbers: `layout(binding = slot) uniform sampler2D`, texelFetch().
+/// A table of pairs of floats with integer indices: `layout(binding = slot) uniform sampler2D`, texelFetch().
 class PairTexture {
  public:
   PairTexture() = default;
@@ -48,8 +50,8 @@ class PairTexture {
   PairTexture(PairTexture&& other) noexcept;
   PairTexture& operator=(PairTexture&& other) noexcept;
 
-  /// `pairs` holds 2 * columns * rows floats, rows by rows. Fails beyond the card's largest texture. Allocates only
-  /// when the size changes.
+  /// `pairs` holds 2 * columns * rows floats, row by row. Fails if the table exceeds the card's maximum texture size.
+  /// Allocates only if the size changes.
   Result<void> write(const Current& current, int columns, int rows, std::span<const float> pairs);
   void bind(const Current& current, unsigned slot) const;
 
@@ -59,20 +61,21 @@ class PairTexture {
   int columns_ = 0, rows_ = 0;
 };
 
-/// Fetches results while the card continues: up to two are in flight, each in memory of its own behind a fence.
+/// Fetches results while the card continues to work. Up to two transfers are in progress, each into its own memory
+/// behind a fence.
 class ReadBack {
  public:
   ReadBack() = default;
-  /// Allocates room for two results of this many bytes.
+  /// Allocates memory for two results of this many bytes.
   static Result<ReadBack> make(const Current& current, std::size_t bytes);
   ~ReadBack();
   ReadBack(ReadBack&& other) noexcept = default;
   ReadBack& operator=(ReadBack&& other) noexcept = default;
 
   bool full() const { return underWay_ == kSlots; }
-  /// Has a part of a buffer copied once what runs now is done. Not when full.
+  /// Queues a copy of a part of a buffer, to run after the work that is already queued. Must not be called when full().
   void begin(const Current& current, const Buffer& from, std::size_t offset, std::size_t bytes);
-  /// Waits for the oldest transfer and copies its result. Fails when the card has not answered within ten seconds.
+  /// Waits for the oldest transfer and copies its result. Fails if the card has not finished it within ten seconds.
   Result<void> finish(const Current& current, std::span<std::byte> into);
 
  private:

@@ -10,16 +10,16 @@
 
 namespace insonate::gpu {
 
-/// One field of a structure that C++ and a shader share.
+/// One field of a structure that is declared in both C++ and a shader.
 struct Field {
-  std::string_view name;  ///< as in the shader, e.g. "lines" or "channel[0].echo_dB"
-  std::size_t offset;     ///< bytes from the structure's begin, as C++ has it
+  std::string_view name;  ///< name in the shader, e.g. "lines" or "channel[0].echo_dB"
+  std::size_t offset;     ///< byte offset from the beginning of the C++ structure
 };
 
 /// A compute shader.
 class Program {
  public:
-  /// Compiles `parts` one after the other as one text, after a line with the version. Fails with the compiler's log.
+  /// Compiles the concatenated `parts` after a line with the GLSL version. Fails with the compiler's log.
   static Result<Program> make(const Current& current, std::string name, std::span<const std::string_view> parts);
   ~Program();
   Program(Program&& other) noexcept;
@@ -34,7 +34,7 @@ class Program {
                           std::size_t size) const;
 
   void setInt(const Current& current, std::string_view uniform, int value) const;
-  /// Runs over groups of threads; what runs after sees what this wrote.
+  /// Runs the given number of work groups; work that is queued later sees the results.
   void run(const Current& current, int groupsX, int groupsY = 1, int groupsZ = 1) const;
 
  private:

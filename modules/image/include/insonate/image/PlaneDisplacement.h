@@ -6,25 +6,26 @@
 
 namespace insonate {
 
-/// Displacement of the tissue in the probe's plane, as an inverse map: for a point of the image, the vector to the
-/// place of its tissue in the undeformed patient. On a regular lattice in the probe frame (x lateral, z axial), mm.
-/// Bilinear between its points, constant beyond them; one-to-one, so that no tissue shows twice. Where there is no
-/// tissue, it holds the displacement of the nearest tissue. It also holds across the slice: neighboring elevation
-/// planes move with the central one.
+/// Displacement of the tissue in the probe's plane, as an inverse map: for each point of the image, the vector to the
+/// position of the same tissue in the undeformed patient. Given at the points of a regular lattice in the probe frame
+/// (x lateral, z axial), mm; bilinear between the points, constant beyond the lattice. The map is one-to-one, so that
+/// no tissue appears twice. Points without tissue hold the displacement of the nearest tissue. Elevation planes within
+/// the slice thickness move like the central plane.
 struct PlaneDisplacement {
   double left_mm = 0, top_mm = 0;  ///< x and z of the first point
-  double step_mm = 1;              ///< between points, both ways; above 0
-  int columns = 0, rows = 0;       ///< none of either: nothing has moved
+  double step_mm = 1;              ///< distance of neighboring points along x and along z; above 0
+  int columns = 0, rows = 0;       ///< number of points; 0 if nothing has moved
 
   struct Shift {
-    float x_mm = 0, z_mm = 0;  ///< rest point minus seen point
+    float x_mm = 0, z_mm = 0;  ///< undeformed position minus position in the image
   };
   std::vector<Shift> restFromSeen;  ///< [row][column]
 
   bool empty() const { return columns == 0 || rows == 0; }
 };
 
-/// Rest point minus seen point (no y), for a seen point of the probe's plane. Zero where nothing has moved.
+/// Returns the undeformed position minus the given position in the image, both in the probe's plane (y = 0); zero if
+/// nothing has moved.
 Vec3 shiftAt(const PlaneDisplacement& displacement, double x_mm, double z_mm);
 
 }  // namespace insonate

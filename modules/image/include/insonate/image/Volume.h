@@ -20,14 +20,15 @@ struct Volume {
   const T& at(int i, int j, int k) const { return voxels[geometry.offset(i, j, k)]; }
 };
 
-/// Hounsfield units.
+/// CT in Hounsfield units.
 using CtVolume = Volume<std::int16_t>;
 /// Structure numbers of insonate/tissue/Labels.h; 0 is outside the patient.
 using LabelMap = Volume<std::uint8_t>;
 
-/// Trilinear interpolation at a continuous index (voxel centers at integers); nearest edge voxel outside.
+/// Interpolates trilinearly at a continuous index (voxel centers at integers); takes the nearest edge voxel outside the
+/// grid.
 double sampleLinear(const CtVolume& volume, Vec3 index);
-/// Value of the nearest voxel; `outside` beyond half a voxel off the grid.
+/// Returns the value of the nearest voxel; `outside` if the index is more than half a voxel beyond the grid.
 std::uint8_t sampleNearest(const LabelMap& labels, Vec3 index, std::uint8_t outside = 0);
 
 }  // namespace insonate

@@ -22,20 +22,21 @@ struct VolumeGeometry {
   bool contains(int i, int j, int k) const {
     return i >= 0 && j >= 0 && k >= 0 && i < size[0] && j < size[1] && k < size[2];
   }
-  /// Continuous voxel index (centers at integers) to patient LPS mm.
+  /// Maps a continuous voxel index (centers at integers) to patient LPS, mm.
   Transform patientFromIndex() const;
   Transform indexFromPatient() const;
   Vec3 centre_mm() const;
 };
 
-/// Same grid within tolerances a file format may lose: origin and far corner agree within a tenth of a voxel.
+/// Tells whether two grids are equal within a tolerance that covers rounding in file formats: their origins and far
+/// corners agree within a tenth of a voxel.
 bool sameGrid(const VolumeGeometry& a, const VolumeGeometry& b);
 
 /// Fails with a sentence when sizes, spacings or directions cannot describe a grid.
 Result<void> validate(const VolumeGeometry& geometry);
 
-/// Fails where voxels are smaller than 0.05 mm or larger than 25 mm along an axis: no CT of a patient is like that, but
-/// files in metres or micrometers are.
+/// Fails if voxels are smaller than 0.05 mm or larger than 25 mm along an axis: no patient's CT has such voxels, but a
+/// file in meters or micrometers seems to.
 Result<void> checkVoxelSize(Vec3 spacing_mm);
 
 }  // namespace insonate

@@ -7,8 +7,8 @@
 
 namespace insonate {
 
-/// A block of a grid's voxels: first to end along i, j, k, the end not among them. Empty unless every end is above its
-/// first.
+/// A block of a grid's voxels: indices from `first` up to, but not including, `end` along i, j, k. Empty unless every
+/// end is above its first.
 struct VoxelBox {
   std::array<int, 3> first{}, end{};
 
@@ -21,24 +21,24 @@ struct VoxelBox {
   }
 };
 
-/// The voxel whose center is nearest to a continuous index that is not far beyond a grid.
+/// Returns the voxel whose center is nearest to a continuous index; the index must not be far beyond the grid.
 std::array<int, 3> nearestVoxel(Vec3 index);
 
-/// Box of a whole grid.
+/// Returns the box of a whole grid.
 VoxelBox boxOf(const VolumeGeometry& geometry);
-/// Intersection of two boxes.
+/// Returns the intersection of two boxes.
 VoxelBox intersected(const VoxelBox& a, const VoxelBox& b);
-/// The smallest box around both; an empty one does not count.
+/// Returns the smallest box around both boxes; an empty box is ignored.
 VoxelBox united(const VoxelBox& a, const VoxelBox& b);
-/// The voxels that a ball around any of these points reaches (patient, mm), and no more than the grid has.
+/// Returns the smallest box of voxels, within the grid, around balls of this radius at all points (patient, mm).
 VoxelBox boxAround(const VolumeGeometry& geometry, std::span<const Vec3> points_mm, double radius_mm);
-/// Larger by as many voxels as `margin_mm` takes, within the grid.
+/// Enlarges a box on all sides by `margin_mm`, rounded up to whole voxels, within the grid.
 VoxelBox grown(const VoxelBox& box, const VolumeGeometry& geometry, double margin_mm);
 
-/// The grid of a block that is not empty: where its voxels lie in the patient.
+/// Returns the grid of a block, which must not be empty; its voxels keep their positions in the patient.
 VolumeGeometry gridOf(const VolumeGeometry& geometry, const VoxelBox& box);
 
-/// A copy of a block that is not empty and lies in the volume.
+/// Copies a block, which must not be empty and must lie within the volume.
 template <class T>
 Volume<T> cropped(const Volume<T>& volume, const VoxelBox& box) {
   Volume<T> part;

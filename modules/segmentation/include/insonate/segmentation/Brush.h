@@ -9,13 +9,13 @@ namespace insonate {
 
 struct Brush {
   double radius_mm = 4;            ///< above 0
-  std::optional<int> sliceAxis{};  ///< a circle in the slice across this axis of the grid (0, 1, 2); else a sphere
+  std::optional<int> sliceAxis{};  ///< circle in the slice perpendicular to this grid axis (0, 1, 2); empty: sphere
 };
 
 /// Returns the voxels whose centers are within the radius of a stroke: a line through points in the patient, mm, or a
-/// dab at one point. A circle paints in the slice of the first point. The voxel nearest to each point is always
-/// included, so that the smallest brush paints, too. A stroke outside the grid selects nothing. The time depends on the
-/// stroke's size, not on the CT's: a few milliseconds.
+/// single point. A circle paints in the slice of the first point. The voxel nearest to each point is always included,
+/// so that the smallest brush paints at least one voxel. A stroke outside the grid selects nothing. Takes a few
+/// milliseconds; the time depends on the stroke's size, not on the CT's.
 Selection brushed(const VolumeGeometry& geometry, std::span<const Vec3> stroke_mm, const Brush& brush);
 
 }  // namespace insonate

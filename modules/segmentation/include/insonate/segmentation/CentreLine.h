@@ -11,17 +11,18 @@
 
 namespace insonate {
 
-/// The middle of a piece of vessel, from one end to the other: the centroids of its cross-sections, about a millimeter
-/// apart. Patient space, mm.
+/// The center line of a piece of vessel, from one end to the other: the centroids of its cross-sections, about a
+/// millimeter apart. Patient space, mm.
 using CentreLine = std::vector<Vec3>;
 
-/// Returns the center lines of all vessels with this label, in any direction; where vessels join, one line continues
-/// and the others end beside it. A vessel that ends at the volume's edge has its line up to there; pieces shorter than
-/// they are wide have none. Grids may be anisotropic, oblique, of either handedness. The same map gives the same
-/// lines. Fails on an invalid grid, and when cancelled; a label without voxels gives no lines.
+/// Returns the center lines of all vessels with this label, in any direction. At a confluence, one line continues and
+/// the others end beside it. A vessel that ends at the volume's edge has a line up to the edge; pieces that are shorter
+/// than wide have none. Grids may be anisotropic, oblique, of either handedness. The same map gives the same lines.
+/// Fails on an invalid grid, and when cancelled; a label without voxels gives no lines.
 Result<std::vector<CentreLine>> centreLines(const LabelMap& labels, std::uint8_t label, const Progress& progress = {});
 
-/// Distance from a point to the nearest of the lines, mm; empty without a line. Neither waits nor allocates.
+/// Returns the distance from a point to the nearest line, mm; no value if there are no lines. Neither waits nor
+/// allocates.
 std::optional<double> distanceToCentre_mm(std::span<const CentreLine> lines, Vec3 patient_mm) noexcept;
 
 }  // namespace insonate

@@ -6,30 +6,33 @@
 
 namespace insonate {
 
-/// Labels that were painted as seeds: their voxels in a box are fixed, all others are contested.
+/// Labels that the author painted as seeds in a box. Voxels of seeds keep their labels; tools assign the contested
+/// voxels to seeds.
 struct Seeds {
-  Proposal painted;     ///< kKeep where no seed is
-  Selection contested;  ///< of the same box: voxels that seeds may take
+  Proposal painted;     ///< kKeep at voxels without a seed
+  Selection contested;  ///< voxels, in the same box, that seeds may take
 };
 
-/// Seeds of all labels in `which`; they contest the voxels of labels in `over`.
+/// Returns the seeds of all labels in `which`; the contested voxels are those of labels in `over`.
 Seeds seedsOf(const LabelMap& labels, const VoxelBox& box, const LabelSet& which, const LabelSet& over);
 
 struct Competition {
-  double smoothing_mm = 0.7;  ///< standard deviation of the blur of the CT before
-  double perMm_HU = 3;        ///< what a millimeter of way costs, beside the change of the CT along it
+  double smoothing_mm = 0.7;  ///< standard deviation of the Gaussian blur that is applied to the CT first
+  double perMm_HU = 3;        ///< cost of a millimeter of path, in addition to the change of the CT along the path
 };
 
-/// Each contested voxel goes to the seed from which the way is cheapest, a step costing the change of the CT along it:
-/// the cellular automaton of V. Vezhnevets, V. Konouchine, "GrowCut", Graphicon 2005, solved as shortest paths (L. Zhu
-/// et al., "An effective interactive medical image segmentation method using fast GrowCut", MICCAI IMIC 2014). What no
-/// seed can reach stays. Refuses seeds of fewer than two labels; fails when cancelled.
+/// Assigns each contested voxel to the seed with the cheapest path to the voxel, where each step costs the change of
+/// the CT along the step plus a cost for its length. This is the cellular automaton of V. Vezhnevets, V. Konouchine,
+/// "GrowCut", Graphicon 2005, solved as shortest paths (L. Zhu et al., "An effective interactive medical image
+/// segmentation method using fast GrowCut", MICCAI IMIC 2014). Voxels that no seed reaches are not changed. Refuses
+/// seeds of fewer than two labels; fails when cancelled.
 Result<Proposal> grownFromSeeds(const CtVolume& ct, const Seeds& seeds, const Competition& competition,
                                 const Progress& progress = {});
 
-/// Each contested voxel goes to the seed whose water reaches it first when the CT's gradient is flooded from the seeds
-/// (marker-controlled watershed: F. Meyer, "Topographic distance and watershed lines", Signal Processing 38, 1994).
-/// `smoothing_mm` is the standard deviation of the blur before. Refuses and fails as grownFromSeeds().
+/// Marker-controlled watershed: floods the CT's gradient from the seeds and assigns each contested voxel to the seed
+/// that reaches it first (F. Meyer, "Topographic distance and watershed lines", Signal Processing 38, 1994).
+/// `smoothing_mm` is the standard deviation of the Gaussian blur that is applied to the CT first. Refuses and fails
+/// like grownFromSeeds().
 Result<Proposal> watershed(const CtVolume& ct, const Seeds& seeds, double smoothing_mm, const Progress& progress = {});
 
 }  // namespace insonate

@@ -12,7 +12,7 @@
 
 namespace insonate {
 
-/// Range of a number.
+/// Range of expected values.
 struct GuideRange {
   double low = 0, high = 0;
 };
@@ -20,53 +20,55 @@ struct GuideRange {
 /// Side of the patient.
 enum class GuideSide { Right, Left };
 
-/// One way of doing a step of a guide.
+/// One of the alternative ways to do a step of a guide.
 struct GuideWay {
-  std::optional<HuRange> clicks_HU{};  ///< it is for clicks on what is so bright; any without
-  std::optional<double> around_mm{};   ///< its steps stay so near to the clicks
-  std::vector<LabelStep> steps;        ///< without their points: these are the clicks
-  std::string caution{};               ///< what to be aware of in what it makes
+  std::optional<HuRange> clicks_HU{};  ///< brightness of the clicked tissue to which this way applies; any if empty
+  std::optional<double> around_mm{};   ///< its steps are limited to this distance from the clicks
+  std::vector<LabelStep> steps;        ///< without their points, which are the clicks
+  std::string caution{};               ///< warning to the author about the result
 };
 
 /// One step of the guide: the author's task, the view, and the expected result.
 struct GuideStep {
-  std::string name;                 ///< "vein-right"
-  std::string title;                ///< "Jugular vein, right"
-  std::optional<GuideSide> side;    ///< on which its clicks are
-  std::uint8_t label = 0;           ///< what it makes; none for a step that makes several
-  std::string vessel;               ///< name of the vein or artery that it makes, e.g. "right internal jugular vein"
-  std::string say;                  ///< what to do
-  std::string lookFor, ifWrong;     ///< what a good result looks like, what else to do
-  int leastClicks = 0, clicks = 0;  ///< that it needs, that usually do; none for a step that runs by itself
+  std::string name;                 ///< identifier, e.g. "vein-right"
+  std::string title;                ///< e.g. "Jugular vein, right"
+  std::optional<GuideSide> side;    ///< side of the patient on which to click
+  std::uint8_t label = 0;           ///< label of the result; 0 for a step that makes several labels
+  std::string vessel;               ///< name of the vein or artery in the result, e.g. "right internal jugular vein"
+  std::string say;                  ///< instruction to the author
+  std::string lookFor, ifWrong;     ///< appearance of a good result; alternatives for a bad result
+  int leastClicks = 0, clicks = 0;  ///< clicks that are required; clicks that usually suffice; 0 for an automatic step
   bool optional = false;            ///< not needed for training
-  std::vector<GuideWay> ways;       ///< the first that fits is taken
-  std::vector<std::uint8_t> makes;  ///< labels that should be there after it, beside its own
-  std::vector<std::uint8_t> apart;  ///< labels that should not touch it
-  std::optional<GuideRange> diameter_mm, volume_ml;  ///< of what it makes, with the source in the file
+  std::vector<GuideWay> ways;       ///< alternatives; the first one that fits the clicks is taken
+  std::vector<std::uint8_t> makes;  ///< labels, besides `label`, that should exist after the step
+  std::vector<std::uint8_t> apart;  ///< labels that should not touch the result
+  std::optional<GuideRange> diameter_mm, volume_ml;  ///< expected in the result; the guide's file states the source
 };
 
-/// Steps through which a CT is labeled, in this order.
+/// Steps by which an author labels a CT, in order.
 struct Guide {
   std::string description;
   std::vector<GuideStep> steps;
 };
 
-/// Reads a JSON object with `steps`. Fails with the step, the error in it, and the possible values.
+/// Reads a guide from a JSON object with `steps`. Fails with the step, the error in it, and the possible values.
 Result<Guide> readGuide(std::string_view text);
 
-/// Guides that are compiled in.
+/// Returns the guides that are compiled in.
 const std::vector<Preset>& guidePresets();
 
-/// The way of doing a step of the guide that fits these clicks (patient, mm), its steps with their points as a recipe
-/// would hold them. Refuses too few clicks, clicks beside the CT, and clicks that no way is for.
+/// Returns the first way of doing a step of the guide that fits these clicks (patient, mm). Its steps contain the
+/// clicks as points, as in a recipe. Refuses too few clicks, clicks outside the CT, and clicks on a brightness that
+/// fits no way.
 Result<GuideWay> wayFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct);
 
-/// Clicks of a step of the guide, by the recipe's first step with points that was made for it; none without.
+/// Returns the clicks of a step of the guide: the points of the recipe's first step that was made for it and has
+/// points. Empty if there is no such step.
 std::vector<Vec3> clicksOf(const GuideStep& step, const Recipe& recipe);
 
-/// Returns findings about the result of a step, one sentence each: whether it contains the clicks, has a usual width
-/// and size, and keeps apart from structures that it must not touch. Takes a fraction of a second. The labels may be
-/// of any time after the step.
+/// Checks the result of a step and returns findings, one sentence each: the result does not contain the clicks, has an
+/// unusual width or volume, or touches structures that it must not touch. Takes a fraction of a second. The labels may
+/// have been edited since the step.
 std::vector<std::string> findingsAbout(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels);
 
 }  // namespace insonate

@@ -7,8 +7,9 @@
 
 namespace insonate {
 
-/// The bin at whose lower edge a histogram parts best in two, by Otsu's method: so that the classes differ most from
-/// each other and least within themselves. None where fewer than two bins are filled. Takes microseconds.
+/// Finds a threshold by Otsu's method: it maximizes the variance between the two classes and minimizes the variance
+/// within them. Returns the bin whose lower edge is the threshold; no value if fewer than two bins are filled. Takes
+/// microseconds.
 std::optional<std::size_t> otsuBin(std::span<const std::uint64_t> counts);
 
 }  // namespace insonate

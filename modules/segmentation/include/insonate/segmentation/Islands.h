@@ -8,9 +8,9 @@
 
 namespace insonate {
 
-// Islands are the pieces of a selection that hang together by the faces of their voxels. All fail when cancelled.
+// Islands are the connected components of a selection, joined by faces of voxels. All functions fail when cancelled.
 
-/// The largest ones; all where there are no more than `count`.
+/// Selects the `count` largest islands; all islands if there are no more than that.
 Result<Selection> largestIslands(const Selection& of, int count, const Progress& progress = {});
 
 /// Selects islands of at least this volume.
@@ -19,7 +19,7 @@ Result<Selection> islandsFrom(const Selection& of, double least_mm3, const Progr
 /// Selects the island that contains a point of the patient. Fails if no island contains it.
 Result<Selection> islandAt(const Selection& of, Vec3 point_mm, const Progress& progress = {});
 
-/// The largest island gets the first label, the next one the second, ...; further ones stay as they are.
+/// Gives the largest island the first label, the next largest the second, and so on; further islands are not changed.
 Result<Proposal> splitIslands(const Selection& of, std::span<const std::uint8_t> labels, const Progress& progress = {});
 
 }  // namespace insonate

@@ -13,38 +13,38 @@
 
 namespace insonate {
 
-/// One bit for each label that there may be.
+/// Set of labels: one bit for each possible label.
 using LabelSet = std::bitset<256>;
 
-/// Voxels that a tool must leave unchanged.
+/// Rules that determine which voxels a tool must leave unchanged.
 struct EditRules {
-  LabelSet locked;                    ///< labels that neither lose nor gain a voxel
-  LabelSet hidden;                    ///< the same: what cannot be seen is not edited
-  std::optional<HuRange> editable{};  ///< voxels of the CT outside it stay as they are
+  LabelSet locked;                    ///< labels that must neither lose nor gain voxels
+  LabelSet hidden;                    ///< hidden labels, which must not change because the author does not see them
+  std::optional<HuRange> editable{};  ///< if set, voxels with CT values outside this range are not changed
   LabelSet over = ~LabelSet();        ///< only voxels of these labels are overwritten
 
-  /// Tells whether a voxel of this brightness may change from one label to the other.
+  /// Tells whether a voxel with this CT value may change from label `before` to label `after`.
   bool allow(std::uint8_t before, std::uint8_t after, int hu) const {
     const auto isFixed = [this](std::uint8_t label) { return locked.test(label) || hidden.test(label); };
     return !isFixed(before) && !isFixed(after) && over.test(before) && (!editable || editable->contains(hu));
   }
 };
 
-/// Removes from a proposal everything that the rules forbid or that would change nothing: it then shows what apply()
-/// would write.
+/// Removes all changes from a proposal that the rules forbid, and those that change nothing. The proposal then shows
+/// exactly what apply() would write.
 void restrictTo(const EditRules& rules, const CtVolume& ct, const LabelMap& labels, Proposal& proposal);
 
-/// Extent of the change by an edit, an undo or a redo, so that slices and surfaces can be updated.
+/// Extent of a change by an edit, an undo or a redo, for updating slices and surfaces.
 struct LabelChange {
-  VoxelBox box;     ///< the smallest around all changed voxels; empty where nothing changed
-  LabelSet labels;  ///< those that have lost or gained voxels
+  VoxelBox box;     ///< the smallest box around all changed voxels; empty if nothing changed
+  LabelSet labels;  ///< labels that have lost or gained voxels
   std::size_t voxels = 0;
 };
 
-/// The only writer of labels. Stores each step as runs of changed voxels, so that a step costs a few bytes a run and
-/// not a copy of the map: 100 steps, or as many of the latest as fit into the permitted memory. Reads the CT and
-/// writes the label map of an owner, who keeps both alive and does not change them meanwhile; they are on one grid.
-/// Not for two threads at once.
+/// The only writer of labels, with undo and redo. Stores each step as runs of changed voxels, which take a few bytes
+/// each, instead of a copy of the map. Keeps the latest 100 steps, or fewer if they exceed the permitted memory. The
+/// owner of the CT and the label map keeps both alive and does not change them meanwhile; both are on one grid. Not for
+/// concurrent use by two threads.
 class LabelEdit {
  public:
   static constexpr std::size_t kMostSteps = 100;
@@ -53,36 +53,36 @@ class LabelEdit {
   LabelEdit(const CtVolume& ct, LabelMap& labels, std::size_t mostBytes = kMostBytes);
 
   const CtVolume& ct() const { return *ct_; }
-  /// Replaces the CT by the same voxels in other memory.
+  /// Replaces the CT by a copy with identical voxels at another address.
   void setCt(const CtVolume& ct) { ct_ = &ct; }
   const LabelMap& labels() const { return labels_; }
 
   EditRules rules;
 
-  /// Writes what the rules allow and remembers it as one step called `name`. A proposal that changes nothing is no
-  /// step. Refuses a box that is not in the map, and labels that are locked or hidden where those are all it would
-  /// write.
+  /// Writes the part of the proposal that the rules allow, and stores it as one step called `name`. A proposal that
+  /// changes nothing is not stored. Refuses a box outside the map, and a proposal that would write only locked or
+  /// hidden labels.
   Result<LabelChange> apply(const Proposal& proposal, std::string name);
 
   /// Combines all edits until endStroke() in one step.
   void beginStroke(std::string name);
   void endStroke();
 
-  /// Name of the step that undo() or redo() would apply, for a menu; empty without one.
+  /// Returns the name of the step that undo() or redo() would apply, for a menu; no value if there is none.
   std::optional<std::string_view> undoName() const;
   std::optional<std::string_view> redoName() const;
   LabelChange undo();
   LabelChange redo();
 
   std::size_t undoSteps() const { return done_.size(); }
-  /// Memory that undo and redo take.
+  /// Returns the memory that undo and redo take.
   std::size_t bytes() const;
-  /// Grows with every change: a surface made at another revision is out of date.
+  /// Increases with every change; a surface made at an earlier revision is out of date.
   std::size_t revision() const { return revision_; }
 
  private:
   using Bytes = std::vector<std::uint8_t>;
-  /// Difference made by one edit: the runs of each slice of the box, packed.
+  /// Change made by one edit: the packed runs of each slice of the box.
   struct Difference {
     LabelChange change;
     std::vector<Bytes> slices;

@@ -20,10 +20,10 @@
 
 namespace insonate {
 
-/// Tools with their parameters: what a window sets and a recipe names. Points are in the patient, mm.
+/// Parameters of all tools, as a window sets them and a recipe names them. Points are in the patient, mm.
 namespace step {
 
-struct Auto {  ///< what Hounsfield units and connectivity tell (AutoLabel.h), of these labels only
+struct Auto {  ///< labels by Hounsfield units and connectivity (AutoLabel.h), limited to the labels in `take`
   std::vector<std::uint8_t> take{};
 };
 struct Threshold {
@@ -50,10 +50,10 @@ struct RemoveSmall {
   double least_mm3 = 100;
 };
 struct KeepIsland {
-  std::vector<Vec3> points_mm{};  ///< one
+  std::vector<Vec3> points_mm{};  ///< exactly one
 };
 struct SplitIslands {
-  std::vector<std::uint8_t> into{};  ///< largest first
+  std::vector<std::uint8_t> into{};  ///< labels for the islands, the largest island first
 };
 struct Median {
   double radius_mm = 1;
@@ -72,7 +72,7 @@ struct SmoothTogether {
   std::vector<std::uint8_t> labels{};
 };
 struct Margin {
-  double margin_mm = 2;  ///< negative makes smaller
+  double margin_mm = 2;  ///< negative to shrink
 };
 struct Hollow {
   double thickness_mm = 2;
@@ -81,8 +81,8 @@ struct Hollow {
 struct Logical {
   LogicalOperation operation = LogicalOperation::kAdd;
   std::uint8_t with = 0;
-  double reach_mm = 0;  ///< what lies so near the other label counts as that label; above 0 but for kAdd, since no
-                        ///< voxel has two labels
+  double reach_mm = 0;  ///< voxels within this distance of the label `with` count as `with`, too; must be above 0
+                        ///< except for kAdd, since labels do not overlap
 };
 struct FillBetween {
   int sliceAxis = 2;
@@ -127,39 +127,39 @@ using LabelTool = std::variant<step::Auto, step::Threshold, step::Paint, step::D
                                step::Logical, step::FillBetween, step::Connected, step::ConfidenceConnected,
                                step::GrowSeeds, step::Watershed, step::March, step::Contour, step::Vessel, step::Tube>;
 
-/// One step of labeling: a tool, its label, and rules for other voxels. Erasing is painting with the label that should
-/// be there instead.
+/// One step of labeling: a tool, its label, and rules for other voxels. To erase, paint with the label that the voxels
+/// shall get.
 struct LabelStep {
   LabelTool tool;
   std::uint8_t label = 0;  ///< not used by tools that write several labels
-  std::uint8_t rest;       ///< what voxels become that the label loses; soft tissue by default
+  std::uint8_t rest;       ///< label of voxels that `label` loses; soft tissue by default
   std::vector<std::uint8_t> locked{};
-  std::optional<std::vector<std::uint8_t>> over{};  ///< where given, only voxels of these labels are overwritten
+  std::optional<std::vector<std::uint8_t>> over{};  ///< if set, only voxels of these labels are overwritten
   std::optional<HuRange> editable_HU{};
-  std::optional<std::array<Vec3, 2>> box_mm{};  ///< two corners of the region, else what the tool needs
-  std::string of{};                             ///< the step of a guide that it was made for; tools do not ask
+  std::optional<std::array<Vec3, 2>> box_mm{};  ///< two opposite corners of the region; empty: the tool's choice
+  std::string of{};                             ///< step of a guide for which it was made; tools ignore it
 
   LabelStep();
 };
 
-/// "threshold", "paint", ...: the name of a step's tool in a recipe.
+/// Returns the name of a step's tool in a recipe: "threshold", "paint", ...
 std::string_view nameOf(const LabelTool& tool);
 
-/// Computes the labels that the step would write, without regard to its rules. Runs on the caller's thread. Fails with
+/// Computes the labels that the step would write, without applying its rules. Runs on the caller's thread. Fails with
 /// the tool's sentence and when cancelled.
 Result<Proposal> propose(const LabelStep& step, const CtVolume& ct, const LabelMap& labels,
                          const Progress& progress = {});
 
-/// Computes a preview of perform() for a window. It shows the label's whole shape; for erasing, only the part that is
-/// removed. A threshold reuses the proposal's memory, so that it can follow a slider. If it fails, as propose() does,
-/// the proposal's contents are undefined.
+/// Computes a preview of perform() for a window: the label's whole shape; for erasing, only the part that is removed. A
+/// threshold reuses the proposal's memory, so that the preview can follow a slider. Fails like propose(); the
+/// proposal's contents are then undefined.
 Result<void> preview(const LabelStep& step, const CtVolume& ct, const LabelMap& labels, Proposal& into,
                      const Progress& progress = {});
 
-/// Rules of the step, for code that writes its proposal.
+/// Returns the rules of the step, for code that writes its proposal.
 EditRules rulesOf(const LabelStep& step);
 
-/// Proposes, writes and stores the step. The step's own rules apply instead of the edit's.
+/// Computes the step's proposal, writes it and stores it for undo. The step's rules replace those of `edit`.
 Result<LabelChange> perform(const LabelStep& step, LabelEdit& edit, const Progress& progress = {});
 
 }  // namespace insonate

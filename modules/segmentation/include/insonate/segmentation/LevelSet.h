@@ -6,19 +6,19 @@
 
 namespace insonate {
 
-/// A surface that moves outward, stays smooth, and is held by edges of the CT:
-/// V. Caselles, R. Kimmel, G. Sapiro, "Geodesic active contours", IJCV 22, 1997.
+/// Parameters of a surface that moves outward, stays smooth and is stopped by edges of the CT: V. Caselles, R. Kimmel,
+/// G. Sapiro, "Geodesic active contours", IJCV 22, 1997.
 struct GeodesicLevelSet {
-  double edge_HUpmm = 30;     ///< the steepness that halves its speed; above 0
+  double edge_HUpmm = 30;     ///< gradient at which the speed is one half; above 0
   double smoothing_mm = 0.8;  ///< standard deviation of the blur before the gradient; 0 or more
-  double propagation = 1;     ///< outward; negative for inward
-  double curvature = 0.3;     ///< how much it is kept smooth; 0 or more
-  double advection = 1;       ///< how much edges pull it; 0 or more
-  int rounds = 120;           ///< at most; it stops earlier where it rests
+  double propagation = 1;     ///< speed outward; negative for inward
+  double curvature = 0.3;     ///< weight of smoothness; 0 or more
+  double advection = 1;       ///< weight of the attraction by edges; 0 or more
+  int rounds = 120;           ///< maximum number of iterations; stops earlier if the surface no longer moves
 };
 
-/// Returns the region inside a surface that starts as that of `start`, in the selection's box: give the box room to
-/// grow into. Refuses an empty start; fails when cancelled.
+/// Returns the region inside a surface that starts as the surface of `start`. The surface stays within the selection's
+/// box, which must leave space for growth. Refuses an empty start; fails when cancelled.
 Result<Selection> levelSet(const CtVolume& ct, const Selection& start, const GeodesicLevelSet& parameters,
                            const Progress& progress = {});
 

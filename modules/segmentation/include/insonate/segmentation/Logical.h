@@ -6,10 +6,10 @@ namespace insonate {
 
 enum class LogicalOperation { kAdd, kSubtract, kIntersect };
 
-/// Combines two selections; the result has the box of the first, or of both for a union.
+/// Combines two selections. The result has the box of the first; for kAdd, the box around both.
 Selection combined(const Selection& a, LogicalOperation operation, const Selection& b, const VolumeGeometry& geometry);
 
-/// Voxels of the box that are not selected.
+/// Returns the voxels of the selection's box that are not selected.
 Selection inverted(Selection selection);
 
 }  // namespace insonate

@@ -6,17 +6,17 @@
 
 namespace insonate {
 
-// Distances are between the centers of voxels, in millimeters on any grid. The selection's box needs a margin of the
-// distance around the shape. All fail when cancelled; the last two refuse to let a shape vanish.
+// Distances are between the centers of voxels, in millimeters on any grid. The selection's box must leave a margin of
+// that distance around the shape. All functions fail when cancelled; the last two refuse a result without voxels.
 
-/// Larger by so much on all sides.
+/// Enlarges a shape by `margin_mm` on all sides.
 Result<Selection> grownBy(const Selection& shape, double margin_mm, const Progress& progress = {});
-/// Smaller by so much on all sides; the box's own edge erodes nothing.
+/// Shrinks a shape by `margin_mm` on all sides, but not from the edge of the box.
 Result<Selection> shrunkBy(const Selection& shape, double margin_mm, const Progress& progress = {});
 
-/// Position of a hollow shape's wall.
+/// Position of a hollow shape's wall relative to the original surface: inside, half and half, or outside.
 enum class Wall { kInside, kMiddle, kOutside };
-/// The wall of a shape alone: inside its surface, outside it, or half and half.
+/// Returns only the wall of a shape.
 Result<Selection> hollowed(const Selection& shape, double thickness_mm, Wall wall, const Progress& progress = {});
 
 }  // namespace insonate

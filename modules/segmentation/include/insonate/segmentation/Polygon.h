@@ -8,23 +8,23 @@
 
 namespace insonate {
 
-/// Returns the voxels of a slice across an axis of the grid (0, 1, 2) whose centers lie in a drawn polygon. Corners
-/// are points in patient space, mm; the slice is that of the first. The even-odd rule applies where the outline
-/// crosses itself. Refuses fewer than three corners and a first corner beside the grid.
+/// Returns the voxels of a slice perpendicular to an axis of the grid (0, 1, 2) whose centers lie in a drawn polygon.
+/// Corners are points in patient space, mm; the first one determines the slice. The even-odd rule applies if the
+/// outline crosses itself. Refuses fewer than three corners and a first corner outside the grid.
 Result<Selection> drawn(const VolumeGeometry& geometry, int sliceAxis, std::span<const Vec3> corners_mm);
 
-/// Projection that extends a polygon on the screen into depth.
+/// View by which a polygon on the screen is extended into depth.
 struct ScissorsView {
-  Vec3 along{0, 0, 1};               ///< the way one looks, patient, unit
-  std::optional<Vec3> eye_mm{};      ///< of a perspective view; without, all looks are parallel
-  bool outside = false;              ///< choose what lies outside the polygon
-  double depth_mm = 0;               ///< how deep, of parallel looks to either side; 0 for through everything
-  std::optional<Vec3> surface_mm{};  ///< where the depth begins, patient; without, at the first corner
+  Vec3 along{0, 0, 1};           ///< direction of view, patient, unit
+  std::optional<Vec3> eye_mm{};  ///< eye point of a perspective view; empty for parallel projection
+  bool outside = false;          ///< select the voxels outside the polygon
+  double depth_mm = 0;  ///< maximum depth along the view; in parallel projection, to both sides; 0 for no limit
+  std::optional<Vec3> surface_mm{};  ///< point where the depth begins, patient; if empty, the first corner
 };
 
-/// The voxels of a box that one sees in a polygon, as deep as the view says. Corners are points of the patient, mm,
-/// anywhere in the look through the corner; even-odd rule. Refuses fewer than three corners, and corners behind the
-/// eye.
+/// Returns the voxels of a box that appear within a polygon in the view, down to the view's depth. Corners are points
+/// of the patient, mm, anywhere on the line of sight through the corner; even-odd rule. Refuses fewer than three
+/// corners, and corners behind the eye.
 Result<Selection> scissored(const VolumeGeometry& geometry, const VoxelBox& box, std::span<const Vec3> corners_mm,
                             const ScissorsView& view);
 

@@ -8,28 +8,28 @@
 
 namespace insonate {
 
-/// Voxels that a tool has chosen in a block of a grid, 1 or 0 each. What a window shows as a preview.
+/// Voxels that a tool has selected in a block of a grid, 1 or 0 each; windows show it as a preview.
 struct Selection {
   VoxelBox box;
-  Volume<std::uint8_t> mask;  ///< its grid is that of the box; no voxels where the box is empty
+  Volume<std::uint8_t> mask;  ///< on the box's grid; no voxels if the box is empty
 
   Selection() = default;
-  /// Makes an empty selection. The box lies in the grid.
+  /// Makes an empty selection. The box must lie within the grid.
   Selection(const VolumeGeometry& geometry, const VoxelBox& where);
 
-  /// Tells whether a voxel is selected, by indices of the whole grid.
+  /// Tells whether a voxel is selected; indices are those of the whole grid.
   bool chosen(int i, int j, int k) const {
     return box.contains(i, j, k) && mask.at(i - box.first[0], j - box.first[1], k - box.first[2]);
   }
   std::size_t count() const;
 };
 
-/// The voxels of a label in a block.
+/// Selects the voxels of a label in a block.
 Selection voxelsOf(const LabelMap& labels, std::uint8_t label, const VoxelBox& where);
-/// The block that holds all voxels of a label; empty where it has none.
+/// Returns the bounding box of all voxels of a label; empty if there are none.
 VoxelBox extentOf(const LabelMap& labels, std::uint8_t label);
 
-/// Hounsfield units, both ends included.
+/// Range of Hounsfield units, both ends included.
 struct HuRange {
   int low = -32768, high = 32767;
   bool operator==(const HuRange&) const = default;
@@ -43,10 +43,10 @@ struct Proposal {
   Volume<std::uint8_t> labels;
 };
 
-/// Chosen voxels get the label, all others stay.
+/// Returns a proposal that gives the selected voxels the label and keeps all others.
 Proposal painted(Selection chosen, std::uint8_t label);
-/// Proposal that gives the label this shape in the selection's block: it takes the selected voxels, and those it loses
-/// become `rest`.
+/// Returns a proposal that gives the label this shape within the selection's block: selected voxels get the label, and
+/// voxels of the label that are not selected become `rest`.
 Proposal reshaped(Selection shape, const LabelMap& labels, std::uint8_t label, std::uint8_t rest);
 
 }  // namespace insonate

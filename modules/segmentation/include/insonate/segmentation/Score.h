@@ -10,18 +10,18 @@
 
 namespace insonate {
 
-/// Agreement of a label with the truth.
+/// Agreement of a label with the reference.
 struct LabelScore {
   std::uint8_t label = 0;
   std::size_t voxels = 0, trueVoxels = 0;
-  double dice = 0;  ///< 2 |A and B| / (|A| + |B|)
-  /// Distances from the outermost voxels of each to the nearest outermost voxel of the other, both ways; empty if
-  /// either has no voxel.
+  double dice = 0;  ///< 2 |A and B| / (|A| + |B|) for the voxel sets A and B of the two maps
+  /// Mean and 95th percentile of surface distances: from each outermost voxel of either map to the nearest outermost
+  /// voxel of the other. No value if either map has no voxel of the label.
   std::optional<double> meanSurface_mm, p95Surface_mm;
 };
 
-/// Scores these labels, or all labels but background that occur in either map. Refuses maps on different grids; fails
-/// when cancelled.
+/// Scores these labels; if `labels` is empty, all labels except background that occur in either map. Refuses maps on
+/// different grids; fails when cancelled.
 Result<std::vector<LabelScore>> scoreLabels(const LabelMap& found, const LabelMap& truth,
                                             const std::vector<std::uint8_t>& labels = {},
                                             const Progress& progress = {});

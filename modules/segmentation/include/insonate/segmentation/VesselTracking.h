@@ -12,12 +12,12 @@
 namespace insonate {
 
 struct VesselTracking {
-  double largest_mm = 12;     ///< no wall is looked for farther from the middle, of a flat vessel twice as far; 2 to 30
-  double smoothing_mm = 0.6;  ///< standard deviation of the blur of the CT in which the way is found; 0 to 3
+  double largest_mm = 12;     ///< maximum distance of the wall from the center, twice as far in a flat vessel; 2 to 30
+  double smoothing_mm = 0.6;  ///< standard deviation of the blur of the CT in which the path is found; 0 to 3
 };
 
-/// A section perpendicular to a vessel, in the patient: the wall lies radius_mm[n] from the center along right cos(a)
-/// + down sin(a), a = 2 pi n / kRays.
+/// A section perpendicular to a vessel, in the patient: the wall is at the distance radius_mm[n] from the center in the
+/// direction right cos(a) + down sin(a), a = 2 pi n / kRays.
 struct VesselOutline {
   static constexpr int kRays = 36;
   Vec3 centre_mm, right, down;
@@ -33,15 +33,18 @@ struct TrackedVessel {
 };
 
 /// Follows a vessel filled with contrast agent between points that were clicked in it, in this order, and finds its
-/// wall in sections a millimeter apart. Each section takes the star-shaped outline that best parts what looks like
-/// the blood at the nearest clicks from what does not, be it darker (muscle, fat) or brighter (bone), and that changes
-/// little around the vessel and along it; so a vessel that touches bone, or another one, keeps its shape. Rays
-/// are stretched as the vessel is flat, and how bright its blood is gets measured in the sections. On each ray the wall
-/// is half-way from the blood to what lies behind it; where that is thin, as a stent or what parts two vessels, blur is
-/// taken off its width. For that, the CT is averaged along the vessel. Where it opens into a wider one, it keeps the
-/// outline that it has beside. It ends flat at the first and last click.
-/// Refuses fewer than two clicks, clicks beside the CT, and clicks whose blood is as dark as what surrounds it, since
-/// there is no wall to be seen then; fails when cancelled.
+/// wall in sections a millimeter apart. Each section takes the star-shaped outline that best separates voxels similar
+/// to the blood at the nearest clicks from darker (muscle, fat) and brighter (bone) voxels, and that changes little
+/// around the vessel and along it. A vessel that touches bone or another vessel therefore keeps its shape. The rays are
+/// stretched according to the vessel's flatness. The brightness of blood is measured again in the sections.
+///
+/// On each ray, the wall is at half the difference between the blood and the tissue behind the wall, in a CT averaged
+/// along the vessel. If that tissue is a thin layer, such as a stent or the layer between two vessels, its widening by
+/// blur is corrected. Sections that open into a wider vessel take the outline of the nearest section that does not. The
+/// vessel ends flat at the first and last click.
+///
+/// Refuses fewer than two clicks, clicks outside the CT, and clicks on blood that is as dark as its surroundings, since
+/// the wall is then invisible; fails when cancelled.
 Result<TrackedVessel> trackVessel(const CtVolume& ct, std::span<const Vec3> clicks_mm, const VesselTracking& how = {},
                                   const Progress& progress = {});
 

@@ -11,30 +11,30 @@
 namespace insonate {
 
 struct SurfaceOptions {
-  /// Waves along the surface shorter than this, or than six voxels (blocks, where detail_mm makes them) along the
-  /// grid's coarsest axis, are smoothed away: noise, and the stairs of the grid. 0 to 100; 0 for no smoothing. The
-  /// surface stays within a voxel of the labeled one and, as far as moving it by a quarter of a voxel allows, encloses
-  /// the volume of the labeled voxels.
+  /// Minimum wavelength, 0 to 100: shorter waves along the surface (noise, stair-steps of the grid) are smoothed away;
+  /// 0 for no smoothing. The wavelength is at least six voxels along the grid's coarsest axis (six blocks if detail_mm
+  /// combines voxels). The surface stays within a voxel of the labeled region's surface. It is then moved by at most a
+  /// quarter of a voxel, so that it encloses the volume of the labeled voxels.
   double smoothing_mm = 8;
-  /// Voxels are put together, along each axis by itself, to blocks of at most this edge, so that large structures get
-  /// fewer triangles; 0 to 100, at 0 every voxel counts. Where that would change the volume by more than a tenth (walls
-  /// and nerves thinner than a block), smaller blocks are taken.
+  /// Maximum edge of the blocks into which voxels are combined along each axis, so that large structures get fewer
+  /// triangles; 0 to 100, 0 for no combining. If blocks would change the volume by more than a tenth (walls and nerves
+  /// thinner than a block), smaller blocks are used.
   double detail_mm = 1;
 };
 
-/// The structures of a label map, in ascending order, without the background (0).
+/// Returns the structures of a label map, in ascending order, without the background (0).
 std::vector<std::uint8_t> structuresIn(const LabelMap& labels);
 
-/// The closed surface of all voxels with this label, in patient LPS on any grid (oblique, anisotropic, of either
-/// handedness). It is closed at the border of the volume too; separate parts and cavities are parts of the mesh. Voxels
-/// that meet only at an edge or corner are not joined. Memory and time go with the structure's bounding box. Same
-/// input: same mesh, on any number of threads. Fails on label 0, a label that no voxel has, a grid or options that are
-/// none, too little memory, and when cancelled.
+/// Extracts the surface of all voxels with this label, in patient LPS, from any grid (oblique, anisotropic, of either
+/// handedness). The surface is closed, also at the border of the volume; separate parts and cavities are parts of the
+/// mesh. Voxels that meet only at an edge or corner are not joined. Memory and time grow with the structure's bounding
+/// box. The same input gives the same mesh on any number of threads. Fails on label 0, a label without voxels, an
+/// invalid grid or options, too little memory, and when cancelled.
 Result<Mesh> extractSurface(const LabelMap& labels, std::uint8_t label, const SurfaceOptions& options = {},
                             const Progress& progress = {});
 
-/// Extracts the surface of all labeled voxels together: the visible body, smooth also where the label of the skin is
-/// thinner than a voxel or torn between slices.
+/// Extracts the surface of all labeled voxels together: the visible body. It is smooth even if the label of the skin is
+/// thinner than a voxel or has gaps between slices.
 Result<Mesh> extractBody(const LabelMap& labels, const SurfaceOptions& options = {}, const Progress& progress = {});
 
 }  // namespace insonate

@@ -11,7 +11,7 @@
 
 namespace insonate {
 
-/// A structure's surface that was written.
+/// Facts about a surface file that was written.
 struct SurfaceFile {
   std::uint8_t label;
   std::string name, fileName;
@@ -19,13 +19,12 @@ struct SurfaceFile {
   double area_mm2, volume_mm3;
 };
 
-/// Refuses, before any work, a folder that surfaces could not be written to (see checkFolderTarget) or that is not
-/// empty.
+/// Refuses, before any work, a folder to which surfaces cannot be written (see checkFolderTarget) or that is not empty.
 Result<void> checkSurfaceTarget(const std::filesystem::path& folder);
 
-/// Writes the surface of every structure to a file of its own, named after it ("airway-and-lung.stl"), into a folder
-/// that is created, or exists and is empty. `format` is an extension of writeMesh without its dot. Nothing is left
-/// behind on failure. Fails where nothing is labeled, as extractSurface and writeMesh do, and when cancelled.
+/// Writes the surface of every structure to a file named after the structure ("airway-and-lung.stl"), into a folder
+/// that is created, or exists and is empty. `format` is an extension of writeMesh without its dot. On failure all
+/// written files are removed. Fails if nothing is labeled, like extractSurface and writeMesh, and when cancelled.
 Result<std::vector<SurfaceFile>> writeSurfaces(const LabelMap& labels, const std::filesystem::path& folder,
                                                const std::string& format, const SurfaceOptions& options = {},
                                                const Progress& progress = {});

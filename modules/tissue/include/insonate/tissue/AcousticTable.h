@@ -11,31 +11,31 @@
 
 namespace insonate {
 
-/// A connective layer that a structure carries at its boundary: wall, fascia, capsule. Distances are signed, from the
-/// structure's boundary, negative inside it.
+/// A layer of connective tissue (wall, fascia, capsule) along a structure's boundary. Distances are measured from the
+/// boundary and are negative inside the structure.
 struct BoundaryLayer {
-  double from_mm = 0, to_mm = 0;  ///< from < to
-  double echo_dB = 0;             ///< scattering relative to unit speckle, where square to the beam
-  double anisotropy = 1;          ///< 0: seen from every side, 1: amplitude falls as 0.12 + 0.88 cos^2(incidence)
-  double patchiness = 0;          ///< 0: even, 1: comes and goes along the boundary
+  double from_mm = 0, to_mm = 0;  ///< inner and outer border; from_mm < to_mm
+  double echo_dB = 0;             ///< scattering relative to unit speckle, if the layer is perpendicular to the beam
+  double anisotropy = 1;          ///< 0: echo independent of angle; 1: amplitude falls as 0.12 + 0.88 cos^2(incidence)
+  double patchiness = 0;          ///< 0: even; 1: interrupted along the boundary
   bool operator==(const BoundaryLayer&) const = default;
 };
 
 inline constexpr int kMaxBoundaryLayers = 8;
 
-/// Structure inside a tissue that a CT does not resolve.
+/// Fine structure of a tissue, not resolved by CT.
 enum class Texture { None, Septa, Lobules, Sheets, Fine, Bundles };
 
 struct AcousticTissue {
   double impedance_MRayl = 1.6;          ///< above 0
-  double attenuation_dBpcmMHz = 0.7;     ///< amplitude level, one way; at least 0
-  double attenuationExponent = 1;        ///< of the frequency in MHz, 0.5..2
+  double attenuation_dBpcmMHz = 0.7;     ///< in dB of amplitude, one way; at least 0
+  double attenuationExponent = 1;        ///< exponent of the frequency in MHz, 0.5..2
   double echogenicity_dB = 0;            ///< mean scattering relative to unit speckle
-  double ctImpedancePer100HU = 0;        ///< relative change of impedance for CT above the structure's mean
-  double ctEchogenicity_dBper100HU = 0;  ///< the same for scattering
-  double specularExponent = 12;          ///< n of cos^n(incidence), amplitude
-  double specularDiffuse = 0.15;         ///< share that falls only as cos(incidence), 0..1
-  double roughness_dB = 0;               ///< of the specular echo, per SD of what comes and goes along it
+  double ctImpedancePer100HU = 0;        ///< relative change of impedance per 100 HU above the structure's mean
+  double ctEchogenicity_dBper100HU = 0;  ///< change of scattering per 100 HU above the structure's mean
+  double specularExponent = 12;          ///< exponent n of the specular echo's amplitude, cos^n(incidence)
+  double specularDiffuse = 0.15;         ///< share of the amplitude that falls only as cos(incidence), 0..1
+  double roughness_dB = 0;  ///< change of the specular echo per SD of the random pattern along the boundary
   Texture texture = Texture::None;
   double textureStrength_dB = 0;
   bool vessel = false;  ///< casts edge shadows
@@ -44,7 +44,7 @@ struct AcousticTissue {
   bool operator==(const AcousticTissue&) const = default;
 };
 
-/// Acoustic properties by label. Labels that the table does not know read as soft tissue.
+/// Acoustic properties by label. Labels outside the table have the properties of soft tissue.
 struct AcousticTable {
   std::string name;
   std::array<AcousticTissue, kLabelCount> tissues;
@@ -54,12 +54,12 @@ struct AcousticTable {
   }
 };
 
-/// Presets of resources/tissues, the default ("neck") first.
+/// Returns the names of the presets in resources/tissues, the default ("neck") first.
 std::vector<std::string> acousticPresetNames();
 
-/// A preset's name or a JSON file of the same form. A file may name a preset as its "base" and override single values;
-/// without a base it has to be complete. Fails with a sentence that names tissue, field, value and allowed range; see
-/// resources/tissues/README.md for the form and the ranges.
+/// Loads a preset by name, or a JSON file of the same form. A file may name a preset as its "base" and override single
+/// values; a file without a base must be complete. Fails with a sentence that names tissue, field, value and allowed
+/// range; resources/tissues/README.md describes the form and the ranges.
 Result<AcousticTable> loadAcousticTable(std::string_view nameOrPath);
 Result<AcousticTable> parseAcousticTable(std::string_view json);
 

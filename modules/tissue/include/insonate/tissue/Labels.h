@@ -8,8 +8,8 @@
 
 namespace insonate {
 
-/// Structure numbers of a label map. The even numbers 0, 2, 4, 6, 8, 10, 12, 14 are those of the thesis's Table I and
-/// never change; the odd ones were added.
+/// Structure numbers of a label map. The even numbers 0 to 14 are those of the thesis's Table I and never change; the
+/// odd numbers were added.
 enum Label : std::uint8_t {
   kBackground = 0,
   kSkin = 1,
@@ -31,7 +31,7 @@ enum Label : std::uint8_t {
 
 inline constexpr int kLabelCount = 16;
 
-/// Labels that are not known read as soft tissue.
+/// Returns the label with this number; soft tissue for an unknown number.
 constexpr Label knownLabel(std::uint8_t value) {
   return value < kLabelCount ? static_cast<Label>(value) : kSoftTissue;
 }
@@ -46,7 +46,7 @@ struct LabelInfo {
 };
 
 const std::array<LabelInfo, kLabelCount>& labelTable();
-/// "vein"; "label 47" for one that is not known.
+/// Returns the label's name, e.g. "vein"; "label 47" for an unknown number.
 std::string labelName(std::uint8_t label);
 std::optional<Label> labelFromName(std::string_view name);
 

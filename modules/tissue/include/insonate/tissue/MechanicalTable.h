@@ -14,23 +14,23 @@ namespace insonate {
 enum class Mechanics {
   Solid,  ///< elastic
   Rigid,  ///< does not move (bone)
-  Lumen,  ///< blood under pressure, free to leave the plane; the wall lies outside the label
-  Gas,    ///< offers nothing (airway, lung, outside the patient)
+  Lumen,  ///< blood under pressure, which can flow out of the plane; the wall lies outside the label
+  Gas,    ///< no resistance (airway, lung, outside the patient)
 };
 
 struct MechanicalTissue {
   Mechanics kind = Mechanics::Solid;
-  double young_kPa = 10;       ///< of solids, above 0; infinity is rigid
+  double young_kPa = 10;       ///< of solids, above 0; infinity for rigid
   double poisson = 0.49;       ///< 0..0.499
   double wall_mm = 0;          ///< lumens: thickness of the wall, outside the label
-  double wallYoung_kPa = 0;    ///< of the wall
+  double wallYoung_kPa = 0;    ///< Young's modulus of the wall
   double sheath_mm = 0;        ///< lumens: loose tissue outside the wall
-  double sheathYoung_kPa = 0;  ///< of the loose tissue
-  double pressure_kPa = 0;     ///< lumens: of the blood when the CT was taken, above the air's
+  double sheathYoung_kPa = 0;  ///< Young's modulus of the loose tissue
+  double pressure_kPa = 0;     ///< lumens: blood pressure above atmospheric when the CT was taken
   bool operator==(const MechanicalTissue&) const = default;
 };
 
-/// Mechanical properties by label. Labels that the table does not know read as soft tissue.
+/// Mechanical properties by label. Labels outside the table have the properties of soft tissue.
 struct MechanicalTable {
   std::string name;
   std::array<MechanicalTissue, kLabelCount> tissues;
@@ -40,11 +40,11 @@ struct MechanicalTable {
   }
 };
 
-/// `measured` (the default), first, and `thesis` (its Table I).
+/// Returns the presets' names: `measured` (the default) and `thesis` (its Table I).
 std::vector<std::string> mechanicalPresetNames();
 
-/// A preset's name or a JSON file of the same form, as for loadAcousticTable(). Fails with a sentence that names
-/// tissue, field, value and allowed range; see resources/mechanics/README.md for the form and the ranges.
+/// Loads a preset by name, or a JSON file of the same form, like loadAcousticTable(). Fails with a sentence that names
+/// tissue, field, value and allowed range; resources/mechanics/README.md describes the form and the ranges.
 Result<MechanicalTable> loadMechanicalTable(std::string_view nameOrPath);
 Result<MechanicalTable> parseMechanicalTable(std::string_view json);
 

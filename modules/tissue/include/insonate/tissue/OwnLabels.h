@@ -9,14 +9,14 @@
 
 namespace insonate {
 
-/// A structure outside the label table: the author's name for it, and its tissue.
+/// A structure outside the label table, defined by the case's author: its name and its tissue.
 struct OwnLabel {
-  std::string name;            ///< as tidyLabelName() leaves it; empty for one that has no name yet
-  Label tissue = kSoftTissue;  ///< how it looks in ultrasound, gives way and feels; never background
+  std::string name;            ///< as returned by tidyLabelName(); empty if it has no name yet
+  Label tissue = kSoftTissue;  ///< gives acoustic, mechanical and needle properties; never background
   bool operator==(const OwnLabel&) const = default;
 };
 
-/// Own labels by number, kLabelCount to kLastOwnLabel.
+/// The author's labels by number, kLabelCount to kLastOwnLabel.
 using OwnLabels = std::map<std::uint8_t, OwnLabel>;
 
 inline constexpr std::uint8_t kLastOwnLabel = 254;
@@ -25,12 +25,13 @@ constexpr bool isOwnLabel(std::uint8_t label) {
   return label >= kLabelCount && label <= kLastOwnLabel;
 }
 
-/// The name as every file can hold it: one line of UTF-8, 64 bytes at most, without what quotes or escapes.
+/// Tidies a name so that every file format can hold it: one line of UTF-8, at most 64 bytes, without double quotes or
+/// backslashes.
 std::string tidyLabelName(std::string_view name);
 
-/// The author's name, else as labelName(label).
+/// Returns the author's name for a label; labelName(label) if there is none.
 std::string labelName(const OwnLabels& own, std::uint8_t label);
-/// The author's, of a label of his own; else the label itself.
+/// Returns the tissue of one of the author's labels; any other label is returned unchanged.
 std::uint8_t tissueOf(const OwnLabels& own, std::uint8_t label);
 
 }  // namespace insonate

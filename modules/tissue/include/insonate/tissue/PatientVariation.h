@@ -6,14 +6,15 @@
 
 namespace insonate {
 
-/// The table of one patient: scattering, texture, roughness and connective layers differ from person to person, about
-/// the values of the table. Muscle and fat differ most, since muscle echoes more with age and fat. The same seed gives
-/// the same patient. Impedance and attenuation stay as published, so that levels and shadows keep their accuracy; what
-/// the table leaves out (no texture, no layers, 0 dB of roughness) stays out.
+/// Returns the table of one simulated patient: echogenicity, texture, roughness and connective layers vary from patient
+/// to patient around the values of `table`. Muscle and fat vary most, since muscle becomes more echogenic with age and
+/// fat content. The same seed gives the same patient. Impedance and attenuation keep their published values, so that
+/// levels and shadows stay accurate. A texture, layer or roughness that is absent in `table` (0 dB) stays absent.
 ///
-/// Spread (standard deviation, cut at two of them): echogenicity 1.5 dB, of muscle and fat 2.5 dB; texture 15 % and
-/// roughness 20 % of their strength; layers 2 dB, 20 % of their thickness and 0.12 of patchiness. The
-/// amounts are chosen; that muscle echoes more with age: Arts et al., Muscle Nerve 2010; 41:32.
+///
+/// Standard deviations, cut at two of them: echogenicity 1.5 dB, of muscle and fat 2.5 dB; texture strength 15 %;
+/// roughness 20 %; layers 2 dB, 20 % of their thickness and 0.12 of patchiness. These amounts are chosen; muscle's
+/// increase with age is from Arts et al., Muscle Nerve 2010; 41:32.
 AcousticTable tableOfPatient(const AcousticTable& table, std::uint32_t seed);
 
 }  // namespace insonate

@@ -7,8 +7,8 @@
 
 namespace insonate {
 
-/// Writes a whole table as a file that parseAcousticTable() and parseMechanicalTable() read back to the last bit,
-/// without ranges and sources.
+/// Writes a whole table as JSON text, without ranges and sources. parseAcousticTable() and parseMechanicalTable() read
+/// back the identical numbers.
 std::string textOf(const AcousticTable& table);
 std::string textOf(const MechanicalTable& table);
 
