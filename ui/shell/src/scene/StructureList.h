@@ -21,12 +21,12 @@ class StructureList : public QWidget {
  public:
   explicit StructureList(std::shared_ptr<views::SceneView> scene, QWidget* parent = nullptr);
 
-  /// Shows the scene's present state.
+  /// Updates the rows from the scene.
   void refresh();
 
  Q_SIGNALS:
-  void changed();        ///< by the user
-  void colourChanged();  ///< by the user
+  void changed();        ///< emitted when the user changes a structure
+  void colourChanged();  ///< emitted when the user changes a color
 
  private:
   struct Row {

@@ -108,7 +108,7 @@ class Account : public QObject {
   std::optional<SignedIn> session_;
   Person person_;
   QString trouble_;
-  int number_ = 0;  ///< number of the session; raised at each sign-in and sign-out
+  int number_ = 0;  ///< raised at each change of state or user; answers to earlier users are refused
   bool away_ = false, looking_ = false;
   QTimer again_;
   std::optional<CurriculumStore> store_;  ///< used on the store's thread only
