@@ -16,8 +16,8 @@ class DisclosureModel;
 class HandsControl;
 
 /// Shows the content of the syringe during aspiration: dark red, non-pulsatile blood from a vein, bright red, pulsatile
-/// blood from an artery, air from lung and airway, and nothing from other tissue. The content stays until another needle is
-/// taken.
+/// blood from an artery, air from lung and airway, and nothing from other tissue. The content stays until another
+/// needle is taken.
 class SyringeView final : public QWidget {
   Q_OBJECT
 

@@ -53,12 +53,14 @@ class HandsControl : public QObject {
   /// Sets the pose in which mouse and keys hold the probe, and half the width of its face.
   void probeMoved(const ProbeHand& hand, double halfWidth_mm);
 
-  // Probe
+  // The probe
+  /// Tells whether a device moves the probe. If probeFollowsMouse(), the device itself moves as mouse and keys command.
   bool drivesProbe() const;
   bool probeFollowsMouse() const;
   const Transform& drivenPose() const { return driven_; }
 
-  // Needle
+  // The needle
+  /// The needle held by mouse and keys; null if there is none or a real device holds it.
   const NeedleHand* needleHand() const { return wish_ ? &*wish_ : nullptr; }
   /// Insertion depth that mouse and keys have requested; the needle moves toward it.
   double wantedAdvance_mm() const { return advance_mm_; }
