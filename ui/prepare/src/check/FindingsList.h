@@ -12,7 +12,7 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// Describes the number of findings in words; "no findings" if there are none.
+/// Counts the findings in words: "2 errors, 1 warning"; "fit for training" if there are no errors and no warnings.
 QString findingCount(const std::vector<Finding>& findings);
 
 /// Shows the verdict and the findings of the check: errors, warnings, notes. Selecting a finding shows its place and

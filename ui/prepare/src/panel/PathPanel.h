@@ -51,7 +51,7 @@ class PathPanel : public QWidget {
   StructureTable* table_;
   QTabBar* tabs_;
   QStackedWidget* labelling_;
-  bool chosen_ = true;  ///< guide or table must still be selected for this case
+  bool chosen_ = true;  ///< guide or table has been selected for this case
   QPushButton* check_;
 };
 

@@ -35,7 +35,7 @@ class RightColumn : public QSplitter {
   UltrasoundPane& ultrasound() { return *ultrasound_; }
   bool showsCheck() const;
   void setCheckShown(bool shown);
-  /// Shows the section of the selected tool and scrolls to it, or hides it.
+  /// Shows or hides the section of the selected tool, expands it, and scrolls to the top of the column.
   void setToolShown(bool shown);
   void setToolRemark(const QString& remark);
   void setCheckRemark(const QString& remark);

@@ -24,7 +24,7 @@ inline void putTerms(const LabelTerms& terms, CaseManifest& manifest) {
 
 inline constexpr LabelState kLabelStates[] = {LabelState::NotStarted, LabelState::InProgress, LabelState::Completed,
                                               LabelState::Flagged};
-/// Returns the state as a word; the next function, as a symbol that does not depend on color.
+/// Return the state as a word, and as a symbol that does not depend on color.
 QString stateWord(LabelState state);
 QIcon stateIcon(LabelState state);
 
