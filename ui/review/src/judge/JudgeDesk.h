@@ -38,8 +38,8 @@ class JudgeDesk : public QObject {
   bool isOther() const { return origin_ && origin_->attempt && !origin_->same; }
   /// Name of the attempt's trainee, or the reason why there is none.
   QString words() const;
-  /// Tells whether the user may submit judgements of this attempt: the trainee must be in one of the user's classes,
-  /// and the file must be the attempt's recording.
+  /// Tells whether the user may submit judgements of this attempt: the user must be an instructor or administrator and
+  /// not the trainee, and the file must be the attempt's recording.
   bool mayJudge() const;
   /// Tells whether the user has already submitted this form about the attempt; a form can be submitted only once.
   bool hasHandedIn(const std::string& form) const;

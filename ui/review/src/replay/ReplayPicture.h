@@ -32,7 +32,7 @@ class ReplayPicture : public QObject {
   bool isSettled() const { return !maker_ || madeFor_us_ == wanted_us_; }
   /// Sentence that says why there is no image; empty if there is one.
   QString trouble() const { return trouble_; }
-  /// Number of images that were computed so far.
+  /// Number of images that were requested from the simulator so far.
   int made() const { return made_; }
 
  Q_SIGNALS:

@@ -39,7 +39,7 @@ class PathPane : public QWidget {
   PlaneSection section_;
 };
 
-/// Returns the points, "74", or "no points" and the reason why there are none.
+/// Return the points, "74" or "–", and a sentence about them.
 QString pointsOf(const AttemptDigest& attempt);
 QString pointsNoteOf(const AttemptDigest& attempt);
 
