@@ -24,8 +24,8 @@ struct NeedlePlan {
   std::optional<Needle> needle;
   std::optional<Tenting> tenting;
 
-  Needle needleAt(
-      const Transform& patientFromProbe) const;  ///< in the patient's frame (LPS); `needle` must have a value
+  /// Returns the needle in the patient's frame (LPS); `needle` must have a value.
+  Needle needleAt(const Transform& patientFromProbe) const;
   /// Returns the displacement that the probe causes, plus the tenting at the needle. Valid until the next call.
   const PlaneDisplacement& dented(const PlaneDisplacement& pressed, TentedTissue& tissue,
                                   const Transform& patientFromProbe) const;

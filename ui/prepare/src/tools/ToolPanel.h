@@ -46,8 +46,8 @@ class ToolPanel : public QWidget {
   PrepareModel& shared_;
   ToolSession& tools_;
   QLabel *name_, *advice_;
-  QLabel*
-      told_;  ///< reason why a step had no result; shown here in full, since the status bar shares its space with jobs
+  /// Reason why a step had no result; shown here in full, since the status bar shares its space with jobs.
+  QLabel* told_;
   LabelBox* label_;
   RulesBox* rules_;
   RangeField* range_ = nullptr;  ///< range of the selected tool; null if it has none

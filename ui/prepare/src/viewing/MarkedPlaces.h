@@ -10,8 +10,8 @@ namespace insonate::prepare {
 /// The author's places in the form in which they are drawn.
 struct MarkedPlaces {
   std::vector<views::NamedPlace> places;  ///< points on slices, with their names
-  std::vector<views::ScenePath>
-      paths;  ///< lines in 3D: crosses and, for a start pose, the probe's face and its viewing direction
+  /// Lines in 3D: crosses and, for a start pose, the probe's face and its viewing direction.
+  std::vector<views::ScenePath> paths;
 };
 
 MarkedPlaces markedPlaces(const CasePlaces& places);

@@ -24,8 +24,8 @@ struct PersonFacts {
   std::vector<LevelProgress> progress{};
   std::optional<Standing> standing{};  ///< empty if there is no curriculum
   std::vector<KeptAttempt> newest{};   ///< the first kPage attempts, newest first
-  std::map<std::string, std::vector<Implausible>>
-      implausible{};  ///< reasons by attempt id, for attempts that an instructor should look at
+  /// Reasons by attempt id, for attempts that an instructor should look at.
+  std::map<std::string, std::vector<Implausible>> implausible{};
 };
 Result<PersonFacts> readPerson(const SignedIn& by, const std::string& person,
                                const std::optional<Curriculum>& curriculum, std::int64_t now_us);

@@ -74,8 +74,8 @@ class HistogramPlot : public QWidget {
   int selected_ = -1;
   bool dragging_ = false;
   int gesture_ = 0;  ///< number of the present drag or series of key presses
-  int lastArrow_ =
-      0;  ///< arrow key pressed last, 0 after another action; pressing the same arrow again continues the gesture
+  /// Arrow key pressed last, 0 after another action; pressing the same arrow again continues the gesture.
+  int lastArrow_ = 0;
   QPointF grip_;  ///< offset from the node's center to the mouse at the start of the drag
 };
 

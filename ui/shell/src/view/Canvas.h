@@ -70,9 +70,8 @@ class ViewWidget::Canvas final : public QWidget {
   QSize fitted_;    ///< size that was passed to the view, in device pixels
   double ratio_ = 1;
   std::unique_ptr<views::DrawingThread> thread_;
-  std::uint64_t
-      wish_ = 0,
-      forgotten_ = 0;  ///< number of the last drawing requested from the thread, and of the last that must not be shown
+  /// Number of the last drawing requested from the thread, and of the last that must not be shown.
+  std::uint64_t wish_ = 0, forgotten_ = 0;
   Qt::MouseButton held_ = Qt::NoButton;
   QBasicTimer rest_;
 };

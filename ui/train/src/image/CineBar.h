@@ -34,8 +34,8 @@ class CineBar : public QWidget {
   void clearCallipers();
   void ctBesideChosen(bool shown);
   void savePicture();
-  void
-  saveScreen();  ///< emitted when the user wants to save the image as on the screen, with overlays and the CT beside it
+  /// Emitted when the user wants to save the image as on the screen, with overlays and the CT beside it.
+  void saveScreen();
   void saveClip();
 
  private:

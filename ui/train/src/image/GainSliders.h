@@ -34,8 +34,8 @@ class GainSliders : public QWidget {
   bool isStacked() const { return along_ == Qt::Vertical; }
   int sliderAt(QPoint place) const;
   double gainAt(QPoint place) const;
-  QPointF placeOf(double slider,
-                  double gain_dB) const;  ///< position in pixels; sliders have the numbers 0 to 7, at their centers
+  /// Position in pixels; the sliders' centers have the numbers 0 to 7.
+  QPointF placeOf(double slider, double gain_dB) const;
   void change(int slider, double gain_dB);
 
   Qt::Orientation along_;

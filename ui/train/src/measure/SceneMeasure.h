@@ -49,8 +49,8 @@ class SceneMeasure : public QObject {
   double moved_s_ = 0, beatProcessor_ms_ = 0;
   int renderings_ = 0;      ///< number of renderings at the beginning of the part
   int beatRenderings_ = 0;  ///< number of renderings at the last timer tick
-  std::vector<double> movingHolds_ms_,
-      restHolds_ms_;  ///< durations without event processing, in intervals in which a frame was drawn
+  /// Durations without event processing, in intervals in which a frame was drawn.
+  std::vector<double> movingHolds_ms_, restHolds_ms_;
 };
 
 }  // namespace insonate::train

@@ -14,8 +14,8 @@ enum class HandAxis { Lateral, Elevation, Rotation, Tilt, Rock, Press };
 /// Position of the probe in the numbers that the user reads and types.
 struct HandNumbers {
   Vec3 skin_mm;  ///< patient's frame (LPS)
-  double rotation_deg =
-      0;  ///< -180 to 180; 0: the image plane is transverse, with the marker toward the patient's left
+  /// -180 to 180; 0: the image plane is transverse, with the marker toward the patient's left.
+  double rotation_deg = 0;
   double tilt_deg = 0, rock_deg = 0, press_mm = 0;
   double of(HandAxis axis) const;  ///< value for Rotation, Tilt, Rock or Press; 0 for the other axes
 };

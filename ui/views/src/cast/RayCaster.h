@@ -16,8 +16,8 @@ namespace insonate::views {
 struct CastView {
   /// Row-major matrix from normalized device coordinates (-1 to 1, OpenGL) to the patient.
   std::array<double, 16> patientFromSeen{};
-  std::array<Vec3, 3>
-      patientFromCamera{};  ///< the camera's directions right, up and toward the viewer, in the patient's frame
+  /// The camera's directions right, up and toward the viewer, in the patient's frame.
+  std::array<Vec3, 3> patientFromCamera{};
   std::optional<ClippingPlane> clipping;
   int width = 0, height = 0;  ///< size of `depth`
   /// Depth of the objects that are already drawn: 0 at the near plane, 1 at the far plane; rows from bottom to top, as

@@ -34,8 +34,8 @@ struct SavedCase {
   QString folder;
   std::shared_ptr<const PatientCase> patient;  ///< the saved case; the same object as before if there were no edits
   std::string content;                         ///< CaseVersion::content of the saved case
-  bool overAnother =
-      false;  ///< another user had saved to this folder meanwhile; that user's case stays as an earlier version
+  /// Another user had saved to this folder meanwhile; that user's case stays as an earlier version.
+  bool overAnother = false;
 };
 
 /// Loads cases without blocking the window: from a case folder, from DICOM, NRRD, NIfTI or MetaImage (asking for the

@@ -87,8 +87,8 @@ class MainWindow : public QMainWindow {
 
  Q_SIGNALS:
   void readyChanged();
-  void caseFailed(
-      const QString& what);  ///< emitted when no case could be opened; the window has already shown the error
+  /// Emitted when no case could be opened; the window has already shown the error.
+  void caseFailed(const QString& what);
 
  protected:
   void closeEvent(QCloseEvent* event) override;

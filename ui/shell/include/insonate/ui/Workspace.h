@@ -27,8 +27,8 @@ struct CaseOrigin {
   QString folder;     ///< folder of the case; empty if it is not on disk
   QStringList notes;  ///< sentences about what was missing or changed during loading
   bool builtIn = false;
-  QString
-      versionOf{};  ///< for an earlier or published version: the folder of its case, to which edits must not be written
+  /// For an earlier or published version: the folder of its case, to which edits must not be written.
+  QString versionOf{};
 };
 
 /// Changes a copy of a case, on another thread.

@@ -29,9 +29,9 @@ struct OrbitRates {
 
 /// Frame rates of 3D with the volume-rendered CT, and the load on the window's thread.
 struct VolumeRates {
-  double orbitPerSecond = 0, zoomPerSecond = 0,
-         followPerSecond = 0;  ///< frames per second while the view orbits, while it zooms, and while the probe moves
-  double exact_ms = 0;         ///< from the end of a movement to the image at full resolution; 600 ms at least
+  /// Frames per second while the view orbits, while it zooms, and while the probe moves.
+  double orbitPerSecond = 0, zoomPerSecond = 0, followPerSecond = 0;
+  double exact_ms = 0;  ///< from the end of a movement to the image at full resolution; 600 ms at least
   /// Durations for which the window's thread did not process events. median and least are over the intervals in which a
   /// frame was drawn. longest is over all intervals; on a shared machine it may be caused by other programs. processor
   /// is the longest in the thread's own processor time.
