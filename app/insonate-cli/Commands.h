@@ -49,7 +49,7 @@ nlohmann::json jsonArray(Vec3 v);
 /// Writes a case. A case that the folder already contains is kept as an earlier version, for the attempts that were
 /// made on it.
 Result<void> writeOrReplace(const PatientCase& patient, const std::string& caseFolder);
-/// Prints the possible next steps with a case that was just written to standard error.
+/// Prints, to standard error, the possible next steps with a case that was just written.
 void printNextSteps(const std::string& caseFolder);
 /// Rejects an empty name as wrong usage.
 CLI::Validator notEmpty();

@@ -23,7 +23,7 @@ class Presser {
   /// Maximum distance by which the probe may go deeper than its pose.
   static double reach_mm(const PressPlan& plan);
 
-  /// Fails if there is no skin, or if the probe's face would enter bone.
+  /// Compresses the tissue at a pose. Fails if there is no skin, or if the probe's face would enter bone.
   Result<void> press(const AcousticScene& scene, const Transform& patientFromProbe);
 
   const Transform& pose() const { return tissue_.pose(); }

@@ -18,7 +18,7 @@ Result<std::vector<LevelProgress>> levelPath(const SignedIn& by, const Curriculu
 /// Returns the first level of the path that is open or lapsed; null if all are mastered.
 const LevelProgress* levelAt(const std::vector<LevelProgress>& path);
 
-/// "locked", "open", "mastered" or "lapsed".
+/// Returns "locked", "open", "mastered" or "lapsed".
 const char* nameOf(LevelState state);
 nlohmann::json toJson(const Curriculum& curriculum, const std::vector<LevelProgress>& path);
 

@@ -16,7 +16,8 @@ namespace insonate::cli {
 
 using Attempts = std::vector<const AttemptFacts*>;
 
-/// Groups the attempts that count by procedure, in their order; values of different procedures are not comparable.
+/// Groups those attempts that count by their procedure, since values of different procedures are not comparable; the
+/// order within a procedure stays.
 std::map<std::string, Attempts> countedByProcedure(std::span<const AttemptFacts> attempts);
 /// Returns the metrics' meanings, with norms if the procedure is built in.
 std::vector<MetricMeaning> meaningsFor(const std::string& procedure);

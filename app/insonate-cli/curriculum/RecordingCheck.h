@@ -23,9 +23,9 @@ struct RecordingCheck {
   StoreOptions store;
 
   void addTo(CLI::App& command);
-  /// Returns the file to replay and its proof of origin; for a named `attempt` the proof uses the store's key. The file is
-  /// `recording` or, if that is "", the one that the store keeps of the attempt. Fails if the file is not the attempt's
-  /// recording, or if the signed-in user may not see the attempt.
+  /// Returns the file to replay and its proof of origin; for a named `attempt` the proof uses the store's key. The file
+  /// is `recording` or, if that is "", the recording that the store keeps of the attempt. Fails if the file is not the
+  /// attempt's recording, or if the signed-in user may not see the attempt.
   Result<CheckedRecording> check(const std::string& recording) const;
 };
 

@@ -19,7 +19,7 @@ class ImagingModel;
 class LiveModel;
 
 /// The panel above the controls: before an attempt the choice of procedure, during it the steps with instructions and
-/// errors, after it the result. In a test the panel discloses nothing before the end.
+/// errors, after it the result. In test mode the panel discloses nothing before the end of the attempt.
 class AttemptPanel final : public QWidget {
   Q_OBJECT
 

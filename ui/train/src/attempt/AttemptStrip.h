@@ -13,7 +13,7 @@ class CaseModel;
 class DisclosureModel;
 class HandsControl;
 
-/// The line under the image during an attempt: time, five metrics, needle and syringe. In a test the line shows only
+/// The line under the image during an attempt: time, five metrics, needle and syringe. In test mode the line shows only
 /// what an operator would notice without the simulator.
 class AttemptStrip final : public QWidget {
  public:

@@ -46,7 +46,7 @@ class HandsControl : public QObject {
   /// Sets the attempt that receives each servo tick; null: no attempt. During an attempt the servo includes the probe,
   /// even without a needle.
   void setAttempt(std::shared_ptr<LiveAttempt> attempt);
-  /// Suppresses messages about the needle's contacts, for tests.
+  /// Suppresses messages about the needle's contacts, for attempts in test mode.
   void setSilent(bool silent);
   /// Empties both hands while the workspace is not visible.
   void setWatched(bool watched);

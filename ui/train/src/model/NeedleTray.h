@@ -15,7 +15,7 @@ class NeedleTray : public QObject {
 
   /// Tells whether the tray is beside the patient, as it is during an attempt.
   bool isOut() const { return isOut_; }
-  /// Place of the needle as far as it is disclosed; Clean outside attempts.
+  /// Place of the needle as far as it is disclosed; NeedlePlace::Clean outside attempts.
   NeedlePlace needle() const { return needle_; }
   void set(bool isOut, NeedlePlace needle);
   /// Reports that the pointer or the needle touches the tray.

@@ -20,7 +20,8 @@ QString sentenceOf(const NeedleEvent& event, const QString& vessel);
 /// the image's depth scale, below the probe's face.
 QString wordsOf(const NeedleState& state, const QString& vessel, double imageDepth_mm);
 
-/// Describes the needle for a test, by the marks on the shaft and the force in the hand: "inserted 22.3 mm, 0.6 N".
+/// Describes the needle for an attempt in test mode, by the marks on the shaft and the force in the hand: "inserted
+/// 22.3 mm, 0.6 N".
 QString plainWordsOf(const NeedleState& state);
 
 }  // namespace insonate::train

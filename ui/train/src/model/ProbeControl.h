@@ -37,7 +37,7 @@ class ProbeControl {
   }
   HandMove move(HandAxis axis, double mmOrDegrees);
   HandMove slide(double lateral_mm, double elevation_mm);
-  /// Moves to a typed number; has no effect for Lateral and Elevation.
+  /// Moves to a typed number. Not for Lateral and Elevation, for which there is no number.
   HandMove set(HandAxis axis, double mmOrDegrees);
   HandMove moveTo(Vec3 patient_mm);
   HandMove setPose(const StartPose& pose);
