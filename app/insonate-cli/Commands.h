@@ -19,7 +19,8 @@ struct Outcome {
   bool json = false;  ///< the command was called with --json; errors are then JSON, too
 };
 
-/// A command prints its JSON object when --json was given; messages go to standard error.
+/// Each of these functions adds a command. The command prints a JSON object if --json is given; messages go to standard
+/// error.
 void addPhantomCommand(CLI::App& app, Outcome& outcome);
 void addImportCommand(CLI::App& app, Outcome& outcome);
 void addImportLabelsCommand(CLI::App& app, Outcome& outcome);

@@ -47,7 +47,7 @@ class ReviewWorkspace::Parts : public QObject {
   bool key(const QKeyEvent& event, bool act);
   /// Saves the open attempt's result as a page.
   void saveResult(const QString& file);
-  /// Handles a key event by the key table, before a widget that uses the key.
+  /// Handles a key event by the key table before the focused widget does.
   bool keyEvent(QEvent* event);
   void saveLayout(QSettings& settings) const;
   void restoreLayout(QSettings& settings);

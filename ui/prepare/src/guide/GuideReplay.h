@@ -44,9 +44,9 @@ class GuideReplay : public QObject {
   QUndoStack& undo_;
   std::vector<LabelStep> before_;  ///< the recorded steps before run()
   std::deque<LabelStep> todo_;
-  std::size_t first_ = 0, again_ = 0;  ///< first_: index of the first replaced step; again_: number of steps at the end
-                                       ///< of todo_ that are repeated
-  int here_ = 0;                       ///< position in the undo stack
+  /// Index of the first replaced step; number of steps at the end of todo_ that are repeated.
+  std::size_t first_ = 0, again_ = 0;
+  int here_ = 0;  ///< position in the undo stack
   QString name_;
   Done done_;
   bool running_ = false, restoring_ = false;

@@ -16,7 +16,7 @@ class LabelFollowers : public QObject {
   Q_OBJECT
 
  public:
-  /// Returns the surfaces to compute for the labels that have changed.
+  /// Function that returns the surfaces to compute for the labels that have changed.
   using Wishes = std::function<std::vector<ui::SurfaceWish>(const LabelSet& labels)>;
 
   LabelFollowers(LabelSession& labels, LivePatient& live, CaseMeasuring& measuring, Wishes wishes, QObject* parent);

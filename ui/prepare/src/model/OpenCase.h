@@ -37,9 +37,9 @@ class OpenCase : public QObject {
 
  Q_SIGNALS:
   void closing();      ///< emitted before another case is set; patient() is still the former case
-  void opened();       ///< emitted first: the parts of the model take over the case
-  void caseChanged();  ///< emitted next: panels show the case
-  void shown();        ///< emitted last: background work begins
+  void opened();       ///< emitted first after setCase(): the parts of the model take over the case
+  void caseChanged();  ///< emitted second after setCase(): panels show the case
+  void shown();        ///< emitted last after setCase(): background work begins
   void saved();        ///< emitted when replaceCase() has replaced patient()
   void originChanged();
   void titleChanged();

@@ -7,8 +7,8 @@
 
 namespace insonate::prepare {
 
-/// The author's data about labels: the meanings of own labels, and the progress on each label. Edited and undone as a
-/// whole.
+/// The author's data about labels: the meanings of the author's own labels, and the progress on each label. Edited and
+/// undone as a whole.
 struct LabelTerms {
   OwnLabels own;
   LabelStates states;

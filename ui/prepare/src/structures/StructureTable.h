@@ -24,8 +24,8 @@ class StructureTable : public QWidget {
 
   /// Lets the user choose a color for the selected structure.
   void chooseColour();
-  /// Sets whether a tool is selected. Enter then applies the tool, since an author who selects the tool's label in the
-  /// table wants to apply the tool next.
+  /// Sets whether a tool is selected. Enter then applies the tool instead of choosing a color, since an author may
+  /// select a label in the table just before applying the tool.
   void setToolInHand(bool inHand) { toolInHand_ = inHand; }
 
  protected:

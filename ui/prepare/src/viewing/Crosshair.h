@@ -20,7 +20,7 @@ class Crosshair : public QObject {
   Vec3 position_mm() const { return position_mm_; }
   /// Sets the position, clamped to the volume.
   void moveTo(Vec3 patient_mm);
-  /// Moves the crosshair to the case's start pose.
+  /// Moves crosshair and probe to the case's start pose.
   void goToStart();
   /// Moves crosshair and probe to a pose.
   void goTo(const StartPose& pose);

@@ -28,7 +28,7 @@ class ClassDesk : public QObject {
   ui::Account* account() const { return account_; }
   /// Tells whether a user who may query classes is signed in.
   bool isSomebody() const;
-  /// Tells whether the user may see others: an instructor or administrator.
+  /// Tells whether the user is an instructor or administrator, who may see other people.
   bool teaches() const;
   bool administers() const;
 

@@ -25,7 +25,7 @@ struct ClassFacts {
   std::optional<Curriculum> curriculum{};
   std::string trouble{};  ///< sentence that says why there is no curriculum, and what to do
   std::vector<Member> learners{};
-  HeatMap heat{};                             ///< over the last kLastAttempts of each learner
+  HeatMap heat{};                             ///< heat map over the last kLastAttempts of each learner
   std::vector<FlaggedAttempt> implausible{};  ///< implausible attempts among these, the latest first
 };
 Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort);

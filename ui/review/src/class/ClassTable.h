@@ -19,9 +19,9 @@ class ClassTable final : public QAbstractTableModel {
  public:
   enum Column { kName, kNeeds, kLevel, kAttempts, kLast, kFirstMetric };
   enum Role {
-    kSort = Qt::UserRole,  ///< role of the value by which a column is sorted
-    kPerson,               ///< role of Person::id
-    kGround,  ///< role of the color of a heat map cell; empty if there is nothing to compare the value with
+    kSort = Qt::UserRole,  ///< Qt item role: value by which a column is sorted
+    kPerson,               ///< Qt item role: Person::id
+    kGround,               ///< Qt item role: color of a heat map cell; empty if there is nothing to compare with
   };
 
   explicit ClassTable(const ClassDesk& desk, QObject* parent = nullptr);

@@ -49,7 +49,7 @@ class ReplayScene : public QObject {
   QScrollArea* panelArea_;
   std::shared_ptr<views::VtkCase> case_;
   std::shared_ptr<const PatientCase> shown_;
-  std::string settings_;  ///< description of the probe that is drawn
+  std::string settings_;  ///< attempt settings, as text, of the probe that is drawn
   std::shared_ptr<const LiveFrame> pictured_;
   bool cameraDue_ = false;
   QTimer follow_, rest_;

@@ -25,9 +25,9 @@ struct OfferedCurriculum {
   bool operator==(const OfferedCurriculum&) const = default;
 };
 
-/// Published curricula, newest version first, and presets that are not published.
+/// Returns the published curricula, newest version first, and the presets that are not published.
 Result<std::vector<OfferedCurriculum>> taughtCurricula(const SignedIn& by);
-/// Drafts, then taughtCurricula().
+/// Returns the drafts and then taughtCurricula().
 Result<std::vector<OfferedCurriculum>> allCurricula(const SignedIn& by);
 Result<std::string> textOf(const SignedIn& by, const OfferedCurriculum& offered);
 

@@ -14,7 +14,7 @@ class QVBoxLayout;
 
 namespace insonate::ui {
 
-/// One row for each surface of a scene: eye, color, name, opacity.
+/// Table with one row for each surface of a scene: visibility, color, name, opacity.
 class StructureList : public QWidget {
   Q_OBJECT
 

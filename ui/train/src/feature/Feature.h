@@ -20,7 +20,7 @@ struct TrainModel;
 /// Modifiers of a key press.
 struct KeyPress {
   bool wide = false;      ///< Shift was held
-  bool repeated = false;  ///< repeated while the key is held down
+  bool repeated = false;  ///< sent repeatedly by a key that is held down
 };
 
 /// One feature of the workspace. The constructor adds the feature's widgets to the layout and connects them with the

@@ -25,7 +25,7 @@ struct HandMapping {
 /// device.
 HandSetup setupOf(const HandMapping& mapping, const Transform& patientFromStart);
 
-/// Saves to the settings group of the device. When read, missing or invalid values get their defaults.
+/// Saves the mapping in the device's group of settings. When read, missing or invalid values get their defaults.
 void save(const HandMapping& mapping, QSettings& settings);
 HandMapping restoredMapping(const QSettings& settings);
 

@@ -10,7 +10,7 @@
 
 namespace insonate::views {
 
-/// Lines in space, drawn as tubes, so that other objects hide them, and they others, correctly.
+/// Lines in space, drawn as tubes, so that lines and other objects hide each other correctly.
 class PathModel {
  public:
   explicit PathModel(vtkRenderer& renderer);

@@ -25,7 +25,7 @@ struct CaseWork {
   /// Called in place of both `start` and `hand` if the case has no start pose and none is found: with a hand on the
   /// skin nearest to the front, and the reason. If this is empty, or there is no skin, failed() is called.
   std::function<void(ProbeHand, QString)> unplaced;
-  std::function<void(std::vector<std::uint8_t>)> structures;                     ///< the labels that occur
+  std::function<void(std::vector<std::uint8_t>)> structures;  ///< the labels that occur in the patient
   std::function<void(std::uint8_t label, std::shared_ptr<const Mesh>)> surface;  ///< kSkin is the whole body's outside
   std::function<void()> surfacesDone;   ///< all surfaces that were requested so far have arrived
   std::function<void(QString)> failed;  ///< an error message; later results may still arrive

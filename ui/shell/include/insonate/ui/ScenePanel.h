@@ -39,10 +39,10 @@ class ScenePanel : public QWidget {
                       Structures structures = Structures::Here);
   ~ScenePanel() override;
 
-  /// Sets the case whose histogram is shown; null: no case. The owner of the scene sets the scene's own case.
-  /// Structures for which the case's author chose an appearance have it until the next case. The user's choices for
-  /// other structures stay, except that another patient starts with skin and without the CT volume. An author's colors
-  /// do not replace the color-blind-safe colors.
+  /// Sets the case whose histogram is shown; null: no case. The owner of the scene sets the scene's own case. If the
+  /// case's author chose an appearance for a structure, the structure is drawn with it until the next case. The user's
+  /// choices for other structures stay, except that another patient starts with skin and without the CT volume. An
+  /// author's colors do not replace the color-blind-safe colors.
   void setCase(std::shared_ptr<const PatientCase> patient);
 
   HistogramEditor& histogram() { return *histogram_; }

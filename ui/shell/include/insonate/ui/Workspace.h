@@ -31,7 +31,7 @@ struct CaseOrigin {
   QString versionOf{};
 };
 
-/// Changes a copy of a case, on another thread.
+/// Function that changes a copy of a case; called on a background thread.
 using CaseEdit = std::function<void(PatientCase&)>;
 
 /// One of the window's workspaces: Prepare, Train or Review. Created once and kept. The window shows one at a time; a

@@ -32,9 +32,9 @@ struct VolumeRates {
   /// Frames per second while the view orbits, while it zooms, and while the probe moves.
   double orbitPerSecond = 0, zoomPerSecond = 0, followPerSecond = 0;
   double exact_ms = 0;  ///< from the end of a movement to the image at full resolution; 600 ms at least
-  /// Durations for which the window's thread did not process events. median and least are over the intervals in which a
-  /// frame was drawn. longest is over all intervals; on a shared machine it may be caused by other programs. processor
-  /// is the longest in the thread's own processor time.
+  /// Durations for which the window's thread did not process events. `median_ms` and `least_ms` are over the intervals
+  /// in which a frame was drawn, `longest_ms` over all intervals; `processor_ms` is the longest in the thread's own
+  /// processor time. On a shared machine only `least_ms` and `processor_ms` are caused by this program alone.
   struct Holds {
     double median_ms = 0, least_ms = 0, longest_ms = 0, processor_ms = 0;
   };

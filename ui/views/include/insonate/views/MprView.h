@@ -140,8 +140,8 @@ class MprView final : public View {
   LabelStyle labelStyle_;
   bool labelsVisible_ = true;
   double labelOpacity_ = 0.25;
-  Vec3 middle_mm_;  ///< point of the patient at the center after zoom or pan; its coordinate along the normal is not
-                    ///< used
+  /// Point of the patient at the center after zoom or pan; its coordinate along the normal is not used.
+  Vec3 middle_mm_;
   double mm_per_px_ = 0.5;
   int zoomedIn_px_ = 0;  ///< shorter side of the view at the last zoom or pan
   bool fitted_ = true;
