@@ -41,7 +41,7 @@ class GuideSession : public QObject {
   bool isShown() const { return shown_; }
   bool takesClicks() const { return shown_ && !correcting_ && step().clicks > 0 && !isBusy(); }
   const std::vector<Vec3>& clicks_mm() const { return progress_[std::size_t(current_)].clicks_mm; }
-  /// The current step's points; empty if the page is not shown.
+  /// The current step's points; empty while the slices do not show them.
   std::vector<Vec3> shownClicks_mm() const;
   void addClick(Vec3 patient_mm);
   void moveClick(std::size_t index, Vec3 patient_mm);

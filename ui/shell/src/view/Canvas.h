@@ -35,7 +35,7 @@ class ViewWidget::Canvas final : public QWidget {
   std::function<void(bool focused)> onFocus;
   std::function<bool()> onDoubleClick;  ///< returns true if it has handled the double click
   std::function<void()> onStale;        ///< called when the image shown does not have the widget's size
-  /// Called when a new image is shown; `took_ms` is the time that drawing took.
+  /// Called when an image has been drawn; `took_ms` is the time that drawing took.
   std::function<void(double took_ms)> onDrawn;
 
  protected:
