@@ -12,7 +12,7 @@
 
 namespace insonate::cli {
 
-/// Options of the command line about an attempt's images.
+/// Command-line options for an attempt's images.
 struct AttemptPictureOptions {
   std::string folder;
   double every_s = 1;
@@ -24,9 +24,9 @@ struct AttemptPictureOptions {
 
 using TakeFrame = std::function<Result<void>(const LiveFrame&)>;
 
-/// Writes what `make` hands over: a PNG each, named by its time in milliseconds, and pictures.json, which tells of each
-/// image time, force, indentation and a fingerprint of its envelope. The folder is new or empty; it is there with all
-/// of them, or not at all. Returns the list.
+/// Writes each image that `make` passes on as a PNG named by its time in milliseconds, and pictures.json, which lists
+/// time, force, indentation and envelope fingerprint of every image. The folder must be new or empty. Either all files
+/// are written, or none. Returns the list.
 Result<nlohmann::json> writeAttemptPictures(const AttemptPictureOptions& options,
                                             const std::function<Result<void>(const TakeFrame&)>& make);
 

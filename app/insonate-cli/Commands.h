@@ -12,14 +12,15 @@
 
 namespace insonate::cli {
 
-/// Exit status of the program: 0 done, 1 refused with a clear reason, 2 wrong usage, 130 or 143 cancelled by Ctrl-C or
-/// SIGTERM.
+/// Exit status of the program: 0 success, 1 failure with an error message, 2 wrong usage, 130 or 143 cancelled by
+/// Ctrl-C or SIGTERM.
 struct Outcome {
   int status = 0;
-  bool json = false;  ///< the command was asked for JSON, which it gives also when it refuses
+  bool json = false;  ///< the command was called with --json; errors are then JSON, too
 };
 
-/// A command prints its JSON object when --json was given; messages go to standard error.
+/// Each of these functions adds a command. The command prints a JSON object if --json is given; messages go to standard
+/// error.
 void addPhantomCommand(CLI::App& app, Outcome& outcome);
 void addImportCommand(CLI::App& app, Outcome& outcome);
 void addImportLabelsCommand(CLI::App& app, Outcome& outcome);
@@ -38,21 +39,22 @@ void addReplayCommand(CLI::App& app, Outcome& outcome);
 void addLabelCommand(CLI::App& app, Outcome& outcome);
 void addCurriculumCommand(CLI::App& app, Outcome& outcome);
 
-/// Prints the error's sentence to standard error, sets the status, and prints {"error": ...} with `fields` where JSON
-/// was asked for.
+/// Prints the error message to standard error and sets the exit status. If JSON was requested, also prints {"error":
+/// ...} with `fields`.
 void refuse(Outcome& outcome, const Error& error, const nlohmann::json& fields);
 void refuse(Outcome& outcome, const Error& error);
 /// Prints one JSON object, with the program's version added, to standard output. Names need not be UTF-8.
 void printJson(nlohmann::json object);
-/// Array of x, y and z.
+/// Returns an array of x, y and z.
 nlohmann::json jsonArray(Vec3 v);
-/// Writes a case; where one is there already, that stays as an earlier version, for attempts that were made on it.
+/// Writes a case. A case that the folder already contains is kept as an earlier version, for the attempts that were
+/// made on it.
 Result<void> writeOrReplace(const PatientCase& patient, const std::string& caseFolder);
-/// Prints the possible next steps with a case that was just written, to standard error.
+/// Prints, to standard error, the possible next steps with a case that was just written.
 void printNextSteps(const std::string& caseFolder);
-/// Refuses an empty name as wrong usage.
+/// Rejects an empty name as wrong usage.
 CLI::Validator notEmpty();
-/// Asks for cancellation after Ctrl-C; a progress line on standard error when that is a terminal.
+/// Reports progress on standard error if that is a terminal, and requests cancellation after Ctrl-C or SIGTERM.
 Progress terminalProgress();
 
 }  // namespace insonate::cli

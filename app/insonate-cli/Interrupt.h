@@ -2,11 +2,11 @@
 
 namespace insonate::cli {
 
-/// From now on Ctrl-C and SIGTERM only leave a mark, which the work sees at its next report; a second one ends the
-/// program at once.
+/// Makes the first Ctrl-C or SIGTERM only set a flag, which the running work checks at its next progress report. A
+/// second signal ends the program at once.
 void catchInterrupts();
 
-/// The signal that asked to stop, or 0.
+/// Returns the number of the signal that was received, or 0.
 int interruptSignal();
 
 }  // namespace insonate::cli

@@ -11,7 +11,7 @@
 
 namespace insonate::cli {
 
-/// Options of the command line about a needle, in the probe's frame: the same needle is seen at every pose of a path.
+/// Command-line options for a needle, in the probe's frame: the needle moves with the probe along a path of poses.
 struct NeedleOptions {
   std::vector<double> tip_mm, direction{1, 0, 1}, bevel;
   double diameter_mm = 1.27, length_mm = 70, tenting_mm = 0, tentingRadius_mm = 3;
@@ -19,13 +19,14 @@ struct NeedleOptions {
   void addTo(CLI::App& command);
 };
 
-/// The same, checked, in the probe's frame.
+/// A needle and its tenting, checked, in the probe's frame.
 struct NeedlePlan {
   std::optional<Needle> needle;
   std::optional<Tenting> tenting;
 
-  Needle needleAt(const Transform& patientFromProbe) const;  ///< patient LPS; there must be one
-  /// The displacement by the probe, dented where the needle tents. Valid until the next call.
+  /// Returns the needle in the patient's frame (LPS); `needle` must have a value.
+  Needle needleAt(const Transform& patientFromProbe) const;
+  /// Returns the displacement that the probe causes, plus the tenting at the needle. Valid until the next call.
   const PlaneDisplacement& dented(const PlaneDisplacement& pressed, TentedTissue& tissue,
                                   const Transform& patientFromProbe) const;
 };

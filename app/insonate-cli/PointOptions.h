@@ -8,9 +8,9 @@
 
 namespace insonate::cli {
 
-/// Reads point targets for measuring the point spread: a list of depths in mm, such as "5,10,20", on the axis of the
-/// probe; or a file with one point a line, "lateral,elevation,depth" in mm of the probe's frame. Fails on anything that
-/// is not a finite number, and on a depth that is not in front of the face. Points are in the probe's frame.
+/// Reads point targets for measuring the point spread. The argument is a list of depths in mm on the probe's axis, such
+/// as "5,10,20", or a file with one point per line, "lateral,elevation,depth" in mm. Fails if a number is not finite or
+/// a depth is not in front of the probe's face. The returned points are in the probe's frame.
 Result<std::vector<PointTarget>> readPoints(const std::string& listOrFile);
 
 }  // namespace insonate::cli

@@ -10,7 +10,7 @@
 
 namespace insonate::cli {
 
-/// Options of the command line about the probe's pressure and the patient's blood.
+/// Command-line options for the probe's pressure and the patient's blood pressure.
 struct PressOptions {
   std::optional<double> force_N, indent_mm, cvp_mmHg, trendelenburg_deg, map_mmHg, time_s, footprint_mm;
   std::string deformation, mechanics, pressure;
@@ -19,17 +19,18 @@ struct PressOptions {
   void addTo(CLI::App& command);
 };
 
-/// The same, read and checked.
+/// The checked values of PressOptions.
 struct PressPlan {
   TissueMechanics mechanics;
   Physiology physiology;
   std::optional<double> force_N, indent_mm;
-  std::optional<double> time_s;  ///< without one, blood is at its mean pressure
+  std::optional<double> time_s;  ///< without a value, blood is at its mean pressure
 
   bool moves() const { return force_N || indent_mm; }
 };
 
-/// Without a model by name, tissue gives way (by `elastic`) only where an option would have no effect otherwise.
+/// Checks the options. If no deformation model is named, `elastic` is used if an option or `displacementWanted` needs a
+/// model; else tissue does not deform.
 Result<PressPlan> readPress(const PressOptions& options, bool displacementWanted);
 
 }  // namespace insonate::cli

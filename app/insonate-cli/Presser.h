@@ -12,27 +12,27 @@
 
 namespace insonate::cli {
 
-/// Does to the probe of one pose after the other what the command line says.
+/// Compresses tissue at each pose of a path as the command-line options say.
 class Presser {
  public:
   static Result<Presser> make(const ImagingSetup& setup, PressPlan plan);
 
-  /// A pose that is to be moved starts where the face touches. Fails where there is no skin.
+  /// Moves each pose to where the probe's face touches the skin, if the plan compresses. Fails if there is no skin.
   static Result<std::vector<Transform>> onSkin(const PressPlan& plan, const LabelMap& labels, const ImagingSetup& setup,
                                                const std::vector<Transform>& path);
-  /// Distance by which the probe may go deeper than its pose.
+  /// Maximum distance by which the probe may go deeper than its pose.
   static double reach_mm(const PressPlan& plan);
 
-  /// Fails where there is no skin, and where the face would go through bone.
+  /// Compresses the tissue at a pose. Fails if there is no skin, or if the probe's face would enter bone.
   Result<void> press(const AcousticScene& scene, const Transform& patientFromProbe);
 
   const Transform& pose() const { return tissue_.pose(); }
   const PlaneDisplacement& displacement() const { return tissue_.deformation().displacement; }
-  /// Never empty: where nothing moved, zeros over the plane of the picture.
+  /// Returns the displacement, or zeros over the image plane if nothing moved; never empty.
   PlaneDisplacement field() const;
-  /// force_N, indent_mm, lumens; null and empty where tissue does not give way.
+  /// Returns force_N, indent_mm and lumens. Without a deformation model, numbers are null and lumens are empty.
   nlohmann::json report() const;
-  /// About the last pose, sentences that begin in lower case.
+  /// Returns sentences about the last pose; they begin in lower case.
   std::vector<std::string> warnings() const;
 
  private:

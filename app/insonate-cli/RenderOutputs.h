@@ -7,20 +7,20 @@
 
 namespace insonate::cli {
 
-/// Files for an image and its companions; empty: not wanted.
+/// Paths of the files to write for an image. Empty: the file is not wanted.
 struct OutputTargets {
   std::string picture, envelope, displacement, layers;
-  std::string suffix;  ///< of the layers' file names
+  std::string suffix;  ///< part of the layers' file names
 
-  /// F.png becomes F_0007.png.
+  /// Adds an index to each file's name: F.png becomes F_0007.png.
   OutputTargets numbered(std::size_t index) const;
 };
 
-/// Refuses, before any work, endings that mislead and folders that are missing or cannot be written.
-/// Refuses also to write over a file of the case.
+/// Checks before the computation. Fails if a file name's ending is misleading, a folder is missing or not writable, or
+/// a file of the case would be overwritten.
 Result<void> checkTargets(const OutputTargets& targets, const std::filesystem::path& caseFolder);
 
-/// All of them or none, also when cancelled; the folder is created when missing.
+/// Writes all images or, on failure or cancellation, none. Creates the folder if it is missing.
 Result<void> writePictures(const std::map<std::string, BModeImage>& pictures, const std::filesystem::path& folder);
 
 }  // namespace insonate::cli

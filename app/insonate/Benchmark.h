@@ -25,18 +25,17 @@ class MainWindow;
 namespace insonate::app {
 
 struct BenchmarkPlan {
-  std::filesystem::path folder;  ///< gets window.json and window.csv
-  std::string caseFolder;        ///< empty for the built-in neck
-  bool quick = false;            ///< moments instead of seconds: shows that it works, measures nothing
+  std::filesystem::path folder;  ///< receives window.json and window.csv
+  std::string caseFolder;        ///< empty: the built-in neck
+  bool quick = false;  ///< takes moments instead of seconds; shows that the benchmark runs, but the values mean nothing
 };
 
-/// Measures the real window: how long it takes to the first image, how many live images it shows, how fast 3D
-/// turns, with the CT cast in it, too, how much memory it takes, and how fast a CT of 512 x 512 x 300 is labeled.
-/// Writes and prints a table.
+/// Measures the real window: time to the first image, rate of live images, frame rate of 3D with and without the
+/// volume-rendered CT, memory, and speed of labeling a CT of 512 x 512 x 300 voxels. Writes and prints a table.
 class Benchmark : public QObject {
  public:
-  /// The window is to be shown with Train in it, and opens its case after this. `done` gets an empty string, or a
-  /// sentence when there is no table.
+  /// Show the window with Train, but without a case, before this call; the benchmark opens the case. `done` receives an
+  /// empty string or, if no table was written, an error message.
   Benchmark(ui::MainWindow& window, train::TrainWorkspace& train, prepare::PrepareWorkspace& prepare,
             BenchmarkPlan plan, std::function<void(const QString& trouble)> done);
 
@@ -65,7 +64,7 @@ class Benchmark : public QObject {
   const BenchmarkPlan plan_;
   std::function<void(const QString&)> done_;
   QElapsedTimer opening_;
-  double empty_MB_ = 0;  ///< the window without a case
+  double empty_MB_ = 0;  ///< memory of the window without a case
   std::unique_ptr<FirstImage> first_;
   std::vector<Row> rows_;
   QString graphics_, trouble_;

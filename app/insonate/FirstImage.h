@@ -9,13 +9,13 @@ class MainWindow;
 
 namespace insonate::app {
 
-/// Milliseconds since this process was started, to a hundredth of a second: loading the program counts.
+/// Milliseconds since this process started, including the loading of the program; resolution 10 ms.
 double sinceStart_ms();
 
-/// Tells when the first live image is on the screen.
+/// Reports when the first live image is on the screen.
 class FirstImage : public QObject {
  public:
-  /// `there` is called once, later.
+  /// `there` is called once, after the constructor has returned.
   FirstImage(ui::MainWindow& window, std::function<void()> there);
 
  private:

@@ -11,10 +11,10 @@ class MainWindow;
 
 namespace insonate::app {
 
-/// Waits until the window shows the case, writes an image of it, and tells how that went.
+/// Waits until the window shows the case, writes an image of the window, and reports the outcome.
 class Screenshot : public QObject {
  public:
-  /// `done` gets an empty string, or a sentence when there is no picture.
+  /// `done` receives an empty string or, if no image was written, an error message.
   Screenshot(ui::MainWindow& window, const QString& file, std::function<void(const QString& trouble)> done);
 
  private:

@@ -17,24 +17,24 @@ namespace insonate::cli {
 
 using Json = nlohmann::json;
 
-/// Output of a command: for programs, and for people.
+/// Output of a command: `object` for programs, `text` for users.
 struct Answer {
   Json object = Json::object();
   std::string text;
-  /// A fault that the command looked for and found; the sentence is printed after text and object, with exit status 1.
+  /// Error message about a fault that the command was run to find; printed after text and object, with exit status 1.
   std::string failure{};
 };
 
-/// A command that prints what `work` answers.
+/// Adds a command that prints the result of `work`.
 CLI::App* addAnsweringCommand(CLI::App& group, Outcome& outcome, const std::string& name, const std::string& about,
                               std::function<Result<Answer>()> work);
 
 enum class SigningIn { No, Yes };
 
-/// A command whose `work` gets --database, and what is needed to sign in.
+/// Adds a command with --database and, if `signingIn` is Yes, the options for signing in; `work` receives them.
 CLI::App* addStoreCommand(CLI::App& group, Outcome& outcome, const std::string& name, const std::string& about,
                           SigningIn signingIn, std::function<Result<Answer>(const StoreOptions&)> work);
-/// A command of who is signed in.
+/// Adds a command whose `work` receives the signed-in user.
 CLI::App* addSignedInCommand(CLI::App& group, Outcome& outcome, const std::string& name, const std::string& about,
                              std::function<Result<Answer>(const SignedIn&)> work);
 
@@ -43,10 +43,10 @@ struct Column {
   const char* title;
 };
 
-/// Rows of a JSON list, aligned for reading: a missing value is n/a, control characters become spaces.
+/// Formats the rows of a JSON list as aligned columns. A missing value becomes n/a, control characters become spaces.
 std::string tableOf(const Json& rows, const std::vector<Column>& columns);
 
-/// ISO 8601, UTC, of microseconds since 1970.
+/// Formats microseconds since 1970 as ISO 8601 in UTC.
 std::string timeText(std::int64_t time_us);
 
 template <class T>

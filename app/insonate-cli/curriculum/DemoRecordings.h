@@ -12,9 +12,9 @@ namespace insonate::cli {
 
 inline constexpr int kDemonstrations = 3;
 
-/// Attempts that come along (`session --script`) at a level's built-in case, as recordings "NAME SCRIPT.attempt" in a
-/// folder, which is made: a success, one in two passes and a puncture of the artery, the first `most` of them. About
-/// ten seconds each. Cancelled, what was recorded until then stays.
+/// Records the first `most` of the built-in demonstration attempts (`session --script`) at a level's built-in case: a
+/// success, an attempt in two passes, and a puncture of the artery. The files are named "NAME SCRIPT.attempt"; the
+/// folder is created if it is missing. Takes about ten seconds for each. If cancelled, the finished recordings stay.
 Result<std::vector<std::filesystem::path>> recordDemonstrations(const Level& level, const std::filesystem::path& folder,
                                                                 const std::string& name, int most,
                                                                 const Progress& progress);

@@ -7,8 +7,8 @@
 
 namespace insonate::cli {
 
-/// Answers to a form, all of them checked: a JSON object, or where the name ends in .csv a table with the columns item,
-/// answer and, where there are notes, note. Fails with a sentence on each that cannot be kept.
+/// Reads and checks answers to a form: a JSON object or, if the name ends in .csv, a table with the columns item,
+/// answer and, optionally, note. Fails with one sentence for each answer that the form does not accept.
 Result<FormAnswers> answersFromFile(const Form& form, const std::string& file);
 
 }  // namespace insonate::cli

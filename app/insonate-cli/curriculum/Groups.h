@@ -4,7 +4,7 @@
 
 namespace insonate::cli {
 
-// Groups of commands in `insonate-cli curriculum`.
+// These functions add groups of commands to `insonate-cli curriculum`.
 void addPeopleCommands(CLI::App& curriculum, Outcome& outcome);
 void addClassCommands(CLI::App& curriculum, Outcome& outcome);
 void addClassImport(CLI::App& classes, Outcome& outcome);

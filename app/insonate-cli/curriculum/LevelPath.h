@@ -12,13 +12,13 @@
 
 namespace insonate::cli {
 
-/// A person's present state in each level, computed from all attempts.
+/// Computes a person's present state in each level from all attempts.
 Result<std::vector<LevelProgress>> levelPath(const SignedIn& by, const Curriculum& curriculum,
                                              const std::string& person);
-/// The level they are at: the first to be renewed or learnt; null: all are mastered.
+/// Returns the first level of the path that is open or lapsed; null if all are mastered.
 const LevelProgress* levelAt(const std::vector<LevelProgress>& path);
 
-/// "locked", "open", "mastered" or "lapsed".
+/// Returns "locked", "open", "mastered" or "lapsed".
 const char* nameOf(LevelState state);
 nlohmann::json toJson(const Curriculum& curriculum, const std::vector<LevelProgress>& path);
 

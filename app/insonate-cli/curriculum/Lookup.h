@@ -14,26 +14,26 @@
 
 namespace insonate::cli {
 
-/// Someone by the name they sign in with, whatever its case, or by id; "": who is signed in. Fails where they are not
-/// among those who may be seen.
+/// Finds a person by id or by sign-in name, ignoring case; "" returns the signed-in user. Fails if the signed-in user
+/// may not see the person.
 Result<Person> personNamed(const SignedIn& by, const std::string& nameOrId);
-/// Everyone whom an instructor or administrator sees.
+/// Returns everyone whom the signed-in instructor or administrator may see.
 Result<std::vector<Person>> visiblePeople(const SignedIn& by);
-/// A class by its name, whatever its case, or by id.
+/// Finds a class by id or by name, ignoring case.
 Result<Cohort> classNamed(const SignedIn& by, const std::string& nameOrId);
-/// Classes in which a person learns, as far as the signed-in user may see them.
+/// Returns the classes of which the person is a trainee and that the signed-in user may see.
 Result<std::vector<Cohort>> classesOf(const SignedIn& by, const Person& person);
 
-/// As it was published; version 0: the newest.
+/// Returns a published version of a curriculum; version 0: the newest.
 Result<Curriculum> publishedCurriculum(const SignedIn& by, const std::string& name, int version);
-/// By which a class is taught; fails where it has none yet.
+/// Returns the curriculum assigned to a class; fails if none is assigned.
 Result<Curriculum> curriculumOf(const SignedIn& by, const Cohort& cohort);
 
-/// Standings of all trainees of a class; one access, stored in the store.
+/// Returns the standings of all trainees of a class. The store logs this as one access.
 Result<std::map<std::string, Standing>> standingsOf(const SignedIn& by, const Cohort& cohort,
                                                     const std::vector<Member>& members);
 
-/// Whatever the case, and Unicode's ways to write one letter.
+/// Compares names, ignoring case and Unicode compatibility forms.
 bool sameName(const std::string& one, const std::string& other);
 
 const char* nameOf(Role role);

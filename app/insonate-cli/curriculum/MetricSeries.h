@@ -16,17 +16,19 @@ namespace insonate::cli {
 
 using Attempts = std::vector<const AttemptFacts*>;
 
-/// Attempts that count, in their order, by procedure: what two procedures measure is not alike.
+/// Groups those attempts that count by their procedure, since values of different procedures are not comparable; the
+/// order within a procedure stays.
 std::map<std::string, Attempts> countedByProcedure(std::span<const AttemptFacts> attempts);
-/// With the procedure's norms, where it is one of ours.
+/// Returns the metrics' meanings, with norms if the procedure is built in.
 std::vector<MetricMeaning> meaningsFor(const std::string& procedure);
-/// The values that are not missing.
+/// Returns the metric's values, without missing ones.
 std::vector<double> valuesOf(const Attempts& attempts, const MetricMeaning& metric);
-/// One for each attempt, so that attempts keep their numbers.
+/// Returns one entry per attempt, so that indices match; empty for a missing value.
 std::vector<std::optional<double>> seriesOf(const Attempts& attempts, const MetricMeaning& metric);
 std::optional<Estimate> successOf(const Attempts& attempts);
 
-/// {"value", "low", "high", "by"}, null where there is none; "by" is Estimate::basis.
+/// Returns {"value", "low", "high", "by"}, or null for no estimate; low and high are null without an interval. "by" is
+/// Estimate::basis.
 nlohmann::json toJson(const std::optional<Estimate>& estimate);
 
 }  // namespace insonate::cli

@@ -6,12 +6,13 @@
 
 namespace insonate::cli {
 
-/// Source of a password: never the command line, which others can read.
+/// Sources from which a password is read. The command line is none of them, since other users of the computer can read
+/// it.
 struct PasswordSource {
-  std::string file;      ///< its first line; "/dev/fd/3" for a descriptor; "": none named
-  const char* variable;  ///< of the environment, where no file is named
-  std::string prompt;    ///< on the terminal, without echo, where there is neither
-  bool twice = false;    ///< since nobody sees what they type
+  std::string file;      ///< file whose first line is the password; "/dev/fd/3" for a descriptor; "": no file
+  const char* variable;  ///< environment variable, read if no file is named
+  std::string prompt;    ///< asked on the terminal, without echo, if neither file nor variable is given
+  bool twice = false;    ///< ask twice, since typing is not shown
 };
 
 Result<std::string> readPassword(const PasswordSource& source);

@@ -11,21 +11,21 @@
 
 namespace insonate::cli {
 
-/// A recording to replay, and what it proves.
+/// A recording to replay, and its proof of origin.
 struct CheckedRecording {
   std::string file;
   RecordingProof proof;
 };
 
-/// The recording of an attempt of the store, before it is replayed as such.
+/// Options and checks for replaying the recording of an attempt of the store.
 struct RecordingCheck {
-  std::string attempt;  ///< its id; "": the recording is replayed as nobody's
+  std::string attempt;  ///< id of the attempt; "": the recording is replayed without an attempt
   StoreOptions store;
 
   void addTo(CLI::App& command);
-  /// The file to replay, `recording` or, where that is "", the one that the store keeps of the attempt, and what it
-  /// proves, with the store's key where one is asked. Fails where it is not the attempt's, or who signs in may not see
-  /// the attempt.
+  /// Returns the file to replay and its proof of origin; for a named `attempt` the proof uses the store's key. The file
+  /// is `recording` or, if that is "", the recording that the store keeps of the attempt. Fails if the file is not the
+  /// attempt's recording, or if the signed-in user may not see the attempt.
   Result<CheckedRecording> check(const std::string& recording) const;
 };
 

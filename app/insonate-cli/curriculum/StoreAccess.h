@@ -10,35 +10,35 @@
 
 namespace insonate::cli {
 
-/// Options: the store and the user who signs in.
+/// Options that name the store and the user who signs in.
 struct StoreOptions {
   std::string database, name, passwordFile;
 };
 
-/// --database
+/// Adds --database.
 void addDatabaseOption(CLI::App& command, StoreOptions& options);
-/// --as and --password-file.
+/// Adds --as and --password-file.
 void addSignInOptions(CLI::App& command, StoreOptions& options);
 
-/// The user's own, as Qt's AppDataLocation has it for the window.
+/// Path of the user's own store file, in the folder that Qt's AppDataLocation gives the window.
 std::filesystem::path usualStoreFile();
 /// Address of the store: --database, else INSONATE_DATABASE, else the user's own file, which the window uses too.
 std::string addressOf(const StoreOptions& options);
 bool isServer(const std::string& address);
-/// Keeps recordings of a server's attempts in a folder of the user, as the window does.
+/// Returns services that keep recordings of a server's attempts in a folder of the user, as the window does.
 StoreServices servicesFor(const std::string& address);
-/// Made where there is none, with its folder.
+/// Opens the store; creates it and its folder if it does not exist.
 Result<CurriculumStore> openOrMakeStore(const StoreOptions& options);
-/// Fails where there is no store's file yet.
+/// Fails if the store is a file that does not exist.
 Result<void> checkThere(const StoreOptions& options);
-/// Fails where there is none yet.
+/// Opens the store; fails if it does not exist.
 Result<CurriculumStore> openStore(const StoreOptions& options);
 /// Reads the password of the user who signs in.
 Result<std::string> readOwnPassword(const StoreOptions& options);
-/// Fails, too, where they have to choose a password first.
+/// Signs the user in. Fails also if the user must choose a new password first.
 Result<SignedIn> signIn(const StoreOptions& options);
 
-/// A password to be set: --new-password-file, INSONATE_NEW_PASSWORD, or asked for twice.
+/// Option for a new password, read from --new-password-file or INSONATE_NEW_PASSWORD, or asked for twice.
 struct NewPasswordOption {
   std::string file;
 

@@ -8,9 +8,9 @@
 
 namespace insonate::cli {
 
-/// {"database", "schema", "people", "classes", "attempts", "forms", "audit_entries", "pending_uploads"}
+/// Returns {"database", "schema", "people", "classes", "attempts", "forms", "audit_entries", "pending_uploads"}.
 Json countsJson(const StoreFacts& facts);
-/// "6 people, 2 classes, ..."
+/// Returns "6 people, 2 classes, ...".
 std::string countsOf(const StoreFacts& facts);
 
 }  // namespace insonate::cli

@@ -16,7 +16,7 @@ enum class Command {
   ToggleStructure,
   CheckPage,
   Start,
-  Tool,  ///< of the row's key
+  Tool,  ///< selects the tool of the row's key
   LastTool,
   ApplyTool,
   LeaveTool,
@@ -26,17 +26,17 @@ enum class Command {
   NextState
 };
 
-/// One row of the only table of keys: it decides what a key does, and lists it for the user. Rows without a key are
-/// listed only: the views or the window's actions do them.
+/// One row of the key table, which defines the keys' commands and is also listed for the user. Rows without a key are
+/// only listed; the views or the window's actions handle their keys.
 struct KeyRow {
-  int key = 0;  ///< Qt::Key; 0 for none
+  int key = 0;  ///< Qt::Key; 0: no key
   Command command{};
-  const char* keys = "";  ///< as the user knows it; empty on rows that share the line above
+  const char* keys = "";  ///< keys as listed for the user; empty for rows that share the line above
   const char* meaning = "";
 };
 
 std::span<const KeyRow> keyTable();
-/// Row of a key; null for a key without a command here.
+/// Returns the row of a key; null if the key has no command here.
 const KeyRow* rowFor(const QKeyEvent& event);
 
 }  // namespace insonate::prepare

@@ -29,19 +29,19 @@ class PrepareWorkspace::Parts : public QObject {
   Parts(PrepareWorkspace& workspace, ui::TaskBar& tasks);
   ~Parts() override;
 
-  PrepareModel shared;  ///< children of the workspace, gone after its widgets
-  GuideSession& guide;  ///< the same
+  PrepareModel shared;  ///< its parts are children of the workspace, deleted after its widgets
+  GuideSession& guide;  ///< child of the workspace, too
   ui::EmptyWorkspace* empty = nullptr;
   QSplitter* columns = nullptr;
   PathPanel* path = nullptr;
   CaseViews* views = nullptr;
   bool ready = false;
 
-  /// While asleep, no work begins and no image is made.
+  /// Sets whether the workspace works. While it does not, no job begins and no image is computed.
   void setAwake(bool awake);
   void stop();
   bool key(const QKeyEvent& event, bool act);
-  /// Handles keys of the table before a canvas's view does.
+  /// Handles a key event of a canvas by the key table, before the canvas's view does.
   bool canvasEvent(QEvent* event);
   void saveLayout(QSettings& settings) const;
   void restoreLayout(QSettings& settings);

@@ -22,18 +22,18 @@ enum class Command {
   List
 };
 
-/// One row of the only table of keys: it decides what a key does, and lists it for the user. Rows without a key are
-/// listed only: the views do them.
+/// One row of the key table, which defines the keys' commands and is also listed for the user. Rows without a key are
+/// only listed; the views handle their keys.
 struct KeyRow {
-  int key = 0;  ///< Qt::Key; 0 for none
+  int key = 0;  ///< Qt::Key; 0: no key
   Command command{};
-  double by = 0, wide = 0;  ///< of Step in seconds, wide with shift; of StepMoment a direction
-  const char* keys = "";    ///< as the user knows it; empty on rows that share the line above
+  double by = 0, wide = 0;  ///< for Step: seconds, `wide` with Shift; for StepMoment: direction
+  const char* keys = "";    ///< keys as listed for the user; empty for rows that share the line above
   const char* meaning = "";
 };
 
 std::span<const KeyRow> keyTable();
-/// Row of a key; null for a key without a command here.
+/// Returns the row of a key; null if the key has no command here.
 const KeyRow* rowFor(const QKeyEvent& event);
 
 }  // namespace insonate::review

@@ -29,25 +29,25 @@ class ReviewHome;
 class ReplayScene;
 class Timeline;
 
-/// The parts of the workspace, and their connections.
+/// The parts of the workspace and the connections between them.
 class ReviewWorkspace::Parts : public QObject {
  public:
   Parts(ReviewWorkspace& workspace, ui::TaskBar& tasks);
   ~Parts() override;
 
   ui::TaskBar& tasks;
-  ReviewSession& session;  ///< a child of the workspace, gone after its widgets
-  JudgeDesk* judging;      ///< whose attempt is open
+  ReviewSession& session;  ///< child of the workspace, deleted after its widgets
+  JudgeDesk* judging;      ///< trainee and judgements of the open attempt
   AttemptList* list = nullptr;
   ReviewHome* home = nullptr;
   bool ready = false;
-  /// Sentence about the last action, until attempt or time change; empty for none.
+  /// Sentence about the last action, until the attempt or the time changes; empty if there is none.
   const QString& said() const { return said_; }
 
   bool key(const QKeyEvent& event, bool act);
-  /// The open attempt's result, as a page.
+  /// Saves the open attempt's result as a page.
   void saveResult(const QString& file);
-  /// Handles keys of the table before widgets that would take them.
+  /// Handles a key event by the key table before the focused widget does.
   bool keyEvent(QEvent* event);
   void saveLayout(QSettings& settings) const;
   void restoreLayout(QSettings& settings);
@@ -82,13 +82,13 @@ class ReviewWorkspace::Parts : public QObject {
   ui::ViewWidget* pictureWidget_ = nullptr;
   ReplayScene* scene_ = nullptr;
   Timeline* timeline_ = nullptr;
-  QStackedWidget* centre_ = nullptr;  ///< image or result
+  QStackedWidget* centre_ = nullptr;  ///< shows the image or the result
   PathPane* path_ = nullptr;
   QButtonGroup* tabs_ = nullptr;
-  QToolButton* look_ = nullptr;      ///< whether the panel of 3D is open
-  QToolButton* judge_ = nullptr;     ///< whether forms stand in the place of 3D
-  QStackedWidget* right_ = nullptr;  ///< 3D or forms
-  bool keptWanted_ = false;          ///< of this attempt: the version that it was made on was asked for
+  QToolButton* look_ = nullptr;      ///< shows and hides the panel of the 3D view
+  QToolButton* judge_ = nullptr;     ///< shows forms in place of 3D
+  QStackedWidget* right_ = nullptr;  ///< shows 3D or forms
+  bool keptWanted_ = false;          ///< the case version on which this attempt was made has been requested
 };
 
 }  // namespace insonate::review

@@ -20,16 +20,16 @@ class TaskBar;
 
 namespace insonate::review {
 
-/// Agreement of the case in the window with the attempt's.
+/// Agreement between the open case and the attempt's case.
 enum class CaseFit {
-  Missing,  ///< none is open
-  Other,    ///< of another title: hands are not shown on it
-  Changed,  ///< the title is right, CT or labels are not those of the attempt
+  Missing,  ///< no case is open
+  Other,    ///< the case has another title; hands are not shown on it
+  Changed,  ///< the title agrees, but CT or labels differ from those of the attempt
   Same,
-  Looking,  ///< its hash is being computed
+  Looking,  ///< the hash of the open case is being computed
 };
 
-/// An open recorded attempt, without a widget: its events and metrics, the present time, and the patient. For the
+/// An open recorded attempt: its events and metrics, the present time, and the patient. Uses no widgets. For the
 /// window's thread.
 class ReviewSession : public QObject {
   Q_OBJECT
@@ -38,43 +38,44 @@ class ReviewSession : public QObject {
   explicit ReviewSession(QObject* parent = nullptr);
   ~ReviewSession() override;
 
-  /// Reads the file in the task bar's job. The former attempt stays until then, and if reading fails.
+  /// Reads a file as a job of the task bar. The former attempt stays open until then, or if reading fails.
   void open(const QString& file, ui::TaskBar& tasks);
   void close();
   const std::shared_ptr<const AttemptDigest>& attempt() const { return attempt_; }
   bool isOpening() const { return opening_; }
 
-  /// The case of the window.
+  /// Sets the open case of the window.
   void setPatient(std::shared_ptr<const PatientCase> patient);
   const std::shared_ptr<const PatientCase>& patient() const { return patient_; }
   CaseFit fit() const { return fit_; }
-  /// Tells whether hands are shown on the patient.
+  /// Tells whether the hands are shown on the patient.
   bool fits() const { return fit_ == CaseFit::Same || fit_ == CaseFit::Changed; }
-  /// While the workspace is hidden, nothing is computed.
+  /// Sets whether the workspace is visible; nothing is computed while it is not.
   void setAwake(bool awake);
 
-  /// Present time, 0 to the attempt's end. Setting it never waits: of many times in a row, images show the latest.
+  /// Present time, from 0 to the attempt's end. Setting it never waits: if it is set many times in a row, the image of
+  /// the latest time is computed.
   std::int64_t time_us() const { return time_us_; }
   void setTime(std::int64_t time_us);
   void step(double seconds) { setTime(time_us_ + std::int64_t(seconds * 1e6)); }
-  /// Moves to the next or previous moment; no effect without one.
+  /// Moves to the next or previous moment; no effect if there is none.
   void stepMoment(int by);
-  /// State of the hands at that time; none in a damaged stretch.
+  /// State of the hands at the present time; empty in a damaged part of the recording.
   const std::optional<AttemptSample>& sample() const { return sample_; }
-  /// Place of the needle's tip at that time.
+  /// Place of the needle's tip at the present time.
   AttemptDigest::PlaceChange needle() const;
 
   bool isPlaying() const { return timer_.isActive(); }
   void setPlaying(bool playing);
   static constexpr double kSpeeds[] = {0.25, 0.5, 1, 2, 4};
   double speed() const { return speed_; }
-  /// One of kSpeeds.
+  /// Sets the speed to one of kSpeeds.
   void setSpeed(double speed);
 
   ReplayPicture& picture() { return picture_; }
   const ReplayReader* reader() const { return reader_ ? &*reader_ : nullptr; }
   bool surfacesThere() const { return !surfaces_ || surfacesDone_; }
-  /// Tells whether the image of the present time is ready, or there is none.
+  /// Tells whether the image of the present time is ready, or there will be none.
   bool isSettled() const;
   QString message() const;
 
@@ -82,7 +83,7 @@ class ReviewSession : public QObject {
 
  Q_SIGNALS:
   void attemptChanged();
-  void caseChanged();  ///< patient() or fit()
+  void caseChanged();  ///< emitted when patient() or fit() has changed
   void timeChanged();
   void playingChanged();
   void pictureShown();
@@ -103,7 +104,7 @@ class ReviewSession : public QObject {
   std::shared_ptr<const AttemptDigest> attempt_;
   std::optional<ReplayReader> reader_;
   std::shared_ptr<const PatientCase> patient_, shownPatient_;
-  QString hash_;  ///< of patient_; empty: not known yet
+  QString hash_;  ///< hash of patient_; empty: not computed yet
   CaseFit fit_ = CaseFit::Missing;
   std::unique_ptr<ui::CaseWorker> surfaces_;
   bool surfacesDone_ = false, awake_ = false, opening_ = false;

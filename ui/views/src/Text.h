@@ -6,7 +6,7 @@ class vtkTextProperty;
 
 namespace insonate::views {
 
-/// The system's sans at a size in pixels; VTK's own face where the system has none.
+/// Sets the system's sans-serif font at a size in pixels; VTK's own font if the system has none.
 void useSystemSans(vtkTextProperty& text, double size_px, Colour colour, bool bold = false);
 
 }  // namespace insonate::views

@@ -10,7 +10,7 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// Facts about the case; its title can be changed.
+/// Shows facts about the case; the title can be edited.
 class CaseFacts : public QWidget {
  public:
   explicit CaseFacts(PrepareModel& shared, QWidget* parent = nullptr);

@@ -18,15 +18,15 @@ class TaskBar;
 
 namespace insonate::prepare {
 
-/// Measures of a case.
+/// Results of measuring and checking a case.
 struct CaseMeasures {
   CaseStatistics statistics;
   std::vector<Finding> findings;
   Result<DifficultyEstimate> difficulty;
 };
 
-/// Measures and checks a case as a long job of the window, while it is allowed to. Another job of the window takes its
-/// turn, and this one begins again after it; the user's Cancel ends it until start().
+/// Measures and checks a case as a long job of the window, while this is allowed. If another job takes its place, the
+/// measurement begins again after that job. If the user cancels it, it begins again only after start().
 class CaseMeasuring : public QObject {
   Q_OBJECT
 
@@ -36,18 +36,18 @@ class CaseMeasuring : public QObject {
   CaseMeasuring(ui::TaskBar& tasks, QObject* parent);
   ~CaseMeasuring() override;
 
-  /// Sets the case and discards former measures; null for no case.
+  /// Sets the case and discards former measures; null: no case.
   void setCase(std::shared_ptr<const PatientCase> patient);
-  /// Sets edited labels in place of the case's; former measures stay until the new ones are ready.
+  /// Sets edited labels in place of the case's and measures them; former measures stay until the new ones are ready.
   void setLabels(std::shared_ptr<const LabelMap> labels);
-  /// Announces edits of the labels: the running measurement ends and releases them, and none begins before
+  /// Announces that the labels will be edited: a running measurement ends and releases them, and none begins before
   /// setLabels().
   void awaitLabels();
-  /// Edited targets, landmarks and start poses, and what labels mean, likewise.
+  /// Sets edited targets, landmarks and start poses, and the meanings of labels, and checks again.
   void setWords(const CasePlaces& places, const LabelTerms& terms);
-  /// While not allowed, no measurement begins; a running one continues.
+  /// Allows measurements to begin, or not; a running measurement continues.
   void setAllowed(bool allowed);
-  /// Begins, or begins again after a cancel.
+  /// Begins to measure, also after the user has cancelled.
   void start();
 
   State state() const { return state_; }
@@ -55,7 +55,7 @@ class CaseMeasuring : public QObject {
   const std::shared_ptr<const CaseMeasures>& measures() const { return measures_; }
   /// Tells whether the measures have voxels of a label; false before they are ready.
   bool hasVoxels(std::uint8_t label) const { return measures_ && measures_->statistics.voxels[label] > 0; }
-  /// Why there is nothing, a sentence.
+  /// Sentence that says why there are no measures.
   const QString& trouble() const { return trouble_; }
 
  Q_SIGNALS:
@@ -69,13 +69,13 @@ class CaseMeasuring : public QObject {
 
   ui::TaskBar& tasks_;
   std::shared_ptr<const PatientCase> patient_;
-  std::shared_ptr<const LabelMap> labels_;  ///< null while they are awaited
+  std::shared_ptr<const LabelMap> labels_;  ///< null after awaitLabels() until setLabels()
   std::shared_ptr<const CaseManifest> manifest_;
   std::shared_ptr<const CaseMeasures> measures_;
   QString trouble_;
   State state_ = State::Idle;
   bool allowed_ = false;
-  int number_ = 0;  ///< of the job whose end counts
+  int number_ = 0;  ///< number of the present job; results of earlier jobs are dropped
 };
 
 }  // namespace insonate::prepare

@@ -9,7 +9,8 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// Difficulty of the case: as computed from its labels, with the measures behind it, and as its author states it.
+/// Shows the case's difficulty as computed from its labels, with the measures behind it, and lets the author state a
+/// grade.
 class DifficultyBox : public QWidget {
  public:
   explicit DifficultyBox(PrepareModel& shared, QWidget* parent = nullptr);

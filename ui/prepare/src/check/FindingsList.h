@@ -12,11 +12,11 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// "2 errors, 1 doubt", "no findings".
+/// Counts the findings in words: "2 errors, 1 warning"; "fit for training" if there are no errors and no warnings.
 QString findingCount(const std::vector<Finding>& findings);
 
-/// The verdict and the findings of the check: errors, warnings, notes. A finding leads to its place and structure, or
-/// to the step that makes a missing structure. The last findings stay while the check runs again.
+/// Shows the verdict and the findings of the check: errors, warnings, notes. Selecting a finding shows its place and
+/// structure, or the step that makes a missing structure. The last findings stay while the check runs again.
 class FindingsList : public QWidget {
   Q_OBJECT
 
@@ -24,9 +24,9 @@ class FindingsList : public QWidget {
   explicit FindingsList(PrepareModel& shared, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// A structure that is missing is to be made.
+  /// Emitted when the user wants to make a missing structure.
   void labelWanted(int label);
-  /// A place that is missing is to be marked: a kind of PlacesBox.
+  /// Emitted when the user wants to mark a missing place; `kind` as in PlacesBox.
   void placeWanted(const QString& kind);
 
  private:

@@ -10,7 +10,7 @@ class OpenCase;
 class PlacesEditor;
 class TermsEditor;
 
-/// Keeps the measures at the open case, and checks it again after edits of places and tissues.
+/// Passes the open case to CaseMeasuring, and has the case checked again after edits of places and tissues.
 class MeasuringUpdates : public QObject {
  public:
   MeasuringUpdates(OpenCase& openCase, const PlacesEditor& places, const TermsEditor& terms, CaseMeasuring& measuring,

@@ -11,8 +11,8 @@ namespace insonate::prepare {
 
 class GuideSession;
 
-/// The steps of the guide with their states, and of the current one what to do, what came of it, and what can be done
-/// about it.
+/// Lists the steps of the guide with their states. For the current step it shows what to do, the result, and what can
+/// be done about problems.
 class GuidePage : public QWidget {
   Q_OBJECT
 

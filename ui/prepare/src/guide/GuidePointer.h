@@ -19,9 +19,9 @@ namespace insonate::prepare {
 class GuideSession;
 struct PrepareModel;
 
-/// The mouse in slices while the guide wants clicks: a click adds a point, dragging moves it, the right button or the
-/// Delete key removes it, Enter continues. While a label is corrected, the left button paints it, with Control erases.
-/// All other events are the slice's own.
+/// Mouse input in slices while the current step of the guide needs points. A click adds a point, dragging moves it, the
+/// right button or the Delete key removes it, Enter continues. During a correction the left button paints the label,
+/// and with Ctrl erases it. All other events go to the slice.
 class GuidePointer : public QObject {
  public:
   GuidePointer(GuideSession& guide, PrepareModel& shared, QObject* parent);
@@ -50,7 +50,7 @@ class GuidePointer : public QObject {
   std::optional<std::size_t> dragged_;
   std::optional<QPoint> pressed_;
   bool painting_ = false;
-  bool added_ = false;  ///< a point, by the last click
+  bool added_ = false;  ///< the last click has added a point
 };
 
 }  // namespace insonate::prepare

@@ -14,20 +14,21 @@ namespace insonate::prepare {
 
 class LabelSession;
 
-/// Performs steps of labeling one after the other, each off the window's thread, and inserts them between earlier
-/// steps: the later ones are undone first and repeated, with the rules that they had.
+/// Performs labeling steps one after the other on a background thread, and inserts them between earlier steps: later
+/// steps are first undone and then repeated with their own rules.
 class GuideReplay : public QObject {
  public:
-  /// Called with true on success; otherwise the labels are as they were before.
+  /// Called with true after success. After a failure, with false: the labels are as they were before.
   using Done = std::function<void(bool well)>;
 
   GuideReplay(LabelSession& labels, QUndoStack& undo, QObject* parent)
       : QObject(parent), labels_(labels), undo_(undo) {}
 
-  /// Replaces the recorded steps [first, end). False if they can no longer be undone; then nothing has changed.
+  /// Replaces the recorded steps [first, end) by `steps`. Returns false, without a change, if those steps can no longer
+  /// be undone.
   bool run(std::vector<LabelStep> steps, std::size_t first, std::size_t end, const QString& name, Done done);
   bool isRunning() const { return running_; }
-  /// Discards the steps of another case.
+  /// Drops the steps in progress, since another case is open.
   void forget() { ++number_, running_ = false; }
 
  private:
@@ -41,10 +42,11 @@ class GuideReplay : public QObject {
 
   LabelSession& labels_;
   QUndoStack& undo_;
-  std::vector<LabelStep> before_;  ///< what was there
+  std::vector<LabelStep> before_;  ///< the recorded steps before run()
   std::deque<LabelStep> todo_;
-  std::size_t first_ = 0, again_ = 0;  ///< of todo_, those at its end that are made again
-  int here_ = 0;                       ///< in the undo stack
+  /// Index of the first replaced step; number of steps at the end of todo_ that are repeated.
+  std::size_t first_ = 0, again_ = 0;
+  int here_ = 0;  ///< position in the undo stack
   QString name_;
   Done done_;
   bool running_ = false, restoring_ = false;

@@ -14,8 +14,8 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// The guide of an author: its steps, the state of each, and the clicks for it. Runs tools through the labels'
-/// session, so that everything is recorded and can be undone. Knows no widget.
+/// The labeling guide for an author: its steps, the state of each, and the points clicked for each. Runs tools through
+/// LabelSession, so that every step is recorded and can be undone. Uses no widgets.
 class GuideSession : public QObject {
   Q_OBJECT
 
@@ -28,67 +28,68 @@ class GuideSession : public QObject {
   int current() const { return current_; }
   const GuideStep& step() const { return guide_.steps[std::size_t(current_)]; }
   void go(int index);
-  /// Moves to the first step that makes a label; false if none does.
+  /// Selects the first step that makes a label; returns false if there is none.
   bool goToStepFor(std::uint8_t label);
   State state(int index) const;
-  /// Its author was led by it when the case was saved, and what training needs is not all there.
+  /// Tells whether the author had used the guide when the case was saved and required steps are still to do.
   bool goesOn() const;
-  /// Why a step is doubtful, or what else is to be said of its state.
+  /// Sentences about a step's state, for example why its result is doubtful.
   QStringList remarks(int index) const;
 
-  /// Sets whether the page is shown: then clicks in slices belong to the current step.
+  /// Sets whether the guide's page is shown: clicks in slices then belong to the current step.
   void setShown(bool shown);
   bool isShown() const { return shown_; }
   bool takesClicks() const { return shown_ && !correcting_ && step().clicks > 0 && !isBusy(); }
   const std::vector<Vec3>& clicks_mm() const { return progress_[std::size_t(current_)].clicks_mm; }
-  /// Its clicks while they can be seen.
+  /// The current step's points; empty while the slices do not show them.
   std::vector<Vec3> shownClicks_mm() const;
   void addClick(Vec3 patient_mm);
   void moveClick(std::size_t index, Vec3 patient_mm);
   void removeClick(std::size_t index);
 
   bool isBusy() const;
-  /// There are clicks enough, and nothing is at work.
+  /// Tells whether enough points were clicked and no step is running.
   bool canRun() const;
-  /// Runs the current step; its former result is undone first, and later steps are repeated.
+  /// Runs the current step. Its former result is undone first, and later steps are repeated.
   void run();
-  /// Stops it; the labels are as they were before.
+  /// Stops the running step; the labels are as they were before.
   void cancel();
-  /// The result is right: on to the next step that is to do.
+  /// Accepts the result of the current step and selects the next step that is to do.
   void accept();
-  /// Continues without the current step.
+  /// Skips the current step and selects the next.
   void skip();
-  /// Action of the Enter key: run, then accept.
+  /// Performs the action of the Enter key: runs the current step or, if it was run, accepts its result.
   void proceed();
 
-  /// The current step's label is painted and erased in the slices; other structures are spared.
+  /// Tells whether the user corrects the current step's label by painting and erasing in the slices; other structures
+  /// are protected.
   bool isCorrecting() const { return shown_ && correcting_; }
   void setCorrecting(bool on);
   double brush_mm() const { return brush_mm_; }
   void setBrush(double radius_mm) { brush_mm_ = radius_mm; }
 
-  /// Beside a case that was saved: everything that made its labels since the CT was imported, to be replayed.
+  /// Writes a recipe beside a saved case: all steps that made its labels since the CT was imported, for replay.
   Result<void> saveRecipe(const std::filesystem::path& folder) const;
 
  Q_SIGNALS:
   void changed();
   void clicksChanged();
-  /// A sentence for the author.
+  /// Emitted with a sentence for the author.
   void told(const QString& sentence);
 
  private:
-  /// Recorded steps that belong to one step of the guide.
+  /// Range of recorded steps that belong to one step of the guide.
   struct Span {
     std::size_t first = 0, count = 0;
   };
   struct StepProgress {
     std::vector<Vec3> clicks_mm{};
-    std::size_t made = 0;   ///< recorded steps that it came to
-    bool restored = false;  ///< made before the case was opened
+    std::size_t made = 0;   ///< number of recorded steps of this guide step
+    bool restored = false;  ///< was done before the case was opened
     bool accepted = false, skipped = false;
     QStringList doubts{};
-    QString caution{};  ///< of the way in which it was made
-    int look = 0;       ///< for doubts: of several, the last counts
+    QString caution{};  ///< warning about the method by which the step was made
+    int look = 0;       ///< number of the last search for doubts; earlier results are dropped
   };
 
   void beginCase();
@@ -105,12 +106,12 @@ class GuideSession : public QObject {
   Guide guide_;
   GuideReplay& replay_;
   std::vector<StepProgress> progress_;
-  Recipe before_;  ///< saved with the case when it was opened
-  Recipe recipe_;  ///< since then
+  Recipe before_;  ///< recipe that was saved with the case before it was opened
+  Recipe recipe_;  ///< recipe of the steps since the case was opened
   int current_ = 0, working_ = -1;
   int looks_ = 0;
   bool shown_ = false, correcting_ = false;
-  bool begun_ = false;  ///< it is known what the case has, and the first step to do is shown
+  bool begun_ = false;  ///< the case's structures are known, and the first step to do is selected
   double brush_mm_ = 2;
 };
 

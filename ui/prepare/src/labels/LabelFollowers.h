@@ -10,13 +10,13 @@
 
 namespace insonate::prepare {
 
-/// Updates the results that depend on the labels after every edit, once the author pauses: the surfaces of changed
-/// labels and the live image soon, volumes and the check later.
+/// Updates results that depend on the labels after every edit, when the author pauses: first the surfaces of changed
+/// labels and the live image, later volumes and the check.
 class LabelFollowers : public QObject {
   Q_OBJECT
 
  public:
-  /// `wishes` says which of these labels have a surface to be made.
+  /// Function that returns the surfaces to compute for the labels that have changed.
   using Wishes = std::function<std::vector<ui::SurfaceWish>(const LabelSet& labels)>;
 
   LabelFollowers(LabelSession& labels, LivePatient& live, CaseMeasuring& measuring, Wishes wishes, QObject* parent);

@@ -13,8 +13,8 @@
 
 namespace insonate::prepare {
 
-/// Preview of a step, computed on another thread. The latest step wins: a superseded one is stopped, and is shown only
-/// if it was done already, so that the preview follows a dragged slider.
+/// Preview of a labeling step, computed on a background thread. A new step stops the computation of an earlier one; a
+/// result that was finished before that is still shown, so that the preview follows a dragged slider.
 class LabelPreview : public QObject {
   Q_OBJECT
 
@@ -22,22 +22,22 @@ class LabelPreview : public QObject {
   using QObject::QObject;
   ~LabelPreview() override;
 
-  /// CT and labels never change meanwhile.
+  /// Requests the preview of a step. CT and labels must not change during the computation.
   void want(LabelStep step, std::shared_ptr<const CtVolume> ct, std::shared_ptr<const LabelMap> labels);
-  /// Shows nothing and drops running computations.
+  /// Removes the preview and stops running computations.
   void clear();
 
-  /// The proposal; null for none.
+  /// The computed proposal; null if there is none.
   const std::shared_ptr<const Proposal>& proposal() const { return proposal_; }
   /// Label of the step; the proposal may contain others, too.
   std::uint8_t label() const { return label_; }
-  /// The latest step is at work.
+  /// Tells whether the latest step is being computed.
   bool isComputing() const { return computing_; }
 
  Q_SIGNALS:
   void changed();
   void computingChanged();
-  /// The step cannot be done: a sentence.
+  /// Emitted with a sentence if the step cannot be performed.
   void failed(const QString& sentence);
 
  private:
@@ -53,7 +53,7 @@ class LabelPreview : public QObject {
 
   ProposalStore store_;
   std::shared_ptr<const Proposal> proposal_;
-  std::shared_ptr<std::atomic<bool>> stop_;  ///< of what is computed; null for nothing
+  std::shared_ptr<std::atomic<bool>> stop_;  ///< stops the running computation; null if none is running
   std::optional<Wish> next_;
   std::uint8_t label_ = 0;
   int number_ = 0;

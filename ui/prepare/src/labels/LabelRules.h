@@ -7,15 +7,15 @@
 
 namespace insonate::prepare {
 
-/// The author's rules about voxels that tools must leave unchanged; for the whole window, where a step has rules of
-/// its own.
+/// The author's rules about voxels that tools must not change. They apply to all tools, except where a step has its own
+/// rules.
 struct LabelRules {
-  /// Labels that may be overwritten, among those that are neither locked nor hidden.
+  /// Labels that may be overwritten, unless they are locked or hidden.
   enum class Over {
     Every,
-    Filling,     ///< what lies between structures that have a name
-    Unlabelled,  ///< what has no label yet
-    Inside       ///< one label
+    Filling,     ///< labels that fill the body between named structures (kFilling)
+    Unlabelled,  ///< only unlabeled voxels (kUnlabelled)
+    Inside       ///< one label, `inside`
   };
 
   LabelSet locked, hidden;
@@ -26,13 +26,13 @@ struct LabelRules {
   bool mayEdit(std::uint8_t label) const { return !locked.test(label) && !hidden.test(label); }
 };
 
-/// Labels that fill the body between named structures: overwriting nothing else spares earlier work.
+/// Labels that fill the body between named structures. Overwriting only these preserves earlier work.
 inline constexpr std::uint8_t kFilling[] = {kBackground, kFat, kMuscle, kSoftTissue};
 
-/// Soft tissue is everything else, as is the space outside the patient.
+/// Labels of voxels without a structure: soft tissue, and the space outside the patient.
 inline constexpr std::uint8_t kUnlabelled[] = {kBackground, kSoftTissue};
 
-/// The step with these rules, but for those it has itself.
+/// Returns the step with these rules; rules that the step already has are kept.
 LabelStep withRules(LabelStep step, const LabelRules& rules);
 
 }  // namespace insonate::prepare

@@ -25,15 +25,15 @@ class TaskBar;
 
 namespace insonate::prepare {
 
-/// The labels of the open case while they are edited: tools, brush strokes, undo, what is recorded, what is not saved.
+/// Edits the labels of the open case: tools, brush strokes, undo, recorded steps and unsaved changes.
 ///
-/// Three maps, and who may touch them. The case's own labels never change while they are shared. The working map is a
-/// copy that is made when the first tool is taken up (getReady); brush strokes, undo and redo write it on the window's
-/// thread. Everything on other threads (tools, previews, surfaces, the live image, the check, saving) reads a
-/// snapshot (LabelSnapshots), which shares the CT of the case and takes as long as what has changed since the last one.
-/// While a tool's result is being written, on another thread, the window reads the snapshot, too. So no map is read and
-/// written at once. Memory beside the case: the working map, as a rule three snapshots, two proposals while a slider is
-/// dragged, and LabelEdit's steps.
+/// There are three kinds of label maps. The case's own labels never change while they are shared. The working map is a
+/// copy, made when the first tool is selected (getReady); brush strokes, undo and redo write to it on the window's
+/// thread. Code on other threads (tools, previews, surfaces, the live image, the check, saving) reads a snapshot
+/// (LabelSnapshots). Taking a snapshot takes time in proportion to the changes since the last one; it shares the CT of
+/// the case. While a background thread writes a tool's result, the window reads the snapshot, too. Therefore no map is
+/// read and written at the same time. Memory besides the case: the working map, normally three snapshots, two proposals
+/// while a slider is dragged, and LabelEdit's steps.
 ///
 /// For the window's thread.
 class LabelSession : public QObject {
@@ -43,63 +43,63 @@ class LabelSession : public QObject {
   using Done = std::function<void(const Result<LabelChange>&)>;
 
   LabelSession(ui::TaskBar& tasks, QUndoStack& undo, QObject* parent);
-  /// Sets the names of labels in sentences; the default are those of the label table.
+  /// Sets the function that names labels in sentences; by default, names of the label table are used.
   void setNames(std::function<QString(std::uint8_t)> names) { names_ = std::move(names); }
   ~LabelSession() override;
 
-  /// Another case, null for none: edits are forgotten, a tool that runs is stopped.
+  /// Sets the case; null: no case. Edits are dropped, and a running tool is stopped.
   void setCase(std::shared_ptr<const PatientCase> patient);
-  /// Replaces the case by its saved state with labels() of that time.
+  /// Replaces the case by its saved state, whose labels are labels() at the time of saving.
   void replaceCase(std::shared_ptr<const PatientCase> patient);
 
-  /// The labels as displayed. A case is open.
+  /// The labels as displayed. Call it only while a case is open.
   const LabelMap& labels() const { return *seen(); }
-  /// The displayed labels, shared with views of this thread; seenChanged() announces another map.
+  /// The displayed labels, shared with views of this thread; seenChanged() is emitted when another map is displayed.
   std::shared_ptr<const LabelMap> seen() const;
-  /// labels() as they are now, for other threads.
+  /// Returns the present labels, for use on other threads.
   std::shared_ptr<const LabelMap> snapshot();
-  /// They differ from the case's.
+  /// Tells whether the labels differ from the case's.
   bool isChanged() const { return state() != saved_; }
 
   const LabelRules& rules() const { return rules_; }
   void setRules(const LabelRules& rules);
-  /// Tools leave a locked label as it is.
+  /// Locks a label, so that tools do not change it, or unlocks it.
   void setLocked(std::uint8_t label, bool locked);
 
-  /// Copies what the first edit needs on another thread, so that it does not wait for it.
+  /// Copies the labels for the first edit on a background thread, so that the edit need not wait.
   void getReady();
 
-  /// A tool is at work: nothing else is edited.
+  /// Tells whether a tool is running; no other edit is possible then.
   bool isBusy() const { return busy_; }
-  /// Computes a step on another thread, as a long job of the window that can be cancelled, and writes the result as
-  /// one undoable, recorded step; rules() are added to the step's own. Calls `done`, with kCancelled if it was
+  /// Computes a step on a background thread, as a long job of the window that can be cancelled, and writes the result
+  /// as one undoable, recorded step. rules() are added to the step's own. Calls `done`, with kCancelled if the step was
   /// cancelled; other failures also emit failed().
   void run(LabelStep step, const QString& name, Done done = {});
-  /// Runs a step of a recipe(), with its own rules instead of rules(), so that it has the same result again.
+  /// Runs a step of a recipe(). Its own rules apply instead of rules(), so that it has the same result again.
   void runAgain(LabelStep step, const QString& name, Done done);
-  /// Tells whether no work is running that a tool would end.
+  /// Tells whether no job is running that a tool would end.
   bool isFree() const;
-  /// Stops the tool that run() began; nothing is changed.
+  /// Stops the tool that was started by run(), without a change of the labels.
   void cancel() { settle(); }
-  /// Computes in preview() the result that run() would have.
+  /// Computes the result that run() would have, and shows it in preview().
   void wantPreview(LabelStep step);
   LabelPreview& preview() { return preview_; }
   const LabelPreview& preview() const { return preview_; }
 
-  /// A stroke of the brush, written at once: one step from its first to its last point. False, and failed(), where
-  /// nothing may be painted.
+  /// Begins a brush stroke, which is written at once and is one step from its first to its last point. Returns false
+  /// and emits failed() if painting is not possible.
   bool beginStroke(LabelStep step, const QString& name);
   void strokeTo(Vec3 patient_mm);
   void endStroke();
 
-  /// All steps since the case was opened that are not undone.
+  /// Returns all steps since the case was opened that were not undone.
   Recipe recipe() const;
-  /// Memory that undo takes.
+  /// Bytes of memory that undo uses.
   std::size_t undoBytes() const { return edit_ ? edit_->bytes() : 0; }
 
  Q_SIGNALS:
   void caseSet();
-  /// Voxels have changed: by a tool, a stroke, undo or redo.
+  /// Emitted when voxels have changed by a tool, a stroke, undo or redo.
   void changed(const insonate::LabelChange& change);
   void seenChanged();
   void busyChanged();
@@ -119,10 +119,10 @@ class LabelSession : public QObject {
     LabelSnapshots::Copies snapshots;
   };
 
-  /// False if the step was discarded.
+  /// Undoes the last step; returns false if that step was discarded.
   bool undo();
   void redo();
-  /// Why a label may not be edited now; empty where it may.
+  /// Sentence that says why a label may not be edited now; empty if it may.
   QString refusal(std::uint8_t label) const;
   void start(LabelStep step, const QString& name, Done done);
   void beginWork();
@@ -137,7 +137,7 @@ class LabelSession : public QObject {
 
   struct Step {
     LabelStep step;
-    int state;  ///< a number of the labels after it
+    int state;  ///< number that identifies the labels after the step
   };
 
   ui::TaskBar& tasks_;
@@ -148,7 +148,7 @@ class LabelSession : public QObject {
   std::shared_ptr<LabelMap> working_;  ///< null before the first edit
   std::unique_ptr<LabelEdit> edit_;
   std::unique_ptr<LabelSnapshots> snapshots_;
-  std::shared_ptr<const LabelMap> before_;  ///< what is seen while a result is being written
+  std::shared_ptr<const LabelMap> before_;  ///< map that is displayed while a result is being written
   LabelRules rules_;
   LabelPreview preview_;
   std::vector<Step> steps_, undone_;
@@ -157,7 +157,7 @@ class LabelSession : public QObject {
   std::optional<LabelStep> stroke_;
   bool strokeRecorded_ = false;
   QString strokeName_;
-  std::optional<Writing> atWork_;  ///< what is being written
+  std::optional<Writing> atWork_;  ///< the step that is being written
   QFutureWatcher<Result<LabelChange>> writing_;
 };
 

@@ -9,23 +9,22 @@
 
 namespace insonate::prepare {
 
-/// Constant copies of a label map that is being written to, for readers on other threads. Memory of released copies is
-/// reused: only changes since are copied, so that a snapshot normally costs no more than the changes. For the thread
+/// Makes constant copies of a label map under edit, for readers on other threads. The memory of released copies is
+/// reused and only later changes are copied, so that a snapshot normally costs no more than the changes. For the thread
 /// that writes to the map.
 class LabelSnapshots {
  public:
-  /// Number of snapshots normally held at once: one by computations on earlier labels, one by the next reader. A
-  /// further one is made at once, which takes some hundredths of a second for a large map, and freed when it is
-  /// released.
+  /// Number of snapshots normally in use at once: one by computations on earlier labels, one by the next reader. Taking
+  /// a further one takes some hundredths of a second for a large map; its memory is freed when it is released.
   static constexpr int kUsual = 2;
   using Copies = std::array<LabelMap, kUsual>;
 
-  /// The map must outlive this, snapshots need not. `copies` are equal to it.
+  /// The map must outlive this object; snapshots need not. `copies` must be equal to the map.
   LabelSnapshots(const LabelMap& labels, Copies copies);
 
-  /// Say so after each change of voxels.
+  /// Must be called after each change of voxels in `box`.
   void changed(const VoxelBox& box);
-  /// The map as it is now; the same as before where nothing has changed.
+  /// Returns a snapshot of the present map; the same object as before if nothing has changed.
   std::shared_ptr<const LabelMap> take();
 
  private:
@@ -36,7 +35,7 @@ class LabelSnapshots {
   };
 
   const LabelMap& labels_;
-  std::vector<std::shared_ptr<Copy>> copies_;  ///< the latest last
+  std::vector<std::shared_ptr<Copy>> copies_;  ///< the latest copy is last
   std::weak_ptr<const LabelMap> latest_;
 };
 

@@ -10,7 +10,8 @@ namespace insonate::prepare {
 
 class LabelPreview;
 
-/// The surface of what a preview would write, coarse, computed on another thread and following the latest.
+/// Surface of the voxels that a preview would write, at low resolution. Computed on a background thread; follows the
+/// latest preview.
 class PreviewSurface : public QObject {
   Q_OBJECT
 
@@ -19,7 +20,7 @@ class PreviewSurface : public QObject {
   ~PreviewSurface() override;
 
  Q_SIGNALS:
-  /// Announces a surface; null for none.
+  /// Emitted with the new surface; null if there is none.
   void made(std::shared_ptr<const insonate::Mesh> mesh);
 
  private:
@@ -27,8 +28,8 @@ class PreviewSurface : public QObject {
   void begin();
 
   LabelPreview& preview_;
-  std::shared_ptr<std::atomic<bool>> stop_;  ///< of what is computed; null for nothing
-  bool again_ = false;                       ///< the preview has changed meanwhile
+  std::shared_ptr<std::atomic<bool>> stop_;  ///< stops the running computation; null if none is running
+  bool again_ = false;                       ///< the preview has changed during the computation
 };
 
 }  // namespace insonate::prepare

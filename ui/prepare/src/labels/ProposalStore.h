@@ -7,14 +7,15 @@
 namespace insonate::prepare {
 
 /// Keeps the buffers of unused proposals for reuse: a proposal for a whole CT takes tens of megabytes, and allocating
-/// them takes longer than a threshold takes to fill them.
+/// this memory takes longer than filling it by a threshold.
 class ProposalStore {
  public:
   ProposalStore();
 
-  /// Returns a proposal to fill, with its former contents; it returns here from whichever thread releases it last.
+  /// Returns a proposal to be filled; it still has former contents. The thread that releases it last returns it to this
+  /// store.
   std::shared_ptr<Proposal> take();
-  /// Frees all memory; that of a displayed proposal once it is released.
+  /// Frees all memory; the memory of a proposal in use is freed when it is released.
   void forget();
 
  private:

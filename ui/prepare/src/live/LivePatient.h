@@ -14,9 +14,9 @@
 
 namespace insonate::prepare {
 
-/// Results computed for a patient beside the window: surfaces for 3D, and the ultrasound of the labels, seen by a
-/// probe on the skin nearest to the crosshair. Images are made only while it is awake, and only when the probe has
-/// moved.
+/// Results computed in the background for a patient: surfaces for 3D, and the ultrasound image of the labels, as seen
+/// by a probe on the skin nearest to the crosshair. Images are computed only while setAwake() is on, and only when the
+/// probe has moved.
 class LivePatient : public QObject {
   Q_OBJECT
 
@@ -24,47 +24,48 @@ class LivePatient : public QObject {
   explicit LivePatient(QObject* parent);
   ~LivePatient() override;
 
-  /// Sets the patient; null for none. `wishes` are the first surfaces.
+  /// Sets the patient; null: no patient. `wishes` are the first surfaces to compute.
   void setPatient(std::shared_ptr<const PatientCase> patient, std::vector<ui::SurfaceWish> wishes);
-  /// Replaces the patient by the same voxels in other memory: only the live probe is made again.
+  /// Replaces the patient by one with the same voxels at another address: only live imaging is restarted.
   void replacePatient(std::shared_ptr<const PatientCase> patient);
   void wantSurface(const ui::SurfaceWish& wish);
   /// Sets the tissues of the author's own labels.
   void setOwnLabels(const OwnLabels& own);
-  /// Edited labels in place of the patient's: the image is made of them from now on, and these surfaces.
-  /// `outsideMoved`: the probe stands on another skin, or on the first that there is.
+  /// Sets edited labels in place of the patient's: the image is computed from them from now on, and so are the surfaces
+  /// in `wishes`. `outsideMoved`: the skin has changed, so the probe is placed on it again.
   void setLabels(std::shared_ptr<const LabelMap> labels, std::vector<ui::SurfaceWish> wishes, bool outsideMoved);
-  /// While asleep, there is no probe and no scene; results stay.
+  /// Starts or stops live imaging. While stopped, there is no live probe and no scene; results stay.
   void setAwake(bool awake);
-  /// Ends the threads.
+  /// Ends the background threads.
   void stop();
 
-  /// The probe goes to the skin nearest to a patient point; images follow when the slices have had time to.
+  /// Moves the probe to the skin nearest to a point of the patient. Images follow after a pause, so that the slices are
+  /// drawn first.
   void follow(Vec3 patient_mm);
-  /// The probe is put at a pose.
+  /// Moves the probe to a pose.
   void goTo(const StartPose& pose);
   void setStart(std::optional<StartPose> start);
-  /// Sets how far the probe is pressed into the skin.
+  /// Sets the depth in mm to which the probe compresses the skin.
   void setPress(double mm);
   double press_mm() const { return press_mm_; }
-  /// The case's first pose, once known.
+  /// The case's first start pose; empty until it is known.
   const std::optional<StartPose>& start() const { return start_; }
-  /// patientFromProbe; none before it is known.
+  /// Present patientFromProbe; empty until it is known.
   std::optional<Transform> pose() const;
-  /// Pose on the skin, before pressing.
+  /// Pose of the probe on the skin, without compression.
   std::optional<Transform> standing() const;
 
   const ImagingSetup& setup() const { return setup_; }
   /// The image on display; null before the first.
   const std::shared_ptr<const LiveFrame>& shown() const { return shown_; }
-  /// Tells whether all requested surfaces have arrived, and the image shows the probe's present pose, or says why
-  /// there is none.
+  /// Tells whether all requested surfaces have arrived, and the image shows the probe's present pose or state() says
+  /// why there is none.
   bool isSettled() const;
-  /// Why there is no image, or that one is on its way; empty otherwise.
+  /// Sentence that says why there is no image, or that one is being computed; empty otherwise.
   QString state() const;
 
  Q_SIGNALS:
-  void started();  ///< start() is known
+  void started();  ///< emitted when start() is known
   void poseChanged();
   void pictureShown();
   void stateChanged();
@@ -81,27 +82,27 @@ class LivePatient : public QObject {
   void moved();
 
   std::shared_ptr<const PatientCase> patient_;
-  std::shared_ptr<const LabelMap> labels_;  ///< edited; null for the patient's own
+  std::shared_ptr<const LabelMap> labels_;  ///< edited labels; null: the patient's own
   OwnLabels own_;
   ImagingSetup setup_;
   std::optional<StartPose> start_;
   std::optional<ProbeHand> hand_;
-  std::optional<Vec3> wanted_mm_;  ///< where to go when there is a hand
-  QTimer showing_;                 ///< until images follow the crosshair
+  std::optional<Vec3> wanted_mm_;  ///< point to move the probe to when there is a hand
+  QTimer showing_;                 ///< time until images follow the crosshair
   struct Chosen {
     Transform pose;
     double press_mm;
   };
-  std::optional<Chosen> chosen_;  ///< where the author put it, once there is a hand; edits may take the skin from it
+  std::optional<Chosen> chosen_;  ///< pose that the author chose; kept here since edits may remove the skin under it
   std::shared_ptr<const LiveFrame> shown_;
   LiveStatus status_;
   QString trouble_;
   double press_mm_ = 0;
   bool awake_ = false, surfacesDone_ = true;
-  int skin_ = 0;     ///< of several that are looked for, the last counts
-  int tissues_ = 0;  ///< of several maps that are made of labels, too
+  int skin_ = 0;     ///< number of the last skin search; earlier results are dropped
+  int tissues_ = 0;  ///< number of the last conversion to tissues; earlier results are dropped
   bool tissuesDue_ = false;
-  bool stale_ = false;  ///< a live probe has begun that has not made an image yet
+  bool stale_ = false;  ///< restarted live imaging has not produced an image yet
   ui::LiveFeed feed_;
   std::unique_ptr<ui::CaseWorker> worker_;
 };

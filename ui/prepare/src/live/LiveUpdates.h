@@ -15,13 +15,13 @@ class OpenCase;
 class StructureAppearance;
 class TermsEditor;
 
-/// Keeps surfaces and the live image at the open case: its voxels, its own labels, and the structures that are visible.
+/// Updates surfaces and the live image when the open case, its own labels or the visible structures change.
 class LiveUpdates : public QObject {
  public:
   LiveUpdates(OpenCase& openCase, const StructureAppearance& appearance, const TermsEditor& terms,
               LabelSession& labelling, LivePatient& live, QObject* parent);
 
-  /// Surfaces to be made again after edits of `labels`.
+  /// Returns the surfaces to compute again after edits of `labels`.
   std::vector<ui::SurfaceWish> changedSurfaces(const LabelSet& labels) const;
 
  private:

@@ -17,7 +17,7 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// The small ultrasound image that the labels give, always in sight.
+/// The small ultrasound image computed from the labels, always visible.
 class UltrasoundPane : public QWidget {
  public:
   explicit UltrasoundPane(PrepareModel& shared, QWidget* parent = nullptr);
@@ -31,7 +31,7 @@ class UltrasoundPane : public QWidget {
 
   PrepareModel& shared_;
   std::shared_ptr<views::UltrasoundView> view_;
-  std::shared_ptr<const void> shape_;  ///< setup of the image as laid out
+  std::shared_ptr<const void> shape_;  ///< setup for which the image was laid out
   ui::ViewWidget* widget_;
   ui::ValueSlider* press_;
   QLabel *state_, *pressed_;

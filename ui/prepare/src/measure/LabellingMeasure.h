@@ -16,7 +16,7 @@ class CaseViews;
 struct PrepareModel;
 class ToolSession;
 
-/// Does what an author does, again and again, and times it from the hand to the painted views.
+/// Repeats an author's actions, and times each from the input to the painted views.
 class LabellingMeasure : public QObject {
  public:
   /// `done` is called once, on the window's thread.
@@ -24,26 +24,26 @@ class LabellingMeasure : public QObject {
                    std::function<void(std::vector<LabellingTime>)> done);
 
  private:
-  /// Visible results of a task, and the time of each.
+  /// A visible result of a task, with the time that each repetition took to show it.
   struct Sight {
     QString name;
     std::function<bool()> there;
     std::vector<double> took_ms{};
   };
-  /// Pause between two tasks: longer than surfaces and check take after an edit.
+  /// Pause between two tasks; longer than the time that surfaces and check take after an edit.
   static constexpr double kRest_ms = 1000;
   struct Task {
     int repeats = 1;
-    std::function<void()> takeUp;  ///< once before, not timed; may be empty
+    std::function<void()> takeUp;  ///< preparation before the first repetition, not timed; may be empty
     std::function<void(int)> act;
     std::vector<Sight> sights;
-    std::function<void()> putBack{};  ///< after each, not timed
-    double rest_ms = kRest_ms;        ///< before each
+    std::function<void()> putBack{};  ///< called after each repetition, not timed
+    double rest_ms = kRest_ms;        ///< pause before each repetition
     double pause_ms = 0, work_ms = 0;
   };
   void addViewTasks(int repeats);
   void addToolTasks(int repeats);
-  /// A tool that writes.
+  /// Returns the task of running a tool that writes labels.
   Task tool(const QString& name, const LabelStep& step, int repeats);
 
   void look();
@@ -62,9 +62,9 @@ class LabellingMeasure : public QObject {
   std::size_t task_ = 0;
   int repeat_ = 0;
   bool acting_ = false;
-  /// The result has arrived in the slices and in 3D: now the views have to show it.
+  /// The result has reached the slices or the 3D scene, and must now be drawn.
   bool slicesKnow_ = false, sceneKnows_ = false;
-  std::array<int, 4> renderings_{};  ///< of each view, when it came
+  std::array<int, 4> renderings_{};  ///< number of renderings of each view when the result arrived
   double tickWork_ms_ = 0;
   QTimer timer_;
   QElapsedTimer clock_, tick_;

@@ -15,7 +15,7 @@ class Notice : public QObject {
 
   static constexpr int kShown_ms = 7000;
   void say(const QString& sentence);
-  /// Discards the sentence without an announcement: another event follows.
+  /// Discards the sentence without emitting a signal, since another event follows.
   void clear() { text_.clear(); }
   /// The sentence; empty when it has expired.
   const QString& text() const { return text_; }

@@ -11,16 +11,16 @@
 
 namespace insonate::prepare {
 
-/// The open case: its voxels as they were opened or saved, its folder and title, and the stack of all its edits.
+/// The open case: the voxels as they were opened or saved, its folder and title, and the undo stack of all edits.
 class OpenCase : public QObject {
   Q_OBJECT
 
  public:
   explicit OpenCase(QObject* parent);
 
-  /// Sets the case and discards edits; null for none.
+  /// Sets the case and discards edits; null: no case.
   void setCase(std::shared_ptr<const PatientCase> patient);
-  /// Replaces the case by the same one with its changes saved.
+  /// Replaces the case by its saved state.
   void replaceCase(std::shared_ptr<const PatientCase> patient);
   const std::shared_ptr<const PatientCase>& patient() const { return patient_; }
   void setOrigin(const ui::CaseOrigin& origin);
@@ -28,19 +28,19 @@ class OpenCase : public QObject {
 
   const QString& title() const { return title_; }
   void setTitle(const QString& title);
-  /// Adds to `all` an edit that sets another title, if it differs.
+  /// Adds to `all` an edit that sets the title, if it differs from the present one.
   void restoreTitle(const QString& title, QUndoCommand& all);
 
   QUndoStack& undoStack() { return undo_; }
-  /// Maximum number of undoable edits: the steps that LabelEdit stores.
+  /// Maximum number of undoable edits, which is the number of steps that LabelEdit stores.
   static constexpr int kMostUndo = int(LabelEdit::kMostSteps);
 
  Q_SIGNALS:
-  void closing();      ///< another case follows; patient() is the former one
-  void opened();       ///< the parts of the model take over the case
-  void caseChanged();  ///< panels show the case
-  void shown();        ///< work beside the window begins
-  void saved();        ///< replaceCase() has replaced patient()
+  void closing();      ///< emitted before another case is set; patient() is still the former case
+  void opened();       ///< emitted first after setCase(): the parts of the model take over the case
+  void caseChanged();  ///< emitted second after setCase(): panels show the case
+  void shown();        ///< emitted last after setCase(): background work begins
+  void saved();        ///< emitted when replaceCase() has replaced patient()
   void originChanged();
   void titleChanged();
 

@@ -23,7 +23,7 @@ class StructureAppearance;
 class StructureList;
 class TermsEditor;
 
-/// The parts of the model that the workspace's features share. Panels include the headers of the parts that they use.
+/// The parts of the model that the workspace's features share. A panel includes the headers of the parts that it uses.
 struct PrepareModel {
   OpenCase& openCase;
   Notice& notice;
@@ -41,7 +41,7 @@ struct PrepareModel {
   CaseChanges& changes;
 };
 
-/// Makes the parts as children of `parent`. Long work shows in `tasks`, which lives longer.
+/// Makes the parts as children of `parent`. `tasks` shows long jobs and must outlive the parts.
 PrepareModel makePrepareModel(ui::TaskBar& tasks, QObject& parent);
 
 }  // namespace insonate::prepare

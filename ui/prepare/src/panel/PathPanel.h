@@ -20,8 +20,8 @@ class GuideSession;
 struct PrepareModel;
 class StructureTable;
 
-/// The way of a case: import, label, check, publish; with the guide or the table of structures, and what keeps the
-/// changes.
+/// Shows the steps of a case: import, label, check, publish; with the guide or the table of structures, and buttons for
+/// undo, redo and save.
 class PathPanel : public QWidget {
   Q_OBJECT
 
@@ -31,7 +31,7 @@ class PathPanel : public QWidget {
   void setCaseActions(QAction* open, QAction* import, QAction* reload);
   void setEditActions(QAction* undo, QAction* redo, QAction* save);
   StructureTable& table() { return *table_; }
-  /// The guide, or else the table of structures.
+  /// Shows the guide, or the table of structures.
   void showGuide(bool guide);
 
  Q_SIGNALS:
@@ -51,7 +51,7 @@ class PathPanel : public QWidget {
   StructureTable* table_;
   QTabBar* tabs_;
   QStackedWidget* labelling_;
-  bool chosen_ = true;  ///< between guide and table, for this case
+  bool chosen_ = true;  ///< guide or table has been selected for this case
   QPushButton* check_;
 };
 

@@ -22,8 +22,8 @@ class Section;
 class ToolSession;
 class UltrasoundPane;
 
-/// The column beside the slices: the tool in hand, two pages of which one is shown, and the ultrasound of the labels.
-/// The first page is about the structures, the second is the check: findings, difficulty and places.
+/// The column beside the slices: the selected tool, two pages of which one is shown, and the ultrasound image of the
+/// labels. The first page is about the structures, the second about the check: findings, difficulty and places.
 class RightColumn : public QSplitter {
   Q_OBJECT
 
@@ -35,7 +35,7 @@ class RightColumn : public QSplitter {
   UltrasoundPane& ultrasound() { return *ultrasound_; }
   bool showsCheck() const;
   void setCheckShown(bool shown);
-  /// The tool in hand is seen at once, or is gone.
+  /// Shows or hides the section of the selected tool, expands it, and scrolls to the top of the column.
   void setToolShown(bool shown);
   void setToolRemark(const QString& remark);
   void setCheckRemark(const QString& remark);
@@ -43,9 +43,9 @@ class RightColumn : public QSplitter {
   void restore(QSettings& settings);
 
  Q_SIGNALS:
-  /// A structure that the check misses is to be made.
+  /// Emitted when the user wants to make a structure that the check misses.
   void labelWanted(int label);
-  /// It is chosen what to mark: the next click says where.
+  /// Emitted when the user has chosen what to mark; the next click sets its position.
   void markingBegun();
 
  private:

@@ -8,16 +8,16 @@ class QToolButton;
 
 namespace insonate::prepare {
 
-/// A part of a column that folds under its heading.
+/// A section of a column, which can be collapsed under its heading.
 class Section : public QWidget {
  public:
-  /// `key` names it in the settings.
+  /// `key` identifies the section in the settings.
   Section(const QString& key, const QString& title, QWidget* content, QWidget* parent = nullptr);
 
   const QString& key() const { return key_; }
   bool isOpen() const;
   void setOpen(bool open);
-  /// A few words beside the heading.
+  /// Sets a short text beside the heading.
   void setRemark(const QString& remark);
 
  private:

@@ -7,7 +7,7 @@
 
 namespace insonate::prepare {
 
-/// An author's statements about a case besides its voxels: targets, names of vessels, landmarks, start poses and grade.
+/// The author's data about a case besides its voxels: targets, names of vessels, landmarks, start poses and grade.
 /// Edited and undone as a whole.
 struct CasePlaces {
   std::vector<Target> targets;

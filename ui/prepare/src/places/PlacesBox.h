@@ -15,22 +15,22 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// Kinds that PlacesBox marks beside landmarks, whose kinds are their codes.
+/// Kinds that PlacesBox can mark in addition to landmarks; the kind of a landmark is its code.
 inline const QString kTargetKind = QStringLiteral("target"), kStartPoseKind = QStringLiteral("start pose"),
                      kVesselKind = QStringLiteral("vessel");
 
-/// Targets, names of vessels, landmarks and start poses of the case, to be placed where the crosshair or the probe is,
-/// shown, renamed, moved and removed. A case begins at its first start pose.
+/// Lists the targets, vessel names, landmarks and start poses of the case. They can be placed at the crosshair or the
+/// probe, shown, renamed, moved and removed. The first start pose is the one where the case begins.
 class PlacesBox : public QWidget {
   Q_OBJECT
 
  public:
   explicit PlacesBox(PrepareModel& shared, QWidget* parent = nullptr);
-  /// This kind is to be marked next.
+  /// Selects the kind to be marked next.
   void offer(const QString& kind);
 
  Q_SIGNALS:
-  /// It is chosen what to mark: the next click says where.
+  /// Emitted when the user has chosen what to mark; the next click sets its position.
   void markingBegun();
 
  private:

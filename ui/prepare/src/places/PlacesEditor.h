@@ -23,11 +23,11 @@ class PlacesEditor : public QObject {
 
   const CasePlaces& value() const { return places_; }
   void set(CasePlaces places, const QString& what);
-  /// Makes the probe's place the case's start pose, if it has none; saved with the case.
+  /// If the case has no start pose, makes the probe's pose its start pose, to be saved with the case.
   void keepStart();
-  /// Tells whether the case has no start pose while the live image has one that could become it.
+  /// Tells whether the case has no start pose although the live image has a pose that could become one.
   bool lacksStart() const;
-  /// Adds to `all` an edit that sets other places, if they differ.
+  /// Adds to `all` an edit that sets these places, if they differ from the present ones.
   void restore(const CasePlaces& places, QUndoCommand& all);
 
  Q_SIGNALS:
@@ -42,7 +42,7 @@ class PlacesEditor : public QObject {
   LivePatient& live_;
   Notice& notice_;
   CasePlaces places_;
-  std::optional<StartPose> found_;  ///< where the probe began when the case was opened
+  std::optional<StartPose> found_;  ///< initial pose of the probe when the case was opened
 };
 
 }  // namespace insonate::prepare

@@ -9,9 +9,9 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// Names the vein or artery at the first of these places that lies in one (see simulator/VesselNaming.h). Returns at
-/// once; the course is found on another thread, then added to the case's places as an undoable edit, or a sentence
-/// says why there is none.
+/// Names the vein or artery at the first of these points that lies in one (see simulator/VesselNaming.h). Returns at
+/// once: the vessel's course is computed on a background thread and then added to the case's places as an undoable
+/// edit. If it cannot be computed, a message says why.
 void nameVesselAt(PrepareModel& shared, std::vector<Vec3> places_mm, const QString& name);
 
 }  // namespace insonate::prepare

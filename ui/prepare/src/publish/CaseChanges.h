@@ -14,7 +14,7 @@ class StructureAppearance;
 class StructureList;
 class TermsEditor;
 
-/// Changes of the open case that are not saved in it, as edits of a copy.
+/// Unsaved changes of the open case, as edits that can be applied to a copy.
 class CaseChanges : public QObject {
   Q_OBJECT
 
@@ -32,9 +32,9 @@ class CaseChanges : public QObject {
   CaseChanges(const Sources& sources, QObject* parent);
 
   bool isUnsaved() const;
-  /// Changes that belong to the case and are not saved in it; null without any.
+  /// Returns the unsaved changes that belong to the case; null if there are none.
   ui::CaseEdit unsavedEdit() const;
-  /// Changes of visibility and opacity that are not saved in the case; null without any.
+  /// Returns the unsaved changes of visibility and opacity; null if there are none.
   ui::CaseEdit quietEdit() const;
 
  Q_SIGNALS:
@@ -44,7 +44,7 @@ class CaseChanges : public QObject {
   void refresh();
 
   Sources from_;
-  std::array<bool, 2> has_{};  ///< unsaved, quiet
+  std::array<bool, 2> has_{};  ///< whether there are unsaved and quiet edits
 };
 
 }  // namespace insonate::prepare

@@ -13,11 +13,11 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// The last step of a case: publishes the saved, fit case as the version that trainees get until another one is
-/// published.
+/// The last step of preparing a case: publishes the saved case, if it is fit for training. Trainees get this version
+/// until another is published.
 class PublishStep : public QWidget {
  public:
-  /// Shows the published version in `mark`.
+  /// `mark` shows the published version.
   PublishStep(PrepareModel& shared, ui::TaskBar& tasks, QLabel& mark, QWidget* parent = nullptr);
 
  private:
@@ -30,7 +30,7 @@ class PublishStep : public QWidget {
   ui::TaskBar& tasks_;
   QLabel& mark_;
   QPushButton* publish_;
-  int published_ = 0;  ///< number of that version; 0 for none
+  int published_ = 0;  ///< number of the published version; 0: none
   bool isLatest_ = false;
   bool wasUnsaved_ = false;
 };

@@ -9,7 +9,7 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// Details of the selected structure: state, tissue, term and voxels, in words.
+/// Shows state, tissue, term and number of voxels of the selected structure, in words.
 class LabelDetails : public QWidget {
  public:
   explicit LabelDetails(PrepareModel& shared, QWidget* parent = nullptr);

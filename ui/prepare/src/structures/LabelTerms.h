@@ -7,7 +7,8 @@
 
 namespace insonate::prepare {
 
-/// The author's terms of labels: meaning of own labels, and progress on each. Edited and undone as a whole.
+/// The author's data about labels: the meanings of the author's own labels, and the progress on each label. Edited and
+/// undone as a whole.
 struct LabelTerms {
   OwnLabels own;
   LabelStates states;
@@ -23,11 +24,11 @@ inline void putTerms(const LabelTerms& terms, CaseManifest& manifest) {
 
 inline constexpr LabelState kLabelStates[] = {LabelState::NotStarted, LabelState::InProgress, LabelState::Completed,
                                               LabelState::Flagged};
-/// The state as a word, and as a glyph that shows it without color.
+/// Return the state as a word, and as a symbol that does not depend on color.
 QString stateWord(LabelState state);
 QIcon stateIcon(LabelState state);
 
-/// "SNOMED CT 29092000, Vein", of a structure of the label table.
+/// Returns the coded term of a structure in the label table: "SNOMED CT 29092000, Vein".
 QString termOf(std::uint8_t tissue);
 
 }  // namespace insonate::prepare

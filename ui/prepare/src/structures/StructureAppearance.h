@@ -19,7 +19,7 @@ class OpenCase;
 class StructureList;
 class TermsEditor;
 
-/// Edits how structures are drawn. Visibility and opacity are also the user's habits for other cases.
+/// Edits how structures are drawn. Visibility and opacity are also stored as the user's defaults for other cases.
 class StructureAppearance : public QObject {
   Q_OBJECT
 
@@ -29,21 +29,21 @@ class StructureAppearance : public QObject {
 
   const StructureLook& look(std::uint8_t label) const { return looks_[label]; }
   const StructureLooks& looks() const { return looks_; }
-  /// Looks when the case was opened or saved.
+  /// Appearance when the case was opened or last saved.
   const StructureLooks& savedLooks() const { return saved_; }
   void setColour(std::uint8_t label, views::Colour colour);
-  /// Sets an opacity; of one drag, the last value counts.
+  /// Sets an opacity. Consecutive calls during a drag are undone together.
   void setOpacity(std::uint8_t label, double opacity);
   void setShareOnSlices(std::uint8_t label, double share);
   void setVisible(std::uint8_t label, bool visible);
   void showOnly(std::uint8_t label);
   void showAll();
-  /// Adds to `all` edits that set other looks, where they differ.
+  /// Adds to `all` edits that set these looks, for structures whose look differs from the present one.
   void restore(const StructureLooks& looks, QUndoCommand& all);
 
-  /// Keeps tools from labels that are not visible.
+  /// Forbids tools to change labels that are not visible.
   void protectHidden();
-  /// Writes and reads the user's habits; they apply to the next case.
+  /// Saves the user's defaults; restoreHabits() reads them. They apply from the next case.
   void saveHabits(QSettings& settings) const;
   void restoreHabits(QSettings& settings);
 
@@ -51,7 +51,7 @@ class StructureAppearance : public QObject {
   void lookChanged(int label);
 
  private:
-  /// The user's choices for a structure in other cases.
+  /// The user's default look of a structure.
   struct Habit {
     double opacity = 1;
     bool visible = true;

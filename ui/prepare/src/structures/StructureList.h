@@ -14,7 +14,7 @@ class Notice;
 class OpenCase;
 class TermsEditor;
 
-/// The structures of the table, and the one that is selected.
+/// The list of structures in the table, and the selected structure.
 class StructureList : public QObject {
   Q_OBJECT
 
@@ -22,17 +22,17 @@ class StructureList : public QObject {
   StructureList(OpenCase& openCase, const CaseMeasuring& measuring, LabelSession& labelling, TermsEditor& terms,
                 Notice& notice, QObject* parent);
 
-  /// Structures that occur or were added, in the table's order; empty before they are counted.
+  /// Labels of the structures that have voxels or were added, in the table's order; empty until the voxels are counted.
   const std::vector<std::uint8_t>& labels() const { return labels_; }
   std::uint8_t selected() const { return selected_; }
   void select(std::uint8_t label);
   /// Selects the next or previous structure of the table.
   void selectNext(int step);
-  /// Lists a structure that no voxel has yet, and selects it. One of the author's own can be undone.
+  /// Adds a structure without voxels to the list and selects it. Undoable if it is one of the author's own structures.
   void add(std::uint8_t label);
-  /// Changes all its voxels to soft tissue; an own structure without voxels is removed.
+  /// Changes all voxels of a structure to soft tissue; a structure of the author's own without voxels is removed.
   void removeVoxels(std::uint8_t label);
-  /// Moves a listed structure to its next state, and says so.
+  /// Moves a listed structure to its next state, and shows a message.
   void toNextState(std::uint8_t label);
 
  Q_SIGNALS:
@@ -49,7 +49,7 @@ class StructureList : public QObject {
   TermsEditor& terms_;
   Notice& notice_;
   std::vector<std::uint8_t> labels_;
-  LabelSet added_;  ///< labels that are listed before they are counted
+  LabelSet added_;  ///< labels that were added before the voxels are counted
   std::uint8_t selected_ = 0;
 };
 

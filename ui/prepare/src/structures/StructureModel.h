@@ -10,7 +10,7 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// The structures of a case as rows. Names of the author's own can be edited.
+/// Table model with one row per structure. Names of the author's own structures can be edited.
 class StructureModel : public QAbstractTableModel {
  public:
   enum Column { kEye, kLock, kColour, kName, kState, kVolume, kTissue, kTerm, kVoxels, kColumns };
@@ -26,7 +26,7 @@ class StructureModel : public QAbstractTableModel {
 
   std::uint8_t labelAt(int row) const;
   int rowOf(std::uint8_t label) const;
-  /// States have their word beside their glyph.
+  /// Shows the states' words beside their symbols, if there is space.
   void setRoomy(bool roomy);
 
  private:
@@ -39,7 +39,7 @@ class StructureModel : public QAbstractTableModel {
 
   PrepareModel& shared_;
   QIcon locked_, unlocked_;
-  QIcon shown_, unseen_, hidden_;  ///< unseen: shown, but of no opacity
+  QIcon shown_, unseen_, hidden_;  ///< unseen_: visible, but with opacity 0
   std::array<QIcon, std::size(kLabelStates)> states_;
   bool roomy_ = false;
 };

@@ -15,15 +15,17 @@ namespace insonate::prepare {
 struct PrepareModel;
 class StructureModel;
 
-/// The table of structures with the commands for one of them. Space shows or hides, Enter chooses a color (unless a
-/// tool is in hand), F2 names one of the author's own. A wide table also shows tissue, term and voxels.
+/// The table of structures, with commands for the selected one. Space shows or hides it, Enter chooses a color (unless
+/// a tool is selected), F2 renames a structure of the author's own. A wide table also shows tissue, term and number of
+/// voxels.
 class StructureTable : public QWidget {
  public:
   explicit StructureTable(PrepareModel& shared, QWidget* parent = nullptr);
 
-  /// Asks for a color of the selected structure.
+  /// Lets the user choose a color for the selected structure.
   void chooseColour();
-  /// Enter is a tool's while one is in hand: who chooses its label here wants to apply it.
+  /// Sets whether a tool is selected. Enter then applies the tool instead of choosing a color, since an author may
+  /// select a label in the table just before applying the tool.
   void setToolInHand(bool inHand) { toolInHand_ = inHand; }
 
  protected:

@@ -6,7 +6,7 @@
 
 namespace insonate::prepare {
 
-/// A small square of a structure's colour.
+/// Returns a small square in a structure's color.
 QPixmap swatch(views::Colour colour);
 
 }  // namespace insonate::prepare

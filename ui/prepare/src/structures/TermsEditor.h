@@ -22,14 +22,14 @@ class TermsEditor : public QObject {
 
   const LabelTerms& value() const { return terms_; }
   void set(LabelTerms terms, const QString& what);
-  /// The author's name of a label, or the label table's.
+  /// Returns the author's name of a label, else the label table's.
   QString nameOf(std::uint8_t label) const;
   LabelState stateOf(std::uint8_t label) const;
-  /// Names one of the author's own labels. A name that another structure has is refused, with a sentence.
+  /// Sets the name of one of the author's own labels. A name that another structure has is refused with a message.
   void setName(std::uint8_t label, const QString& name);
   void setTissue(std::uint8_t label, std::uint8_t tissue);
   void setState(std::uint8_t label, LabelState state);
-  /// Adds to `all` an edit that sets other terms, if they differ.
+  /// Adds to `all` an edit that sets these terms, if they differ from the present ones.
   void restore(const LabelTerms& terms, QUndoCommand& all);
 
  Q_SIGNALS:

@@ -6,18 +6,18 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// One of the case's structures, by name and colour.
+/// Combo box of the case's structures, with name and color.
 class LabelBox : public QComboBox {
   Q_OBJECT
 
  public:
   LabelBox(PrepareModel& shared, const QString& name, const QString& hint);
 
-  /// Shows a label; nothing where the case has none of it.
+  /// Shows a label; no label if the case has no such structure.
   void show(std::uint8_t label);
 
  Q_SIGNALS:
-  /// The user chose a label.
+  /// Emitted when the user has chosen a label.
   void chosen(std::uint8_t label);
 
  private:

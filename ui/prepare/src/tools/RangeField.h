@@ -6,12 +6,14 @@ class QSpinBox;
 
 namespace insonate::prepare {
 
-/// A range of Hounsfield units: on the histogram, as two numbers, and parted where the histogram parts best.
+/// Editor of a range of Hounsfield units: on the histogram, as two numbers, and by splitting it at the threshold that
+/// separates the histogram best.
 class RangeField : public QWidget {
   Q_OBJECT
 
  public:
-  /// Its parts are called `name`-from, `name`-to, `name`-strip, `name`-darker, `name`-brighter and `name`-all.
+  /// The child widgets have the object names `name`-from, `name`-to, `name`-strip, `name`-darker, `name`-brighter and
+  /// `name`-all.
   explicit RangeField(const QString& name, QWidget* parent = nullptr);
 
   void setHistogram(const views::HuHistogram& histogram);
@@ -20,7 +22,7 @@ class RangeField : public QWidget {
   void setRange(HuRange range);
 
  Q_SIGNALS:
-  /// The user edited the range.
+  /// Emitted when the user has edited the range.
   void edited(insonate::HuRange range);
 
  protected:
@@ -28,7 +30,7 @@ class RangeField : public QWidget {
 
  private:
   void edit(HuRange range);
-  /// Otsu's method within the range.
+  /// Splits the range at the threshold of Otsu's method, and keeps the brighter or the darker part.
   void part(bool brighter);
 
   RangeStrip* strip_;

@@ -8,7 +8,8 @@
 
 namespace insonate::prepare {
 
-/// A range of Hounsfield units over the CT's histogram: either end is dragged, or both by the band between them.
+/// Shows a range of Hounsfield units over the CT's histogram. Each end can be dragged, or both together by the band
+/// between them.
 class RangeStrip : public QWidget {
   Q_OBJECT
 
@@ -18,7 +19,7 @@ class RangeStrip : public QWidget {
   void setHistogram(const views::HuHistogram& histogram);
   void setRange(HuRange range);
   void setColour(views::Colour colour);
-  /// Converts between Hounsfield units and places on the strip.
+  /// Converts between Hounsfield units and x positions on the strip.
   double placeOf(double hu) const;
   double huAt(double x) const;
 
@@ -26,7 +27,7 @@ class RangeStrip : public QWidget {
   QSize minimumSizeHint() const override { return {160, 56}; }
 
  Q_SIGNALS:
-  /// The user dragged the range.
+  /// Emitted when the user has dragged the range.
   void dragged(insonate::HuRange range);
 
  protected:
@@ -44,7 +45,7 @@ class RangeStrip : public QWidget {
   HuRange range_{0, 100}, before_;
   views::Colour colour_ = views::theme::kAccent;
   Part held_ = Part::None;
-  double from_HU_ = 0;  ///< where the drag began
+  double from_HU_ = 0;  ///< value under the pointer when the drag began
 };
 
 }  // namespace insonate::prepare

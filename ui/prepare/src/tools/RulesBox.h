@@ -15,7 +15,8 @@ class LabelBox;
 struct PrepareModel;
 class RangeField;
 
-/// Rules for every tool: the labels that it may overwrite, and the range in which the CT must be.
+/// Editor of the rules for all tools: the labels that they may overwrite, and the range of CT values that they may
+/// change.
 class RulesBox : public QWidget {
  public:
   explicit RulesBox(PrepareModel& shared, QWidget* parent = nullptr);

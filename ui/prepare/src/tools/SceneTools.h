@@ -10,8 +10,8 @@ namespace insonate::prepare {
 class CaseViews;
 class ToolSession;
 
-/// Scissors over 3D: a left drag, or clicks, draw a line around the part to cut along the view (not with Ctrl or
-/// Shift, which keep turning and shifting the view).
+/// Scissors over 3D: a left drag, or clicks, draw an outline around the part to cut along the viewing direction. With
+/// Ctrl or Shift, a drag turns or shifts the view as usual.
 class SceneTools : public QObject {
  public:
   SceneTools(CaseViews& views, ToolSession& tools, QObject* parent);

@@ -13,9 +13,9 @@ namespace insonate::prepare {
 class CaseViews;
 class LabelPreview;
 
-/// The tool on the slices: takes the mouse from them, and from the guide, if the tool uses it (not with Ctrl or Shift,
-/// which stay the slice's own), and shows points, outline, brush and preview over all three. The status line describes
-/// the voxel under the tool.
+/// Applies the selected tool to the slices. It takes mouse input before the slices and the guide, if the tool uses the
+/// mouse; input with Ctrl or Shift still goes to the slice. Shows points, outline, brush and preview over all three
+/// slices. The status line describes the voxel under the tool.
 class SliceTools : public QObject {
  public:
   SliceTools(CaseViews& views, ToolSession& tools, PrepareModel& shared, QObject* parent);
@@ -31,7 +31,7 @@ class SliceTools : public QObject {
   bool released(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
   bool key(int key, bool act);
-  /// Sets the point under the tool; none if it is empty.
+  /// Sets the position of the pointer; empty: the pointer is over no slice.
   void pointAt(std::optional<QPointF> at);
   void showMarks();
   void showPreview();
@@ -42,7 +42,7 @@ class SliceTools : public QObject {
   const LabelPreview& preview_;
   std::optional<QPointF> pointer_;
   std::optional<Vec3> pointer_mm_;
-  int under_ = 0;  ///< slice the pointer is over
+  int under_ = 0;  ///< index of the slice under the pointer
   bool held_ = false;
 };
 

@@ -11,31 +11,31 @@
 
 namespace insonate::prepare {
 
-/// A number of a tool.
+/// A numeric parameter of a tool.
 struct ToolNumber {
   QString name, unit;
   ui::ValueRange range;
   QString hint;
   std::function<double(const LabelTool&)> get;
   std::function<void(LabelTool&, double)> set;
-  bool ofVoxels = false;    ///< its range follows the CT's voxels and extent
-  bool fromAVoxel = false;  ///< its range begins at the finest voxel: below, it does nothing
+  bool ofVoxels = false;    ///< the range depends on the CT's voxel size and extent
+  bool fromAVoxel = false;  ///< the range begins at the smallest voxel size, below which the number has no effect
 };
 
-/// The Hounsfield units that a tool takes.
+/// The range of Hounsfield units that a tool uses.
 struct ToolRange {
   std::function<HuRange(const LabelTool&)> get;
   std::function<void(LabelTool&, HuRange)> set;
 };
 
-/// Another label that a tool needs.
+/// A second label that a tool uses.
 struct ToolLabel {
   QString name, hint;
   std::function<std::uint8_t(const LabelTool&)> get;
   std::function<void(LabelTool&, std::uint8_t)> set;
 };
 
-/// One of a few words of a tool.
+/// A parameter of a tool with a few named options.
 struct ToolChoice {
   QString name;
   QStringList words;
@@ -44,35 +44,36 @@ struct ToolChoice {
   std::function<void(LabelTool&, int)> set;
 };
 
-/// Action of the mouse on a slice while a tool is in hand.
+/// Effect of the mouse on a slice while a tool is selected.
 enum class ToolInput {
   Nothing,
-  Brush,    ///< a left drag writes at once
+  Brush,    ///< a left drag paints at once
   Outline,  ///< a left drag, or clicks, draw an outline
-  Points,   ///< clicks set points, a right click takes the nearest away
-  Range     ///< a click takes the Hounsfield unit there
+  Points,   ///< clicks set points, a right click removes the nearest
+  Range     ///< a click sets the range around the clicked Hounsfield value
 };
 
-/// A tool of the window: an entry of segmentation's LabelTool, or two of them that differ in what they write.
+/// A tool in the window: an entry of LabelTool in the segmentation module, or two entries that differ in what they
+/// write.
 struct Tool {
   QString id, name;
-  QString group;  ///< tools of a group share a button of the palette
-  int key = 0;    ///< Qt::Key of its group; 0 for none
+  QString group;  ///< tools of one group share a button in the palette
+  int key = 0;    ///< Qt::Key of the tool's group; 0: no key
   ToolInput input = ToolInput::Nothing;
-  QString advice;  ///< what to do, a sentence or two
+  QString advice;  ///< instructions, a sentence or two
   LabelTool usual;
   std::vector<ToolNumber> numbers{};
   std::vector<ToolChoice> choices{};
   std::optional<ToolRange> range{};
   std::optional<ToolLabel> other{};
   int leastPoints = 0;
-  bool erases = false;  ///< the label loses what is painted
+  bool erases = false;  ///< removes the painted voxels from the label
 };
 
 /// All tools, in the palette's order.
 const std::vector<Tool>& toolTable();
 
-/// Clicked points of a tool; null if it takes none.
+/// Returns the clicked points of a tool; null if it uses none.
 std::vector<Vec3>* pointsOf(LabelTool& tool);
 
 }  // namespace insonate::prepare

@@ -9,12 +9,12 @@ namespace insonate::prepare {
 
 class ToolSession;
 
-/// The palette: one button for each tool, or for a group of them, which unfolds. The tool in hand is marked. Where
-/// there is no room for all names, icons stand alone.
+/// The palette: one button for each tool, or for each group of tools, which then opens a menu. The selected tool is
+/// marked. If there is not enough space for all names, only icons are shown.
 class ToolBar : public QWidget {
  public:
   explicit ToolBar(ToolSession& tools, QWidget* parent = nullptr);
-  /// Names give way, so that the views beside it need not.
+  /// Names are hidden first, so that the palette does not take space from the views.
   QSize minimumSizeHint() const override { return {0, QWidget::minimumSizeHint().height()}; }
 
  protected:
@@ -27,12 +27,13 @@ class ToolBar : public QWidget {
   ToolSession& tools_;
   struct Entry {
     QToolButton* button;
-    QStringList ids;  ///< of its tools; empty for the crosshair
+    QStringList ids;  ///< ids of the button's tools; empty for the crosshair
   };
   std::vector<Entry> entries_;
 };
 
-/// The next tool of a key: the first, or where one of the group is in hand, the one after it. Empty for a key of none.
+/// Returns the tool that a key selects: the first of its group or, if one of the group is selected, the next. Empty if
+/// the key has no tool.
 QString toolOfKey(int key, const QString& inHand);
 
 }  // namespace insonate::prepare

@@ -24,7 +24,7 @@ class ToolSession;
 struct ToolChoice;
 struct ToolNumber;
 
-/// The tool in hand, and nothing of others: what to do, its parameters, preview and apply.
+/// Shows the selected tool: instructions, its parameters, preview and apply.
 class ToolPanel : public QWidget {
  public:
   ToolPanel(PrepareModel& shared, ToolSession& tools, QWidget* parent = nullptr);
@@ -46,16 +46,17 @@ class ToolPanel : public QWidget {
   PrepareModel& shared_;
   ToolSession& tools_;
   QLabel *name_, *advice_;
-  QLabel* told_;  ///< why nothing came of it, whole: the status bar shares its room with jobs
+  /// Reason why a step had no result; shown here in full, since the status bar shares its space with jobs.
+  QLabel* told_;
   LabelBox* label_;
   RulesBox* rules_;
-  RangeField* range_ = nullptr;  ///< of the tool in hand, where it has one
+  RangeField* range_ = nullptr;  ///< range of the selected tool; null if it has none
   std::unique_ptr<views::HuHistogram> histogram_;
   QPushButton *preview_, *apply_, *leave_;
   QWidget* fields_ = nullptr;
   QVBoxLayout* box_;
-  std::vector<std::function<void()>> shown_;  ///< bring the fields up to date
-  QTimer slow_;                               ///< a preview has been computed for so long
+  std::vector<std::function<void()>> shown_;  ///< functions that update the fields
+  QTimer slow_;                               ///< runs while a preview is computed; then shows that it takes long
   bool showing_ = false;
 };
 

@@ -12,38 +12,38 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// The tool that is in the author's hand: its parameters, the points that were clicked for it, its preview. Preview,
-/// Enter and Esc mean the same for all tools. For the window's thread.
+/// The selected tool, its parameters, the points clicked for it, and its preview. Preview, Enter and Esc have the same
+/// meaning for all tools. For the window's thread.
 class ToolSession : public QObject {
   Q_OBJECT
 
  public:
   ToolSession(PrepareModel& shared, QObject* parent);
 
-  /// The tool in hand; null without one: then the mouse moves the crosshair.
+  /// The selected tool; null: no tool, so that the mouse moves the crosshair.
   const Tool* tool() const { return tool_; }
-  /// Selects a tool by its id; an empty id deselects it. Clicks for another tool are cleared.
+  /// Selects a tool by its id; an empty id deselects the tool. Points clicked for another tool are removed.
   void choose(const QString& id);
-  /// Selects the former tool.
+  /// Selects the tool that was selected last.
   void chooseLast();
   const LabelTool& parameters() const { return parameters_; }
   void setNumber(const ToolNumber& number, double value);
   void setChoice(const ToolChoice& choice, int index);
   void setRange(HuRange range);
   void setOther(std::uint8_t label);
-  /// Range of a number in this case.
+  /// Returns the permitted range of a parameter in this case.
   ui::ValueRange rangeOf(const ToolNumber& number) const;
 
   const std::vector<Vec3>& points() const;
   void addPoint(Vec3 patient_mm, views::SliceKind slice);
-  /// The tool is drawn over 3D, too.
+  /// Tells whether the tool can also be drawn over 3D.
   bool cutsScene() const;
-  /// Its points lie before 3D, and not on a slice.
+  /// Tells whether the tool's points were drawn over 3D, not on a slice.
   bool isDrawnInScene() const { return sceneLook_.has_value() && !points().empty(); }
-  /// Adds a corner drawn over 3D; the cut begins at the first corner's surface.
+  /// Adds a corner of an outline drawn over 3D; the cut begins at the surface under the first corner.
   void addScenePoint(Vec3 patient_mm, const ScissorsView& look);
   void removeNearest(Vec3 patient_mm);
-  /// The Hounsfield units around a place become the range.
+  /// Sets the range to the Hounsfield units around a point.
   void takeRange(Vec3 patient_mm);
 
   bool beginStroke(Vec3 patient_mm, views::SliceKind slice);
@@ -53,18 +53,18 @@ class ToolSession : public QObject {
   bool brushIsFlat() const;
   void scaleBrush(double factor);
 
-  /// Enough is clicked, and nothing else is at work.
+  /// Tells whether enough points were clicked and no other tool is running.
   bool isComplete() const;
   void preview();
   void apply();
-  /// Esc: stops a running step, else clears the clicks, else deselects the tool.
+  /// Performs the action of Esc: stops a running step, else removes the points, else deselects the tool.
   void leave();
 
  Q_SIGNALS:
   void toolChanged();
   void parametersChanged();
   void pointsChanged();
-  /// Why nothing came of it, until something else is done; empty then.
+  /// Emitted with the reason why a step had no result; emitted with an empty text at the next action.
   void told(const QString& sentence);
 
  private:
@@ -72,16 +72,16 @@ class ToolSession : public QObject {
   void fillIn(LabelTool& tool) const;
   int axisOf(views::SliceKind slice) const;
   void changed();
-  /// One is shown, or will be.
+  /// Tells whether a preview is shown or requested.
   bool isPreviewWanted() const;
 
   PrepareModel& shared_;
   const Tool* tool_ = nullptr;
   LabelTool parameters_;
-  std::map<QString, LabelTool> kept_;  ///< parameters of tools that were used
+  std::map<QString, LabelTool> kept_;  ///< parameters of the tools that were used before
   QString last_;
-  std::optional<ScissorsView> sceneLook_;             ///< of the outline's first corner, where it is drawn over 3D
-  views::SliceKind slice_ = views::SliceKind::Axial;  ///< that was used last
+  std::optional<ScissorsView> sceneLook_;  ///< view at the outline's first corner, for an outline drawn over 3D
+  views::SliceKind slice_ = views::SliceKind::Axial;  ///< kind of the slice that was used last
 };
 
 }  // namespace insonate::prepare

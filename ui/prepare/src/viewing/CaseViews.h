@@ -25,8 +25,8 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// The patient four times: axial, coronal and sagittal slices with one crosshair, and 3D with the probe. A click on a
-/// structure in 3D puts the crosshair there.
+/// Four views of the patient: axial, coronal and sagittal slices with one crosshair, and 3D with the probe. A click on
+/// a structure in 3D moves the crosshair there.
 class CaseViews : public QWidget {
  public:
   static constexpr int kSlices = 3;
@@ -36,18 +36,18 @@ class CaseViews : public QWidget {
 
   const std::shared_ptr<views::SceneView>& sharedScene() { return scene_; }
   views::MprView& slice(int index) { return *slices_[std::size_t(index)]; }
-  /// The slices first, 3D last.
+  /// Widgets of the slices and, as the last, of 3D.
   const std::array<ui::ViewWidget*, kSlices + 1>& widgets() const { return widgets_; }
   const PreviewSurface& previewSurface() const { return previewSurface_; }
-  /// True if the 3D view is up to date and in full detail.
+  /// Tells whether the 3D view is up to date and in full detail.
   bool isAtRest() const { return !follow_.isActive() && !rest_.isActive(); }
   void setRested(std::function<void()> listener) { rested_ = std::move(listener); }
-  /// Replaces the case by the same voxels in other memory.
+  /// Replaces the case by one with the same voxels at another address.
   void replaceCase();
 
-  /// A line that is drawn over 3D.
+  /// Sets a line to draw over 3D.
   void setSceneLine(std::vector<Vec3> line_mm);
-  /// Points that were clicked, numbered in slices and crosses in 3D.
+  /// Sets clicked points, shown as numbers in slices and as crosses in 3D.
   void setClicks(const std::vector<Vec3>& clicks_mm);
 
   QByteArray saveState() const;
@@ -70,20 +70,20 @@ class CaseViews : public QWidget {
   void followProbe();
   void placeCamera();
   void buildEmpty();
-  /// The case is known to have no labels.
+  /// Tells whether the case is known to have no labels.
   bool isUnlabelled() const;
   void pickAt(QPoint at);
 
   PrepareModel& shared_;
   PreviewSurface previewSurface_;
-  std::uint8_t faded_ = 0;  ///< label that is drawn fainter beside its preview; 0 for none
+  std::uint8_t faded_ = 0;  ///< label that is drawn fainter beside its preview; 0: none
   std::vector<Vec3> sceneLine_mm_, clicks_mm_;
   std::shared_ptr<views::VtkCase> case_;
   std::array<std::shared_ptr<views::MprView>, kSlices> slices_;
   std::shared_ptr<views::SceneView> scene_;
   std::array<ui::ViewWidget*, kSlices + 1> widgets_{};
   QSplitter* rows_ = nullptr;
-  QLabel* empty_ = nullptr;  ///< over 3D while there is nothing to show
+  QLabel* empty_ = nullptr;  ///< text over 3D while there is nothing to show
   std::array<QSplitter*, 2> columns_{};
   QTimer follow_, rest_;
   std::function<void()> rested_;

@@ -10,7 +10,7 @@ class LivePatient;
 class Notice;
 class OpenCase;
 
-/// The point of the patient where all slices meet; the probe follows it.
+/// The point of the patient at which all slices intersect; the probe follows it.
 class Crosshair : public QObject {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class Crosshair : public QObject {
   Vec3 position_mm() const { return position_mm_; }
   /// Sets the position, clamped to the volume.
   void moveTo(Vec3 patient_mm);
-  /// Moves to the place where the case begins.
+  /// Moves crosshair and probe to the case's start pose.
   void goToStart();
   /// Moves crosshair and probe to a pose.
   void goTo(const StartPose& pose);

@@ -7,15 +7,16 @@
 
 namespace insonate::prepare {
 
-/// The author's places, as they are drawn.
+/// The author's places in the form in which they are drawn.
 struct MarkedPlaces {
-  std::vector<views::NamedPlace> places;  ///< on slices, with their names
-  std::vector<views::ScenePath> paths;    ///< in 3D: crosses, and of a start pose the probe's face and the way it looks
+  std::vector<views::NamedPlace> places;  ///< points on slices, with their names
+  /// Lines in 3D: crosses and, for a start pose, the probe's face and its viewing direction.
+  std::vector<views::ScenePath> paths;
 };
 
 MarkedPlaces markedPlaces(const CasePlaces& places);
 
-/// A cross in 3D, of three lines.
+/// Adds a cross of three lines in 3D.
 void addCross(std::vector<views::ScenePath>& paths, Vec3 at_mm, views::Colour colour);
 
 }  // namespace insonate::prepare

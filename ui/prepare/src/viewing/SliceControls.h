@@ -13,7 +13,7 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// Display of the slices: window and level of the CT, and the labels over it.
+/// Controls for the display of slices: window and level of the CT, and the labels over it.
 class SliceControls : public QWidget {
  public:
   explicit SliceControls(PrepareModel& shared, QWidget* parent = nullptr);

@@ -9,7 +9,7 @@ class QSettings;
 
 namespace insonate::prepare {
 
-/// The user's settings of slices: window and level, how labels lie on them, and whether places are marked.
+/// The user's settings for slices: window and level, how labels are drawn over the CT, and whether places are marked.
 class SliceSettings : public QObject {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class SliceSettings : public QObject {
   void setLabelsShown(bool shown);
   const views::LabelStyle& labelStyle() const { return labelStyle_; }
   void setLabelStyle(const views::LabelStyle& style);
-  /// Targets, landmarks and start poses, on slices and in 3D.
+  /// Tells whether targets, landmarks and start poses are shown on slices and in 3D.
   bool placesShown() const { return placesShown_; }
   void setPlacesShown(bool shown);
   void save(QSettings& settings) const;

@@ -15,7 +15,7 @@ class Notice;
 class OpenCase;
 class TermsEditor;
 
-/// The sentence of the status bar: the notice about the last event, otherwise the voxel under the tool or the
+/// Text of the status bar: the notice about the last event, else a description of the voxel under the tool or the
 /// crosshair.
 class StatusLine : public QObject {
   Q_OBJECT
@@ -34,7 +34,7 @@ class StatusLine : public QObject {
   StatusLine(const Sources& sources, QObject* parent);
 
   QString text() const;
-  /// Sets the point under a tool, which text() describes instead of the crosshair; none while there is none.
+  /// Sets the point under a tool, which text() describes instead of the crosshair; empty: no point.
   void pointAt(std::optional<Vec3> patient_mm);
 
  Q_SIGNALS:

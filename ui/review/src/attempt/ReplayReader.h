@@ -8,16 +8,16 @@
 
 namespace insonate::review {
 
-/// State of both hands at any time of a recording. One stretch, about a second, is unpacked when the time moves to
-/// another stretch, wherever it lies. Not for concurrent use of one object.
+/// Returns the state of both hands at any time of a recording. Recordings are stored in blocks of about a second; a
+/// block is unpacked when the time moves into it. One object must not be used by several threads at once.
 class ReplayReader {
  public:
   explicit ReplayReader(std::shared_ptr<const AttemptRecording> recording) : recording_(std::move(recording)) {}
 
-  /// The last sample until then, or the first of all; none where its stretch is damaged.
+  /// Returns the last sample at or before this time, else the first sample of all; empty if its block is damaged.
   std::optional<AttemptSample> at(std::int64_t time_us);
 
-  /// Stretches that were unpacked so far.
+  /// Number of blocks unpacked so far.
   int unpacked() const { return unpacked_; }
 
  private:

@@ -15,8 +15,8 @@ class Account;
 
 namespace insonate::review {
 
-/// The classes of the signed-in user, and the selected one, without a widget. The store is queried on the account's
-/// thread. Outdated standings arrive for some people after the other, since each is computed from all attempts of the
+/// The classes of the signed-in user, and the selected class. Uses no widgets. The store is queried on the account's
+/// thread. Outdated standings arrive for a few people at a time, since each is computed from all attempts of the
 /// person.
 class ClassDesk : public QObject {
   Q_OBJECT
@@ -28,25 +28,25 @@ class ClassDesk : public QObject {
   ui::Account* account() const { return account_; }
   /// Tells whether a user who may query classes is signed in.
   bool isSomebody() const;
-  /// Tells whether the user may see others: an instructor or administrator.
+  /// Tells whether the user is an instructor or administrator, who may see other people.
   bool teaches() const;
   bool administers() const;
 
-  /// Queries again; the shown data stays until the answer arrives.
+  /// Queries the store again; the present data stay until the results arrive.
   void refresh();
   const std::vector<Cohort>& cohorts() const { return cohorts_; }
   int chosen() const { return chosen_; }
   void choose(int cohort);
 
-  /// Facts of the class; null until they are read, and always for a trainee, whose curriculum is curriculum().
+  /// Facts of the class; null until they are read. Always null for a trainee, who gets only curriculum().
   const ClassFacts* facts() const { return facts_ ? &*facts_ : nullptr; }
   const Curriculum* curriculum() const;
-  /// Heat map; empty until the facts are read.
+  /// The heat map; empty until the facts are read.
   const HeatMap& heat() const;
-  /// Something that was asked is not answered yet; standings do not count.
+  /// Tells whether a query other than for standings is running.
   bool isReading() const { return asking_ > 0; }
   int pendingStandings() const { return int(queue_.size()); }
-  /// Why nothing is there, and what to do; empty where all is well.
+  /// Sentence that says why there are no data, and what to do; empty if there is no problem.
   QString trouble() const { return trouble_; }
 
  Q_SIGNALS:
@@ -69,10 +69,10 @@ class ClassDesk : public QObject {
   std::vector<Cohort> cohorts_;
   int chosen_ = 0;
   std::optional<ClassFacts> facts_;
-  std::optional<Curriculum> own_;   ///< a trainee's
-  std::vector<std::string> queue_;  ///< whose standing is to be worked out, the last one first
+  std::optional<Curriculum> own_;   ///< curriculum of a signed-in trainee
+  std::vector<std::string> queue_;  ///< ids of people whose standing must be computed; the last is computed first
   int asking_ = 0;
-  int round_ = 0;  ///< answers to questions of an earlier class are not taken
+  int round_ = 0;  ///< number of the last selection; results for earlier classes are dropped
   QString trouble_;
 };
 

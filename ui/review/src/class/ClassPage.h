@@ -20,7 +20,7 @@ namespace insonate::review {
 class ClassDesk;
 class ClassTable;
 
-/// The class at one look: which, how far everyone is and in what they are good, and who needs their instructor.
+/// Overview of a class: which class, each person's progress and performance, and who needs the instructor's help.
 class ClassPage final : public QWidget {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class ClassPage final : public QWidget {
   /// Person::id of the selected row; empty: none.
   QString chosenPerson() const;
 
-  /// Sets the menu that saves the class, behind a button.
+  /// Sets the menu that saves the class's data; a button opens it.
   void setSaving(QMenu* menu) { save_->setMenu(menu); }
   void openSaving() {
     if (save_->isEnabled()) save_->showMenu();

@@ -14,7 +14,7 @@
 /// Queries of Review to the store, on the account's thread.
 namespace insonate::review {
 
-/// An attempt to look at, and why.
+/// An attempt that an instructor should look at, and why.
 struct FlaggedAttempt {
   AttemptFacts facts{};
   std::vector<Implausible> flags{};
@@ -23,14 +23,14 @@ struct FlaggedAttempt {
 struct ClassFacts {
   Cohort cohort{};
   std::optional<Curriculum> curriculum{};
-  std::string trouble{};  ///< why there is no curriculum, and what to do
+  std::string trouble{};  ///< sentence that says why there is no curriculum, and what to do
   std::vector<Member> learners{};
-  HeatMap heat{};                             ///< of kLastAttempts of each learner
-  std::vector<FlaggedAttempt> implausible{};  ///< of these, the latest first
+  HeatMap heat{};                             ///< heat map over the last kLastAttempts of each learner
+  std::vector<FlaggedAttempt> implausible{};  ///< implausible attempts among these, the latest first
 };
 Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort);
 
-/// The published version by which a cohort is taught.
+/// Returns the published version of the curriculum assigned to a class.
 Result<Curriculum> curriculumOf(const SignedIn& by, const Cohort& cohort);
 
 }  // namespace insonate::review

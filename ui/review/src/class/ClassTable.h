@@ -12,16 +12,16 @@ namespace insonate::review {
 
 class ClassDesk;
 
-/// The people of a class, a row each: who, whether they need help, level, attempts, and the heat map's cells.
+/// Table model with one row per person of a class: name, need for help, level, attempts, and the heat map's cells.
 class ClassTable final : public QAbstractTableModel {
   Q_OBJECT
 
  public:
   enum Column { kName, kNeeds, kLevel, kAttempts, kLast, kFirstMetric };
   enum Role {
-    kSort = Qt::UserRole,  ///< what a column is sorted by
-    kPerson,               ///< Person::id
-    kGround,               ///< color of a cell of the heat map; none: nothing to compare with
+    kSort = Qt::UserRole,  ///< Qt item role: value by which a column is sorted
+    kPerson,               ///< Qt item role: Person::id
+    kGround,               ///< Qt item role: color of a heat map cell; empty if there is nothing to compare with
   };
 
   explicit ClassTable(const ClassDesk& desk, QObject* parent = nullptr);
@@ -42,7 +42,7 @@ class ClassTable final : public QAbstractTableModel {
   const ClassDesk& desk_;
 };
 
-/// A cell of the heat map: its color, and the number on it.
+/// Paints a cell of the heat map: its color, and the value on it.
 class HeatDelegate final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;

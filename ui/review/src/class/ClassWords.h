@@ -13,24 +13,24 @@
 
 namespace insonate::review {
 
-/// "Needle path, mm"
+/// Returns title and unit of a metric: "Needle path, mm".
 QString titleWithUnit(const MetricMeaning& meaning);
-/// "1 person", "3 people"
+/// Returns a number with its noun: "1 person", "3 people".
 QString countOf(int count, const QString& one, const QString& many);
-/// Number with the digits that a table needs.
+/// Formats a number with the digits suitable for a table.
 QString numberOf(double value);
-/// "20 Nov 2026" in the user's time zone.
+/// Formats a date in the user's time zone: "20 Nov 2026".
 QString dayOf(std::int64_t time_us);
-/// "slipped", "stuck", or "" without concern.
+/// Returns "slipped" or "stuck"; "" if there is no concern.
 QString concernWord(Concern concern);
-/// Concern about a member; none while it is unknown.
+/// Returns the concern about a member; Concern::None while it is unknown.
 Concern concernOf(const Member& member);
-/// "skin to vein in 1.5 s, completed in 4.0 s"
+/// Describes the implausible values of an attempt: "skin to vein in 1.5 s, completed in 4.0 s".
 QString wordsOf(const AttemptFacts& attempt, const std::vector<Implausible>& flags);
-/// The level's title, or its name where the curriculum lacks it or is not known.
+/// Returns a level's title, or its name if the curriculum is unknown or lacks the level.
 QString levelTitle(const Curriculum* curriculum, const std::string& level);
 using ui::plainToolTip;
-/// "Passed", "Failed because ...", "Abandoned", "Voided: ...", with the level's rule, if known.
+/// Returns "Passed", "Failed because ...", "Abandoned" or "Voided: ...", by the level's rule if it is known.
 QString outcomeOf(const AttemptFacts& attempt, const Curriculum* curriculum);
 
 }  // namespace insonate::review

@@ -13,25 +13,26 @@
 
 namespace insonate::review {
 
-/// A person's last attempts in one metric.
+/// Summary of a person's last attempts in one metric.
 struct HeatCell {
-  std::optional<double> value;  ///< mean, in the metric's unit; none: no attempt tells it
-  std::optional<double> share;  ///< mean of 0 (as a novice) to 100 (as an expert); none: nothing to compare with
-  int attempts = 0;             ///< that tell it
+  std::optional<double> value;  ///< mean in the metric's unit; empty if no attempt has a value
+  std::optional<double> share;  ///< mean share from 0 (as a novice) to 100 (as an expert); empty without norms
+  int attempts = 0;             ///< number of attempts that have a value
 };
 
-/// Cells by Person::id, one for each of MetricBook::all().
+/// For each Person::id, one cell per metric of MetricBook::all(), in the same order.
 using HeatMap = std::map<std::string, std::vector<HeatCell>>;
 
-/// Heat map of many people's attempts. Those that do not count (Judgement.h) are left out.
+/// Computes the heat map of many people's attempts, without those that do not count (Judgement.h).
 HeatMap heatMapOf(std::span<const AttemptFacts> attempts);
 
-/// Maps dark blue (novice) over gray to yellow (expert), the colors of cividis (Nunez, Anderton, Renslow, PLoS ONE
-/// 2018, 13:e0199239): they rise in lightness too, and people with any kind of color vision can distinguish them.
+/// Color for a share from dark blue (novice) over gray to yellow (expert), after cividis (Nunez, Anderton, Renslow,
+/// PLoS ONE 2018, 13:e0199239). Lightness rises too, and people with any kind of color vision can distinguish the
+/// colors.
 QColor heatColour(double share);
-/// Black or white, whichever is read better on it.
+/// Returns black or white, whichever is more legible on this background.
 QColor inkOn(const QColor& ground);
-/// "as a novice", "far from expert", "midway", "near expert", "as an expert"; the same thing in words.
+/// Describes a share in words: "as a novice", "far from expert", "midway", "near expert", "as an expert".
 QString heatWords(const std::optional<double>& share);
 
 }  // namespace insonate::review

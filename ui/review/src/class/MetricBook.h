@@ -10,17 +10,17 @@
 
 namespace insonate::review {
 
-/// Meanings of metrics, and the norms of novices and experts, in each built-in procedure. Points are listed as
-/// "points", which is no metric and has no norm.
+/// Meanings of the metrics, with the norms of novices and experts in each built-in procedure. Points are listed as
+/// "points", although they are not a metric and have no norm.
 class MetricBook {
  public:
   static const MetricBook& here();
 
-  /// Points first, then those of which any procedure has a norm, then the others.
+  /// Points, then metrics that have a norm in any procedure, then the others.
   const std::vector<MetricMeaning>& all() const { return all_; }
   /// Number of entries of all() that are points or have a norm.
   std::size_t comparable() const { return comparable_; }
-  /// Meaning with the norms of that procedure; without norms if it is unknown.
+  /// Returns the meaning with the norms of this procedure; without norms if the procedure is unknown.
   const MetricMeaning& in(const std::string& procedure, const MetricMeaning& meaning) const;
 
  private:
@@ -31,9 +31,10 @@ class MetricBook {
   std::map<std::string, std::map<std::string, MetricMeaning>> byProcedure_;
 };
 
-/// The attempt's value; empty if it is missing or was measured by another definition.
+/// Returns the attempt's value; empty if it is missing or was measured by another version of the metric.
 std::optional<double> valueIn(const AttemptFacts& attempt, const MetricMeaning& meaning);
-/// 0 to 100 from novice to expert in the attempt's own procedure; of points they themselves.
+/// Returns the value's position from novice (0) to expert (100) in the attempt's own procedure; for points, the points
+/// themselves.
 std::optional<double> shareIn(const AttemptFacts& attempt, const MetricMeaning& meaning);
 
 }  // namespace insonate::review

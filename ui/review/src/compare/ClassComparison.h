@@ -8,19 +8,19 @@
 
 namespace insonate::review {
 
-/// A class with the means of its people, as heatMapOf() gives them.
+/// A class with the heat map of its people, from heatMapOf().
 struct ComparedClass {
   QString name;
   const HeatMap& heat;
 };
 
 struct ClassComparison {
-  ui::ChartPicture picture{};  ///< a box for each class
-  QString words{};             ///< n, means with their intervals, effect size and p; "n/a" and why where too few
+  ui::ChartPicture picture{};  ///< box plot with a box for each class
+  QString words{};  ///< n, means with intervals, effect size and p; if there are too few values, "n/a" and the reason
 };
 
-/// Two classes in one metric of MetricBook::all() that can be compared; a person is one value, so that who practices
-/// more does not count for more.
+/// Compares two classes in one of the comparable metrics of MetricBook::all(). Each person is one value, so that people
+/// with more attempts do not count more.
 ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& second, std::size_t metric);
 
 }  // namespace insonate::review

@@ -17,7 +17,7 @@ namespace insonate::review {
 
 class ClassDesk;
 
-/// The class beside another one, in one metric.
+/// Compares the class with another class in one metric.
 class ComparePage final : public QWidget {
   Q_OBJECT
 
@@ -42,9 +42,9 @@ class ComparePage final : public QWidget {
   QLabel *own_, *words_;
   QComboBox *other_, *metric_;
   ui::Chart* chart_;
-  std::string ownId_;  ///< Cohort::id of the class that is compared
+  std::string ownId_;  ///< Cohort::id of the user's selected class
   std::optional<ClassFacts> otherFacts_;
-  int round_ = 0;  ///< answers to earlier questions are not shown
+  int round_ = 0;  ///< number of the last query; results of earlier queries are dropped
 };
 
 }  // namespace insonate::review

@@ -22,26 +22,26 @@ class PersonPage;
 class RatersPage;
 class SaveMenu;
 
-/// The pages while no attempt is open: class, person and recordings for a signed-in user, as far as the user may see
-/// them; the recordings of this computer for a guest.
+/// The pages that are shown while no attempt is open. For a signed-in user: class, person and recordings, as far as the
+/// user may see them. For a guest: the recordings on this computer.
 class ReviewHome final : public QWidget {
   Q_OBJECT
 
  public:
-  /// The list goes into it.
+  /// The page of recordings shows `list`.
   explicit ReviewHome(AttemptList& list, QWidget* parent = nullptr);
 
   void setAccount(ui::Account& account);
-  /// All that was asked is there.
+  /// Tells whether all queries are answered.
   bool isSettled() const;
-  /// The next thing to do.
+  /// Sentence about the next thing to do.
   QString statusText() const;
-  /// Offers to save the page on display.
+  /// Opens the menu that saves the present page.
   void showSaving();
 
  Q_SIGNALS:
   void readinessChanged();
-  /// The recording of this attempt of the store.
+  /// Emitted when the user wants to replay the recording of an attempt of the store.
   void replayWanted(const QString& file, const QString& attempt);
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice);
@@ -61,7 +61,7 @@ class ReviewHome final : public QWidget {
   AttemptList& list_;
   ClassDesk* room_;
   PersonDesk* person_;
-  QHBoxLayout* row_;  ///< of the tabs
+  QHBoxLayout* row_;  ///< row of the tabs
   QWidget* bar_;
   QLabel* notice_;
   QButtonGroup* tabs_;

@@ -19,7 +19,7 @@ namespace insonate::review {
 
 class ReviewSession;
 
-/// The trainee of a replayed attempt, and the raters' judgements of it, without a widget. The store is queried on the
+/// The trainee of a replayed attempt, and the raters' judgements of it. Uses no widgets. The store is queried on the
 /// account's thread.
 class JudgeDesk : public QObject {
   Q_OBJECT
@@ -28,26 +28,26 @@ class JudgeDesk : public QObject {
   explicit JudgeDesk(const ReviewSession& session, QObject* parent = nullptr);
   void setAccount(ui::Account& account);
 
-  /// The recording that is about to be opened was chosen as that of an attempt.
+  /// Announces that the recording that will be opened next was selected as this attempt's recording.
   void expect(const QString& file, const QString& attempt);
 
   /// Origin of the recording; empty until it is known.
   const std::optional<RecordingOrigin>& origin() const { return origin_; }
   bool isReading() const { return reading_; }
-  /// Tells whether the file differs from the recording of the attempt: then the replay is not the trainee's.
+  /// Tells whether the file differs from the attempt's recording; the replay is then not the trainee's attempt.
   bool isOther() const { return origin_ && origin_->attempt && !origin_->same; }
-  /// Trainee of the attempt, or the reason why none is named.
+  /// Name of the attempt's trainee, or the reason why there is none.
   QString words() const;
-  /// Tells whether the user may submit judgements of this attempt: it belongs to one of the user's trainees, and so
-  /// does the recording.
+  /// Tells whether the user may submit judgements of this attempt: the user must be an instructor or administrator and
+  /// not the trainee, and the file must be the attempt's recording.
   bool mayJudge() const;
-  /// Tells whether the user has handed in this form about the attempt: a form is handed in once.
+  /// Tells whether the user has already submitted this form about the attempt; a form can be submitted only once.
   bool hasHandedIn(const std::string& form) const;
-  /// Key of the user's drafts.
+  /// Key under which drafts of the user's answers are stored.
   ui::FormSubject subject() const;
 
-  /// Hands in a form for good; emits handedIn() or failed(). `stored` is called on the account's thread once the store
-  /// has the form, whoever is signed in by then.
+  /// Submits a form; this cannot be undone. Emits handedIn() or failed(). When the store has the form, `stored` is
+  /// called on the account's thread, even if another user is signed in by then.
   void handIn(const Form& form, const FormAnswers& answers, std::function<void()> stored);
 
  Q_SIGNALS:
@@ -66,7 +66,7 @@ class JudgeDesk : public QObject {
   ui::FormSending sending_;
   QString trouble_;
   bool reading_ = false;
-  int round_ = 0;  ///< answers about another attempt are not taken
+  int round_ = 0;  ///< number of the last attempt; results about earlier attempts are dropped
 };
 
 }  // namespace insonate::review

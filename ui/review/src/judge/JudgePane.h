@@ -26,8 +26,9 @@ namespace insonate::review {
 class JudgeDesk;
 class JudgementTable;
 
-/// Checklists and ratings beside a replay: to fill in, and to read handed-in ones. Unfinished answers are kept as a
-/// draft while the user scrubs, leaves the attempt, signs out or closes the window, and are shown again.
+/// Checklists and ratings beside a replay, to be filled in, and submitted ones to be read. Unfinished answers are
+/// stored as a draft when the user moves in the replay, leaves the attempt, signs out or closes the window, and are
+/// shown again.
 class JudgePane final : public QWidget {
   Q_OBJECT
 
@@ -39,7 +40,7 @@ class JudgePane final : public QWidget {
   void said(const QString& sentence);
 
  protected:
-  /// Backspace in a sheet takes nothing back, and does not leave the attempt either.
+  /// Ignores Backspace in a form, so that it does not leave the attempt.
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
@@ -61,8 +62,8 @@ class JudgePane final : public QWidget {
   JudgeDesk& desk_;
   const std::vector<Form> forms_;
   const std::shared_ptr<ui::FormDraft> draft_;
-  ui::FormSubject subject_;                   ///< of what stands in the sheet
-  std::pair<ui::FormSubject, Form> handing_;  ///< what was handed in last
+  ui::FormSubject subject_;                   ///< subject of the answers in the form
+  std::pair<ui::FormSubject, Form> handing_;  ///< subject and form that were submitted last
   QTimer keeping_;
   QButtonGroup* tabs_;
   QComboBox* choice_;

@@ -7,15 +7,16 @@
 
 namespace insonate::review {
 
-/// "0.62", "n/a".
+/// Formats a coefficient: "0.62", "n/a".
 QString coefficientOf(const std::optional<double>& value);
-/// "0.62 (0.10 to 0.85)", without an interval if there is none.
+/// Formats a coefficient with its interval, if there is one: "0.62 (0.10 to 0.85)".
 QString coefficientOf(const std::optional<Estimate>& value);
-/// "95 %", "n/a", of a share.
+/// Formats a share: "95 %", "n/a".
 QString percentOf(const std::optional<double>& share);
-/// "Dr Ina and Dr Otto: 95 % of 22 answers alike, kappa 0.62, ICC of the scores n/a"
+/// Describes the agreement of two raters: "Dr Ina and Dr Otto: 95 % of 22 answers alike, kappa 0.62, ICC of the scores
+/// n/a".
 QString wordsOf(const RaterPair& pair);
-/// "86 % (19 of 22 points)", "n/a" where nothing is scored.
+/// Formats a score: "86 % (19 of 22 points)"; "n/a" if no item is scored.
 QString scoreWords(const FormScore& score);
 
 }  // namespace insonate::review

@@ -12,7 +12,8 @@ class QTableWidget;
 
 namespace insonate::review {
 
-/// Judgements of an attempt by one form: item by item, a column for each rater, differences, notes, and agreement.
+/// Shows the judgements of an attempt by one form: a row per item, a column per rater, differences, notes, and
+/// agreement.
 class JudgementTable final : public QWidget {
   Q_OBJECT
 
@@ -33,7 +34,7 @@ class JudgementTable final : public QWidget {
 
   Form form_;
   std::vector<KeptForm> forms_;
-  std::vector<Column> columns_;  ///< of what may be read
+  std::vector<Column> columns_;  ///< columns of the judgements that the user may read
   QLabel *words_, *agreement_;
   QCheckBox* onlyDiffering_;
   QTableWidget* table_;

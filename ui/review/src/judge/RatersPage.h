@@ -14,14 +14,15 @@ namespace insonate::review {
 
 class ClassDesk;
 
-/// Agreement of the raters of a class's attempts by one form: in pairs, and item by item. Queried when it is shown.
+/// Shows the agreement of raters about a class's attempts by one form, in pairs and item by item. The store is queried
+/// when the page is shown.
 class RatersPage final : public QWidget {
   Q_OBJECT
 
  public:
   explicit RatersPage(const ClassDesk& desk, QWidget* parent = nullptr);
 
-  /// The figures as CSV.
+  /// Saves the values as CSV.
   void saveTable(const QString& file);
 
  Q_SIGNALS:
@@ -43,7 +44,7 @@ class RatersPage final : public QWidget {
   FormAgreement agreement_;
   QString trouble_;
   bool known_ = false;
-  int round_ = 0;  ///< answers about another class or form are not taken
+  int round_ = 0;  ///< number of the last query; results about other classes or forms are dropped
   QComboBox* choice_;
   QPushButton* save_;
   QLabel* words_;

@@ -13,7 +13,7 @@ class QTableWidget;
 
 namespace insonate::review {
 
-/// The user's attempts, the latest first; Enter or a double click opens one.
+/// Lists the user's attempts, the latest first; Enter or a double click opens an attempt.
 class AttemptList : public QWidget {
   Q_OBJECT
 
@@ -21,9 +21,9 @@ class AttemptList : public QWidget {
   explicit AttemptList(QWidget* parent = nullptr);
   ~AttemptList() override;
 
-  /// A button beside Open. The action belongs to the caller.
+  /// Adds a button beside Open. The action belongs to the caller.
   void offer(QAction* action);
-  /// Reads the folder of attempts again, on another thread.
+  /// Reads the folder of attempts again on a background thread.
   void refresh();
   bool isReading() const { return reading_.isRunning(); }
 

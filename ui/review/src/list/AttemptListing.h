@@ -15,8 +15,8 @@ struct ListedAttempt {
   std::int64_t end_us = 0;
 };
 
-/// The recordings in a folder, those of attempts that were cut short included, the latest first. Files that cannot be
-/// read are left out. Any thread; some milliseconds each.
+/// Returns the recordings in a folder, the latest first, including attempts that were cut short. Files that cannot be
+/// read are left out. For any thread; takes some milliseconds per file.
 std::vector<ListedAttempt> attemptsIn(const QString& folder);
 
 }  // namespace insonate::review

@@ -15,8 +15,8 @@ namespace insonate::review {
 
 class PersonDesk;
 
-/// A person's attempts, newest first: Enter replays one whose recording is here, and an instructor takes one out of the
-/// count, or counts one that nothing proves, with a reason.
+/// Lists a person's attempts, newest first. Enter replays an attempt whose recording is on this computer. An instructor
+/// can void an attempt, or accept an unproven one, and must give a reason.
 class HistoryTable final : public QWidget {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class HistoryTable final : public QWidget {
   explicit HistoryTable(PersonDesk& desk, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// The user wants to replay the recording of an attempt in the store.
+  /// Emitted when the user wants to replay the recording of an attempt of the store.
   void replayWanted(const QString& file, const QString& attempt);
   void failed(const QString& what, const QString& advice);
 
@@ -35,11 +35,11 @@ class HistoryTable final : public QWidget {
   void show();
   void fill(int row, const KeptAttempt& attempt);
   void showChosen();
-  /// File of the recording; empty if it is not on this computer.
+  /// Returns the path of the recording; empty if it is not on this computer.
   QString recordingOf(const KeptAttempt& attempt) const;
   const KeptAttempt* chosen() const;
   void replay();
-  /// Change for which a reason is asked.
+  /// Change for which the user is asked a reason.
   enum class Change { None, Void, Accept };
   void askReason(Change change);
   void wordReason(bool voids);

@@ -12,15 +12,15 @@
 
 namespace insonate::review {
 
-/// A person's attempts at a level that count, in their order; "" for all levels.
+/// Returns the person's attempts at a level that count, in their order; "" for all levels.
 std::vector<const AttemptFacts*> attemptsAt(const PersonFacts& facts, const std::string& level);
 
-/// A metric over those attempts. Norms are those of the procedure, where they all had the same.
+/// Chart of a metric over attemptsAt(). It shows the procedure's norms if all these attempts are of one procedure.
 ui::ChartPicture learningOf(const PersonFacts& facts, const std::string& level, const MetricMeaning& meaning);
-/// LC-CUSUM at a level whose rule asks for it, over the same attempts by the same numbers; else words.
+/// Chart of the LC-CUSUM score over attemptsAt(), if the level's rule uses it; else a chart with an explanation.
 ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level);
-/// The person's mean of the last kLastAttempts among those of the class; an empty `heat` is that of who does not see
-/// the class.
+/// Chart of the person's mean over the last kLastAttempts among the means of the class. `heat` is empty for users who
+/// may not see the class.
 ui::ChartPicture placeInClass(const PersonFacts& facts, const HeatMap& heat, const MetricMeaning& meaning);
 
 }  // namespace insonate::review

@@ -15,7 +15,7 @@ class Account;
 
 namespace insonate::review {
 
-/// The selected person, without a widget.
+/// The data of the selected person. Uses no widgets.
 class PersonDesk : public QObject {
   Q_OBJECT
 
@@ -23,26 +23,25 @@ class PersonDesk : public QObject {
   explicit PersonDesk(QObject* parent = nullptr);
   void setAccount(ui::Account& account);
 
-  /// Queries everything about a person; "" for nobody.
+  /// Queries everything about a person; "" shows no person.
   void show(const std::string& person, const std::optional<Curriculum>& curriculum);
   void refresh();
   /// Facts of the person; null until they are read.
   const PersonFacts* facts() const { return facts_ ? &*facts_ : nullptr; }
-  /// Newest first, as far as they were asked for.
+  /// The attempts that were read so far, newest first.
   const std::vector<KeptAttempt>& attempts() const { return attempts_; }
   bool hasEarlierAttempts() const { return earlier_; }
   void readEarlier();
 
   /// Tells whether the user may void this person's attempts.
   bool mayVoid() const;
-  /// Reason why an attempt is implausible, for an instructor; empty if it is not, or if the user does not teach the
-  /// person.
+  /// Sentence that says why an attempt is implausible; empty if it is not, or if the user does not teach the person.
   QString attentionReason(const AttemptFacts& attempt) const;
   void voidAttempt(const std::string& attempt, const QString& reason);
-  /// Makes an unproven attempt count; for users who may void it.
+  /// Makes an unproven attempt count. Only if mayVoid().
   void acceptAttempt(const std::string& attempt, const QString& reason);
 
-  /// Account::address()
+  /// Returns Account::address().
   QString storeAddress() const;
   bool isReading() const { return asking_ > 0; }
   QString trouble() const { return trouble_; }
@@ -51,7 +50,7 @@ class PersonDesk : public QObject {
   void personChanged();
   void attemptsChanged();
   void readingChanged();
-  void countChanged();  ///< an attempt was voided or accepted
+  void countChanged();  ///< emitted when an attempt was voided or accepted
   void failed(const QString& what);
 
  private:

@@ -17,21 +17,21 @@ class ClassDesk;
 class HistoryTable;
 class PersonDesk;
 
-/// One person: where they are and why, how they learn, and what they did.
+/// Page about one person: present level with the reason, learning curves, and attempts.
 class PersonPage final : public QWidget {
   Q_OBJECT
 
  public:
   PersonPage(PersonDesk& desk, const ClassDesk& room, QWidget* parent = nullptr);
 
-  /// Sets the menu that saves the person's data, behind a button.
+  /// Sets the menu that saves the person's data; a button opens it.
   void setSaving(QMenu* menu) { save_->setMenu(menu); }
   void openSaving() {
     if (save_->isEnabled()) save_->showMenu();
   }
 
  Q_SIGNALS:
-  /// The user wants to replay the recording of an attempt in the store.
+  /// Emitted when the user wants to replay the recording of an attempt of the store.
   void replayWanted(const QString& file, const QString& attempt);
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice);

@@ -13,18 +13,19 @@
 
 namespace insonate::review {
 
-/// Number of attempts on one page.
+/// Number of attempts that are queried at once.
 inline constexpr int kPage = 200;
 
 /// All facts that Review shows about one person, queried on the account's thread.
 struct PersonFacts {
   Person person{};
   std::optional<Curriculum> curriculum{};
-  std::vector<AttemptFacts> history{};  ///< in the order of arrival
+  std::vector<AttemptFacts> history{};  ///< in the order in which the store received them
   std::vector<LevelProgress> progress{};
-  std::optional<Standing> standing{};                             ///< with a curriculum
-  std::vector<KeptAttempt> newest{};                              ///< the first kPage
-  std::map<std::string, std::vector<Implausible>> implausible{};  ///< attempts to look at, by their ids
+  std::optional<Standing> standing{};  ///< empty if there is no curriculum
+  std::vector<KeptAttempt> newest{};   ///< the first kPage attempts, newest first
+  /// Reasons by attempt id, for attempts that an instructor should look at.
+  std::map<std::string, std::vector<Implausible>> implausible{};
 };
 Result<PersonFacts> readPerson(const SignedIn& by, const std::string& person,
                                const std::optional<Curriculum>& curriculum, std::int64_t now_us);

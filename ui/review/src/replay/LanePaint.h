@@ -9,7 +9,7 @@
 
 namespace insonate::review {
 
-/// Positions of a timeline's lanes; logical pixels from its top left corner.
+/// Positions of a timeline's lanes, in logical pixels from its top left corner.
 struct LaneLayout {
   static constexpr int kNames_px = 96, kMarks_px = 24, kBar_px = 12, kDepth_px = 54, kForce_px = 30, kAxis_px = 20;
   static constexpr int kGap_px = 6, kRight_px = 12;
@@ -19,7 +19,7 @@ struct LaneLayout {
   explicit LaneLayout(int width_px);
 };
 
-/// Paints marks and lanes of an attempt for the times from `first_us` to `last_us`, which is later.
+/// Paints an attempt's marks and lanes for the times from `first_us` to `last_us`; `last_us` must be later.
 class LanePaint {
  public:
   LanePaint(QPainter& painter, const LaneLayout& layout, const AttemptDigest& attempt, std::int64_t first_us,
@@ -41,7 +41,7 @@ class LanePaint {
   std::int64_t first_us_, last_us_;
 };
 
-/// A moment's sign about a point: a dot, or the worse it was the larger and more pointed.
+/// Paints a moment's mark around a point: a dot, or a larger and more pointed shape for a more severe error.
 void paintMark(QPainter& painter, QPointF middle, const std::optional<Severity>& severity);
 
 }  // namespace insonate::review

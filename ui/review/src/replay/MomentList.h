@@ -6,8 +6,8 @@ namespace insonate::review {
 
 class ReviewSession;
 
-/// The moments that mattered, with their marks of the timeline; a click goes there, and the last one that has passed is
-/// the current one.
+/// Lists the important moments with their marks of the timeline. A click moves the time to a moment; the last moment
+/// before the present time is the current row.
 class MomentList : public QListWidget {
   Q_OBJECT
 
@@ -15,7 +15,7 @@ class MomentList : public QListWidget {
   explicit MomentList(ReviewSession& session, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// Enter or a double click: its image is wanted, too.
+  /// Emitted after Enter or a double click, when the user also wants to see the moment's image.
   void entered();
 
  protected:

@@ -13,8 +13,8 @@
 
 namespace insonate::review {
 
-/// The ultrasound image of a time of an attempt (AttemptPictures), made off the window's thread, one at a time; of
-/// many times that are wanted meanwhile, the latest is what counts. For the window's thread.
+/// Computes the ultrasound image at a time of an attempt (AttemptPictures) on a background thread, one image at a time.
+/// Of several times requested meanwhile, only the latest is computed. For the window's thread.
 class ReplayPicture : public QObject {
   Q_OBJECT
 
@@ -22,17 +22,17 @@ class ReplayPicture : public QObject {
   explicit ReplayPicture(QObject* parent = nullptr);
   ~ReplayPicture() override;
 
-  /// Sets recording and patient; null for none. Work in progress is discarded.
+  /// Sets recording and patient; null: none. Drops the computation in progress.
   void set(std::shared_ptr<const AttemptRecording> recording, std::shared_ptr<const PatientCase> patient);
   void want(std::int64_t time_us);
 
-  /// The image on display; null before the first, and while nobody held the probe.
+  /// The image on display; null before the first, and at times without a held probe.
   const std::shared_ptr<const LiveFrame>& shown() const { return shown_; }
-  /// shown() is of the time that was wanted last.
+  /// Tells whether shown() is the image of the time that was requested last.
   bool isSettled() const { return !maker_ || madeFor_us_ == wanted_us_; }
-  /// Why there is no image, a sentence; empty where there is one.
+  /// Sentence that says why there is no image; empty if there is one.
   QString trouble() const { return trouble_; }
-  /// Images that were asked of the simulator so far.
+  /// Number of images that were requested from the simulator so far.
   int made() const { return made_; }
 
  Q_SIGNALS:

@@ -20,18 +20,18 @@ class ViewWidget;
 
 namespace insonate::review {
 
-/// The patient in 3D, probe and needle as the hands have them, and the path of the needle's tip in the colors of where
-/// it was, with signs where that changes. The camera is the user's.
+/// The patient in 3D, with probe and needle as they were held, and the path of the needle's tip. The path's colors show
+/// the place of the tip, with symbols where the place changes. Only the user moves the camera.
 class ReplayScene : public QObject {
  public:
   explicit ReplayScene(ReviewSession& session, QObject* parent = nullptr);
 
   const std::shared_ptr<views::SceneView>& view() const { return view_; }
   ui::ViewWidget& widget() { return *widget_; }
-  /// Structures, CT and clipping plane of the view, and where they scroll.
+  /// Controls for structures, CT and clipping plane of the view; panelArea() scrolls them.
   ui::ScenePanel& panel() { return *panel_; }
   QScrollArea& panelArea() { return *panelArea_; }
-  /// Tells whether no further drawing is due.
+  /// Tells whether no further drawing is pending.
   bool isAtRest() const { return !follow_.isActive() && !rest_.isActive(); }
   void setRested(std::function<void()> listener) { rested_ = std::move(listener); }
 
@@ -49,16 +49,17 @@ class ReplayScene : public QObject {
   QScrollArea* panelArea_;
   std::shared_ptr<views::VtkCase> case_;
   std::shared_ptr<const PatientCase> shown_;
-  std::string settings_;  ///< of the probe as drawn
+  std::string settings_;  ///< attempt settings, as text, of the probe that is drawn
   std::shared_ptr<const LiveFrame> pictured_;
   bool cameraDue_ = false;
   QTimer follow_, rest_;
   std::function<void()> rested_;
 };
 
-/// The tip's path under the skin over a whole attempt: pieces of one color, in patient LPS.
+/// Returns the tip's path under the skin over a whole attempt, in pieces of one color; in the patient's frame (LPS).
 std::vector<views::ScenePath> pathOf(const AttemptDigest& attempt);
-/// Outlines of the needle's signs where its place changes: they tell the path's pieces apart without their colors.
+/// Returns outlines of symbols at the points where the needle's place changes. They distinguish the pieces of the path
+/// without color.
 std::vector<views::ScenePath> signsOf(const AttemptDigest& attempt);
 
 }  // namespace insonate::review

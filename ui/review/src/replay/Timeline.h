@@ -8,16 +8,16 @@ namespace insonate::review {
 
 class ReviewSession;
 
-/// The attempt from left to right: moments as marks, whose shape and color say how bad they were, and lanes of what
-/// the hands did. Click or drag: that time; on a mark, its time. The wheel magnifies about the pointer, a double click
-/// shows all of it.
+/// Shows the attempt from left to right: moments as marks, whose shape and color show their severity, and lanes of the
+/// hands' movements. A click or drag sets the time; a click on a mark sets the mark's time. The wheel zooms about the
+/// pointer, a double click shows the whole attempt.
 class Timeline : public QWidget {
  public:
   explicit Timeline(ReviewSession& session, QWidget* parent = nullptr);
 
   int xOf(std::int64_t time_us) const;
   std::int64_t timeAt(int x) const;
-  /// The number of the moment whose mark is there, or -1.
+  /// Returns the number of the moment whose mark is at this point, or -1.
   int momentAt(QPoint at) const;
   /// Visible part of the attempt.
   std::int64_t first_us() const { return first_us_; }
@@ -43,7 +43,7 @@ class Timeline : public QWidget {
 
   ReviewSession& session_;
   std::int64_t first_us_ = 0, last_us_ = 0;
-  QPixmap lanes_;  ///< all but the cursor; null when it is to be painted anew
+  QPixmap lanes_;  ///< all but the cursor; null if it must be painted again
   bool dragging_ = false;
 };
 

@@ -10,7 +10,7 @@ namespace insonate::review {
 
 class ReviewSession;
 
-/// Play and stop, speed, moments, the time, and what the hands do just then.
+/// Controls for play and stop, speed, moments and time, with a description of the hands at the present time.
 class Transport : public QWidget {
  public:
   explicit Transport(ReviewSession& session, QWidget* parent = nullptr);

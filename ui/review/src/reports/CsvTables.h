@@ -7,9 +7,10 @@
 
 namespace insonate::review {
 
-/// A line for each person of the class, with means of the last attempts; without formulas (curriculum/Csv.h).
+/// Returns a table with one line for each person of the class and the means of the last attempts. Cells cannot be read
+/// as formulas (curriculum/Csv.h).
 std::string classCsv(const ClassDesk& desk);
-/// A line for each attempt of a person, in their order, with all metrics.
+/// Returns a table with one line for each attempt of a person, in their order, with all metrics.
 std::string attemptsCsv(const PersonFacts& facts);
 
 }  // namespace insonate::review

@@ -7,11 +7,11 @@
 
 namespace insonate::review {
 
-/// A page about a class: who needs help first, with levels and the heat map. Where not all fit it says how many are
-/// left out. `desk` has facts().
+/// Paints a page about a class: people who need help first, with levels and the heat map. If not all people fit, the
+/// page states how many are left out. `desk` must have facts().
 void paintClassReport(QPainter& painter, const ClassDesk& desk);
 
-/// A page about one person: where they are and why, how they learn, and what they did last. `heat` as in
+/// Paints a page about one person: present level with the reason, learning curves, and the last attempts. `heat` as in
 /// placeInClass().
 void paintPersonReport(QPainter& painter, const PersonFacts& facts, const HeatMap& heat);
 

@@ -7,7 +7,7 @@
 
 namespace insonate::review {
 
-/// Writes down a page, from above to below.
+/// Writes text on a page from top to bottom.
 class PaperColumn {
  public:
   explicit PaperColumn(QPainter& painter);
@@ -15,16 +15,16 @@ class PaperColumn {
   double y() const { return y_; }
   bool hasRoom(double height) const { return y_ + height < paper::kHeight - paper::kMargin - paper::kRow; }
   void skip(double height) { y_ += height; }
-  /// Title and facts of the page, with a line below.
+  /// Writes title and facts of the page, with a line below.
   void head(const QString& title, const QStringList& facts);
   void heading(const QString& words);
-  /// Writes a paragraph at the height that it needs.
+  /// Writes a paragraph; the present position moves down by its height.
   void paragraph(const QString& words, const QColor& colour);
-  /// Writes a cell in the present line; cut if it is too wide.
+  /// Writes a cell in the present line; a text that is too wide is cut.
   void cell(double left, double width, const QString& words, const QColor& colour, int align = Qt::AlignLeft);
-  /// Writes lines from the present one on, as many as the words need; y() stays.
+  /// Writes wrapped text from the present line on; y() does not change.
   void lines(double left, double width, const QString& words, const QColor& colour);
-  /// Height of the text that lines() writes, one row at least.
+  /// Height of the text that lines() writes, at least one line.
   double heightOf(double width, const QString& words) const;
   void foot();
 

@@ -8,7 +8,7 @@ namespace insonate::review {
 class ClassDesk;
 class PersonDesk;
 
-/// Saves the class's or the person's data: as a page, a table or statements.
+/// Menu that saves the class's or the person's data as a page, a table or xAPI statements.
 class SaveMenu final : public QMenu {
   Q_OBJECT
 
@@ -19,7 +19,8 @@ class SaveMenu final : public QMenu {
 
   void savePage(const QString& file);
   void saveTable(const QString& file);
-  /// Saves all attempts, for a site with this home page; queried and written on the account's thread.
+  /// Saves all attempts as statements of a site with this home page; the data are queried and written on the account's
+  /// thread.
   void saveXapi(const QString& file, const QString& homePage);
 
  Q_SIGNALS:

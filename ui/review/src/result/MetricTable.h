@@ -7,13 +7,14 @@
 
 namespace insonate::review {
 
-/// All metrics with value, unit, and a bar between what novices and experts reach; "n/a" where something is not known.
+/// Table of all metrics with value, unit, and a bar between the values of novices and experts; "n/a" for unknown
+/// values.
 class MetricTableView : public QTableWidget {
  public:
   enum Column { kName, kValue, kNovice, kBar, kExpert, kColumns };
 
   explicit MetricTableView(QWidget* parent = nullptr);
-  /// Shows scores, those with novice and expert values first. Empty for none.
+  /// Shows scores, those with novice and expert values first. Empty: no scores.
   void show(const std::vector<MetricScore>& scores);
 
  private:

@@ -6,9 +6,9 @@
 
 namespace insonate::review {
 
-/// Formats a norm with the digits that its study gives.
+/// Formats a norm with as many digits as its study reports.
 QString normOf(Metric metric, double value);
-/// Explains what is counted, who measured novices and experts, and the evidence; for a tooltip.
+/// Explains, for a tooltip, what the metric counts, who measured novices and experts, and the evidence.
 QString explanationOf(const MetricScore& score);
 
 }  // namespace insonate::review

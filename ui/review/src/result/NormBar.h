@@ -15,8 +15,9 @@ struct ResultInk {
 ResultInk screenInk();
 ResultInk paperInk();
 
-/// A value between what novices (left) and experts (right) reach, whichever is the larger number: a band from one to
-/// the other, and the value's sign on it; beyond the ends an arrow. Nothing where one of the three is missing.
+/// Paints a value between the values of novices (left) and experts (right), whichever is the larger number: a band
+/// between the two, and a mark for the value, which is an arrow if the value is beyond an end. Paints nothing if one of
+/// the three is missing.
 void paintNormBar(QPainter& painter, const QRectF& place, const MetricScore& score, const ResultInk& ink);
 
 }  // namespace insonate::review

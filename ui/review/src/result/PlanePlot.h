@@ -11,19 +11,20 @@
 
 namespace insonate::review {
 
-/// The section on which the tip's path in the plane of the image is drawn.
+/// The section through the patient on which the tip's path in the image plane is drawn.
 struct PlaneSection {
-  std::int64_t time_us = 0;  ///< of the probe that it was cut with
-  QRectF place_mm;           ///< lateral from left to right, depth downwards
-  QImage structures;         ///< see-through but for vessels, bone, air and skin; null without a case
+  std::int64_t time_us = 0;  ///< time of the probe pose that defines the section
+  QRectF place_mm;           ///< lateral from left to right, depth downward
+  QImage structures;         ///< transparent except for vessels, bone, air and skin; null without a case
 };
 
-/// The plane of the image as the vein was first reached, else as the needle was deepest; an empty place where there
-/// was no probe or no needle. Tissue is as in the CT, not as the probe pressed it. Some milliseconds.
+/// Computes the section in the image plane at the time when the vein was first reached, else when the needle was
+/// deepest. `place_mm` is empty if there was no probe or no needle. Tissue is shown as in the CT, without compression.
+/// Takes some milliseconds.
 PlaneSection sectionOf(const AttemptDigest& attempt, const PatientCase* patient);
 
-/// The tip's way, lateral and deep, in the probe's frame, in millimeters at one scale for both; where it was outside
-/// the image's slice, thin and dotted.
+/// Paints the path of the tip, lateral and depth in the probe's frame in mm, at the same scale for both. Parts outside
+/// the image's slice thickness are thin and dotted.
 void paintPlane(QPainter& painter, const QRectF& place, const AttemptDigest& attempt, const PlaneSection& section,
                 const ResultInk& ink);
 

@@ -7,8 +7,8 @@
 
 namespace insonate::review {
 
-/// Writes a page about one attempt, dark on white: facts, points and advice, what went wrong, all metrics, the tip's
-/// way in the image's plane and in 3D (`scene`; null for none). As writePage() does.
+/// Writes a page about one attempt, dark on white: facts, points and advice, errors, all metrics, and the tip's path in
+/// the image plane and in 3D (`scene`; null: no 3D image). File and result as for writePage().
 QString writeReport(const QString& file, const AttemptDigest& attempt, const PlaneSection& section,
                     const QImage& scene);
 

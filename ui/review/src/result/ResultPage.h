@@ -25,7 +25,7 @@ class ResultPage : public QWidget {
   MetricTableView* metrics_;
 };
 
-/// The tip's way in the plane of the image, as a widget.
+/// Widget with the tip's path in the image plane.
 class PathPane : public QWidget {
  public:
   explicit PathPane(ReviewSession& session, QWidget* parent = nullptr);
@@ -39,7 +39,7 @@ class PathPane : public QWidget {
   PlaneSection section_;
 };
 
-/// "74" or "no points", and why there are none.
+/// Return the points, "74" or "–", and a sentence about them.
 QString pointsOf(const AttemptDigest& attempt);
 QString pointsNoteOf(const AttemptDigest& attempt);
 

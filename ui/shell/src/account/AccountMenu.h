@@ -9,14 +9,15 @@ namespace insonate::ui {
 class Account;
 class SiteExchange;
 
-/// Sign in, sign out, the set-up of the first administrator, one's own password and details: what can be done now.
+/// Menu with the account actions that are possible now: sign in, sign out, set up the first administrator, change the
+/// own password and details.
 class AccountMenu : public QMenu {
   Q_OBJECT
 
  public:
   AccountMenu(Account& account, SiteExchange& site, QWidget* window);
 
-  /// Name of the user for the header: "Sign in", "A. User".
+  /// Text for the header: the user's name, for example "A. User", or "Sign in".
   QString shortText() const;
 
   void showPeople();
@@ -29,7 +30,7 @@ class AccountMenu : public QMenu {
 
  Q_SIGNALS:
   void textChanged();
-  void said(const QString& sentence);  ///< for the status line
+  void said(const QString& sentence);  ///< emitted with a sentence for the status bar
 
  private:
   void refresh();

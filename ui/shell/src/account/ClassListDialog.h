@@ -19,8 +19,8 @@ namespace insonate::ui {
 
 class Account;
 
-/// A class list (CSV) becomes people of a class: what would become of each line is shown first, then done at once or
-/// not at all. The first passwords are shown here, once, to be saved or printed.
+/// Imports a class list (CSV). First shows what the import would do with each line, then imports all lines or none.
+/// Shows the first passwords once, to be saved or printed.
 class ClassListDialog : public QDialog {
   Q_OBJECT
 
@@ -28,21 +28,21 @@ class ClassListDialog : public QDialog {
   ClassListDialog(Account& account, Cohort cohort, QWidget* parent);
   ~ClassListDialog() override;
 
-  /// Reads a file and shows what would become of its lines.
+  /// Reads a file and shows what the import would do with its lines.
   void open(const QString& file);
   using QDialog::open;
 
   void reject() override;
 
  Q_SIGNALS:
-  void imported();  ///< the class has new people
+  void imported();  ///< emitted when people were added to the class
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
  private:
-  /// Crosses to the account's thread.
+  /// Progress and cancellation, shared with the account's thread.
   struct Work {
     std::atomic<double> done = 0;
     std::atomic<bool> stopped = false;
@@ -60,11 +60,11 @@ class ClassListDialog : public QDialog {
 
   Account& account_;
   const Cohort cohort_;
-  QString path_;  ///< of the list
+  QString path_;  ///< path of the class list
   std::vector<ClassImportRow> plan_;
-  std::vector<FirstPassword> passwords_;  ///< of who was added
-  bool handedOut_ = false;                ///< saved or printed
-  int round_ = 0;                         ///< a file that was chosen earlier is not shown
+  std::vector<FirstPassword> passwords_;  ///< passwords of the people who were added
+  bool handedOut_ = false;                ///< the passwords were saved or printed
+  int round_ = 0;                         ///< number of the last chosen file; results about earlier files are dropped
   std::shared_ptr<Work> work_;
   QTimer looking_;
   QLabel *file_, *words_;

@@ -13,20 +13,20 @@ class QPushButton;
 
 namespace insonate::ui {
 
-/// A dialog with a few fields and one button, whose action takes a moment and may be refused: then the reason stands
-/// in the dialog, and the entries stay.
+/// A dialog with a few fields and one button. Its action takes a moment and may fail: then the dialog stays open with
+/// the entries and shows the reason.
 class EntryDialog : public QDialog {
   Q_OBJECT
 
  public:
   struct Entry {
-    const char* name;  ///< of its widget
+    const char* name;  ///< object name of the field's widget
     QString label, tip;
     QString text{};
     bool secret = false;
-    QStringList choices{};  ///< one of these, instead of any text
+    QStringList choices{};  ///< if not empty, the user selects one of these instead of typing
   };
-  /// Performs the action and calls `done`; the dialog closes if it succeeded.
+  /// Performs the action and calls `done`; the dialog closes if the action succeeded.
   using Action = std::function<void(const QStringList& texts, std::function<void(Result<void>)> done)>;
 
   EntryDialog(const QString& title, const QString& explanation, const std::vector<Entry>& entries,
@@ -37,7 +37,7 @@ class EntryDialog : public QDialog {
   void act();
   void refuse(const QString& why);
 
-  std::vector<QWidget*> fields_;  ///< QLineEdit, or QComboBox where there are choices
+  std::vector<QWidget*> fields_;  ///< a QLineEdit, or a QComboBox if the entry has choices
   QLabel* trouble_;
   QPushButton* go_;
   Action action_;

@@ -11,12 +11,11 @@ class QWidget;
 
 namespace insonate::ui {
 
-/// Fills a page to cut into strips, each with a person's name and password. Names are inserted as plain text, whatever
-/// they contain.
+/// Fills a page with a name and password for each person, to be cut into strips. Names are inserted as plain text.
 void fillPasswordPaper(QTextDocument& paper, const QString& cohort, const std::vector<FirstPassword>& passwords);
 
-/// Asks for a printer. Says where the page went: to a printer, or as a file that its owner alone can read; "" where the
-/// user thought better of it.
+/// Lets the user choose a printer, and prints the page there or to a file that only its owner can read. Returns a
+/// sentence that says which; "" if the user cancelled.
 Result<QString> printPasswordPaper(const QString& cohort, const std::vector<FirstPassword>& passwords, QWidget* parent);
 
 }  // namespace insonate::ui

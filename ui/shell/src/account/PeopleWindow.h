@@ -19,8 +19,8 @@ namespace insonate::ui {
 
 class Account;
 
-/// People with their classes and roles: for administrators all people, for instructors those of their classes. Changes
-/// are written at once, and shown as the store then has them.
+/// Lists people with their classes and roles: all people for administrators, the people of their classes for
+/// instructors. Changes are written to the store at once; the window then shows the store's state.
 class PeopleWindow : public QDialog {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class PeopleWindow : public QDialog {
   PeopleWindow(Account& account, QWidget* parent);
 
  Q_SIGNALS:
-  /// Something that is shown was changed here.
+  /// Emitted when the user has changed people or classes in this window.
   void changed();
 
  private:
@@ -48,8 +48,8 @@ class PeopleWindow : public QDialog {
   void change(std::function<Result<void>(const SignedIn&)> what);
   void tell(const QString& words);
 
-  const Cohort* cohort() const;  ///< null: all people
-  const Shown* chosen() const;   ///< null: nobody
+  const Cohort* cohort() const;  ///< the selected class; null: all people
+  const Shown* chosen() const;   ///< the selected person; null: none
   bool isAdministrator() const;
 
   void setCurriculum();
@@ -74,12 +74,12 @@ class PeopleWindow : public QDialog {
   std::vector<Cohort> cohorts_;
   std::vector<OfferedCurriculum> curricula_;
   std::vector<Shown> people_;
-  QString newClass_;  ///< its name: it is chosen once it is there
+  QString newClass_;  ///< name of the class that was just added; selected when the store has it
   QListWidget* classes_;
   QTableWidget* table_;
   QComboBox* curriculum_;
   QComboBox* target_;  ///< the class that the person joins
-  QComboBox* as_;      ///< as what they join it
+  QComboBox* as_;      ///< role in which the person joins the class
   QLabel* trouble_;
   QPushButton *addClass_, *renameClass_, *add_, *import_, *edit_, *password_, *disable_, *join_, *leave_;
 };

@@ -7,11 +7,11 @@
 
 namespace insonate::ui {
 
-/// "trainee", "instructor", "administrator".
+/// Returns "trainee", "instructor" or "administrator".
 QString wordOf(Role role);
-/// Words in the order of Role.
+/// Returns the words for all roles in the order of Role.
 QStringList roleWords();
-/// Role of a word; a trainee's for any other.
+/// Returns the role for a word; Trainee for an unknown word.
 Role roleOf(const QString& word);
 
 }  // namespace insonate::ui

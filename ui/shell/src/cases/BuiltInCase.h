@@ -9,11 +9,11 @@
 
 namespace insonate::ui {
 
-/// Folder of a built-in neck: in the user's cache, under a name that changes with the program.
+/// Folder of a built-in neck in the user's cache; its name depends on the program's version.
 QString builtInFolder(const QString& variant);
 
-/// A built-in neck (cases/Phantom.h), read from `folder` when it is there, else made, and kept there for the next time
-/// while it is in use already. That it cannot be kept is no failure.
+/// Reads a built-in neck (cases/Phantom.h) from `folder` or, if it is not there, generates it. A generated neck is
+/// returned at once and written to `folder` in the background; a failure to write it is ignored.
 Result<std::shared_ptr<const PatientCase>> builtInCase(const QString& variant, const QString& folder,
                                                        const Progress& progress);
 

@@ -4,7 +4,7 @@
 
 namespace insonate::ui {
 
-/// The case itself, or a copy with these edits where there are any. For another thread.
+/// Returns the case itself, or a copy with the edits if there are any. Call it on a background thread.
 inline std::shared_ptr<const PatientCase> withEdits(std::shared_ptr<const PatientCase> patient,
                                                     const std::vector<CaseEdit>& edits) {
   if (edits.empty()) return patient;

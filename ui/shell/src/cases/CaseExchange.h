@@ -15,31 +15,31 @@ namespace insonate::ui {
 
 class TaskBar;
 
-/// The open case: its stored state, and its changes since.
+/// The open case as it was stored, and the edits since then.
 struct OpenCase {
   std::shared_ptr<const PatientCase> patient;
   std::vector<CaseEdit> edits;
 };
 
-/// Menu actions that export an open case to other programs, import their labels into it, and crop it to a new case.
-/// All of them work on a copy that includes unsaved changes.
+/// Menu actions that export the open case to other programs, import labels from other programs, and crop the case to a
+/// new one. All actions work on a copy that includes unsaved changes.
 class CaseExchange : public QObject {
   Q_OBJECT
 
  public:
-  /// `open` is asked when an action is chosen; the task bar belongs to the window.
+  /// `open` is called when an action is chosen; the task bar belongs to the window.
   CaseExchange(TaskBar& tasks, std::function<OpenCase()> open, QWidget* window);
 
   void addTo(QMenu& menu);
   void setEnabled(bool enabled);
 
-  /// The labels of a file take the place of the case's.
+  /// Replaces the case's labels by those of a file.
   void importLabels(const QString& file);
   void crop(const CropOptions& options);
 
  Q_SIGNALS:
-  /// A tool has made a new, unsaved case from the open one. `whole`: the new case includes all unsaved changes of the
-  /// open one.
+  /// Emitted when an action has made a new, unsaved case from the open one. `whole`: the new case includes all unsaved
+  /// changes of the open case.
   void made(const std::shared_ptr<const insonate::PatientCase>& patient, const QString& sentence, bool whole);
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice, const QString& details);

@@ -13,7 +13,8 @@ class QPushButton;
 
 namespace insonate::ui {
 
-/// Chooses the part of a case to keep, in patient millimeters, and its spacing; shows the resulting size.
+/// Lets the user choose the region of a case to keep, in mm in the patient's frame, and its voxel spacing; shows the
+/// resulting size.
 class CropDialog : public QDialog {
   Q_OBJECT
 
@@ -29,7 +30,7 @@ class CropDialog : public QDialog {
   void refresh();
 
   VolumeGeometry geometry_;
-  Vec3 rounded_mm_;  ///< its spacing as the fields show it
+  Vec3 rounded_mm_;  ///< the case's spacing, rounded as in the fields
   std::array<QDoubleSpinBox*, 3> from_{}, to_{}, spacing_{};
   QCheckBox* resample_;
   QLabel* result_;

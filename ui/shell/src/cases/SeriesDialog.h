@@ -16,16 +16,16 @@ namespace insonate::ui {
 
 class TaskBar;
 
-/// Choices for an import.
+/// The user's choices for an import.
 struct ImportChoice {
   std::string uid;
-  bool label = true;                   ///< automatically
-  std::optional<int> shift_HU{};       ///< for shiftValues(), where it was offered and wanted
-  std::shared_ptr<ImportedCt> read{};  ///< the series, where it was read for the preview
+  bool label = true;                   ///< label the case automatically
+  std::optional<int> shift_HU{};       ///< value for shiftValues(), if a shift was offered and accepted
+  std::shared_ptr<ImportedCt> read{};  ///< the series, if it was already read for the preview
 };
 
-/// Chooses one of the series in a folder to import: modality, size, spacing, warnings, and the middle slice of the
-/// selected one.
+/// Lets the user choose a series of a folder to import. Lists modality, size, spacing and warnings, and shows the
+/// middle slice of the selected series.
 class SeriesDialog : public QDialog {
   Q_OBJECT
 
@@ -40,7 +40,7 @@ class SeriesDialog : public QDialog {
   void arrange();
   void showChosen();
   void preview();
-  /// Shows facts that need the voxels, once they are read.
+  /// Shows data that are known only after the voxels were read.
   void showWhatWasRead();
   void showPicture();
   std::string chosenUid() const;

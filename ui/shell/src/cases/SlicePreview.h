@@ -6,8 +6,8 @@
 
 namespace insonate::ui {
 
-/// The middle slice across k in a soft tissue window, not larger than `side` pixels, `shift_HU` added to its values,
-/// with the patient's left on the right where i or j run that way. For any thread.
+/// Returns the middle slice perpendicular to k, in a soft-tissue window with `shift_HU` added to the values, at most
+/// `side` pixels wide and high. The patient's left is on the right if i or j runs along that direction. For any thread.
 QImage slicePreview(const CtVolume& ct, int side, int shift_HU = 0);
 
 }  // namespace insonate::ui

@@ -6,8 +6,9 @@ class QWidget;
 
 namespace insonate::ui {
 
-/// Ask for what a hospital or another program has sent; empty when nothing was chosen. Where it lies is remembered
-/// until the program ends, and written nowhere: its folders are named after patients.
+/// Asks the user for a folder or file from a hospital or another program; returns an empty path if the user cancelled.
+/// Its location is remembered until the program ends but never written to disk, since folder names may contain
+/// patients' names.
 QString askForSourceFolder(QWidget* window, const QString& title);
 QString askForSourceFile(QWidget* window, const QString& title, const QString& filter);
 

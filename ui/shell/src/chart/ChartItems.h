@@ -17,7 +17,7 @@ struct ChartInk {
 ChartInk screenChartInk();
 ChartInk paperChartInk();
 
-/// Replaces the contents of a plot.
+/// Replaces the contents of a plot by a chart's.
 void fillPlot(QwtPlot& plot, const ChartPicture& picture, const ChartInk& ink);
 
 }  // namespace insonate::ui

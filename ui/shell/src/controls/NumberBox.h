@@ -11,14 +11,14 @@
 
 namespace insonate::ui {
 
-/// A QSpinBox or QDoubleSpinBox that explains refused input: a letter is ignored, and a number out of range becomes
-/// the nearest permitted one, each with a sentence under the field. Decimals may follow a comma or a point.
+/// A QSpinBox or QDoubleSpinBox that explains rejected input in a sentence under the field: a letter is ignored, and a
+/// number out of range is replaced by the nearest permitted one. Accepts a comma or a point before decimals.
 template <class SpinBox>
 class NumberBox : public SpinBox {
   using Value = decltype(std::declval<SpinBox>().value());
 
  public:
-  /// `name` begins the sentences.
+  /// `name` begins each of the sentences.
   explicit NumberBox(const QString& name, QWidget* parent = nullptr) : SpinBox(parent), name_(name) {
     QObject::connect(this->lineEdit(), &QLineEdit::inputRejected, this,
                      [this] { tell(said("%1 takes a number from %2 to %3.").arg(name_, least(), most())); });
@@ -34,7 +34,7 @@ class NumberBox : public SpinBox {
     return value < this->minimum() || value > this->maximum() ? QValidator::Intermediate : QValidator::Acceptable;
   }
 
-  /// Completes an input that was typed to its end.
+  /// Corrects an input when the user has finished typing.
   void fixup(QString& input) const override {
     bool isNumber = false;
     const double value = bare(input).toDouble(&isNumber);

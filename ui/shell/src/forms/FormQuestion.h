@@ -17,25 +17,25 @@ class QToolButton;
 
 namespace insonate::ui {
 
-/// One question of a form, with its answer and the error in it.
+/// One question of a form, with its answer and an error message about the answer.
 class FormQuestion final : public QWidget {
   Q_OBJECT
 
  public:
   using Answer = FormAnswers::mapped_type;
 
-  /// `takesNote`: with room for a note, behind a button.
+  /// `takesNote`: a button opens a field for a note.
   FormQuestion(const FormItem& item, bool takesNote, QWidget* parent = nullptr);
 
   const std::string& name() const { return name_; }
-  /// The answer; empty without one.
+  /// The answer; empty if there is none.
   std::optional<Answer> answer() const;
   void setAnswer(const std::optional<Answer>& answer);
-  /// Key of the note among the answers, and its text; empty without a note.
+  /// Key under which the answers hold the note; the note's text is empty if there is none.
   const std::string& noteKey() const { return noteKey_; }
   QString note() const;
   void setNote(const QString& note);
-  /// "" where all is well.
+  /// Shows an error message; "" hides it.
   void setTrouble(const QString& sentence);
   void takeKeyboard();
 

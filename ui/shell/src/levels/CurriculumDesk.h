@@ -17,28 +17,28 @@ namespace insonate::ui {
 
 class Account;
 
-/// The curricula of the store, and the selected one, without a widget. A draft is saved in the store a moment after
-/// each change and when it is left. For the window's thread.
+/// The store's curricula and the selected one, without a widget. A draft is saved in the store a moment after each
+/// change and when another curriculum is selected. For the window's thread.
 class CurriculumDesk : public QObject {
   Q_OBJECT
 
  public:
   explicit CurriculumDesk(Account& account, QObject* parent = nullptr);
-  /// Saves unsaved changes, if the account still exists; the end of the program saves them, too.
+  /// Saves unsaved changes if the account still exists. Also called at the end of the program.
   ~CurriculumDesk() override;
 
   const std::vector<OfferedCurriculum>& offers() const { return offers_; }
   const std::vector<Cohort>& cohorts() const { return cohorts_; }
-  /// The selected offer; null: none.
+  /// The selected entry of offers(); null: none.
   const OfferedCurriculum* chosen() const { return chosen_ ? &*chosen_ : nullptr; }
-  /// Selects a curriculum once the changes of the present one are stored; if the store refuses them, the present one
-  /// stays.
+  /// Selects a curriculum as soon as the changes of the present one are stored. If the store refuses the changes, the
+  /// present curriculum stays selected.
   void choose(const OfferedCurriculum& offer);
-  /// `go` once all that was written is in the store, or another user has saved another; `refused` where the store does
-  /// not take it.
+  /// Saves the draft, then calls `go`, or `refused` if the store does not accept the draft. Calls `go` at once if
+  /// nothing is unsaved or the draft is contested.
   void afterSaving(std::function<void()> go, std::function<void()> refused);
 
-  /// The selected curriculum; null before it is read.
+  /// The selected curriculum; null until it is read.
   const Curriculum* curriculum() const { return curriculum_ ? &*curriculum_ : nullptr; }
   bool isDraft() const { return curriculum_ && chosen_->kind == OfferedCurriculum::Kind::Draft; }
   /// Reasons why the draft cannot be published.
@@ -46,16 +46,17 @@ class CurriculumDesk : public QObject {
   /// Names that a curriculum can refer to on this computer.
   const TeachingNames& known() const { return known_; }
 
-  /// One step of undo; changes of one field after the other are one, unless `field` is empty.
+  /// Applies a change as one step of undo. Consecutive changes of one field are one step, unless `field` is empty.
   void edit(const QString& field, const std::function<void(Curriculum&)>& change);
   void undo();
   void redo();
   bool canUndo() const { return !past_.empty(); }
   bool canRedo() const { return !future_.empty(); }
 
-  /// Tells whether the store has the draft as it is here.
+  /// Tells whether the store has the present state of the draft.
   bool isSaved() const { return saved_; }
-  /// Another user has saved another: nothing is saved until one of these is called.
+  /// Tells whether another user has saved a different state of the draft. Then nothing is saved until reloadDraft() or
+  /// overwriteTheirs() is called.
   bool isContested() const { return contested_; }
   void reloadDraft();
   void overwriteTheirs();
@@ -68,8 +69,8 @@ class CurriculumDesk : public QObject {
   void teach(const std::string& cohort);
 
  Q_SIGNALS:
-  void offersChanged();      ///< offers() or cohorts()
-  void curriculumChanged();  ///< all that is told of the one that is looked at
+  void offersChanged();      ///< emitted when offers() or cohorts() has changed
+  void curriculumChanged();  ///< emitted when the selected curriculum or its state has changed
   void savingChanged();
   void said(const QString& sentence, bool isTrouble);
 
@@ -96,12 +97,12 @@ class CurriculumDesk : public QObject {
   std::optional<Curriculum> curriculum_;
   std::vector<DraftTrouble> troubles_;
   std::vector<Curriculum> past_, future_;
-  QString field_;     ///< that was changed last
-  std::string kept_;  ///< the draft as the store is known to have it
-  std::string sent_;  ///< as it has it once all that was sent is done
+  QString field_;     ///< field that was changed last
+  std::string kept_;  ///< text of the draft that the store has confirmed
+  std::string sent_;  ///< text of the draft that was sent last
   bool saved_ = true, contested_ = false;
-  std::function<void()> go_, refused_;  ///< what waits for saving
-  int round_ = 0;                       ///< of choosing: answers about another are not taken
+  std::function<void()> go_, refused_;  ///< callbacks of afterSaving()
+  int round_ = 0;                       ///< number of the selection; results for earlier selections are dropped
   QTimer soon_;
 };
 

@@ -14,35 +14,36 @@ namespace insonate::ui {
 /// A curriculum that can be selected.
 struct OfferedCurriculum {
   enum class Kind {
-    Draft,      ///< is being written; may be unfinished
-    Published,  ///< fixed
-    Preset,     ///< comes with the program; published by whoever first teaches by it
+    Draft,      ///< being written; may be incomplete
+    Published,  ///< cannot be changed
+    Preset,     ///< supplied with the program; published when an instructor first assigns it to a class
   };
   std::string name{};
-  int version = 0;  ///< of a draft 0: what it will be stands in it
+  int version = 0;  ///< 0 for a draft, whose text has its future version
   Kind kind = Kind::Published;
 
   bool operator==(const OfferedCurriculum&) const = default;
 };
 
-/// Published curricula, newest version first, and presets that are not published.
+/// Returns the published curricula, newest version first, and the presets that are not published.
 Result<std::vector<OfferedCurriculum>> taughtCurricula(const SignedIn& by);
-/// Drafts, then taughtCurricula().
+/// Returns the drafts and then taughtCurricula().
 Result<std::vector<OfferedCurriculum>> allCurricula(const SignedIn& by);
 Result<std::string> textOf(const SignedIn& by, const OfferedCurriculum& offered);
 
-/// The published version, or preset, becomes that of a class.
+/// Assigns a published version or a preset to a class.
 Result<void> teachBy(const SignedIn& by, const OfferedCurriculum& taught, const std::string& cohort);
 
-/// A draft as the store has it.
+/// A draft as it is in the store.
 struct KeptDraft {
   std::string name{}, text{};
 };
-/// A draft of the version after the newest that is published; one that is there already is not touched.
+/// Returns the draft for the next version after the newest published one. Creates it if there is none; an existing
+/// draft is returned unchanged.
 Result<KeptDraft> draftFrom(const SignedIn& by, const OfferedCurriculum& taught);
-/// One with a first level that is still to be written. Fails where there is something of this name.
+/// Creates a draft whose first level is empty. Fails if a curriculum of this name exists.
 Result<KeptDraft> newDraft(const SignedIn& by, const std::string& name);
-/// Saved as it is, published, and no longer a draft. `before` as in PublishedCurricula::saveDraft().
+/// Saves the draft, publishes it and deletes the draft. `before` as in PublishedCurricula::saveDraft().
 Result<void> publishDraft(const SignedIn& by, const Curriculum& draft, const std::string& before);
 
 }  // namespace insonate::ui

@@ -16,15 +16,15 @@ class LevelForm;
 class LevelList;
 class LevelStoryView;
 
-/// The window of curricula: shows published ones and assigns them to classes, and edits and publishes drafts. For
-/// instructors and administrators.
+/// Window that shows published curricula, assigns them to classes, and edits and publishes drafts. For instructors and
+/// administrators.
 class CurriculumWindow : public QDialog {
   Q_OBJECT
 
  public:
   CurriculumWindow(Account& account, QWidget* parent);
 
-  /// Closes once all changes are saved; if they cannot be saved, asks the user.
+  /// Closes when all changes are saved; asks the user if they cannot be saved.
   void reject() override;
 
  private:

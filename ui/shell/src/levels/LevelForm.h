@@ -34,7 +34,7 @@ class LevelForm final : public QWidget {
   void buildSetting(QFormLayout& form);
   void showPlace(const Level& level);
   void showPrerequisites(const Curriculum& curriculum, const Level& level);
-  /// Stores the data of the chosen entry.
+  /// Stores the data of the selected entry in `member`.
   void addChoice(QComboBox* box, std::string Level::*member);
 
   const TeachingNames& known_;

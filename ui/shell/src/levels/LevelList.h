@@ -14,7 +14,7 @@ class QPushButton;
 
 namespace insonate::ui {
 
-/// A curriculum's title and about, and its levels in their order, to be added, copied, removed and moved.
+/// Shows a curriculum's title and description, and its levels in order; levels can be added, copied, removed and moved.
 class LevelList final : public QWidget {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class LevelList final : public QWidget {
 
   void show(const Curriculum& curriculum, const std::vector<DraftTrouble>& troubles, bool editable);
   using QWidget::show;
-  /// Level::name of the one that is chosen; "": none.
+  /// Level::name of the selected level; "": none.
   std::string chosen() const;
 
  Q_SIGNALS:

@@ -17,8 +17,8 @@ namespace insonate::ui {
 
 class TaskBar;
 
-/// Editor of mastery and lapse: consecutive passes, LC-CUSUM with a limit calibrated by simulation, days without
-/// practice, failures.
+/// Editor of the rules for mastery and lapse: consecutive passes, LC-CUSUM with a limit calibrated by simulation, days
+/// without practice, failures.
 class MasteryEditor final : public QWidget {
   Q_OBJECT
 
@@ -46,8 +46,8 @@ class MasteryEditor final : public QWidget {
   QPushButton* calibrate_;
   QLabel *fewest_, *calibrated_;
   TaskBar* tasks_;
-  std::string level_;  ///< Level::name of the one that is shown
-  CusumRule rule_;     ///< as last shown
+  std::string level_;  ///< Level::name of the level that is shown
+  CusumRule rule_;     ///< the rule that was shown last
 };
 
 }  // namespace insonate::ui

@@ -16,8 +16,8 @@ class QTableWidget;
 
 namespace insonate::ui {
 
-/// Editor of the passing standard of one attempt: points, standards, and their number. In any case it must be
-/// completed, succeeded and without a critical error.
+/// Editor of the passing standard of one attempt: points, metric standards, and the number of standards to be met. In
+/// any case an attempt must be completed and succeed without a critical error.
 class StandardsEditor final : public QWidget {
   Q_OBJECT
 
@@ -36,7 +36,7 @@ class StandardsEditor final : public QWidget {
   void add();
   void remove();
   void showStandard();
-  /// Changes the selected standard.
+  /// Applies `what` to the selected standard.
   void change(const QString& field, const std::function<void(MetricStandard&)>& what);
   QString titleOf(const MetricStandard& standard) const;
 

@@ -6,7 +6,8 @@ namespace insonate::ui {
 
 class LibraryFilter;
 
-/// One case as a row: CT and ultrasound, title, grade and why, version, and whether it is fit.
+/// Paints one case as a row: CT and ultrasound, title, grade and its reason, version, and whether the case is fit for
+/// training.
 class LibraryCard final : public QStyledItemDelegate {
  public:
   LibraryCard(const LibraryFilter& cases, QObject* parent);

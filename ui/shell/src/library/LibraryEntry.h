@@ -7,30 +7,30 @@
 
 namespace insonate::ui {
 
-/// One case of the library, as far as it is known.
+/// One case of the library, with the facts read so far.
 struct LibraryEntry {
   enum class State {
-    Waiting,  ///< nothing but its place and title is known yet
+    Waiting,  ///< only place and title are known so far
     Known,
-    Broken  ///< trouble says why
+    Broken  ///< the case cannot be read; `trouble` says why
   };
 
-  QString place;  ///< its folder, or the name of a built-in one
+  QString place;  ///< the case's folder, or the name of a built-in case
   bool builtIn = false;
   QString title, description;
-  int version = 0;  ///< 0 for none
-  QString date;     ///< of the version
+  int version = 0;  ///< 0: no version
+  QString date;     ///< date of the version
 
   State state = State::Waiting;
   QString trouble;
   QString grade;        ///< "easy", "moderate", "hard" or empty
-  bool graded = false;  ///< by its author, not estimated
-  QString reason;       ///< for the grade, a sentence; what is missing where there is none
+  bool graded = false;  ///< graded by the case's author; else estimated
+  QString reason;       ///< sentence about the reason for the grade or, without a grade, about what is missing
   QStringList structures;
   bool fit = false;
-  QStringList errors;  ///< what makes it unfit
+  QStringList errors;  ///< reasons why the case is not fit for training
   int doubts = 0;
-  QImage slice, ultrasound;  ///< null where there is none
+  QImage slice, ultrasound;  ///< null if not available
 };
 
 }  // namespace insonate::ui

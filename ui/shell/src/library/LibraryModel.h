@@ -8,13 +8,13 @@
 
 namespace insonate::ui {
 
-/// The cases of the library, in the order in which they were found.
+/// List model of the library's cases, in the order in which they were found.
 class LibraryModel final : public QAbstractListModel {
  public:
   using QAbstractListModel::QAbstractListModel;
 
   void setEntries(std::vector<LibraryEntry> entries);
-  /// Replaces the entry of the same place; no effect if it is gone.
+  /// Replaces the entry with the same place; no effect if there is none.
   void update(const LibraryEntry& entry);
   const LibraryEntry& entry(int row) const { return entries_[std::size_t(row)]; }
 
@@ -25,7 +25,7 @@ class LibraryModel final : public QAbstractListModel {
   std::vector<LibraryEntry> entries_;
 };
 
-/// The entries that match the search, in the chosen order.
+/// Filters the entries by search words and grade, and sorts them in the selected order.
 class LibraryFilter final : public QSortFilterProxyModel {
  public:
   enum class Order { Difficulty, Title, Newest };
@@ -33,9 +33,9 @@ class LibraryFilter final : public QSortFilterProxyModel {
 
   explicit LibraryFilter(LibraryModel& model, QObject* parent);
 
-  /// Words, each of which must be in title, description, grade or structures.
+  /// Sets the search words. Each word must occur in title, description, grade or structures.
   void setWords(const QString& words);
-  /// "easy", "moderate", "hard"; empty for all.
+  /// Sets the grade to show: "easy", "moderate" or "hard"; empty: all.
   void setGrade(const QString& grade);
   void setFitness(Fitness fitness);
   void setOrder(Order order);

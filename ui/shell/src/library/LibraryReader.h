@@ -9,17 +9,18 @@
 
 namespace insonate::ui {
 
-/// Folder in which facts about cases are kept between starts: in the user's cache.
+/// Folder in the user's cache that stores facts about cases between program starts.
 QString libraryCache();
 
-/// Folders of cases in these folders and in theirs, sorted; a folder that is a case itself counts.
+/// Returns, sorted, the folders that are cases among these folders and their direct subfolders.
 QStringList casesIn(const QStringList& folders);
 
-/// Facts that are known without reading volumes: place, title, version; for a broken case, the reason.
+/// Returns the facts that are known without reading volumes: place, title and version; for a broken case, the reason.
 LibraryEntry listedCase(const QString& place, bool builtIn);
 
-/// Reads the case, or its entry in `cache`, and fills in images, grade and fitness. Cached under a key of the case's
-/// state, without names or places. Takes seconds for a new case. For a thread of its own; null when stopped.
+/// Reads the case or its cached facts, and fills in images, grade and fitness. The cache's key depends on the case's
+/// state and contains no names or paths. Takes seconds for a new case. Call it on a background thread. Returns null if
+/// stopped.
 LibraryEntry knownCase(LibraryEntry listed, const QString& cache, const Progress& progress);
 
 }  // namespace insonate::ui

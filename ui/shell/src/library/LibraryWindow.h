@@ -18,8 +18,8 @@ namespace insonate::ui {
 class LibraryFilter;
 class LibraryModel;
 
-/// All available cases: those of the folders that the user has chosen, and the built-in necks, with contents and
-/// difficulty. A thread reads them one after the other while the window is open.
+/// Shows all available cases with contents and difficulty: those in the folders that the user has added, and the
+/// built-in necks. A background thread reads them one after the other while the window is open.
 class LibraryWindow final : public QDialog {
   Q_OBJECT
 
@@ -31,7 +31,8 @@ class LibraryWindow final : public QDialog {
   bool isDone() const { return done_; }
 
  Q_SIGNALS:
-  /// A folder or the name of a built-in neck, and the workspace to open it in: "train" or "prepare".
+  /// Emitted when the user opens a case. `place`: a folder or the name of a built-in neck; `workspace`: "train" or
+  /// "prepare".
   void caseChosen(const QString& place, const QString& workspace);
 
  protected:
@@ -57,8 +58,8 @@ class LibraryWindow final : public QDialog {
   QListView* list_;
   QLabel *state_, *empty_;
   QPushButton *train_, *prepare_, *add_, *remove_;
-  std::shared_ptr<std::atomic<bool>> stopped_;  ///< of the look that is under way
-  int left_ = 0;                                ///< cases that are not looked at yet
+  std::shared_ptr<std::atomic<bool>> stopped_;  ///< stops the present run of the reading thread
+  int left_ = 0;                                ///< number of cases that are not read yet
   bool done_ = false;
 };
 

@@ -4,8 +4,8 @@
 
 namespace insonate::ui {
 
-/// Does `work` on a thread of its own that the window does not wait for; what the work holds goes with it, there.
-/// waitForJobs() waits for all of them at the end of the program.
+/// Runs `work` on its own thread, for which the window does not wait; objects that `work` owns are destroyed on that
+/// thread. waitForJobs() waits for all these threads at the end of the program.
 void runInBackground(std::function<void()> work);
 
 }  // namespace insonate::ui

@@ -20,11 +20,11 @@ class ClippingControls : public QWidget {
  public:
   explicit ClippingControls(std::shared_ptr<views::SceneView> scene, QWidget* parent = nullptr);
 
-  /// Shows the scene's present state.
+  /// Updates the controls from the scene.
   void refresh();
 
  Q_SIGNALS:
-  void changed();  ///< by the user
+  void changed();  ///< emitted when the user changes a control
 
  private:
   void apply();

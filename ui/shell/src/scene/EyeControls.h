@@ -13,21 +13,22 @@ namespace insonate::ui {
 
 class ValueSlider;
 
-/// Stereo, and the view that goes with the viewer's head.
+/// Controls of stereo and of the head-coupled view.
 class EyeControls : public QWidget {
   Q_OBJECT
 
  public:
   explicit EyeControls(std::shared_ptr<views::SceneView> scene, QWidget* parent = nullptr);
 
-  /// Shows the scene's present state, and the abilities of its window.
+  /// Updates the controls from the scene and from what its window supports.
   void refresh();
-  /// The numbers, which stay when the view is off; not the stereo mode, which belongs to a pair of glasses at hand.
+  /// Saves the numbers, also while the view is off. The stereo mode is not saved, since it depends on the glasses in
+  /// use.
   void save(QSettings& settings) const;
   void restore(QSettings& settings);
 
  Q_SIGNALS:
-  void changed();  ///< by the user
+  void changed();  ///< emitted when the user changes a control
 
  private:
   void apply();

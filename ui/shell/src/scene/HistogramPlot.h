@@ -9,8 +9,8 @@
 
 namespace insonate::ui {
 
-/// Plot of a histogram with the transfer function over it, whose nodes can be dragged. It changes nothing itself: it
-/// requests changes by edited(), and shows the function that it is given.
+/// Plot of a histogram with the transfer function over it, whose nodes can be dragged. The plot does not change the
+/// function itself: it requests changes by edited() and shows the function that it is given.
 class HistogramPlot : public QWidget {
   Q_OBJECT
 
@@ -25,11 +25,11 @@ class HistogramPlot : public QWidget {
   const views::TransferFunction& function() const { return function_; }
   int selected() const { return selected_; }
   void select(int node);
-  /// Adds a node in the middle of the wider side of the selected node.
+  /// Adds a node halfway between the selected node and the more distant of its neighbors.
   void addBeside();
   void removeSelected();
 
-  /// Converts between nodes and places on the plot.
+  /// Converts between a node's values and positions on the plot.
   QPointF placeOf(double hu, double opacity) const;
   double huAt(double x) const;
   double opacityAt(double y) const;
@@ -38,7 +38,8 @@ class HistogramPlot : public QWidget {
   QSize minimumSizeHint() const override { return {200, 130}; }
 
  Q_SIGNALS:
-  /// Wanted: this function. Those of one gesture (not 0) are one step.
+  /// Emitted when the user changes the function to `wanted`; `what` names the change. Changes with the same `gesture`,
+  /// if it is not 0, are one step of undo.
   void edited(const insonate::views::TransferFunction& wanted, int gesture, const QString& what);
   void selectionChanged(int node);
   void movingChanged(bool moving);
@@ -72,9 +73,10 @@ class HistogramPlot : public QWidget {
   double least_HU_ = -1024, most_HU_ = 1500;
   int selected_ = -1;
   bool dragging_ = false;
-  int gesture_ = 0;    ///< of the present drag or run of keys
-  int lastArrow_ = 0;  ///< an arrow that was the last thing done goes on with its gesture
-  QPointF grip_;       ///< from the node's middle to the mouse
+  int gesture_ = 0;  ///< number of the present drag or series of key presses
+  /// Arrow key pressed last, 0 after another action; pressing the same arrow again continues the gesture.
+  int lastArrow_ = 0;
+  QPointF grip_;  ///< offset from the node's center to the mouse at the start of the drag
 };
 
 }  // namespace insonate::ui

@@ -14,19 +14,19 @@ class QVBoxLayout;
 
 namespace insonate::ui {
 
-/// One row for each surface of a scene: eye, color, name, opacity.
+/// Table with one row for each surface of a scene: visibility, color, name, opacity.
 class StructureList : public QWidget {
   Q_OBJECT
 
  public:
   explicit StructureList(std::shared_ptr<views::SceneView> scene, QWidget* parent = nullptr);
 
-  /// Shows the scene's present state.
+  /// Updates the rows from the scene.
   void refresh();
 
  Q_SIGNALS:
-  void changed();        ///< by the user
-  void colourChanged();  ///< by the user
+  void changed();        ///< emitted when the user changes a structure
+  void colourChanged();  ///< emitted when the user changes a color
 
  private:
   struct Row {

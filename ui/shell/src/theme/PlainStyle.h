@@ -4,9 +4,9 @@
 
 namespace insonate::ui {
 
-/// Names of people and titles of cases stand in labels, message boxes and tooltips. What looks like HTML there is shown
-/// as it is, and nothing is fetched for it, unless a label says by itself that it is rich text. A word without an end
-/// does not widen the window.
+/// Style that shows text in labels, message boxes and tooltips as plain text, since it may contain names of people and
+/// titles of cases. HTML in the text is neither interpreted nor loaded, unless a label is explicitly set to rich text.
+/// Overlong words do not widen the window.
 class PlainStyle final : public QProxyStyle {
   Q_OBJECT
 

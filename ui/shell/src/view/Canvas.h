@@ -15,10 +15,9 @@
 
 namespace insonate::ui {
 
-/// The image of a ViewWidget. The view is drawn out of sight and its pixels are painted like those of any other
-/// widget: with an OpenGL widget anywhere in a window, Qt puts the whole window together by OpenGL for each change of
-/// any part of it, which takes longer than drawing where there is no graphics card. Views that allow it are drawn by a
-/// thread of their own.
+/// The image of a ViewWidget. The view is drawn off screen, and its pixels are painted like those of any other widget.
+/// An OpenGL widget would make Qt compose the whole window by OpenGL for each change, which takes longer than drawing
+/// if there is no graphics card. Views that allow it are drawn on a background thread.
 class ViewWidget::Canvas final : public QWidget {
  public:
   Canvas(views::View& view, QWidget* parent);
@@ -26,17 +25,17 @@ class ViewWidget::Canvas final : public QWidget {
 
   /// Passes the size to the view, which then requests a rendering.
   void fit();
-  /// Draws the view and shows it, or has it drawn; onDrawn() follows either way. Nothing while it is being drawn: then
-  /// it is to be asked for again after that.
+  /// Draws and shows the view, or has the background thread draw it; onDrawn() is called afterwards in both cases. No
+  /// effect while the thread is drawing: request it again after onDrawn().
   void render();
   bool isDrawing() const { return drawn_.wish < wish_; }
-  /// Black until it is drawn again.
+  /// Shows black until the view is drawn again.
   void forget();
 
   std::function<void(bool focused)> onFocus;
-  std::function<bool()> onDoubleClick;  ///< true when that was the click's meaning
-  std::function<void()> onStale;        ///< what is shown is not of the widget's size
-  /// An image is there, and took so long to draw.
+  std::function<bool()> onDoubleClick;  ///< returns true if it has handled the double click
+  std::function<void()> onStale;        ///< called when the image shown does not have the widget's size
+  /// Called when an image has been drawn; `took_ms` is the time that drawing took.
   std::function<void(double took_ms)> onDrawn;
 
  protected:
@@ -63,15 +62,16 @@ class ViewWidget::Canvas final : public QWidget {
   void askIfStale();
 
   views::View& view_;
-  vtkSmartPointer<vtkRenderWindow> window_;  ///< none where a thread draws
-  bool isOpen_ = false;                      ///< the window has drawn
+  vtkSmartPointer<vtkRenderWindow> window_;  ///< null if a background thread draws
+  bool isOpen_ = false;                      ///< the render window has drawn before
   views::PixelReader reader_;
   views::DrawingThread::Drawn drawn_;
-  QImage picture_;  ///< of the pixels drawn, in device pixels; null before the first
-  QSize fitted_;    ///< what the view was told, in device pixels
+  QImage picture_;  ///< the pixels drawn last, in device pixels; null before the first image
+  QSize fitted_;    ///< size that was passed to the view, in device pixels
   double ratio_ = 1;
   std::unique_ptr<views::DrawingThread> thread_;
-  std::uint64_t wish_ = 0, forgotten_ = 0;  ///< the last of the thread's, and the last that nobody wants to see
+  /// Number of the last drawing requested from the thread, and of the last that must not be shown.
+  std::uint64_t wish_ = 0, forgotten_ = 0;
   Qt::MouseButton held_ = Qt::NoButton;
   QBasicTimer rest_;
 };

@@ -4,7 +4,7 @@
 
 namespace insonate::ui {
 
-/// Name, version, license, libraries, and what the program is not.
+/// Shows name, version, license, libraries, and the limits of the program's intended use.
 class AboutDialog : public QDialog {
  public:
   explicit AboutDialog(QWidget* parent);

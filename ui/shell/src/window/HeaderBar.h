@@ -12,7 +12,7 @@ namespace insonate::ui {
 
 class AccountMenu;
 
-/// The top line: the product's name, the workspaces, the case, its menu, and the account.
+/// The window's top line: product name, workspaces, case, menu and account.
 class HeaderBar : public QFrame {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class HeaderBar : public QFrame {
 
   void addTab(const QString& title, const QString& iconName, const QString& keys);
   void setTab(int index);
-  /// `hint` is the tooltip.
+  /// Shows the case's title; `hint` is the tooltip.
   void setCaseTitle(const QString& title, const QString& hint);
   QString caseTitle() const;
 

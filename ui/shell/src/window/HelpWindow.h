@@ -10,13 +10,13 @@ class QTextBrowser;
 
 namespace insonate::ui {
 
-/// Keys that work in one place.
+/// Keyboard shortcuts of one part of the program.
 struct ShortcutGroup {
   QString place;
   std::vector<Shortcut> shortcuts;
 };
 
-/// The pages of resources/help and the list of keys, beside the work: it does not stop anything.
+/// Non-modal window with the pages of resources/help and the list of keys.
 class HelpWindow : public QDialog {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class HelpWindow : public QDialog {
   explicit HelpWindow(QWidget* parent);
 
   void setShortcuts(const std::vector<ShortcutGroup>& groups);
-  /// Shows a page by its file's name; the first page if none has that name.
+  /// Shows a page by its file's name; the first page if there is no such file.
   void showPage(const QString& name);
   void showKeys();
   QString shownText() const;

@@ -5,12 +5,12 @@
 
 namespace insonate::ui {
 
-/// Contents of the question about changes that would be lost; all may be empty.
+/// Losses about which to ask before closing or opening; all members may be empty.
 struct Loss {
-  QString job;           ///< what is being done: "Importing neck-ct"
-  QString ending;        ///< a sentence on what ends before its time, as an attempt that is being made
-  QString title;         ///< of a case that is not on disk as it is in the window
-  bool nowhere = false;  ///< that case is not on disk at all
+  QString job;           ///< title of the running job: "Importing neck-ct"
+  QString ending;        ///< sentence about activity that would end, for example an attempt in progress
+  QString title;         ///< title of a case with unsaved changes
+  bool nowhere = false;  ///< that case has never been saved to disk
 
   bool isWork() const { return !job.isEmpty() || !ending.isEmpty(); }
   explicit operator bool() const { return isWork() || !title.isEmpty(); }
@@ -18,8 +18,7 @@ struct Loss {
 
 enum class LostBy { Closing, Opening };
 
-/// Asks before the window closes, or another case takes the place of the one that is open, over something that would be
-/// lost. Stops nothing meanwhile.
+/// Asks before closing the window or opening another case would lose something. The work continues meanwhile.
 class LossQuestion : public QDialog {
   Q_OBJECT
 

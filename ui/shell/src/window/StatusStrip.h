@@ -8,18 +8,18 @@ class QToolButton;
 
 namespace insonate::ui {
 
-/// The line at the bottom: what just happened or the next thing to do, the engine and its rate, help.
+/// The window's bottom line: the last event or the next thing to do, the engine and its rate, help.
 class StatusStrip : public QFrame {
   Q_OBJECT
 
  public:
   explicit StatusStrip(QWidget* parent = nullptr);
 
-  /// Sets the text about the next thing to do, shown while there is no event.
+  /// Sets the text about the next thing to do; shown if there is no recent event.
   void setStanding(const QString& text);
-  /// Shows an event; the standing text returns after a while. With a folder, a link opens it.
+  /// Shows an event; the text of setStanding() returns after a while. If `folder` is given, a link opens it.
   void say(const QString& text, const QString& folder = {});
-  /// `note`: why this engine, or empty.
+  /// Shows the engine. `note` says why this engine was chosen; may be empty.
   void setEngine(const QString& text, const QString& note);
 
   QString text() const;

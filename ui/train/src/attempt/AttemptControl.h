@@ -19,21 +19,22 @@ namespace insonate::train {
 
 struct TrainModel;
 
-/// An attempt at a procedure, from its start to its result, recorded in the user's folder; one that is left by closing
-/// the case or the program is kept as abandoned. Knows no widget. For the window's thread.
+/// Runs an attempt at a procedure, from its start to its result, and records it in the user's folder. An attempt that
+/// is in progress when the case or the program is closed is saved as abandoned. Uses no widgets. For the window's
+/// thread.
 class AttemptControl : public QObject {
   Q_OBJECT
 
  public:
   enum class State {
     Idle,
-    Starting,  ///< until the case's hash and the recording's seal are known
+    Starting,  ///< waiting for the case's hash and the recording's seal
     Running,
-    Writing,  ///< its end, off the window's thread
-    Over,     ///< view() and score() are of the whole attempt
+    Writing,  ///< the recording is finished on a background thread
+    Over,     ///< view() and score() are about the whole attempt
   };
 
-  /// An empty folder is ui::attemptsFolder().
+  /// `folder` receives the recordings; empty: ui::attemptsFolder().
   explicit AttemptControl(TrainModel& model, QString folder = {}, QObject* parent = nullptr);
   ~AttemptControl() override;
 
@@ -41,9 +42,9 @@ class AttemptControl : public QObject {
   const std::vector<Procedure>& procedures() const { return procedures_; }
   const Procedure& procedure() const { return procedures_[chosen_]; }
   void choose(const std::string& procedure);
-  /// Why none can begin on this case; empty: one can, as far as is known.
+  /// Sentence that says why no attempt can begin on this case; empty if one can, as far as is known.
   QString unfit() const;
-  /// Sets another reason why no attempt can begin, a sentence; empty for none.
+  /// Sets a further reason why no attempt can begin, a sentence; empty: no further reason.
   void setObstacle(const QString& why);
   Assistance assistance() const { return assistance_; }
   void setAssistance(Assistance assistance);
@@ -55,41 +56,42 @@ class AttemptControl : public QObject {
   void start();
   void finish() { end(AttemptStatus::Completed); }
   void abandon() { end(AttemptStatus::Abandoned); }
-  /// Abandons this attempt and starts another, with the needle put away and the probe at its start.
+  /// Abandons this attempt and starts another, with the needle put away and the probe at its start pose.
   void startAgain();
-  /// Makes a starting attempt wait for setSeal(), some seconds at most. Without a seal it begins unproven.
+  /// Makes a starting attempt wait for setSeal(), some seconds at most. Without a seal the attempt begins without proof
+  /// of origin.
   void awaitSeal() { sealIsDue_ = true; }
-  /// Sets the attempt's identity in a store, and the key of its nonce.
+  /// Sets the attempt's identity in a store, and the key that belongs to its nonce.
   void setSeal(const RecordedFor& whose, const std::optional<RecordKey>& key);
-  /// Ends a running attempt as abandoned, because its case or the program is closed. The recording is finished on
-  /// another thread, for which the destructor waits; ended() reports it, and the state is Idle then.
+  /// Ends a running attempt as abandoned because its case or the program is closed. The recording is finished on a
+  /// background thread, for which the destructor waits. Then ended() is emitted; the state is Idle by that time.
   void close();
   /// Changes from Over to Idle.
   void leave();
 
   /// Header of the attempt that began last.
   const AttemptHeader& header() const { return header_; }
-  /// State of a tenth of a second ago.
+  /// The attempt's state, at most a tenth of a second old.
   const AttemptView& view() const { return view_; }
   const AttemptScore& score() const { return score_; }
   AttemptStatus status() const { return status_; }
-  /// File of the attempt that is over; empty if it could not be saved.
+  /// Recording of the finished attempt; empty if it could not be saved.
   QString file() const { return file_; }
 
-  // Actions of the hands besides holding
+  // Actions of the hands other than moving probe and needle
   bool isAspirating() const { return aspirating_; }
   void setAspirating(bool on);
-  /// A new needle from the tray. Refused while the old one is in the skin.
+  /// Takes a new needle from the tray. Refused while the old needle is in the skin.
   void replaceNeedle();
 
   void save(QSettings& settings) const;
   void restore(QSettings& settings);
 
  Q_SIGNALS:
-  void stateChanged();  ///< also procedure and assistance
-  void starting();      ///< the time to seal its recording
+  void stateChanged();  ///< emitted also when procedure() or assistance() has changed
+  void starting();      ///< emitted when an attempt starts; seal its recording now
   void begun();
-  void ended();  ///< view(), score(), status() and file() are of the whole attempt, also where its case is gone
+  void ended();  ///< view(), score(), status() and file() are about the whole attempt, even if its case is closed
   void viewChanged();
   void aspiratingChanged();
   void needleReplaced();
@@ -120,8 +122,8 @@ class AttemptControl : public QObject {
   QElapsedTimer sinceStart_;
   std::shared_ptr<LiveAttempt> attempt_;
   std::future<Result<MetricValues>> writing_;
-  bool again_ = false;     ///< starts another once this one is written
-  bool isClosed_ = false;  ///< the result of the one being written is not shown
+  bool again_ = false;     ///< start another attempt when this one is written
+  bool isClosed_ = false;  ///< do not show the result of the attempt that is being written
   std::shared_future<std::string> hash_;
   AttemptView view_;
   AttemptScore score_;
@@ -129,7 +131,7 @@ class AttemptControl : public QObject {
   double tilt_deg_ = 0, bloodTime_s_ = 0;
   bool settingsDue_ = false;
   QElapsedTimer sinceSettings_;
-  std::string trouble_;  ///< as last said
+  std::string trouble_;  ///< last error that was reported
   QTimer timer_;
 };
 

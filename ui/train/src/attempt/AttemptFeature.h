@@ -7,13 +7,14 @@ namespace insonate::train {
 class AttemptControl;
 class AttemptPanel;
 
-/// An attempt at a procedure: its control, the panel over the controls, the strip under the image and its keys.
+/// The feature for attempts at procedures: AttemptControl, the panel above the controls, the strip under the image, and
+/// the keys.
 class AttemptFeature final : public Feature {
   Q_OBJECT
 
  public:
   AttemptFeature(TrainModel& model, TrainLayout& layout);
-  /// Waits until an attempt that is ending is written.
+  /// Waits until the recording of an ending attempt is written.
   ~AttemptFeature() override;
 
   AttemptControl& control() { return *control_; }

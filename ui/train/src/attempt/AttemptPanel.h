@@ -18,8 +18,8 @@ class DisclosureModel;
 class ImagingModel;
 class LiveModel;
 
-/// The panel above the controls: choice of the procedure, then steps with instructions and errors, then the result. In
-/// a test it discloses nothing before the end.
+/// The panel above the controls: before an attempt the choice of procedure, during it the steps with instructions and
+/// errors, after it the result. In test mode the panel discloses nothing before the end of the attempt.
 class AttemptPanel final : public QWidget {
   Q_OBJECT
 
@@ -27,18 +27,18 @@ class AttemptPanel final : public QWidget {
   AttemptPanel(DisclosureModel& disclosure, CaseModel& patientCase, ImagingModel& imaging, LiveModel& live,
                AttemptControl& attempt, QWidget* parent = nullptr);
 
-  /// Puts a card over the choice of the procedure.
+  /// Adds a card above the choice of the procedure.
   void addCard(QWidget* card);
-  /// Puts a verdict under the result's errors, and a button beside the others.
+  /// Adds a verdict below the result's errors, and a button to the result's buttons.
   void addToResult(QWidget* verdict, QWidget* button);
   /// Hides the choice of procedure and assistance while a level decides both.
   void setProcedureFixed(bool isFixed);
 
-  /// Maximum height; the panel takes as much as its text needs.
+  /// Sets the maximum height; below it, the panel is as high as its text needs.
   void setMostHeight(int most_px);
 
  Q_SIGNALS:
-  /// A finished attempt's file is to be shown.
+  /// Emitted when the user wants to see the recording of a finished attempt.
   void reviewWanted(const QString& file);
 
  protected:

@@ -13,8 +13,8 @@ class CaseModel;
 class DisclosureModel;
 class HandsControl;
 
-/// The line under the image while an attempt is made: time, the thesis's five metrics, the needle, the syringe. In a
-/// test only what the hands themselves would know.
+/// The line under the image during an attempt: time, five metrics, needle and syringe. In test mode the line shows only
+/// what an operator would notice without the simulator.
 class AttemptStrip final : public QWidget {
  public:
   AttemptStrip(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase, AttemptControl& attempt,

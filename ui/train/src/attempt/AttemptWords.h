@@ -10,20 +10,20 @@
 
 namespace insonate::train {
 
-/// The needle's place as far as it is disclosed: without anatomy, whether the needle is in the skin, and whether it
-/// was.
+/// Returns the needle's place as far as it is disclosed. Without anatomy, only whether the needle is or was in the
+/// skin.
 NeedlePlace disclosed(NeedlePlace place, const Disclosure& disclosure);
 
-/// "guided", "hints", "test".
+/// Returns "guided", "hints" or "test".
 QString wordOf(Assistance assistance);
 
 /// Capitalizes the first letter, for the beginning of a sentence.
 QString capital(const QString& words);
 
-/// "2:07".
+/// Formats a time: "2:07".
 QString clockOf(double time_s);
 
-/// The line over a result: "71 of 100: succeeded", "Abandoned".
+/// Heading of a result: "71 of 100: succeeded", "Abandoned".
 QString headlineOf(const AttemptScore& score, AttemptStatus status);
 
 }  // namespace insonate::train

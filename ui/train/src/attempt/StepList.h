@@ -11,12 +11,12 @@ struct AttemptView;
 
 namespace insonate::train {
 
-/// The steps of a procedure: done, due with instructions, and the errors, the latest first.
+/// Lists the steps of a procedure: done steps, due steps with instructions, and errors, the latest first.
 class StepList final : public QWidget {
  public:
   explicit StepList(QWidget* parent = nullptr);
 
-  /// Shows an attempt; without the steps, only errors. Returns whether it needs another height than before.
+  /// Shows an attempt; if not `withSteps`, only its errors. Returns whether the list needs another height than before.
   bool show(const Procedure& procedure, const AttemptView& view, bool withSteps);
 
  private:

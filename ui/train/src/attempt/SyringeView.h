@@ -15,9 +15,9 @@ class CaseModel;
 class DisclosureModel;
 class HandsControl;
 
-/// Content of the syringe while it aspirates: dark red, non-pulsatile blood from a vein, bright red, pulsatile
-/// blood from an artery, air from lung and airway, nothing from elsewhere. It stays there until another needle is
-/// taken.
+/// Shows the content of the syringe during aspiration: dark red, non-pulsatile blood from a vein, bright red, pulsatile
+/// blood from an artery, air from lung and airway, and nothing from other tissue. The content stays until another
+/// needle is taken.
 class SyringeView final : public QWidget {
   Q_OBJECT
 
@@ -28,8 +28,8 @@ class SyringeView final : public QWidget {
               QWidget* parent = nullptr);
 
   Content content() const { return content_; }
-  double level() const { return level_; }  ///< 0..1
-  /// "dark red blood, non-pulsatile"
+  double level() const { return level_; }  ///< fill level, 0 to 1
+  /// Describes the content: "dark red blood, non-pulsatile".
   QString words() const;
   QSize sizeHint() const override;
 
@@ -54,7 +54,7 @@ class SyringeView final : public QWidget {
   QElapsedTimer clock_;
 };
 
-/// Content of a syringe that aspirates with the needle's tip in this tissue.
+/// Returns the content that a syringe aspirates if the needle's tip is in this tissue.
 SyringeView::Content drawnFrom(Label tissue);
 
 }  // namespace insonate::train

@@ -22,10 +22,10 @@ class DeviceList final : public QWidget {
   explicit DeviceList(HandsControl& hands, QWidget* parent = nullptr);
 
   void refresh(const QHash<QString, double>& rates_Hz);
-  /// Records the reports of devices on the bus, until it is called with an empty path. False if the file cannot be
-  /// written.
+  /// Begins to record all devices' reports to a file; an empty path ends the recording. Returns false if the file
+  /// cannot be written.
   bool record(const std::filesystem::path& file);
-  /// Adds a recording as a device; reports errors in it.
+  /// Adds a recording as a device; shows errors in the file.
   void replay(const std::filesystem::path& file);
 
  private:
@@ -36,11 +36,11 @@ class DeviceList final : public QWidget {
 
   HandsControl& hands_;
   QTableWidget* table_ = nullptr;
-  QLabel* none_ = nullptr;  ///< in the table, while it is empty
+  QLabel* none_ = nullptr;  ///< text shown while the table is empty
   QComboBox* pedal_ = nullptr;
   QListWidget* events_ = nullptr;
   QPushButton* record_ = nullptr;
-  int made_ = 0;  ///< simulated and replayed so far, for their names
+  int made_ = 0;  ///< number of simulated and replayed devices so far, used in their names
 };
 
 }  // namespace insonate::train

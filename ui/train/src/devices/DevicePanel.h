@@ -16,8 +16,8 @@ class DeviceList;
 class HandPlots;
 class HandSection;
 
-/// Haptic devices: connections, assignment to hands, forces, and timing of the servo. A window of its own, so that
-/// hands and image are seen together. Costs nothing while it is closed.
+/// Window for haptic devices: connections, assignment to hands, forces, and timing of the servo. A separate window, so
+/// that hands and image are visible at once. Uses no computing time while it is closed.
 class DevicePanel final : public QDialog {
   Q_OBJECT
 
@@ -44,9 +44,9 @@ class DevicePanel final : public QDialog {
   QLabel *pace_ = nullptr, *rights_ = nullptr;
   QTimer timer_;
   QElapsedTimer sinceCount_;
-  QHash<QString, quint64> counted_;  ///< states so far, by device
+  QHash<QString, quint64> counted_;  ///< number of state reports per device at the last count
   QHash<QString, double> rates_Hz_;
-  int known_ = -1;  ///< devices in the hands' lists
+  int known_ = -1;  ///< number of devices when the hands' lists were filled; -1: not yet
 };
 
 }  // namespace insonate::train

@@ -10,7 +10,7 @@ namespace insonate::train {
 
 class DevicePanel;
 
-/// The hands that hold probe and needle, and the panel of haptic devices.
+/// The feature for the hands that hold probe and needle, and for the panel of haptic devices.
 class DevicesFeature final : public Feature {
   Q_OBJECT
 
@@ -18,7 +18,7 @@ class DevicesFeature final : public Feature {
   DevicesFeature(TrainModel& model, TrainLayout& layout);
   ~DevicesFeature() override;
 
-  /// Shows the panel.
+  /// Action that shows the panel.
   QAction& panelAction() { return *panelAction_; }
   void save(QSettings& settings) const override;
   void restore(QSettings& settings) override;
@@ -27,7 +27,7 @@ class DevicesFeature final : public Feature {
   void showPanel();
 
   QAction* panelAction_;
-  QPointer<DevicePanel> panel_;  ///< once it was asked for
+  QPointer<DevicePanel> panel_;  ///< null until the panel is first shown
 };
 
 }  // namespace insonate::train

@@ -16,7 +16,8 @@ class HandPlots final : public QWidget {
 
   explicit HandPlots(QWidget* parent = nullptr);
 
-  /// Now; force in N and states a second of each hand, below 0 for an empty one.
+  /// Adds a point at the present time: each hand's force in N and its device's states per second; below 0 for a hand
+  /// without a device.
   void add(const std::array<double, 2>& force_N, const std::array<double, 2>& rate_Hz);
   std::size_t points() const { return times_s_.size(); }
 

@@ -17,16 +17,17 @@ namespace insonate::train {
 
 class NumberField;
 
-/// One hand in the device panel: its device, the mapping to the tool, force limits, and position.
+/// Controls of one hand in the device panel: its device, the mapping to the tool, force limits, and position.
 class HandSection final : public QFrame {
   Q_OBJECT
 
  public:
   HandSection(HandsControl& hands, Hand hand, QWidget* parent = nullptr);
 
-  /// Devices as they are now.
+  /// Updates the list of devices and the controls.
   void refresh();
-  /// Shows position and force of the hand, a few times a second; `rate_Hz` of its device.
+  /// Shows position and force of the hand; call it a few times per second. `rate_Hz`: state reports per second of the
+  /// hand's device.
   void show(const ServoSnapshot& now, double rate_Hz);
 
  Q_SIGNALS:

@@ -41,26 +41,26 @@ enum class Command {
   ShowCourse,
 };
 
-/// One row of the only table of keys: it decides what a key does, and lists it for the user.
+/// One row of the key table, which defines the keys' commands and is also listed for the user.
 struct KeyRow {
   int key = 0;           ///< Qt::Key
-  bool control = false;  ///< with the control key
+  bool control = false;  ///< Ctrl must be held
   Command command;
-  HandAxis axis{};            ///< of a move
-  double step = 0, wide = 0;  ///< mm or degrees; wide with shift
-  int place = 0;              ///< of a recall, a window preset or TissueShown::toggle(), from 0
-  const char* keys;           ///< as the user knows it; empty on rows that share the line above
+  HandAxis axis{};            ///< direction, for commands that move the probe
+  double step = 0, wide = 0;  ///< distance in mm or degrees; `wide` with Shift
+  int place = 0;              ///< index from 0, for recalling positions, window presets and TissueShown::toggle()
+  const char* keys;           ///< keys as listed for the user; empty for rows that share the line above
   const char* meaning;
-  bool alt = false;     ///< with the alt key
-  NeedleAxis needle{};  ///< of a move of the needle
+  bool alt = false;     ///< Alt must be held
+  NeedleAxis needle{};  ///< direction, for commands that move the needle
 };
 
 std::span<const KeyRow> keyTable();
 
-/// Row of a key; null for a key without a command here.
+/// Returns the row of a key; null if the key has no command here.
 const KeyRow* rowFor(const QKeyEvent& event);
 
-/// Actions of the mouse, for the same list.
+/// A mouse action, for the same list.
 struct MouseRow {
   const char* gesture;
   const char* meaning;

@@ -13,15 +13,14 @@ namespace insonate::train {
 class CaseModel;
 class LiveModel;
 
-/// The bar under the image: the last seconds of a frozen one, and commands for the image on display. Its size is
-/// constant.
+/// The bar under the image, of constant size: the last seconds before a freeze, and commands for the image on display.
 class CineBar : public QWidget {
   Q_OBJECT
 
  public:
   CineBar(CaseModel& patientCase, LiveModel& live, QWidget* parent = nullptr);
 
-  /// Selects a caliper (views::CalliperKind), or none with -1.
+  /// Selects a caliper (views::CalliperKind); -1: no caliper.
   void setCalliper(int kind);
   void setCtBeside(bool shown);
   void setCtBesideOffered(bool offered);
@@ -35,7 +34,8 @@ class CineBar : public QWidget {
   void clearCallipers();
   void ctBesideChosen(bool shown);
   void savePicture();
-  void saveScreen();  ///< the image as it is seen, with what stands beside and over it
+  /// Emitted when the user wants to save the image as on the screen, with overlays and the CT beside it.
+  void saveScreen();
   void saveClip();
 
  private:

@@ -5,7 +5,7 @@
 
 namespace insonate::train {
 
-/// Name of an effect of EffectLayers.h in the window: "shadows behind boundaries".
+/// Returns the displayed name of an effect of EffectLayers.h: "shadows behind boundaries".
 QString effectWords(const std::string& name);
 
 }  // namespace insonate::train

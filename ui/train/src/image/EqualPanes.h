@@ -4,8 +4,8 @@
 
 namespace insonate::train {
 
-/// Shows its visible children side by side, or above each other where there is more height than width, each exactly as
-/// large as the others, so that what they draw at the size of their window is equally large.
+/// Shows its visible children at equal size, side by side, or above each other if the widget is higher than wide.
+/// Images that fit their panes therefore have equal scale.
 class EqualPanes : public QWidget {
  public:
   using QWidget::QWidget;

@@ -7,7 +7,7 @@ namespace insonate::train {
 class CaseModel;
 class LiveModel;
 
-/// Freezes the image, and makes it live again.
+/// Button that freezes the image and makes it live again.
 class FreezeButton final : public QPushButton {
  public:
   FreezeButton(CaseModel& patientCase, LiveModel& live, QWidget* parent = nullptr);

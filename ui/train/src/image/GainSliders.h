@@ -6,17 +6,17 @@
 
 namespace insonate::train {
 
-/// Gain by place as on a console: eight sliders drawn close together, so that they read as a curve. Stacked vertically
-/// they are gain by depth (TGC), from the face down; side by side, gain from the left to the right of the image. Drag
-/// across them to draw a curve; a double click resets a slider, with Shift all of them; arrow keys work too.
+/// Gain curve as on a console: eight sliders drawn close together. If vertical, they are stacked and set the gain by
+/// depth (TGC), from the probe's face down; if horizontal, the lateral gain from left to right. Drag across the sliders
+/// to draw a curve. A double click resets one slider, with Shift all of them; arrow keys change the selected slider.
 class GainSliders : public QWidget {
  public:
   static constexpr double kMost_dB = 20;
 
-  /// Vertical: stacked. `name` is the label, `tooltip` the explanation.
+  /// `along`: Vertical stacks the sliders. `name` is the label, `tooltip` the explanation.
   GainSliders(Qt::Orientation along, const QString& name, const QString& tooltip, QWidget* parent = nullptr);
 
-  void setValues(const std::array<double, 8>& gain_dB);  ///< each -20..20; calls nobody
+  void setValues(const std::array<double, 8>& gain_dB);  ///< each -20 to 20; does not call the listener
   const std::array<double, 8>& values() const { return gain_dB_; }
   void setChanged(std::function<void()> listener) { changed_ = std::move(listener); }
 
@@ -34,12 +34,13 @@ class GainSliders : public QWidget {
   bool isStacked() const { return along_ == Qt::Vertical; }
   int sliderAt(QPoint place) const;
   double gainAt(QPoint place) const;
-  QPointF placeOf(double slider, double gain_dB) const;  ///< sliders are 0 to 7, their middles at whole numbers
+  /// Position in pixels; the sliders' centers have the numbers 0 to 7.
+  QPointF placeOf(double slider, double gain_dB) const;
   void change(int slider, double gain_dB);
 
   Qt::Orientation along_;
   std::array<double, 8> gain_dB_{};
-  int slider_ = 0;  ///< the one that arrow keys change
+  int slider_ = 0;  ///< number of the slider that arrow keys change
   std::function<void()> changed_;
 };
 

@@ -27,7 +27,7 @@ class ImageInput;
 class LiveModel;
 class StatusLine;
 
-/// Saves images and clips as the user asks for them, and remembers the folder.
+/// Saves images and clips on the user's request, and remembers the folder.
 class ImageExports : public QObject {
   Q_OBJECT
 
@@ -38,7 +38,7 @@ class ImageExports : public QObject {
     StatusLine& status;
     CineBar& cine;
     ImageInput& input;
-    EqualPanes& panes;  ///< the image, and the CT beside it
+    EqualPanes& panes;  ///< contains the image and the CT beside it
   };
   ImageExports(const Sources& sources, ui::Workspace& workspace, QObject* parent);
 
@@ -59,7 +59,7 @@ class ImageExports : public QObject {
 
   Sources sources_;
   ui::Workspace& workspace_;
-  QString folder_;  ///< where images went last
+  QString folder_;  ///< folder of the last saved image
   std::vector<std::unique_ptr<PictureWriter>> writers_;
 };
 

@@ -21,12 +21,12 @@ class ImageExports;
 class ImagePanel;
 class Measurements;
 
-/// The ultrasound image with its settings, measurements, the last seconds, the CT beside it, and its export.
+/// The feature for the ultrasound image: settings, measurements, the last seconds, the CT beside it, and export.
 class ImageFeature final : public Feature {
   Q_OBJECT
 
  public:
-  /// `probeChooser`: for the section of the image's settings.
+  /// `probeChooser`: shown in the section of image settings.
   ImageFeature(TrainModel& model, TrainLayout& layout, QWidget& probeChooser);
 
   ImageExports& exports() { return *exports_; }
@@ -54,12 +54,12 @@ class ImageFeature final : public Feature {
   ImagePanel* panel_;
   QAction* besideAction_;
   QLabel *empty_ = nullptr, *vesselNote_ = nullptr;
-  EqualPanes* panes_ = nullptr;  ///< the image, and the CT beside it
+  EqualPanes* panes_ = nullptr;  ///< contains the image and the CT beside it
   CtBeside* beside_ = nullptr;
   CineBar* cine_ = nullptr;
   Measurements* measurements_ = nullptr;
   ImageExports* exports_ = nullptr;
-  std::shared_ptr<const ImagingSetup> shape_;  ///< of the image as laid out
+  std::shared_ptr<const ImagingSetup> shape_;  ///< setup for which the image was laid out
   bool isOneEffect_ = false, isImageThere_ = false;
 };
 

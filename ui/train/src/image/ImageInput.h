@@ -18,14 +18,15 @@ class ImagingModel;
 class NeedleMotion;
 class ProbeMotion;
 
-/// Mouse on the ultrasound image: the mouse is the probe. With a caliper chosen, left clicks measure instead.
+/// Mouse input on the ultrasound image: mouse movements move the probe. If a caliper is selected, left clicks measure
+/// instead.
 class ImageInput : public QObject {
  public:
   ImageInput(ImagingModel& imaging, ProbeMotion& motion, NeedleMotion& needle, views::UltrasoundView& view,
              QWidget& canvas, QObject* parent);
 
   CalliperTool& callipers() { return callipers_; }
-  /// Sets a listener for calipers changed by the mouse.
+  /// Sets a listener that is called when the mouse changes calipers.
   void setMeasured(std::function<void()> listener) { measured_ = std::move(listener); }
 
  protected:

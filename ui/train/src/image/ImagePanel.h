@@ -22,10 +22,10 @@ class DisclosureModel;
 class GainSliders;
 class ImagingModel;
 
-/// The section of the image's settings, the most used first.
+/// Section with the image settings, the most used first.
 class ImagePanel final : public QWidget {
  public:
-  /// `probeChooser`: shown first.
+  /// `probeChooser` is shown first.
   ImagePanel(DisclosureModel& disclosure, ImagingModel& imaging, QWidget& probeChooser, QWidget* parent = nullptr);
 
   void save(QSettings& settings) const;

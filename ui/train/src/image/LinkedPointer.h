@@ -14,12 +14,12 @@
 
 namespace insonate::train {
 
-/// Marks the place under the pointer in the image or in a slice of the CT in the other views.
+/// While the pointer is over the image or a CT slice, marks the same point of the patient in the other views.
 class LinkedPointer : public QObject {
  public:
   LinkedPointer(CaseModel& patientCase, LiveModel& live, views::UltrasoundView& picture, QWidget& canvas,
                 QObject* parent);
-  /// The slice must outlive this.
+  /// Adds a slice, which must outlive this object.
   void addSlice(views::MprView& slice, QWidget& canvas);
 
  protected:

@@ -6,8 +6,8 @@ namespace insonate::train {
 
 class ImagingModel;
 
-/// The class of machines whose settings the image has; choosing one takes them. Shows none once a setting that the
-/// machine decides is another.
+/// Combo box of machine classes. Selecting a class applies its settings. Shows no class if a setting that the class
+/// defines was changed.
 class MachineChooser : public QComboBox {
  public:
   explicit MachineChooser(ImagingModel& imaging, QWidget* parent = nullptr);

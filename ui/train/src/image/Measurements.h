@@ -22,15 +22,15 @@ class Measurements final : public QObject {
   Measurements(StatusLine& status, History& history, SharedViews& views, ImageInput& input, CineBar& cine,
                QObject* parent);
 
-  /// Tells whether a caliper is chosen.
+  /// Tells whether a caliper is selected.
   bool isMeasuring() const;
-  /// Chooses a caliper (views::CalliperKind), or none with -1. Choosing the chosen one deselects it.
+  /// Selects a caliper (views::CalliperKind); -1: no caliper. Selecting the selected caliper again deselects it.
   void choose(int kind);
-  /// Removes all measurements, which can be undone.
+  /// Removes all measurements; the user can undo this.
   void clear();
-  /// Removes those on the image, which belong to another image.
+  /// Removes the measurements on the image, since another image is shown.
   void clearImage();
-  /// Removes all of them for good: the case is another.
+  /// Removes all measurements without undo, since another case is shown.
   void forget();
 
  private:

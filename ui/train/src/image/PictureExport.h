@@ -17,12 +17,12 @@
 
 namespace insonate::train {
 
-/// File name for the image on display: case, date and time; without extension, valid on every file system.
+/// Makes a file name from the case's title, date and time; without extension, valid on every file system.
 QString exportName(const QString& caseTitle);
 
-/// Writes an image as PNG on a thread of its own, where `make` is called, too. `ended` is called on the window's
-/// thread, unless the writer has gone before; its destructor waits for the file, which is there as a whole or not at
-/// all.
+/// Writes an image as PNG on a background thread, on which `make` is called, too. `ended` is then called on the
+/// window's thread, unless the writer was deleted before. The destructor waits for the file. The file is written
+/// completely or not at all.
 class PictureWriter : public QObject {
  public:
   PictureWriter(std::function<QImage()> make, std::filesystem::path file, std::function<void(Result<void>)> ended);
@@ -32,9 +32,9 @@ class PictureWriter : public QObject {
   std::thread thread_;
 };
 
-/// Writes images with their scale and measurements as image-0001.png, image-0002.png, ... into a new folder and
-/// returns their number. The folder appears when all of them are written; after a failure or cancellation, nothing is
-/// left. Refuses an existing folder.
+/// Writes images with their scale and measurements as image-0001.png, image-0002.png, ... into a new folder and returns
+/// their number. The folder appears when all images are written; after a failure or cancellation, nothing is left.
+/// Fails if the folder exists.
 Result<int> writeClip(const std::vector<std::shared_ptr<const LiveFrame>>& frames,
                       std::span<const views::Calliper> callipers, const std::filesystem::path& folder,
                       const Progress& progress);

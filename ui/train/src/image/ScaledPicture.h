@@ -8,12 +8,12 @@
 
 namespace insonate::train {
 
-/// The image as it is kept: at its own resolution, with its depth scale in mm on the left, the probe's marker above,
-/// and its size on paper (pHYs of a PNG). Callipers are drawn over it, and what they measure is listed below it. Fit
-/// for any thread.
+/// Returns the image as it is saved: at its own resolution, with a depth scale in mm on the left, the probe's marker
+/// above, and its physical size (pHYs of a PNG). Calipers are drawn over the image, and their values are listed below
+/// it. For any thread.
 QImage scaledPicture(const BModeImage& image, std::span<const views::Calliper> callipers = {});
 
-/// Position of the image itself in it, in pixels.
+/// Returns the position, in pixels, of the image within scaledPicture().
 QPoint pictureOrigin(const BModeImage& image);
 
 }  // namespace insonate::train

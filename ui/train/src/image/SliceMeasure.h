@@ -13,7 +13,7 @@ class QMouseEvent;
 
 namespace insonate::train {
 
-/// Mouse on a slice of the CT: with a caliper chosen, left clicks measure; all else is the slice's own.
+/// Mouse input on a CT slice: if a caliper is selected, left clicks measure; all other input goes to the slice.
 class SliceMeasure : public QObject {
  public:
   SliceMeasure(views::MprView& slice, QWidget& canvas, QObject* parent);

@@ -6,12 +6,12 @@ class QVBoxLayout;
 
 namespace insonate::train {
 
-/// The narrow column of controls, in sections; a foot stays while they scroll.
+/// The narrow column of controls, in sections; a footer below them does not scroll.
 class ControlsColumn : public ScrollingColumn {
  public:
   explicit ControlsColumn(QWidget* parent = nullptr);
 
-  /// Adds a section under the others.
+  /// Adds a section below the others.
   void addSection(QWidget* section);
   void setFoot(QWidget* foot);
 

@@ -10,12 +10,12 @@ namespace insonate::train {
 /// The middle column: the image, and slots under it.
 class ImageColumn final : public QWidget {
  public:
-  /// From top to bottom. Image takes the height that the others leave.
+  /// Slots from top to bottom. Image takes the height that the other slots leave.
   enum Slot { Image, Note, Curve, Line, Bar };
 
   explicit ImageColumn(QWidget* parent = nullptr);
 
-  /// Adds a widget under the others of its slot.
+  /// Adds a widget at the bottom of its slot.
   void add(Slot slot, QWidget* widget);
 
  private:

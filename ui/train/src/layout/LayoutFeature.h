@@ -6,7 +6,7 @@ class QAction;
 
 namespace insonate::train {
 
-/// The widths of the columns, and the layout for left-handed users.
+/// The feature for the columns' widths and the layout for left-handed users.
 class LayoutFeature final : public Feature {
   Q_OBJECT
 

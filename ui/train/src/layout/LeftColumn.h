@@ -7,12 +7,13 @@ class QVBoxLayout;
 
 namespace insonate::train {
 
-/// The column of the controls, with a panel over them that shares its height.
+/// The column of controls with a panel above them; both share the column's height.
 class LeftColumn final : public QWidget {
  public:
   explicit LeftColumn(QWidget* controls);
 
-  /// Puts a panel over the controls. `setMaximumHeight` is called with its share of the column's height.
+  /// Sets the panel above the controls. `setMaximumHeight` is called with the part of the column's height that the
+  /// panel may take.
   void setHead(QWidget* head, std::function<void(int maximum_px)> setMaximumHeight);
 
  protected:

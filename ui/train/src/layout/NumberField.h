@@ -6,15 +6,15 @@
 
 namespace insonate::train {
 
-/// One number with a unit that is typed, or stepped by arrows and, once it has the keyboard, by the wheel. Enter
-/// applies it; invalid input is refused with a sentence under it, and the former number is restored.
+/// A field for a number with a unit. The number is typed, or changed by arrows and, with keyboard focus, by the wheel.
+/// Enter applies it. Invalid input is rejected with a sentence under the field, and the former number is restored.
 class NumberField : public QLineEdit {
  public:
   struct Range {
     double low, high, step;
     int decimals = 1;
   };
-  /// `unit` as printed after the number, with its space where there is one.
+  /// `unit` as printed after the number, including a space if it needs one.
   NumberField(const QString& name, const QString& unit, const Range& range, QWidget* parent = nullptr);
 
   /// Shows a value, unless the user is typing. Emits nothing.

@@ -4,7 +4,7 @@
 
 namespace insonate::train {
 
-/// A narrow column that scrolls over a foot that stays.
+/// A narrow scrolling column above a footer that does not scroll.
 class ScrollingColumn : public QWidget {
  public:
   using QWidget::QWidget;

@@ -17,42 +17,43 @@ class ViewWidget;
 
 namespace insonate::train {
 
-/// The ultrasound image, on which several features draw, and the other views of the workspace.
+/// The views that several features use: the ultrasound image and the other views of the workspace.
 class SharedViews : public QObject {
   Q_OBJECT
 
  public:
-  /// The image's widget is made in `parent`, for a layout to take.
+  /// The image's widget becomes a child of `parent`; a layout can move it.
   explicit SharedViews(QWidget& parent);
 
   views::UltrasoundView& image() { return *image_; }
   ui::ViewWidget& imageWidget() { return *imageWidget_; }
 
-  /// A slice of the CT.
+  /// A CT slice and its widget.
   struct Slice {
     views::MprView* view = nullptr;
     ui::ViewWidget* widget = nullptr;
   };
-  /// Announces a slice to the features that measure and point on slices.
+  /// Registers a slice, for the features that measure and point on slices.
   void addSlice(const Slice& slice);
   const std::vector<Slice>& slices() const { return slices_; }
-  /// Announces another view.
+  /// Registers another view.
   void add(ui::ViewWidget& widget);
-  /// Ends the full size of any view.
+  /// Ends the maximized state of any view.
   void restoreSizes();
 
-  /// Chooses the part of the imaging plane that the image shows for a field of view; nullopt: as it is.
+  /// Function that returns the part of the imaging plane to show for a field of view; nullopt: the bounds stay as they
+  /// are.
   using Bounds = std::function<std::optional<views::PictureBounds>(const views::PictureBounds& fieldOfView)>;
-  /// Replaces the choice, which is the field of view by default.
+  /// Replaces the function; by default, the field of view is shown.
   void setBounds(Bounds bounds);
   std::optional<views::PictureBounds> boundsFor(const views::PictureBounds& fieldOfView) const;
 
  Q_SIGNALS:
   void added(insonate::ui::ViewWidget* widget);
   void sliceAdded(const insonate::train::SharedViews::Slice& slice);
-  /// The user changed window or level of a slice.
+  /// Emitted when the user changes window or level of a slice.
   void windowLevelChanged(insonate::views::WindowLevel value);
-  /// boundsFor() has another answer.
+  /// Emitted when boundsFor() returns a new value.
   void boundsChanged();
 
  private:

@@ -18,14 +18,14 @@ class Columns;
 class ControlsColumn;
 class LeftColumn;
 
-/// The layout of the workspace, with slots that the features fill, and the views that they share.
+/// The workspace's layout: slots that the features fill, and the shared views.
 class TrainLayout {
  public:
   explicit TrainLayout(ui::Workspace& workspace);
   /// Deletes the widgets.
   ~TrainLayout();
 
-  /// Parent of dialogs, and emitter of what the window is told.
+  /// The workspace: parent of dialogs, and emitter of signals to the window.
   ui::Workspace& workspace() { return workspace_; }
   SharedViews& views() { return *views_; }
   Columns& columns() { return *columns_; }
@@ -34,19 +34,19 @@ class TrainLayout {
   ImageColumn& image() { return *image_; }
 
   void setPatient(QWidget* column) { patient_ = column; }
-  /// Puts the columns into the window once the features have filled them.
+  /// Adds the columns to the window, after the features have filled them.
   void assemble();
 
-  /// Adds a page that can take the place of the controls.
+  /// Adds a page that can replace the controls.
   void addControlsPage(QWidget* page);
-  /// Shows a page in the place of the controls; null restores them.
+  /// Shows a page in place of the controls; null restores the controls.
   void showControlsPage(QWidget* page);
 
-  /// Shows a page of the workspace in the place of all columns; null restores them.
+  /// Shows a page in place of all columns; null restores the columns.
   void showPage(QWidget* page);
   bool isPageShown() const;
 
-  /// Adds an action in front of the others of the View menu.
+  /// Adds an action at the top of the View menu.
   QAction* addAction(const QString& text, const QString& tip, bool isCheckable = true);
 
  private:

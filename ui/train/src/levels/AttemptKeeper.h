@@ -25,21 +25,21 @@ namespace insonate::train {
 
 class AttemptControl;
 
-/// Level of an attempt; null for free practice.
+/// Curriculum and level that an attempt counts for; null in free practice.
 struct AttemptAim {
   const Curriculum* curriculum = nullptr;
   const Level* level = nullptr;
 };
 
-/// Facts that could not be stored on this computer; empty if they were.
+/// Result of writing facts on this computer: empty if they were written, else the facts themselves.
 using KeptFacts = QFuture<std::optional<AttemptFacts>>;
 
-/// Stores each attempt of the signed-in user, at its beginning and its end, with the facts of its recording, of which
-/// the store keeps a copy. Facts are first written on this computer, so that nothing is lost while the store cannot be
-/// reached; waiting facts are sent once a minute, when a server is back and when their person signs in. Signing out
-/// ends an attempt as abandoned. Attempts of guests are not stored. Requests the seal of the next attempt's recording
-/// beforehand, so that it begins at once, also while a server is unreachable. For the window's thread; waits for
-/// nothing.
+/// Stores each attempt of the signed-in user, at its beginning and at its end, with the facts of its recording; the
+/// store keeps a copy of the recording. Facts are first written on this computer, so that nothing is lost while the
+/// store cannot be reached. Waiting facts are sent once a minute, when a server is reachable again, and when the user
+/// whose facts they are signs in. Signing out ends an attempt as abandoned. Attempts of guests are not stored. The seal
+/// of the next attempt's recording is requested beforehand, so that the attempt begins at once, also while a server is
+/// unreachable. For the window's thread; no call blocks.
 class AttemptKeeper final : public QObject {
   Q_OBJECT
 
@@ -47,21 +47,21 @@ class AttemptKeeper final : public QObject {
   AttemptKeeper(AttemptControl& attempt, QString folder, QObject* parent = nullptr);
 
   void setAccount(ui::Account& account);
-  /// Sets the function that is asked for the aim as an attempt begins.
+  /// Sets the function that returns the aim when an attempt begins.
   void setAim(std::function<AttemptAim()> aim) { aim_ = std::move(aim); }
-  /// Prepares the next attempt after a change of the aim.
+  /// Prepares the next attempt after the aim has changed.
   void prepare();
 
  Q_SIGNALS:
-  /// Reports the end of an attempt of the signed-in user; the facts go to the store next.
+  /// Emitted when an attempt of the signed-in user has ended, before its facts are sent to the store.
   void ended(const insonate::AttemptFacts& facts);
-  /// The store has all facts of the signed-in user.
+  /// Emitted when the store has all facts of the signed-in user.
   void allSent();
-  /// Sentence about facts that could not be sent.
+  /// Emitted with a sentence when facts could not be sent.
   void said(const QString& sentence);
 
  private:
-  /// A seal for the next attempt, of this person and aim.
+  /// A seal for the next attempt, valid for one person and one aim.
   struct Sealed {
     AttemptFacts facts{};
     AttemptSeal seal{};
@@ -80,11 +80,11 @@ class AttemptKeeper final : public QObject {
   ui::Account* account_ = nullptr;
   const QString folder_;
   std::function<AttemptAim()> aim_;
-  std::optional<AttemptFacts> facts_;  ///< of the attempt that runs
+  std::optional<AttemptFacts> facts_;  ///< facts of the running attempt
   std::optional<Sealed> next_;
-  std::string starter_;     ///< who started the attempt that starts or runs; "": a guest
-  bool isAwaited_ = false;  ///< the seal, by an attempt that starts
-  std::string trouble_;     ///< as last said
+  std::string starter_;     ///< id of the user who started the present attempt; "": a guest
+  bool isAwaited_ = false;  ///< a starting attempt waits for the seal
+  std::string trouble_;     ///< last error that was reported
   QTimer again_;
 };
 

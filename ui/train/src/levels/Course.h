@@ -18,8 +18,8 @@ class Account;
 
 namespace insonate::train {
 
-/// The user's curriculum, standing and attempts. The curriculum is that of one of the user's classes, else the
-/// built-in one; guests have no standing. For the window's thread; waits for nothing.
+/// The user's curriculum, standing and attempts. The curriculum is that of one of the user's classes, else the built-in
+/// one. Guests have no standing. For the window's thread; no call blocks.
 class Course final : public QObject {
   Q_OBJECT
 
@@ -27,25 +27,25 @@ class Course final : public QObject {
   explicit Course(QString unsentFolder, QObject* parent = nullptr);
 
   void setAccount(ui::Account& account);
-  /// Tells whether attempts count for a person.
+  /// Tells whether a user is signed in, so that attempts count.
   bool isSomebodys() const;
 
   /// The curriculum; null until it is known.
   const Curriculum* curriculum() const { return known_ ? &known_->curriculum : nullptr; }
-  /// Origin in words: the class, or built-in.
+  /// Origin of the curriculum in words: the class, or built-in.
   QString origin() const;
   /// The user's state in each level, in the curriculum's order.
   const std::vector<LevelProgress>& progress() const { return progress_; }
-  /// Progress in a level; null if the curriculum lacks it.
+  /// The user's progress in a level; null if the curriculum lacks the level.
   const LevelProgress* progressIn(std::string_view level) const;
   /// Attempts in the order in which the store received them.
   std::vector<AttemptFacts> history() const { return known_ ? known_->history : std::vector<AttemptFacts>{}; }
-  /// Why nothing is known, or not all, and what to do; empty: all is well.
+  /// Sentence that says why the course, or a part of it, is not known, and what to do; empty if all is known.
   QString trouble() const { return trouble_; }
 
-  /// The curricula of one's classes; more than one leaves a choice.
+  /// A curriculum that the user can choose: one for each class, else the built-in one.
   struct Choice {
-    std::string cohort{};  ///< its name; "": the one that comes with the program
+    std::string cohort{};  ///< name of the class; "": the built-in curriculum
     std::string curriculum{};
     int version = 0;
 
@@ -55,9 +55,9 @@ class Course final : public QObject {
   int chosen() const { return known_ ? known_->chosen : 0; }
   void choose(int choice);
 
-  /// Queries the store again; changed() announces the answer.
+  /// Queries the store again; changed() is emitted with the result.
   void refresh();
-  /// An attempt that ended just now counts before the store has it.
+  /// Adds an attempt that has just ended, so that it counts before the store has it.
   void add(const AttemptFacts& ended);
 
  Q_SIGNALS:
@@ -77,7 +77,7 @@ class Course final : public QObject {
 
   const QString unsent_;
   ui::Account* account_ = nullptr;
-  std::string person_;  ///< whose course is known
+  std::string person_;  ///< id of the user to whom known_ belongs
   std::optional<Choice> wanted_;
   std::optional<Known> known_;
   std::vector<LevelProgress> progress_;

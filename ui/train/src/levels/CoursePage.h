@@ -14,8 +14,8 @@ namespace insonate::train {
 class Course;
 class LevelControl;
 
-/// The page in place of image and controls: the path of levels, the user's attempts with their curve, and the
-/// questionnaire.
+/// The page in place of image and controls: the learning path of levels, the user's attempts with a learning curve, and
+/// the questionnaire.
 class CoursePage final : public QWidget {
   Q_OBJECT
 
@@ -25,11 +25,11 @@ class CoursePage final : public QWidget {
   CoursePage(Course& course, LevelControl& levels, ui::Account* account, QWidget* parent = nullptr);
 
   void showTab(Tab tab);
-  /// Gives the keyboard focus to the list on the tab.
+  /// Gives the keyboard focus to the list of the current tab.
   void takeKeyboard();
 
  Q_SIGNALS:
-  /// Back to the picture.
+  /// Emitted when the user wants to return to the image.
   void left();
   void attemptWanted(const QString& file);
   void said(const QString& sentence);

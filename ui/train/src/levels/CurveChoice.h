@@ -12,21 +12,21 @@
 
 namespace insonate::train {
 
-/// Attempts of a learning curve: those of a level, or all of a procedure.
+/// Attempts that a learning curve shows: those of a level, or all of a procedure.
 struct CurveChoice {
   QString title{};
   std::string procedure{};
-  std::string level{};  ///< "": all of the procedure
+  std::string level{};  ///< "": all attempts of the procedure
 };
 
-/// Procedures that were practiced, each with all its attempts and then with its levels, in the curriculum's order.
-/// Where nothing was practiced, the first level's procedure.
+/// Returns the choices for each practiced procedure: all its attempts, then each of its levels in the curriculum's
+/// order. If nothing was practiced, the choices for the first level's procedure.
 std::vector<CurveChoice> curveChoices(const Curriculum* curriculum, std::span<const AttemptFacts> history);
 
-/// The points, then all metrics, with the norms of a procedure; of none that is known, without.
+/// Returns the meanings of the points and then of all metrics, with the procedure's norms if it is known.
 std::vector<MetricMeaning> curveMetrics(const std::string& procedure);
 
-/// One value for each attempt that counts, in their order.
+/// Returns one value for each attempt that counts, in the attempts' order; empty if it is missing.
 std::vector<std::optional<double>> curveValues(const Curriculum* curriculum, std::span<const AttemptFacts> history,
                                                const CurveChoice& which, const MetricMeaning& meaning);
 

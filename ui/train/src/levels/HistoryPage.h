@@ -21,7 +21,8 @@ namespace insonate::train {
 
 class Course;
 
-/// The user's own attempts, the newest first, and the curve of a metric over those that count.
+/// Lists the user's own attempts, the newest first, and shows the learning curve of a metric over the attempts that
+/// count.
 class HistoryPage final : public QWidget {
   Q_OBJECT
 
@@ -50,9 +51,9 @@ class HistoryPage final : public QWidget {
 
   Course& course_;
   ui::Account* account_;
-  std::vector<KeptAttempt> attempts_;  ///< a row each
+  std::vector<KeptAttempt> attempts_;  ///< the attempts in the order of the table's rows
   bool asked_ = false, more_ = false;
-  int asking_ = 0;  ///< what comes of an earlier question is passed over
+  int asking_ = 0;  ///< number of the last query; results of earlier queries are dropped
   QString trouble_;
   QLabel* words_ = nullptr;
   QTableWidget* table_ = nullptr;

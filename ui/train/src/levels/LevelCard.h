@@ -9,7 +9,7 @@ namespace insonate::train {
 
 class LevelControl;
 
-/// The level before an attempt, with its rule, or free practice; in the panel.
+/// Card in the attempt panel that shows the next attempt's level and its rule, or that practice is free.
 class LevelCard final : public QWidget {
   Q_OBJECT
 

@@ -23,8 +23,8 @@ class ImagingModel;
 class ProbeMotion;
 class StatusLine;
 
-/// The level that is practiced, or none: then one practices freely. A level brings its case, procedure, position and
-/// assistance, and is left when another case is opened. Knows no widget. For the window's thread.
+/// Holds the level that the user practices, or none in free practice. A level sets case, procedure, position and
+/// assistance; it is left when another case is opened. Uses no widgets. For the window's thread.
 class LevelControl final : public QObject {
   Q_OBJECT
 
@@ -34,15 +34,15 @@ class LevelControl final : public QObject {
 
   /// The level; null in free practice.
   const Level* level() const { return level_ ? &*level_ : nullptr; }
-  /// The level's case is not the one in the window.
+  /// Tells whether the level's case differs from the open case.
   bool waitsForCase() const { return level_ && !fits(); }
-  /// Level of the next attempt.
+  /// Curriculum and level of the next attempt.
   AttemptAim aim() const;
 
   /// Chooses a level. If it is locked or an attempt is running, nothing changes and the status line says why.
   void choose(const std::string& level);
   void leave();
-  /// Asks the window for the level's case.
+  /// Requests the level's case from the window.
   void openCase();
 
  Q_SIGNALS:
@@ -64,7 +64,7 @@ class LevelControl final : public QObject {
   Course& course_;
   std::optional<Level> level_;
   std::mt19937 random_{std::random_device{}()};
-  int place_ = -1;  ///< of the last attempt's start; the next is another
+  int place_ = -1;  ///< index of the last attempt's start position; the next attempt gets a different one
 };
 
 }  // namespace insonate::train

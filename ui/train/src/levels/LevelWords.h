@@ -11,37 +11,38 @@
 
 namespace insonate::train {
 
-/// Sign and word of a level's state.
+/// Symbol and word for a level's state.
 struct StateWords {
   QString sign, word;
 };
 StateWords wordsOf(LevelState state);
 
-/// "●●○": passes in a row, and how many there are to be.
+/// Returns one dot for each required consecutive pass, filled for those achieved: "●●○".
 QString dotsOf(const Level& level, const LevelProgress& progress);
 
-/// "artery punctures: at most 0".
+/// Describes a standard: "artery punctures: at most 0".
 QString limitOf(const MetricStandard& standard);
-/// "artery punctures: 1, at most 0", of an attempt.
+/// Compares an attempt's value with a standard: "artery punctures: 1, at most 0".
 QString comparedWith(const MetricStandard& standard, const AttemptFacts& attempt);
-/// "3 passes in a row; the learning score LC-CUSUM reaches 4.07; at least 11 attempts; lapses after 90 days without
-/// practice".
+/// Describes the rules for mastery and lapse: "3 passes in a row; the learning score LC-CUSUM reaches 4.07; at least 11
+/// attempts; lapses after 90 days without practice".
 QString masteryOf(const Level& level);
-/// Requirements of one attempt, without its standards: "completed, succeeded, without a critical error, ...".
+/// Describes the requirements on one attempt, without its metric standards: "completed, succeeded, without a critical
+/// error, ...".
 QString passOf(const PassRule& rule);
 
-/// Result of an attempt at a level by its rule, and the changes that it made.
+/// Result of an attempt under its level's rule, and the resulting changes of the user's progress.
 struct Verdict {
   bool passed = false;
-  QString headline{};  ///< "Passed", or why not
-  QStringList met{};   ///< standards, with values
+  QString headline{};  ///< "Passed", or the reason why not
+  QStringList met{};   ///< sentences with the standards that were met, and the values
   QStringList missed{};
-  QStringList changes{};  ///< sentences on the path of levels
+  QStringList changes{};  ///< sentences about changes in the learning path
 };
 Verdict verdictOf(const Curriculum& curriculum, const Level& level, const AttemptFacts& attempt,
                   std::span<const LevelProgress> before, std::span<const LevelProgress> after);
 
-/// "passed", "failed", "abandoned", "free practice", "voided", "not ended".
+/// Returns "passed", "failed", "abandoned", "free practice", "voided" or "not ended".
 QString outcomeOf(const Curriculum* curriculum, const AttemptFacts& attempt);
 
 }  // namespace insonate::train

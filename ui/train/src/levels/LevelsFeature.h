@@ -18,8 +18,8 @@ class CoursePage;
 class LevelControl;
 class VerdictView;
 
-/// Levels, the user's attempts and the questionnaire: the level in the attempt's panel, the verdict beside its result,
-/// and the page in place of the columns.
+/// The feature for levels, the user's attempts and the questionnaire: the level in the attempt panel, the verdict
+/// beside the result, and the page in place of the columns.
 class LevelsFeature final : public Feature {
   Q_OBJECT
 
@@ -32,7 +32,7 @@ class LevelsFeature final : public Feature {
   bool holdsCase() const override;
 
  protected:
-  /// The page is also shown without a patient.
+  /// The page is also available without a patient.
   bool isAvailable(Command /*command*/) const override { return true; }
 
  private:
@@ -49,7 +49,7 @@ class LevelsFeature final : public Feature {
   LevelControl* levels_;
   AttemptKeeper* keeper_;
   VerdictView* verdict_ = nullptr;
-  CoursePage* page_ = nullptr;  ///< once it was asked for
+  CoursePage* page_ = nullptr;  ///< null until the page is first shown
   ui::Account* account_ = nullptr;
 };
 

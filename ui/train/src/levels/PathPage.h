@@ -14,8 +14,8 @@ namespace insonate::train {
 class Course;
 class LevelControl;
 
-/// The path of levels: open, mastered, lapsed or locked with the reason, and each level's rule. A level that is not
-/// locked can be practiced.
+/// Lists the levels: open, mastered, lapsed, or locked with the reason, and each level's rule. The user can practice
+/// each level that is not locked.
 class PathPage final : public QWidget {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class PathPage final : public QWidget {
   PathPage(Course& course, LevelControl& levels, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// A level was chosen: the image is to be seen.
+  /// Emitted when the user has chosen a level to practice; the window then shows the image.
   void chosen();
 
  private:

@@ -41,7 +41,7 @@ class QuestionnairePage final : public QWidget {
   const std::shared_ptr<ui::FormDraft> draft_;
   ui::FormSending sending_;
   QTimer keeping_;
-  std::string person_;  ///< whose answers stand there; "": nobody's
+  std::string person_;  ///< id of the user whose answers are shown; "": no user
   QLabel* words_;
   ui::FormSheet* sheet_;
   QScrollArea* scroll_;

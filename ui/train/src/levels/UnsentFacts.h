@@ -7,24 +7,25 @@
 #include <string>
 #include <vector>
 
-/// Attempts that the store has not taken yet, in files of a folder of the user's: they outlive the program and a store
-/// that cannot be reached. A file says whose an attempt is, for which level it was begun, and which recording shows it.
-/// How it ended is worked out from the recording, never read from the file, which anyone could edit. Any thread,
-/// several at once.
+/// Attempts that were not sent to the store yet, in files of one of the user's folders, so that they survive the end of
+/// the program and an unreachable store. A file contains the person, the level and the name of the recording. An
+/// attempt's outcome is computed from the recording and never read from the file, which anyone could edit. For any
+/// thread; calls may run in parallel.
 namespace insonate::train {
 
-/// Folder of unsent facts, inside that of the recordings.
+/// Folder of unsent facts, inside the folder of the recordings.
 QString unsentFolder();
-/// File of the recording of such an attempt; empty: it has none, or its name leads out of the folder.
+/// Returns the path of an unsent attempt's recording; empty if it has no recording, or if the name leads out of the
+/// folder.
 QString recordingOf(const QString& folder, const AttemptFacts& facts);
 
-/// An attempt's end replaces its beginning. Of the end nothing is written but the name of the recording.
+/// Writes facts. Facts about an attempt's end replace those about its beginning; about the end, only the name of the
+/// recording is written.
 Result<void> keepUnsent(const QString& folder, const AttemptFacts& facts);
-/// Unsent attempts of a person, in the order in which they began. One that ended and whose recording is missing was
-/// abandoned without metrics, as one that broke off. A file that cannot be read or scored stays in place and is left
-/// out.
+/// Returns a person's unsent attempts in the order in which they began. An ended attempt whose recording is missing is
+/// returned as abandoned and without metrics. A file that cannot be read or scored is left in place and not returned.
 std::vector<AttemptFacts> unsentOf(const QString& folder, const std::string& person);
-/// Removes facts that the store now has; later facts about the same attempt stay.
+/// Deletes facts that the store now has; facts about a later state of the same attempt stay.
 void forgetUnsent(const QString& folder, const AttemptFacts& facts);
 
 }  // namespace insonate::train

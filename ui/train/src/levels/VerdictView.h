@@ -8,13 +8,13 @@ namespace insonate::train {
 
 struct Verdict;
 
-/// The verdict after an attempt: whether it passed its level, standards met and missed, and changes in the path.
+/// Shows the verdict on an attempt: passed or not, standards met and missed, and changes in the learning path.
 class VerdictView final : public QWidget {
  public:
   explicit VerdictView(QWidget* parent = nullptr);
 
   void show(const Verdict& verdict);
-  /// An attempt for no level.
+  /// Shows a sentence in place of a verdict, for an attempt without a level.
   void show(const QString& sentence);
 
  private:

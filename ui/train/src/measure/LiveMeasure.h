@@ -22,8 +22,8 @@ class ImagingModel;
 class LiveModel;
 class ProbeMotion;
 
-/// Slides and turns the probe as a hand does, and times the resulting images; the first ones are left out, since
-/// scenes and memory are made once.
+/// Slides and turns the probe like a hand and times the resulting images. The first images are not counted, since
+/// scenes and memory are set up during them.
 class LiveMeasure : public QObject {
  public:
   /// `done` is called once, on the window's thread.
@@ -47,8 +47,8 @@ class LiveMeasure : public QObject {
   QTimer hand_;
   QElapsedTimer clock_;
   double moved_s_ = 0, cpu_ms_ = 0, window_ms_ = 0;
-  std::deque<std::pair<Transform, double>> sent_;  ///< poses and when, ms
-  std::optional<double> shown_ms_;                 ///< when the pose of the image on display was sent
+  std::deque<std::pair<Transform, double>> sent_;  ///< poses that were sent, and the times of sending in ms
+  std::optional<double> shown_ms_;                 ///< time at which the pose of the image on display was sent
   std::vector<double> latency_ms_;
 };
 

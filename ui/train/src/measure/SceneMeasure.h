@@ -19,11 +19,11 @@ namespace insonate::train {
 
 class ProbeMotion;
 
-/// Turns the patient with the CT cast in 3D, comes nearer, lets it rest, and moves the probe before it; counts the
-/// images, and how long the window's thread is away from its events meanwhile.
+/// Measures 3D with the volume-rendered CT: turns the view, zooms, lets it rest, and moves the probe in it. Counts
+/// frames, and times how long the window's thread does not process events.
 class SceneMeasure : public QObject {
  public:
-  /// `seconds` for each movement. `done` is called once, on the window's thread.
+  /// Each movement takes `seconds`. `done` is called once, on the window's thread.
   SceneMeasure(ProbeMotion& motion, ui::ViewWidget& scene, double seconds, std::function<void(VolumeRates)> done);
   ~SceneMeasure() override;
 
@@ -47,9 +47,10 @@ class SceneMeasure : public QObject {
   QTimer beat_;
   QElapsedTimer sinceBeat_, sincePart_;
   double moved_s_ = 0, beatProcessor_ms_ = 0;
-  int renderings_ = 0;                                 ///< at the part's begin
-  int beatRenderings_ = 0;                             ///< at the last beat
-  std::vector<double> movingHolds_ms_, restHolds_ms_;  ///< with an image
+  int renderings_ = 0;      ///< number of renderings at the beginning of the part
+  int beatRenderings_ = 0;  ///< number of renderings at the last timer tick
+  /// Durations without event processing, in intervals in which a frame was drawn.
+  std::vector<double> movingHolds_ms_, restHolds_ms_;
 };
 
 }  // namespace insonate::train

@@ -17,7 +17,8 @@ namespace insonate::train {
 
 class StatusLine;
 
-/// The open case, and what a worker thread finds in it: tissues, structures, start pose and surfaces.
+/// The open case, and the results that a background thread computes from it: tissues, structures, start pose and
+/// surfaces.
 class CaseModel : public QObject {
   Q_OBJECT
 
@@ -25,42 +26,42 @@ class CaseModel : public QObject {
   explicit CaseModel(StatusLine& status, QObject* parent = nullptr);
   ~CaseModel() override;
 
-  /// Sets the case and stops all work on the former one. Null for none. `origin`: its folder.
+  /// Sets the case and stops all work on the former case; null: no case. `origin`: the case's origin.
   void setCase(std::shared_ptr<const PatientCase> patient, const ui::CaseOrigin& origin);
   const ui::CaseOrigin& origin() const { return origin_; }
   const std::shared_ptr<const PatientCase>& patient() const { return patient_; }
   /// The patient's labels as tissues (cases/TissueLabels.h), on which the user trains. Null until tissuesKnown().
   const std::shared_ptr<const LabelMap>& tissueLabels() const { return tissueLabels_; }
-  /// Ends the threads of the case and of its live images; within a second.
+  /// Ends the background threads of the case and of its live images, within a second.
   void stop();
 
-  /// The labels of the case; none until the worker has read them.
+  /// The case's labels; empty until the background thread has read them.
   const std::optional<std::vector<std::uint8_t>>& structures() const { return structures_; }
   /// Tells whether structures() are known and include neither vein nor artery.
   bool lacksVessels() const;
 
-  /// Pose in which the probe starts; known before the first image.
+  /// Start pose of the probe; known before the first image.
   const StartPose& start() const { return start_; }
-  /// Sets the start pose; live imaging begins there.
+  /// Sets the start pose, at which live imaging begins.
   void setStart(StartPose pose);
 
-  /// Makes the surfaces. The image comes first; where there is none, nothing is to be waited for.
+  /// Requests the surfaces. They are computed after the first image or, if there will be no image, at once.
   void wantSurfaces();
-  /// All surfaces that are shown have been made.
+  /// Tells whether all surfaces that are shown have been computed.
   bool surfacesThere() const { return surfacesThere_; }
-  /// Reports that this case will have no image, and why.
+  /// Reports that there will be no image of this case; `why` is a sentence.
   void fail(const QString& why);
 
  Q_SIGNALS:
-  void stopping();  ///< the threads of the case end
-  void emptied();   ///< nothing of the former case may be used any more; before caseChanged()
+  void stopping();  ///< the threads of the case are about to end
+  void emptied();   ///< emitted before caseChanged(); data of the former case must not be used any more
   void caseChanged();
-  void caseShown();     ///< after all have received caseChanged()
-  void tissuesKnown();  ///< tissueLabels()
-  void startKnown();    ///< start()
+  void caseShown();     ///< emitted after all receivers have handled caseChanged()
+  void tissuesKnown();  ///< emitted when tissueLabels() is set
+  void startKnown();    ///< emitted when start() is set
   void handMade(const insonate::ProbeHand& hand);
-  void startMissing(const insonate::ProbeHand& hand);  ///< no start pose is stored, and none was found
-  void structuresKnown();                              ///< structures()
+  void startMissing(const insonate::ProbeHand& hand);  ///< the case has no start pose, and none was found
+  void structuresKnown();                              ///< emitted when structures() is set
   void surfaceMade(int label, std::shared_ptr<const insonate::Mesh> mesh);
   void surfacesDone();
   void failed(const QString& what);

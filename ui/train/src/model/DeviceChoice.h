@@ -10,12 +10,12 @@ class QSettings;
 
 namespace insonate::train {
 
-/// The user's choice of devices for probe, needle and pedal, by DeviceInfo::id, and the mapping of each device.
-/// Remembered, also while a device is not connected. An empty id stands for mouse and keys, or no pedal.
+/// The user's choice of devices for probe, needle and pedal, by DeviceInfo::id, and the mapping of each device. Saved
+/// also for devices that are not connected. An empty id means mouse and keys or, for the pedal, no device.
 class DeviceChoice {
  public:
   const QString& device(Hand hand) const { return devices_[hand]; }
-  /// A device is in one hand: the other returns to mouse and keys if it has this one.
+  /// Assigns a device to a hand. If the other hand has this device, that hand returns to mouse and keys.
   void setDevice(Hand hand, const QString& device);
   bool isMouse(Hand hand) const { return devices_[hand].isEmpty(); }
   const QString& pedal() const { return pedal_; }
@@ -24,7 +24,7 @@ class DeviceChoice {
   HandMapping mapping(const QString& device) const { return mappings_.value(device); }
   void setMapping(const QString& device, const HandMapping& mapping) { mappings_[device] = mapping; }
 
-  /// Tells whether this device, or any at all, is chosen.
+  /// Tells whether this device is assigned to a hand or as the pedal.
   bool has(const QString& device) const;
   bool isAny() const;
 

@@ -8,24 +8,24 @@ namespace insonate::train {
 
 class StatusLine;
 
-/// Parts of the screen that tell more than the ultrasound image and a real procedure do. A real procedure shows skin
-/// and tools from outside, the marks on the shaft, forces in the hand, the blood in the syringe and the time. Each
-/// widget that shows more asks DisclosureModel.
+/// Parts of the screen that disclose more than the ultrasound image and a real procedure. A real procedure discloses
+/// skin and tools from outside, the marks on the shaft, forces in the hand, the blood in the syringe, and the time.
+/// Each widget that shows more than this asks DisclosureModel.
 struct Disclosure {
-  bool steps = true;     ///< what to do now, and the attempt's metrics so far
-  bool findings = true;  ///< what went wrong
-  /// Places of the anatomy and the tissue at the needle's tip: CT, structures under the skin in 3D, areas of vessels
-  /// and their curve, grid and pressure over the image, single effects of the model, positions of the probe by name,
-  /// the patient's pressures, the place of the tip and the name of its vessel.
+  bool steps = true;     ///< the steps to do now, and the attempt's metrics so far
+  bool findings = true;  ///< errors in the attempt
+  /// Anatomy and the tissue at the needle's tip: CT, structures under the skin in 3D, areas of vessels and their curve,
+  /// grid and pressure over the image, single effects of the model, named positions of the probe, the patient's
+  /// pressures, the place of the tip and the name of its vessel.
   bool anatomy = true;
 
   bool operator==(const Disclosure&) const = default;
 };
 
-/// Everything outside an attempt.
+/// Returns the disclosure for this assistance; outside an attempt everything is disclosed.
 Disclosure disclosureOf(Assistance assistance, bool inAttempt);
 
-/// Disclosure that applies now.
+/// The disclosure that applies now.
 class DisclosureModel : public QObject {
   Q_OBJECT
 
@@ -34,7 +34,7 @@ class DisclosureModel : public QObject {
 
   const Disclosure& current() const { return current_; }
   void set(const Disclosure& disclosure);
-  /// Tells whether anatomy is disclosed; if not, says so to the user.
+  /// Tells whether anatomy is disclosed; if not, shows the user a message.
   bool mayShowAnatomy();
 
  Q_SIGNALS:

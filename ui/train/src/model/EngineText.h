@@ -10,14 +10,14 @@ class CaseModel;
 class LiveModel;
 class ProbeMotion;
 
-/// Engine and rate of the live images in words, some times a second.
+/// Text about the engine and the rate of live images, updated a few times per second.
 class EngineText : public QObject {
   Q_OBJECT
 
  public:
   EngineText(CaseModel& patientCase, LiveModel& live, ProbeMotion& motion, QObject* parent = nullptr);
 
-  /// "processor   62 fps   14.1 ms"; empty without a case.
+  /// The text: "processor   62 fps   14.1 ms"; empty without a case.
   const QString& text() const { return text_; }
 
  Q_SIGNALS:

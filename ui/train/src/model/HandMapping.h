@@ -8,23 +8,24 @@ class QSettings;
 
 namespace insonate::train {
 
-/// Side of the patient, who lies supine, from which a device is used.
+/// Side of the supine patient at which the user of a device stands.
 enum class Stand { Head, Right, Left, Feet };
 
-/// The user's mapping of a device to a tool; kept for each device. Motion and force are one to one: only then do they
-/// convey truly how hard tissue is.
+/// The user's mapping of a device to a tool, saved for each device. Motion and force are mapped one to one, since only
+/// then is the hardness of tissue conveyed correctly.
 struct HandMapping {
   Stand stand = Stand::Head;
-  Transform begin;  ///< deviceFromStylus where the tool is to be at its start
-  Vec3 apart_mm;    ///< device frame: from the device to its tool
-  double gain = 1;  ///< 0..1, of forces
+  Transform begin;  ///< deviceFromStylus for the tool's start pose
+  Vec3 apart_mm;    ///< offset from the device to its tool, in the device's frame
+  double gain = 1;  ///< factor of forces, 0 to 1
   double mostForce_N = 3;
 };
 
-/// Such that the stylus held as `begin` holds the tool at `patientFromStart`. Limits come with the device.
+/// Returns a setup in which the stylus at `begin` holds the tool at `patientFromStart`. The limits come from the
+/// device.
 HandSetup setupOf(const HandMapping& mapping, const Transform& patientFromStart);
 
-/// Saves to the group of the device; missing or invalid values take their defaults when read.
+/// Saves the mapping in the device's group of settings. When read, missing or invalid values get their defaults.
 void save(const HandMapping& mapping, QSettings& settings);
 HandMapping restoredMapping(const QSettings& settings);
 

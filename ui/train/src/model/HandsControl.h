@@ -18,80 +18,80 @@ class QSettings;
 
 namespace insonate::train {
 
-/// Directions in which a hand can move the needle. Lateral and Elevation slide its entry over the skin, along the
+/// Directions in which a hand can move the needle. Lateral and Elevation move the entry point over the skin, along the
 /// probe's directions.
 enum class NeedleAxis { Lateral, Elevation, Heading, Angle, Bevel, Advance };
 
-/// The needle as it is held and as it lies.
+/// The needle's displayed pose and its state.
 struct NeedleShown {
-  Transform patientFromNeedle;  ///< tip at the origin, z the way it goes in, bevel along -y; not drawn into bone
+  Transform patientFromNeedle;  ///< tip at the origin, z along the insertion, bevel along -y; not drawn into bone
   NeedleState state;
 };
 
-/// Both hands of this workspace: the needle held by mouse and keys, devices and their hands, a pedal. Forces and
+/// The two hands: the needle held by mouse and keys, haptic devices and their assignment, and a pedal. Forces and
 /// punctures come from the servo for every kind of hand. For the window's thread.
 class HandsControl : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr double kAdvance_mmPerS = 25;  ///< by keys and numbers
+  static constexpr double kAdvance_mmPerS = 25;  ///< speed of an insertion by keys or typed numbers
 
   explicit HandsControl(QObject* parent = nullptr);
   ~HandsControl() override;
 
   HandsSession& session() { return *session_; }
 
-  /// A patient's tissues and the names of the vessels, once there is a hand on the skin; null for none. Lays the needle
-  /// down.
+  /// Sets a patient's tissues and vessel names, and the hand on the skin; null: no patient. Puts the needle away.
   void setCase(std::shared_ptr<const LabelMap> labels, const ProbeHand* hand, VesselNames vessels = {});
-  /// Hears of each tick of the hands; meanwhile the probe is in one, also without a needle. Null for none.
+  /// Sets the attempt that receives each servo tick; null: no attempt. During an attempt the servo includes the probe,
+  /// even without a needle.
   void setAttempt(std::shared_ptr<LiveAttempt> attempt);
-  /// In a test, messages about the needle's contacts are suppressed.
+  /// Suppresses messages about the needle's contacts, for attempts in test mode.
   void setSilent(bool silent);
-  /// Hands are empty while the workspace is not watched.
+  /// Empties both hands while the workspace is not visible.
   void setWatched(bool watched);
-  /// Reports the pose at which mouse and keys hold the probe, and the half width of its face.
+  /// Sets the pose in which mouse and keys hold the probe, and half the width of its face.
   void probeMoved(const ProbeHand& hand, double halfWidth_mm);
 
   // The probe
-  /// A device moves the probe: by itself, or, where followsMouse(), as mouse and keys want it.
+  /// Tells whether a device moves the probe. If probeFollowsMouse(), the device itself moves as mouse and keys command.
   bool drivesProbe() const;
   bool probeFollowsMouse() const;
   const Transform& drivenPose() const { return driven_; }
 
   // The needle
-  /// The needle held by mouse and keys; null without one, and in a real device.
+  /// The needle held by mouse and keys; null if there is none or a real device holds it.
   const NeedleHand* needleHand() const { return wish_ ? &*wish_ : nullptr; }
-  /// Insertion that mouse and keys aim at; the needle is moving there.
+  /// Insertion depth that mouse and keys have requested; the needle moves toward it.
   double wantedAdvance_mm() const { return advance_mm_; }
-  /// The needle in a hand, of mouse and keys or of a device; none without one.
+  /// The needle in a hand, held by mouse and keys or by a device; empty if there is none.
   const std::optional<NeedleShown>& needle() const { return needle_; }
-  /// Beside the probe, ready to go in.
+  /// Takes a needle and holds it beside the probe, ready for insertion.
   void takeNeedle(NeedlePlane plane);
-  /// The last one.
+  /// Plane of the needle that was taken last.
   NeedlePlane needlePlane() const { return plane_; }
   void layNeedleDown();
   void moveNeedle(NeedleAxis axis, double mmOrDegrees);
-  /// Moves to a typed number: Heading, Angle, Bevel, Advance.
+  /// Moves the needle to a typed number; `axis` is Heading, Angle, Bevel or Advance.
   void setNeedle(NeedleAxis axis, double mmOrDegrees);
-  /// The entry to the skin nearest to a point; while the needle is out.
+  /// Moves the entry point to the skin nearest to a point. Only while the needle is outside the skin.
   void needleTo(Vec3 patient_mm);
 
-  /// Freezes the needle with the image: it stays in place in any hand until it is released.
+  /// Freezes the needle together with the image: it stays in place, in any hand, until this is called with false.
   void setHeld(bool held);
 
   // Devices
   const DeviceChoice& choice() const { return choice_; }
-  /// Assigns a device by DeviceInfo::id; empty for mouse and keys.
+  /// Assigns a device by DeviceInfo::id; empty: mouse and keys.
   void assign(Hand hand, const QString& device);
   void assignPedal(const QString& device);
   void setMapping(const QString& device, const HandMapping& mapping);
-  /// The device in this hand, as it is held now, holds the tool at its start.
+  /// Makes the present pose of the device in this hand the start pose of the tool.
   void beginHere(Hand hand);
-  /// A connected device; null if it is not.
+  /// Returns a connected device; null if it is not connected.
   std::shared_ptr<HapticDevice> deviceOf(const QString& id);
 
-  /// News of devices, which come by themselves while one is in a hand.
+  /// Processes events of devices. While a device is in a hand, this is called automatically.
   void checkDevices();
 
   void save(QSettings& settings) const;
@@ -99,14 +99,14 @@ class HandsControl : public QObject {
 
  Q_SIGNALS:
   void needleChanged();
-  void probeDriven();   ///< drivenPose() is another
-  void handsChanged();  ///< what is in which hand
+  void probeDriven();   ///< emitted when drivenPose() has changed
+  void handsChanged();  ///< emitted when the devices or tools in the hands have changed
   void said(const QString& sentence);
   void pedalPressed(int button);
-  /// Emitted while the first button of the needle's device is held: rotation of the stylus, in degrees, by which the
-  /// view turns about the patient, to the right and up.
+  /// Emitted while the first button of the needle's device is held: the view turns about the patient by these rotations
+  /// of the stylus, in degrees, to the right and up.
   void anatomyTurned(double across_deg, double up_deg);
-  void drawButton(bool down);  ///< its second button
+  void drawButton(bool down);  ///< second button of the needle's device
   void deviceEvent(const insonate::DeviceEvent& event);
 
  private:
@@ -134,7 +134,7 @@ class HandsControl : public QObject {
   NeedlePlane plane_ = NeedlePlane::Along;
   std::optional<NeedleShown> needle_;
   Transform driven_;
-  DeviceState stylus_;  ///< of the needle's device, as seen last
+  DeviceState stylus_;  ///< last state of the needle's device
   QTimer timer_, slow_;
   QElapsedTimer clock_;
 };

@@ -15,46 +15,48 @@ class DisclosureModel;
 class History;
 class StatusLine;
 
-/// The user's choices that decide the image: probe, settings, single effect, tissue and blood. Each change can be
+/// The user's choices that determine the image: probe, settings, single effect, tissue and blood. Each change can be
 /// undone.
 class ImagingModel : public QObject {
   Q_OBJECT
 
  public:
-  /// Every effect together, in effect().
+  /// Value of effect() that stands for all effects together.
   static constexpr const char* kWholeModel = "";
 
   ImagingModel(DisclosureModel& disclosure, History& history, StatusLine& status, QObject* parent = nullptr);
 
   const Probe& probe() const { return probe_; }
   const ImagingSettings& settings() const { return settings_; }
-  /// A preset; depth, frequency and focus become the probe's own, the rest stays. False for an unknown name.
+  /// Sets a preset probe. Depth, frequency and focus become the probe's defaults; other settings stay. Returns false
+  /// for an unknown name.
   bool setProbe(const std::string& name);
-  /// Uses a probe while it is being edited. Consecutive changes of one kind (`what`) are undone together. If the
-  /// probe's default depth, frequency or focus differ from before, the image takes them, too. Refuses a probe out of
+  /// Uses a probe that is being edited. Consecutive changes of one kind (`what`) are undone together. If the probe's
+  /// default depth, frequency or focus have changed, the image uses the new ones. Fails for a probe that is out of
   /// range.
   Result<void> useProbe(const Probe& probe, const std::string& what);
   /// Applies settings; values outside the probe's range are set to the nearest permitted ones.
   void setSettings(ImagingSettings settings);
 
-  /// Shows one effect of EffectLayers.h by itself; refused where anatomy is not disclosed.
+  /// Shows one effect of EffectLayers.h by itself; refused while anatomy is not disclosed.
   void setEffect(const std::string& name);
   const std::string& effect() const { return effect_; }
-  /// The next in the order of effectLayers(), the whole model between the last and the first.
+  /// Shows the effect `by` places further in the order of effectLayers(); after the last and before the first comes the
+  /// whole model.
   void stepEffect(int by);
 
   const TissueChoice& tissue() const { return tissue_; }
-  /// Applies a choice; values out of range are refused with a sentence.
+  /// Applies the choice. If values are out of range, nothing changes and a sentence is shown.
   void setTissue(const TissueChoice& choice);
-  /// Tilts the table; above 0 the head is down.
+  /// Tilts the table; the head is down for values above 0.
   void setTilt(double tilt_deg);
 
-  /// All of it, for the simulator.
+  /// Returns all choices as a setup for the simulator.
   ImagingSetup setup() const;
 
  Q_SIGNALS:
   void setupChanged();
-  void physiologyChanged();  ///< before setupChanged() of another model of the tissue
+  void physiologyChanged();  ///< emitted before setupChanged() if the tissue model has changed
   void tissueChanged();
 
  private:
@@ -76,11 +78,11 @@ class ImagingModel : public QObject {
   AcousticTable tissues_;
   std::string effect_ = kWholeModel;
   TissueChoice tissue_;
-  Chosen chosen_;         ///< as last announced
-  std::string editKind_;  ///< of the probe, for history_; empty outside useProbe()
+  Chosen chosen_;         ///< the choices when setupChanged() was emitted last
+  std::string editKind_;  ///< kind of the present probe edit, for history_; empty outside useProbe()
 };
 
-/// Within what validate() accepts for this probe.
+/// Returns the settings, limited to what validate() accepts for this probe.
 ImagingSettings fitted(ImagingSettings settings, const Probe& probe);
 
 }  // namespace insonate::train

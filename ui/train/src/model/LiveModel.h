@@ -18,7 +18,7 @@ class HandsControl;
 class ImagingModel;
 class StatusLine;
 
-/// The live images of the open case, and the last seconds of them while they are frozen.
+/// The live images of the open case and, while frozen, the images of the last seconds.
 class LiveModel : public QObject {
   Q_OBJECT
 
@@ -31,33 +31,35 @@ class LiveModel : public QObject {
 
   bool isFrozen() const { return frozen_; }
   void setFrozen(bool frozen);
-  /// Tells whether the image is live; if not, says so to the user.
+  /// Tells whether the image is live; if not, shows the user a message.
   bool checkLive();
-  /// The image on display: live, or one of the past; null before the first.
+  /// The image on display, live or from the past; null before the first image.
   const std::shared_ptr<const LiveFrame>& shown() const { return shown_; }
-  /// The last seconds of a frozen image, oldest first.
+  /// The images of the last seconds before the freeze, oldest first.
   const std::vector<std::shared_ptr<const LiveFrame>>& cine() const { return cine_; }
   int cineIndex() const { return cineIndex_; }
   void showCine(int index);
 
   void setPose(const Transform& patientFromProbe);
-  /// Live images come with the mesh of the tissue.
+  /// Sets whether live images include the mesh of the tissue.
   void setMeshWanted(bool wanted);
-  /// While unwatched, the vessels do not move: a probe at rest then costs nothing.
+  /// Sets whether the image is visible. While it is not, vessels do not pulsate, so that a probe at rest uses no
+  /// computing time.
   void setWatched(bool watched);
-  /// Asleep, the last image stays, and no others are made; their scenes are given back.
+  /// Stops or resumes imaging. While stopped, the last image stays and the memory of the scenes is released.
   void setAwake(bool awake);
 
   LiveStatus status() const;
   double imagesPerSecond() const;
-  /// Sentence about why there are no images; empty while there are.
+  /// Sentence that says why there are no images; empty if there are images.
   const std::string& failure() const { return failure_; }
-  /// All that decides the images now, for an attempt that is recorded. There must be an image.
+  /// Returns all settings that determine the images now, for the recording of an attempt. Call it only if there is an
+  /// image.
   AttemptSettings attemptSettings() const;
 
  Q_SIGNALS:
   void pictureShown();
-  void firstShown();  ///< after all have received pictureShown() of a case's first image
+  void firstShown();  ///< emitted after all receivers have handled pictureShown() of a case's first image
   void frozenChanged();
 
  private:
@@ -76,11 +78,11 @@ class LiveModel : public QObject {
   HandsControl& hands_;
   StatusLine& status_;
   bool meshWanted_ = false, watched_ = true, awake_ = true;
-  bool frozen_ = false, wasFrozen_ = false;  ///< the latter: of the former case
+  bool frozen_ = false, wasFrozen_ = false;  ///< wasFrozen_: state of the former case
   std::shared_ptr<const LiveFrame> shown_;
   std::vector<std::shared_ptr<const LiveFrame>> cine_;
   int cineIndex_ = 0;
-  std::string failure_;  ///< of the live probe, as last said
+  std::string failure_;  ///< last reported failure of live imaging
   ui::LiveFeed feed_;
 };
 

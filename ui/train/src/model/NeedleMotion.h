@@ -6,16 +6,16 @@ namespace insonate::train {
 
 class LiveModel;
 
-/// Moves of the needle by mouse, keys and numbers. They are refused while the image is frozen.
+/// Moves the needle by mouse, keys and numbers. Refused while the image is frozen.
 class NeedleMotion {
  public:
   NeedleMotion(HandsControl& hands, LiveModel& live) : hands_(hands), live_(live) {}
 
   void take(NeedlePlane plane);
-  /// Takes up the needle as it was held last, or puts it away.
+  /// Takes up the needle as it was last held, or puts it away.
   void toggle();
   void move(NeedleAxis axis, double mmOrDegrees);
-  /// Moves to a typed number: Heading, Angle, Bevel, Advance.
+  /// Moves the needle to a typed number; `axis` is Heading, Angle, Bevel or Advance.
   void set(NeedleAxis axis, double mmOrDegrees);
 
  private:

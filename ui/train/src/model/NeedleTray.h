@@ -6,19 +6,19 @@
 
 namespace insonate::train {
 
-/// The needle of an attempt as the trainee may see it, and the tray with a new one beside the patient.
+/// The needle's disclosed state during an attempt, and the tray with a new needle beside the patient.
 class NeedleTray : public QObject {
   Q_OBJECT
 
  public:
   using QObject::QObject;
 
-  /// Tells whether the tray is beside the patient: while an attempt is running.
+  /// Tells whether the tray is beside the patient, as it is during an attempt.
   bool isOut() const { return isOut_; }
-  /// Place of the needle as far as it is disclosed; Clean outside attempts.
+  /// Place of the needle as far as it is disclosed; NeedlePlace::Clean outside attempts.
   NeedlePlace needle() const { return needle_; }
   void set(bool isOut, NeedlePlace needle);
-  /// Reports that pointer or needle touch the tray.
+  /// Reports that the pointer or the needle touches the tray.
   void touch() { Q_EMIT touched(); }
 
  Q_SIGNALS:

@@ -15,8 +15,7 @@ class ImagingModel;
 class LiveModel;
 class StatusLine;
 
-/// Moves of the probe in the hand, which can be undone. They are refused while the image is frozen, and while a device
-/// holds the probe.
+/// Undoable moves of the probe. Refused while the image is frozen, or while a device holds the probe.
 class ProbeMotion : public QObject {
   Q_OBJECT
 
@@ -37,37 +36,38 @@ class ProbeMotion : public QObject {
   ProbeHandState state() const;
   Transform pose() const;
 
-  /// The moves up to the next call are undone together.
+  /// Begins a gesture: moves until the next call are undone together.
   void beginGesture() { control_.begin(); }
   void move(HandAxis axis, double mmOrDegrees);
   void slide(double lateral_mm, double elevation_mm);
   void typed(HandAxis axis, double value);
   void moveTo(Vec3 patient_mm);
-  /// Moves to the skin nearest to a typed place; says how far that is.
+  /// Moves to the skin nearest to a typed point, and shows the distance between point and skin.
   void placed(Vec3 patient_mm);
-  /// Refused in a level and while anatomy is not disclosed: a position reveals the place of vessels.
+  /// Moves to a saved position. Refused in a level and while anatomy is not disclosed, since a position reveals where
+  /// vessels are.
   void goTo(const StartPose& pose);
-  /// Moves to CaseModel::start(), or to the start of the attempt.
+  /// Moves to CaseModel::start() or, in a level, to the start of the attempt.
   void home();
 
-  /// Puts the probe at the start of an attempt at a level; until releaseStart(), home() returns there, undo ends
-  /// there, and goTo() refuses. A device's probe stays in place.
+  /// Moves the probe to the start of an attempt at a level. Until releaseStart(), home() returns to this start, undo
+  /// cannot go back before it, and goTo() is refused. A probe held by a device does not move.
   void beginAt(const ProbeHandState& state);
   void releaseStart() { levelStart_.reset(); }
-  /// The target of an attempt is the vein nearest to here: the probe, or in a level the case's own start, since beside
-  /// the vein another may be nearer.
+  /// Position from which the nearest vein is an attempt's target: the probe or, in a level, the case's start pose,
+  /// since at the level's start another vein may be nearer.
   Vec3 targetNear_mm() const;
-  /// The probe as home() would put it at the case's own start.
+  /// Returns the hand with the probe at the case's start pose; empty without a hand.
   std::optional<ProbeHand> handAtStart() const;
 
-  /// The case has no start pose and none was found: the probe waits for placeOnSkin().
+  /// Tells whether the case has no start pose and none was found; the probe then waits for placeOnSkin().
   bool isUnplaced() const { return unplaced_.has_value(); }
-  /// Moves to the skin nearest to the front; further moves start there.
+  /// Places the probe on the skin nearest to the front, from where it can be moved.
   void placeOnSkin();
 
  Q_SIGNALS:
-  void handMoved();       ///< also when it is there for the first time
-  void placingChanged();  ///< isUnplaced()
+  void handMoved();       ///< emitted when the probe has moved, or is placed for the first time
+  void placingChanged();  ///< emitted when isUnplaced() has changed
 
  private:
   void connectCase();

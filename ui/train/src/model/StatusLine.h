@@ -8,7 +8,7 @@
 
 namespace insonate::train {
 
-/// The sentence at the window's foot: an event for some seconds, then the state or the next thing to do.
+/// The sentence in the window's status bar: an event for some seconds, then the present state or the next thing to do.
 class StatusLine : public QObject {
   Q_OBJECT
 
@@ -17,13 +17,13 @@ class StatusLine : public QObject {
 
   explicit StatusLine(QObject* parent = nullptr);
 
-  /// Sentence about the last event, or the next thing to do.
+  /// The sentence that is shown now.
   QString message() const { return message_; }
   /// Shows a sentence about an event for some seconds.
   void say(const QString& sentence);
-  /// The next thing to do while nothing has happened; empty for the usual.
+  /// Sets the next thing to do, shown when there is no recent event; empty: the default hint.
   void setHint(const QString& hint);
-  /// Sets the function that returns a sentence about the present state; nullopt while the hint applies.
+  /// Sets the function that returns a sentence about the present state; nullopt: the hint is shown instead.
   void setState(std::function<std::optional<QString>()> state) { state_ = std::move(state); }
 
  Q_SIGNALS:

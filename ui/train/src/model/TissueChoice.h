@@ -8,19 +8,19 @@ class QSettings;
 
 namespace insonate::train {
 
-/// Mechanical model and blood pressure of the patient, as chosen in the panel.
+/// The patient's mechanical model and blood pressure, as chosen in the panel.
 struct TissueChoice {
   std::string model = "elastic";  ///< see TissueMechanics::model
-  Physiology body;                ///< with a heart and a breath, whether or not they are on
+  Physiology body;                ///< includes heartbeat and breathing even if they are switched off
   bool pulse = true, breathing = true;
 };
 bool operator==(const TissueChoice& a, const TissueChoice& b);
 
-/// Physiology of the choice, without heart or breath if those are off.
+/// Returns the physiology of a choice, without heartbeat or breathing if they are switched off.
 Physiology physiologyOf(const TissueChoice& choice);
 
 void saveTissue(const TissueChoice& choice, QSettings& settings);
-/// Restores the choice; missing or invalid values take their defaults.
+/// Restores a choice from settings; missing or invalid values get their defaults.
 TissueChoice restoredTissue(QSettings& settings);
 
 }  // namespace insonate::train

@@ -16,8 +16,8 @@
 
 namespace insonate::train {
 
-/// The state that the features of the workspace share. It holds the parts and has no logic; a class takes the parts
-/// that it uses. Knows no widget. Each part receives the signals of earlier parts before any widget does.
+/// The state that the workspace's features share. It only holds the parts; a class takes those that it uses. Uses no
+/// widgets. Each part receives the signals of earlier parts before any widget does.
 struct TrainModel : public QObject {
   Q_OBJECT
 

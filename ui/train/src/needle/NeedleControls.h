@@ -17,7 +17,8 @@ class NeedleMotion;
 class ProbeMotion;
 class StatusLine;
 
-/// The panel's section about the needle: taking it up and putting it away, its editable numbers, and its contacts.
+/// The panel's section about the needle: a button that takes it up or puts it away, its editable numbers, and its
+/// contacts.
 class NeedleControls final : public QWidget {
   Q_OBJECT
 

@@ -6,12 +6,12 @@ class QAction;
 
 namespace insonate::train {
 
-/// The needle moved by keys and numbers.
+/// The feature for moving the needle by keys and numbers.
 class NeedleFeature final : public Feature {
   Q_OBJECT
 
  public:
-  /// `showDevices`: the action of the button beside the needle's heading.
+  /// `showDevices`: action of the button beside the section's heading.
   NeedleFeature(TrainModel& model, TrainLayout& layout, QAction& showDevices);
 
   void act(const KeyRow& row, KeyPress press) override;

@@ -17,22 +17,23 @@ class ViewWidget;
 
 namespace insonate::train {
 
-/// The CT in the probe's plane and along the body, all at once, with one crosshair.
+/// Four CT slices with one crosshair: the probe's plane, axial, coronal and sagittal.
 class FourSlices : public QWidget {
  public:
   explicit FourSlices(QWidget* parent = nullptr);
   ~FourSlices() override;
 
-  /// Sets the case; the crosshair moves to the probe with the next follow().
+  /// Sets the case; at the next follow() the crosshair moves to the probe.
   void setCase(const std::shared_ptr<views::VtkCase>& patient);
-  /// The probe's plane is the probe's; when the probe has moved, the crosshair goes to the middle of its picture.
+  /// Sets the first slice to the probe's image plane. If the probe has moved, the crosshair goes to the center of its
+  /// image.
   void follow(const std::shared_ptr<const ImagingSetup>& setup, const Transform& patientFromProbe);
   void setWindowLevel(views::WindowLevel value);
   /// Sets a listener for window and level changed by the user.
   void setWindowChanged(const std::function<void(views::WindowLevel)>& listener);
   void setLabelOpacity(double opacity);
   void setLabelColour(std::uint8_t label, views::Colour colour);
-  /// Duration of the last renderings together.
+  /// Sum of the durations of each slice's last rendering.
   double renderTime_s() const;
 
   static constexpr std::size_t kCount = 4;
@@ -44,7 +45,7 @@ class FourSlices : public QWidget {
 
   std::array<std::shared_ptr<views::MprView>, kCount> slices_;
   std::array<ui::ViewWidget*, kCount> widgets_{};
-  std::shared_ptr<const ImagingSetup> shape_;  ///< of the probe as outlined
+  std::shared_ptr<const ImagingSetup> shape_;  ///< setup of the probe whose outline is drawn
   std::optional<Transform> pose_;
 };
 

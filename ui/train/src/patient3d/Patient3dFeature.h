@@ -6,7 +6,7 @@ namespace insonate::train {
 
 class PatientViews;
 
-/// The patient in 3D and as slices of the CT, in a column beside the image.
+/// The feature for the patient in 3D and as CT slices, in a column beside the image.
 class Patient3dFeature final : public Feature {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class Patient3dFeature final : public Feature {
   void connectNeedle();
 
   PatientViews* patient_;
-  bool touchesTray_ = false;  ///< the used needle, in a hand
+  bool touchesTray_ = false;  ///< the used needle, held in a hand, touches the tray
 };
 
 }  // namespace insonate::train

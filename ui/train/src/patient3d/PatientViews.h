@@ -33,8 +33,8 @@ class SceneNeedle;
 class SliceMenu;
 struct TrainModel;
 
-/// The patient beside the image: in 3D with probe and image plane, and as CT slices. Both follow the probe as often
-/// as they can without slowing the ultrasound picture.
+/// The patient in 3D, with probe and image plane, and as CT slices. Both follow the probe at a rate that does not slow
+/// the ultrasound image.
 class PatientViews : public QWidget {
  public:
   explicit PatientViews(TrainModel& model, QWidget* parent = nullptr);
@@ -48,27 +48,28 @@ class PatientViews : public QWidget {
   ui::ScenePanel& scenePanel() { return *scenePanel_; }
 
   void setSliceKind(views::SliceKind kind);
-  /// The probe's plane, axial, coronal and sagittal at once, with one crosshair.
+  /// Shows the probe's plane, axial, coronal and sagittal slices at once, with one crosshair.
   void setAllSlices(bool on);
-  /// Tabs with shorter words.
+  /// Uses shorter labels on the tabs.
   void setCompact(bool compact);
   bool showsAllSlices() const;
-  /// Sets a listener that is called when four slices begin to need more space than one, and when they cease to.
+  /// Sets a listener that is called with true when four slices are shown, which need more space than one, and with
+  /// false afterwards.
   void setRoomWanted(std::function<void(bool more)> listener) { roomWanted_ = std::move(listener); }
   FourSlices& allSlices() { return *four_; }
-  /// The slice of a canvas; null if the canvas shows none.
+  /// Returns the slice that a canvas shows; null if it shows none.
   views::MprView* sliceOf(const QObject* canvas);
-  /// One of views::windowLevelPresets().
+  /// Applies a preset of views::windowLevelPresets().
   void setSliceWindow(int preset);
-  /// Called when the user changed window or level of the slice.
+  /// Sets a listener that is called when the user changes window or level of a slice.
   void setWindowChanged(const std::function<void(views::WindowLevel)>& listener);
   /// The needle in 3D.
   SceneNeedle& needle() const { return *needle_; }
-  /// The view in 3D: to the right and up, in degrees.
+  /// Turns the 3D view to the right and up, in degrees.
   void turn(double across_deg, double up_deg);
   /// Shows a tray with a new needle beside the patient's chest.
   void setTrayVisible(bool visible);
-  /// Called when the tray is clicked.
+  /// Sets a listener that is called when the tray is clicked.
   void setTrayTaken(std::function<void()> listener);
   /// Sets whether the views follow the probe.
   void setFollowing(bool following);
@@ -77,7 +78,7 @@ class PatientViews : public QWidget {
   QWidget* buildMpr();
   QWidget* buildSilence();
   QWidget* buildScenePanel(QWidget* parent);
-  /// Slice, all slices, or what 3D shows.
+  /// Shows the single slice, the four slices or the 3D settings below the 3D view.
   void showBelow(QWidget* shown);
   void expandPatientColumn(bool more);
   void showCase();
@@ -88,7 +89,7 @@ class PatientViews : public QWidget {
   void want();
   void follow();
   void showMoving();
-  /// Shows or hides anatomy: hidden means no CT, and an opaque skin.
+  /// Shows or hides anatomy. Hidden anatomy means that there is no CT and that the skin is opaque.
   void applyDisclosure();
 
   TrainModel& model_;
@@ -98,19 +99,19 @@ class PatientViews : public QWidget {
   ui::ViewWidget* sceneWidget_ = nullptr;
   ui::ViewWidget* mprWidget_ = nullptr;
   QSplitter* splitter_ = nullptr;
-  QStackedWidget* below_ = nullptr;  ///< the CT, or words where it is not shown
+  QStackedWidget* below_ = nullptr;  ///< the CT, or a text if the CT is not shown
   QButtonGroup* kinds_ = nullptr;
   SliceMenu* sliceMenu_ = nullptr;
   QToolButton* howSliced_ = nullptr;
   FourSlices* four_ = nullptr;
   std::function<void(bool)> roomWanted_;
-  QByteArray splitBefore_;  ///< of 3D and the slice, before there were four
+  QByteArray splitBefore_;  ///< sizes of 3D and slice before four slices were shown
   ui::ScenePanel* scenePanel_ = nullptr;
   QScrollArea* sceneScroll_ = nullptr;
   std::shared_ptr<const LiveFrame> followed_;
-  std::shared_ptr<const ImagingSetup> shape_;  ///< of the probe as drawn
-  bool cameraDue_ = false;                     ///< a new patient is there, and not looked at yet
-  bool sliceShown_ = false;                    ///< the slice has the case
+  std::shared_ptr<const ImagingSetup> shape_;  ///< setup of the probe that is drawn
+  bool cameraDue_ = false;                     ///< the camera must be placed for a new patient
+  bool sliceShown_ = false;                    ///< the slice shows the present case
   bool following_ = true;
   Transform pose_;
   SceneInput* input_ = nullptr;
@@ -118,11 +119,11 @@ class PatientViews : public QWidget {
   struct Looks {
     double skin = 1;
     bool ct = false;
-    std::vector<std::uint8_t> shown;  ///< structures under the skin
+    std::vector<std::uint8_t> shown;  ///< visible structures under the skin
     views::Clipping clipping;
   };
-  std::optional<Looks> looksBefore_;   ///< of the scene, while anatomy is not disclosed
-  std::optional<Transform> slicedAt_;  ///< where the probe was when the slice was put there
+  std::optional<Looks> looksBefore_;   ///< appearance of the scene before anatomy was hidden
+  std::optional<Transform> slicedAt_;  ///< pose of the probe when the slice was last set to its plane
   QTimer timer_, rest_;
   QElapsedTimer sinceFollowed_;
 };

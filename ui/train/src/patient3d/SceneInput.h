@@ -18,16 +18,16 @@ class HandsControl;
 class NeedleMotion;
 class ProbeMotion;
 
-/// Mouse in 3D: on the skin it has the probe, with Ctrl the needle's entry, beside the body and with the middle button
-/// the camera.
+/// Mouse input in 3D. On the skin the mouse moves the probe and, with Ctrl, the needle's entry point; beside the body,
+/// or with the middle button, it moves the camera.
 class SceneInput : public QObject {
  public:
   SceneInput(HandsControl& hands, ProbeMotion& motion, NeedleMotion& needle, views::SceneView& view, QWidget& canvas,
              QObject* parent);
 
-  /// Sets the tray's place; none: there is no tray.
+  /// Sets the tray's pose; empty: no tray.
   void setTray(const std::optional<Transform>& patientFromTray) { tray_ = patientFromTray; }
-  /// Called when it is clicked.
+  /// Sets a listener that is called when the tray is clicked.
   void setTrayTaken(std::function<void()> listener) { trayTaken_ = std::move(listener); }
 
  protected:
@@ -50,7 +50,7 @@ class SceneInput : public QObject {
   std::optional<Transform> tray_;
   std::function<void()> trayTaken_;
   Drag drag_ = Drag::None;
-  bool begun_ = false;  ///< far enough to be no click
+  bool begun_ = false;  ///< the mouse has moved too far for a click
   QPointF from_, last_;
 };
 

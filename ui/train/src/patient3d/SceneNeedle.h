@@ -12,7 +12,7 @@ class CaseModel;
 class HandsControl;
 class StatusLine;
 
-/// The needle in 3D, the tray with a new one beside the patient's chest, and the cut along the needle.
+/// The needle in 3D, the tray with a new needle beside the patient's chest, and the cut along the needle.
 class SceneNeedle final : public QObject {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class SceneNeedle final : public QObject {
   SceneNeedle(HandsControl& hands, CaseModel& patientCase, StatusLine& status, views::SceneView& scene,
               QObject* parent);
 
-  /// Draws the needle as it is held now.
+  /// Draws the needle in its present pose.
   void follow();
   /// Sets the color of the shaft.
   void setColour(views::Colour colour);
@@ -28,16 +28,16 @@ class SceneNeedle final : public QObject {
   /// Shows the tray on the side away from the probe, or hides it.
   void setTray(bool isVisible, Vec3 probe_mm);
   const std::optional<Transform>& tray() const { return tray_; }
-  /// Tells whether a point lies on the tray or just over it, like a tip that touches it.
+  /// Tells whether a point lies on the tray or just above it, like a tip that touches it.
   bool isOnTray(Vec3 patient_mm) const;
 
-  /// Opens the patient along the needle, toward the viewer, or closes it again.
+  /// Opens the patient by a cut along the needle, toward the viewer, or closes the cut.
   void toggleCut();
-  /// Closes the patient if it was opened along the needle.
+  /// Closes the cut along the needle if there is one.
   void removeCut();
 
  Q_SIGNALS:
-  /// The needle is drawn elsewhere or in another color.
+  /// Emitted when the needle's displayed pose or color has changed.
   void changed();
 
  private:
@@ -45,7 +45,7 @@ class SceneNeedle final : public QObject {
   CaseModel& patientCase_;
   StatusLine& status_;
   views::SceneView& scene_;
-  std::optional<Transform> needle_;  ///< as drawn
+  std::optional<Transform> needle_;  ///< pose of the needle that is drawn
   views::Colour colour_ = views::theme::kText;
   std::optional<views::Clipping> cut_;
   std::optional<Transform> tray_;

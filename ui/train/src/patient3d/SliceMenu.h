@@ -14,16 +14,16 @@ class ValueSlider;
 
 namespace insonate::train {
 
-/// Display of a slice of the CT: window and level, structures over it, fit.
+/// Menu for the display of a CT slice: window and level, overlaid structures, fit.
 class SliceMenu : public QMenu {
  public:
   SliceMenu(views::MprView& slice, QWidget* parent);
 
-  /// A further slice that is shown as this one.
+  /// Adds a slice that gets the same display settings.
   void addSlice(views::MprView& slice) { others_.push_back(&slice); }
-  /// One of views::windowLevelPresets().
+  /// Applies a preset of views::windowLevelPresets().
   void choose(int preset);
-  /// Called when a preset was chosen.
+  /// Sets a listener that is called when a preset is chosen.
   void setChosen(std::function<void(views::WindowLevel)> listener) { chosen_ = std::move(listener); }
 
  private:

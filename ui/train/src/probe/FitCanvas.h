@@ -9,8 +9,9 @@
 
 namespace insonate::train {
 
-/// An image of a machine with a field of view over it, whose sides, corners, face and end can be dragged; inside it
-/// all moves. With the keyboard, G goes from handle to handle and arrows move it (Shift: ten times as far).
+/// Shows a scanner's image with a field of view over it. Its sides, corners, face and end can be dragged; dragging
+/// inside moves the whole. With the keyboard, G selects the next handle and arrows move it (with Shift ten times as
+/// far).
 class FitCanvas : public QWidget {
   Q_OBJECT
 
@@ -21,26 +22,26 @@ class FitCanvas : public QWidget {
   void setShape(const std::optional<FovShape>& shape);
   const std::optional<FovShape>& shape() const { return shape_; }
   void setMarks(std::vector<PixelPoint> marks);
-  /// The next press begins a line between two points of the image, which decides the scale; the next one, or the end
-  /// of the drag, ends it.
+  /// Starts drawing a line between two points of the image, which determines the scale. The next press sets the first
+  /// point; the press after that, or the end of the drag, sets the second.
   void setDrawing(bool drawing);
   bool isDrawing() const { return drawing_; }
   using Line = std::array<PixelPoint, 2>;
   void setLine(const std::optional<Line>& line);
   const std::optional<Line>& line() const { return line_; }
-  /// Position in the widget's pixels.
+  /// Converts a point of the image to the widget's pixels.
   QPointF placeOf(PixelPoint p) const { return widgetFrom(p); }
-  /// Sets the next thing to do, shown while there is no image.
+  /// Sets the text about the next thing to do, shown if there is no image.
   void setInvitation(const QString& text);
 
   enum class Handle { None = -1, Left, Right, Face, End, LeftCorner, RightCorner, Whole };
-  /// Position of a handle in the widget's pixels; (0, 0) without a shape.
+  /// Returns the position of a handle in the widget's pixels; (0, 0) without a shape.
   QPointF placeOf(Handle handle) const;
 
   QSize sizeHint() const override { return {720, 540}; }
 
  Q_SIGNALS:
-  void shapeChanged();  ///< by hand
+  void shapeChanged();  ///< emitted when the user changes the shape
   void lineDrawn();
 
  protected:
@@ -70,8 +71,8 @@ class FitCanvas : public QWidget {
   PixelPoint last_;
 };
 
-/// The shape after a handle was brought to a point of the image; `from` is where it was, for Whole. Sides move alone:
-/// the other side stays.
+/// Returns the shape after a handle was dragged to the image point `to`; `from`, its former point, is used for Whole.
+/// Dragging a side leaves the other side in place.
 FovShape draggedTo(FovShape shape, FitCanvas::Handle handle, PixelPoint to, PixelPoint from);
 
 }  // namespace insonate::train

@@ -21,24 +21,24 @@ namespace insonate::train {
 
 class FitCanvas;
 
-/// Makes a probe from a photograph or screen capture of a scanner: an image from a file, a drop or the clipboard is
-/// fitted on a thread of its own, shown with the fit over it, and corrected by hand. The image is kept no longer than
-/// the dialog.
+/// Makes a probe from a photograph or screen capture of a scanner. The image comes from a file, a drop or the
+/// clipboard. It is fitted on a background thread, shown with the fit over it, and corrected by the user. The image is
+/// discarded when the dialog closes.
 class FitDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `base` gives what an image does not show.
+  /// `base` provides the values that an image does not show.
   explicit FitDialog(const Probe& base, QWidget* parent = nullptr);
   ~FitDialog() override;
 
-  /// Loads and fits; errors are shown in the dialog.
+  /// Loads and fits an image; errors are shown in the dialog.
   void openPicture(const QString& file);
   void paste();
   bool isWorking() const;
   QString message() const;
 
-  /// The probe, after Apply.
+  /// The fitted probe, after Apply.
   const Probe& probe() const { return probe_; }
 
  protected:
@@ -60,13 +60,13 @@ class FitDialog : public QDialog {
   void drawLine();
   void lineDrawn();
   void lineTyped(double mm);
-  double line_px() const;  ///< 0 without one
+  double line_px() const;  ///< length of the drawn line; 0 if there is none
   void takeOver();
   void say(const QString& sentence, bool trouble);
 
   Probe base_, probe_;
   QImage picture_;
-  QString doubts_;  ///< about the fit of this image
+  QString doubts_;  ///< notes about uncertainties of the fit
   std::optional<DepthRuler> ruler_;
   FitCanvas* canvas_;
   ui::TaskBar* tasks_;
@@ -75,7 +75,7 @@ class FitDialog : public QDialog {
   QLabel *trouble_ = nullptr, *notes_ = nullptr, *values_ = nullptr;
   QPushButton *take_ = nullptr, *draw_ = nullptr;
   double mmPerPx_ = 1;
-  double typedDepth_mm_ = 0;  ///< decides the scale where it is above 0; else the image does
+  double typedDepth_mm_ = 0;  ///< depth that determines the scale if it is above 0; else the image determines it
   bool refreshing_ = false;
 };
 

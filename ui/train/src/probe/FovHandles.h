@@ -15,8 +15,8 @@ class History;
 class ImagingModel;
 class StatusLine;
 
-/// Handles on the live image that change the probe's field of view: its angle (or width), the face's radius, the
-/// depth. Dragged with the mouse; with the keyboard, G goes from handle to handle and Ctrl with the arrows moves it.
+/// Handles on the live image that change the probe's field of view: its angle (or width), the face's radius, the depth.
+/// They are dragged with the mouse. With the keyboard, G selects the next handle and Ctrl with the arrows moves it.
 class FovHandles : public QObject {
   Q_OBJECT
 
@@ -26,13 +26,13 @@ class FovHandles : public QObject {
 
   void setActive(bool active);
   bool isActive() const { return active_; }
-  /// Tells whether a handle is held: then the image must keep its scale.
+  /// Tells whether a handle is held; the image must then keep its scale.
   bool isHeld() const { return held_; }
-  /// Part of the imaging plane to show, with room to drag outward.
+  /// Returns the part of the imaging plane to show: the field of view plus space for dragging outward.
   views::PictureBounds roomFor(const views::PictureBounds& fieldOfView) const;
 
   enum class Handle { None = -1, RightSide, LeftSide, Face, Depth };
-  /// Position of a handle, in display pixels of the view.
+  /// Returns the position of a handle in display pixels of the view.
   views::DisplayPoint displayOf(Handle handle) const;
 
  Q_SIGNALS:

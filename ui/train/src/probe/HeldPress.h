@@ -8,8 +8,8 @@ namespace insonate::train {
 
 class ProbeMotion;
 
-/// A press key that is held down: one step at once, then, after a moment, smooth motion until a key is released,
-/// wherever the keyboard focus is by then.
+/// Handles a press key that is held down: one step at once, then, after a moment, smooth motion until a key is
+/// released, even if the keyboard focus has moved by then.
 class HeldPress final : public QObject {
  public:
   static constexpr int kBegins_ms = 250;
@@ -17,7 +17,7 @@ class HeldPress final : public QObject {
 
   explicit HeldPress(ProbeMotion& motion, QObject* parent = nullptr);
 
-  /// Begins a press; `step_mm` below 0 releases.
+  /// Begins to press with steps of `step_mm`; below 0 the pressure is reduced.
   void begin(double step_mm);
   void end();
 

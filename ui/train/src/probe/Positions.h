@@ -21,14 +21,15 @@ class History;
 class ProbeMotion;
 class StatusLine;
 
-/// Places for the probe to go back to: those of the case, then the user's own, which are remembered for each case.
+/// List of positions that the probe can be moved to: those of the case, then the user's own, which are saved for each
+/// case.
 class Positions : public QWidget {
  public:
   Positions(StatusLine& status, History& history, CaseModel& patientCase, ProbeMotion& motion,
             QWidget* parent = nullptr);
 
   int count() const;
-  /// Moves the probe to a position, counted from 0; no effect beyond the list.
+  /// Moves the probe to a position of the list, counted from 0; no effect for other numbers.
   void recall(int place);
   /// Saves the probe's present position as one of the user's own.
   void saveCurrent();
@@ -47,7 +48,8 @@ class Positions : public QWidget {
   using Own = std::vector<StartPose>;
   QMenu* buildMenu();
   void nameEdited(QListWidgetItem* item);
-  /// The user's own position of this row; nothing, and a sentence, for one of the case.
+  /// Returns the index of this row among the user's own positions. For a position of the case, returns nothing and
+  /// shows a message.
   std::optional<std::size_t> ownAt(int place);
   void change(Own next, const QString& what, int current);
   void refresh();

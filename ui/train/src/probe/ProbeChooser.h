@@ -10,7 +10,7 @@ namespace insonate::train {
 class ProbeLibrary;
 class ImagingModel;
 
-/// The probe in use, chosen from the built-in and the user's own ones, and the button that edits it.
+/// List of the built-in and the user's own probes, which selects the probe in use, and the button that edits it.
 class ProbeChooser : public QWidget {
   Q_OBJECT
 
@@ -18,7 +18,7 @@ class ProbeChooser : public QWidget {
   ProbeChooser(ImagingModel& imaging, ProbeLibrary& library, QWidget* parent = nullptr);
 
   QComboBox& list() { return *list_; }
-  /// Argument for loadProbe(), to be remembered.
+  /// Returns the selected probe's argument for loadProbe(), to be saved in settings.
   QString key() const;
 
  Q_SIGNALS:

@@ -23,25 +23,25 @@ class ProbeLibrary;
 class ImagingModel;
 class StatusLine;
 
-/// Every number of a probe, with the live image as its preview: valid values apply at once, errors are stated beside
-/// the control. Undo is the history's.
+/// Editor of all numbers of a probe, with the live image as preview. Valid values apply at once; errors are shown
+/// beside the control. Changes are undone by History.
 class ProbeEditor : public ScrollingColumn {
   Q_OBJECT
 
  public:
   ProbeEditor(StatusLine& status, ImagingModel& imaging, ProbeLibrary& library, QWidget* parent = nullptr);
 
-  /// The probe as edited, valid or not.
+  /// The edited probe, which may be invalid.
   const Probe& draft() const { return draft_; }
-  /// Replaces the whole draft, for example by a fitted probe; the image's depth becomes the probe's own.
+  /// Replaces the whole draft, for example by a fitted probe; the image's depth becomes the probe's default.
   void take(const Probe& probe);
-  /// Error in the draft, a sentence; empty while the draft is in use.
+  /// Error message about the draft; empty if the draft is in use.
   QString problem() const;
 
   bool save();
   bool rename();
   bool remove();
-  /// The built-in probe of the draft's shape, or the saved one of its name.
+  /// Restores the saved probe of this name, else the built-in probe of this name or shape.
   void reset();
 
  Q_SIGNALS:
@@ -72,7 +72,7 @@ class ProbeEditor : public ScrollingColumn {
   ImagingModel& imaging_;
   ProbeLibrary& library_;
   Probe draft_;
-  std::string savedName_;  ///< of the user's probe that is being edited; empty for none
+  std::string savedName_;  ///< name of the user's probe that is being edited; empty: none
   QLineEdit* name_ = nullptr;
   QComboBox *shape_ = nullptr, *apodization_ = nullptr;
   std::vector<Row> rows_;

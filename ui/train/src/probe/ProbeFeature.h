@@ -11,14 +11,14 @@ class ProbeChooser;
 class ProbeEditor;
 class ProbeLibrary;
 
-/// The probe: its moves by keys and numbers, its positions, its choice, and the editor of its shape.
+/// The feature for the probe: moves by keys and numbers, positions, the choice of probe, and the editor of its shape.
 class ProbeFeature final : public Feature {
   Q_OBJECT
 
  public:
   ProbeFeature(TrainModel& model, TrainLayout& layout);
 
-  /// The list of probes, for the image section of the left column.
+  /// The list of probes, for the section of image settings.
   QWidget& chooser();
 
   void act(const KeyRow& row, KeyPress press) override;

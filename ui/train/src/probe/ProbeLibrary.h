@@ -8,24 +8,24 @@
 
 namespace insonate::train {
 
-/// The user's own probes: one file each, of the form of resources/probes, in a folder of the user's. Small files: read
-/// and written on the window's thread.
+/// The user's own probes, each in one file of the format of resources/probes, in one of the user's folders. The files
+/// are small, and are read and written on the window's thread.
 class ProbeLibrary : public QObject {
   Q_OBJECT
 
  public:
-  /// `folder` is made when the first probe is saved; by default "probes" in the application's data folder.
+  /// `folder` is created when the first probe is saved; by default "probes" in the application's data folder.
   explicit ProbeLibrary(QString folder = {}, QObject* parent = nullptr);
 
   struct Entry {
     QString name, file;
     Probe probe;
   };
-  /// Saved probes by name; files that hold no probe are left out.
+  /// Saved probes sorted by name; files without a valid probe are left out.
   const std::vector<Entry>& entries() const { return entries_; }
   const Entry* find(const std::string& name) const;
 
-  /// Saves a probe under its name, replacing a probe of that name. Refuses names of built-in probes.
+  /// Saves a probe under its name, replacing a probe of that name. Fails for names of built-in probes.
   Result<void> save(const Probe& probe);
   Result<void> rename(const std::string& name, const std::string& newName);
   Result<void> remove(const std::string& name);
@@ -41,7 +41,7 @@ class ProbeLibrary : public QObject {
   std::vector<Entry> entries_;
 };
 
-/// A probe that comes with the program.
+/// Tells whether this is the name of a built-in probe.
 bool isBuiltIn(const std::string& name);
 
 }  // namespace insonate::train

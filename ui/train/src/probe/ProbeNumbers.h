@@ -11,7 +11,7 @@ namespace insonate::train {
 
 class NumberField;
 
-/// The probe's position in editable numbers: rotation, tilt, rock, pressure; and the place on the skin.
+/// Fields for the probe's rotation, tilt, rock and pressure, and for its position on the skin.
 class ProbeNumbers : public QWidget {
  public:
   explicit ProbeNumbers(QWidget* parent = nullptr);
@@ -19,9 +19,9 @@ class ProbeNumbers : public QWidget {
   void show(const HandNumbers& numbers);
   /// Sets a listener for numbers that the user types or steps.
   void setTyped(std::function<void(HandAxis axis, double value)> listener) { typed_ = std::move(listener); }
-  /// Sets a listener for a place that the user types; patient LPS.
+  /// Sets a listener for a position that the user types, in the patient's frame (LPS).
   void setPlaced(std::function<void(Vec3 patient_mm)> listener) { placed_ = std::move(listener); }
-  /// Sets a listener for sentences about refused input.
+  /// Sets a listener for sentences about rejected input.
   void setRefused(std::function<void(const QString& sentence)> listener) { refused_ = std::move(listener); }
 
  private:

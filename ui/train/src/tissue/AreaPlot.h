@@ -13,17 +13,18 @@ struct LivePress;
 
 namespace insonate::train {
 
-/// The areas of vein and artery against the force of the probe: where they have been, and where they are now. Nothing
-/// is allocated once the trace is as long as it gets.
+/// Plots the areas of vein and artery against the probe's force: past points as a trace, and the present point.
+/// Allocates no memory once the trace has its full length.
 class AreaPlot final : public QWidget {
  public:
-  static constexpr std::size_t kMost = 4000;  ///< points kept; the oldest go first
+  static constexpr std::size_t kMost = 4000;  ///< maximum number of points; the oldest are dropped first
 
   explicit AreaPlot(QWidget* parent = nullptr);
 
-  /// A new live image's: its point is kept where the probe presses.
+  /// Adds the point of a new live image to the trace, if the probe presses.
   void add(const LivePress& press);
-  /// The point of the image on display, which is not kept; none where no vessel is in the plane.
+  /// Shows the point of the image on display without adding it to the trace; no point if there is no vessel in the
+  /// plane.
   void show(const LivePress& press);
   void clear();
   std::size_t points() const { return trace_.size(); }
@@ -35,7 +36,7 @@ class AreaPlot final : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  /// Areas in % of the area in the CT; below 0 where there is no such vessel.
+  /// Force and areas in % of the area in the CT; below 0 if the vessel is not in the plane.
   struct Point {
     float force_N = 0, vein = -1, artery = -1;
   };
@@ -47,7 +48,7 @@ class AreaPlot final : public QWidget {
   QPointF at(const QRectF& room, double force_N, double area) const;
 
   std::vector<Point> trace_;
-  std::size_t next_ = 0;  ///< where the next one goes once the trace is full
+  std::size_t next_ = 0;  ///< index of the oldest point, which is overwritten next, once the trace is full
   Point now_;
   double mostForce_N_ = 2, mostArea_ = 120;
 };

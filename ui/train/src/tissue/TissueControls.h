@@ -18,7 +18,8 @@ class NumberField;
 class ImagingModel;
 class StatusLine;
 
-/// The panel's section about what the probe presses on: the model, and the patient's blood and posture.
+/// The panel's section about the tissue under the probe: its mechanical model, and the patient's blood pressure and
+/// posture.
 class TissueControls final : public QWidget {
  public:
   TissueControls(StatusLine& status, ImagingModel& imaging, QWidget* parent = nullptr);

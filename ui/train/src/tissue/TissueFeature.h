@@ -6,7 +6,8 @@ namespace insonate::train {
 
 class TissueShown;
 
-/// The tissue under the probe: its model, the patient's blood and posture, and the display of its mechanics.
+/// The feature for the tissue under the probe: its model, the patient's blood pressure and posture, and the display of
+/// its mechanics.
 class TissueFeature final : public Feature {
   Q_OBJECT
 

@@ -16,17 +16,17 @@ class DisclosureModel;
 class LiveModel;
 class StatusLine;
 
-/// Display of the tissue's mechanics in the image's column: the strip of numbers, the curve, and grid and pressure
-/// over the image, which are requested only while they are shown.
+/// Display of the tissue's mechanics in the image's column: the strip of numbers, the curve, and grid and pressure over
+/// the image. Grid and pressure are requested from the simulation only while they are shown.
 class TissueShown final : public QObject {
  public:
-  /// The widgets are made in `column`, for a layout to take.
+  /// The widgets become children of `column`; a layout can move them.
   TissueShown(StatusLine& status, DisclosureModel& disclosure, CaseModel& patientCase, LiveModel& live,
               views::UltrasoundView& image, QWidget* column);
 
   TissueStrip& strip() { return *strip_; }
   QWidget& curve() { return *curve_; }
-  /// 0 grid, 1 pressure, 2 curve: shows it, or no longer.
+  /// Shows or hides a display. `what`: 0 grid, 1 pressure, 2 curve.
   void toggle(int what);
   void save(QSettings& settings) const;
   void restore(QSettings& settings);
@@ -35,7 +35,7 @@ class TissueShown final : public QObject {
   QWidget* buildCurve(QWidget* column);
   void showPicture();
   void choose();
-  /// Chosen, and disclosed.
+  /// Tells whether a display is switched on and disclosed.
   bool shows(int what) const;
 
   StatusLine& status_;

@@ -20,8 +20,8 @@ class CaseModel;
 class DisclosureModel;
 class LiveModel;
 
-/// The line under the image: the probe's force, its effect on the vessels, and the switches of overlays. Empty without
-/// pressure. Numbers change a few times a second, so that they can be read.
+/// The line under the image: the probe's force, its effect on the vessels, and switches for overlays. Empty without
+/// pressure. The numbers change only a few times per second, so that they are readable.
 class TissueStrip final : public QWidget {
   Q_OBJECT
 
@@ -53,7 +53,7 @@ class TissueStrip final : public QWidget {
   QLabel *force_, *indentation_, *vein_, *artery_;
   QPushButton* menu_;
   QAction* shows_[kShows] = {};
-  bool tight_ = false;  ///< without what the panel says, too
+  bool tight_ = false;  ///< narrow layout, without the indentation, which the panel shows too
   ui::AreaForm form_ = ui::AreaForm::Full;
 };
 

@@ -7,13 +7,13 @@
 
 namespace insonate::train {
 
-/// Area of a vessel; null if there is none in the plane.
+/// Returns the area of a vessel; null if the vessel is not in the plane.
 const LumenArea* lumenOf(const LivePress& press, Label label);
 
-/// Tells whether the probe's pressure is high enough for a number.
+/// Tells whether the probe's pressure is high enough for displaying a number.
 bool presses(const LivePress& press);
 
-/// Color of the vessel in text and curves over the image.
+/// Color of a vessel in text and curves over the image.
 QColor vesselColour(Label label);
 
 }  // namespace insonate::train

@@ -4,7 +4,8 @@
 
 namespace insonate::train {
 
-/// The keys of undo and redo, also without a patient, since a probe can be edited without one.
+/// The feature for the keys of undo and redo. They work also without a patient, since a probe can be edited without
+/// one.
 class UndoFeature final : public Feature {
   Q_OBJECT
 

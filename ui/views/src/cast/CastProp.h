@@ -16,30 +16,32 @@ class vtkRenderer;
 
 namespace insonate::views {
 
-/// The CT drawn by the processor, over and behind what else the scene draws: at once with as many rays as there is time
-/// for, then by a Refiner with all of them, which come with a later picture. Costs nothing while it is not visible.
+/// Draws the CT by ray casting on the processor, combined with the other objects of the scene. A frame is drawn at once
+/// with as many rays as the time permits; a Refiner then casts all rays for a later frame. Uses no computing time while
+/// it is not visible.
 class CastProp : public vtkProp {
  public:
   static CastProp* New();
   vtkTypeMacro(CastProp, vtkProp)
 
-      /// `news` is called on other threads when a better image can be drawn.
+      /// Sets a listener that is called on other threads when a better image can be drawn.
       void setNews(std::function<void()> news) {
     news_ = std::move(news);
   }
-  /// Sets the case; null for none.
+  /// Sets the case; null: no case.
   void setCase(const std::shared_ptr<const VtkCase>& patient);
   void setTransferFunction(const TransferFunction& function);
   void setClipping(const std::optional<ClippingPlane>& plane) { clipping_ = plane; }
-  /// Sets whether the scene moves: then no image is refined.
+  /// Sets whether the scene moves; images are refined only at rest.
   void setMoving(bool moving);
-  /// Tells whether the last frame has all its rays.
+  /// Tells whether all rays were cast for the last frame.
   bool exact() const { return exact_; }
 
-  /// Since then something has become ready.
+  /// Tells whether a better image has become ready since the last frame.
   bool hasNews() const { return fresh_; }
 
-  /// Distance of rays in pixels, along a side, for an image of this many pixels and this time per ray.
+  /// Returns the distance between rays, in pixels along each axis, for an image with this number of pixels and this
+  /// duration of a ray.
   static double spacingFor(double pixels, double perRay_ms);
 
   double* GetBounds() override;
@@ -61,7 +63,7 @@ class CastProp : public vtkProp {
   TransferFunction transfer_;
   std::optional<ClippingPlane> clipping_;
   std::unique_ptr<Refiner> refiner_;
-  CastTask quick_;  ///< what is drawn now; its look is null until it is made ready
+  CastTask quick_;  ///< the task of the present frame; its look is null until the CT is prepared
   std::vector<std::uint8_t> rgba_;
   vtkSmartPointer<vtkRayCastImageDisplayHelper> display_;
   double perRay_ms_ = 1e-3;

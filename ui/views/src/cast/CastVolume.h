@@ -10,10 +10,10 @@
 
 namespace insonate::views {
 
-/// A grid of Hounsfield units that rays walk through, with the range of values in each of its blocks, so that blocks of
-/// which nothing is seen are stepped over. Looks at voxels that others own.
+/// A grid of Hounsfield units for ray casting, with the range of values in each block, so that rays skip blocks without
+/// visible values. Does not own the voxels.
 struct CastGrid {
-  static constexpr int kShift = 3;  ///< blocks of 8 voxels along a side, and the first of the next block
+  static constexpr int kShift = 3;  ///< a block is 8 voxels along each axis, plus the first voxel of the next block
 
   struct Range {
     std::int16_t least = 0, most = 0;
@@ -24,14 +24,14 @@ struct CastGrid {
   const std::int16_t* voxels = nullptr;
   std::vector<Range> ranges;
   Transform indexFromPatient;
-  double finest_mm = 1;  ///< the smallest distance of neighbors
+  double finest_mm = 1;  ///< smallest distance between neighboring voxels
 
   std::size_t block(int i, int j, int k) const { return (std::size_t(k) * blocks[1] + j) * blocks[0] + i; }
 };
 
-/// A patient's CT for casting rays: itself, and a copy of few voxels for images that must be quick.
+/// A patient's CT for ray casting, with a copy at low resolution for images that must be drawn fast.
 struct CastVolume {
-  /// Maximum size of the copy along a side.
+  /// Maximum number of voxels of the copy along an axis.
   static constexpr int kMostCoarse = 128;
 
   std::shared_ptr<const PatientCase> patient;
@@ -39,14 +39,14 @@ struct CastVolume {
   CastGrid fine, coarse;
 };
 
-/// Makes a volume; takes a tenth of a second for a large CT, on the caller's thread.
+/// Makes a volume on the caller's thread; takes a tenth of a second for a large CT.
 std::shared_ptr<const CastVolume> makeCastVolume(std::shared_ptr<const PatientCase> patient);
 
-/// A patient's CT as a transfer function shows it, made ready for rays. Nothing of it changes any more.
+/// A patient's CT with a transfer function, prepared for ray casting. Constant.
 struct CastLook {
   struct Entry {
-    float red = 0, green = 0, blue = 0;  ///< 0..1
-    float opacity = 0;                   ///< of a step
+    float red = 0, green = 0, blue = 0;  ///< 0 to 1
+    float opacity = 0;                   ///< opacity of one step along the ray
   };
   static constexpr int kEntries = 4096, kFirst_HU = -1024;
   static int entryOf(int hu);
@@ -54,7 +54,7 @@ struct CastLook {
   struct Level {
     double step_mm = 1;
     std::vector<Entry> entries;
-    std::vector<std::uint8_t> seen;  ///< by block: whether anything in it is
+    std::vector<std::uint8_t> seen;  ///< for each block, whether it contains visible values
   };
 
   CastLook(std::shared_ptr<const CastVolume> volume, const TransferFunction& function);

@@ -12,37 +12,40 @@
 
 namespace insonate::views {
 
-/// Origins and ends of rays.
+/// Geometry of the rays, and the scene's depth at which they end.
 struct CastView {
-  /// Row by row; from what OpenGL calls normalised device coordinates, -1..1.
+  /// Row-major matrix from normalized device coordinates (-1 to 1, OpenGL) to the patient.
   std::array<double, 16> patientFromSeen{};
-  std::array<Vec3, 3> patientFromCamera{};  ///< right, up and toward the viewer
+  /// The camera's directions right, up and toward the viewer, in the patient's frame.
+  std::array<Vec3, 3> patientFromCamera{};
   std::optional<ClippingPlane> clipping;
-  int width = 0, height = 0;  ///< of `depth`
-  /// Depth of what is drawn already: 0 at the near plane, 1 at the far one; from below, as OpenGL counts.
+  int width = 0, height = 0;  ///< size of `depth`
+  /// Depth of the objects that are already drawn: 0 at the near plane, 1 at the far plane; rows from bottom to top, as
+  /// in OpenGL.
   std::vector<float> depth;
 
   bool operator==(const CastView& other) const;
 };
 
-/// Constant description of a frame.
+/// Constant description of a frame to cast.
 struct CastTask {
   std::shared_ptr<const CastLook> look;
   CastView view;
-  int across = 0, up = 0;  ///< rays
-  bool coarse = false;     ///< through the copy of few voxels
+  int across = 0, up = 0;  ///< number of rays per row, number of rows
+  bool coarse = false;     ///< rays use the copy at low resolution
 
-  /// Tells whether it shows the same, with any number of rays.
+  /// Tells whether both tasks show the same image, whatever their numbers of rays.
   bool showsAs(const CastTask& other) const { return look == other.look && view == other.view; }
 };
 
-/// Casts a task's rays, row by row; rows may be cast on several threads at once. Light comes as in the scene.
+/// Casts a task's rays, row by row. Several threads may cast rows at the same time. The light is the scene's.
 class RayCaster {
  public:
-  /// The task outlives the caster.
+  /// The task must outlive the caster.
   explicit RayCaster(const CastTask& task);
 
-  /// Red, green, blue and opacity of each ray in row 0..up-1 from below, colors multiplied by opacity.
+  /// Writes red, green, blue and opacity of each ray in this row, 0 to up-1 from the bottom; colors are premultiplied
+  /// by opacity.
   void castRow(int row, std::uint8_t* rgba) const;
 
  private:
@@ -56,11 +59,11 @@ class RayCaster {
   const CastTask& task_;
   const CastGrid& grid_;
   const CastLook::Level& level_;
-  std::array<Vec3, 2> light_;  ///< unit, patient space, toward the lamp
-  Mat3 normal_;                ///< gradients in the grid to those in patient space
+  std::array<Vec3, 2> light_;  ///< unit vectors toward the lamps, in the patient's frame
+  Mat3 normal_;                ///< converts gradients in the grid to gradients in the patient's frame
 };
 
-/// All rows on the caller's thread and TBB's.
+/// Casts all rows on the caller's thread and TBB's threads.
 void castAll(const CastTask& task, std::vector<std::uint8_t>& rgba);
 
 }  // namespace insonate::views

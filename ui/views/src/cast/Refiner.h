@@ -11,41 +11,41 @@
 
 namespace insonate::views {
 
-/// An image of which every pixel has its ray.
+/// An image with one ray for each pixel.
 struct CastPicture {
   CastTask task;
-  std::vector<std::uint8_t> rgba;  ///< as RayCaster gives it
+  std::vector<std::uint8_t> rgba;  ///< as written by RayCaster::castRow()
 };
 
-/// Casts rays that take longer than a window may wait, on threads of low priority that it owns. All calls return at
-/// once; work on a task that is no longer needed stops within a row.
+/// Casts rays on its own low-priority threads, for images that take longer than the window may wait. All calls return
+/// at once. Work on a task that is no longer needed stops within one row.
 class Refiner {
  public:
   static constexpr int kEyes = 2;
 
-  /// `news` is called on other threads when something has become ready.
+  /// `news` is called on other threads when an image or the prepared CT is ready.
   explicit Refiner(std::function<void()> news);
   ~Refiner();
 
-  /// Makes this patient's CT ready for casting, unless it is or will be.
+  /// Prepares the CT of this patient for casting, unless that is done or in progress.
   void prepare(std::shared_ptr<const PatientCase> patient);
-  /// The last one made; null before.
+  /// The volume that was prepared last; null before the first.
   std::shared_ptr<const CastVolume> volume() const;
 
-  /// Replaces the request for this eye.
+  /// Requests an image for this eye; replaces the earlier request.
   void want(int eye, CastTask task);
   /// Drops all requests.
   void rest();
-  /// The last one made for this eye; null before.
+  /// The image that was finished last for this eye; null before the first.
   std::shared_ptr<const CastPicture> picture(int eye) const;
-  /// Tells whether this task is the latest request, or is in work.
+  /// Tells whether this task is the latest request or in progress.
   bool makes(int eye, const CastTask& task) const;
 
  private:
   struct Work {
     std::shared_ptr<CastPicture> picture;
     std::unique_ptr<RayCaster> caster;
-    int next = 0, done = 0;  ///< rows
+    int next = 0, done = 0;  ///< numbers of rows that were begun and finished
     std::atomic<bool> left{false};
   };
   void run();

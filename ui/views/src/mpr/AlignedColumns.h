@@ -11,31 +11,32 @@
 
 namespace insonate::views {
 
-/// The columns of a slice whose rows run along one axis of the grid, as those of most scans do. They cut that axis at
-/// the same places in every row: what lies across a row is mixed once for its voxels, not for each of its pixels.
+/// Speeds up slices whose rows are parallel to an axis of the grid, as in most scans. All rows then have the same
+/// sample positions along this axis, so that the interpolation across a row is computed once per voxel instead of once
+/// per pixel.
 class AlignedColumns {
  public:
   struct Column {
     SliceCell cell;
-    int nearest;         ///< voxel
-    std::size_t offset;  ///< of that voxel from voxel 0 of the axis
+    int nearest;         ///< index of the nearest voxel along the axis
+    std::size_t offset;  ///< offset in memory from voxel 0 of the axis to that voxel
   };
-  /// A row that meets the grid.
+  /// Position of a row that intersects the grid.
   struct Row {
-    std::array<SliceCell, 2> across;  ///< along the other axes, in their order
-    std::array<int, 3> nearest;       ///< voxel, at 0 along its own axis
+    std::array<SliceCell, 2> across;  ///< cells along the other two axes, in their order
+    std::array<int, 3> nearest;       ///< nearest voxel; its index along the row's axis is 0
   };
 
-  /// Aligns with a plane; false if its rows are oblique to the grid.
+  /// Prepares the columns for a plane; returns false if the plane's rows are oblique to the grid.
   bool place(const VolumeGeometry& grid, const SlicePlane& plane);
 
-  /// Samples of a row; none for a row outside the grid.
+  /// Returns the position of a row; empty for a row outside the grid.
   std::optional<Row> row(const VolumeGeometry& grid, const SlicePlane& plane, int row) const;
-  /// `line` is work space. The values of columns first() to end() are then hu(line, column).
+  /// Interpolates the voxels of a row into `line`. After this, hu(line, column) is valid for columns first() to end().
   void mix(const CtVolume& ct, const Row& row, std::vector<float>& line) const;
   int hu(const std::vector<float>& line, int column) const;
 
-  /// Columns within the grid.
+  /// First column within the grid; end() is one after the last.
   int first() const { return first_; }
   int end() const { return first_ + int(columns_.size()); }
   const Column& column(int column) const { return columns_[std::size_t(column - first_)]; }
@@ -43,10 +44,10 @@ class AlignedColumns {
 
  private:
   int axis_ = 0;
-  std::array<int, 2> across_{1, 2};  ///< the other axes
+  std::array<int, 2> across_{1, 2};  ///< the axes other than axis_
   std::array<std::size_t, 3> strides_{};
   int first_ = 0;
-  int firstVoxel_ = 0, endVoxel_ = 0;  ///< that the columns lie between
+  int firstVoxel_ = 0, endVoxel_ = 0;  ///< range of voxels along the axis that the columns use
   std::vector<Column> columns_;
 };
 

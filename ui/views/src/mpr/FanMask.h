@@ -8,10 +8,10 @@
 
 namespace insonate::views {
 
-/// Makes everything outside an outline black. Keeps its work space between calls.
+/// Blackens everything outside an outline. Keeps its buffers between calls.
 class FanMask {
  public:
-  /// `outline` is closed, in display pixels; `rgb` has width * height * 3 bytes, top row first.
+  /// `outline` is a closed polygon in display pixels; `rgb` has width * height * 3 bytes, top row first.
   void apply(std::span<const DisplayPoint> outline, int width_px, int height_px, std::span<std::uint8_t> rgb);
 
  private:

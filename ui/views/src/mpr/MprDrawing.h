@@ -11,23 +11,23 @@
 
 namespace insonate::views {
 
-/// Drawings over a slice.
+/// Contents of the drawing over a slice.
 struct MprOverlay {
   SliceKind kind = SliceKind::Axial;
   std::optional<Vec3> crosshair_mm;
   std::optional<Vec3> pointer_mm;
-  std::vector<DisplayPoint> fan;                    ///< outline, once round
+  std::vector<DisplayPoint> fan;                    ///< outline of the field of view, a closed polygon
   std::string slice;                                ///< "axial 42 / 120"
-  std::vector<std::pair<int, Calliper>> callipers;  ///< number, and as it lies in the plane
-  std::vector<std::pair<int, Vec3>> marks_mm;       ///< number, and place
-  const SliceMarks* toolMarks = nullptr;            ///< of a tool
-  std::vector<const NamedPlace*> places;            ///< near the slice
+  std::vector<std::pair<int, Calliper>> callipers;  ///< number, and the caliper in the slice's plane
+  std::vector<std::pair<int, Vec3>> marks_mm;       ///< number and position
+  const SliceMarks* toolMarks = nullptr;            ///< marks of the selected tool
+  std::vector<const NamedPlace*> places;            ///< places near the slice
   WindowLevel windowLevel;
 };
 
 void drawMprOverlay(const MprOverlay& overlay, const SlicePlane& plane, double scale, Lines& lines, Texts& texts);
 
-/// A round length of at most `longest_mm`: 1, 2 or 5 times a power of ten.
+/// Returns the largest length up to `longest_mm` that is 1, 2 or 5 times a power of ten.
 double roundLength_mm(double longest_mm);
 
 struct MprView::Drawing {
@@ -39,9 +39,9 @@ struct MprView::Drawing {
   SliceSampler sampler;
   FanMask mask;
   std::vector<PlanePoint> fan;
-  SlicePlane sampled;               ///< what the quad shows
-  std::uint64_t sampledLabels = 0;  ///< revision of the labels it shows
-  bool paintStale = true;           ///< colors, window or case have changed since
+  SlicePlane sampled;               ///< the plane that `quad` shows
+  std::uint64_t sampledLabels = 0;  ///< revision of the labels that `quad` shows
+  bool paintStale = true;           ///< colors, window or case have changed since then
 };
 
 }  // namespace insonate::views

@@ -4,10 +4,10 @@
 
 namespace insonate::views {
 
-/// The voxels on both sides of a continuous index within [-0.5, size - 0.5), clamped to voxel centres.
+/// The voxels on both sides of a continuous index in [-0.5, size - 0.5), clamped to voxel centers.
 struct SliceCell {
   int low, high;
-  float share;  ///< of the higher one
+  float share;  ///< weight of the higher voxel
   SliceCell(double index, int size) {
     const double inside = std::clamp(index, 0.0, size - 1.0);
     low = static_cast<int>(inside);

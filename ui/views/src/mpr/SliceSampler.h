@@ -14,34 +14,35 @@
 
 namespace insonate::views {
 
-/// Look of each label over the CT. Opacity 0 leaves it out.
+/// Color and opacities of a label over the CT. A label with opacity 0 is not drawn.
 struct LabelPaint {
   Colour colour;
-  double fill = 0, outline = 0;  ///< opacities, 0..1
+  double fill = 0, outline = 0;  ///< opacities, 0 to 1
 };
 
-/// CT and labels on a plane: trilinear CT in patient space, for any spacing and direction of the grid, and the nearest
-/// voxel's label, outlined where labels meet. Black outside the grid. Keeps its work space between calls.
+/// Samples CT and labels on a plane: the CT by trilinear interpolation in patient space, for any spacing and direction
+/// of the grid; the label of the nearest voxel, with outlines at the borders between labels. Black outside the grid.
+/// Keeps its buffers between calls.
 class SliceSampler {
  public:
   void setWindowLevel(const WindowLevel& value);
-  /// Sets the outlines' width in pixels, at least 1; half of a line between two labels lies in each.
+  /// Sets the outlines' width in pixels, at least 1; each of two adjoining labels contains half of the line.
   void setOutlineWidth(int width_px) { outline_px_ = width_px; }
   void setPaint(std::uint8_t label, const LabelPaint& paint) { paint_[label] = paint; }
 
-  /// Sets labels that are proposed in a block of the grid, 255 for none; drawn over the others in their colors. Null
-  /// without.
+  /// Sets the labels that a tool proposes in a block of the grid (255: no change), drawn over the others in their
+  /// colors. Null: no proposal.
   void setProposal(const VoxelBox& box, const LabelMap* labels) { proposalBox_ = box, proposal_ = labels; }
 
-  /// Rows of the display, from the top; the last one is not among them.
+  /// Range of display rows, counted from the top; `end` is one after the last.
   struct Rows {
     int first = 0, end = 0;
   };
-  /// Rows that edited voxels may have changed, outlines included.
+  /// Returns the rows that a change of these voxels can affect, including outlines.
   Rows rowsOf(const VolumeGeometry& grid, const VoxelBox& edited, const SlicePlane& plane) const;
 
-  /// Fills these rows of width * height * 3 bytes, top row first; the others are as the last call left them, which must
-  /// have been of the same plane. Uses TBB.
+  /// Fills these rows of width * height * 3 bytes, top row first. The other rows must contain the result of the last
+  /// call for the same plane. Uses TBB.
   void sample(const CtVolume& ct, const LabelMap& labels, const SlicePlane& plane, Rows rows,
               std::span<std::uint8_t> rgb);
 
@@ -54,7 +55,7 @@ class SliceSampler {
   bool isEdge(const SlicePlane& plane, int row, int column) const;
 
   std::array<LabelPaint, 256> paint_{};
-  std::vector<std::uint8_t> greyOfHu_;  ///< of every int16
+  std::vector<std::uint8_t> greyOfHu_;  ///< gray value for every int16
   std::uint8_t proposedAt(int i, int j, int k) const;
 
   AlignedColumns columns_;

@@ -22,8 +22,8 @@ struct Stroke {
   double opacity = 1;
 };
 
-/// Lines and small shapes over a view, in display pixels. Their edges fade over a pixel, so that they are smooth
-/// whether or not the window samples more than once. Later ones lie on top.
+/// Draws lines and small shapes over a view, in display pixels. Edges are antialiased over one pixel, so that they are
+/// smooth even without multisampling. Later shapes cover earlier ones.
 class Lines {
  public:
   explicit Lines(vtkRenderer& renderer, int layer = 1);

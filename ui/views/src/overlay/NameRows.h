@@ -9,24 +9,24 @@
 
 namespace insonate::views {
 
-/// Places names beside marks so that none covers another: in rows above each other, or not at all where too many marks
-/// lie together. The first name gets the row of the mark. A long name is cut, so that it crosses neither the image nor
-/// its edge. Logical and device pixels alike.
+/// Places names beside marks so that no name covers another: in rows above each other, or not at all if too many marks
+/// are close together. The first name is placed in the row of its mark. A long name is cut, so that it crosses neither
+/// the image nor its edge. For logical or device pixels.
 class NameRows {
  public:
   NameRows(double width_px, double size_px) : width_px_(width_px), size_px_(size_px) {}
 
   struct Place {
-    DisplayPoint at;      ///< the end of the name that is nearer to its mark, half way up
-    bool before;          ///< the name ends there, since behind the mark the view does
-    std::size_t letters;  ///< that there is room for
+    DisplayPoint at;      ///< end of the name nearer to its mark, at half the name's height
+    bool before;          ///< the name is to the left of the mark, since there is not enough space to the right
+    std::size_t letters;  ///< number of letters that fit
   };
 
-  /// Places a name; none if it finds no room.
+  /// Returns the place for a name; empty if there is no space.
   std::optional<Place> put(DisplayPoint mark, std::size_t letters) {
-    constexpr double kLetter = 0.58, kRow = 1.25, kGap = 0.85;  // of the size
-    constexpr double kShare = 0.4;                              // of the view, for one name
-    constexpr double kFewest = 4;                               // letters that still say something
+    constexpr double kLetter = 0.58, kRow = 1.25, kGap = 0.85;  // in units of the font size
+    constexpr double kShare = 0.4;                              // maximum fraction of the view's width for one name
+    constexpr double kFewest = 4;                               // minimum number of letters
     const double letter = kLetter * size_px_, gap = kGap * size_px_;
     const double wanted = std::min(letter * double(letters), std::max(kShare * width_px_, kFewest * letter));
     const double behind = width_px_ - mark.x - gap, ahead = mark.x - gap;

@@ -17,21 +17,22 @@ class vtkUnsignedCharArray;
 
 namespace insonate::views {
 
-/// An image on a rectangle of the display, its first row on top.
+/// Draws an image in a rectangle of the display, with its first row on top.
 class PictureQuad {
  public:
   PictureQuad(vtkRenderer& renderer, int components, bool interpolate);
   ~PictureQuad();
 
-  /// The image's bytes, to be written to, of width * height * components; tell pictureChanged() afterwards. Allocates
-  /// only when the size differs from the last one.
+  /// Returns the image's buffer of width * height * components bytes for writing; call pictureChanged() afterwards.
+  /// Allocates memory only if the size has changed.
   std::span<std::uint8_t> picture(int width, int height);
   void pictureChanged();
-  /// A part of the image, in shares of its width and height from its top left corner.
+  /// A part of the image, as fractions of its width and height from its top left corner.
   struct Part {
     double left = 0, top = 0, right = 1, bottom = 1;
   };
-  /// Places that part on this rectangle; left of right mirrors it.
+  /// Places a part of the image in a rectangle of the display; the image is mirrored if bottomRight is to the left of
+  /// topLeft.
   void place(DisplayPoint topLeft, DisplayPoint bottomRight, int height_px, const Part& part);
   void show(bool visible);
 

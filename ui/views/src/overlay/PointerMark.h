@@ -4,8 +4,8 @@
 
 namespace insonate::views {
 
-/// Draws a small cross, open at the middle, at the point under the pointer of another view. It does not hide the
-/// point.
+/// Draws a small cross with an open center at the point under the pointer of another view. The open center leaves the
+/// point visible.
 void drawPointerMark(DisplayPoint at, double scale, Lines& lines);
 
 }  // namespace insonate::views

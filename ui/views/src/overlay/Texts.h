@@ -20,18 +20,18 @@ struct TextStyle {
   double size_px = 13;
   Colour colour = theme::kText;
   bool bold = false;
-  Across across = Across::Left;  ///< which part of the text stands at the point
+  Across across = Across::Left;  ///< which part of the text is at the point
   Along along = Along::Top;
 };
 
-/// Words over a view. Actors are kept from one layout to the next, so that unchanged words cost nothing.
+/// Draws texts over a view. Actors are reused from one layout to the next, so that unchanged texts take no time.
 class Texts {
  public:
   explicit Texts(vtkRenderer& renderer) : renderer_(renderer) {}
 
   void begin(int height_px);
   void put(DisplayPoint at, const std::string& words, const TextStyle& style);
-  /// Hides texts that were not put since begin().
+  /// Hides texts that were not drawn by put() since begin().
   void end();
 
  private:

@@ -8,7 +8,7 @@
 
 namespace insonate::views {
 
-/// Draws what lies on the side of the plane that its normal points to; everything without one.
+/// Clips a mapper: it draws only the side to which the plane's normal points; everything if there is no plane.
 inline void clip(vtkAbstractMapper& mapper, const std::optional<ClippingPlane>& plane) {
   mapper.RemoveAllClippingPlanes();
   if (!plane) return;

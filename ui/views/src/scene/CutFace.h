@@ -12,7 +12,7 @@
 
 namespace insonate::views {
 
-/// The cut face of a structure: its inside in its color, and its wall as a line around it.
+/// The face of a structure cut by a plane: its inside in its color, and its wall as a line around the inside.
 class CutFace {
  public:
   CutFace();
@@ -23,11 +23,11 @@ class CutFace {
   /// Sets whether the inside is filled; the wall is always drawn.
   void setFilled(bool filled);
   void setVisible(bool visible);
-  /// Cuts a surface; `lift_mm` moves the face toward the removed side, so that of two nested structures the inner one
-  /// is seen.
+  /// Cuts a surface. The face is moved by `lift_mm` toward the removed side, so that the inner one of two nested
+  /// structures is visible.
   void cut(const Surface& surface, const ClippingPlane& plane, double lift_mm);
   void clear();
-  /// Line width, in device pixels.
+  /// Sets the width of the wall's line in device pixels.
   void setWall(double width_px);
 
  private:

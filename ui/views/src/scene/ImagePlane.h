@@ -18,16 +18,16 @@ class vtkUnsignedCharArray;
 
 namespace insonate::views {
 
-/// The ultrasound image where it belongs in the patient: a sheet with the exact outline of the field of view, so that
-/// nothing of the image's black surround is drawn.
+/// The ultrasound image at its position in the patient: a surface with the exact outline of the field of view, so that
+/// the black around the image is not drawn.
 class ImagePlane {
  public:
   explicit ImagePlane(vtkRenderer& renderer);
   ~ImagePlane();
 
-  /// Shows the outline alone until the next setImage.
+  /// Sets the field of view; only its outline is shown until the next setImage().
   void setFieldOfView(const Probe& probe, const ImagingSettings& settings);
-  /// Allocates only when the image's size changes.
+  /// Sets the image. Allocates memory only when the image's size changes.
   void setImage(const BModeImage& image);
   void setPose(vtkMatrix4x4* patientFromProbe);
   void setVisible(bool visible);
@@ -41,7 +41,7 @@ class ImagePlane {
   vtkNew<vtkImageData> image_;
   vtkNew<vtkUnsignedCharArray> bytes_;
   vtkNew<vtkTexture> texture_;
-  BModeImage shape_;  ///< size and place, no pixels; empty before the first image
+  BModeImage shape_;  ///< size and position of the image, without pixels; empty before the first image
   bool visible_ = true;
 };
 

@@ -11,23 +11,23 @@ class vtkRenderWindow;
 
 namespace insonate::views {
 
-/// Keeps a moving scene fast: it is drawn into a corner of its window and enlarged from there, in steps that follow
-/// from the times of the last images. That saves pixels, the main cost for a processor without a graphics card. Images
-/// of a scene at rest are not affected.
+/// Keeps a moving scene fast: it is drawn at reduced size in a corner of its window and then enlarged. The reduction
+/// depends on the durations of the last frames. Fewer pixels help most if there is no graphics card. Frames of a scene
+/// at rest are not reduced.
 class MovingDetail {
  public:
   explicit MovingDetail(int step = 0);
   ~MovingDetail();
 
-  /// Call at the start of a window's image, and at the end of the renderer's.
+  /// Call starts() at the beginning of a window's frame, and ends() at the end of the renderer's.
   void starts(vtkRenderer& renderer, bool moving);
   void ends(vtkRenderer& renderer);
   void release(vtkRenderWindow& window);
 
-  /// Window pixels to a drawn one, along a side.
+  /// Number of window pixels per drawn pixel, along each axis.
   double shrink() const;
 
-  /// The step to draw with next, when an image drawn with this one took so long.
+  /// Returns the step of reduction for the next frame, if a frame with `step` took this long.
   static int nextStep(int step, double took_ms);
   static constexpr int kSteps = 8;
   static double shrinkOf(int step);

@@ -7,7 +7,7 @@
 
 namespace insonate::views {
 
-/// A hollow shaft with its bevel, and the hub.
+/// Model of a needle: a hollow shaft with its bevel, and the hub.
 class NeedleModel {
  public:
   explicit NeedleModel(vtkRenderer& renderer);
@@ -20,7 +20,7 @@ class NeedleModel {
 
   vtkRenderer& renderer_;
   vtkNew<vtkActor> shaft_, bevel_, hub_;
-  double length_mm_ = 0, diameter_mm_ = 0;  ///< of the shapes as they are
+  double length_mm_ = 0, diameter_mm_ = 0;  ///< dimensions of the present shapes
 };
 
 }  // namespace insonate::views

@@ -10,7 +10,7 @@
 
 namespace insonate::views {
 
-/// Lines in space, as tubes, so that they keep their place before and behind other things.
+/// Lines in space, drawn as tubes, so that lines and other objects hide each other correctly.
 class PathModel {
  public:
   explicit PathModel(vtkRenderer& renderer);

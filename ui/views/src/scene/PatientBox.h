@@ -8,13 +8,14 @@ namespace insonate::views {
 
 /// Boxes are in VTK's order: x low, x high, ...
 
-/// Box of all surfaces, hidden ones too, or without any of the CT. False if there is nothing.
+/// Computes the box of all surfaces, including hidden ones, or of the CT if there are no surfaces. Returns false if
+/// there is neither.
 bool patientBox(const SceneState& state, const VtkCase* patient, double box[6]);
 
-/// The CT's box.
+/// Computes the box of the CT.
 void ctBox(const VtkCase& patient, double box[6]);
 
-/// Box of points, x y z each.
+/// Computes the box of points given as x, y, z each.
 void pointsBox(std::span<const float> points_mm, double box[6]);
 
 }  // namespace insonate::views

@@ -7,16 +7,17 @@
 
 namespace insonate::views {
 
-/// Section of a closed surface by a plane: the inside as triangles, and its outline. Patient LPS mm.
+/// Section of a closed surface by a plane: the inside as triangles, and its outline. In the patient's frame (LPS, mm).
 class PlaneCut {
  public:
-  /// Cuts a surface: a few milliseconds for 100 000 triangles; allocates nothing after the first of a size.
+  /// Cuts a surface. Takes a few milliseconds for 100 000 triangles; allocates no memory if an earlier section was as
+  /// large.
   void cut(const Surface& surface, const ClippingPlane& plane);
 
-  /// x, y, z of each point, in the plane.
+  /// x, y, z of each point; all lie in the plane.
   const std::vector<float>& points_mm() const { return points_mm_; }
-  const std::vector<std::uint32_t>& triangles() const { return triangles_; }  ///< three points each
-  const std::vector<std::uint32_t>& outline() const { return outline_; }      ///< two points each
+  const std::vector<std::uint32_t>& triangles() const { return triangles_; }  ///< three point indices per triangle
+  const std::vector<std::uint32_t>& outline() const { return outline_; }      ///< two point indices per segment
   void clear();
 
  private:
@@ -24,7 +25,7 @@ class PlaneCut {
     double across, up;
   };
   struct Edge {
-    Place low, high;  ///< by `up`
+    Place low, high;  ///< ends with the lower and the higher `up`
     double acrossAt(double up) const;
   };
   void findEdges(const Surface& surface, const ClippingPlane& plane);
@@ -34,7 +35,7 @@ class PlaneCut {
 
   Vec3 origin_mm_, across_, up_;
   std::vector<float> distances_, points_mm_;
-  std::vector<Edge> edges_;  ///< by the lower end
+  std::vector<Edge> edges_;  ///< sorted by the lower end
   std::vector<double> levels_;
   std::vector<const Edge*> active_;
   std::vector<std::uint32_t> triangles_, outline_;

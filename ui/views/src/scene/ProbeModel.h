@@ -10,7 +10,7 @@ class vtkRenderer;
 
 namespace insonate::views {
 
-/// The transducer as seen in a scene.
+/// Model of the transducer in a scene.
 class ProbeModel {
  public:
   explicit ProbeModel(vtkRenderer& renderer);

@@ -7,7 +7,8 @@
 
 namespace insonate::views {
 
-/// A transducer in the probe frame (mm): the face's middle at the origin, the body toward -z, the marker at +x.
+/// Shapes of a transducer in the probe's frame (mm): the center of the face at the origin, the body toward -z, the
+/// marker at +x.
 struct ProbeParts {
   vtkSmartPointer<vtkPolyData> body, lens, marker;
 };

@@ -18,18 +18,18 @@ struct SceneView::Drawing {
           wake();
         }) {}
 
-  // State of the window's thread, and its parts that the drawing thread does not need.
+  // State of the window's thread; from `patient` on, data that the drawing thread does not need.
   SceneState state;
   std::shared_ptr<const VtkCase> patient;
   Clipping clipping;
   vtkNew<vtkCamera> usual, coupled;
   std::function<void()> structuresChanged;
   Viewpoint viewpoint = Viewpoint::Anterior;
-  bool framed = false;  ///< the camera has seen something to look at
+  bool framed = false;  ///< the camera was placed for visible objects
   Button held = Button::None;
   DisplayPoint last;
 
-  // On the way from it; never used by both at once.
+  // State on the way from the window's thread to the drawing thread; never used by both at once.
   SceneState handed;
   bool isHanded = false;
 
@@ -37,13 +37,13 @@ struct SceneView::Drawing {
   SceneState taken;
   bool isTaken = false;
 
-  // State of both.
+  // State of both threads.
   std::atomic<bool> exact{false}, news{false};
   std::atomic<double> render_s{0};
   mutable std::mutex telling;
-  std::string graphics;  ///< guarded by the mutex
+  std::string graphics;  ///< guarded by `telling`
 
-  /// Its threads go first.
+  /// Last member, so that it is destroyed first, with its threads.
   SceneStage stage;
 };
 

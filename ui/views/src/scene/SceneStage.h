@@ -19,8 +19,8 @@
 
 namespace insonate::views {
 
-/// VTK's objects of a scene. Belongs to the thread that renders its window, which may be another than the one that
-/// describes the scene.
+/// The VTK objects of a scene. Used only on the thread that renders the scene's window, which need not be the thread
+/// that changes the scene's state.
 class SceneStage {
  public:
   /// `news` is called on other threads when a better image can be drawn.
@@ -29,13 +29,13 @@ class SceneStage {
   void attach(vtkRenderWindow& window);
   void detach(vtkRenderWindow& window);
 
-  /// Sets the state of the next images. `next` receives the memory of a former state.
+  /// Sets the state of the next frames. `next` receives the memory of a former state.
   void show(SceneState& next);
-  /// Tells whether the renderer's next frame needs layout().
+  /// Tells whether layout() must be called before the renderer's next frame.
   bool due() const { return due_ || (now_.coupling && now_.stereo != Stereo::Off); }
   void layout();
 
-  /// Tells whether the last frame is complete.
+  /// Tells whether the last frame was complete.
   bool exact() const { return !now_.moving && ct_.exact(); }
   /// OpenGL's name of the renderer; empty before the first frame.
   const std::string& graphics() const { return graphics_; }

@@ -8,15 +8,15 @@
 
 namespace insonate::views {
 
-/// A label's surface, as it was handed in; constant, and shared by who knows of it and who draws it.
+/// A label's surface as it was set. Constant; shared by the threads that describe and draw the scene.
 struct SceneShape {
   struct Triangles {
     std::vector<float> points_mm, normals;
     std::vector<std::uint32_t> corners;
     Surface surface() const { return {points_mm, normals, corners}; }
   };
-  Triangles fine, coarse;  ///< the coarse one may be empty
-  double box[6] = {};      ///< VTK's order: x low, x high, ...
+  Triangles fine, coarse;  ///< `coarse` may be empty
+  double box[6] = {};      ///< VTK order: x low, x high, ...
 };
 
 struct LabelLook {
@@ -31,8 +31,8 @@ struct CameraPlace {
   double angle_deg = 30;
 };
 
-/// State that determines an image of a scene, as plain data: written by the window's thread, passed to the drawing
-/// thread. Large parts are shared; a copy into a state of the same case allocates nothing.
+/// State that determines a frame of a scene, as plain data: written by the window's thread, passed to the drawing
+/// thread. Large parts are shared; copying it into a state of the same case allocates nothing.
 struct SceneState {
   int width_px = 1, height_px = 1;
   double scale = 1;
@@ -46,15 +46,15 @@ struct SceneState {
   ImagingSettings settings;
   Transform patientFromProbe;
   bool probeVisible = true, planeVisible = true;
-  BModeImage image;  ///< empty for none of this probe
+  BModeImage image;  ///< empty if there is no image of the present probe
   std::optional<SceneView::Needle> needle;
   std::optional<Transform> tray;
-  std::shared_ptr<const std::vector<ScenePath>> paths;  ///< null for none
+  std::shared_ptr<const std::vector<ScenePath>> paths;  ///< null: no paths
   CameraPlace camera;
   Stereo stereo = Stereo::Off;
   std::optional<HeadCoupling> coupling;
   bool moving = false;
-  /// Counted instead of compared.
+  /// Numbers of changes, compared instead of the data themselves.
   int probeChanges = 0, imageChanges = 0, needleChanges = 0;
 };
 

@@ -10,7 +10,7 @@
 
 namespace insonate::views {
 
-/// One label's surface, with a coarser one beside it if it is large.
+/// One label's surface, with a second one of lower resolution if it is large.
 class Structure {
  public:
   Structure();
@@ -21,7 +21,8 @@ class Structure {
   void setVisible(bool visible);
   void setCoarse(bool coarse);
   void setClipping(const std::optional<ClippingPlane>& plane);
-  /// Brings the face where the plane cuts it up to date; nothing when it is. `lift_mm` as CutFace has it.
+  /// Updates the face where the plane cuts the structure; no effect if it is up to date. `lift_mm` as in
+  /// CutFace::cut().
   void close(double lift_mm);
 
   void add(vtkRenderer& renderer);
@@ -38,7 +39,7 @@ class Structure {
   std::shared_ptr<const SceneShape> shape_;
   CutFace face_;
   std::optional<ClippingPlane> plane_;
-  bool open_ = false;  ///< the face is not that of the plane
+  bool open_ = false;  ///< the face does not match the plane
   double opacity_ = 1;
   bool visible_ = true;
 };

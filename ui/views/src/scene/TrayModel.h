@@ -6,7 +6,7 @@
 
 namespace insonate::views {
 
-/// A shallow steel tray with a needle on it.
+/// Model of a shallow steel tray with a needle on it.
 class TrayModel {
  public:
   explicit TrayModel(vtkRenderer& renderer);

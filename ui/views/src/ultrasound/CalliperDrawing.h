@@ -9,10 +9,10 @@
 
 namespace insonate::views {
 
-/// Mapping of a view that shows the caliper's plane.
+/// Function that maps a point of the caliper's plane to the display.
 using ToDisplay = std::function<DisplayPoint(PicturePoint)>;
 
-/// One caliper with its number.
+/// Draws one caliper with its number.
 void drawCalliper(const Calliper& calliper, int number, const ToDisplay& toDisplay, double scale, Lines& lines,
                   Texts& texts);
 

@@ -18,14 +18,14 @@ class vtkUnsignedCharArray;
 
 namespace insonate::views {
 
-/// Position of the image on the display, and its scale in mm.
+/// Position and scale of the image on the display.
 struct PicturePlane {
   double left_px = 0, top_px = 0, right_px = 0, bottom_px = 0;
-  DisplayPoint origin;                  ///< of lateral 0, axial 0
-  double across_px = 10, down_px = 10;  ///< one mm; across below 0 where mirrored
+  DisplayPoint origin;                  ///< position of lateral 0, axial 0
+  double across_px = 10, down_px = 10;  ///< display pixels per mm; across_px is negative if mirrored
 };
 
-/// Mesh lines and pressure of a tissue over the image, with the colors' scale beside it. Allocates nothing while the
+/// Draws mesh lines and pressure of the tissue over the image, and a color scale beside it. Allocates nothing while the
 /// mesh keeps its size.
 class TissueDrawing {
  public:
@@ -34,7 +34,7 @@ class TissueDrawing {
 
   void draw(const PictureTissue& tissue, bool grid, bool pressure, const PicturePlane& plane, double scale,
             int height_px);
-  /// Upper end of the colors, kPa.
+  /// Pressure in kPa at the upper end of the color scale.
   double top_kPa() const { return top_kPa_; }
 
  private:

@@ -4,12 +4,12 @@
 
 namespace insonate::prepare {
 
-/// Time from an author's action until its result is seen, on the clock.
+/// Elapsed time from an author's action until its result is on the screen.
 struct LabellingTime {
-  QString name;  ///< of what is done, and where a part of the views has a time of its own, of that
+  QString name;  ///< name of the action and, if parts of the views are timed separately, of the part
   double median_ms = 0, longest_ms = 0;
-  /// The longest that the window's thread did not come to its events meanwhile; and in its own processor time, which
-  /// the program is answerable for on a machine that others use.
+  /// Longest time during the action in which the window's thread did not process events: elapsed, and in the thread's
+  /// own processor time, which other programs on the computer do not affect.
   double pause_ms = 0, work_ms = 0;
 };
 

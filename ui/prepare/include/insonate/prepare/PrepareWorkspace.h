@@ -15,21 +15,22 @@ class TaskBar;
 
 namespace insonate::prepare {
 
-/// The room where a case is made ready: slices and 3D in the middle, the way from import to check with the table of
-/// structures on the left, facts, findings and the ultrasound that the labels give on the right. Colors and the title
-/// belong to the case and are saved with it; visibility and opacity are the user's own and remembered. Computing
-/// happens on other threads; nothing is computed while the room is not shown.
+/// The workspace in which an author prepares a case. In the middle slices and 3D; on the left the steps from import to
+/// check, with the table of structures; on the right facts, findings and the ultrasound image computed from the labels.
+/// Colors and the title belong to the case and are saved with it; visibility and opacity are also stored as the user's
+/// settings. Results are computed on background threads, and only while the workspace is shown.
 class PrepareWorkspace : public ui::Workspace {
   Q_OBJECT
 
  public:
-  /// Long work shows in `tasks`, which lives longer.
+  /// `tasks` shows long jobs and must outlive the workspace.
   explicit PrepareWorkspace(ui::TaskBar& tasks, QWidget* parent = nullptr);
   ~PrepareWorkspace() override;
 
-  /// Offers actions that open a case, while none is open; the first one is the default. The caller owns them.
+  /// Offers actions that open a case, shown while no case is open; the first one is the default. The caller owns the
+  /// actions.
   void offer(QAction* action);
-  /// Offered beside an open case.
+  /// Sets the actions that are offered while a case is open.
   void setCaseActions(QAction* open, QAction* import, QAction* reload);
 
   void setOpening(const QString& what) override;
@@ -40,7 +41,7 @@ class PrepareWorkspace : public ui::Workspace {
   void caseSaved(std::shared_ptr<const PatientCase> patient) override;
   QString statusText() const override;
   QString engineText() const override;
-  /// Measured and checked, surfaces and the ultrasound image on screen.
+  /// Tells whether the case is measured and checked, and surfaces and the ultrasound image are on the screen.
   bool isReady() const override;
   QString helpPage() const override { return QStringLiteral("prepare"); }
   std::vector<ui::Shortcut> shortcuts() const override;
@@ -48,8 +49,9 @@ class PrepareWorkspace : public ui::Workspace {
   void restoreLayout(QSettings& settings) override;
   void stop() override;
 
-  /// Measures looking at the open case and labeling in it, `repeats` times each, while the workspace is shown; results
-  /// of tools but the brush are undone. Calls `done` later, unless the workspace is gone by then.
+  /// Measures how fast the open case can be viewed and labeled: each action is repeated `repeats` times while the
+  /// workspace is shown. Results of all tools except the brush are undone. Calls `done` later, unless the workspace is
+  /// deleted first.
   void measureLabelling(int repeats, std::function<void(std::vector<LabellingTime>)> done);
 
  protected:

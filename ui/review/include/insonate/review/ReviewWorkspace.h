@@ -12,18 +12,18 @@ class TaskBar;
 
 namespace insonate::review {
 
-/// The workspace that replays attempts: the list of recordings, an attempt's replay beside the ultrasound and in 3D
-/// with a timeline, and its result. Asks the window for the case of an attempt (caseWanted()) if another one is open.
-/// Computes on other threads, and nothing while it is hidden.
+/// The workspace that replays attempts: the list of recordings, an attempt's replay as ultrasound image and in 3D with
+/// a timeline, and its result. Requests an attempt's case from the window (caseWanted()) if another case is open.
+/// Computes on background threads, and only while it is shown.
 class ReviewWorkspace : public ui::Workspace {
   Q_OBJECT
 
  public:
-  /// Opening shows in `tasks`, which lives longer.
+  /// `tasks` shows the job of opening a recording and must outlive the workspace.
   explicit ReviewWorkspace(ui::TaskBar& tasks, QWidget* parent = nullptr);
   ~ReviewWorkspace() override;
 
-  /// A way to a recording from elsewhere, beside the list. It belongs to the caller.
+  /// Adds a button beside the list that opens a recording from another place. The action belongs to the caller.
   void offer(QAction* action);
 
   /// Saves the open attempt's result as a page: PDF if the name ends in .pdf, else PNG. Emits written() or failed().

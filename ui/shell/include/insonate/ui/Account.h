@@ -15,11 +15,12 @@
 
 namespace insonate::ui {
 
-/// Address of this computer's store of people, unless INSONATE_DATABASE names a file or a server.
+/// Address of the default store on this computer, unless INSONATE_DATABASE names a file or a server.
 QString usualStore();
 
-/// The user who is signed in, and the store of people, levels and attempts. Queries run one after the other on a
-/// thread of their own, which has the store's connection, and are answered on the window's. For the window's thread.
+/// The signed-in user, and the connection to the store of people, levels and attempts. Queries run one after the other
+/// on a background thread, which owns the store's connection; their results arrive on the window's thread. For the
+/// window's thread.
 class Account : public QObject {
   Q_OBJECT
 
@@ -27,14 +28,14 @@ class Account : public QObject {
   enum class State {
     Opening,
     Unreachable,  ///< trouble() says why
-    NobodyYet,    ///< no store, or an empty one: the administrator is to be set up
-    Guest,        ///< whoever sits there has not signed in
+    NobodyYet,    ///< no store, or an empty one: an administrator must be set up first
+    Guest,        ///< no user is signed in
     SignedIn,
   };
 
-  /// Opens the store where there is one; `address` as in CurriculumStore. A file is not made before the set-up.
+  /// Opens the store if it exists; `address` as in CurriculumStore. A store file is created only by setUp().
   explicit Account(QString address = usualStore(), StoreServices services = {}, QObject* parent = nullptr);
-  /// Waits until all that was asked is done.
+  /// Waits until all queries are done.
   ~Account() override;
 
   State state() const { return state_; }
@@ -43,9 +44,9 @@ class Account : public QObject {
   const Person& person() const { return person_; }
   bool mustChangePassword() const { return session_ && session_->mustChangePassword(); }
   QString trouble() const { return trouble_; }
-  /// A server that did not answer when it was last asked. It is looked for each few seconds.
+  /// Tells whether the server did not answer the last query. The program then tries to reach it every few seconds.
   bool isAway() const { return away_; }
-  QString place() const;  ///< of the store, without a password
+  QString place() const;  ///< location of the store, without a password
   const QString& address() const { return address_; }
   const StoreServices& services() const { return services_; }
 
@@ -59,8 +60,9 @@ class Account : public QObject {
   /// Tries again to open a store that could not be reached.
   void reopen();
 
-  /// Calls `done` once, later, unless `asker` is gone by then; with an error if another user has signed in meanwhile,
-  /// so that nobody sees another's answers. The effects of `question` take place in any case.
+  /// Runs `question` on the store's thread and calls `done` once, later, with the result; not if `asker` is deleted by
+  /// then. If another user has signed in meanwhile, `done` receives an error, so that no user sees another's data. The
+  /// effects of `question` on the store take place in any case.
   template <class T>
   void ask(const QObject* asker, std::function<Result<T>(const SignedIn&)> question,
            std::function<void(Result<T>)> done) {
@@ -76,9 +78,9 @@ class Account : public QObject {
   }
 
  Q_SIGNALS:
-  void changed();        ///< state() or person()
-  void peopleChanged();  ///< people, classes or what they are taught, in a window of this program
-  void cameBack();       ///< a server answers again: what it was asked in vain is asked again
+  void changed();        ///< emitted when state() or person() has changed
+  void peopleChanged();  ///< emitted when people, classes or their curricula were changed in a window of this program
+  void cameBack();       ///< emitted when a server answers again; repeat the queries that failed
 
  private:
   template <class T>
@@ -106,12 +108,12 @@ class Account : public QObject {
   std::optional<SignedIn> session_;
   Person person_;
   QString trouble_;
-  int number_ = 0;  ///< of the session
+  int number_ = 0;  ///< raised at each change of state or user; answers to earlier users are refused
   bool away_ = false, looking_ = false;
   QTimer again_;
-  std::optional<CurriculumStore> store_;  ///< touched by the thread only
+  std::optional<CurriculumStore> store_;  ///< used on the store's thread only
   QThread thread_;
-  QObject worker_;  ///< lives on the thread
+  QObject worker_;  ///< lives on the store's thread
 };
 
 }  // namespace insonate::ui

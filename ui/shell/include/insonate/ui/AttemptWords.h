@@ -9,21 +9,22 @@
 
 namespace insonate::ui {
 
-/// Sign and words of the needle's place; StateColors.h has its color.
+/// Symbol and words for the needle's place; StateColors.h has its color.
 struct PlaceWords {
   QString sign, words;
 };
-/// `vessel`: the name of the vessel that the tip is in; empty if it is in none or the name is unknown.
+/// Returns symbol and words. `vessel`: the name of the vessel that the tip is in; empty if the tip is in none or the
+/// name is unknown.
 PlaceWords wordsOf(NeedlePlace place, const QString& vessel = {});
 
 QString wordOf(Severity severity);
 
-/// "needle path", of a metric's id.
+/// Returns a metric's title, for example "needle path".
 QString titleOf(Metric metric);
-/// "41.2 mm", "34.6°", "2", "n/a".
+/// Formats a metric's value: "41.2 mm", "34.6°", "2", "n/a".
 QString valueOf(Metric metric, const std::optional<double>& value);
 
-/// "20 Nov 2026, 14:05", here, of AttemptFacts::begun_us.
+/// Formats AttemptFacts::begun_us in local time: "20 Nov 2026, 14:05".
 QString dayAndTimeOf(std::int64_t time_us);
 
 }  // namespace insonate::ui

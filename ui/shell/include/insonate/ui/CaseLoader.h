@@ -19,41 +19,43 @@ class SeriesDialog;
 struct ImportChoice;
 class TaskBar;
 
-/// A case that came into the window.
+/// A case that was opened.
 struct LoadedCase {
   std::shared_ptr<const PatientCase> patient;
-  QString folder;     ///< where it is kept; empty for one that was imported and not saved yet
-  QStringList notes;  ///< what was missing or changed on the way, one sentence each
+  QString folder;     ///< folder of the case; empty if it was imported and not saved yet
+  QStringList notes;  ///< sentences about what was missing or changed during loading
   bool builtIn = false;
   QString versionOf{};    ///< as in CaseOrigin
-  std::string content{};  ///< CaseVersion::content in its folder, as it was read or written here
+  std::string content{};  ///< CaseVersion::content when the case was read or written here
 };
 
-/// A case that was written.
+/// A case that was saved.
 struct SavedCase {
   QString folder;
-  std::shared_ptr<const PatientCase> patient;  ///< the same object as was given where there were no edits
-  std::string content;                         ///< CaseVersion::content of it
-  bool overAnother = false;  ///< another user had saved there meanwhile; theirs stays as an earlier version
+  std::shared_ptr<const PatientCase> patient;  ///< the saved case; the same object as before if there were no edits
+  std::string content;                         ///< CaseVersion::content of the saved case
+  /// Another user had saved to this folder meanwhile; that user's case stays as an earlier version.
+  bool overAnother = false;
 };
 
-/// Brings cases into the window without holding it: from a case folder, from DICOM, NRRD, NIfTI or MetaImage (asking
-/// which series, where there is a choice), or the built-in neck. One at a time: what comes later cancels what came
-/// before. Each open ends in exactly one of loaded(), failed() and cancelled().
+/// Loads cases without blocking the window: from a case folder, from DICOM, NRRD, NIfTI or MetaImage (asking for the
+/// series if there are several), or a built-in neck. One case at a time: a later call cancels the earlier one. Each
+/// open ends in exactly one of loaded(), failed() and cancelled().
 class CaseLoader : public QObject {
   Q_OBJECT
 
  public:
-  /// `dialogParent` is the window; the task bar belongs to it.
+  /// `dialogParent` is the window; it also owns the task bar.
   CaseLoader(TaskBar& tasks, QWidget* dialogParent);
   ~CaseLoader() override;
 
-  /// Opens a folder or a file of any kind.
+  /// Opens a folder or a file of any supported kind.
   void open(const QString& path);
-  /// A built-in neck (cases/Phantom.h). It is made once and kept in the user's cache, so that the next start is quick.
+  /// Opens a built-in neck (cases/Phantom.h). It is generated once and kept in the user's cache, so that the next start
+  /// is quick.
   void openBuiltIn(const QString& variant);
-  /// Writes a case to a folder, a copy with these edits where there are any; ends in saved(), failed() or cancelled().
-  /// `content` is LoadedCase's where the case is kept in this folder; none for another one.
+  /// Writes a case, with `edits` applied to a copy, to a folder; ends in saved(), failed() or cancelled(). `content` is
+  /// LoadedCase::content if the case was loaded from this folder, else empty.
   void save(std::shared_ptr<const PatientCase> patient, const QString& folder, std::vector<CaseEdit> edits = {},
             const std::optional<std::string>& content = {});
 
@@ -75,11 +77,11 @@ class CaseLoader : public QObject {
   QPointer<SeriesDialog> dialog_;
 };
 
-/// Blocks while a built-in neck that was made is being written for the next start.
+/// Blocks until generated built-in necks are written to the cache.
 void waitForBuiltInCache();
 
-/// The folder of the case that a path means: the folder itself or, for one of its files, the folder it lies in. Empty
-/// when there is no case.
+/// Returns the case folder for a path: the folder itself or, for one of its files, the folder that contains it. Empty
+/// if the path leads to no case.
 QString caseFolderOf(const QString& path);
 
 }  // namespace insonate::ui

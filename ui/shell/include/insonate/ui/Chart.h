@@ -17,21 +17,21 @@ class QwtPlot;
 
 namespace insonate::ui {
 
-/// Contents of a chart over counted things (x), as data: drawn alike on the screen and, dark on white, on paper.
+/// Contents of a chart over a counted quantity (x). Drawn in the same way on the screen and, dark on white, on paper.
 struct ChartPicture {
   enum class Tone { Text, Quiet, Accent, Good, Caution, Danger };
 
-  /// Named ones are in the legend. Lines of one chart should differ by more than their tone.
+  /// Lines with a name are in the legend. Lines of one chart should differ by more than their tone.
   struct Line {
     QString name{};
     std::vector<QPointF> points{};
     Tone tone = Tone::Accent;
-    Qt::PenStyle pen = Qt::SolidLine;  ///< NoPen: dots alone
+    Qt::PenStyle pen = Qt::SolidLine;  ///< NoPen: dots only
     bool dots = false;
   };
   struct Band {
     QString name{};
-    std::vector<QPointF> low{}, high{};  ///< from left to right
+    std::vector<QPointF> low{}, high{};  ///< points from left to right
     Tone tone = Tone::Accent;
   };
   struct Box {
@@ -44,14 +44,14 @@ struct ChartPicture {
   std::vector<Band> bands{};
   std::vector<Line> lines{};
   std::vector<Box> boxes{};
-  QStringList categories{};     ///< below x = 0, 1, 2, ... in place of numbers
-  std::optional<Interval> y{};  ///< shown at least
-  QString words{};              ///< why there is nothing to see, and what to do; empty where there is something
+  QStringList categories{};     ///< axis labels at x = 0, 1, 2, ... in place of numbers
+  std::optional<Interval> y{};  ///< range that the y axis shows in any case
+  QString words{};              ///< sentence that says why the chart is empty, and what to do; empty if it has contents
 
   bool isEmpty() const { return bands.empty() && lines.empty() && boxes.empty(); }
 };
 
-/// A chart with a context menu (Shift+F10, too) that saves it as image, drawing or page; Ctrl+Shift+E is the same.
+/// A chart whose context menu (also Shift+F10) saves it as image, drawing or page. Ctrl+Shift+E saves it, too.
 class Chart : public QWidget {
   Q_OBJECT
 
@@ -82,10 +82,11 @@ class Chart : public QWidget {
   QAction* save_;
 };
 
-/// Paints a chart on paper, within `place`; `unit` of the painter is one pixel of a screen.
+/// Paints a chart within `place`, in the colors for paper; `unit` is one screen pixel in the painter's units.
 void paintChart(QPainter& painter, const QRectF& place, double unit, const ChartPicture& picture);
 
-/// Saves a chart by the ending: .png, .svg or .pdf; others are refused. Replaces the file when it is complete.
+/// Saves a chart as .png, .svg or .pdf, by the file's ending; fails for others. An existing file is replaced only when
+/// the new one is complete.
 Result<void> saveChart(const QString& file, const ChartPicture& picture);
 
 }  // namespace insonate::ui

@@ -9,8 +9,8 @@
 
 namespace insonate::ui {
 
-/// Emits a signal within a minute after the date has changed, for displays that count days while the window stays
-/// open; also after the computer slept over midnight or its clock was set. For the window's thread.
+/// Emits a signal within a minute after the date has changed, also if the computer slept over midnight or its clock was
+/// set. For displays that count days while the window stays open. For the window's thread.
 class DayWatch final : public QObject {
  public:
   DayWatch(std::function<void()> changed, QObject* parent, std::function<QDate()> today = &QDate::currentDate)

@@ -10,7 +10,7 @@ class QVBoxLayout;
 
 namespace insonate::ui {
 
-/// A workspace that has nothing to show: says so, what will be here, and what to do now.
+/// A workspace without contents: says what will be here, and what to do now.
 class EmptyWorkspace : public Workspace {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class EmptyWorkspace : public Workspace {
   };
   explicit EmptyWorkspace(const Words& words, QWidget* parent = nullptr);
 
-  /// A button below the words, the first one being the usual choice. The action belongs to the caller.
+  /// Adds a button below the text; add the most usual action first. The action belongs to the caller.
   void offer(QAction* action);
 
   /// Shows the name of the case that is being opened in place of the title; empty restores the title.

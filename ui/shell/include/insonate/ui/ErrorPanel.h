@@ -8,15 +8,15 @@ class QToolButton;
 
 namespace insonate::ui {
 
-/// Shows an error and what to do beside the work, without stopping it. Details fold out. Hidden without an error;
-/// closed by its button or Escape.
+/// Shows an error and advice without blocking the window. Details can be expanded. Hidden if there is no error; closed
+/// by its button or Escape.
 class ErrorPanel : public QFrame {
   Q_OBJECT
 
  public:
   explicit ErrorPanel(QWidget* parent = nullptr);
 
-  /// `what` and `advice` are sentences; lines of `what` after the first, and `details`, fold away.
+  /// `what` and `advice` are sentences. The lines of `what` after the first, and `details`, are collapsed.
   void showError(const QString& what, const QString& advice = {}, const QString& details = {});
   void dismiss();
 

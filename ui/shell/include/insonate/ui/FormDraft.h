@@ -11,20 +11,20 @@ namespace insonate::ui {
 /// Author and subject of the answers; both ids are UUIDs.
 struct FormSubject {
   std::string by{};
-  std::string attempt{};  ///< "": about none in particular
+  std::string attempt{};  ///< "": no attempt in particular
 
   bool operator==(const FormSubject&) const = default;
 };
 
-/// Unsent answers, in a file of the user's for each subject and form, so that they outlive the program. Any thread;
-/// another thread writes them, one after the other.
+/// Stores unsent answers in a file of the user for each subject and form, so that they survive the end of the program.
+/// For any thread; a background thread writes the files, one after the other.
 class FormDraft {
  public:
   explicit FormDraft(QString folder);
   /// Waits until all drafts are written.
   ~FormDraft();
 
-  /// Returns the stored answers; empty without any.
+  /// Returns the stored answers; empty if there are none.
   FormAnswers read(const FormSubject& subject, const Form& form) const;
   /// Stores a draft; empty answers delete it.
   void keep(const FormSubject& subject, const Form& form, const FormAnswers& answers);
@@ -33,7 +33,7 @@ class FormDraft {
   QString fileOf(const FormSubject& subject, const Form& form) const;
 
   const QString folder_;
-  QThreadPool writer_;  ///< of one thread: the later answers are written later
+  QThreadPool writer_;  ///< has one thread, so that drafts are written in their order
 };
 
 }  // namespace insonate::ui

@@ -4,13 +4,13 @@
 
 namespace insonate::ui {
 
-/// Ids of forms on their way to the store. If the server disappears in between, nobody knows whether a form was
-/// stored: the same answers, sent again, keep their id, by which the store recognizes them.
+/// Remembers the id of the form that is being sent to the store. If the connection fails, it is unknown whether the
+/// form was stored. The same answers, sent again, therefore keep their id, by which the store recognizes them.
 class FormSending {
  public:
   /// Returns `filled` with its id; `by` is part of its contents.
   FilledForm identified(FilledForm filled);
-  /// The store has said yes. The same answers are another form from now on.
+  /// Called when the store has confirmed the form. The same answers get a new id from then on.
   void stored() { last_ = {}; }
 
  private:

@@ -9,9 +9,8 @@ namespace insonate::ui {
 
 class FormQuestion;
 
-/// A questionnaire, checklist or rating to fill in, by mouse or keyboard: Tab goes from question to question, arrows
-/// choose among answers, Delete takes a choice back. Checklists and ratings have room for a note to each item. Where
-/// answers are kept is the owner's business.
+/// A questionnaire, checklist or rating to fill in, by mouse or keyboard: Tab goes to the next question, arrows choose
+/// an answer, Delete clears it. Checklists and ratings take a note for each item. The owner stores the answers.
 class FormSheet final : public QWidget {
   Q_OBJECT
 
@@ -20,10 +19,10 @@ class FormSheet final : public QWidget {
 
   const Form& form() const { return form_; }
   FormAnswers answers() const;
-  /// Shows answers; those to items that the form lacks or cannot show are ignored. Does not emit changed().
+  /// Shows answers; answers to items that the form lacks or cannot show are ignored. Does not emit changed().
   void setAnswers(const FormAnswers& answers);
-  /// Shows beside each question the error that keeps the answers from being stored, and gives the first of them the
-  /// keyboard focus; true without errors.
+  /// Shows beside each question the error that keeps its answer from being stored, and gives the first such question
+  /// the keyboard focus. Returns true if there are no errors.
   bool check();
 
  Q_SIGNALS:

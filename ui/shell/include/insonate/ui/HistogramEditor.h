@@ -23,9 +23,9 @@ namespace insonate::ui {
 
 class HistogramPlot;
 
-/// Editor of a CT's transfer function on its histogram: nodes of Hounsfield unit, opacity and color. Nodes are
-/// dragged, added by double click, removed by Delete or right click; Tab goes from node to node, arrows move one, and
-/// the numbers of the selected one can be typed. Presets, undo, redo and reset. For the window's thread.
+/// Editor of a CT's transfer function on its histogram: each node has a Hounsfield value, opacity and color. Nodes are
+/// dragged, added by double click, and removed by Delete or right click. Tab selects the next node, arrows move the
+/// selected node, and its numbers can be typed. Has presets, undo, redo and reset. For the window's thread.
 class HistogramEditor : public QWidget {
   Q_OBJECT
 
@@ -33,33 +33,33 @@ class HistogramEditor : public QWidget {
   explicit HistogramEditor(QWidget* parent = nullptr);
   ~HistogramEditor() override;
 
-  /// Its histogram is counted on another thread and appears when it is there. Null for none.
+  /// Sets the case; null: no case. Its histogram is counted on another thread and appears later.
   void setCase(std::shared_ptr<const PatientCase> patient);
   /// Histogram of the case; empty before it is counted.
   const views::HuHistogram& histogram() const;
-  /// The 8-bit display window, drawn as a band; none for no band.
+  /// Sets the 8-bit display window, drawn as a band; empty: no band.
   void setWindowLevel(std::optional<views::WindowLevel> window);
 
   const views::TransferFunction& function() const;
-  /// Sets the function, tidied(). Clears undo and redo. Emits functionChanged() if it differs.
+  /// Sets the function after tidied(). Clears undo and redo. Emits functionChanged() if the function differs.
   void setFunction(const views::TransferFunction& function);
   /// Applies a preset by its name in views::transferPresets(), as one undoable step; unknown names are ignored.
   void choosePreset(const QString& name);
-  /// Back to the preset that was chosen last.
+  /// Restores the preset that was chosen last.
   void reset();
 
-  /// The chosen node's number, or -1.
+  /// Number of the selected node, or -1.
   int selected() const;
   void select(int node);
 
   QUndoStack& undoStack() { return *undo_; }
 
  Q_SIGNALS:
-  /// histogram() is another one.
+  /// Emitted when histogram() has changed.
   void counted();
-  /// Emitted after each change, also within a drag.
+  /// Emitted after each change, also during a drag.
   void functionChanged(const insonate::views::TransferFunction& function);
-  /// Emitted with true while a node is dragged.
+  /// Emitted with true when the user begins to drag a node, and with false at the end.
   void movingChanged(bool moving);
 
  private:

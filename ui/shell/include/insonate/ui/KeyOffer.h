@@ -4,8 +4,9 @@
 
 namespace insonate::ui {
 
-/// For the event filter of an image whose keys take precedence over the window's shortcuts. `key(event, act)` returns
-/// whether the key is one of its own, and performs it if `act`. @returns whether the event ends here
+/// Handles a key event in the event filter of an image whose keys take precedence over the window's shortcuts.
+/// `key(event, act)` returns whether the image uses the key and, if `act`, performs its action. @returns whether the
+/// event is consumed
 template <class Key>
 bool offerKey(QEvent& event, Key key) {
   if (event.type() == QEvent::KeyPress) return key(static_cast<QKeyEvent&>(event), true);

@@ -9,15 +9,15 @@
 
 namespace insonate::ui {
 
-/// Brings a live probe's images to the window's thread: however many images come, one message waits at most, and
-/// the simulation never waits for the window.
+/// Brings a live probe's images to the window's thread. At most one message waits, however many images arrive, and the
+/// simulation never waits for the window.
 class LiveFeed : public QObject {
  public:
   /// `news` is called on the window's thread after new images and changes of state.
   explicit LiveFeed(std::function<void()> news, QObject* parent = nullptr);
   ~LiveFeed() override;
 
-  /// Replaces the probe, also by none. Messages of the old one are dropped.
+  /// Replaces the live probe; null removes it. Messages of the old probe are dropped.
   void set(std::unique_ptr<LiveImaging> live);
   LiveImaging* live() { return live_.get(); }
   const LiveImaging* live() const { return live_.get(); }

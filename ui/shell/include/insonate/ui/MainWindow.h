@@ -26,19 +26,20 @@ class TaskBar;
 struct Loss;
 enum class LostBy;
 
-/// The frame around the workspaces: the shown workspace, the open case, running jobs and errors. Remembers its place,
-/// the workspace and recent cases in the user's settings (QSettings of the application). Opens a dropped case folder,
-/// DICOM folder, volume file or recorded attempt.
+/// The main window: shows one workspace, the open case, running jobs and errors. Stores its position, the workspace and
+/// recent cases in the user's settings (QSettings of the application). Opens a dropped case folder, DICOM folder,
+/// volume file or recorded attempt.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
-  /// Opens the store of people at its default place.
+  /// Opens the store of people at its default address.
   MainWindow();
   explicit MainWindow(std::unique_ptr<Account> account);
   ~MainWindow() override;
 
-  /// `id` is what settings and the command line call it. The window owns the workspace. Add all before showing.
+  /// Adds a workspace, which the window then owns. `id` names it in settings and on the command line. Add all before
+  /// showing the window.
   void addWorkspace(const QString& id, const QString& title, const QString& iconName, Workspace* workspace);
   /// Shows a workspace; false if there is none with this id.
   bool showWorkspace(const QString& id);
@@ -48,25 +49,25 @@ class MainWindow : public QMainWindow {
   /// Restores the layout of the last session.
   void restoreLayout();
 
-  /// A case folder, a DICOM folder, a volume file, or a recorded attempt. Asks first where a case that is not saved,
-  /// edits or work would be lost; so do the others.
+  /// Opens a case folder, a DICOM folder, a volume file or a recorded attempt. This and the functions below ask first
+  /// if an unsaved case, edits or work would be lost.
   void open(const QString& path);
   void openTextbook();
-  /// All cases at hand, to choose one.
+  /// Shows the library of all available cases.
   void showLibrary();
-  /// Another built-in neck, by its name.
+  /// Opens a built-in neck by its name.
   void openBuiltIn(const QString& variant);
-  /// A recorded attempt, in the workspace that shows attempts, which comes to the front.
+  /// Opens a recorded attempt in the workspace that shows attempts, and shows that workspace.
   void openAttempt(const QString& file);
-  /// Rereads the case from its folder; nothing for one that is not on disk.
+  /// Rereads the case from its folder; no effect for a case that is not on disk.
   void reload();
   /// Writes the case with all edits to its folder; asks for a folder if it has none.
   void saveCase();
   const LoadedCase& current() const { return case_; }
 
-  /// A case is open, nothing is being done, and the workspace shows all of it.
+  /// Tells whether a case is open, no job is running, and the workspace is ready.
   bool isReady() const;
-  /// Tells whether no further results are due.
+  /// Tells whether no further results will arrive.
   bool isComplete() const;
 
   QAction* openAction() const { return open_; }
@@ -81,12 +82,13 @@ class MainWindow : public QMainWindow {
   ErrorPanel& errors() { return *errors_; }
   QString statusText() const;
   QString caseTitle() const;
-  /// Closes without the question about unsaved changes.
+  /// Closes without asking about unsaved changes.
   void closeAtOnce();
 
  Q_SIGNALS:
   void readyChanged();
-  void caseFailed(const QString& what);  ///< an open ended without a case; already said in the window
+  /// Emitted when no case could be opened; the window has already shown the error.
+  void caseFailed(const QString& what);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -138,8 +140,8 @@ class MainWindow : public QMainWindow {
   QMenu* view_;
   SiteExchange* site_;
   AccountMenu* accountMenu_;
-  bool sure_ = false;     ///< close, whatever is lost
-  bool passing_ = false;  ///< a key goes to the workspace
+  bool sure_ = false;     ///< close without asking, even if changes are lost
+  bool passing_ = false;  ///< a key event is being passed to the workspace
   HeaderBar* header_;
   TaskBar* tasks_;
   ErrorPanel* errors_;
@@ -148,7 +150,7 @@ class MainWindow : public QMainWindow {
   CaseLoader* loader_;
   CaseExchange* exchange_;
   HelpWindow* help_ = nullptr;
-  std::function<void()> afterSaving_;  ///< what waits for the save that was asked for
+  std::function<void()> afterSaving_;  ///< called when the pending save has succeeded
 };
 
 }  // namespace insonate::ui

@@ -5,8 +5,8 @@
 
 namespace insonate::ui {
 
-/// Passes letters typed over a list or a table on to the workspace, whose keys they are: the list itself would search
-/// for rows that begin with them.
+/// Passes letters typed over a list or table to the workspace, which uses them as keys. Without this, the list would
+/// search for rows that begin with them.
 class PassLetters final : public QObject {
  public:
   explicit PassLetters(QWidget* watched) : QObject(watched) { watched->installEventFilter(this); }

@@ -5,12 +5,12 @@
 
 namespace insonate::ui {
 
-/// Lets the wheel scroll the panel around a number or a choice until that has the keyboard focus, so that scrolling
-/// past it does not change it.
+/// Passes the wheel to the surrounding panel until the number field or choice has the keyboard focus, so that scrolling
+/// past the field does not change it.
 class QuietWheel final : public QObject {
  public:
   explicit QuietWheel(QWidget* watched) : QObject(watched) {
-    // By the wheel alone, nothing gets the keyboard.
+    // The wheel alone does not give the field the keyboard focus.
     watched->setFocusPolicy(Qt::StrongFocus);
     watched->installEventFilter(this);
   }

@@ -9,7 +9,8 @@ struct RecentCase {
   QString folder, title;
 };
 
-/// Recent cases, the latest first, at most ten, kept in the user's settings; missing ones are left out.
+/// Returns at most ten recent cases from the user's settings, the latest first; cases that no longer exist are left
+/// out.
 std::vector<RecentCase> recentCases();
 void rememberCase(const RecentCase& opened);
 void forgetRecentCases();

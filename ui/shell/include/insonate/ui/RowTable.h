@@ -4,8 +4,8 @@ class QTableWidget;
 
 namespace insonate::ui {
 
-/// Makes a read-only table in which one whole row is selected at a time: a list of attempts. Columns keep their widths
-/// except those that are stretched afterwards.
+/// Makes a table read-only, with one whole row selected at a time. Columns keep their widths unless the caller
+/// stretches them afterwards.
 void makeRowTable(QTableWidget& table, int row_px);
 
 }  // namespace insonate::ui

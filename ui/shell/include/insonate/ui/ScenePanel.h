@@ -20,28 +20,29 @@ class HistogramEditor;
 class StructureList;
 class ValueSlider;
 
-/// Controls of a three-dimensional view: skin transparency, structures, the CT with its transfer function, a clipping
-/// plane, stereo and the head-coupled view. During changes the view is drawn coarser until the hand rests. The panel
-/// is narrow and long: put it into a QScrollArea. For the window's thread.
+/// Controls of a 3D view: skin transparency, structures, the CT with its transfer function, a clipping plane, stereo
+/// and the head-coupled view. During a change the view is drawn at lower resolution, until the control has not moved
+/// for a moment. The panel is narrow and long: put it into a QScrollArea. For the window's thread.
 ///
-/// The scene informs the panel of surfaces and looks (SceneView::setStructuresChanged is the panel's from now on), so
-/// a scene has one panel, which also shows the changes of others.
+/// The scene notifies the panel of surfaces and their appearance: the panel takes over SceneView::setStructuresChanged.
+/// A scene therefore has one panel, which also shows changes made elsewhere.
 class ScenePanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// Controls by which structures are shown and hidden, colored and made transparent, the skin included.
+  /// Place of the controls that show, hide, color and fade structures, including the skin.
   enum class Structures {
     Here,
-    Elsewhere,  ///< by whoever owns the scene; the panel leaves their looks alone
+    Elsewhere,  ///< the scene's owner has them; the panel does not change structures
   };
   explicit ScenePanel(std::shared_ptr<views::SceneView> scene, QWidget* parent = nullptr,
                       Structures structures = Structures::Here);
   ~ScenePanel() override;
 
-  /// Sets the case whose histogram is shown; the owner of the scene sets the scene's own case. Null for none.
-  /// Structures changed here look as the case's author chose, until the next case; the user's choices for others stay,
-  /// but another patient starts with skin and without the CT volume. An author's colors do not replace safe ones.
+  /// Sets the case whose histogram is shown; null: no case. The owner of the scene sets the scene's own case. If the
+  /// case's author chose an appearance for a structure, the structure is drawn with it until the next case. The user's
+  /// choices for other structures stay, except that another patient starts with skin and without the CT volume. An
+  /// author's colors do not replace the color-blind-safe colors.
   void setCase(std::shared_ptr<const PatientCase> patient);
 
   HistogramEditor& histogram() { return *histogram_; }
@@ -49,15 +50,15 @@ class ScenePanel : public QWidget {
   views::ColourScheme colourScheme() const { return scheme_; }
   /// Applies the scheme's colors to all structures, or with the default scheme those of the case.
   void setColourScheme(views::ColourScheme scheme);
-  /// Restores the author's choice, else shows all structures with the colors of the scheme and the default opacities.
+  /// Restores the author's appearance, else shows all structures with the scheme's colors and the default opacities.
   void showUsual();
 
-  /// All but the clipping plane, which belongs to one patient.
+  /// Stores all settings but the clipping plane, which belongs to one patient.
   void save(QSettings& settings) const;
   void restore(QSettings& settings);
 
  Q_SIGNALS:
-  /// A structure has another color in the scene: slices may want it, too.
+  /// Emitted when a structure's color has changed in the scene, so that slices can follow.
   void coloursChanged();
 
  protected:
@@ -68,7 +69,7 @@ class ScenePanel : public QWidget {
   QWidget* buildCt();
   void refresh();
   void scrollToHistogram();
-  /// Coarser from now on until nothing has changed for a moment.
+  /// Draws at lower resolution until nothing has changed for a moment.
   void live();
   struct Look {
     views::Colour colour;
@@ -90,8 +91,8 @@ class ScenePanel : public QWidget {
   ClippingControls* clipping_ = nullptr;
   EyeControls* eyes_ = nullptr;
   std::shared_ptr<const PatientCase> patient_;
-  std::shared_ptr<const PatientCase> last_;  ///< the same, or the one before there was none
-  std::map<std::uint8_t, Look> own_;         ///< the user's, of structures that look as the case says
+  std::shared_ptr<const PatientCase> last_;  ///< the last case that was not null
+  std::map<std::uint8_t, Look> own_;         ///< the user's appearance of structures that now have the author's
   views::ColourScheme scheme_ = views::ColourScheme::Usual;
   bool structuresHere_ = true, refreshing_ = false, refreshDue_ = false;
   QTimer rest_;

@@ -8,9 +8,9 @@
 
 namespace insonate::ui {
 
-/// Colors of states. Some users cannot tell them apart: show the sign or the words of AttemptWords.h beside each.
+/// Colors of states. Some users cannot distinguish them: show the symbol or the words of AttemptWords.h beside each.
 views::Colour colorOf(NeedlePlace place);
-/// Color of a finding; quiet if there is none.
+/// Color of a finding's severity; a quiet color if there is no finding.
 views::Colour colorOf(const std::optional<Severity>& severity);
 
 }  // namespace insonate::ui

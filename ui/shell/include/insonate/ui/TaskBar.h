@@ -20,27 +20,27 @@ class QTimer;
 
 namespace insonate::ui {
 
-/// Runs one long job at a time on a thread of its own, and shows its task, its progress and a Cancel. Hidden without a
-/// job.
+/// Runs one long job at a time on a background thread, and shows its title, progress and a Cancel button. Hidden if no
+/// job is running.
 ///
-/// Cancelling passes kCancelled to `done` at once and asks the job to stop; a job that is slow to notice ends in the
+/// Cancelling passes kCancelled to `done` at once and asks the job to stop; a job that reacts slowly ends in the
 /// background. For the window's thread, except for the work itself.
 class TaskBar : public QFrame {
   Q_OBJECT
 
  public:
   explicit TaskBar(QWidget* parent = nullptr);
-  /// Cancels without calling `done`, and does not wait.
+  /// Cancels without calling `done` and without waiting.
   ~TaskBar() override;
 
-  /// Effect on the user of closing the window during a job.
+  /// Reaction when the user closes the window during a job.
   enum class WhenClosed {
-    Stop,  ///< nothing is lost
-    Ask,   ///< something that was wanted does not come about
+    Stop,  ///< stop the job; nothing is lost
+    Ask,   ///< ask first: the user would lose the job's result
   };
 
-  /// `work` runs on the other thread and must not touch widgets; `done` is called on the window's thread, later. A job
-  /// that is running is cancelled first. Exceptions of the work become errors.
+  /// Runs `work` on a background thread; it must not touch widgets. `done` is called later on the window's thread. A
+  /// job that is already running is cancelled first. Exceptions in `work` become errors.
   template <class T>
   void run(const QString& title, std::function<Result<T>(const Progress&)> work, std::function<void(Result<T>)> done,
            WhenClosed whenClosed = WhenClosed::Stop) {
@@ -92,8 +92,9 @@ class TaskBar : public QFrame {
   QTimer* timer_;
 };
 
-/// Waits for the threads of all jobs, cancelled ones included, and for what cases and probes that were replaced still
-/// do; false when some are still at work after `longest`. Nothing outlives main() when it is called at its end.
+/// Waits for the threads of all jobs, including cancelled ones, and for background work of cases and probes that were
+/// replaced. Returns false if some are still running after `longest`. Call it at the end of main(), so that no thread
+/// outlives main().
 bool waitForJobs(std::chrono::milliseconds longest);
 
 }  // namespace insonate::ui

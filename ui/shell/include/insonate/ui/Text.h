@@ -6,7 +6,7 @@
 
 namespace insonate {
 
-/// Translates a text of a function that belongs to no QObject.
+/// Translates a text in a function that belongs to no QObject.
 inline QString tr(const char* text) {
   return QCoreApplication::translate("insonate", text);
 }
@@ -15,7 +15,7 @@ inline QString tr(const char* text) {
 
 namespace insonate::ui {
 
-/// Converts UTF-8, the encoding of all modules below the window.
+/// Converts UTF-8, which all modules below the window use.
 inline QString qt(std::string_view text) {
   return QString::fromUtf8(text.data(), int(text.size()));
 }

@@ -7,21 +7,21 @@ class QLineEdit;
 
 namespace insonate::ui {
 
-/// Values that a ValueSlider can take.
+/// Range, default and step of a ValueSlider.
 struct ValueRange {
-  double least = 0, most = 1;  ///< least < most
-  double usual = 0;            ///< what a double click gives back
-  double step = 0.1;           ///< of arrows and wheel, above 0; ten of them with Page up and down
-  int decimals = 1;            ///< digits shown and kept, 0..6
+  double least = 0, most = 1;  ///< minimum and maximum, least < most
+  double usual = 0;            ///< default, restored by a double click
+  double step = 0.1;           ///< step of arrows and wheel, above 0; Page up and down make ten steps
+  int decimals = 1;            ///< digits shown and kept, 0 to 6
 };
 
-/// One number with its name and unit: a slider, and the number itself, which takes typing. Double click on the slider
-/// or on the name gives the usual value back; wheel and arrows step.
+/// A number with name and unit: a slider, and a field in which the number can be typed. Double click on the slider or
+/// the name restores the default; wheel and arrows change the number by one step.
 class ValueSlider : public QWidget {
   Q_OBJECT
 
  public:
-  /// `unit` as printed, "mm"; empty for a plain number. `hint` says in a few words what the value does.
+  /// `unit` as printed, "mm"; empty for a plain number. `hint` says in a few words what the number does.
   ValueSlider(const QString& name, const QString& unit, const ValueRange& range, const QString& hint = {},
               QWidget* parent = nullptr);
 
@@ -29,7 +29,7 @@ class ValueSlider : public QWidget {
   /// Sets the value, clamped to the range; emits valueChanged() if it differs. A number that is not finite is ignored.
   void setValue(double value);
   const ValueRange& range() const { return range_; }
-  /// The value is brought into the new range.
+  /// Sets the range and clamps the value to it.
   void setRange(const ValueRange& range);
   void reset() { setValue(range_.usual); }
 

@@ -7,7 +7,7 @@
 
 namespace insonate::ui {
 
-/// Sets the name for tests, what screen readers say and what the pointer shows.
+/// Sets a widget's object name, which tests use, its name for screen readers, and its tooltip.
 template <class Widget>
 Widget* named(Widget* widget, const char* object, const QString& name, const QString& tip) {
   widget->setObjectName(QLatin1String(object));
@@ -16,10 +16,10 @@ Widget* named(Widget* widget, const char* object, const QString& name, const QSt
   return widget;
 }
 
-/// Words which break their lines. Plain text: names and texts of people and files go in as they are.
+/// Makes a label that wraps its text. The text is plain, so that names and texts of users are shown as they are.
 QLabel* paragraph(const char* object = "", const char* role = "", const QString& words = {});
 
-/// One line, in the weight of a heading.
+/// Makes a label of one line with the font weight of a heading.
 QLabel* heading(const QString& words);
 
 /// Makes a push button that Enter in a field of a dialog does not press. With Qt::TabFocus a click does not take the
@@ -27,10 +27,10 @@ QLabel* heading(const QString& words);
 QPushButton* pushButton(const char* object, const QString& words, const QString& tip,
                         Qt::FocusPolicy focus = Qt::StrongFocus);
 
-/// One of a row of pages.
+/// Makes the button of one page in a row of pages.
 QToolButton* tabButton(const char* object, const QString& words, const QString& tip);
 
-/// No wider than it is given room for; the wheel scrolls past it, see QuietWheel.
+/// Makes a combo box that fits the available width; the wheel scrolls past it, see QuietWheel.
 QComboBox* choiceBox(const char* object, const QString& name, const QString& tip,
                      Qt::FocusPolicy focus = Qt::StrongFocus);
 

@@ -16,22 +16,22 @@ class PatientViews;
 class SceneMeasure;
 struct TrainModel;
 
-/// Measures how fast a workspace shows images, 3D and hands. For the window's thread; each `done` is called there
-/// later, unless the workspace is deleted first.
+/// Measures the speed of a Train workspace: images, 3D and haptic servo. For the window's thread; each `done` is called
+/// on that thread, later, unless the workspace is deleted first.
 class TrainBenchmark final {
  public:
-  /// All of them must outlive this.
+  /// All arguments must outlive this object.
   TrainBenchmark(TrainModel& model, ui::ViewWidget& image, PatientViews& patient);
   ~TrainBenchmark();
 
-  /// Moves the linear probe with its own settings for a while and times the images on the screen, while 3D and CT
-  /// follow or stand still. There must be an image.
+  /// Moves the linear probe with its default settings for `seconds` and times the images on the screen. `viewsFollow`:
+  /// 3D and CT follow the probe. A live image must be shown before the call.
   void measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done);
-  /// Measures with a needle in the hand and 3D following.
+  /// Measures the servo for `seconds` with a needle in the hand and 3D following the probe.
   void measureHands(double seconds, std::function<void(HandRates)> done);
-  /// Turns the patient in 3D, and returns when that is done.
+  /// Turns the 3D view by this number of steps; returns after the last.
   OrbitRates measureOrbit(int steps);
-  /// Shows the CT in 3D and moves there and with the probe, `seconds` each.
+  /// Shows the CT in 3D and measures while the view orbits, while it zooms, and while the probe moves, `seconds` each.
   void measureVolume(double seconds, std::function<void(VolumeRates)> done);
 
  private:

@@ -15,9 +15,10 @@ class TrainBenchmark;
 class TrainLayout;
 struct TrainModel;
 
-/// The workspace where the user moves a probe over a patient and the ultrasound image follows: controls on the left,
-/// the image in the middle, the patient in 3D and as CT on the right. Mouse and keyboard hold the probe; shortcuts()
-/// lists their actions. Images are computed on threads that end within a second; the window never waits for one.
+/// The workspace in which the user moves a probe over a patient and the ultrasound image follows: controls on the left,
+/// the image in the middle, the patient in 3D and as CT on the right. Mouse and keyboard move the probe; shortcuts()
+/// lists their actions. Images are computed on background threads, which end within a second; the window never waits
+/// for an image.
 class TrainWorkspace : public ui::Workspace {
   Q_OBJECT
 
@@ -29,12 +30,12 @@ class TrainWorkspace : public ui::Workspace {
   void setAccount(ui::Account& account) override;
   void setOrigin(const ui::CaseOrigin& origin) override;
   void setCase(std::shared_ptr<const PatientCase> patient) override;
-  /// An attempt and a level go on with the case as it was; the saved one comes after them.
+  /// An attempt in progress and a chosen level keep the case as it was; the saved case is shown after they end.
   void caseSaved(std::shared_ptr<const PatientCase> patient) override;
   QString statusText() const override;
   QString engineText() const override;
   QString engineNote() const override;
-  /// Returns a sentence from the first live image on.
+  /// Returns a sentence while an attempt is running.
   QString endsWithTheCase() const override;
   QString blocksWorkspaceChange() const override;
   bool isReady() const override;
@@ -47,15 +48,15 @@ class TrainWorkspace : public ui::Workspace {
   void stop() override;
 
   /// Saves the image on display as PNG with its scale, and with measurements unless the user has switched them off.
-  /// Continues in the background; written() or failed() report the end.
+  /// Continues in the background; emits written() or failed() at the end.
   void savePicture(const std::filesystem::path& file);
-  /// Saves the image as the screen shows it, the CT beside it included, at the screen's resolution.
+  /// Saves the image as it is on the screen, including the CT beside it, at the screen's resolution.
   void saveScreen(const std::filesystem::path& file);
-  /// The last seconds as numbered PNGs like that of savePicture() in a new folder, as one of tasks(); written() or
-  /// failed() tell the end.
+  /// Saves the last seconds as numbered PNGs, each like that of savePicture(), in a new folder. Runs as one of tasks();
+  /// emits written() or failed() at the end.
   void saveClip(const std::filesystem::path& folder);
 
-  /// Measures how fast this workspace is.
+  /// Returns the benchmark of this workspace.
   TrainBenchmark& benchmark();
 
  protected:
@@ -76,15 +77,15 @@ class TrainWorkspace : public ui::Workspace {
   bool key(const QKeyEvent& event, bool isPerformed);
   void takeKeyboard(const QObject* canvas);
 
-  TrainModel* model_;  ///< a child, deleted after the widgets
+  TrainModel* model_;  ///< child object, deleted after the widgets
   std::unique_ptr<TrainLayout> layout_;
   std::vector<Feature*> features_;
   ImageExports* exports_ = nullptr;
   PatientViews* patient_ = nullptr;
   std::unique_ptr<TrainBenchmark> benchmark_;
-  ui::CaseOrigin origin_;                         ///< of the case that comes next
-  std::shared_ptr<const PatientCase> savedCase_;  ///< waits until no feature holds the present one
-  QString trouble_;                               ///< why there is no image; not reported yet
+  ui::CaseOrigin origin_;                         ///< origin of the case that setCase() will set next
+  std::shared_ptr<const PatientCase> savedCase_;  ///< saved case that waits until no feature holds the present one
+  QString trouble_;                               ///< reason why there is no image, if not reported yet
   bool isReady_ = false;
 };
 

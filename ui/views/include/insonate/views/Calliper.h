@@ -6,35 +6,35 @@
 
 namespace insonate::views {
 
-/// A point of the ultrasound image: lateral (toward the marker) and axial (into the body) mm in the probe frame.
+/// A point of the ultrasound image in the probe's frame, in mm: lateral toward the marker, axial into the body.
 struct PicturePoint {
   double lateral_mm = 0, axial_mm = 0;
 };
 
 enum class CalliperKind {
   Distance,  ///< from point 0 to point 1
-  Ellipse,   ///< points 0 and 1 end its one axis; point 2 is as far from that axis as the other one is long to a side
-  Angle,     ///< at point 1, between the arms to points 0 and 2
+  Ellipse,  ///< points 0 and 1 are the ends of the first axis; point 2 is half the second axis away from the first axis
+  Angle,    ///< the angle at point 1 between the lines to points 0 and 2
 };
 
 struct Calliper {
   CalliperKind kind = CalliperKind::Distance;
-  std::array<PicturePoint, 3> points;  ///< a distance uses two
+  std::array<PicturePoint, 3> points;  ///< a distance uses only points 0 and 1
 };
 
-/// Values that a caliper measures; fields that its kind lacks are 0.
+/// Values that a caliper measures; fields that do not apply to its kind are 0.
 struct CalliperValues {
   double length_mm = 0;         ///< distance; ellipse: its first axis
   double width_mm = 0;          ///< ellipse: its second axis
   double circumference_mm = 0;  ///< ellipse, by Ramanujan's second approximation
   double area_mm2 = 0;          ///< ellipse
-  double angle_deg = 0;         ///< angle, 0..180; 0 where an arm has no length
+  double angle_deg = 0;         ///< angle, 0 to 180; 0 if one of the lines has no length
 };
 
 CalliperValues measure(const Calliper& calliper);
-/// The line of an ellipse, as corners of a closed ring; empty for other kinds.
+/// Returns the outline of an ellipse as points of a closed polygon; empty for other kinds.
 std::vector<PicturePoint> outline(const Calliper& calliper);
-/// "12.3 mm", "9.8 x 7.2 mm, 55 mm²", "41°"
+/// Formats the values: "12.3 mm", "9.8 x 7.2 mm, 55 mm²", "41°".
 std::string words(const Calliper& calliper);
 
 }  // namespace insonate::views

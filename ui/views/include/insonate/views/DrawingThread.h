@@ -16,35 +16,37 @@ namespace insonate::views {
 
 class View;
 
-/// Draws a view on a thread of its own, so that the window's thread never waits for an image: the window passes the
-/// state, and finished pixels come back. For the window's thread, like the view.
+/// Draws a view on its own thread, so that the window's thread never waits for an image: the window passes the view's
+/// state, and receives the finished pixels. For the window's thread, like the view.
 class DrawingThread {
  public:
-  /// The view must say canDrawOnThread() and outlive this; it is attached to a window of its own, which no other
-  /// thread uses after the first image is wanted. `drawn` is called on the drawing thread after each picture.
+  /// canDrawOnThread() of the view must be true, and the view must outlive this object. The view is attached to a
+  /// separate OpenGL window, which no other thread uses after the first want(). `drawn` is called on the drawing thread
+  /// after each image.
   DrawingThread(View& view, std::function<void()> drawn);
-  /// Waits for the image in work, if any.
+  /// Waits until the image in progress is finished.
   ~DrawingThread();
   DrawingThread(const DrawingThread&) = delete;
   DrawingThread& operator=(const DrawingThread&) = delete;
 
-  /// While this is held, no thread draws. For code that opens or closes another OpenGL window: VTK and its driver keep
-  /// global state, which closing one window has corrupted while another was drawn. Waits for running images.
+  /// Waits for images in progress; no drawing thread draws while the returned lock is held. For code that opens or
+  /// closes another OpenGL window: VTK and its driver have global state, and closing one window while another was drawn
+  /// has corrupted it.
   [[nodiscard]] static std::unique_lock<std::mutex> pause();
 
-  /// Has drawn what the view shows now, after the image in work; the latest wish counts. The answer numbers the wish,
-  /// rising from 1.
+  /// Requests an image of the view's present state, to be drawn after the image in progress; replaces earlier requests
+  /// that wait. Returns the number of the request, counted from 1.
   std::uint64_t want();
   /// Requests a drawing, and waits until it is done.
   void drawNow();
 
   struct Drawn {
     Pixels pixels;
-    std::uint64_t wish = 0;  ///< the image shows what was to be seen with this one
-    double took_ms = 0;      ///< from its beginning to its pixels
+    std::uint64_t wish = 0;  ///< number of the request whose state the image shows
+    double took_ms = 0;      ///< from the beginning of drawing until the pixels were read
   };
-  /// Exchanges the last image for `drawn`, whose memory serves the next. False, without a change, if there is none
-  /// since the last call.
+  /// Exchanges the last image for `drawn`, whose memory is used for the next image. Returns false, without a change, if
+  /// there is no new image since the last call.
   bool take(Drawn& drawn);
 
  private:
@@ -64,7 +66,7 @@ class DrawingThread {
   Drawn ready_;
   bool isReady_ = false, ends_ = false;
 
-  Drawn making_;  ///< of the thread
+  Drawn making_;  ///< used by the drawing thread only
   std::thread thread_;
 };
 

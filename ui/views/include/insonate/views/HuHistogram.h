@@ -11,14 +11,15 @@ namespace insonate::views {
 /// Number of voxels by Hounsfield unit, in bins of equal width.
 struct HuHistogram {
   double least_HU = -1024, most_HU = 3071;  ///< lower edge of the first bin, upper edge of the last; least < most
-  std::vector<std::uint64_t> counts;        ///< empty where there is no CT
+  std::vector<std::uint64_t> counts;        ///< empty if there is no CT
 
   double binWidth_HU() const { return counts.empty() ? 0 : (most_HU - least_HU) / double(counts.size()); }
 };
 
-/// Counts a CT. The range is that of its voxels within TransferFunction's, but for the brightest hundred-thousandth
-/// (metal, and single wrong voxels), and never less than air to dense bone. Takes some milliseconds for each million
-/// voxels: call it off the window's thread. Empty when `stop` became true meanwhile.
+/// Counts the voxels of a CT. The range covers at least air to dense bone, and otherwise the CT's values within
+/// TransferFunction's range; the brightest hundred-thousandth of the voxels (metal, and single wrong voxels) may lie
+/// above it. Takes some milliseconds per million voxels: do not call it on the window's thread. Returns an empty
+/// histogram if `stop` becomes true meanwhile.
 HuHistogram huHistogram(const CtVolume& ct, int bins = 256, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace insonate::views

@@ -7,14 +7,14 @@
 namespace insonate::views {
 
 enum class ColourScheme {
-  Usual,            ///< the label table's: those of other programs
-  ColourBlindSafe,  ///< apart for eyes without red or green cones, too
+  Usual,            ///< colors of the label table, as in other programs
+  ColourBlindSafe,  ///< can also be distinguished by people without red or green cones
 };
 
-/// A label that is not known has soft tissue's colour.
+/// Returns the color of a label; the color of soft tissue for an unknown label.
 Colour labelColour(std::uint8_t label, ColourScheme scheme);
 
-/// Default opacity of a structure's surface, 0..1: the skin is translucent.
+/// Default opacity of a structure's surface, 0 to 1; the skin is translucent.
 double defaultOpacity(std::uint8_t label);
 
 }  // namespace insonate::views

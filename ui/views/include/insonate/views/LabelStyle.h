@@ -2,10 +2,10 @@
 
 namespace insonate::views {
 
-/// Look of labels over a slice.
+/// Style in which labels are drawn over a slice.
 struct LabelStyle {
   bool fill = true, outline = true;
-  int thickness_px = 1;  ///< of outlines, device-independent, 1..8
+  int thickness_px = 1;  ///< of outlines, in logical pixels, 1 to 8
   bool operator==(const LabelStyle&) const = default;
 };
 

@@ -21,9 +21,9 @@
 
 namespace insonate::views {
 
-/// A slice of the CT with its labels. Left drag moves the crosshair (with shift also without a button), right drag
-/// changes window (across) and level (along), middle drag pans, the wheel and the arrow keys change the slice, the
-/// wheel with control zooms; g shows and hides labels, a and d change their opacity, r resets the view.
+/// A CT slice with its labels. Left drag moves the crosshair (with Shift also without a button). Right drag changes the
+/// window (horizontally) and the level (vertically). Middle drag pans, the wheel and the arrow keys change the slice,
+/// Ctrl+wheel zooms. G shows and hides labels, A and D change their opacity, R resets the view.
 class MprView final : public View {
  public:
   explicit MprView(SliceKind kind);
@@ -34,27 +34,29 @@ class MprView final : public View {
 
   void setKind(SliceKind kind);
   SliceKind kind() const { return kind_; }
-  /// The plane of an oblique view: the probe's, rigid. The crosshair is not moved.
+  /// Sets the plane of an oblique view to the probe's image plane; the transform must be rigid. Does not move the
+  /// crosshair.
   void setProbePose(const Transform& patientFromProbe);
-  /// The field of view to outline on an oblique view; none for no outline.
+  /// Sets the probe whose field of view is outlined in an oblique view; empty: no outline.
   void setFan(std::optional<Probe> probe, const ImagingSettings& settings = {});
 
-  /// Aligns an oblique view with these bounds in an UltrasoundView of the same size, and shows nothing outside the
-  /// field of view; it does not zoom or pan then. None for a slice of its own.
+  /// Aligns an oblique view with an UltrasoundView of the same size that has these bounds. Nothing outside the field of
+  /// view is shown, and zoom and pan are off. Empty: an independent slice.
   void setPicture(std::optional<PictureBounds> bounds);
-  /// Marks the place that is pointed at in another view, where the slice passes through it; none for no mark.
+  /// Marks the point under the pointer of another view, if it lies in the slice; empty: no mark.
   void setPointer(std::optional<Vec3> position_mm);
-  /// Numbered points, shown where the slice passes by within 3 mm.
+  /// Sets points that are shown with their numbers if the slice is at most 3 mm away.
   void setMarks(std::vector<Vec3> positions_mm);
   bool showsMark(Vec3 position_mm) const;
-  /// Sets calipers, which are drawn with their values where the slice passes through them, numbered in this order.
+  /// Sets calipers. Those that lie in the slice are drawn with their values, numbered in this order.
   void setCallipers(std::vector<SliceCalliper> callipers);
 
-  /// Sets the crosshair, patient LPS mm; the slice shown is the one through it (oblique: the probe's plane).
+  /// Sets the crosshair, in the patient's frame (LPS, mm), and shows the slice through it (oblique: the probe's plane).
   void setCrosshair(Vec3 position_mm);
   Vec3 crosshair_mm() const { return crosshair_mm_; }
   void setCrosshairVisible(bool visible);
-  /// Called when the user moves the crosshair, by dragging or by changing the slice; not by setCrosshair.
+  /// Sets a listener that is called when the user moves the crosshair by dragging or by changing the slice. Not called
+  /// by setCrosshair().
   void setCrosshairMoved(std::function<void(Vec3 position_mm)> listener) { crosshairMoved_ = std::move(listener); }
 
   void setWindowLevel(WindowLevel value);
@@ -64,30 +66,30 @@ class MprView final : public View {
   void setLabelColour(std::uint8_t label, Colour colour);
   void setLabelVisible(std::uint8_t label, bool visible);
   void setLabelsVisible(bool visible);
-  /// Shows only their outlines, at any opacity.
+  /// Sets whether labels are drawn as outlines only, at any opacity.
   void setLabelOutlines(bool only) { setLabelStyle({.fill = !only, .outline = true}); }
   void setLabelStyle(const LabelStyle& style);
-  /// Sets the opacity of the fill, 0..1; outlines are stronger.
+  /// Sets the opacity of the labels' fill, 0 to 1; outlines are more opaque.
   void setLabelOpacity(double opacity);
-  /// Sets the opacity of one label, as a share of that of all, 0..1.
+  /// Sets the opacity of one label as a fraction, 0 to 1, of the opacity of all labels.
   void setLabelShare(std::uint8_t label, double share);
   double labelOpacity() const { return labelOpacity_; }
 
-  /// Sets a tool's proposal for a block of the patient's grid, shown over the labels; kNoProposal where it changes
-  /// nothing. Null for none.
+  /// Value in a tool's proposal for voxels that the tool does not change. setProposal() shows a proposal for a block of
+  /// the patient's grid over the labels; null: no proposal.
   static constexpr std::uint8_t kNoProposal = 255;
   void setProposal(const VoxelBox& box, std::shared_ptr<const LabelMap> labels);
   void setToolMarks(SliceMarks marks);
-  /// Named places, shown where the slice passes by as near as showsMark() says.
+  /// Sets named points, which are shown if showsMark() is true for them.
   void setPlaces(std::vector<NamedPlace> places);
 
-  /// Steps of whole slices along the normal; stops at the volume's ends.
+  /// Moves by this number of slices along the normal; stops at the ends of the volume.
   void stepSlices(int slices);
   void zoom(double factor);
-  /// Zoom and pan so that the volume (oblique with a fan: the fan) fills the view.
+  /// Sets zoom and pan so that the volume (for an oblique view with setFan(): the field of view) fills the view.
   void fit();
 
-  /// The slice as it is shown, for conversions between display and patient.
+  /// The displayed slice, which converts between display and patient.
   SlicePlane plane() const;
   Vec3 patientFromDisplay(DisplayPoint at) const { return plane().patientFromDisplay(at); }
   DisplayPoint displayFromPatient(Vec3 point_mm) const { return plane().displayFromPatient(point_mm); }
@@ -138,9 +140,10 @@ class MprView final : public View {
   LabelStyle labelStyle_;
   bool labelsVisible_ = true;
   double labelOpacity_ = 0.25;
-  Vec3 middle_mm_;  ///< once zoomed or panned: the patient point at the middle, but for its place along the normal
+  /// Point of the patient at the center after zoom or pan; its coordinate along the normal is not used.
+  Vec3 middle_mm_;
   double mm_per_px_ = 0.5;
-  int zoomedIn_px_ = 0;  ///< the view's shorter side when it was zoomed or panned
+  int zoomedIn_px_ = 0;  ///< shorter side of the view at the last zoom or pan
   bool fitted_ = true;
   Button held_ = Button::None;
   DisplayPoint last_;

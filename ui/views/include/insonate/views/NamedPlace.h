@@ -7,7 +7,7 @@
 
 namespace insonate::views {
 
-/// A place of the patient that has a name, LPS mm: a landmark, a target, where a probe begins.
+/// A named point of the patient (LPS, mm): a landmark, a target or a start pose of the probe.
 struct NamedPlace {
   Vec3 position_mm;
   std::string name;

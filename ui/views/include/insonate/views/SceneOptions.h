@@ -10,14 +10,14 @@
 
 namespace insonate::views {
 
-/// A closed surface in patient LPS mm: x, y, z of each point; unit normals pointing outward, or none; three point
-/// numbers a triangle.
+/// A closed surface in the patient's frame (LPS, mm): x, y, z of each point; unit normals that point outward, or no
+/// normals; three point indices for each triangle.
 struct Surface {
   std::span<const float> points_mm, normals;
   std::span<const std::uint32_t> triangles;
 };
 
-/// A line through the scene, patient LPS; of less than two points nothing is seen.
+/// A polyline in the scene, in the patient's frame (LPS); with less than two points it is not visible.
 struct ScenePath {
   std::vector<Vec3> points_mm;
   Colour colour = theme::kText;
@@ -26,43 +26,44 @@ struct ScenePath {
 /// Side of the patient that the camera sees.
 enum class Viewpoint { Anterior, Posterior, Left, Right, Superior, Inferior };
 
-/// LeftEye and RightEye show the image of one eye alone. QuadBuffer needs a window that was made for shutter glasses.
+/// Stereo mode. LeftEye and RightEye show the image of one eye only. QuadBuffer needs a window created for shutter
+/// glasses.
 enum class Stereo { Off, Anaglyph, SideBySide, Interlaced, Checkerboard, LeftEye, RightEye, QuadBuffer };
 
-/// Clipping plane; keeps the side that the normal points to. Patient LPS mm.
+/// Clipping plane in the patient's frame (LPS, mm); the side to which the normal points stays visible.
 struct ClippingPlane {
   Vec3 point_mm, normal{0, 0, 1};
 };
 
 enum class ClippingKind { Off, Axial, Coronal, Sagittal, ImagePlane, Free };
 
-/// Clipping plane of a scene. Its normal is toward the patient's head (axial), back (coronal) or left (sagittal),
-/// along the probe's elevation (image plane: the plane moves with the probe), or `direction` (free); the side that it
-/// points to is kept.
+/// Settings of a scene's clipping plane. Its normal points toward the patient's head (axial), back (coronal) or left
+/// (sagittal), along the probe's elevation (image plane; the plane moves with the probe), or along `direction` (free).
+/// The side to which the normal points stays visible.
 struct Clipping {
   ClippingKind kind = ClippingKind::Off;
-  double offset_mm = 0;  ///< along the normal; from the middle of the CT, or from the image plane
-  bool flipped = false;  ///< keeps the other side
+  double offset_mm = 0;  ///< along the normal, from the center of the CT or from the image plane
+  bool flipped = false;  ///< the other side stays visible
   Vec3 direction{0, 0, 1};
   bool operator==(const Clipping&) const = default;
 };
 
-/// A physical screen standing in the patient's space, and the eye before it: head-coupled view. Screen frame:
-/// millimeters, origin at the middle of what the view fills of the screen, x right, y up, z toward the viewer.
+/// Head-coupled view: a physical screen placed in the patient's space, and the eye in front of it. Screen frame:
+/// millimeters, origin at the center of the view's area on the screen, x right, y up, z toward the viewer.
 struct HeadCoupling {
-  /// Rigid, or scaled to show the patient larger or smaller. None: the screen stands at the default camera's focal
-  /// point, perpendicular to its direction, as large as that camera's view there; so turning, panning and zooming
-  /// still work.
+  /// Pose of the screen: rigid, or scaled to show the patient larger or smaller. Empty: the screen is at the default
+  /// camera's focal point, perpendicular to its direction and as large as the camera's view there, so that turning,
+  /// panning and zooming still work.
   std::optional<Transform> patientFromScreen;
   double width_mm = 520;
-  double height_mm = 0;         ///< 0 for the view's own shape
-  Vec3 eye_mm{0, 0, 600};       ///< between the eyes; z above 1
-  double eyeSeparation_mm = 0;  ///< along the screen's x; used in stereo
+  double height_mm = 0;         ///< 0: as the view's aspect ratio requires
+  Vec3 eye_mm{0, 0, 600};       ///< midpoint between the eyes; z above 1
+  double eyeSeparation_mm = 0;  ///< along the screen's x; used for stereo
   bool operator==(const HeadCoupling&) const = default;
 };
 
 struct ScenePick {
-  Vec3 position_mm;  ///< patient LPS
+  Vec3 position_mm;  ///< patient's frame (LPS)
   std::uint8_t label = 0;
 };
 

@@ -19,8 +19,8 @@ class vtkCamera;
 
 namespace insonate::views {
 
-/// Patient, probe and image plane in three dimensions; the world is patient LPS mm. Left drag turns, middle drag (or
-/// left with shift) pans, right drag and wheel come nearer, r looks from the front again.
+/// Patient, probe and image plane in 3D; world coordinates are patient LPS in mm. Left drag turns the view, middle drag
+/// (or left drag with Shift) pans, right drag and wheel zoom, R returns to the view from the front.
 class SceneView final : public View {
  public:
   SceneView();
@@ -29,15 +29,15 @@ class SceneView final : public View {
   /// Sets the case for CT rendering and picking; may be null.
   void setCase(std::shared_ptr<const VtkCase> patient);
 
-  /// Copies the surface of a label; an empty one removes it. Color and opacity stay what they are set to (at first the
-  /// label table's, opaque but for the skin). `coarse` is drawn while things move; without one, surfaces over 12 000
-  /// triangles get one made, which is quick and rough.
+  /// Copies the surface of a label; an empty surface removes it. Color and opacity do not change; initially they are
+  /// the label table's, with all surfaces opaque except the skin. `coarse` is drawn during movement. Without it, a fast
+  /// and rough one is made for surfaces with more than 12 000 triangles.
   void setSurface(std::uint8_t label, const Surface& surface, const Surface& coarse = {});
   void setColour(std::uint8_t label, Colour colour);
   void setOpacity(std::uint8_t label, double opacity);
   void setVisible(std::uint8_t label, bool visible);
   void setSkinOpacity(double opacity);
-  /// Labels that have a surface, rising.
+  /// Labels that have a surface, in increasing order.
   std::vector<std::uint8_t> structures() const;
   Colour colour(std::uint8_t label) const;
   double opacity(std::uint8_t label) const;
@@ -46,81 +46,87 @@ class SceneView final : public View {
   /// one changed.
   void setStructuresChanged(std::function<void()> listener);
 
-  /// The CT itself, ray cast; nothing without a case. At first not visible, and bone.
+  /// Shows or hides the CT by ray casting; no effect without a case. Initially hidden, with the transfer function for
+  /// bone.
   void setCtVisible(bool visible);
   bool isCtVisible() const;
-  /// Sets the transfer function, tidied().
+  /// Sets the transfer function after tidied().
   void setTransferFunction(const TransferFunction& function);
   const TransferFunction& transferFunction() const;
 
   void setClipping(const Clipping& clipping);
   const Clipping& clipping() const;
-  /// Present clipping plane; none if nothing is clipped, for example along an image plane without a probe.
+  /// Present clipping plane; empty if nothing is clipped, for example if the plane follows the image plane but there is
+  /// no probe.
   std::optional<ClippingPlane> clippingPlane() const;
-  /// Distance from the middle at which a plane of this kind still meets the CT (or without one the surfaces), in mm.
+  /// Maximum distance in mm from the center at which a plane of this kind intersects the CT, or the surfaces if there
+  /// is no CT.
   double clippingReach_mm(const Clipping& clipping) const;
 
-  /// Shape of transducer and image plane. None hides both.
+  /// Sets the probe, which determines the shapes of transducer and image plane; empty hides both.
   void setProbe(std::optional<Probe> probe, const ImagingSettings& settings = {});
   void setProbePose(const Transform& patientFromProbe);
   void setProbeVisible(bool visible);
   void setImagePlaneVisible(bool visible);
-  /// The live image of the current probe; copied. It shows within the field of view only.
+  /// Copies the live image of the present probe; only its field of view is shown.
   void setImage(const BModeImage& image);
 
-  /// A straight steel needle with its hub, at true size; none for none. Its frame has its origin at the tip, z along
-  /// the shaft the way it goes in; the bevel looks along -y.
+  /// A straight steel needle with its hub, at true size. Its frame has its origin at the tip and z along the shaft in
+  /// the direction of insertion; the bevel faces -y.
   struct Needle {
     Transform patientFromNeedle;
-    double length_mm = 70, diameter_mm = 1.27;  ///< of the shaft; 18 G
+    double length_mm = 70, diameter_mm = 1.27;  ///< of the shaft; default 18 G
     Colour colour = theme::kText;               ///< of the shaft
   };
   void setNeedle(std::optional<Needle> needle);
 
-  /// A tray with a new needle; none for none. Its frame has its origin in the middle of the floor, x along the tray and
-  /// z up out of it.
+  /// Sets the pose of a tray with a new needle; empty: no tray. The tray's frame has its origin at the center of the
+  /// floor, x along the tray, z up.
   void setTray(const std::optional<Transform>& patientFromTray);
   static constexpr Vec3 kTray_mm{120, 40, 10};
 
-  /// Lines that stay until others are set, e.g. the way that a needle's tip has gone; none for none.
+  /// Sets lines, for example the path of a needle's tip. They replace all earlier lines.
   void setPaths(std::vector<ScenePath> paths);
 
-  /// Looks from this side at all surfaces, hidden ones too, so that hiding one does not move the camera.
+  /// Places the camera so that it sees all surfaces from this side. Hidden surfaces are included, so that hiding one
+  /// does not move the camera.
   void look(Viewpoint from);
-  /// Turns about the focal point, in degrees: to the right and up.
+  /// Turns the view about the focal point, in degrees to the right and up.
   void orbit(double across_deg, double up_deg);
   void pan(double across_px, double down_px);
   void zoom(double factor);
 
-  /// Sets whether the scene moves: then it is drawn coarser, as far as speed requires; dragging in the view does this
-  /// by itself.
+  /// Sets whether the scene moves. A moving scene is drawn at a lower resolution if necessary for speed. Dragging in
+  /// the view calls this automatically.
   void setMoving(bool moving);
   bool isMoving() const;
-  /// Tells whether the last rendering is complete. Without a graphics card, a CT at rest is drawn with few rays first;
-  /// all of them are cast in the background, and setWake()'s listener is called when they can be rendered.
+  /// Tells whether the last frame is complete. Without a graphics card, a CT at rest is first drawn with few rays. All
+  /// rays are then cast in the background, and setWake()'s listener is called when they can be rendered.
   bool isExact() const;
-  /// Renders at rest until the image is exact, or for this long; for saved images, not for the live window. False if
-  /// it is not exact then.
+  /// Renders a scene at rest until isExact() or until the time is over; for saved images, not for the live window.
+  /// Returns isExact().
   bool renderExactly(double patience_s = 60);
 
   void setStereo(Stereo stereo);
   Stereo stereo() const;
-  /// Tells whether the window can show it; without a window, all but QuadBuffer.
+  /// Tells whether the window can show this mode; without a window, true for all modes except QuadBuffer.
   bool supports(Stereo stereo);
-  /// Sets an eye for the default camera, which is kept meanwhile; none, or an eye nearer than 1 mm to the screen, ends
-  /// the coupling. Cheap enough for every message of a head tracker.
+  /// Sets the eye from which the scene is seen in place of the default camera, which is kept meanwhile. Empty, or an
+  /// eye closer than 1 mm to the screen, restores the default camera. Fast enough to be called for every message of a
+  /// head tracker.
   void setHeadCoupling(std::optional<HeadCoupling> coupling);
   const std::optional<HeadCoupling>& headCoupling() const;
-  /// Direction toward the viewer in patient LPS: the normal of a plane that faces the viewer.
+  /// Direction toward the viewer, in the patient's frame (LPS): the normal of a plane that faces the viewer.
   Vec3 towardViewer() const;
 
-  /// The first labeled voxel of the case under a display point that is visible, and as opaque as this; nothing is
-  /// rendered for it.
+  /// Returns the first labeled voxel under a display point whose label is visible and has at least this opacity.
+  /// Renders nothing.
   std::optional<ScenePick> pick(DisplayPoint at, double leastOpacity = 0);
   DisplayPoint displayFromPatient(Vec3 point_mm);
-  /// Just before everything that is drawn, under a display point: for lines that are drawn over the scene.
+  /// Returns the point under a display point that is just in front of everything that is drawn, for lines over the
+  /// scene.
   Vec3 frontOf(DisplayPoint at);
-  /// Position of the eye.
+  /// Position of the viewer's eye in the patient's frame.
   Vec3 eye_mm();
 
   /// Duration of VTK's last rendering, in seconds.
@@ -128,7 +134,7 @@ class SceneView final : public View {
   /// OpenGL's name of the renderer; empty before the first frame.
   std::string graphics() const;
 
-  /// True: the state is plain data, which is passed on for each image.
+  /// True, since the state is plain data, which is passed on for each frame.
   bool canDrawOnThread() const override { return true; }
 
   bool pressed(const Pointer& pointer) override;
@@ -151,7 +157,7 @@ class SceneView final : public View {
   struct Drawing;
   void frame();
   vtkCamera& aimed();
-  /// Point under a display point, from the near plane (-1) to the far one (1).
+  /// Returns the point under a display point at this depth, from -1 (near plane) to 1 (far plane).
   Vec3 along(DisplayPoint at, double depth);
   void clip();
   void structuresChanged();

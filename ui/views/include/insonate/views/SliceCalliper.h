@@ -7,16 +7,16 @@
 
 namespace insonate::views {
 
-/// A measurement on a slice of the CT; its points are patient LPS mm and lie in one plane.
+/// A caliper on a CT slice; its points are in the patient's frame (LPS, mm) and lie in one plane.
 struct SliceCalliper {
   CalliperKind kind = CalliperKind::Distance;
-  std::array<Vec3, 3> points_mm;  ///< a distance uses two
+  std::array<Vec3, 3> points_mm;  ///< a distance uses only points 0 and 1
 };
 
-/// Converts a caliper to the plane's own millimeters for measuring: lateral to the right of the display, axial down.
+/// Converts a caliper to mm in the slice's plane for measuring: lateral to the right of the display, axial down.
 Calliper onSlice(const SliceCalliper& calliper, const SliceAxes& axes);
 PicturePoint onSlice(Vec3 patient_mm, const SliceAxes& axes);
-/// The patient point of a place on the slice that passes through `through_mm`.
+/// Converts a point of the slice through `through_mm` to the patient's frame.
 Vec3 fromSlice(PicturePoint at, const SliceAxes& axes, Vec3 through_mm);
 
 }  // namespace insonate::views

@@ -7,13 +7,13 @@
 
 namespace insonate::views {
 
-/// Marks of a tool over a slice. Places are in the patient, LPS mm; marks farther than a millimeter from the slice are
-/// left out, but for the brush, of which the section is drawn.
+/// Marks that a tool draws over a slice, in the patient's frame (LPS, mm). Marks more than 1 mm from the slice are not
+/// drawn; of the brush, its intersection with the slice is drawn.
 struct SliceMarks {
   struct Brush {
     Vec3 centre_mm;
     double radius_mm = 1;
-    bool flat = false;  ///< a circle in this slice only
+    bool flat = false;  ///< the brush is a circle in this slice only
   };
   std::vector<Vec3> points_mm;
   std::vector<Vec3> line_mm;

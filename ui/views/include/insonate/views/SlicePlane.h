@@ -8,40 +8,40 @@
 
 namespace insonate::views {
 
-/// Orientation of a slice. Axial slices are seen from the feet and coronal ones from the front, so that the patient's
-/// right is on the left; sagittal ones have the front on the left. Oblique is the probe's imaging plane, the skin on
-/// top and the marker's side on the right, as in the ultrasound image.
+/// Orientation of a slice. Axial slices are seen from the feet and coronal slices from the front, so that the patient's
+/// right is on the left; sagittal slices show the front on the left. Oblique is the probe's imaging plane, with the
+/// skin on top and the marker's side on the right, as in the ultrasound image.
 enum class SliceKind { Axial, Coronal, Sagittal, Oblique };
 
-/// Patient directions (unit, LPS) of a slice on the display.
+/// Directions of a slice's display in the patient's frame (unit vectors, LPS).
 struct SliceAxes {
   Vec3 right{1, 0, 0}, up{0, -1, 0};
-  /// Slices are counted along it: to the patient's left, back or head; along the probe's elevation.
+  /// Slices are numbered along this direction: to the patient's left, back or head, or along the probe's elevation.
   Vec3 normal{0, 0, 1};
 };
 
-/// `patientFromProbe` matters for oblique slices only.
+/// Returns the directions for a kind of slice; `patientFromProbe` is used for oblique slices only.
 SliceAxes sliceAxes(SliceKind kind, const Transform& patientFromProbe = {});
 
-/// A slice on a display of square pixels: where in the patient each pixel lies.
+/// A slice on a display with square pixels, which converts between pixels and points of the patient.
 struct SlicePlane {
   SliceAxes axes;
-  Vec3 centre_mm;          ///< patient LPS, at the middle of the display
+  Vec3 centre_mm;          ///< patient's frame (LPS), at the center of the display
   double mm_per_px = 0.5;  ///< above 0
   int width_px = 1, height_px = 1;
 
   Vec3 patientFromDisplay(DisplayPoint at) const;
-  /// Projects a point onto the slice.
+  /// Projects a point onto the slice and converts it to the display.
   DisplayPoint displayFromPatient(Vec3 point_mm) const;
   /// Signed distance of a point from the slice, along the normal.
   double distance_mm(Vec3 point_mm) const { return dot(point_mm - centre_mm, axes.normal); }
 };
 
-/// Letters for a patient direction: L or R, P or A, S or I, the strongest first, weaker ones only when they matter
-/// ("A", "RA", "SPL").
+/// Returns letters for a direction in the patient: L or R, P or A, S or I, the strongest component first, weaker ones
+/// only if they are significant ("A", "RA", "SPL").
 std::string orientationLetters(Vec3 direction);
 
-/// Distance between slices that a grid has along a direction.
+/// Distance between a grid's slices along a direction.
 double sliceStep_mm(const VolumeGeometry& grid, Vec3 normal);
 
 }  // namespace insonate::views

@@ -4,23 +4,23 @@
 
 namespace insonate::views {
 
-/// sRGB, 0..255.
+/// sRGB color, components 0 to 255.
 struct Colour {
   std::uint8_t red = 0, green = 0, blue = 0;
   constexpr bool operator==(const Colour&) const = default;
 };
 
-/// The window's colours.
+/// Colors of the window.
 namespace theme {
 inline constexpr Colour kGround{0x14, 0x17, 0x1a};
 inline constexpr Colour kPanel{0x1b, 0x1f, 0x24};
 inline constexpr Colour kRaised{0x24, 0x2a, 0x31};
 inline constexpr Colour kLine{0x32, 0x3a, 0x43};
 inline constexpr Colour kText{0xd9, 0xdf, 0xe5};
-/// Still 7:1 on everything that text stands on.
+/// Gray for less important text; contrast 7:1 or more on all backgrounds of text.
 inline constexpr Colour kQuiet{0xb0, 0xba, 0xc3};
 inline constexpr Colour kAccent{0x4a, 0xa3, 0xd8};
-/// The accent color of text.
+/// Accent color for text.
 inline constexpr Colour kLink{0x86, 0xc8, 0xf0};
 inline constexpr Colour kGood{0x4c, 0xaf, 0x7d};
 inline constexpr Colour kCaution{0xe0, 0xa3, 0x3a};

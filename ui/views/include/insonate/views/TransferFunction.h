@@ -10,33 +10,33 @@
 
 namespace insonate::views {
 
-/// A corner of a transfer function.
+/// A node of a transfer function.
 struct TransferNode {
-  double hu = 0;       ///< Hounsfield units, kLeast_HU..kMost_HU
-  double opacity = 0;  ///< of one millimeter of such tissue, 0..1
+  double hu = 0;       ///< Hounsfield units, kLeast_HU to kMost_HU
+  double opacity = 0;  ///< opacity of one millimeter of such tissue, 0 to 1
   Colour colour{255, 255, 255};
   bool operator==(const TransferNode&) const = default;
 };
 
-/// Opacity and color of a CT's Hounsfield units, linear between nodes and constant beyond the first and the last.
-/// Plain data, the same for the view that draws with it and the editor that changes it.
+/// Maps a CT's Hounsfield units to opacity and color, linear between nodes and constant beyond the first and the last.
+/// Plain data, used both by the view that draws with it and by its editor.
 struct TransferFunction {
   static constexpr double kLeast_HU = -1024, kMost_HU = 3071;
   static constexpr int kMostNodes = 32;
-  /// Two nodes are at least so far from each other, in HU.
+  /// Minimum distance between two nodes, in HU.
   static constexpr double kLeastGap_HU = 1;
 
-  std::vector<TransferNode> nodes;  ///< by rising HU
+  std::vector<TransferNode> nodes;  ///< in increasing order of HU
   bool operator==(const TransferFunction&) const = default;
 
-  /// 0 without nodes.
+  /// Opacity for a value; 0 if there are no nodes.
   double opacityAt(double hu) const;
-  /// Black without nodes.
+  /// Color for a value; black if there are no nodes.
   Colour colourAt(double hu) const;
 };
 
-/// Returns the nodes in order, within their ranges, apart by the minimum gap, and up to the maximum number; non-finite
-/// ones are removed.
+/// Returns the function with its nodes sorted, clamped to their ranges and separated by the minimum distance. Nodes
+/// beyond the maximum number, and those that are not finite, are removed.
 TransferFunction tidied(TransferFunction function);
 
 struct TransferPreset {
@@ -44,10 +44,11 @@ struct TransferPreset {
   TransferFunction function;
 };
 
-/// Bone first, then soft tissue, skin and bone, contrast vessels, lung.
+/// Presets: bone, soft tissue, skin and bone, contrast-filled vessels, lung.
 std::span<const TransferPreset> transferPresets();
 
-/// {"nodes": [{"hu": 150, "opacity": 0.2, "colour": "#aa5530"}, ...]}; tidied. Refuses text that is not such JSON.
+/// Reads a function from {"nodes": [{"hu": 150, "opacity": 0.2, "colour": "#aa5530"}, ...]} and applies tidied(). Fails
+/// if the text is not JSON of this form.
 Result<TransferFunction> readTransferFunction(std::string_view json);
 std::string writeTransferFunction(const TransferFunction& function);
 

@@ -13,57 +13,59 @@
 
 namespace insonate::views {
 
-/// Lines and handles over the image, for something that is being edited.
+/// Lines and handles drawn over the image while something is edited.
 struct PictureGuide {
-  std::vector<PicturePoint> outline;  ///< closed
+  std::vector<PicturePoint> outline;  ///< closed polygon
   std::vector<PicturePoint> handles;
-  std::vector<std::string> words;  ///< beside the handles; may be fewer
-  int chosen = -1;                 ///< the handle that is held or has the keyboard
+  std::vector<std::string> words;  ///< labels of the handles; may be fewer than handles
+  int chosen = -1;                 ///< index of the handle that is held or has the keyboard focus
 };
 
-/// A mesh of the tissue in the image's plane, as it lies now.
+/// A mesh of the tissue in the image plane, in its present deformation.
 struct PictureTissue {
-  int columns = 0, rows = 0;        ///< of nodes; no mesh below two of each
-  std::vector<PicturePoint> nodes;  ///< [row][column]
-  std::vector<float> pressure_kPa;  ///< of its cells, (columns-1) x (rows-1)
+  int columns = 0, rows = 0;        ///< number of nodes; no mesh if either is below 2
+  std::vector<PicturePoint> nodes;  ///< in row-major order
+  std::vector<float> pressure_kPa;  ///< of the mesh's cells, (columns-1) x (rows-1)
 };
 
-/// The live image, as large as fits with square pixels, black around; a depth scale beside it, focus, gray bar, the
-/// probe's marker, callipers. Axial 0 of the scale is the middle of the probe's face.
+/// The live image, as large as possible with square pixels, on black. Around it: depth scale, focus, gray bar, the
+/// probe's marker, calipers. Depth 0 of the scale is the center of the probe's face.
 class UltrasoundView final : public View {
  public:
   UltrasoundView();
   ~UltrasoundView() override;
 
-  /// Copies the gray values. While the image keeps its size, nothing is allocated or built. An image without pixels
-  /// empties the view.
+  /// Copies the gray values. Allocates nothing while the image keeps its size. An image without pixels empties the
+  /// view.
   void setImage(const BModeImage& image);
-  /// Shows only this part, e.g. the field of view without the black beside it; none for the whole image.
+  /// Shows only this part of the image, e.g. the field of view without the black beside it; empty: the whole image.
   void setBounds(std::optional<PictureBounds> bounds);
-  /// The marker's side (+lateral) is on the right, as the image has it; mirrored, on the left.
+  /// Sets whether the image is mirrored. Normally the marker's side (+lateral) is on the right; mirrored, on the left.
   void setMirrored(bool mirrored);
 
   void setFocus(std::optional<double> focus_mm);
   void setFrozen(bool frozen);
   void setScaleVisible(bool visible);
   void setGreyBarVisible(bool visible);
-  /// Slider values in dB from face to depth, -20..20, drawn as a curve beside the image; empty for none.
+  /// Sets the TGC sliders' values in dB, -20 to 20, from the probe's face downward, drawn as a curve beside the image;
+  /// empty: no curve.
   void setTgc(std::span<const double> tgc_dB);
-  /// Marks the place that is pointed at in another view; none for no mark.
+  /// Marks the point under the pointer of another view; empty: no mark.
   void setPointer(std::optional<PicturePoint> point);
-  /// Words over the image that say why it is not the usual one, or in its place what to wait for; empty for none.
+  /// Sets a text over the image that says in what it differs from the normal image, or a text in place of an image that
+  /// is not ready; empty: no text.
   void setNotice(const std::string& words);
-  /// Sets calipers, which are drawn with their values, numbered in this order.
+  /// Sets calipers, which are drawn with their values and numbered in this order.
   void setCallipers(std::vector<Calliper> callipers);
 
-  /// Sets a guide, drawn over the image in the accent color; an empty guide for none.
+  /// Sets a guide, drawn over the image in the accent color; empty: no guide.
   void setGuide(PictureGuide guide);
 
-  /// Sets an overlay: some of the mesh's lines, and the pressure in its cells, in colors with their scale. Copies;
-  /// call with each image, which it does not lay out again.
+  /// Sets an overlay: some of the mesh's lines, and the pressure in its cells as colors with a color scale. Copies its
+  /// arguments. Can be called with each image, since it does not cause a new layout.
   void setTissue(const PictureTissue& tissue, bool grid, bool pressure);
 
-  /// Display pixels to the image's mm and back, also outside the picture.
+  /// Converts display pixels to mm in the image, also outside the image; displayFromPicture() converts back.
   PicturePoint pictureFromDisplay(DisplayPoint at) const;
   DisplayPoint displayFromPicture(PicturePoint point) const;
   /// Tells whether a display point is within the visible part of the image.
@@ -81,7 +83,7 @@ class UltrasoundView final : public View {
   void drawGuide();
   void drawTissue();
 
-  BModeImage shape_;  ///< size and place of the image; its pixels go straight to the texture
+  BModeImage shape_;  ///< size and position of the image; its pixels are stored in the texture only
   std::optional<PictureBounds> bounds_;
   std::optional<double> focus_mm_;
   std::vector<double> tgc_dB_;

@@ -14,31 +14,32 @@ class vtkMatrix4x4;
 
 namespace insonate::views {
 
-/// A patient's volumes as VTK sees them, made once and shared among views. Wraps the patient's own voxels: no copy is
-/// made, and the patient lives as long as this does. For the window's thread.
+/// A patient's volumes as VTK data, made once and shared by several views. Uses the patient's own voxels without a
+/// copy, and keeps the patient alive. For the window's thread.
 class VtkCase {
  public:
   explicit VtkCase(std::shared_ptr<const PatientCase> patient);
   ~VtkCase();
 
   const PatientCase& patient() const { return *patient_; }
-  /// The patient, for readers on other threads.
+  /// The patient, for use on other threads.
   const std::shared_ptr<const PatientCase>& shared() const { return patient_; }
-  /// Replaces the patient by the same voxels in other memory, for example a copy with another title. False for another
-  /// grid, without a change.
+  /// Replaces the patient by one with the same voxels at another address, for example a copy with another title.
+  /// Returns false, without a change, if the grid differs.
   bool setPatient(std::shared_ptr<const PatientCase> patient);
-  /// Hounsfield units; origin, spacing and direction of the patient's grid (LPS mm), oblique and left-handed ones too.
+  /// CT in Hounsfield units, with the origin, spacing and direction of the patient's grid (LPS, mm); oblique and
+  /// left-handed grids are supported.
   vtkImageData* ct() const;
 
-  /// The displayed labels: the patient's own, or another map instead, for example one that is being edited (same grid;
-  /// null for the patient's own again). Do not write to them while a view renders.
+  /// The displayed labels: the patient's own, or another map of the same grid set by setLabels(), for example one that
+  /// is being edited; null restores the patient's own. Do not write to the labels while a view renders.
   const LabelMap& labels() const { return instead_ ? *instead_ : patient_->labels; }
   void setLabels(std::shared_ptr<const LabelMap> labels);
-  /// Say so after each change of voxels, and where they lie; then render the views.
+  /// Must be called after each change of voxels within `box`, before the views are rendered.
   void labelsChanged(const VoxelBox& box);
   void labelsChanged() { labelsChanged(boxOf(patient_->labels.geometry)); }
   std::uint64_t labelRevision() const { return changes_.back().revision; }
-  /// Holds every voxel that has changed after this revision.
+  /// Returns a box that contains every voxel changed after this revision.
   VoxelBox changedSince(std::uint64_t revision) const;
 
  private:
@@ -49,10 +50,10 @@ class VtkCase {
     std::uint64_t revision;
     VoxelBox box;
   };
-  std::deque<Change> changes_;  ///< the latest; never empty
+  std::deque<Change> changes_;  ///< latest last; never empty
 };
 
-/// Row by row, for VTK.
+/// Converts a transform to VTK's matrix, in row-major order.
 vtkSmartPointer<vtkMatrix4x4> vtkMatrix(const Transform& transform);
 
 }  // namespace insonate::views

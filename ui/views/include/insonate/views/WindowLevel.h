@@ -6,12 +6,13 @@
 
 namespace insonate::views {
 
-/// Hounsfield units from level - window/2 (black) to level + window/2 (white). The window is at least 1.
+/// Display window: Hounsfield units from level - window/2 (black) to level + window/2 (white). The window is at least
+/// 1.
 struct WindowLevel {
   double window_HU = 350, level_HU = 50;
   constexpr bool operator==(const WindowLevel&) const = default;
 
-  /// 0..255.
+  /// Returns the gray value, 0 to 255.
   std::uint8_t grey(double hu) const;
 };
 
@@ -20,7 +21,7 @@ struct WindowLevelPreset {
   WindowLevel value;
 };
 
-/// Soft tissue first, then bone, lung, abdomen, brain: the values radiologists know.
+/// Presets with values common in radiology: soft tissue first, then bone, lung, abdomen, brain.
 std::span<const WindowLevelPreset> windowLevelPresets();
 
 }  // namespace insonate::views
