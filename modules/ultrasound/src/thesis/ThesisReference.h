@@ -8,7 +8,7 @@
 
 namespace insonate::thesis {
 
-/// One frame of the thesis look (see ThesisModel.h) in its plainest form, of one look.
+/// Renders one frame of the thesis look (see ThesisModel.h) in its plainest form, with a single compounding look.
 void renderReference(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
                      const PlaneDisplacement& displacement, EnvelopeFrame& envelope);
 
