@@ -10,8 +10,8 @@ namespace insonate::metrics {
 class NeedleWork {
  public:
   static constexpr double kStep_mm = 0.5;  ///< smaller motions are trembling and not counted
-  static constexpr double kRedirect_mm =
-      3;  ///< a redirection is a withdrawal by this distance followed by an advance by this distance
+  /// A redirection is a withdrawal by this distance followed by an advance by this distance.
+  static constexpr double kRedirect_mm = 3;
 
   void beginPass(Vec3 hole_mm);
   void endPass(Vec3 tip_mm);

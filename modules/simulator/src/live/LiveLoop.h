@@ -59,8 +59,8 @@ class LiveImaging::Impl {
   };
 
   static constexpr double kNever_s = HUGE_VAL;
-  static constexpr int kMostOfOneSolve =
-      30;  ///< maximum number of images for one solution; later ones are not expected to converge
+  /// Maximum number of images for one solution; later ones are not expected to converge.
+  static constexpr int kMostOfOneSolve = 30;
 
   void wake();
   void waitFor(double seconds);

@@ -86,8 +86,8 @@ struct TraceInput {
   const FramePlan* plan = nullptr;
   const AcousticScene::Impl* scene = nullptr;
   ChannelConstants channels[TissueField::kStride];
-  float halfwayEdge[TissueField::kStride *
-                    TissueField::kStride]{};            ///< by pair of channels: share that passes at a vessel's edge
+  /// Share of the amplitude that passes at a vessel's edge, by pair of channels.
+  float halfwayEdge[TissueField::kStride * TissueField::kStride]{};
   std::uint32_t gasChannels = 0, texturedChannels = 0;  ///< one bit per channel
   bool anyCt = false;
   const PlaneDisplacement* displacement = nullptr;  ///< null if nothing has moved
@@ -117,8 +117,8 @@ struct BlockEchoes {
   /// Scattering relative to the amplitude that reaches a gate, [component][gate][kBlockLines], component = 2 * look +
   /// (0 re, 1 im).
   AlignedArray<float> echo;
-  AlignedArray<float>
-      boundaries;  ///< boundary echoes, the same for all looks, as seen along their own scanline, [gate][kBlockLines]
+  /// Boundary echoes, the same for all looks, as seen along their own scanline, [gate][kBlockLines].
+  AlignedArray<float> boundaries;
   /// Two-way amplitude in the middle of each gate in the central plane, without the needle's shadow,
   /// [gate][kBlockLines]; unused without a needle.
   AlignedArray<float> level;
@@ -132,8 +132,8 @@ struct TraceBuffers {
     alignas(64) float ct[kMaxColumns];
     alignas(64) float patch[kMaxColumns], wander_steps[kMaxColumns];
     alignas(64) float inside[kMaxColumns];  ///< 1 or 0
-    alignas(64) float least[TissueField::kStride],
-        most[TissueField::kStride];  ///< minimum and maximum of each channel's distances
+    /// Minimum and maximum of each channel's distances.
+    alignas(64) float least[TissueField::kStride], most[TissueField::kStride];
   };
   /// Shift from the displayed position of tissue to its rest position, at one row of nodes, in the probe's plane, mm:
   /// at the row's columns, and expanded to scanlines. By parity of the row; unused if nothing has moved.

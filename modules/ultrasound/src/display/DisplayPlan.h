@@ -11,8 +11,8 @@ namespace insonate::display {
 
 inline constexpr double kWhite_dB = 39.5;  ///< white level, relative to unit speckle, at gain 0
 inline constexpr double kMaxTgc_dB = 120;  ///< of the built-in compensation; more would amplify only noise
-inline constexpr double kHeadroom_dB =
-    15;  ///< range of levels kept below black and above white until smoothing is done
+/// Range of levels kept below black and above white until smoothing is done.
+inline constexpr double kHeadroom_dB = 15;
 
 inline constexpr double kNoNoise_dB = -120;  ///< minimum of the setting; means no noise, and has no cost
 
@@ -29,13 +29,13 @@ inline constexpr double kHazeLongShare_dB = -30, kHazeLongTail_mm = 6;
 inline constexpr double kHazeLongFrom_mm = 3;      ///< shallower echoes are from the skin and the face
 inline constexpr double kHazeLongCeiling_dB = 30;  ///< stronger echoes leak no more than this level
 inline constexpr double kSideLobes_dB = -23;       ///< relative to the lateral echoes at the same depth
-inline constexpr double kTwice_dB =
-    -27;  ///< relative to the echoes at half the depth, which arrive after a second round trip
-inline constexpr double kSmear_mm =
-    1.8;  ///< distance along the face over which side lobes and second echoes fall to 1/e
+/// Relative to the echoes at half the depth, which arrive after a second round trip.
+inline constexpr double kTwice_dB = -27;
+/// Distance along the face over which side lobes and second echoes fall to 1/e.
+inline constexpr double kSmear_mm = 1.8;
 inline constexpr double kDriftReach_dB = 3, kDriftLateral_mm = 2.4, kDriftAxial_mm = 1.5;
-inline constexpr double kRippleReach_dB = 2, kRippleLateral_mm = 1.8,
-                        kRippleAxial_mm = 0.45;  ///< finer variation, for repeated echoes
+/// Finer variation, for repeated echoes.
+inline constexpr double kRippleReach_dB = 2, kRippleLateral_mm = 1.8, kRippleAxial_mm = 0.45;
 
 /// Harmonic imaging: received echoes are weaker (Averkiou, IEEE Ultrasonics Symp 2000:1563: 10 to 20 dB below the
 /// fundamental), and the machine amplifies noise together with them. Haze is weaker still, since weak and early echoes
@@ -53,13 +53,12 @@ double nearLevel_dB(const Probe& probe, double depth_mm);
 /// streaks. And the outermost scanlines have half an aperture, the other half lying beyond the array's end.
 inline constexpr double kShadeFrom_mm = 1.5, kShadeTo_mm = 7;  ///< depths in which bright places are searched
 inline constexpr double kShadeFull_mm = 12;                    ///< depth from which the streaks have full strength
-inline constexpr double kStreakNarrow_mm = 0.8,
-                        kStreakWide_mm =
-                            5;  ///< half widths of the two means that are compared: bright places exceed the wide mean
-inline constexpr double kStreakShare = 0.5,
-                        kStreakReach_dB = 4;  ///< dB lost per dB above the neighborhood, and maximum loss
-inline constexpr double kEdgeLoss_dB = 4.5,
-                        kEdgeWidth_mm = 5;  ///< loss at the ends of the array, and width of the affected strip
+/// Half widths of the two means that are compared: bright places exceed the wide mean.
+inline constexpr double kStreakNarrow_mm = 0.8, kStreakWide_mm = 5;
+/// dB lost per dB above the neighborhood, and maximum loss.
+inline constexpr double kStreakShare = 0.5, kStreakReach_dB = 4;
+/// Loss at the ends of the array, and width of the affected strip.
+inline constexpr double kEdgeLoss_dB = 4.5, kEdgeWidth_mm = 5;
 
 /// Smoothing of plain speckle and along interfaces; widths in units of the point-spread function's FWHM.
 inline constexpr double kPlainAxialSd = 0.44, kPlainLateralSd = 0.27;

@@ -33,8 +33,8 @@ struct ApertureRays {
   /// Number of scanlines by which a ray moves from the previous gate to this gate.
   double shift_lines(int ray, int gate) const { return kTangent[ray] * cone_lines[gate]; }
 
-  std::vector<double>
-      cone_lines;  ///< [gate] scanlines by which the cone's edge moves, 0 to 1; 0 if the beam's width is switched off
+  /// [gate] scanlines by which the cone's edge moves, 0 to 1; 0 if the beam's width is switched off.
+  std::vector<double> cone_lines;
 };
 
 }  // namespace insonate

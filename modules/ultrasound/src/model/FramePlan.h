@@ -66,8 +66,8 @@ struct FramePlan {
   std::uint32_t specklePattern = 0;
   double latticePitch_mm = 0;           ///< of the scatterers, perpendicular to the elevation direction
   double latticeElevationPitch_mm = 0;  ///< along the elevation direction
-  std::vector<double>
-      scatterScale;          ///< [gate] factor with which the envelope of a 0 dB tissue has RMS 1 after the beam
+  /// [gate] factor with which the envelope of a 0 dB tissue has RMS 1 after the beam.
+  std::vector<double> scatterScale;
   double boundaryScale = 1;  ///< factor with which a plane reflector's peak equals its reflection
 
   /// Point-spread function: half of each kernel (center first). The lateral kernels and the axial kernel at the face

@@ -9,8 +9,8 @@ namespace insonate {
 /// slope * line distance, elevation slope * plane distance). Without this, a slope would appear as separate lines, one
 /// per plane. The box is convolved with a quadratic B-spline, so that slopes do not shimmer.
 struct Impulse {
-  static constexpr double kNarrowest_gates = 0.01,
-                          kWidest_gates = 12;  ///< narrower boxes are replaced by the spline alone
+  /// Narrower boxes are replaced by the spline alone.
+  static constexpr double kNarrowest_gates = 0.01, kWidest_gates = 12;
   static constexpr int kMost = 17;
 
   int first = 0;  ///< gate of the first weight

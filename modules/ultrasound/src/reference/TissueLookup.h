@@ -70,8 +70,8 @@ class TissueLookup {
   Transform patientFromProbe_;
   const PlaneDisplacement& displacement_;
   std::vector<Contact> contacts_;  ///< [column]
-  std::vector<Vec3>
-      shifts_;  ///< [row][column], probe frame: rest position minus displayed position; empty if nothing has moved
+  /// [row][column], probe frame: rest position minus displayed position; empty if nothing has moved.
+  std::vector<Vec3> shifts_;
   std::vector<Node> nodes_;
 };
 

@@ -60,8 +60,8 @@ class DistanceTransform {
 
   const NodeLattice& lattice_;
   const NodeLabels& nodes_;
-  const NodeBox block_, smoothed_,
-      read_;  ///< nodes for which distances are requested, for which they are computed, and for which labels are read
+  /// Nodes for which distances are requested, for which they are computed, and for which labels are read.
+  const NodeBox block_, smoothed_, read_;
   const NodeBox seen_;            ///< the block and its neighbors
   const float half_mm_;           ///< distance between a node and the boundary behind it
   const std::vector<float> far_;  ///< a row of values that mean out of reach

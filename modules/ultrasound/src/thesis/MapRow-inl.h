@@ -105,8 +105,8 @@ HWY_INLINE void sampleRow(const KernelInput& in, int firstLine, int plane, int n
     const Ray& ray = in.columns[column];
     const Vec3 seen = ray.origin_mm + ray.direction * r + elevation;
     sampleNode(field, in.displacement ? seen + shifts[c] : seen, c, row);
-    if (in.displacement &&
-        row.beyond[c] > 0)  // tissue from beyond the scene reads as the outermost tissue of the scene
+    // Tissue from beyond the scene reads as the outermost tissue of the scene.
+    if (in.displacement && row.beyond[c] > 0)
       row.beyond[c] = std::min(row.beyond[c], static_cast<float>(beyondLattice(field, field.nodeFromPatient * seen)));
   }
 }

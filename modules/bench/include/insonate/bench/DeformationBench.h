@@ -22,8 +22,8 @@ struct DeformationBenchRow {
   /// `untouched`: the face is off the skin.
   std::string state;
   int frames = 0;
-  double median_ms = 0, p95_ms = 0,
-         min_ms = 0;      ///< time of a whole frame: tissue look-up, solution, and inversion of the displacement
+  /// Time of a whole frame: tissue look-up, solution, and inversion of the displacement.
+  double median_ms = 0, p95_ms = 0, min_ms = 0;
   double iterations = 0;  ///< mean
   /// Difference from `reference` at the same pose, over tissue in the image outside vessels. NaN if not compared.
   double displacementRms_mm = 0, displacementMax_mm = 0;

@@ -33,11 +33,11 @@ Grain grainOf(const BModeImage& image, const PictureBox& patch);
 /// long-axis view: its surroundings are the bands above and below, and the enhancement behind it is not measured.
 struct Lumen {
   double mean = 0, sd = 0;
-  double overSurroundings =
-      0;  ///< compared with a ring of 1.7 to 2.4 times the box's half axes; NaN if the ring is not in the image
+  /// Compared with a ring of 1.7 to 2.4 times the box's half axes; NaN if the ring is not in the image.
+  double overSurroundings = 0;
   double nearMinusFar = 0;  ///< mean of the top fifth minus mean of the bottom fifth
-  double belowOverSides =
-      0;  ///< region 0.4 to 1 box heights below the box, compared with its sides; NaN in long-axis views
+  /// Region 0.4 to 1 box heights below the box, compared with its sides; NaN in long-axis views.
+  double belowOverSides = 0;
 };
 Lumen lumenOf(const BModeImage& image, const PictureBox& box);
 

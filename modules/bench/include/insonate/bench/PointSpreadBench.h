@@ -19,10 +19,10 @@ struct PointSpreadFigures {
   double axial_mm = 0, slice_mm = 0;          ///< full widths at half maximum
   double endLateral_mm = 0;                   ///< lateral_mm at a distance of 1.2 mm from the array's end
   double aside_dB = 0;                        ///< maximum level at lateral distances of 2 mm and more
-  double lumen4_dB = 0,
-         lumen8_dB = 0;  ///< level in the middle of a lumen of 4 or 8 mm diameter, relative to its surroundings
-  double speckleLateral_mm = 0,
-         speckleAxial_mm = 0;  ///< full width at half maximum of the autocorrelation of the intensity
+  /// Level in the middle of a lumen of 4 or 8 mm diameter, relative to its surroundings.
+  double lumen4_dB = 0, lumen8_dB = 0;
+  /// Full width at half maximum of the autocorrelation of the intensity.
+  double speckleLateral_mm = 0, speckleAxial_mm = 0;
 };
 
 struct PointSpreadRow {

@@ -29,8 +29,8 @@ Result<std::vector<SourceImage>> readRealImages(const std::filesystem::path& lis
 struct SimulatedSet {
   int count = 20;
   unsigned seed = 1;  ///< another seed gives other necks, views and settings
-  std::vector<std::filesystem::path>
-      cases;  ///< case folders used in addition to the built-in necks: CTs of patients, atlases
+  /// Case folders used in addition to the built-in necks: CTs of patients, atlases.
+  std::vector<std::filesystem::path> cases;
 };
 
 /// Simulates images of built-in necks and the given cases, in turn two images of each. Each image has another view,
@@ -51,8 +51,8 @@ struct RealismFeature {
                      ///< images of the area that separates the source from all others; NaN without two such sources
   double p = 1;  ///< probability of such a difference between equal sets, corrected for the number of features (Holm,
                  ///< Scand J Stat 1979, 6:65)
-  bool isBeyondFloor()
-      const;  ///< the sets are told apart better than real sources are told from each other, with p below 0.05
+  /// The sets are told apart better than real sources are told from each other, with p below 0.05.
+  bool isBeyondFloor() const;
 };
 
 struct RealismBench {

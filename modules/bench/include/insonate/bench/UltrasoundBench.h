@@ -19,10 +19,10 @@ struct UltrasoundBenchPlan {
   ImagingSetup setup;   ///< workload W1; its engine is ignored
   Transform start;      ///< patientFromProbe at the beginning
 
-  std::vector<int> scanlines, samples,
-      elevationPlanes;     ///< values measured; each setting is varied while the others stay as in `setup`
-  bool thesisLook = true;  ///< measure also with the rendering style "thesis"
-  int poses = 2;           ///< number of poses at which the engines are compared
+  /// Values measured; each setting is varied while the others stay as in `setup`.
+  std::vector<int> scanlines, samples, elevationPlanes;
+  bool thesisLook = true;                      ///< measure also with the rendering style "thesis"
+  int poses = 2;                               ///< number of poses at which the engines are compared
   int denseScanlines = 1024, densePlanes = 9;  ///< sizes of the frame to which rows are compared
   double secondsPerRow = 0.5;
   double secondsForLimits = 0.6;
@@ -53,8 +53,8 @@ struct UltrasoundBenchRow {
                      ///< there is a needle
   int threads = 1;
   int scanlines = 0, samples = 0, elevationPlanes = 0, width = 0, height = 0;
-  double gate_mm =
-      0;  ///< distance between the gates at which echoes are summed along a scanline; follows from the samples
+  /// Distance between the gates at which echoes are summed along a scanline; follows from the samples.
+  double gate_mm = 0;
   FrameTimes times;
   std::vector<StageTime> stages;
   /// Difference from the reference engine with the same settings, which shows how well the engine computes the model:

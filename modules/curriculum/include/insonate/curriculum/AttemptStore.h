@@ -16,8 +16,8 @@ namespace insonate {
 /// An attempt with the data that the store adds to it.
 struct KeptAttempt {
   AttemptFacts facts{};
-  std::int64_t arrival =
-      0;  ///< number of attempts begun in the store up to this one; orders attempts independently of clocks
+  /// Number of attempts begun in the store up to this one; orders attempts independently of clocks.
+  std::int64_t arrival = 0;
   bool crashed = false;  ///< marked abandoned since its process died; the real end may still arrive
   std::string voidReason{};
   /// File of the recording in the store; empty if the store keeps none. The file is not compared with

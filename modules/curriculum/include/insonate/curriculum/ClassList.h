@@ -14,8 +14,8 @@ namespace insonate {
 /// One person on a class list.
 struct ClassListEntry {
   int line = 0;
-  NewPerson
-      person{};  ///< a trainee; `name` is from the column of user names, else of ID numbers, else of e-mail addresses
+  /// A trainee; `name` is from the column of user names, else of ID numbers, else of e-mail addresses.
+  NewPerson person{};
 };
 
 struct ClassListTrouble {

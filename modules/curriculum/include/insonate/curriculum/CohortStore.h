@@ -24,8 +24,8 @@ struct Member {
   std::int64_t changes = 0;
   std::optional<std::int64_t> lastAttempt_us{};  ///< when the newest attempt was begun
   std::string lastLevel{};                       ///< AttemptFacts::level of the newest attempt
-  std::optional<Standing>
-      standing{};  ///< empty: never computed, or computed for another curriculum version than the cohort's
+  /// Empty: never computed, or computed for another curriculum version than the cohort's.
+  std::optional<Standing> standing{};
   bool standingIsCurrent = false;  ///< computing the standing now would give the same
 };
 

@@ -45,8 +45,8 @@ struct PassRule {
 /// Rule for the learning curve test LC-CUSUM (LcCusum.h): a level is mastered only after the test has signaled.
 struct CusumRule {
   double acceptable = 0.1, unacceptable = 0.25;  ///< rates of failure
-  double limit =
-      3.1;  ///< h: score that signals; 8.9 % of trainees who are not able reach it falsely within 50 attempts
+  /// Threshold h: score that signals; 8.9 % of trainees who are not able reach it falsely within 50 attempts.
+  double limit = 3.1;
 
   bool operator==(const CusumRule&) const = default;
 };

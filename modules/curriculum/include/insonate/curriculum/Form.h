@@ -96,8 +96,8 @@ struct FormScore {
   double points = 0, most = 0;      ///< sums over items that were answered with an option that has points
   std::optional<double> percent{};  ///< 100 points / most; empty if nothing is scored
   int scored = 0;                   ///< number of scored items
-  int unscored =
-      0;  ///< number of items with points that were not answered, or were answered with an option without points
+  /// Number of items with points that were not answered, or were answered with an option without points.
+  int unscored = 0;
 };
 
 /// Computes the score. Invalid answers are left out. `most` counts the points of each item's best option.

@@ -21,8 +21,8 @@ struct LearningCurve {
   double rate = 0;      ///< per attempt (exponential), or the exponent (power); above 0
   double residual = 0;  ///< standard deviation of the values about the curve
   int attempts = 0;     ///< number of attempts to which the curve was fitted
-  Interval range =
-      rangeOf(ValueKind::Any);     ///< permitted range of the metric; curve, plateau's interval and band stay within it
+  /// Permitted range of the metric; curve, plateau's interval and band stay within it.
+  Interval range = rangeOf(ValueKind::Any);
   std::array<double, 9> spread{};  ///< covariance of plateau, gain and rate, row by row
 
   /// Value of the curve at an attempt; the first attempt is 1.

@@ -15,8 +15,8 @@ namespace insonate {
 struct StoreDifference {
   std::string attempt{};  ///< AttemptFacts::id; "": the difference is in a standing
   std::string person{};   ///< Person::id
-  std::string
-      field{};  ///< readable description: "points", "metric needle_path_mm", "standing in central_line 5: level"
+  /// Readable description: "points", "metric needle_path_mm", "standing in central_line 5: level".
+  std::string field{};
   std::string stored{};
   std::string expected{};  ///< value that follows from the source
 

@@ -25,8 +25,8 @@ std::string_view nameOf(DevicePhase phase);
 
 /// Identity and limits of a device; constant.
 struct DeviceInfo {
-  std::string
-      id;  ///< the same each time this device is plugged in, if the device can be identified; for storing assignments
+  /// The same each time this device is plugged in, if the device can be identified; for storing assignments.
+  std::string id;
   std::string name;  ///< shown to the user
   DeviceKind kind = DeviceKind::kMotion;
   DeviceLimits limits;

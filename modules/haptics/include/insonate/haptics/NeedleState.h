@@ -26,12 +26,13 @@ struct NeedleEvent {
 
 struct NeedleState {
   bool inBody = false;
-  Label in = kBackground;         ///< tissue at the tip; tissue counts as entered once its wall is punctured
-  double depth_mm = 0;            ///< depth of the tip below the entry, along the needle's track
-  Vec3 entry_mm, track{0, 0, 1};  ///< place of the skin's puncture, and direction of the track; at rest, patient space
-  bool tenting = false;           ///< the tip indents a wall that it has not punctured
-  Label tented = kSkin;           ///< the wall that is indented
-  double tent_mm = 0;             ///< depth of the indentation
+  Label in = kBackground;  ///< tissue at the tip; tissue counts as entered once its wall is punctured
+  double depth_mm = 0;     ///< depth of the tip below the entry, along the needle's track
+  /// Place of the skin's puncture, and direction of the track; at rest, patient space.
+  Vec3 entry_mm, track{0, 0, 1};
+  bool tenting = false;  ///< the tip indents a wall that it has not punctured
+  Label tented = kSkin;  ///< the wall that is indented
+  double tent_mm = 0;    ///< depth of the indentation
   bool onBone = false;
   double axial_N = 0;  ///< resistance along the needle
 };

@@ -37,8 +37,8 @@ struct AttemptEvent {
   /// Tip of the needle, and the unit direction of insertion. For the last two kinds: the center of the vein, and the
   /// probe's axis.
   Vec3 tip_mm{}, axis{0, 0, 1};
-  double depth_mm =
-      0;  ///< depth of the hole below the hole in the skin, along the needle; for the vein: d1 of the thesis
+  /// Depth of the hole below the hole in the skin, along the needle; for the vein: d1 of the thesis.
+  double depth_mm = 0;
   std::optional<Vec3> outward{};  ///< unit normal of the undeformed skin at its hole; empty: unknown
   double tilt_deg = 0;            ///< positive: head down (Trendelenburg)
 

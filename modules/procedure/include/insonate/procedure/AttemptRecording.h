@@ -32,8 +32,8 @@ struct Stretch {
   };
   std::vector<QuantisedSample> samples;
   std::vector<Happened> events;
-  std::uint32_t samplesLost =
-      0;  ///< samples left out in this stretch or just before, since the recorder's queue was full
+  /// Samples left out in this stretch or just before, since the recorder's queue was full.
+  std::uint32_t samplesLost = 0;
 
   /// Passes samples and events up to this time to `take`, in their order.
   void play(std::int64_t until_us, const std::function<void(const Entry&)>& take) const;

@@ -13,8 +13,8 @@ struct AttemptSample {
   std::int64_t time_us = 0;                      ///< since the recording began; never decreases
   std::optional<Transform> patientFromProbe{};   ///< empty: nobody holds the probe
   std::optional<Transform> patientFromNeedle{};  ///< origin at the tip, z in the direction of insertion
-  std::optional<double>
-      needleDepth_mm{};        ///< depth of the tip below the hole in the skin, along the needle; empty: outside
+  /// Depth of the tip below the hole in the skin, along the needle; empty: outside.
+  std::optional<double> needleDepth_mm{};
   double tenting_mm = 0;       ///< distance by which the tip has pushed the tissue before it; 0: no tenting
   double probeForce_N = 0;     ///< force of the probe on the skin
   double pictureDepth_mm = 0;  ///< depth of the live image; 0: no image, or it is frozen

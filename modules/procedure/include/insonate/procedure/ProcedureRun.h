@@ -23,8 +23,8 @@ class ProcedureRun {
     std::size_t rule = 0;  ///< index into Procedure::rules
     std::int64_t time_us = 0;
     double value = 0;  ///< value of the metric
-    std::string
-        vessel{};  ///< name of the vessel that was punctured when the rule was broken; empty: no vessel, or unnamed
+    /// Name of the vessel that was punctured when the rule was broken; empty: no vessel, or unnamed.
+    std::string vessel{};
   };
 
   /// `vessels` as in AttemptHeader.
@@ -63,8 +63,8 @@ class ProcedureRun {
   std::vector<AttemptEvent> milestones_;
   std::optional<AttemptEvent> vesselWall_;   ///< event by which the tip entered its present vessel
   std::vector<std::optional<double>> told_;  ///< by rule: the value at the last finding
-  std::optional<std::int64_t> probeOnSkin_us_,
-      aspirating_us_;  ///< time since which the state has lasted; empty: the state does not hold
+  /// Time since which the state has lasted; empty: the state does not hold.
+  std::optional<std::int64_t> probeOnSkin_us_, aspirating_us_;
 };
 
 }  // namespace insonate

@@ -22,8 +22,8 @@ struct ImagingSetup {
   ImagingSettings settings;
   AcousticTable tissues;
   std::string engine = "auto";  ///< or one of engineNames()
-  TissueMechanics mechanics =
-      {};  ///< tells which part of the tissue a scene must cover; an Imager receives the displacement ready-made
+  /// Tells which part of the tissue a scene must cover; an Imager receives the displacement ready-made.
+  TissueMechanics mechanics = {};
 };
 
 /// One image with its intermediate results.

@@ -27,8 +27,8 @@ inline constexpr double kMiddleStep_mm = 0.5;
 /// State of the tissue under the probe. The tissue is at rest if the setup's model is kNoDeformation.
 struct LivePress {
   double force_N = 0;  ///< force of the tissue on the probe
-  double indentation_mm =
-      0;  ///< of the face from first contact with the skin; below 0: distance from the skin. NaN: no skin near
+  /// Indentation of the face from first contact with the skin; below 0: distance from the skin. NaN: no skin near.
+  double indentation_mm = 0;
   std::vector<LumenArea> lumens;  ///< vessel sections in the plane; empty if nothing compresses the tissue and blood is
                                   ///< at its pressure in the CT
   BloodPressure pressure;
@@ -82,9 +82,9 @@ struct LiveOptions {
   double sceneMargin_mm = 15;  ///< room around the probe within a scene, on each side; 2..100
   double sceneReserve_mm = 9;  ///< the next scene is begun if less room than this is left
   std::size_t cineBytes = 256 << 20;  ///< memory for past frames; the latest frame is always kept
-  bool background =
-      false;              ///< compute images at lower priority than the rest of the program: see lowerThreadPriority()
-  bool workAhead = true;  ///< compute the parts of future scenes while processors are idle
+  /// Compute images at lower priority than the rest of the program: see lowerThreadPriority().
+  bool background = false;
+  bool workAhead = true;       ///< compute the parts of future scenes while processors are idle
   bool keepEnvelopes = false;  ///< also fill LiveFrame::envelope, which takes about six times the memory
   Physiology physiology = {};  ///< see setPhysiology()
   bool pulsating = false;      ///< see setPulsating()

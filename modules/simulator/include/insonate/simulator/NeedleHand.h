@@ -16,8 +16,8 @@ struct NeedleHandState {
   double angle_deg = 45;   ///< between needle and skin; 90: perpendicular to the skin
   double advance_mm = -5;  ///< of the tip from the entry along the needle; below 0: off the skin
   double bevel_deg = 0;    ///< rotation about the needle's axis; 0: the bevel faces away from the skin
-  std::optional<Vec3>
-      planeNormal{};  ///< normal of the image plane in which the needle stays, unit; empty: it is bound to no plane
+  /// Normal of the image plane in which the needle stays, unit; empty: it is bound to no plane.
+  std::optional<Vec3> planeNormal{};
   bool operator==(const NeedleHandState&) const = default;
 };
 

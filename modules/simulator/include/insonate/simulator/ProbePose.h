@@ -21,8 +21,8 @@ StartPose poseOf(const Transform& patientFromProbe);
 struct PosePath {
   std::vector<Transform> patientFromProbe;  ///< at least one
   bool isPath = false;                      ///< given as a list, even if the list has a single pose
-  std::vector<std::string>
-      warnings;  ///< one sentence for each direction that was made perpendicular or pose that was found automatically
+  /// One sentence for each direction that was made perpendicular or pose that was found automatically.
+  std::vector<std::string> warnings;
 };
 
 /// Reads poses from text that the user entered: "auto" (see autoStartPose), the name of one of the case's start poses,

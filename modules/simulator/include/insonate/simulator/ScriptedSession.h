@@ -71,8 +71,8 @@ struct SessionOutcome {
 
 /// Images made during the session, as AttemptPictures would make them from the recording.
 struct SessionPictures {
-  std::int64_t every_us =
-      1'000'000;  ///< interval in script time, a multiple of 1000; the first image is at the first multiple
+  /// Interval in script time, a multiple of 1000; the first image is at the first multiple.
+  std::int64_t every_us = 1'000'000;
   /// Receives each image while a probe is held; a frozen image only once. A failure ends the session. Empty: no images
   /// are made.
   std::function<Result<void>(const LiveFrame&)> take;

@@ -29,8 +29,8 @@ struct RecomputedAttempts {
   std::vector<Left> left{};                  ///< ended attempts that cannot be recomputed
   std::map<std::string, int> notCompared{};  ///< values of compared attempts that were not compared, with the reason;
                                              ///< number of attempts for each
-  std::vector<Flagged>
-      implausible{};  ///< attempts with implausible values, including those that could not be recomputed
+  /// Attempts with implausible values, including those that could not be recomputed.
+  std::vector<Flagged> implausible{};
 };
 
 /// Compares an attempt's stored values with those of its recording, computed by the code that scored it. Values are

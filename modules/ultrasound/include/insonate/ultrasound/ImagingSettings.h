@@ -54,12 +54,12 @@ struct ImagingSettings {
   GrayMap grayMap = GrayMap::Soft;
   double speckleReduction = 0.4;  ///< share of the image that is smoothed along interfaces, 0..1
   double edgeEnhancement = 0;     ///< enhancement of changes along the beam, 0..1
-  double dynamicFilter =
-      0;                  ///< growth of the pulse's length per 30 mm of depth, relative to its length at the face; 0..2
-  double noise_dB = -44;  ///< RMS of the receiver's noise in one look, relative to unit speckle, before TGC; -120..0
+  /// Growth of the pulse's length per 30 mm of depth, relative to its length at the face; 0..2.
+  double dynamicFilter = 0;
+  double noise_dB = -44;   ///< RMS of the receiver's noise in one look, relative to unit speckle, before TGC; -120..0
   double ringing_dB = 10;  ///< transmitted pulse at the face, relative to unit speckle; -20..60
-  double poorContactLeft_mm = 0,
-         poorContactRight_mm = 0;          ///< widths of strips of the face without contact to the skin; 0..30
+  /// Widths of strips of the face without contact to the skin; 0..30.
+  double poorContactLeft_mm = 0, poorContactRight_mm = 0;
   std::array<double, 8> lateralGain_dB{};  ///< sliders from the left to the right scanline, -20..20
   int looks = 3;                           ///< number of compounded looks, 1..3
   double steering_deg = 0;                 ///< angle of the scanlines toward +x, linear probes only; -20..20
