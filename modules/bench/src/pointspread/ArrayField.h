@@ -40,8 +40,8 @@ class ArrayField {
 
   Probe probe_;
   double frequency_MHz_, transmitFocus_mm_, end_mm_;
-  std::vector<double> waveNumber_radPmm_, spectrum_;  ///< by frequency
-  std::vector<double> height_mm_, lens_mm_;  ///< by piece of an element's height: position, and delay of the lens
+  std::vector<double> waveNumber_radPmm_, spectrum_;  ///< [frequency]
+  std::vector<double> height_mm_, lens_mm_;  ///< for each piece of an element's height: position, and delay of the lens
 };
 
 }  // namespace insonate::bench

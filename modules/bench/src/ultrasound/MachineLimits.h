@@ -7,7 +7,7 @@ namespace insonate::bench {
 struct MachineLimits {
   double multiplyAdd_GFLOPs = 0;  ///< single precision, on registers
   double cache_GBps = 0;          ///< a = b + s c on arrays that fit the second-level cache (read, read, write)
-  double memory_GBps = 0;         ///< as cache_GBps, on arrays far larger than any cache (STREAM triad)
+  double memory_GBps = 0;         ///< like cache_GBps, on arrays far larger than any cache (STREAM triad)
 };
 
 /// Measures the limits in `seconds`, which the three kernels share.

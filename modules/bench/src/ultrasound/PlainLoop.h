@@ -33,7 +33,7 @@ class PlainLoop {
   BeamGrid grid_;
   std::array<float, kLabelCount> echo_{}, loss_{};  // echo amplitude, and share of the amplitude kept per sample
   std::vector<float> axialKernel_;
-  std::vector<std::vector<float>> lateralKernel_;  // by sample
+  std::vector<std::vector<float>> lateralKernel_;  // a kernel for each sample
   std::vector<Pixel> pixels_;
   std::vector<float> re_, im_, blurredRe_, blurredIm_, level_;  // [sample][scanline]
 };

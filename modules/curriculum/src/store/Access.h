@@ -57,7 +57,7 @@ enum class Reach {
 /// Further conditions of an act.
 enum Condition : unsigned {
   kUnlogged = 1,      ///< discloses nothing about others; is not logged
-  kNotOneself = 2,    ///< not permitted on the user's own data
+  kNotOneself = 2,    ///< forbidden on the user's own data
   kOnlyTrainees = 4,  ///< instructors may do this to trainees only
   kOnServer = 8,      ///< done on the server if the store belongs to one
   kWholeCohort = 16,  ///< discloses data of all learners in a cohort: their number is logged
@@ -66,7 +66,7 @@ enum Condition : unsigned {
 /// Permission for one act. The table of rules is the only place that states who may do what.
 struct Rule {
   Act act;
-  std::string_view words;  ///< as in the audit log: "see attempts"
+  std::string_view words;  ///< name in the audit log: "see attempts"
   Reach guest, trainee, instructor, administrator;
   unsigned conditions = 0;
 
@@ -87,7 +87,7 @@ struct Request {
 struct Actor {
   std::string id{};  ///< "": a guest
   std::optional<Role> role{};
-  std::int64_t passwordVersion = 0;  ///< that of the session
+  std::int64_t passwordVersion = 0;  ///< version of the password with which the session was opened
 };
 
 struct Verdict {

@@ -10,7 +10,7 @@ struct Process {
   std::string machine{};  ///< the computer's id
   std::string boot{};
   std::int64_t pid = 0;
-  std::int64_t started = 0;  ///< in clock ticks after the boot; needed since process ids are reused
+  std::int64_t started = 0;  ///< start time in clock ticks after the boot; needed since process ids are reused
 
   static Process current();
   /// Tells whether the process is alive. Call it only on the process's own machine.

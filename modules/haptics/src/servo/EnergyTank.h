@@ -18,9 +18,9 @@ struct StylusPlace {
 /// other dissipation.
 struct TankLimits {
   double most_J = 0.05;      ///< maximum of the stored energy
-  double friction_N = 0;     ///< of the device
-  double damping_Nspmm = 0;  ///< of the device
-  double resolution_mm = 0;  ///< of its position
+  double friction_N = 0;     ///< friction of the device
+  double damping_Nspmm = 0;  ///< damping of the device
+  double resolution_mm = 0;  ///< resolution of the device's position
   double mass_kg = 0.05;     ///< minimum mass that the force has to move
 };
 

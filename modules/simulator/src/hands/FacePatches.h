@@ -25,7 +25,7 @@ class FacePatches {
 
  private:
   struct Law {
-    double k1_Npmm = 0.06, k2_Npmm2 = 0.008;  ///< of each patch; values of a neck until a solution is known
+    double k1_Npmm = 0.06, k2_Npmm2 = 0.008;  ///< force law of each patch; a neck's values until a solution is known
   };
 
   Law law_;

@@ -24,7 +24,7 @@ class GridMaker {
 
   struct Made {
     std::shared_ptr<const TissueGrid> grid;                ///< null if the map does not reach there
-    std::shared_ptr<const std::vector<CentreLine>> veins;  ///< of the whole case
+    std::shared_ptr<const std::vector<CentreLine>> veins;  ///< center lines of the case's veins
     Vec3 centre_mm;
   };
   /// Requests the grid around this point; a former request is dropped.

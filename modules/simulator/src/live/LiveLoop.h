@@ -130,7 +130,7 @@ class LiveImaging::Impl {
   bool pulsatingSeen_ = false;  ///< state at the last image
   bool bloodChanged_ = false;   ///< blood pressure has changed since the last image
   int tissueLeft_ = 0;          ///< number of images that may still continue the same solution
-  double begun_s_ = -HUGE_VAL;  ///< when the last image was begun
+  double begun_s_ = -HUGE_VAL;  ///< time at which the last image was begun
   LivePress press_;
   std::uint64_t number_ = 0;
   ImagingFrame scratch_;

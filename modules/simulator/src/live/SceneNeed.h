@@ -19,8 +19,8 @@ class SceneNeed {
  private:
   Region whole(const Transform& patientFromProbe) const;
 
-  Region probe_mm_;   ///< in the probe frame
-  Region volume_mm_;  ///< in the patient frame
+  Region probe_mm_;   ///< probe frame
+  Region volume_mm_;  ///< patient frame
   Transform indexFromPatient_;
   std::array<int, 3> size_;
   double detail_mm_;

@@ -27,8 +27,9 @@ class CompoundingEngine final : public Engine {
   bool inTurn_;
   std::size_t next_ = 0;                ///< index of the next angle to render
   std::vector<EnvelopeFrame> steered_;  ///< the last frame of each angle; empty before the first frame
-  std::vector<double> linesPerSample_;  ///< by angle: lateral shift of steered scanlines, in lines per sample of depth
-  std::vector<float> angles_;           ///< number of angles that cover a sample of a look
+  /// For each angle: lateral shift of steered scanlines, in lines per sample of depth.
+  std::vector<double> linesPerSample_;
+  std::vector<float> angles_;  ///< number of angles that cover a sample of a look
   std::vector<Stage> stages_;
 };
 

@@ -39,7 +39,7 @@ HWY_INLINE GateInt wholeBits(GateVec x) {
   return hn::BitCast(GateIntTag(), hn::Add(x, hn::Set(d, kToWhole)));
 }
 
-inline constexpr float kOctavesPerDecibel = 0.16609640474F;  ///< of an amplitude: log2(10) / 20
+inline constexpr float kOctavesPerDecibel = 0.16609640474F;  ///< log2(10) / 20, for amplitudes
 
 /// 10^(dB / 20), down to 10^-36. It is computed as 2^x, with a Taylor polynomial for the fraction (relative error below
 /// 3e-6 on -0.5..0.5).

@@ -93,7 +93,7 @@ struct TraceInput {
   const PlaneDisplacement* displacement = nullptr;  ///< null if nothing has moved
   const NeedleEchoes* needle = nullptr;             ///< null if there is no needle
   RayArrays lines, columns;                         ///< lines are padded to whole blocks
-  RayArrays probeColumns;                           ///< in the probe frame
+  RayArrays probeColumns;                           ///< probe frame
   PlaneAxes patientAxes, latticeAxes;
   std::vector<float> lineGap_mm, lineStrength;  ///< contact of each scanline
   std::vector<float> columnGap_mm;

@@ -10,7 +10,7 @@
 namespace insonate::display {
 
 inline constexpr double kWhite_dB = 39.5;  ///< white level, relative to unit speckle, at gain 0
-inline constexpr double kMaxTgc_dB = 120;  ///< of the built-in compensation; more would amplify only noise
+inline constexpr double kMaxTgc_dB = 120;  ///< maximum of the built-in compensation; more would amplify only noise
 /// Range of levels kept below black and above white until smoothing is done.
 inline constexpr double kHeadroom_dB = 15;
 

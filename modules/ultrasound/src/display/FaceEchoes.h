@@ -33,7 +33,7 @@ class FaceEchoes {
   void findRinging(const Probe& probe, const ImagingSettings& settings, const BeamGrid& grid);
 
   int columns_;
-  Plane line_, lack_;             ///< one row each: power of the ringing, and share of the ringing that is as in air
+  Plane line_, lack_;             ///< single rows: power of the ringing, and share of the ringing that is as in air
   std::optional<Plane> contact_;  ///< [block][scanline]
   std::vector<float> touching_, lifted_;  ///< [row] power; ends at the row at which the ringing ends
 };

@@ -29,7 +29,7 @@ class Haze {
 
   const DisplayPlan* plan_;
   Plane tail_, grain_, longTail_, haze_, drift_;
-  Plane smeared_;                ///< one row
+  Plane smeared_;                ///< a single row
   std::vector<float> smearing_;  ///< [block] share that passes on to the next scanline
 };
 

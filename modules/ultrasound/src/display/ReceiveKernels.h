@@ -50,9 +50,9 @@ void ringingRow(const RingingRow& task);
 struct HazeRow {
   const float* power;       ///< mean of the block, strong echoes limited
   const float* strong;      ///< mean of the block, including strong echoes
-  const float* tailAbove;   ///< with margins
-  const float* grainAbove;  ///< with margins
-  const float* longAbove;   ///< with margins
+  const float* tailAbove;   ///< has margins
+  const float* grainAbove;  ///< has margins
+  const float* longAbove;   ///< has margins
   int stride;               ///< distance in scanlines to the neighbors
   float spread;             ///< share that spreads to each neighbor
   float tailDecay, grainDecay, longDecay;

@@ -60,7 +60,7 @@ struct SmoothRow {
   int rowStride, rows, row;
   int alongStride = 1;
   float alongWeight[4] = {};
-  const float* slope;  ///< in units of which `rowsPerSlope` gives the rows per tap along the interface
+  const float* slope;  ///< slope of the interface; `rowsPerSlope` converts it to rows per tap along the interface
   float rowsPerSlope;
   const float *structureBefore, *structureAfter, *edgeBefore, *edgeAfter, *meanBefore, *meanAfter;
   float mix;

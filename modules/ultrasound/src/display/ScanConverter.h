@@ -36,7 +36,7 @@ class ScanConverter {
   static constexpr int kMargin = 16;  ///< columns on each side of a gray row
 
   int samples_, scanlines_, greyStride_;
-  int columns_, fineStride_;  ///< of the refined rows: in single columns, and in pairs
+  int columns_, fineStride_;  ///< size of the refined rows: in single columns, and in pairs
   BModeImage layout_;
   std::vector<std::uint8_t> grey_;
   std::vector<std::uint16_t> fine_;  ///< two columns each

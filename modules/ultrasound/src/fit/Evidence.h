@@ -16,7 +16,7 @@ struct Evidence {
   std::array<EdgeEvidence, kEdges> edges;
   double outline = 0;    ///< `seen` minus `against`, over the whole visible outline; -1..1
   double agreement = 0;  ///< `seen` over `seen` plus `against`
-  double cover = 0;      ///< how well the model's area matches the body's; dark areas inside count little
+  double cover = 0;      ///< match of the model's area with the body's; dark areas inside count little
   double filled = 0;     ///< share of the model's visible area that is body
   double gaps = 0;       ///< share of the body in the model that is close to background; 1 for letters
   double score() const { return 0.5 * outline + 0.5 * cover; }

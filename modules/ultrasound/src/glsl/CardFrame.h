@@ -51,7 +51,7 @@ class CardFrame {
   std::vector<float> needleWords_;
   std::optional<thesis::ThesisPlan> thesis_;  ///< set if the settings select the thesis look
   PlanTables tables_;
-  std::shared_ptr<const gpu::Buffer> volumes_;  ///< of the last scene
+  std::shared_ptr<const gpu::Buffer> volumes_;  ///< volumes of the last scene
 
   // Valid as long as the settings.
   gpu::Buffer planTable_, kernels_, repeats_, block_, thesisBlock_;

@@ -64,7 +64,7 @@ struct FramePlan {
   /// carrier's phase turns by more than a radian over the width of the beam (4 pi sin(angle) / wavelength per mm), so
   /// that real angles share little speckle.
   std::uint32_t specklePattern = 0;
-  double latticePitch_mm = 0;           ///< of the scatterers, perpendicular to the elevation direction
+  double latticePitch_mm = 0;           ///< distance between scatterers perpendicular to the elevation direction
   double latticeElevationPitch_mm = 0;  ///< along the elevation direction
   /// [gate] factor with which the envelope of a 0 dB tissue has RMS 1 after the beam.
   std::vector<double> scatterScale;

@@ -15,7 +15,7 @@ struct Impulse {
 
   int first = 0;  ///< gate of the first weight
   int count = 0;
-  float weight[kMost];  ///< of unit sum
+  float weight[kMost];  ///< weights of the gates, with unit sum
 
   /// `gate`: center of the echo, may be fractional. `width`: width of the box, in gates.
   Impulse(double gate, double width);

@@ -85,7 +85,7 @@ class NeedleEchoes {
   }
 
  private:
-  struct Pose;  ///< in the probe frame
+  struct Pose;  ///< pose in the probe frame
 
   static float amplitudeOf(float level_dB) { return std::exp2(level_dB * 0.166096404744F); }
   float echoAt(int line, int gate) const {

@@ -12,7 +12,7 @@ namespace insonate {
 struct TissueSample {
   Vec3 patient_mm;       ///< position of the gate in tissue at rest
   bool inside = true;    ///< within the volume
-  bool outside = false;  ///< in front of the skin: gel
+  bool outside = false;  ///< the gate is in front of the skin, in gel
   std::uint8_t label = 0;
   int cell = 0;          ///< number of the cell along this scanline
   int pair = 0;          ///< identifies the two structures of the cell

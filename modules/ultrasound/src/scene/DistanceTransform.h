@@ -19,7 +19,7 @@ struct NodeLabels {
 class DistanceTransform {
  public:
   struct Result {
-    std::vector<std::uint8_t> labels;    ///< of the structures within reach
+    std::vector<std::uint8_t> labels;    ///< labels of the structures within reach
     std::vector<std::int16_t> distance;  ///< [structure][node of the block], in units of TissueField
   };
 

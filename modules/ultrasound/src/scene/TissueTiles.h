@@ -19,7 +19,7 @@ namespace insonate {
 /// Distances and CT deviations of one cube of nodes. They depend only on the case.
 struct TissueTile {
   NodeBox box;
-  std::vector<std::uint8_t> labels;       ///< of the structures within reach
+  std::vector<std::uint8_t> labels;       ///< labels of the structures within reach
   std::vector<std::int16_t> distance;     ///< [structure][node], in units of TissueField
   std::vector<std::int16_t> ctDeviation;  ///< [node], HU above the structure's mean
 
@@ -30,7 +30,7 @@ struct TissueTile {
 /// while there is room. Any number of threads may use it.
 class TissueTiles {
  public:
-  static constexpr int kEdge = 128;  ///< in nodes
+  static constexpr int kEdge = 128;  ///< edge of a tile in nodes
   static constexpr std::size_t kMostBytes = std::size_t(384) << 20;
   using TilePtr = std::shared_ptr<const TissueTile>;
 

@@ -39,7 +39,7 @@ class ThesisCpu {
   EchoRows echo_;
   std::vector<float> lateralKernel_;
   std::vector<Contact> contacts_;                       ///< [column]
-  std::vector<std::unique_ptr<Workspace>> workspaces_;  ///< by thread of the arena
+  std::vector<std::unique_ptr<Workspace>> workspaces_;  ///< a workspace for each thread of the arena
   std::vector<Engine::Stage> stages_;
 };
 

@@ -28,7 +28,7 @@ struct KernelInput {
   const ThesisPlan* thesis = nullptr;
   const AcousticScene::Impl* scene = nullptr;
   std::array<ChannelAcoustics, TissueField::kStride> channels;
-  std::vector<Ray> columns, probeColumns;           ///< in the patient frame, in the probe frame
+  std::vector<Ray> columns, probeColumns;           ///< scanlines in the patient frame and in the probe frame
   const PlaneDisplacement* displacement = nullptr;  ///< null if nothing has moved
   Mat3 patientFromProbe;                            ///< rotates shifts
   std::vector<float> columnGap_mm;
@@ -59,7 +59,7 @@ struct KernelBuffers {
   NodeRow nodes[kMaxPlanes][3];  ///< ring buffer of rows
   Vec3 shifts[3][kMaxColumns];   ///< ring buffer of the same rows
   MapRow columns;
-  MapRow lines[kMaxPlanes][2];  ///< by parity of the row
+  MapRow lines[kMaxPlanes][2];  ///< index: parity of the row
   alignas(64) float level_dB[kMaxPlanes][kBlockLines];
   NoiseRow noise[kNoiseOctaves][2];
   int noiseCell[kNoiseOctaves];  ///< lattice row of noise[o][0]

@@ -66,7 +66,7 @@ double beyondLattice(const TissueField& field, Vec3 node);
 struct MapSample {
   double reflection = 0;  ///< includes the gain
   double loss_dBpmm = 0;  ///< two-way, by absorption and reflection
-  double echo = 0;        ///< of the scattering
+  double echo = 0;        ///< amplitude of the scattering
 };
 
 /// Equation 6 as an amplitude: |d . gradZ| / (2Z) is half the slope of ln Z along the beam. Over an interface, half the

@@ -28,7 +28,7 @@ struct StiffnessRow {
   double maker = 0;         ///< maximum stiffness that the device renders, according to its manufacturer
   double bound = 0;         ///< stiffness up to which device and wall are passive by themselves, at 100 mm/s
   double found = 0;         ///< stiffness up to which the device was stable in a simulated hand (at most 20)
-  double foundAccount = 0;  ///< as `found`, with the servo's energy account
+  double foundAccount = 0;  ///< like `found`, with the servo's energy account
 };
 
 struct ForceDepthCurve {

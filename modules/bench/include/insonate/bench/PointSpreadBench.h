@@ -27,7 +27,7 @@ struct PointSpreadFigures {
 
 struct PointSpreadRow {
   double depth_mm = 0;
-  PointSpreadFigures ours, field;  ///< of the engine, and of the array's field computed independently
+  PointSpreadFigures ours, field;  ///< figures of the engine, and of the array's field computed independently
 };
 
 struct PointSpreadBench {

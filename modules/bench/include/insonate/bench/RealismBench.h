@@ -15,7 +15,7 @@ namespace insonate {
 
 /// An image of the inside of a field of view, without text, at kLookPixelsPer_mm and at most 30 mm deep.
 struct SourceImage {
-  std::string source;  ///< of a real image: machine or data set; of a simulated image: its neck
+  std::string source;  ///< real image: machine or data set; simulated image: neck
   std::string about;   ///< file, or neck, view and settings
   GreyPicture image;
 };

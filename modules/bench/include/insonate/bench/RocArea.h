@@ -22,7 +22,7 @@ double rocP(std::span<const double> positive, std::span<const double> negative);
 
 /// Ratings of the same images by one reader.
 struct ReaderRatings {
-  std::vector<double> positive, negative;  ///< in the same order for each reader
+  std::vector<double> positive, negative;  ///< same order for each reader
 };
 
 /// Mean area of several readers of the same images. The interval takes into account that readers and images are

@@ -46,7 +46,7 @@ struct SegmentationScoreRow {
 /// Time of a tool on a CT of 512 x 512 x 300.
 struct SegmentationTimeRow {
   std::string task;
-  double voxels = 0;  ///< of the tool's region
+  double voxels = 0;  ///< number of voxels in the tool's region
   double median_ms = 0, most_ms = 0;
   double cpu_ms = 0;             ///< processor time of all threads in one run
   std::optional<double> bar_ms;  ///< target for the median

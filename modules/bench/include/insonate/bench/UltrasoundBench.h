@@ -43,7 +43,7 @@ struct FrameTimes {
 
 struct StageTime {
   std::string name;
-  double median_ms = 0, min_ms = 0;  ///< of the engine's stages: summed over threads
+  double median_ms = 0, min_ms = 0;  ///< times of the engine's stages are summed over threads
 };
 
 /// Measurements of one engine with one set of settings and a number of threads.
@@ -73,7 +73,7 @@ struct StageLimits {
   std::string stage;
   int threads = 1;
   StageTime time;
-  double operations = 0, bytes = 0;  ///< of the model, by formula (ultrasound/FrameWork.h); 0 if unknown
+  double operations = 0, bytes = 0;  ///< work of the model by formula (ultrasound/FrameWork.h); 0 if unknown
   double giga_operationsPerSecond = 0, gigabytesPerSecond = 0;
   double percentOfArithmetic = 0, percentOfCache = 0, percentOfMemory = 0;
 };

@@ -20,7 +20,7 @@ struct ClassListEntry {
 
 struct ClassListTrouble {
   int line = 0;
-  std::string sentence{};  ///< what is wrong and what to do
+  std::string sentence{};  ///< explains the error and what to do
   NewPerson person{};      ///< the fields that could be read from the line
 };
 
@@ -42,7 +42,7 @@ struct ClassListMatch {
   };
   std::vector<ClassListEntry> added{};  ///< people who have no account yet
   std::vector<Known> known{};
-  std::vector<ClassListTrouble> troubles{};  ///< those of the list, and lines that match two people
+  std::vector<ClassListTrouble> troubles{};  ///< errors of the list, and lines that match two people
 };
 
 /// Matches people by e-mail address, else by name, ignoring case.

@@ -22,7 +22,7 @@ struct Member {
   int attempts = 0;      ///< number of attempts that count (Judgement.h), including free practice
   /// Number that grows with each attempt that is ended or voided, to detect an outdated Standing.
   std::int64_t changes = 0;
-  std::optional<std::int64_t> lastAttempt_us{};  ///< when the newest attempt was begun
+  std::optional<std::int64_t> lastAttempt_us{};  ///< time at which the newest attempt was begun
   std::string lastLevel{};                       ///< AttemptFacts::level of the newest attempt
   /// Empty: never computed, or computed for another curriculum version than the cohort's.
   std::optional<Standing> standing{};

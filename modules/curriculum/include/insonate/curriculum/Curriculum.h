@@ -73,7 +73,7 @@ struct Level {
   std::string about{};     ///< subject of the level, one or two sentences
   std::string caseName{};  ///< name in the case library, or a variant of the built-in neck
   std::string procedure{};
-  std::string position{};  ///< one of the procedure's positions; "": the trainee chooses
+  std::string position{};  ///< a position of the procedure; "": the trainee chooses
   Assistance assistance = Assistance::Guided;
   std::vector<std::string> prerequisites{};  ///< levels that must be mastered first
   PassRule pass{};

@@ -11,7 +11,7 @@ struct FilledForm {
   std::string form{};
   int formVersion = 0;
   std::string person{};   ///< the person whom the form is about
-  std::string attempt{};  ///< that person's attempt which the form is about; "": no particular attempt
+  std::string attempt{};  ///< the person's attempt that the form is about; "": no particular attempt
   std::string by{};       ///< Person::id of the author; set by the store
   std::int64_t filled_us = 0;
   std::string answers{};  ///< JSON object, at most 1 MB, stored byte for byte

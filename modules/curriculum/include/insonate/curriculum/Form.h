@@ -19,17 +19,18 @@ struct FormOption {
   bool operator==(const FormOption&) const = default;
 };
 
-/// One question.
+/// A question of a form.
 struct FormItem {
   enum class Kind { Choice, Number, Text };
 
   std::string name{};  ///< unique within the form
   std::string title{};
-  std::string about{};  ///< what a rater should look for; may be empty
+  std::string about{};  ///< hint for the rater; may be empty
   Kind kind = Kind::Choice;
   bool needed = false;
-  std::vector<FormOption> options{};  ///< of a choice, in order; on a scale the points rise or fall in this order
-  double least = 0, most = 0;         ///< limits of a number
+  /// Options of a choice, in order; on a scale the points rise or fall in this order.
+  std::vector<FormOption> options{};
+  double least = 0, most = 0;  ///< limits of a number
 
   bool operator==(const FormItem&) const = default;
 };
@@ -86,7 +87,7 @@ std::string answersText(const FormAnswers& answers);
 
 struct AnswerTrouble {
   std::string item{};      ///< FormItem::name, or the name of an answer to which no item belongs
-  std::string sentence{};  ///< what is wrong and what to do
+  std::string sentence{};  ///< explains the error and what to do
 };
 
 /// Returns every reason why these answers cannot be stored, in the form's order; empty if they are valid.

@@ -23,7 +23,7 @@ struct FormAgreement {
   int judged = 0;                  ///< attempts judged by at least one rater
   int judgedTwice = 0;             ///< attempts judged by at least two raters
   int otherVersions = 0;           ///< forms that are left out since they belong to another version of the form
-  std::vector<RaterPair> pairs{};  ///< in the order of the raters' names
+  std::vector<RaterPair> pairs{};  ///< sorted by the raters' names
 };
 
 /// Agreement of the raters; `forms` in the order of arrival. Only the first form of a rater about an attempt counts: a

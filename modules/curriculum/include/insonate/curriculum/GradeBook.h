@@ -15,7 +15,7 @@ struct Grade {
   std::string feedback{};
 };
 
-enum class GradeKey { Email, Name };  ///< how a learning management system identifies people
+enum class GradeKey { Email, Name };  ///< key by which a learning management system identifies people
 
 /// A person who is left out of the grades.
 struct UngradedPerson {

@@ -13,7 +13,7 @@ namespace insonate {
 /// Comparison of one attempt with a level's rule.
 struct Judgement {
   bool passed = false;
-  std::vector<bool> standardsMet{};  ///< in the order of PassRule::standards
+  std::vector<bool> standardsMet{};  ///< same order as PassRule::standards
   int met = 0;                       ///< number of standards met
   bool criticalMet = true;           ///< all critical standards are met
 

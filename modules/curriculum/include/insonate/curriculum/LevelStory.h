@@ -8,13 +8,13 @@
 
 namespace insonate {
 
-/// One situation in the course of a level, with the sentence that the trainee then reads.
+/// A situation in the course of a level, with the sentence that the trainee then reads.
 struct StoryTurn {
   enum class When {
     Beginning,     ///< no attempt at any level yet
     Reached,       ///< all prerequisites are mastered
     AfterFailure,  ///< the first attempt at this level failed
-    AfterPass,     ///< one attempt passed, which is not enough for mastery
+    AfterPass,     ///< an attempt passed, but more passes are needed for mastery
     Mastered,
     Lapsed,  ///< lapsed after too long without practice
   };

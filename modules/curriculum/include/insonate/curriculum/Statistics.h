@@ -70,7 +70,7 @@ std::vector<std::optional<double>> movingMean(std::span<const std::optional<doub
 /// Values beyond the whiskers are outliers.
 struct BoxPlot {
   double lowerWhisker = 0, lowerQuartile = 0, median = 0, upperQuartile = 0, upperWhisker = 0;
-  std::vector<double> outliers{};  ///< in rising order
+  std::vector<double> outliers{};  ///< rising order
 };
 std::optional<BoxPlot> boxPlotOf(std::span<const double> values);
 

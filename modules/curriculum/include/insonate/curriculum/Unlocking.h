@@ -14,7 +14,7 @@ namespace insonate {
 
 enum class LevelState {
   Locked,    ///< a prerequisite is not mastered
-  Open,      ///< to be learned now
+  Open,      ///< can be learned now
   Mastered,  ///< mastered; may still be practiced
   Lapsed,    ///< was mastered, and must be renewed now
 };
@@ -25,7 +25,7 @@ inline constexpr std::int64_t kForever_us = std::numeric_limits<std::int64_t>::m
 struct LevelProgress {
   std::string level{};
   LevelState state = LevelState::Locked;
-  std::string why{};  ///< one sentence for the trainee
+  std::string why{};  ///< a sentence for the trainee
   /// Time at which this state began; empty if it has held from the start or the level is locked.
   std::optional<std::int64_t> since_us{};
   int attempts = 0;      ///< number of attempts that count (Judgement.h)

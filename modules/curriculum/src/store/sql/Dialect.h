@@ -12,7 +12,7 @@ enum class Way { Read, Write };
 
 /// Differences between SQLite and PostgreSQL; all other SQL is the same for both.
 struct Dialect {
-  std::string_view name;          ///< as in the names of migration files
+  std::string_view name;          ///< name in migration files
   std::string_view driver;        ///< Qt's name of the driver
   std::string_view options;       ///< options of Qt's connection
   std::string_view setUp;         ///< statements that set up each connection

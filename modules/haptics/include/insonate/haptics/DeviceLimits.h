@@ -12,12 +12,13 @@ struct DeviceLimits {
   double maxForce_N = 0;         ///< peak force
   double continuousForce_N = 0;  ///< force that can be held indefinitely; at most maxForce_N
   double maxTorque_Nmm = 0;      ///< only if there are six force axes
-  double maxStiffness_Npmm = 0;  ///< of a wall that the device can render, according to the manufacturer
-  double rate_Hz = 0;            ///< rate of states and forces
-  double resolution_mm = 0;      ///< smallest step of the position
-  double damping_Nspm = 0;       ///< viscous damping of the device's mechanics: b of Colgate's bound
-  double friction_N = 0;         ///< friction that must be overcome to move the device
-  double mass_kg = 0;            ///< mass that the hand feels at the stylus
+  /// Maximum stiffness of a wall that the device can render, according to the manufacturer.
+  double maxStiffness_Npmm = 0;
+  double rate_Hz = 0;        ///< rate of states and forces
+  double resolution_mm = 0;  ///< smallest step of the position
+  double damping_Nspm = 0;   ///< viscous damping of the device's mechanics: b of Colgate's bound
+  double friction_N = 0;     ///< friction that must be overcome to move the device
+  double mass_kg = 0;        ///< mass that the hand feels at the stylus
 };
 
 }  // namespace insonate

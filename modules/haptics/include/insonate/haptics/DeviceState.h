@@ -11,8 +11,8 @@ namespace insonate {
 /// points along the stylus, away from the hand.
 struct DeviceState {
   Transform deviceFromStylus;  ///< rigid
-  Vec3 velocity_mmps;          ///< of the stylus's origin; 0 if the device does not report it
-  Vec3 angularVelocity_radps;  ///< in the device's frame; 0 if the device does not report it
+  Vec3 velocity_mmps;          ///< velocity of the stylus's origin; 0 if the device does not report it
+  Vec3 angularVelocity_radps;  ///< device frame; 0 if the device does not report it
   std::uint32_t buttons = 0;   ///< one bit per button, the first button is bit 0; 1: pressed
   std::int64_t time_ns = 0;    ///< time of the state, CLOCK_MONOTONIC; 0: no state yet
 };

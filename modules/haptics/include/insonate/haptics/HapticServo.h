@@ -39,7 +39,7 @@ struct ServoSetup {
   std::array<HandSetup, 2> hands;
   NeedleTable needle;
   ToolShapes shapes;
-  double skinFriction = 0.1;  ///< of the probe on wet skin: force along the skin over force into the skin
+  double skinFriction = 0.1;  ///< friction of the probe on wet skin: force along the skin over force into the skin
   /// Holds the needle, and its hand's tool, in place in the tissue, independent of the hand; probe and needle then
   /// exert no force on each other. After release, the hand's setup determines the needle's pose as usual.
   bool needleHeld = false;

@@ -22,7 +22,7 @@ struct SkinPatch {
 
 /// Surroundings that the hands can feel, as slower threads computed them last; updated tens of times per second.
 struct LocalModel {
-  std::int64_t time_ns = 0;  ///< when the model was made, CLOCK_MONOTONIC; forces fade if the model is old
+  std::int64_t time_ns = 0;  ///< time at which the model was made, CLOCK_MONOTONIC; forces fade if the model is old
   std::shared_ptr<const TissueGrid> grid;  ///< tissue at rest; null: the needle feels no force
   Transform restFromPatient;  ///< maps to the place of the tissue at rest, near the needle's tip; affine, close to the
                               ///< identity

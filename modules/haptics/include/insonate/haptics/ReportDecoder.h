@@ -14,7 +14,7 @@ namespace insonate {
 /// own axes.
 struct DeviceReading {
   std::array<double, 6> encoder{};               ///< counts; counters that overflow: since the first report
-  std::optional<Vec3> position_mm;               ///< in the device's frame (DeviceState.h)
+  std::optional<Vec3> position_mm;               ///< device frame (DeviceState.h)
   std::array<double, 4> quaternion{1, 0, 0, 0};  ///< w, x, y, z as reported, not normalized
   std::array<double, 6> deflection{};            ///< -1..1: along x, y, z, then about them
   std::uint32_t buttons = 0;
@@ -69,7 +69,7 @@ std::int32_t signedValue(std::uint32_t raw, int bits) noexcept;
 
 /// Output to a device.
 struct DeviceOutput {
-  Vec3 force_N, torque_Nmm;            ///< in the device's frame
+  Vec3 force_N, torque_Nmm;            ///< device frame
   std::array<double, 3> current_mA{};  ///< for each motor
   std::uint32_t sequence = 0;
 };

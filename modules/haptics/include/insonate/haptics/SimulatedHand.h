@@ -39,8 +39,8 @@ struct Grip {
 struct HandPath {
   struct Point {
     double time_s = 0;  ///< strictly increasing
-    Vec3 position_mm;   ///< of the stylus, device frame
-    Mat3 attitude;      ///< of the stylus, device frame
+    Vec3 position_mm;   ///< position of the stylus, device frame
+    Mat3 attitude;      ///< attitude of the stylus, device frame
   };
   std::vector<Point> points;
 

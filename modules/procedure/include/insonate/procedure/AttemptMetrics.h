@@ -78,7 +78,7 @@ enum class NeedlePlace {
   Clean,     ///< new needle that has not been in the skin
   Underway,  ///< under the skin
   Vein,
-  WrongPlace,  ///< in an artery, another vein, lung or airway, behind the posterior wall of the vein, or on bone
+  WrongPlace,  ///< artery, another vein, lung or airway, behind the posterior wall of the vein, or on bone
   Used,        ///< withdrawn from the skin and not yet replaced
 };
 

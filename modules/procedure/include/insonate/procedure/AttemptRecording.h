@@ -105,7 +105,7 @@ class AttemptRecording {
   bool isChained_ = false, damaged_ = false;
   bool missing_ = false;     ///< according to the links, a block may be missing
   std::string fault_;        ///< a sentence that names the place at which links and blocks disagree; "": they agree
-  std::vector<Link> links_;  ///< in the order of the blocks
+  std::vector<Link> links_;  ///< same order as the blocks
   AttemptHeader header_;
   AttemptStatus status_ = AttemptStatus::CutShort;
   std::vector<std::string> troubles_;

@@ -22,7 +22,7 @@ struct AttemptSample {
   // Distance from the tip to the structure's present place; negative inside. Empty: unknown, or there is no such
   // structure.
   std::optional<double> toArtery_mm{}, toLung_mm{};
-  std::optional<double> toVeinCentre_mm{};  ///< to the center line of the vein
+  std::optional<double> toVeinCentre_mm{};  ///< distance of the tip from the center line of the vein
 
   bool operator==(const AttemptSample&) const = default;
 };

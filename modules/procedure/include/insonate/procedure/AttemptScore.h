@@ -36,7 +36,7 @@ struct AttemptScore {
   std::optional<double> points;  ///< 0..100; empty: the skin was not punctured, or no share is known
   bool succeeded = false;
   std::vector<MetricScore> metrics;           ///< all metrics, in the order of metricTable()
-  std::vector<AttemptMoment> criticalErrors;  ///< those of `moments` that are critical
+  std::vector<AttemptMoment> criticalErrors;  ///< the critical ones of `moments`
   std::vector<AttemptMoment> moments;         ///< milestones and findings, in the order of their times
   /// One sentence on what to do better. It is taken from the first of these that exists: the earliest critical finding,
   /// a major finding, the step in which the attempt ended, a minor finding, the metric with the smallest share below

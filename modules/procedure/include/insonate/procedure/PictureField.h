@@ -8,7 +8,7 @@ namespace insonate {
 /// `faceRadius_mm` behind the face. Perpendicular to the plane its thickness is that of the beam, according to SliceLaw
 /// (insonate/ultrasound/PointSpread.h).
 struct PictureField {
-  double width_mm = 0;      ///< of the rectangle
+  double width_mm = 0;      ///< width of the rectangle
   double fanAngle_deg = 0;  ///< full angle; 0: a rectangle
   double faceRadius_mm = 0;
   double sliceHalf_mm = 0;               ///< half the minimum slice thickness (FWHM); 0: this attempt has no image

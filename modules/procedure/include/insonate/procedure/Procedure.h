@@ -61,15 +61,16 @@ struct ProcedureRule {
 /// Published values of a metric. The range between novice and expert is the part that can be learned.
 struct MetricNorm {
   Metric metric = Metric::VeinPunctures;
-  double novice = 0, expert = 0;  ///< in the metric's unit; different, and the expert's value is the better one
-  std::string source;             ///< who measured it, and on what
-  std::string advice;             ///< how to come closer to the expert's value, one sentence
+  /// Values in the metric's unit; they differ, and the expert's value is the better one.
+  double novice = 0, expert = 0;
+  std::string source;  ///< study in which the values were measured
+  std::string advice;  ///< advice for coming closer to the expert's value, one sentence
 };
 
 /// A structure that a case must have labeled.
 struct NeededStructure {
   Label label = kVein;
-  std::string why;  ///< what would be impossible without the structure; ends a sentence
+  std::string why;  ///< consequence of a missing structure; the end of a sentence
 };
 
 /// Steps, rules, norms and target of a procedure, as data.

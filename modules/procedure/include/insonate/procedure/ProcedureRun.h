@@ -17,7 +17,7 @@ class ProcedureRun {
   enum class StepState { Open, Done, Skipped };
   struct Step {
     StepState state = StepState::Open;
-    std::int64_t time_us = 0;  ///< when the step was done or skipped
+    std::int64_t time_us = 0;  ///< time at which the step was done or skipped
   };
   struct Finding {
     std::size_t rule = 0;  ///< index into Procedure::rules
@@ -39,7 +39,7 @@ class ProcedureRun {
   const std::vector<Step>& steps() const { return steps_; }
   /// Index of the first step that is due; empty if all steps are done.
   std::optional<std::size_t> due() const;
-  const std::vector<Finding>& findings() const { return findings_; }  ///< in the order of their times
+  const std::vector<Finding>& findings() const { return findings_; }  ///< sorted by time
   /// Events that describe the attempt, in the order of their times: counted punctures, contact with bone, needle
   /// withdrawn or replaced, needle held by the pedal, change of position. A tip that trembles in a hole adds no event.
   const std::vector<AttemptEvent>& milestones() const { return milestones_; }
@@ -62,7 +62,7 @@ class ProcedureRun {
   std::vector<Finding> findings_;
   std::vector<AttemptEvent> milestones_;
   std::optional<AttemptEvent> vesselWall_;   ///< event by which the tip entered its present vessel
-  std::vector<std::optional<double>> told_;  ///< by rule: the value at the last finding
+  std::vector<std::optional<double>> told_;  ///< for each rule, the value at the last finding
   /// Time since which the state has lasted; empty: the state does not hold.
   std::optional<std::int64_t> probeOnSkin_us_, aspirating_us_;
 };

@@ -21,7 +21,7 @@ struct ImagingSetup {
   Probe probe;
   ImagingSettings settings;
   AcousticTable tissues;
-  std::string engine = "auto";  ///< or one of engineNames()
+  std::string engine = "auto";  ///< an engine's name from engineNames(), or "auto"
   /// Tells which part of the tissue a scene must cover; an Imager receives the displacement ready-made.
   TissueMechanics mechanics = {};
 };

@@ -14,7 +14,7 @@ struct NeedleHandState {
   Vec3 inward{0, 1, 0};    ///< into the body, perpendicular to the skin, unit
   Vec3 heading{1, 0, 0};   ///< direction of the needle along the skin, unit
   double angle_deg = 45;   ///< between needle and skin; 90: perpendicular to the skin
-  double advance_mm = -5;  ///< of the tip from the entry along the needle; below 0: off the skin
+  double advance_mm = -5;  ///< distance of the tip from the entry along the needle; below 0: off the skin
   double bevel_deg = 0;    ///< rotation about the needle's axis; 0: the bevel faces away from the skin
   /// Normal of the image plane in which the needle stays, unit; empty: it is bound to no plane.
   std::optional<Vec3> planeNormal{};

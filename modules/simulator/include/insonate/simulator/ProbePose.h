@@ -21,7 +21,7 @@ StartPose poseOf(const Transform& patientFromProbe);
 struct PosePath {
   std::vector<Transform> patientFromProbe;  ///< at least one
   bool isPath = false;                      ///< given as a list, even if the list has a single pose
-  /// One sentence for each direction that was made perpendicular or pose that was found automatically.
+  /// Sentences about directions that were made perpendicular, and about poses that were found automatically.
   std::vector<std::string> warnings;
 };
 

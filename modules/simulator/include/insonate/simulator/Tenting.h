@@ -8,9 +8,10 @@ namespace insonate {
 /// Tissue that a needle pushes ahead of its tip before a wall gives way. Patient LPS, millimeters.
 struct Tenting {
   Vec3 tip_mm{};            ///< present position of the tip, which touches the wall
-  Vec3 direction{0, 0, 1};  ///< of the needle, toward the tip; unit
-  double depth_mm = 0;   ///< distance by which the tip has pushed the tissue along; 0 or less: no tenting; at most 30
-  double radius_mm = 3;  ///< of the tissue that moves along; 1..30. A larger radius is taken if tissue would fold
+  Vec3 direction{0, 0, 1};  ///< unit direction of the needle, toward the tip
+  double depth_mm = 0;  ///< distance by which the tip has pushed the tissue along; 0 or less: no tenting; at most 30
+  /// Radius of the tissue that moves along; 1..30. A larger radius is taken if tissue would fold.
+  double radius_mm = 3;
 
   bool operator==(const Tenting&) const = default;
 };

@@ -10,7 +10,7 @@ namespace insonate {
 
 /// Proof of an attempt by its recording.
 struct AttemptProofOf {
-  AttemptProof proof = AttemptProof::Unproven;  ///< or Proven
+  AttemptProof proof = AttemptProof::Unproven;  ///< Unproven or Proven
   std::string why{};                            ///< a sentence if nothing is proven
   bool isOfStore =
       false;  ///< the store issued the nonce to this attempt; otherwise the recording's id and level must not be used

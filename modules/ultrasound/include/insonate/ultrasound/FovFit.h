@@ -25,7 +25,7 @@ struct PixelPoint {
 struct FovShape {
   ProbeShape shape = ProbeShape::Linear;
   PixelPoint origin;                      ///< fan: the virtual apex; linear: the middle of the face
-  double rotation_deg = 0;                ///< of the axis from vertical; positive: the far end leans to the right
+  double rotation_deg = 0;                ///< angle of the axis from vertical; positive: the far end leans to the right
   bool upsideDown = false;                ///< the face is at the bottom and depth runs upward
   double alpha_deg = 60;                  ///< fan: full angle
   double r1_px = 0, r2_px = 100;          ///< fan: distance from the apex to the face, and to the end

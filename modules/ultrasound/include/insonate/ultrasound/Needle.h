@@ -9,7 +9,7 @@ namespace insonate {
 /// move with it. Patient LPS, millimeters. 18 G has an outer diameter of 1.27 mm (ISO 9626).
 struct Needle {
   Vec3 tip_mm{};
-  Vec3 direction{0, 0, 1};    ///< of the shaft, toward the tip; unit
+  Vec3 direction{0, 0, 1};    ///< unit direction of the shaft, toward the tip
   Vec3 bevelNormal{1, 0, 0};  ///< direction that the bevel's opening faces; must not be along the shaft: only the
                               ///< component perpendicular to it counts
   double radius_mm = 0.635;   ///< outer; 0.1..2
