@@ -63,7 +63,7 @@ enum Condition : unsigned {
   kWholeCohort = 16,  ///< discloses data of all learners in a cohort: their number is logged
 };
 
-/// Permission for one act. The table of rules is the only place that states who may do what.
+/// Permission for one act. The table of rules alone states which role may perform which act.
 struct Rule {
   Act act;
   std::string_view words;  ///< name in the audit log: "see attempts"

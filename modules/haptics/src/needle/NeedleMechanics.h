@@ -92,7 +92,7 @@ class NeedleMechanics {
   Vec3 patientTip_, patientAxis_;
   std::int64_t time_ns_ = 0;
   TissueSample sample_;
-  Label around_ = kSoftTissue;  ///< last tissue of the tip that has no wall of its own
+  Label around_ = kSoftTissue;  ///< last tissue without a wall of its own that the tip was in
   std::array<bool, kNeedleWallCount> inside_{};
   std::array<Contact, kNeedleWallCount> contacts_{};
   Contact onBone_;

@@ -41,7 +41,7 @@ class SceneBuilder {
   /// Cancels the running job and waits for the thread.
   ~SceneBuilder();
 
-  /// Begins a job and cancels the running one, whose result never arrives.
+  /// Begins a job and cancels the running job, whose result is discarded.
   void begin(SceneJob job);
   void cancel();
   /// Cancels the running job, and releases the source of the scenes until the next job.

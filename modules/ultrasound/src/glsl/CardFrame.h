@@ -49,7 +49,7 @@ class CardFrame {
   FramePlan plan_;
   NeedleEchoes needle_;
   std::vector<float> needleWords_;
-  std::optional<thesis::ThesisPlan> thesis_;  ///< set if the settings select the thesis look
+  std::optional<thesis::ThesisPlan> thesis_;  ///< set if the settings select the rendering style of the thesis
   PlanTables tables_;
   std::shared_ptr<const gpu::Buffer> volumes_;  ///< volumes of the last scene
 

@@ -9,8 +9,8 @@
 
 namespace insonate::thesis {
 
-/// Renders the thesis look (see ThesisModel.h) with SIMD across scanlines and threads across blocks of scanlines. The
-/// constructor allocates all memory, except the scratch memory of additional threads in a larger arena.
+/// Renders the style of the thesis (see ThesisModel.h) with SIMD across scanlines and threads across blocks of
+/// scanlines. The constructor allocates all memory, except the scratch memory of additional threads in a larger arena.
 class ThesisCpu {
  public:
   ThesisCpu(const Probe& probe, const ImagingSettings& settings);

@@ -18,7 +18,7 @@ enum class AttemptState {
 enum class AttemptProof {
   Unproven,  ///< no evidence: the recording was made for another store, by an earlier program or by an unknown program
   Proven,    ///< proved by its recording, which is complete and keyed as the store required when the attempt began
-  Accepted,  ///< accepted by an instructor or administrator, whose name is stored, without evidence
+  Accepted,  ///< accepted without evidence by an instructor or administrator, whose name is stored
   Earlier,   ///< stored before proofs existed, so that none was required
   Demonstration,  ///< made up, and marked as such (`curriculum demo`)
 };

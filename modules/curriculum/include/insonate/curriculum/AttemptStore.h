@@ -55,8 +55,8 @@ class AttemptStore {
   Result<AttemptSeal> seal(const AttemptFacts& facts) const;
   /// Tells whether this store issued the nonce to an attempt with this id, person, curriculum and level.
   Result<NonceOrigin> originOf(const AttemptFacts& facts, const std::string& nonce) const;
-  /// Makes an unproven, ended attempt count, on the word of the signed-in user, whose name and reason are in the audit
-  /// log. For instructors and administrators, not for their own attempts. Accepting again is no error.
+  /// Accepts an unproven, ended attempt, so that it counts. The audit log stores the signed-in user's name and reason.
+  /// For instructors and administrators, not for their own attempts. Accepting again is no error.
   Result<void> accept(const std::string& attempt, const std::string& reason) const;
   /// Excludes an ended attempt from the count; for instructors and administrators, not for their own attempts.
   Result<void> voidAttempt(const std::string& attempt, const std::string& reason) const;
@@ -72,8 +72,9 @@ class AttemptStore {
   /// without free practice; grouped by person, each in the order of arrival, like history().
   Result<std::vector<AttemptFacts>> lastOfCohort(const std::string& cohort, int count) const;
 
-  /// Returns the id of the attempt whose recording has this hash; else that of an attempt made on this workstation
-  /// whose recording has this name; else "". All other facts come from attempt(), which checks permissions.
+  /// Returns the id of the attempt whose recording has this hash. If there is none, returns the id of an attempt made
+  /// on this workstation whose recording has this name; otherwise "". All other facts come from attempt(), which checks
+  /// permissions.
   Result<std::string> ofRecording(const std::string& name, const std::string& hash) const;
 
   /// Returns Member::changes of a person. Call it before reading the history from which a Standing is computed.

@@ -53,11 +53,11 @@ class CohortStore {
   /// administrators.
   Result<void> setCurriculum(const std::string& cohort, const std::string& curriculum, int version) const;
 
-  /// Returns the standings of a cohort's learners under its curriculum, by Person::id. A stored standing is used where
-  /// it is current; otherwise it is computed from all attempts of the person and stored. Ending or voiding an attempt
-  /// updates the standing at once; this function also covers passing days, a changed curriculum and new members.
-  /// People who left the cohort are not included. The call counts as one access and makes one entry in the log, which
-  /// names all people.
+  /// Returns the standings of a cohort's learners under its curriculum, by Person::id. A stored standing is used if it
+  /// is current; otherwise it is computed from all attempts of the person and stored. Ending or voiding an attempt
+  /// updates the standing at once; this function also takes into account the passage of days, a changed curriculum and
+  /// new members. People who left the cohort are not included. The call counts as one access and makes one entry in the
+  /// log, which names all people.
   Result<std::map<std::string, Standing>> standings(const std::string& cohort,
                                                     std::span<const std::string> people) const;
 

@@ -21,8 +21,8 @@ struct PendingUpload {
 struct UploadReport {
   int attempts = 0, forms = 0;                 ///< number that the server accepted
   int people = 0, cohorts = 0, curricula = 0;  ///< number that came from the server and was new or different here
-  /// Sentences about what could not be sent and what to do: a name that belongs to another person on the server, a
-  /// curriculum that differs there. Everything else was sent.
+  /// Sentences that name each fact that could not be sent and say what to do: a name that belongs to another person on
+  /// the server, a curriculum that differs on the server. Everything else was sent.
   std::vector<std::string> troubles{};
 };
 

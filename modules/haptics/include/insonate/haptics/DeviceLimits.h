@@ -4,7 +4,7 @@
 
 namespace insonate {
 
-/// Capabilities of a device. A value is 0 if the manufacturer states none and nothing depends on it.
+/// Capabilities of a device. 0: the manufacturer states no value, and nothing depends on it.
 struct DeviceLimits {
   int sensedAxes = 0;            ///< 0 (a pedal), 3 (position) or 6 (position and direction)
   int forceAxes = 0;             ///< 0 (a mouse), 3 (force) or 6 (force and torque)

@@ -73,7 +73,7 @@ struct MetricValues {
   bool operator==(const MetricValues&) const = default;
 };
 
-/// Place of the needle. The thesis shows these places in color: none, none, green, red, yellow.
+/// Place of the needle. The thesis shows these places in color: no color, no color, green, red, yellow.
 enum class NeedlePlace {
   Clean,     ///< new needle that has not been in the skin
   Underway,  ///< under the skin

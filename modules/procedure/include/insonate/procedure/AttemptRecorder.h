@@ -52,7 +52,8 @@ class AttemptRecorder {
   /// Number of further samples that put() accepts now, for callers that run faster than real time and can wait. Call it
   /// on the thread that calls put().
   std::size_t room() const noexcept;
-  /// Adds an event; call on any other thread. It is stored after the samples that the servo had added by then.
+  /// Adds an event. Call it on any thread except the servo's. The event is stored after the samples that the servo has
+  /// added until then.
   void note(const AttemptEvent& event);
   /// Stores the settings that apply from a time on; the time must not lie before that of another change. Call it on any
   /// thread except the servo's. A change to equal settings is not stored.

@@ -54,9 +54,9 @@ class HandsSession {
   void put(Hand hand, std::shared_ptr<HapticDevice> device, HandSetup setup);
   /// Lets mouse and keys move this hand, from this pose of the tool (patientFromTool) on; see moveByMouse().
   void putMouse(Hand hand, const Transform& patientFromTool);
-  /// Sets the pose of the tool that mouse and keys request. A hand that follows them moves there smoothly, or jumps if
-  /// the distance is long; the hand of a simulated device moves there as far as the forces on it allow. No effect if
-  /// the hand holds a real device.
+  /// Sets the pose of the tool that mouse and keys request. A hand that follows mouse and keys moves there smoothly, or
+  /// jumps if the distance is long; the hand of a simulated device moves there as far as the forces on it allow. No
+  /// effect if the hand holds a real device.
   void moveByMouse(Hand hand, const Transform& patientFromTool);
   /// Device in the hand; null if the hand is empty.
   std::shared_ptr<HapticDevice> held(Hand hand) const;

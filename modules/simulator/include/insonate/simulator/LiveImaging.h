@@ -65,7 +65,7 @@ enum class LiveState {
   Imaging,
   WaitingForScene,  ///< the probe left the scene; the last image stays until the next scene is built
   Frozen,
-  Outside,  ///< the probe looks past the patient's volume: images are black
+  Outside,  ///< the probe's image lies outside the patient's volume: images are black
   Failed,   ///< see message; the last image stays, and the next setup or pose is tried
 };
 

@@ -31,8 +31,8 @@ class NeedleHand {
  public:
   static constexpr double kLeastAngle_deg = 5, kMostAngle_deg = 90;
   static constexpr double kMostOff_mm = 40, kLength_mm = 70;
-  /// Depth of the tip up to which the needle can turn. Deeper, tissue holds the needle on its track, since the servo's
-  /// line constraint begins there.
+  /// Depth of the tip up to which the needle can turn. If the tip is deeper, tissue holds the needle on its track,
+  /// since the servo's line constraint begins there.
   static constexpr double kTurnsUntil_mm = 10;
 
   /// Angle of a newly taken needle. Every target needs a steeper angle, so that the trainee has to aim.

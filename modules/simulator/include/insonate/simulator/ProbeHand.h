@@ -20,7 +20,7 @@ struct ProbeHandState {
   bool operator==(const ProbeHandState&) const = default;
 };
 
-/// Outcome of a move. Making it allocates nothing.
+/// Outcome of a move; allocates no memory.
 struct HandMove {
   std::string_view stopped;  ///< a sentence that says why the move was not completed; empty if it was
   bool done() const { return stopped.empty(); }

@@ -70,7 +70,7 @@ struct ImagingSettings {
   int width = 820, height = 616;  ///< image size, 64..4096
   bool conformingContact = true;  ///< the skin follows the face, as with gel and light pressure
   Look look = Look::Coherent;
-  double time_s = 0;  ///< seed, to the millisecond, of electronic noise and of the speckle of the thesis look; 0..1e6
+  double time_s = 0;  ///< seed, to the millisecond, of electronic noise and of the speckle of Look::Thesis; 0..1e6
   Effects effects;
 };
 
