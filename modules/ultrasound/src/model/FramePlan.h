@@ -17,7 +17,7 @@ inline constexpr double kFwhmPerSd = 2.3548200450309493;
 inline constexpr double kReflectorGain_dB = 58;
 /// Depth over which tissue follows the skin that the face has attracted.
 inline constexpr double kContactDepth_mm = 15;
-inline constexpr double kContactReach_mm = 12;  ///< maximum distance of the skin at which the probe receives echoes
+inline constexpr double kContactReach_mm = 12;  ///< maximum distance to the skin at which the probe receives echoes
 inline constexpr double kPoorContact_mm = 6;    ///< contact is lost gradually beyond this gap
 /// Loss by refraction at the sides of vessels, where the beam grazes them.
 inline constexpr double kEdgeLoss_dBpcmMHz = 1.1;

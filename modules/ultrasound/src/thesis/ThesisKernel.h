@@ -32,7 +32,7 @@ struct KernelInput {
   const PlaneDisplacement* displacement = nullptr;  ///< null if nothing has moved
   Mat3 patientFromProbe;                            ///< rotates shifts
   std::vector<float> columnGap_mm;
-  std::vector<float> lineLevel_dB;  ///< contact; padded to whole blocks
+  std::vector<float> lineLevel_dB;  ///< level change by the contact of each scanline; padded to whole blocks
   std::vector<float> contactDecay;  ///< [node row]
   std::vector<float> elevation_mm;  ///< [plane][node row]
   Vec3 elevationAxis;

@@ -16,10 +16,11 @@ enum class AttemptState {
 
 /// Evidence that an attempt was made as its facts say.
 enum class AttemptProof {
-  Unproven,  ///< no evidence: the recording was made for another store, by an earlier program or by an unknown program
-  Proven,    ///< proved by its recording, which is complete and keyed as the store required when the attempt began
-  Accepted,  ///< accepted without evidence by an instructor or administrator, whose name is stored
-  Earlier,   ///< stored before proofs existed, so that none was required
+  Unproven,       ///< no evidence: the recording was made for another store or by an earlier program, or its origin is
+                  ///< unknown
+  Proven,         ///< proved by its recording, which is complete and keyed as the store required when the attempt began
+  Accepted,       ///< accepted without evidence by an instructor or administrator, whose name is stored
+  Earlier,        ///< stored before proofs existed, so that none was required
   Demonstration,  ///< made up, and marked as such (`curriculum demo`)
 };
 

@@ -34,9 +34,9 @@ class AttemptStore {
  public:
   explicit AttemptStore(SignedIn by) : by_(std::move(by)) {}
 
-  /// Stores that an attempt has begun: the facts up to `begun_us`. Person and workstation are taken from the session; a
-  /// missing id is made. Returns the id. Storing the same facts again is no error. Fails if the attempt begins in the
-  /// future or before its curriculum was published; clocks may differ by ten minutes.
+  /// Stores that an attempt has begun, with the members of `facts` up to `begun_us`. Person and workstation are taken
+  /// from the session; a missing id is made. Returns the id. Storing the same facts again is no error. Fails if the
+  /// attempt begins in the future or before its curriculum was published; clocks may differ by ten minutes.
   Result<std::string> begin(const AttemptFacts& facts) const;
   /// Ends an attempt as Completed or Abandoned, with its metrics; values must be finite. Only the person who began it
   /// may end it. Ending it again with the same facts is no error, and an attempt that was marked abandoned after a

@@ -45,7 +45,7 @@ struct DeviceEvent {
   std::string device;        ///< DeviceInfo::id
   DevicePhase phase = DevicePhase::kAbsent;
   bool trouble = false;  ///< true: a fault; false: information
-  std::string text;      ///< a sentence
+  std::string text;      ///< message, one sentence
 };
 
 /// A tool or pedal of any kind: on USB, of a vendor's kit, mouse and keys, a recording, or simulated. The device's own

@@ -19,7 +19,8 @@ class LiveAttempt;
 
 /// Two hands on a patient: devices, the servo that computes their forces, and the tissue that the servo knows. While a
 /// hand holds something, a thread shows the servo 60 times a second the tissue before the probe's face and around the
-/// needle's tip, and moves the live image with the held probe. While both hands are empty, no work is done.
+/// needle's tip, and moves the live image with the held probe. While both hands are empty and there is no pedal, no
+/// work is done.
 ///
 /// Every member may be called from any thread; none waits longer than a fraction of a millisecond but put() and the
 /// destructor. These may wait for a tick and for a step of the tissue's preparation, up to a tenth of a second.

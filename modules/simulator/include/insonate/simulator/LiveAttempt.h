@@ -61,8 +61,8 @@ class LiveAttempt final : public TickListener {
   /// the attempt detects that the target vein is found.
   void see(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around);
 
-  /// Records an event that the program reports: needle replaced, image frozen or released, probe positioned. While the
-  /// image is frozen, no image is counted.
+  /// Records an event that the program reports: needle replaced, image frozen or released, patient positioned. While
+  /// the image is frozen, no image is counted.
   void tell(AttemptEventKind kind, double tilt_deg = 0);
   void setAspirating(bool on);
   /// Sets the settings that apply from now on; until the first call the settings of the header apply.

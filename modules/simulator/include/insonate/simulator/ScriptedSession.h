@@ -39,7 +39,7 @@ struct SessionAct {
   struct Aspirate {
     bool on = false;
   };
-  struct Tell {  ///< reports an event: needle replaced, image frozen or released, probe positioned
+  struct Tell {  ///< reports an event: needle replaced, image frozen or released, patient positioned
     AttemptEventKind kind = AttemptEventKind::NeedleReplaced;
     double tilt_deg = 0;
   };
