@@ -40,8 +40,9 @@ struct ServoSetup {
   NeedleTable needle;
   ToolShapes shapes;
   double skinFriction = 0.1;  ///< friction of the probe on wet skin: force along the skin over force into the skin
-  /// Holds the needle, and its hand's tool, in place in the tissue, independent of the hand; probe and needle then
-  /// exert no force on each other. After release, the hand's setup determines the needle's pose as usual.
+  /// Holds the needle in its place in the tissue, independent of the hand; a spring pulls the hand to the place where
+  /// it was. Probe and needle then exert no force on each other. After release, the hand's setup determines the
+  /// needle's pose as usual.
   bool needleHeld = false;
 };
 
