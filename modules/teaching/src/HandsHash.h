@@ -7,9 +7,9 @@
 
 namespace insonate {
 
-/// AttemptFacts::handsHash: over all samples, then all events, in whole steps and bits as they are kept, without the
-/// header and without where blocks begin. "": there is no event and nothing moved, which two attempts may have in
-/// common. Fails where a block is damaged.
+/// AttemptFacts::handsHash: hash over all samples, then all events, in their stored quantized form, independent of the
+/// header and of the division into blocks. "": there is no event and nothing moved, since two such attempts may be
+/// equal by chance. Fails if a block is damaged.
 Result<std::string> handsHash(const AttemptRecording& recording);
 
 }  // namespace insonate

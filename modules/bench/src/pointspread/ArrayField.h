@@ -8,24 +8,26 @@
 
 namespace insonate::bench {
 
-/// The echo of a point from a linear array in homogeneous tissue without loss, summed over elements, pieces of their
-/// height and frequencies: slow, and independent of what the engines do. The equations are those of Garcia, Comput
-/// Methods Programs Biomed 2022; 218:106726 (PFIELD and SIMUS): each piece is a source whose pressure at a point is
-///   exp(i k (r - delay)) / r * sinc(k b sin(theta)) * cos(theta),
-/// k the wave number, b half an element's width, theta the angle off the element's normal; the spectrum of a point's
-/// echo is that of the pulse times the pressure sent times the pressure received.
+/// Echo of a point from a linear array in homogeneous tissue without loss, summed over elements, over pieces of their
+/// height, and over frequencies. The computation is slow, and independent of the engines. The equations are those of
+/// Garcia, Comput Methods Programs Biomed 2022; 218:106726 (PFIELD and SIMUS): each piece is a source whose pressure at
+/// a point is
+///   exp(i k (r - delay)) / r * sinc(k b sin(theta)) * cos(theta), with k the wave number, b half an element's width
+/// and theta the angle from the element's normal. The spectrum of a point's echo is the spectrum of the pulse times the
+/// transmitted pressure times the received pressure.
 ///
-/// The scanline lies at x = 0 of the array's frame (x along the array, y across the slice, z into the body). Transmit
-/// focuses at focus_mm with an aperture of focus over transmitFNumber, half of it tapered; receive focuses at the
-/// point's depth with an aperture of depth over receiveFNumber, weighted by the probe's apodization; the lens focuses
-/// both at elevationFocus_mm.
+/// The scanline lies at x = 0 of the array's frame (x along the array, y across the slice, z into the body).
+/// Transmission focuses at focus_mm with an aperture of focus over transmitFNumber, half of it tapered. Reception
+/// focuses at the point's depth with an aperture of depth over receiveFNumber, weighted by the probe's apodization. The
+/// lens focuses both at elevationFocus_mm.
 class ArrayField {
  public:
-  /// `end_mm`: from the scanline to the nearer end of the array, where elements are missing. The probe must be linear.
+  /// `end_mm`: distance from the scanline to the nearer end of the array, beyond which elements are missing. The probe
+  /// must be linear.
   ArrayField(const Probe& probe, const ImagingSettings& settings, double end_mm);
 
-  /// A point's echo over time without its carrier, as depth about `focus_mm`, where receive is focused: from -kReach_mm
-  /// to kReach_mm in steps of kStep_mm.
+  /// Complex envelope of a point's echo, by depth relative to `focus_mm`, at which reception is focused: from
+  /// -kReach_mm to kReach_mm in steps of kStep_mm.
   std::vector<std::complex<double>> echo(Vec3 point_mm, double focus_mm) const;
   static constexpr double kStep_mm = 0.01, kReach_mm = 1.5;
 
@@ -38,8 +40,8 @@ class ArrayField {
 
   Probe probe_;
   double frequency_MHz_, transmitFocus_mm_, end_mm_;
-  std::vector<double> waveNumber_radPmm_, spectrum_;  ///< by frequency
-  std::vector<double> height_mm_, lens_mm_;           ///< by piece of an element's height: place and delay
+  std::vector<double> waveNumber_radPmm_, spectrum_;  ///< [frequency]
+  std::vector<double> height_mm_, lens_mm_;  ///< for each piece of an element's height: position, and delay of the lens
 };
 
 }  // namespace insonate::bench

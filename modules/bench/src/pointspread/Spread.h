@@ -7,13 +7,14 @@
 
 namespace insonate::bench {
 
-/// The image of a point: echo by place across the image and along the beam, and its peak by place across the slice.
+/// Image of a point: its echo by position across the image and along the beam, and the echo's peak by position across
+/// the slice.
 struct Spread {
   double x_mm = 0.05, z_mm = 0.01, y_mm = 0.05;  ///< steps
   int across = 0, along = 0;
-  std::vector<std::complex<double>> echo;  ///< [across][along], the point in the middle of both
-  std::vector<double> slice;               ///< the point in the middle
-  std::vector<double> endAcross;           ///< peak by place across the image, near the array's end
+  std::vector<std::complex<double>> echo;  ///< [across][along], with the point in the middle of both
+  std::vector<double> slice;               ///< peak by position across the slice, with the point in the middle
+  std::vector<double> endAcross;           ///< peak by position across the image, near the array's end
 
   std::vector<double> peaksAcross() const;
 };

@@ -9,17 +9,17 @@
 
 namespace insonate::bench {
 
-/// The part of an image of `width` columns that a box covers; the box must lie in the picture.
+/// Returns the part of an image of `width` columns that a box covers; the box must lie in the image.
 GreyPicture cutOut(const std::vector<std::uint8_t>& grey, int width, const PictureBox& box);
 
-/// The image's own bytes, to be read only; valid as long as the picture.
+/// Returns the image's own bytes, for reading only; valid as long as the image.
 inline cv::Mat bytesOf(const GreyPicture& picture) {
   return cv::Mat(picture.height, picture.width, CV_8U, const_cast<std::uint8_t*>(picture.grey.data()));
 }
-/// A copy of a matrix of bytes.
+/// Copies a matrix of bytes to an image.
 GreyPicture pictureOf(const cv::Mat& bytes);
 
-/// Quantile of values in any order, between neighbors by linear interpolation; NaN of nothing. `share` 0..1.
+/// Quantile of values in any order, with linear interpolation between neighbors; NaN without values. `share` 0..1.
 double quantile(std::vector<double> values, double share);
 
 }  // namespace insonate::bench

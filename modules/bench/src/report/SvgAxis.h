@@ -7,14 +7,15 @@
 
 namespace insonate::bench {
 
-/// Values along one side of a chart to pixels.
+/// Maps values along one side of a chart to pixels.
 class SvgAxis {
  public:
   struct Tick {
     double value;
     std::string label;
   };
-  /// Spans the `values` that the axis can show and ends on round numbers; pixels may run backwards.
+  /// Spans those of the `values` that the axis can show, and ends on round numbers. `lastPixel` may be less than
+  /// `firstPixel`.
   SvgAxis(const PlotAxis& axis, const std::vector<double>& values, double firstPixel, double lastPixel);
 
   bool shows(double value) const;
@@ -26,7 +27,7 @@ class SvgAxis {
   void spanSteps(double low, double high);
 
   bool logarithmic_;
-  double first_ = 0, last_ = 1;  // of the scale: value, or its logarithm
+  double first_ = 0, last_ = 1;  // ends of the scale, as value or logarithm of the value
   double firstPixel_, lastPixel_;
   std::vector<Tick> ticks_;
 };

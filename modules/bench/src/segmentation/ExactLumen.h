@@ -5,9 +5,9 @@
 
 namespace insonate::bench {
 
-/// Dice that a perfect segmentation would reach against `mask`. The perfect lumen holds the voxels, in fractions, that
-/// are brighter than half-way from muscle to the mask's blood; it is scored alone and with each thickness of wall. Only
-/// voxels of `where`, whose box holds the mask, count. Fails when cancelled.
+/// Dice score that a perfect segmentation would reach against `mask`. The perfect lumen contains the voxels, as
+/// fractions, that are brighter than the mean of muscle and the mask's blood. It is scored alone and with each
+/// thickness of wall. Only voxels of `where` count, whose box contains the mask. Fails if cancelled.
 Result<WallScores> scoreExactLumen(const CtVolume& ct, const Selection& mask, const Selection& where,
                                    const Progress& progress);
 

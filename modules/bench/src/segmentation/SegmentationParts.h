@@ -10,12 +10,12 @@ namespace insonate::bench {
 
 using ScoreRows = std::vector<SegmentationScoreRow>;
 
-/// Scores of a patient whose labels are the truth, in CTs synthesised from them, without contrast and with, for each
-/// noise: structures that are found by themselves, and vessels from clicks where there is contrast in them.
+/// Scores segmentations in CTs synthesized from a patient whose labels are the truth, without and with contrast, for
+/// each noise level. Scored are structures found automatically and, in contrast CTs, vessels tracked from clicks.
 Result<ScoreRows> scoreTruth(const PatientCase& truth, const std::string& variant, std::span<const double> noises_HU,
                              double resolution_FWHM_mm, const Progress& progress);
 
-/// Vessels of an angiogram from clicks, against masks that others have drawn.
+/// Scores vessels of an angiogram tracked from clicks, against masks drawn by others.
 Result<ScoreRows> scoreChestCta(const std::filesystem::path& folder, const Progress& progress);
 
 /// Times the tools on a neck that is resampled to `size` voxels along its axes.

@@ -18,7 +18,7 @@ class TaskTimer {
     std::optional<double> bar_ms;
   };
 
-  /// Both are to outlive it.
+  /// Both must outlive the timer.
   TaskTimer(SegmentationBench& bench, const Progress& progress) : bench_(bench), progress_(progress) {}
 
   void time(const Task& task, int repeats, const std::function<void(const Progress&)>& work);
@@ -33,7 +33,7 @@ class TaskTimer {
 void forgetPeakMemory();
 std::optional<double> peakMemory_bytes();
 
-/// Threads, and how busy the machine is beside this program.
+/// Returns a note on the number of threads, and on how busy the machine is with other programs.
 std::string machineNote();
 
 }  // namespace insonate::bench

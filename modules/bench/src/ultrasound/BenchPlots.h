@@ -6,7 +6,7 @@
 
 namespace insonate::bench {
 
-/// SVG files by name.
+/// Returns SVG files by name.
 std::map<std::string, std::string> plotsOf(const UltrasoundBench& bench);
 
 }  // namespace insonate::bench

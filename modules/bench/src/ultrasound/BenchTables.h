@@ -4,12 +4,12 @@
 
 namespace insonate::bench {
 
-/// Comma-separated tables with a header line; values that are not finite are left empty.
+/// Return comma-separated tables with a header line; values that are not finite are empty.
 std::string rowsCsv(const UltrasoundBench& bench);
 std::string stagesCsv(const UltrasoundBench& bench);
 std::string realismCsv(const UltrasoundBench& bench);
 
-/// The tables and plots as a page for people (Markdown).
+/// Returns the tables and plots as a readable page (Markdown).
 std::string indexPage(const UltrasoundBench& bench);
 
 }  // namespace insonate::bench

@@ -8,20 +8,22 @@
 
 namespace insonate::bench {
 
-/// Times and errors of every engine over the plan's settings.
+/// Measures times and errors of every engine over the plan's settings.
 class EngineRows {
  public:
-  /// The scene must cover the path. Refuses a setup that is out of range.
+  /// The scene must cover the path. Fails if the setup is out of range.
   static Result<EngineRows> make(const UltrasoundBenchPlan& plan, const AcousticScene& scene,
                                  std::span<const Transform> path);
 
-  /// Settings to be measured, the plan's own first.
+  /// Settings to measure, the plan's own first.
   const std::vector<ImagingSettings>& settings() const { return settings_; }
-  /// Appends the rows of one of them: every engine, on one thread and, where it uses them, on all.
+  /// Appends the rows of one of these settings: every engine, with one thread and, if the engine uses several, with
+  /// all.
   Result<void> measure(const ImagingSettings& settings, std::vector<UltrasoundBenchRow>& rows) const {
     return measure(settings, {}, rows);
   }
-  /// Measures the plan's own settings with tissue under pressure, and with a needle in the plane.
+  /// Measures the plan's own settings with compressed tissue (measureDisplaced) and with a needle in the plane
+  /// (measureNeedle).
   Result<void> measureDisplaced(std::vector<UltrasoundBenchRow>& rows) const;
   Result<void> measureNeedle(std::vector<UltrasoundBenchRow>& rows) const;
 

@@ -9,16 +9,16 @@
 
 namespace insonate::bench {
 
-/// Duration of a row: at least `least` frames, then more until `seconds` or `most` are reached.
+/// Number of frames of a row: at least `least`, then more until `seconds` or `most` is reached.
 struct Patience {
   int warmUp = 2, least = 5, most = 60;
   double seconds = 0.5;
 };
 
-/// Milliseconds of repeated calls; `frame` gets the number of the call.
+/// Measures repeated calls in milliseconds; `frame` receives the number of the call.
 FrameTimes timeFrames(const Patience& patience, const std::function<void(int frame)>& frame);
 
-/// Contents of the plane besides the scene, in the probe's frame, so that they move with it.
+/// Objects in the plane in addition to the scene, in the probe's frame, so that they move with the probe.
 struct PlaneContents {
   PlaneDisplacement displacement;
   std::optional<Needle> needle;
@@ -26,8 +26,8 @@ struct PlaneContents {
   void render(Imager& imager, const AcousticScene& scene, const Transform& patientFromProbe, ImagingFrame& frame) const;
 };
 
-/// Whole frames, engine and display, of a probe that moves along `path` and back, on an arena of `threads`. Stages get
-/// the median and the least of their times.
+/// Measures whole frames, engine and display, of a probe that moves along `path` and back, in an arena of `threads`.
+/// For each stage, median and minimum time are computed.
 struct TimedFrames {
   FrameTimes times;
   std::vector<StageTime> stages;

@@ -7,7 +7,7 @@
 
 namespace insonate::bench {
 
-/// Pixels of an image that are chosen.
+/// Selection of pixels of an image.
 struct PixelMask {
   int width = 0, height = 0;
   std::vector<std::uint8_t> chosen;  ///< [row][column], 0 or 1
@@ -19,12 +19,12 @@ class LabelPicture {
  public:
   static constexpr std::uint8_t kUnknown = 255;  ///< outside the field of view, or without good contact
 
-  /// The scene must be of the setup's tissues, and those marked (see withMarks()).
+  /// The scene must have the setup's tissues, with marks (see withMarks()).
   LabelPicture(const AcousticScene& scene, const ImagingSetup& setup, const Transform& patientFromProbe);
 
   PixelMask maskOf(const std::vector<std::uint8_t>& labels) const;
   double pixel_mm() const { return pixel_mm_; }
-  /// Box of the pixels inside the field of view.
+  /// Bounding box of the pixels inside the field of view.
   PictureBox fieldOfView() const { return fieldOfView_; }
 
  private:
@@ -34,11 +34,11 @@ class LabelPicture {
   std::vector<std::uint8_t> label_;
 };
 
-/// Removes pixels within a square of this half width of the edge.
+/// Removes pixels whose square of this half width contains a pixel outside the mask.
 PixelMask eroded(const PixelMask& mask, int pixels);
-/// Connected parts (4 neighbors) of at least this many pixels, largest first.
+/// Connected components (4 neighbors) of at least this many pixels, largest first.
 std::vector<PixelMask> parts(const PixelMask& mask, int leastPixels);
-/// The largest box inside the mask that is no larger than the given size; empty without one.
+/// The largest box inside the mask that is no larger than the given size; empty if there is none.
 PictureBox largestBox(const PixelMask& mask, int mostWidth, int mostHeight);
 
 }  // namespace insonate::bench

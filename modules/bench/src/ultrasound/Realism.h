@@ -4,12 +4,13 @@
 
 namespace insonate::bench {
 
-/// The table with every tissue's echogenicity raised by up to 0.03 dB, differently for each label: invisible, but a
-/// frame of scattering alone then reveals the label of each sample, after contact and smooth boundaries.
+/// Returns the table with every tissue's echogenicity raised by up to 0.03 dB, by a different amount for each label.
+/// The change is invisible, but reveals the label of each sample in a frame of scattering alone, after contact and
+/// smooth boundaries.
 AcousticTable withMarks(AcousticTable table);
 
-/// Adds the measures of one displayed image, on patches found from the labels, and the picture. The scene must be of
-/// the setup's tissues, and those marked.
+/// Adds the image and its measures, on patches found from the labels. The scene must have the setup's tissues, with
+/// marks (see withMarks()).
 void measureRealism(const AcousticScene& scene, const ImagingSetup& setup, const Transform& patientFromProbe,
                     const std::string& variant, const std::string& view, UltrasoundBench& bench);
 

@@ -21,27 +21,27 @@ class LevelRecord {
 
   explicit LevelRecord(const Level& level) : level_(&level) {}
 
-  /// An attempt here that counts; call practiced() first.
+  /// Adds an attempt at this level that counts; call practised() first.
   void take(const AttemptFacts& attempt, std::int64_t time_us);
-  /// Adds practice at this level or at one that builds on it: a level that lapsed by then has lapsed, then the days
-  /// start again.
+  /// Adds practice at this level or at a level that builds on it. First the level lapses if too many days have passed;
+  /// then the days are counted from this practice.
   void practised(std::int64_t time_us);
   void lapseByDays(std::int64_t time_us);
 
   const Level& level() const { return *level_; }
   Skill skill() const { return skill_; }
-  Cause cause() const { return cause_; }  ///< of a lapse
+  Cause cause() const { return cause_; }  ///< cause of the last lapse
   std::int64_t skillSince_us() const { return skillSince_us_; }
   std::int64_t firstMastered_us() const { return firstMastered_us_; }
   std::int64_t lastPractice_us() const { return lastPractice_us_; }
-  const AttemptFacts* last() const { return last_; }  ///< that counts
+  const AttemptFacts* last() const { return last_; }  ///< the last attempt that counts
 
   int attempts() const { return attempts_; }
   int passes() const { return passes_; }
   int passesInARow() const { return passesInARow_; }
   bool lastPassed() const { return lastPassed_; }
   int standardsMet() const { return standardsMet_; }
-  /// Within the last attempts that FailureRule looks at.
+  /// Number of failures since mastery, within the last attempts that FailureRule counts.
   int failuresSinceMastery() const;
   const std::vector<double>& cusum() const { return cusum_; }
   bool cusumSignalled() const { return cusumSignalled_; }
@@ -60,7 +60,7 @@ class LevelRecord {
   bool lastPassed_ = false;
   std::vector<double> cusum_;
   bool cusumSignalled_ = false;
-  std::deque<bool> sinceMastery_;  ///< the last attempts of FailureRule::within
+  std::deque<bool> sinceMastery_;  ///< passed or failed, for the last FailureRule::within attempts
 };
 
 }  // namespace insonate

@@ -9,13 +9,13 @@
 
 namespace insonate {
 
-/// A prerequisite that is in the way, and whether it was mastered once.
+/// A prerequisite that is not mastered at present, and whether it was mastered once.
 struct Obstacle {
   const LevelRecord* record = nullptr;
   bool lapsed = false;
 };
 
-/// LevelProgress::why.
+/// Writes LevelProgress::why.
 std::string levelSentence(const LevelRecord& record, LevelState state, const std::vector<Obstacle>& obstacles,
                           std::int64_t now_us);
 

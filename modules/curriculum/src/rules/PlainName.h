@@ -5,7 +5,7 @@
 
 namespace insonate {
 
-/// Names of curricula, levels and forms become parts of addresses and file names.
+/// Tells whether a name is valid for a curriculum, level or form, whose names become parts of addresses and file names.
 inline bool isPlainName(std::string_view name) {
   const auto plain = [](unsigned char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||

@@ -13,7 +13,7 @@ inline std::vector<double> sortedOf(std::span<const double> values) {
   return sorted;
 }
 
-/// Type 7 of values in rising order, at least one.
+/// Quantile by type 7. `sorted` is in rising order and has at least one value.
 inline double quantileOfSorted(std::span<const double> sorted, double share) {
   const double place = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(place);

@@ -11,7 +11,7 @@
 
 namespace insonate::store {
 
-/// All that can be asked of a store.
+/// All kinds of access to a store.
 enum class Act {
   SeePerson,
   SeeAllPeople,
@@ -48,24 +48,25 @@ enum class Act {
 /// People whom an act may concern.
 enum class Reach {
   None,
-  Self,    ///< one's own data
-  Taught,  ///< also of who learns in a cohort that one teaches; of an act on a cohort: one that one teaches
+  Self,    ///< the user's own data
+  Taught,  ///< also data of learners in a cohort that the user teaches; for acts on a cohort: a cohort that the user
+           ///< teaches
   All,
 };
 
 /// Further conditions of an act.
 enum Condition : unsigned {
-  kUnlogged = 1,      ///< tells nothing about others
-  kNotOneself = 2,    ///< nobody does this to their own data
-  kOnlyTrainees = 4,  ///< an instructor does this to trainees only
-  kOnServer = 8,      ///< done on the server, where the store belongs to one
-  kWholeCohort = 16,  ///< tells of all who learn in a cohort: their number is logged
+  kUnlogged = 1,      ///< discloses nothing about others; is not logged
+  kNotOneself = 2,    ///< forbidden on the user's own data
+  kOnlyTrainees = 4,  ///< instructors may do this to trainees only
+  kOnServer = 8,      ///< done on the server if the store belongs to one
+  kWholeCohort = 16,  ///< discloses data of all learners in a cohort: their number is logged
 };
 
-/// Permission for one act. The table of rules is the only place that states who may do what.
+/// Permission for one act. The table of rules alone states which role may perform which act.
 struct Rule {
   Act act;
-  std::string_view words;  ///< as in the audit log: "see attempts"
+  std::string_view words;  ///< name in the audit log: "see attempts"
   Reach guest, trainee, instructor, administrator;
   unsigned conditions = 0;
 
@@ -75,28 +76,28 @@ struct Rule {
 std::span<const Rule> rules();
 const Rule& ruleOf(Act act);
 
-/// A request for an act. If it names an attempt, the permission is checked for the person who made that attempt.
+/// A request to perform an act. If it names an attempt, the permission is checked for the person who made that attempt.
 struct Request {
   Act act;
   std::string person{}, cohort{}, attempt{};
   std::string detail{};                   ///< for the audit log
-  std::span<const std::string> people{};  ///< who else it is about; all are named in the audit log
+  std::span<const std::string> people{};  ///< further people concerned; all are named in the audit log
 };
 
 struct Actor {
   std::string id{};  ///< "": a guest
   std::optional<Role> role{};
-  std::int64_t passwordVersion = 0;  ///< the session's
+  std::int64_t passwordVersion = 0;  ///< version of the password with which the session was opened
 };
 
 struct Verdict {
   std::optional<Error> refusal{};
   bool logged = false;
-  std::string person{};                    ///< whose data it is, the attempt's person found
-  std::optional<std::int64_t> learners{};  ///< how many, of a kWholeCohort act
+  std::string person{};                    ///< owner of the data; for an attempt, the person who made it
+  std::optional<std::int64_t> learners{};  ///< number of learners, for a kWholeCohort act
 };
 
-/// Looks up who the actor is now, what they may do, and to whom the data belongs.
+/// Looks up the actor's present role, decides whether the request is permitted, and finds the owner of the data.
 Verdict decide(Transaction& transaction, Actor& actor, const Request& request);
 
 }  // namespace insonate::store

@@ -19,18 +19,19 @@ namespace insonate::store {
   ", case_hash, workstation, "                                                                                      \
   "recording, recording_hash, void_reason, "                                                                        \
   "COALESCE((SELECT MIN(hash) FROM hands WHERE attempt = attempts.id), '')"
-/// The first of them, which history needs.
+/// The leading ones of these columns, which history needs.
 #define INSONATE_HISTORY_COLUMNS                                                                                    \
   "arrival, id, person, curriculum, curriculum_version, level, procedure, procedure_version, case_name, begun_us, " \
   "state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us, " INSONATE_PROOF_COLUMN
 
-/// Attempts that were abandoned before the skin: what metricsText() writes of one is looked for in its text. `attempts`
-/// must be the only table with such columns, here and below.
+/// SQL condition for attempts that were abandoned before the needle reached the skin. The pattern matches the text that
+/// metricsText() writes for such an attempt. Here and below, `attempts` must be the only table in the query with such
+/// columns.
 #define INSONATE_UNTRIED "state = 'abandoned' AND metrics LIKE '%[\"passes\",_,0.0]%'"
-/// Attempts that count, as counts() of Judgement.h says.
+/// SQL condition for attempts that count, as counts() of Judgement.h defines it.
 #define INSONATE_COUNTS "state <> 'open' AND voided_us IS NULL AND NOT (" INSONATE_UNTRIED ")"
 
-/// Member::changes of the attempts that are added up.
+/// SQL sum that gives Member::changes of the selected attempts.
 #define INSONATE_CHANGES                                         \
   "SUM(CASE WHEN state <> 'open' THEN 2 - crashed ELSE 0 END + " \
   "CASE WHEN voided_us IS NULL THEN 0 ELSE 1 END)"
@@ -40,9 +41,9 @@ AttemptFacts factsOf(const Row& row);
 /// Converts a row of INSONATE_ATTEMPT_COLUMNS.
 KeptAttempt keptOf(const Row& row);
 std::vector<AttemptFacts> allFacts(const std::vector<Row>& rows);
-/// AttemptStore::history().
+/// Reads a history as AttemptStore::history() returns it.
 std::vector<AttemptFacts> historyOf(Transaction& transaction, const std::string& person);
-/// Reads from a row of either kind how the attempt ended, whether it was voided or not.
+/// Reads from a row of either kind how the attempt ended, whether or not it was voided.
 AttemptState stateOfEnd(const Row& row);
 std::optional<KeptAttempt> findAttempt(Transaction& transaction, const std::string& id);
 

@@ -7,7 +7,7 @@
 
 namespace insonate::store {
 
-/// Adds an entry, whose number and hash are found here. In a transaction that writes.
+/// Adds an entry; the function fills in its number and hash. The transaction must be a writing one.
 void appendAudit(Transaction& transaction, AuditEntry entry);
 
 AuditAnchor auditEnd(Transaction& transaction);
@@ -15,7 +15,7 @@ AuditAnchor auditEnd(Transaction& transaction);
 /// Verifies the log like AuditLog::verify().
 Result<void> verifyAudit(Transaction& transaction, const AuditAnchor& anchor);
 
-/// Another's words, cut to what an entry holds of each.
+/// Shortens a text that a user wrote to the length that a log entry allows.
 std::string forLog(const std::string& text);
 
 AuditEntry auditEntryOf(const Row& row);

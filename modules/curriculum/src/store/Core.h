@@ -27,10 +27,10 @@ class Core {
   Core(const Core&) = delete;
   Core& operator=(const Core&) = delete;
 
-  /// Returns the connection of the calling thread; opens a new one after the server was lost.
+  /// Returns the connection of the calling thread; opens a new connection after the connection to the server was lost.
   Result<Connection*> connection();
 
-  /// Begun on the calling thread's connection. A server that was away in between is found again.
+  /// Begins a transaction on the calling thread's connection. If the connection to the server was lost, connects again.
   Result<std::unique_ptr<Transaction>> begin(Way way);
 
   const Address& address() const { return address_; }
@@ -44,7 +44,7 @@ class Core {
   std::int64_t now_us() const { return services_.now_us(); }
   Moment moment() const { return {services_.now_us(), services_.upTime_us(), services_.boot}; }
 
-  /// An entry of the audit log, of this moment and workstation; in a transaction that writes.
+  /// Adds an entry to the audit log, with the present time and workstation; in a writing transaction.
   void audit(Transaction& transaction, const std::string& actor, std::string_view act, const std::string& person,
              const std::string& detail, bool allowed = true) const;
 
@@ -56,17 +56,17 @@ class Core {
   const StoreServices services_;
   const std::filesystem::path recordings_;
   const Process process_;
-  const std::string run_;    ///< UUID of this use of the store
-  const std::uint64_t key_;  ///< of this store among those that the program has open
+  const std::string run_;    ///< UUID of this opening of the store
+  const std::uint64_t key_;  ///< identifies this store among the stores that the program has open
 };
 
-/// Does `work`, which takes a Transaction and gives a Result, in one transaction, which is undone where it fails.
+/// Runs `work`, which takes a Transaction and returns a Result, in one transaction, which is undone if `work` fails.
 template <class Work>
 auto inTransaction(Core& core, Way way, const Work& work) -> decltype(work(std::declval<Transaction&>())) {
   const auto transaction = core.begin(way);
   if (!transaction) return tl::unexpected(transaction.error());
   auto result = work(**transaction);
-  // A failed statement returns no rows; its empty result must not be read as an answer.
+  // A failed statement returns no rows; this empty result must not be taken for an answer.
   if ((*transaction)->error()) return tl::unexpected(*(*transaction)->error());
   if (!result) return result;
   if (auto done = (*transaction)->commit(); !done) return tl::unexpected(done.error());

@@ -21,9 +21,9 @@ struct KeptCurriculum {
 std::vector<CurriculumEntry> listCurricula(Transaction& transaction);
 std::optional<KeptCurriculum> findCurriculum(Transaction& transaction, const std::string& name, int version);
 void insertCurriculum(Transaction& transaction, const KeptCurriculum& curriculum);
-/// Fails where the text is not the one that was published.
+/// Fails if the text differs from the published text.
 Result<void> checkHash(const KeptCurriculum& curriculum);
-/// Found, with its hash checked, and read.
+/// Finds a published curriculum, checks its hash and parses it.
 Result<Curriculum> publishedCurriculum(Transaction& transaction, const std::string& name, int version);
 Result<std::string> publishedText(Transaction& transaction, const std::string& name, int version);
 

@@ -11,7 +11,8 @@
 
 namespace insonate::store {
 
-/// Folder of the recordings of a store: StoreServices::recordings, else beside its file; empty if none are kept.
+/// Folder of a store's recordings: StoreServices::recordings, else the folder beside the store's file; empty if none
+/// are kept.
 std::filesystem::path recordingsFolder(const Address& address, const std::filesystem::path& wanted);
 /// The folder of a store's file: FILE.recordings.
 std::filesystem::path recordingsBeside(const std::filesystem::path& database);

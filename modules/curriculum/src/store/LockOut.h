@@ -7,7 +7,7 @@
 
 namespace insonate::store {
 
-/// A moment by the clocks that a lock-out asks.
+/// A moment by the clocks that lock-outs use.
 struct Moment {
   std::int64_t now_us = 0, up_us = 0;
   std::string boot{};
@@ -17,11 +17,11 @@ struct Moment {
 /// one up to an hour.
 std::int64_t lockAfter_us(std::int64_t failures);
 
-/// Seconds until a name may be tried again; 0: now, and the try is counted as a failure until resetFailures(), so that
-/// many simultaneous tries gain nothing.
+/// Returns the seconds until a name may be tried again. 0: the name may be tried now, and the try is counted as a
+/// failure until resetFailures(), so that many simultaneous tries gain nothing.
 ///
-/// Within one start of the computer, time is its up time. After a restart it is the clock's; if the clock was set back
-/// the wait starts again, so that it stays within an hour.
+/// Until the computer is restarted, time is its up time. After a restart the clock's time is used; if the clock was set
+/// back the wait starts again, so that it never exceeds an hour.
 std::int64_t countTry(Transaction& transaction, const std::string& name, const Moment& moment);
 
 void resetFailures(Transaction& transaction, const std::string& name);

@@ -7,7 +7,7 @@
 
 namespace insonate::store {
 
-/// Metrics as JSON: [[id, version, value or null], ...].
+/// Writes metrics as JSON: [[id, version, value or null], ...].
 std::string metricsText(const std::vector<MetricFact>& metrics);
 /// Inverse of metricsText(); empty for any other text.
 std::vector<MetricFact> metricsOf(const std::string& text);

@@ -8,10 +8,10 @@
 
 namespace insonate::store {
 
-/// Name in the tables.
+/// Name of a role in the tables.
 std::string_view nameOf(Role role);
 Role roleNamed(std::string_view name);
-/// Names a state. Voided is not among them: an attempt is voided besides being ended.
+/// Name of a state in the tables. Voided has no name: being voided is stored in addition to how the attempt ended.
 std::string_view nameOf(AttemptState state);
 AttemptState stateNamed(std::string_view name);
 

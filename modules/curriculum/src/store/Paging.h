@@ -13,7 +13,7 @@ inline Result<void> checkPage(int count) {
   return fail("A page of " + std::to_string(count) + " rows was asked for; a page has 1 to 1000.");
 }
 
-/// Entries before this one are on the page; 0 starts at the newest.
+/// Number before which the entries of a page lie; 0 starts at the newest entry.
 inline std::int64_t endOfPage(std::int64_t before) {
   return before > 0 ? before : std::numeric_limits<std::int64_t>::max();
 }

@@ -18,8 +18,8 @@ struct Known {
   bool mustChange = false;
 };
 
-/// Verifies a password like CurriculumStore::signIn(): counted before the verification, logged, and after the same
-/// time for known and unknown names.
+/// Verifies a password as CurriculumStore::signIn() does: the try is counted before the verification and logged, and
+/// takes the same time for known and unknown names.
 Result<Known> provePassword(Core& core, const std::string& name, const std::string& password);
 
 }  // namespace insonate::store

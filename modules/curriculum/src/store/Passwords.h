@@ -7,12 +7,14 @@
 
 namespace insonate::store {
 
-/// argon2id with its salt and cost, as libsodium writes it. Takes 0.1 s and 64 MB; fails where that is not to be had.
+/// Hashes a password with argon2id; the text contains salt and cost, as libsodium writes it. Takes 0.1 s and 64 MB;
+/// fails if the memory is not available.
 Result<std::string> hashedPassword(const std::string& password, PasswordCost cost);
-/// Checks and hashes a password that was typed or handed in. Call outside of any transaction, since it takes its time.
+/// Checks and hashes a password that a user entered. Call it outside of any transaction, since it takes 0.1 s.
 Result<std::string> checkedAndHashed(const std::string& password, PasswordCost cost);
 bool fitsPassword(const std::string& password, const std::string& hashed);
-/// A hash that no password fits, at the usual cost: it is verified when there is no such person.
+/// A hash that no password matches, at the usual cost. It is verified if the person does not exist, so that the reply
+/// takes the same time.
 const std::string& hashOfNobody(PasswordCost cost);
 
 }  // namespace insonate::store

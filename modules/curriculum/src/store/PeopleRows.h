@@ -18,16 +18,17 @@ Person personOf(const Row& row, std::size_t first = 0);
 std::optional<Person> findPerson(Transaction& transaction, const std::string& id);
 
 Result<void> checkPerson(const Person& person);
-/// Fails where another has the name.
+/// Fails if another person has the name.
 Result<void> checkNameIsFree(Transaction& transaction, const Person& person);
 /// Inserts a person with an already hashed password; checks both names.
 Result<Person> insertPerson(Transaction& transaction, const NewPerson& person, const std::string& hashed,
                             bool mustChange);
 
-/// Adds a person to a cohort as a learner or teacher; a member changes to the given kind. Trainees do not teach.
+/// Adds a person to a cohort as a learner or teacher; an existing member is changed to the given kind. Trainees do not
+/// teach.
 Result<void> putIntoCohort(Transaction& transaction, const std::string& cohort, const Person& person, bool teaches);
 
-/// A new password, which ends sessions of the old one.
+/// Sets a new password, which ends sessions of the old password.
 void setPassword(Transaction& transaction, const std::string& person, const std::string& hashed, bool mustChange);
 
 }  // namespace insonate::store

@@ -9,17 +9,17 @@
 
 namespace insonate::store {
 
-/// AttemptFacts::proof of a row of attempts, as a column.
+/// Column of a query on attempts that gives AttemptFacts::proof.
 #define INSONATE_PROOF_COLUMN "COALESCE((SELECT state FROM proofs WHERE attempt = attempts.id), 'unproven')"
 
-/// Name in the table.
+/// Name of a proof in the table.
 std::string_view nameOf(AttemptProof proof);
 AttemptProof proofNamed(std::string_view name);
 
-/// Stores the proof that a program found at an attempt's end. Acceptance by an instructor, and existence before there
-/// were proofs, are not found by a program: such a value stores an unproven attempt.
+/// Stores the proof that a program determined at an attempt's end. `Accepted` and `Earlier` cannot be determined by a
+/// program: for these, an unproven attempt is stored.
 void keepProof(Transaction& transaction, const AttemptFacts& facts);
-/// Merges the proof that another store has of an attempt, or its later acceptance. `acceptedBy` as in the table.
+/// Merges the proof of an attempt from another store, or the attempt's later acceptance. `acceptedBy` as in the table.
 void mergeProof(Transaction& transaction, const std::string& attempt, AttemptProof proof,
                 const std::string& acceptedBy);
 void acceptAttempt(Transaction& transaction, const std::string& attempt, const std::string& by);

@@ -9,10 +9,10 @@
 
 namespace insonate::store {
 
-/// Makes the store's secret where it has none.
+/// Makes the store's secret if it has none.
 Result<void> keepSecret(Core& core);
 
-/// Makes the seal for an attempt's id, person, curriculum and level.
+/// Makes a seal for the id, person, curriculum and level of an attempt.
 Result<AttemptSeal> freshSeal(Transaction& transaction, const AttemptFacts& facts);
 Result<NonceOrigin> originOfNonce(Transaction& transaction, const AttemptFacts& facts, const std::string& nonce);
 

@@ -11,8 +11,8 @@
 
 namespace insonate::store {
 
-/// Someone at a store. All that the public classes do goes through read() and write(), so that it is decided and
-/// logged.
+/// Session of a signed-in user or guest at a store. Every access of the public classes goes through read() and write(),
+/// which check the permission and log the access.
 class Session {
  public:
   Session(std::shared_ptr<Core> core, Person person, std::int64_t passwordVersion, bool mustChange)
@@ -24,14 +24,14 @@ class Session {
   Core& core() const { return *core_; }
   const Person& person() const { return person_; }
   bool mustChangePassword() const { return mustChange_; }
-  /// Continues the session after the user chose a new password.
+  /// Continues the session after the user has chosen a new password.
   void hasPassword(std::int64_t version) {
     passwordVersion_ = version;
     mustChange_ = false;
   }
 
-  /// Runs `work` with a Transaction and the present Actor; it returns a Result. Log entries are on the disk before any
-  /// result is handed out.
+  /// Runs `work` with a Transaction and the present Actor; `work` returns a Result. Log entries are on the disk before
+  /// any result is returned.
   template <class Work>
   auto read(const Request& request, const Work& work) {
     auto outcome = attempt(Way::Read, request, work);
@@ -42,11 +42,11 @@ class Session {
   auto write(const Request& request, const Work& work) {
     return *attempt(Way::Write, request, work);
   }
-  /// Performs a further request within a write(); it is authorized and logged like a separate one.
+  /// Performs a further request within a write(); it is authorized and logged like a separate request.
   Result<void> also(Transaction& transaction, const Request& request);
 
  private:
-  /// Returns nothing if the access must be logged, which needs a writing transaction.
+  /// Empty if the access must be logged, which needs a writing transaction.
   template <class Work>
   auto attempt(Way way, const Request& request, const Work& work) {
     using Outcome = decltype(work(std::declval<Transaction&>(), std::declval<const Actor&>()));
@@ -56,7 +56,7 @@ class Session {
       const Verdict verdict = decide(transaction, actor, request);
       if (verdict.logged && way == Way::Read) return {};
       if (verdict.logged) log(transaction, request, verdict);
-      // A refusal is kept in the log, what failed is undone.
+      // A refusal stays in the log; changes of failed work are undone.
       if (verdict.refusal) {
         outcome.emplace(tl::unexpected(*verdict.refusal));
         return {};

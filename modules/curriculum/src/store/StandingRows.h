@@ -14,9 +14,9 @@ namespace insonate::store {
   "standings.curriculum, standings.curriculum_version, standings.level, standings.mastered, " \
   "standings.concern, standings.sentence, standings.changes, standings.from_us, standings.until_us, standings.rules"
 
-/// Converts INSONATE_STANDING_COLUMNS, which begin at `column`.
+/// Converts INSONATE_STANDING_COLUMNS, of which the first is at `column`.
 Standing standingFrom(const Row& row, std::size_t column);
-/// Tells whether computing the standing now would give the same; `changes` is the person's present number of changes.
+/// Tells whether computing the standing now would give the same. `changes` is the person's present Member::changes.
 bool isCurrent(const Row& row, std::size_t column, std::int64_t changes, std::int64_t now_us);
 
 /// Returns the stored standing if it is current; otherwise computes it from all attempts and stores it.
@@ -24,7 +24,7 @@ Standing currentStanding(Transaction& transaction, const std::string& person, co
                          std::int64_t now_us);
 
 /// Computes a person's standing in each cohort again after a change of attempts. A curriculum that cannot be read is
-/// skipped; users who open the cohort get the error.
+/// skipped here; users who open the cohort see the error.
 void renewStandings(Transaction& transaction, const std::string& person, std::int64_t now_us);
 
 }  // namespace insonate::store

@@ -6,10 +6,11 @@
 
 namespace insonate::store {
 
-/// Checks that all pages of an SQLite file can be read: half a second for 100 MB. A PostgreSQL server checks its own.
+/// Checks that all pages of an SQLite file can be read; takes half a second for 100 MB. Does nothing for a PostgreSQL
+/// server, which checks its own pages.
 Result<void> checkPages(Connection& connection);
 
-/// All pages, keys and hashes, as StoreUpkeep::verify().
+/// Checks all pages, keys and hashes, as StoreUpkeep::verify() does.
 Result<void> verifyAll(Transaction& transaction);
 
 }  // namespace insonate::store

@@ -16,8 +16,8 @@ inline std::int64_t monotonic_ns() noexcept {
       .count();
 }
 
-/// Messages of devices for a panel. For any thread but the servo's; the oldest messages are dropped if nobody reads
-/// them.
+/// Messages of devices for a panel. Any thread except the servo's may use it; the oldest messages are dropped if nobody
+/// reads them.
 class EventQueue {
  public:
   void put(DeviceEvent event) {

@@ -18,8 +18,8 @@
 
 namespace insonate::haptics {
 
-/// A HID device, described by its table. The object outlives unplugging. Its own thread reads reports, makes states of
-/// them and writes forces; the scanner of the bus passes it an open interface each time the device appears.
+/// A HID device, described by its table. The object outlives unplugging. Its own thread reads reports, computes states
+/// and writes forces. The thread that scans the bus passes an open interface each time the device appears.
 class HidDevice final : public HapticDevice {
  public:
   HidDevice(DeviceInfo info, std::shared_ptr<const DeviceTable> table, std::shared_ptr<EventQueue> events,
@@ -34,7 +34,7 @@ class HidDevice final : public HapticDevice {
   void push(const Force& force) noexcept override;
   void calibrate() override { calibrate_.store(true, std::memory_order_relaxed); }
 
-  /// The scanning thread: true while an interface is held.
+  /// Tells whether an interface is held; for the scanning thread.
   bool attached() const noexcept { return attached_.load(std::memory_order_acquire); }
   const std::string& path() const { return path_; }
   void opening(const std::string& path);
@@ -42,7 +42,8 @@ class HidDevice final : public HapticDevice {
   void cannotOpen(const std::string& why);
   /// Reports that the device is not plugged in.
   void missing();
-  /// Reports a force that was not sent for 100 ms: the servo did not wait for it, but the hand did not receive it.
+  /// Reports to the user if a force could not be sent for 100 ms: the servo did not wait for it, but the hand did not
+  /// receive it.
   void watch(std::int64_t now_ns);
   /// Sends a last zero force and releases the device.
   void close();
@@ -70,7 +71,7 @@ class HidDevice final : public HapticDevice {
 
   std::atomic<DevicePhase> phase_{DevicePhase::kAbsent};
   std::atomic<bool> attached_{false}, stop_{false}, calibrate_{false};
-  std::atomic<std::int64_t> writing_ns_{0};  ///< since when a force is being written; 0: none is
+  std::atomic<std::int64_t> writing_ns_{0};  ///< time since which a force is being written; 0: no write is in progress
   std::atomic<std::uint64_t> reports_{0}, forces_{0}, refused_{0}, lateForces_{0};
   Mailbox<DeviceState> states_;
   Mailbox<Pushed> pushed_;
@@ -79,7 +80,7 @@ class HidDevice final : public HapticDevice {
 
   std::string path_;
   std::thread thread_;
-  // The device's thread alone.
+  // Used by the device's thread only.
   std::unique_ptr<HidHandle> handle_;
   ReportDecoder decoder_;
   StateMaker maker_;

@@ -11,21 +11,22 @@
 
 namespace insonate::haptics {
 
-/// Converts a device's reports to a pose, and forces to commands for its motors. Allocates nothing.
+/// Converts a device's reports to a pose, and forces to motor commands. Allocates nothing.
 class StateMaker {
  public:
-  /// Speed of a fully pressed cap; the first 5 % have no effect, so that a hand resting on it does not drift.
+  /// Speeds at full deflection of a cap, and the share of the deflection that has no effect, so that a hand resting on
+  /// the cap causes no drift.
   static constexpr double kCapSpeed_mmps = 80, kCapTurn_radps = 1, kCapRest = 0.05;
-  /// A cap that was silent for this long has been released.
+  /// Time without reports after which a cap counts as released.
   static constexpr std::int64_t kCapSilence_ns = 250'000'000;
 
-  /// `table` outlives the maker.
+  /// `table` must outlive the maker.
   explicit StateMaker(const DeviceTable& table);
 
-  /// `reported_ns`: when the last report came; `now_ns` does not run backwards.
+  /// Makes the state at `now_ns`, which must not decrease. `reported_ns`: time of the last report.
   DeviceState make(const DeviceReading& reading, std::int64_t reported_ns, std::int64_t now_ns) noexcept;
   DeviceOutput outputFor(const Force& force, const DeviceReading& reading) const noexcept;
-  /// The posture of `reading` is the home posture.
+  /// Sets the posture of `reading` as the home posture.
   void calibrate(const DeviceReading& reading) noexcept { home_ = reading.encoder; }
   void reset() noexcept;
 

@@ -7,8 +7,8 @@
 
 namespace insonate::haptics {
 
-/// Signed distance in mm of each voxel's center to the surface of the voxels that `inside` accepts: negative inside,
-/// rounded over about a voxel. 300 everywhere where there are none, -300 where there are no others.
+/// Signed distance in mm from each voxel's center to the surface of the voxels that `inside` accepts: negative inside,
+/// smoothed over about one voxel. 300 everywhere if it accepts no voxel, -300 everywhere if it accepts all.
 std::vector<float> signedDistances(const LabelMap& labels, const std::function<bool(std::uint8_t)>& inside);
 
 }  // namespace insonate::haptics

@@ -11,7 +11,7 @@
 
 namespace insonate::haptics {
 
-/// Events of one tick; more than fit are counted as lost.
+/// Events of one tick; events that do not fit are counted as lost.
 struct NeedleEvents {
   std::array<NeedleEvent, 16> list{};
   int count = 0, lost = 0;
@@ -23,42 +23,44 @@ struct NeedleEvents {
   }
 };
 
-/// Force on the needle, patient space, about its tip.
+/// Force on the needle in patient space, with the torque about its tip.
 struct NeedleForce {
   Vec3 force_N;
   Vec3 torque_Nmm;
-  Vec3 viscous_N;  ///< the part of force_N that follows speed
+  Vec3 viscous_N;  ///< the part of force_N that depends on speed
 };
 
-/// A needle in tissue: punctured walls and resistance. State and force follow from the path of the tip in steps of a
-/// quarter of a millimeter, so that neither speed nor a thin vessel hides a wall. Everything is stored in coordinates
-/// of tissue at rest.
+/// A needle in tissue: punctured walls and resistance. State and force are computed along the path of the tip in steps
+/// of a quarter of a millimeter, so that no wall is missed at high speed or at a thin vessel. Everything is stored in
+/// coordinates of tissue at rest.
 class NeedleMechanics {
  public:
-  /// `steepest_Npmm`: what the device can show; every spring stays below its part of it.
+  /// `steepest_Npmm`: maximum stiffness that the device can render; each spring stays below its share of it.
   void configure(const NeedleTable& table, double steepest_Npmm);
-  /// The needle is gone: as move() tells the withdrawal from each wall, this tells it of all that it was through.
+  /// Removes the needle, and reports its withdrawal from every wall that it had punctured, as move() does.
   void remove(std::int64_t time_ns, NeedleEvents& events) noexcept;
 
-  /// Moves the tip to `tip_mm`; the needle points along the unit vector `axis` (patient space). `step_s` since the
-  /// last call. A jump of more than 15 mm is no motion of a hand: the needle is then removed and placed anew.
+  /// Moves the tip to `tip_mm`; the needle points along the unit vector `axis` (patient space). `step_s`: time since
+  /// the last call. A jump of more than 15 mm cannot be a motion of a hand: the needle is then removed and placed anew.
   NeedleForce move(const TissueGrid& grid, const Transform& restFromPatient, Vec3 tip_mm, Vec3 axis, double step_s,
                    std::int64_t time_ns, NeedleEvents& events) noexcept;
 
   const NeedleState& state() const { return state_; }
-  /// Distance by which an image should draw the tip back against the needle's direction: nothing goes into bone.
+  /// Distance by which an image should draw the tip back against the needle's direction, so that no needle is shown
+  /// inside bone.
   double drawnBack_mm() const { return onBone_.active ? onBone_.depth_mm : 0; }
 
  private:
-  /// The tip pushes against a wall that it has not punctured.
+  /// Contact of the tip with a wall that it has not punctured.
   struct Contact {
     bool active = false;
-    bool slides = false;    ///< too flat to prick
-    bool inwards = true;    ///< into the structure, or out of it
-    Vec3 point, direction;  ///< where it met the wall; along which it pushes
-    Vec3 normal;            ///< of the wall, the way that the tip goes
+    bool slides = false;    ///< the angle to the wall is too flat for a puncture
+    bool inwards = true;    ///< true: into the structure; false: out of it
+    Vec3 point, direction;  ///< point of contact with the wall, and direction of pushing
+    Vec3 normal;            ///< normal of the wall, in the direction of the tip's motion
     double depth_mm = 0, force_N = 0;
-    Vec3 aside_mm;  ///< of the tip, across its direction: it drags the skin along before it slips
+    Vec3 aside_mm;  ///< displacement of the tip perpendicular to its direction: the tip drags the skin along before it
+                    ///< slips
   };
   struct Hole {
     int wall = 0;
@@ -90,7 +92,7 @@ class NeedleMechanics {
   Vec3 patientTip_, patientAxis_;
   std::int64_t time_ns_ = 0;
   TissueSample sample_;
-  Label around_ = kSoftTissue;  ///< tissue without a wall that the tip was last in
+  Label around_ = kSoftTissue;  ///< last tissue without a wall of its own that the tip was in
   std::array<bool, kNeedleWallCount> inside_{};
   std::array<Contact, kNeedleWallCount> contacts_{};
   Contact onBone_;

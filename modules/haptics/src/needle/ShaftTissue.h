@@ -6,8 +6,8 @@
 
 namespace insonate::haptics {
 
-/// Tissue along the shaft, from the entry to the tip, in pieces of half a millimeter, and the sums over it. Written as
-/// the tip advances; after a withdrawal the tip overwrites it.
+/// Tissue along the shaft, from the entry to the tip, in pieces of half a millimeter, with cumulative sums. Entries are
+/// written as the tip advances; after a withdrawal, the advancing tip overwrites them.
 class ShaftTissue {
  public:
   struct Sum {
@@ -15,14 +15,14 @@ class ShaftTissue {
   };
 
   void restart() { count_ = 0; }
-  /// The tip is in `label` at depth s >= 0.
+  /// Records that the tip is in `label` at depth s >= 0.
   void reach(double s_mm, const NeedleTable& table, Label label);
-  /// Sum from the entry to depth s.
+  /// Sums from the entry to depth s.
   Sum upTo(double s_mm, const NeedleTable& table) const;
 
  private:
   static constexpr double kPiece_mm = 0.5;
-  static constexpr int kPieces = 400;  // 200 mm: longer than any needle
+  static constexpr int kPieces = 400;  // pieces; 200 mm in total, longer than any needle
   std::array<Label, kPieces> label_{};
   std::array<Sum, kPieces + 1> before_{};
   int count_ = 0;

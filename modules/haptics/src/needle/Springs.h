@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-/// Force laws that depend on where things are and not on time, so that none of them can give more than it took.
+/// Force laws that depend on positions and not on time, so that none of them returns more energy than it received.
 namespace insonate::haptics {
 
-/// k1 d + k2 d^2 before puncture (Okamura, Simone and O'Leary, IEEE Trans Biomed Eng 2004;51:1707), going on straight
-/// where it would grow steeper than a device can show.
+/// Force k1 d + k2 d^2 of a wall before puncture (Okamura, Simone and O'Leary, IEEE Trans Biomed Eng 2004;51:1707). It
+/// continues linearly from the depth at which its slope reaches the maximum that a device can render.
 struct Stiffening {
   double k1_Npmm = 0, k2_Npmm2 = 0, steepest_Npmm = 1e9;
 
@@ -24,7 +24,8 @@ struct Stiffening {
 /// Stiffness of a wall that the tip drags sideways.
 inline constexpr double kAside_Npmm = 0.2;
 
-/// One-sided: tissue before the tip gives way like a spring until it is cut, and then stays cut.
+/// Resistance of tissue that is cut: tissue before the tip yields like a spring until it is cut, and then stays cut.
+/// Acts in one direction only.
 class CutFront {
  public:
   void restart(double s_mm) { uncut_mm_ = s_mm; }
@@ -42,16 +43,18 @@ class CutFront {
   double uncut_mm_ = 0;
 };
 
-/// Friction with stick and slip: Karnopp's two levels and band of speed in which things stick (J Dyn Syst Meas Control
-/// 1985;107:100), with a spring instead of an unknown force while they do, in terms of displacement alone (Hayward and
-/// Armstrong, A new computational model of friction applied to haptic rendering, 2000).
+/// Stick-slip friction in terms of displacement alone (Hayward and Armstrong, A new computational model of friction
+/// applied to haptic rendering, 2000). As in Karnopp's model (J Dyn Syst Meas Control 1985;107:100) there are two
+/// levels of force, and a band of speed within which the needle sticks; while it sticks, a spring replaces the unknown
+/// force.
 class StickSlip {
  public:
   void restart(double s_mm) {
     anchor_mm_ = s_mm;
     sticks_ = true;
   }
-  /// Resistance, positive against growing s. `slides_N` at most `holds_N`; the speed is only compared.
+  /// Resistance, positive against growing s. `slides_N` must not exceed `holds_N`; the speed is only compared with the
+  /// band.
   double force_N(double s_mm, double speed_mmps, double slides_N, double holds_N, double stiffness_Npmm) {
     if (stiffness_Npmm <= 0 || holds_N <= 0) {
       restart(s_mm);
@@ -68,7 +71,7 @@ class StickSlip {
   bool sticks() const { return sticks_; }
 
  private:
-  static constexpr double kStickSpeed_mmps = 1;  // Karnopp's band
+  static constexpr double kStickSpeed_mmps = 1;  // Karnopp's band of speed
   double anchor_mm_ = 0;
   bool sticks_ = true;
 };

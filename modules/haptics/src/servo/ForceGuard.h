@@ -6,17 +6,17 @@
 
 namespace insonate::haptics {
 
-/// Limits of every force, whatever the model demands.
+/// Limits of every force, whatever the model requests.
 struct GuardLimits {
-  double force_N = 0;      ///< length of the force
-  double torque_Nmm = 0;   ///< length of the torque
-  double slew_Npms = 0.5;  ///< most that the force may change in a millisecond
-  double silence_ms = 50;  ///< without news for so long, forces begin to fall ...
-  double fall_ms = 40;     ///< ... and are gone after so much more; together below 100
+  double force_N = 0;      ///< maximum magnitude of the force
+  double torque_Nmm = 0;   ///< maximum magnitude of the torque
+  double slew_Npms = 0.5;  ///< maximum change of the force per millisecond
+  double silence_ms = 50;  ///< time without input after which forces begin to fall
+  double fall_ms = 40;     ///< time in which forces then fall to zero; together below 100 ms
 };
 
-/// The last stage of a force before a device: limits its magnitude and rate of change, and reduces it to zero when its
-/// inputs stop arriving. For one hand; a force that is not finite counts as none.
+/// Last stage before a device: limits a force's magnitude and rate of change, and reduces the force to zero if its
+/// inputs stop arriving. For one hand; a force that is not finite counts as zero.
 class ForceGuard {
  public:
   explicit ForceGuard(const GuardLimits& limits = {}) : limits_(limits) {}
@@ -24,10 +24,11 @@ class ForceGuard {
   void setLimits(const GuardLimits& limits) { limits_ = limits; }
   const GuardLimits& limits() const { return limits_; }
 
-  /// `silent_ns`: since the older of the last states and the last local model; `step_ns`: since the last call.
+  /// `silent_ns`: age of the last states or of the last local model, whichever is older; `step_ns`: time since the last
+  /// call.
   Force pass(const Force& wanted, std::int64_t silent_ns, std::int64_t step_ns) noexcept;
   const Force& last() const { return last_; }
-  /// The device is gone: no force, at once.
+  /// Sets the force to zero at once, when the device is gone.
   void reset() { last_ = {}; }
 
  private:

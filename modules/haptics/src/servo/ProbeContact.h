@@ -5,15 +5,15 @@
 
 namespace insonate::haptics {
 
-/// Force of the skin on the probe, patient space, about the origin of the probe's frame.
+/// Force of the skin on the probe in patient space, with the torque about the origin of the probe's frame.
 struct SkinForce {
   Force force;
   double axial_N = 0, deepest_mm = 0;
 };
 
-/// A probe on skin: each point of the face has a proxy that stays on its patch of skin (Ruspini, Kolarov and Khatib
-/// 1997; here the skin is flat before each point, so that the proxy is the foot of the perpendicular, and lags along
-/// the skin by friction), and a spring and a damper between the two.
+/// A probe on skin. Each point of the face has a proxy that stays on its patch of skin (Ruspini, Kolarov and Khatib
+/// 1997); a spring and a damper connect point and proxy. Here the skin is flat before each point, so that the proxy is
+/// the foot of the perpendicular, and lags along the skin due to friction.
 class ProbeContact {
  public:
   void reset() { *this = {}; }

@@ -8,10 +8,10 @@
 namespace insonate::haptics {
 
 std::int64_t monotonic_ns();
-/// Sleeps until CLOCK_MONOTONIC says so; at once where that has passed.
+/// Sleeps until a time of CLOCK_MONOTONIC; returns at once if the time has passed.
 void sleepUntil(std::int64_t time_ns);
-/// Asks for SCHED_FIFO for this thread, and that `bytes` from `memory` and its stack stay in memory. Only what the
-/// servo touches is locked: the limit is small on most systems, and a CT does not fit below it.
+/// Requests SCHED_FIFO for this thread, and locks in memory the stack and `bytes` from `memory`. Only memory that the
+/// servo uses is locked: the limit is small on most systems, and a CT would exceed it.
 RealTimeRights askForRealTime(const void* memory, std::size_t bytes);
 
 }  // namespace insonate::haptics

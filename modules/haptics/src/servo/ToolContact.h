@@ -7,24 +7,24 @@
 
 namespace insonate::haptics {
 
-/// A line with a radius, patient space.
+/// A line segment with a radius, patient space.
 struct Capsule {
   Vec3 from, to;
   double radius_mm = 0;
 };
 
-/// The points of two lines that are nearest to each other.
+/// The two closest points of two line segments.
 struct NearestPoints {
   Vec3 onA, onB;
 };
 NearestPoints nearestPoints(const Capsule& a, const Capsule& b);
 
-/// Probe and needle push each other away: Table II of the thesis. The side on which they met is kept, so that a hand
-/// that pushes harder than its device does not snap through.
+/// Contact force between probe and needle: Table II of the thesis. The side on which they first touched is stored, so
+/// that the tools do not pass through each other if a hand pushes harder than its device.
 class ToolContact {
  public:
   void reset() { *this = {}; }
-  /// Forces on both, each about its own tool's origin. Returns whether they touch.
+  /// Computes the forces on both tools, each about its own tool's origin. Returns whether they touch.
   bool push(const Transform& patientFromProbe, const Transform& patientFromNeedle, const ToolShapes& shapes,
             double stiffness_Npmm, Force& onProbe, Force& onNeedle) noexcept;
 
@@ -33,7 +33,7 @@ class ToolContact {
     bool touches = false;
     Vec3 towardsNeedle;
   };
-  std::array<Pair, 2> pairs_;  // needle with face and with handle
+  std::array<Pair, 2> pairs_;  // needle with face and needle with handle
 };
 
 }  // namespace insonate::haptics

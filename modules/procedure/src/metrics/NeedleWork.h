@@ -6,17 +6,18 @@
 
 namespace insonate::metrics {
 
-/// The way of the tip under the skin until the vein is reached, over all passes.
+/// Path of the tip under the skin until the vein is reached, over all passes.
 class NeedleWork {
  public:
-  static constexpr double kStep_mm = 0.5;    ///< trembling below it is no way
-  static constexpr double kRedirect_mm = 3;  ///< back by as much, then on by as much
+  static constexpr double kStep_mm = 0.5;  ///< smaller motions are trembling and not counted
+  /// A redirection is a withdrawal by this distance followed by an advance by this distance.
+  static constexpr double kRedirect_mm = 3;
 
   void beginPass(Vec3 hole_mm);
   void endPass(Vec3 tip_mm);
-  /// Adds a step of the tip under the skin. `depth_mm` below the hole, along the needle.
+  /// Adds a position of the tip under the skin. `depth_mm`: below the hole, along the needle.
   void follow(Vec3 tip_mm, double depth_mm, bool aspirating);
-  /// The vein is reached: nothing counts any more.
+  /// The vein is reached; later motion is not counted.
   void reach(Vec3 tip_mm);
 
   int redirections() const { return redirections_; }
@@ -33,7 +34,8 @@ class NeedleWork {
   bool reached_ = false;
   Vec3 hole_mm_, last_mm_, end_mm_;
   double path_mm_ = 0;
-  // Moments of the pass's points about its hole, for the deviation from the line that is only known at its end.
+  // Second moments of the pass's points about its hole. From these the deviation from the straight line is computed
+  // once the line is known, at the end.
   double squares_mm2_ = 0;
   Mat3 moments_{{Vec3{}, Vec3{}, Vec3{}}};
   int points_ = 0;

@@ -9,7 +9,8 @@
 
 namespace insonate::metrics {
 
-/// Bursts of speed: one begins above the limit, and ends once the speed was below for 0.2 s.
+/// Counts fast movements. A movement begins when the speed exceeds the limit, and ends once the speed has stayed below
+/// the limit for 0.2 s.
 class Movements {
  public:
   explicit Movements(double limit) : limit_(limit) {}
@@ -24,10 +25,10 @@ class Movements {
 
 class ProbeWork {
  public:
-  static constexpr double kStep_mm = 1;              ///< trembling below it is no way
-  static constexpr std::int64_t kSpeed_us = 50'000;  ///< speeds are differences over as long
+  static constexpr double kStep_mm = 1;              ///< smaller motions are trembling and not counted
+  static constexpr std::int64_t kSpeed_us = 50'000;  ///< a speed is the difference over this time
 
-  /// `counting`: the path counts, from the first puncture of the skin until access.
+  /// Adds a sample. `counting`: the path is counted, from the first puncture of the skin until access.
   void follow(std::int64_t time_us, const std::optional<Transform>& patientFromProbe, double force_N, bool counting);
 
   std::optional<double> path_mm() const;
@@ -48,9 +49,9 @@ class ProbeWork {
   std::optional<Vec3> last_mm_;
   double path_mm_ = 0;
   bool counted_ = false;
-  std::array<Place, 128> recent_;  ///< a ring; more than one in kSpeed_us at 1 kHz
+  std::array<Place, 128> recent_;  ///< ring buffer; holds more than kSpeed_us at 1 kHz
   std::size_t begin_ = 0, size_ = 0;
-  Movements translations_{50}, rotations_{50};  ///< mm/s, deg/s
+  Movements translations_{50}, rotations_{50};  ///< limits in mm/s and deg/s
   double forceSum_N_ = 0, forceMost_N_ = 0;
   std::int64_t pressed_ = 0;
 };

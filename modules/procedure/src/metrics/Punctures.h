@@ -4,24 +4,25 @@
 
 namespace insonate::metrics {
 
-/// One structure and the needle in one pass: which crossings of its wall are new punctures. After the thesis's d1
-/// logic: d1 is the depth below the skin's hole at which the needle went in; crossed there again, it comes out by the
-/// way it went in, beyond, it has gone through the back wall. Made robust: what decides is the direction of travel,
-/// since a vessel pressed flat is punctured front and back at one depth; and a tip that trembles in a hole has not made
-/// another, which takes kTolerance_mm of way back.
+/// Decides for one structure and one pass which crossings of its wall are new punctures. The d1 logic follows the
+/// thesis: d1 is the depth below the hole in the skin at which the needle entered the structure. If the wall is crossed
+/// again at this depth, the needle leaves by its entry hole; if beyond, it has gone through the posterior wall. Two
+/// changes make this robust. The direction of travel decides, since the walls of a fully compressed vessel are
+/// punctured at the same depth. A tip that trembles in a hole makes no new puncture: for a new one it must first
+/// withdraw by kTolerance_mm.
 class Punctures {
  public:
   static constexpr double kTolerance_mm = 1;
 
   /// Begins a new pass through the skin: d1 is reset, the counts stay.
   void beginPass();
-  /// The wall was crossed from outside, in the direction of travel. True for a new puncture.
+  /// The wall was crossed from outside while advancing. Returns whether this is a new puncture.
   bool enter(double depth_mm);
-  /// Adds an exit from inside, in the direction of travel.
+  /// The wall was crossed from inside while advancing.
   void leave(double depth_mm);
-  /// Against the direction of travel; `inside`: where the tip is now.
+  /// The wall was crossed while withdrawing; `inside`: the tip is now inside.
   void withdraw(bool inside);
-  /// Depth of the tip below the skin's hole, as often as it is known.
+  /// Passes the depth of the tip below the hole in the skin; call whenever it is known.
   void follow(double depth_mm);
 
   int count() const { return count_; }
@@ -30,8 +31,8 @@ class Punctures {
   bool beyond() const { return back_mm_ && !inside_; }
 
  private:
-  std::optional<double> front_mm_;  ///< d1, until the tip is clear of the hole again
-  std::optional<double> back_mm_;   ///< the same of the back wall
+  std::optional<double> front_mm_;  ///< d1; empty once the tip has withdrawn from the hole
+  std::optional<double> back_mm_;   ///< depth of the posterior wall's puncture; empty likewise
   bool inside_ = false;
   int count_ = 0, through_ = 0;
 };

@@ -5,8 +5,8 @@
 #include <array>
 #include <optional>
 
-/// Blocks of the file. Each is independent: a mark identifies it, its head and its contents have checksums, and its
-/// contents are packed with zlib. All numbers little-endian.
+/// Blocks of the file. Each block is independent: it begins with a mark, its head and its contents have checksums, and
+/// its contents are packed with zlib. All numbers are little-endian.
 namespace insonate::record {
 
 inline constexpr std::array<std::uint8_t, 8> kMark{0xD1, 'I', 'N', 'S', 'O', '\r', '\n', 0x1A};
@@ -21,14 +21,14 @@ struct BlockHead {
   std::int64_t first_us = 0, last_us = 0;
 };
 
-/// No block that we write comes near; a larger one is damage.
+/// Maximum size of a block. The recorder's blocks are much smaller; a larger size in a file indicates damage.
 inline constexpr std::uint32_t kMostBytes = 64U << 20;
 
-/// Head and packed content.
+/// Returns a block: head and packed contents.
 Bytes packed(BlockKind kind, std::int64_t first_us, std::int64_t last_us, std::span<const std::uint8_t> content);
-/// Parses the head at the front of these bytes; empty if there is none, or a damaged one.
+/// Parses the head at the beginning of these bytes; empty if there is no head or if it is damaged.
 std::optional<BlockHead> headAt(std::span<const std::uint8_t> bytes);
-/// Unpacks a block; empty if the checksum or zlib disagree.
+/// Unpacks a block; empty if checksum or zlib report damage.
 std::optional<Bytes> unpacked(std::span<const std::uint8_t> packedBytes, std::size_t rawBytes, std::uint32_t checksum);
 
 }  // namespace insonate::record

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-/// Numbers as bytes, little-endian on every machine.
+/// Conversion of numbers to bytes and back, little-endian on every machine.
 namespace insonate::record {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -24,7 +24,7 @@ inline void put(Bytes& bytes, double value) {
   put(bytes, std::bit_cast<std::uint64_t>(value));
 }
 
-/// Reads from the front. Bytes beyond the end read as 0 and are remembered: check isWhole() at the end.
+/// Reads numbers one after another. Bytes beyond the end read as 0; isWhole() tells at the end whether this happened.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}

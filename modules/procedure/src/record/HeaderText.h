@@ -10,12 +10,12 @@ namespace insonate::record {
 
 struct HeaderRead {
   AttemptHeader header{};
-  bool isChained = false;  ///< its blocks have links (record/Chain.h)
+  bool isChained = false;  ///< the file's blocks have links (record/Chain.h)
 };
 
-/// JSON.
+/// Writes a header as JSON.
 std::string textOf(const AttemptHeader& header);
-/// Fails with a sentence on other text, and on a format that is newer than this program's.
+/// Parses a header. Fails with a sentence on other text, and on a format that is newer than this program's.
 Result<HeaderRead> headerFrom(std::string_view text);
 
 }  // namespace insonate::record

@@ -9,16 +9,16 @@
 
 namespace insonate::record {
 
-/// A file that only grows, each piece on the disk when append() returns.
+/// A file that only grows. Each piece is on the disk when append() returns.
 class RecordFile {
  public:
-  /// Fails where the file exists or cannot be made.
+  /// Creates the file. Fails if it exists or cannot be created.
   static Result<RecordFile> make(const std::filesystem::path& path);
   RecordFile(RecordFile&& other) noexcept;
   RecordFile& operator=(RecordFile&&) = delete;
   ~RecordFile();
 
-  /// Appends bytes. Fails with the reason; then an incomplete piece may follow the earlier contents.
+  /// Appends bytes. Fails with the reason; in that case an incomplete piece may follow the earlier contents.
   Result<void> append(std::span<const std::uint8_t> bytes);
 
  private:

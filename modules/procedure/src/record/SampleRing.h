@@ -13,7 +13,7 @@ namespace insonate::record {
 using RingEntry = std::variant<AttemptSample, AttemptEvent>;
 static_assert(std::is_trivially_copyable_v<RingEntry>, "the servo hands it over without memory of its own");
 
-/// Queue from one writer to one reader, in order. When it is full, new entries are counted and left out.
+/// Queue from one writer to one reader, in order. If the queue is full, new entries are counted as lost and left out.
 class SampleRing {
  public:
   void put(const RingEntry& entry) noexcept {
@@ -26,12 +26,12 @@ class SampleRing {
     written_.store(at + 1, std::memory_order_release);
   }
 
-  /// Number of further entries that fit; call on the writer's thread.
+  /// Number of further entries that fit; call it on the writer's thread.
   std::size_t room() const noexcept {
     return entries_.size() - (written_.load(std::memory_order_relaxed) - read_.load(std::memory_order_acquire));
   }
 
-  /// Calls `take` with each waiting entry; call on the reader's thread.
+  /// Calls `take` with each waiting entry; call it on the reader's thread.
   template <class Take>
   void drain(const Take& take) {
     std::uint64_t at = read_.load(std::memory_order_relaxed);
@@ -41,7 +41,7 @@ class SampleRing {
     }
   }
 
-  /// Since it was asked last.
+  /// Number of lost entries since the last call.
   std::uint32_t takeLost() noexcept { return lost_.exchange(0, std::memory_order_relaxed); }
 
  private:

@@ -6,13 +6,13 @@
 
 #include <optional>
 
-/// A stretch as bytes that a general packer makes small: each channel by itself, as differences of the order that
-/// leaves the smallest numbers, lowest bytes first. Needs nothing of other stretches.
+/// Encodes a stretch as bytes that zlib packs well. Each channel is stored separately, as differences of the order that
+/// gives the smallest numbers, lowest bytes first. Decoding needs no other stretch.
 namespace insonate::record {
 
-/// Times of samples do not fall, and lie within an hour of each other.
+/// Encodes a stretch. Times of samples must not decrease, and must lie within an hour of each other.
 Bytes encoded(const Stretch& stretch);
-/// Decodes a stretch; empty if the bytes are not one.
+/// Decodes a stretch; empty if the bytes are not a stretch.
 std::optional<Stretch> decoded(std::span<const std::uint8_t> bytes);
 
 }  // namespace insonate::record

@@ -13,24 +13,24 @@
 
 namespace insonate {
 
-/// Makes the needle's tissue on a thread of its own, which ends within a tenth of a second.
+/// Prepares the tissue around the needle on its own thread, which stops within a tenth of a second.
 class GridMaker {
  public:
-  /// Extent of a part, from its middle along each axis of the map.
+  /// Extent of the prepared part, from its center along each axis of the map.
   static constexpr double kReach_mm = 50;
 
   GridMaker();
   ~GridMaker();
 
   struct Made {
-    std::shared_ptr<const TissueGrid> grid;                ///< none where the map does not reach there
-    std::shared_ptr<const std::vector<CentreLine>> veins;  ///< of the whole case
+    std::shared_ptr<const TissueGrid> grid;                ///< null if the map does not reach there
+    std::shared_ptr<const std::vector<CentreLine>> veins;  ///< center lines of the case's veins
     Vec3 centre_mm;
   };
   /// Requests the grid around this point; a former request is dropped.
   void want(std::shared_ptr<const LabelMap> labels, Vec3 centre_mm);
   void forget();
-  /// Returns the part that was requested last, once.
+  /// Returns the part that was requested last; empty if it is not ready or was already taken.
   std::optional<Made> take();
 
  private:
@@ -47,10 +47,10 @@ class GridMaker {
   Wish wish_;
   int begun_ = 0;
   std::optional<Made> made_;
-  // Used by the thread alone; set once for each case.
+  // Only the thread uses these two; they are set once for each case.
   std::weak_ptr<const LabelMap> veinsOf_;
   std::shared_ptr<const std::vector<CentreLine>> veins_;
-  std::jthread thread_;  // last: it uses the others
+  std::jthread thread_;  // last: the thread uses the other members
 };
 
 }  // namespace insonate

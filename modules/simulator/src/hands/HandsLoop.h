@@ -29,7 +29,7 @@ class HandsSession::Impl {
   void holdNeedle(bool held);
   void wake();
 
-  // With the mutex held.
+  // Call these with the mutex held.
   bool isMouse(Hand hand) const { return devices[hand] && devices[hand] == mice[hand]; }
   SimulatedDevice* simulated(Hand hand) const { return dynamic_cast<SimulatedDevice*>(devices[hand].get()); }
   void moveByMouse(Hand hand, const Transform& patientFromTool);
@@ -42,16 +42,16 @@ class HandsSession::Impl {
 
   DeviceHub hub;
   std::once_flag looking;
-  mutable std::mutex mutex;  ///< of all that follows
+  mutable std::mutex mutex;  ///< guards all members below
   std::array<std::shared_ptr<InputHand>, 2> mice;
   std::array<Transform, 2> mouseAt;
-  std::array<Vec3, 2> mousePlace_mm;  ///< around which its workspace lies
+  std::array<Vec3, 2> mousePlace_mm;  ///< center of the mouse device's workspace
   std::array<std::shared_ptr<HapticDevice>, 2> devices;
   ServoSetup setup;
   std::shared_ptr<const LabelMap> labels;
   std::shared_ptr<const SkinSurface> skin;
   LiveImaging* imaging = nullptr;
-  std::shared_ptr<const LiveFrame> frame;  ///< the last that was learned from
+  std::shared_ptr<const LiveFrame> frame;  ///< the last frame that the patches learned from
   std::shared_ptr<const TissueGrid> grid;
   std::shared_ptr<const std::vector<CentreLine>> veins;
   VesselNames vessels;
@@ -63,7 +63,7 @@ class HandsSession::Impl {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// A force that is to be felt, with the servo's hand empty meanwhile.
+  /// A test force that the user feels; meanwhile the servo's hand is empty.
   struct Test {
     std::shared_ptr<HapticDevice> device;
     Hand hand = kProbeHand;
@@ -87,14 +87,14 @@ class HandsSession::Impl {
 
   FacePatches patches_;
   GridMaker maker_;
-  Vec3 centre_mm_;  ///< of the tissue that is there or being made
+  Vec3 centre_mm_;  ///< center of the tissue that is ready or being prepared
   bool making_ = false;
-  std::optional<Needle> needle_;  ///< as the image has it
+  std::optional<Needle> needle_;  ///< the needle that the imaging received last
   std::optional<Tenting> tenting_;
-  Transform driven_;  ///< the last pose that was given to the image
+  Transform driven_;  ///< the last pose that the imaging received
   std::optional<Test> test_;
   std::condition_variable_any changed_;
-  std::jthread thread_;  // last: it uses the others
+  std::jthread thread_;  // last: the thread uses the other members
 };
 
 }  // namespace insonate

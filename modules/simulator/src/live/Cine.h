@@ -15,10 +15,10 @@ class Cine {
 
   explicit Cine(std::size_t mostBytes);
 
-  /// Drops the oldest until the frame fits; the latest stays even where it does not.
+  /// Adds a frame and drops the oldest frames until all fit; the latest frame stays even if it does not fit.
   void push(Frame frame);
   Frame latest() const { return count_ ? at(count_ - 1) : nullptr; }
-  /// Frames not older than `seconds` before the latest, oldest first.
+  /// Frames that are at most `seconds` older than the latest frame, oldest first.
   std::vector<Frame> last(double seconds) const;
 
  private:
@@ -32,7 +32,7 @@ class Cine {
   std::vector<Frame> ring_;
 };
 
-/// Memory that a frame takes, or keeps for its next use.
+/// Memory that a frame occupies, including memory that it keeps for its next use.
 std::size_t bytesOf(const LiveFrame& frame);
 
 }  // namespace insonate::live

@@ -9,13 +9,14 @@
 
 namespace insonate::live {
 
-/// Frames that are reused when the last holder releases them, together with the memory of their reference counts, so
-/// that a frame allocates nothing. Any thread may release. Lives as long as one of its frames is held.
+/// Pool of frames. A frame is reused when its last holder releases it, together with the memory of its reference
+/// counts, so that a frame allocates nothing. Any thread may release a frame. The pool lives as long as one of its
+/// frames is held.
 class FramePool : public std::enable_shared_from_this<FramePool> {
  public:
   static std::shared_ptr<FramePool> make() { return std::shared_ptr<FramePool>(new FramePool); }
 
-  /// An unused frame, with its former contents.
+  /// Returns an unused frame, which still has its former contents.
   std::shared_ptr<LiveFrame> acquire();
 
   /// Number of unused frames kept for reuse; further ones are freed.

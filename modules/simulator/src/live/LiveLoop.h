@@ -17,7 +17,7 @@ namespace insonate {
 /// Implementation of LiveImaging: first the members shared between threads, then those of the simulation thread alone.
 class LiveImaging::Impl {
  public:
-  static constexpr int kIterations = 4;  ///< of the tissue's model, for one image
+  static constexpr int kIterations = 4;  ///< iterations of the tissue model for each image
 
   Impl(CaseVolumes patient, std::shared_ptr<const ImagingSetup> setup, Imager imager, PressedTissue tissue,
        const Transform& patientFromProbe, const LiveOptions& options);
@@ -40,7 +40,7 @@ class LiveImaging::Impl {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// A setup with the objects made for it.
+  /// A setup with the objects that were made for it.
   struct Source {
     Source(std::shared_ptr<const ImagingSetup> setup, Imager imager, PressedTissue tissue,
            const VolumeGeometry& volume);
@@ -48,8 +48,8 @@ class LiveImaging::Impl {
     Imager imager;
     PressedTissue tissue;
     live::SceneNeed need;
-    int framesToSettle;  ///< images of a still probe until earlier ones no longer show
-    BModeImage black;    ///< made when first needed
+    int framesToSettle;  ///< number of images of a still probe until earlier images no longer show
+    BModeImage black;    ///< black image; made when first needed
   };
 
   struct NeedleInTissue {
@@ -59,7 +59,8 @@ class LiveImaging::Impl {
   };
 
   static constexpr double kNever_s = HUGE_VAL;
-  static constexpr int kMostOfOneSolve = 30;  ///< images; what has not settled by then will not
+  /// Maximum number of images for one solution; later ones are not expected to converge.
+  static constexpr int kMostOfOneSolve = 30;
 
   void wake();
   void waitFor(double seconds);
@@ -71,7 +72,8 @@ class LiveImaging::Impl {
   void followProbe();
   void activate(Source source);
   bool isFrozen() const;
-  /// Seconds until the next image is due; infinite where something has to change first.
+  /// Makes an image if one is due. Returns the seconds until the next image is due; infinite if nothing is due until a
+  /// change.
   double makePicture();
   void renderPicture();
   void blackPicture();
@@ -101,23 +103,23 @@ class LiveImaging::Impl {
   bool woken_ = false;  ///< guarded by wakeMutex_
   std::atomic<bool> stopping_{false}, resting_;
 
-  mutable std::mutex mutex_;  ///< of the following
+  mutable std::mutex mutex_;  ///< guards the following members
   bool frozen_ = false;
   live::Cine cine_;
   LiveStatus status_;
-  /// Times of the last frames, in a ring.
+  /// Times of the last frames, as a ring buffer.
   std::vector<double> times_s_ = std::vector<double>(512, -HUGE_VAL);
 
   std::mutex listenerMutex_;
   std::function<void()> listener_;
 
-  // Only the simulation thread touches what follows.
+  // Only the simulation thread uses the following members.
   std::shared_ptr<live::FramePool> pool_ = live::FramePool::make();
   Source active_;
   std::optional<Source> next_;         ///< waits for its scene
-  live::BuiltScene scene_;             ///< suits active_; empty before the first
-  std::optional<live::SceneJob> job_;  ///< being built
-  bool jobFailed_ = false;             ///< not to be tried again before something changes
+  live::BuiltScene scene_;             ///< for active_; empty before the first scene
+  std::optional<live::SceneJob> job_;  ///< the job that is being built
+  bool jobFailed_ = false;             ///< the job is not tried again before something changes
   Transform pose_, drawnPose_;
   bool drawn_ = false;  ///< active_ has made an image at drawnPose_
   NeedleInTissue needle_, drawnNeedle_;
@@ -125,16 +127,16 @@ class LiveImaging::Impl {
   bool frozenSeen_ = false;
   int settleLeft_ = 0;
   Physiology physiology_;
-  bool pulsatingSeen_ = false;  ///< the last image's
-  bool bloodChanged_ = false;   ///< since the last image
-  int tissueLeft_ = 0;          ///< images that may still go on with the same solve
-  double begun_s_ = -HUGE_VAL;  ///< the last image
+  bool pulsatingSeen_ = false;  ///< state at the last image
+  bool bloodChanged_ = false;   ///< blood pressure has changed since the last image
+  int tissueLeft_ = 0;          ///< number of images that may still continue the same solution
+  double begun_s_ = -HUGE_VAL;  ///< time at which the last image was begun
   LivePress press_;
   std::uint64_t number_ = 0;
   ImagingFrame scratch_;
 
   live::SceneBuilder builder_;
-  std::thread thread_;  ///< last: it uses the others
+  std::thread thread_;  ///< last: the thread uses the other members
 };
 
 }  // namespace insonate

@@ -27,26 +27,26 @@ struct SceneJob {
 
 struct BuiltScene {
   SceneJob job;
-  std::shared_ptr<const AcousticScene> scene;                ///< null where it failed
-  std::shared_ptr<const std::vector<std::string>> warnings;  ///< null where it failed
+  std::shared_ptr<const AcousticScene> scene;                ///< null if the build failed
+  std::shared_ptr<const std::vector<std::string>> warnings;  ///< null if the build failed
   std::string error;
   double build_ms = 0;
 };
 
-/// Builds scenes on a thread of its own, one at a time.
+/// Builds scenes on its own thread, one at a time.
 class SceneBuilder {
  public:
-  /// `whenDone` is called on the worker each time that take() has something.
+  /// `whenDone` is called on the builder's thread each time that take() has a new result.
   SceneBuilder(CaseVolumes patient, const LiveOptions& options, std::function<void()> whenDone);
-  /// Cancels and waits.
+  /// Cancels the running job and waits for the thread.
   ~SceneBuilder();
 
-  /// Begins a job and cancels the running one, whose result never arrives.
+  /// Begins a job and cancels the running job, whose result is discarded.
   void begin(SceneJob job);
   void cancel();
-  /// Cancels, and gives back what scenes are made of, until the next job.
+  /// Cancels the running job, and releases the source of the scenes until the next job.
   void rest();
-  /// Scenes to come will lie here. Computed in idle time, after the first scene.
+  /// Tells where later scenes are expected. Their parts are computed in idle time, after the first scene.
   void expect(const Region& region_mm, double detail_mm);
   std::optional<BuiltScene> take();
 
@@ -63,15 +63,15 @@ class SceneBuilder {
   std::function<void()> whenDone_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::atomic<std::uint64_t> ticket_{0};  ///< of the job that is wanted; another one cancels
+  std::atomic<std::uint64_t> ticket_{0};  ///< number of the requested job; a job with another number is cancelled
   bool stopping_ = false;
-  bool dropping_ = false;  ///< the source is to be given back before the next job
+  bool dropping_ = false;  ///< the source is to be released before the next job
   std::optional<SceneJob> next_;
   std::optional<BuiltScene> done_;
   std::unique_ptr<ScenesAhead> ahead_;
-  std::shared_ptr<const SceneSource> source_;  ///< only the worker touches it
+  std::shared_ptr<const SceneSource> source_;  ///< only the builder's thread uses it
   std::string sourceError_;
-  std::thread thread_;  ///< last: it uses the others
+  std::thread thread_;  ///< last: the thread uses the other members
 };
 
 }  // namespace insonate::live

@@ -4,23 +4,23 @@
 
 namespace insonate::live {
 
-/// Region that a setup's frames need of a scene. The size is computed once, so that asking at each pose costs nothing.
+/// Region that a setup's frames need of a scene. The size is computed once, so that at() is cheap.
 class SceneNeed {
  public:
   SceneNeed(const ImagingSetup& setup, const VolumeGeometry& volume);
 
-  /// Region of a frame at this pose, with room on all sides, cut to the patient's volume and a millimeter: a scene
-  /// reaches no further.
+  /// Region of a frame at this pose, with `room_mm` added on all sides, limited to the patient's volume plus a
+  /// millimeter, which is as far as a scene reaches.
   Region at(const Transform& patientFromProbe, double room_mm = 0) const;
-  /// Tells whether a frame at this pose would see nothing of the volume.
+  /// Tells whether a frame at this pose would lie entirely outside the volume.
   bool misses(const Transform& patientFromProbe) const;
   double detail_mm() const { return detail_mm_; }
 
  private:
   Region whole(const Transform& patientFromProbe) const;
 
-  Region probe_mm_;   ///< in the probe frame
-  Region volume_mm_;  ///< in the patient frame
+  Region probe_mm_;   ///< probe frame
+  Region volume_mm_;  ///< patient frame
   Transform indexFromPatient_;
   std::array<int, 3> size_;
   double detail_mm_;

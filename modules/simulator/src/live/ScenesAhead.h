@@ -12,14 +12,14 @@
 
 namespace insonate::live {
 
-/// Computes what scenes to come will be made of, on a thread of its own that leaves the processors to everything else.
+/// Computes parts of future scenes in advance, on its own thread of low priority.
 class ScenesAhead {
  public:
   explicit ScenesAhead(std::shared_ptr<const SceneSource> source);
   /// Stops the running computation.
   ~ScenesAhead();
 
-  /// Requests the surroundings of the probe; nearest parts come first. Replaces the former request.
+  /// Requests the surroundings of the probe, nearest parts first. Replaces the former request.
   void want(const Region& region_mm, double detail_mm);
 
  private:
@@ -33,9 +33,9 @@ class ScenesAhead {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::optional<Wanted> wanted_;
-  std::uint64_t asked_ = 0;  ///< how often
+  std::uint64_t asked_ = 0;  ///< number of requests
   std::atomic<bool> stopping_{false};
-  std::thread thread_;  ///< last: it uses the others
+  std::thread thread_;  ///< last: the thread uses the other members
 };
 
 }  // namespace insonate::live

@@ -8,13 +8,13 @@
 
 namespace insonate::press {
 
-/// The plane of a pose in a scene, for models. Points beyond the window read as the outermost within it, so that an
-/// answer does not depend on how far the scene happens to reach.
+/// Image plane of a pose in a scene, as input of the deformation models. Points beyond the window read the outermost
+/// tissue within the window, so that a result does not depend on how far the scene happens to reach.
 class ScenePlane final : public TissuePlane {
  public:
   explicit ScenePlane(const PressWindow& window) : window_(window) {}
 
-  /// The scene must cover the window and outlive all queries.
+  /// Sets scene and pose. The scene must cover the window and outlive all queries.
   void look(const AcousticScene& scene, const Transform& patientFromProbe);
 
   void sample(std::span<const PlanePoint> at, std::span<PlaneTissue> tissue) const override;

@@ -7,20 +7,20 @@
 
 namespace insonate {
 
-/// An engine that could compute images, and how fast it was.
+/// An engine that can compute images, with its measured time.
 struct EngineCandidate {
   std::string name, device;
   double frame_ms = 0;
 };
 
-/// The fastest of at least one, and why it was taken.
+/// The fastest of the candidates, of which there is at least one, with the reason for the choice.
 struct EngineChoice {
   std::string name, why;
 };
 EngineChoice fastestOf(std::span<const EngineCandidate> candidates);
 
-/// Chooses when it is first prepared: between the processor and a graphics card, by the time that a small frame takes.
-/// A software renderer is no candidate. Measured once a process.
+/// Makes an engine that chooses, when first prepared, between the processor and a graphics card, by the time that a
+/// small frame takes. A software renderer is never chosen. The measurement is made once per process.
 std::unique_ptr<Engine> makeAutoEngine();
 
 }  // namespace insonate

@@ -4,13 +4,13 @@
 
 namespace insonate {
 
-/// Spatial compounding: renders the frame for each of steeringAngles_deg(), each by its own engine of one kind, and
-/// averages power where an image line meets the steered ones. Shadows become cones, walls are seen from more sides,
-/// and speckle that the angles do not share averages out. Costs as many frames as there are angles, or with angles in
-/// turn one, beside the average.
+/// Spatial compounding. Renders the frame for each of steeringAngles_deg(), each with its own engine of the same kind,
+/// and averages the power of the steered scanlines at each point of the image. Shadows become cones, walls are seen
+/// from more sides, and speckle that differs between the angles averages out. The cost is one frame per angle or, with
+/// one angle per frame, one frame; plus the averaging.
 class CompoundingEngine final : public Engine {
  public:
-  /// `first` and further engines of the same kind, as many as the settings' angles; see makeEngineFor().
+  /// `engines` are of the same kind, one for each angle of the settings; see makeEngineFor().
   CompoundingEngine(std::vector<std::unique_ptr<Engine>> engines, CompoundedAngles angles);
 
   std::string_view name() const override { return engines_.front()->name(); }
@@ -25,10 +25,11 @@ class CompoundingEngine final : public Engine {
 
   std::vector<std::unique_ptr<Engine>> engines_;
   bool inTurn_;
-  std::size_t next_ = 0;                ///< angle whose turn it is
-  std::vector<EnvelopeFrame> steered_;  ///< the last frame of each angle; empty before the first
-  std::vector<double> linesPerSample_;  ///< by angle: how far steered scanlines have moved, per sample of depth
-  std::vector<float> angles_;           ///< how many angles have seen a sample of a look
+  std::size_t next_ = 0;                ///< index of the next angle to render
+  std::vector<EnvelopeFrame> steered_;  ///< the last frame of each angle; empty before the first frame
+  /// For each angle: lateral shift of steered scanlines, in lines per sample of depth.
+  std::vector<double> linesPerSample_;
+  std::vector<float> angles_;  ///< number of angles that cover a sample of a look
   std::vector<Stage> stages_;
 };
 

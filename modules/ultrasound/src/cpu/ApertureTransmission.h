@@ -5,21 +5,21 @@
 
 namespace insonate::cpu {
 
-/// Amplitude that is left of the beam at each gate, there and back, as the aperture sees it: the mean over its rays.
+/// Two-way amplitude that remains of the beam at each gate, averaged over the rays of the aperture.
 class ApertureTransmission {
  public:
   ApertureTransmission() = default;
   explicit ApertureTransmission(const FramePlan& plan);
 
-  /// Amplitude at the face, for the scanlines from this one on.
+  /// Amplitude at the face, for the scanlines from `line` on.
   float* contact(int line) { return contact_.get() + kMargin + line; }
-  /// Share that a gate lets pass, for the scanlines from this one on.
+  /// Share of the amplitude that a gate passes, for the scanlines from `line` on.
   float* passed(int gate, int line) { return passed_.get() + at(gate) + line; }
 
-  /// Follows the rays; everything above must be known.
+  /// Follows the rays. All members above must have been filled.
   void followRays();
-  /// Makes a block's scattering as strong as what reaches it through the aperture, nothing where the aperture sees
-  /// nothing, and adds the boundaries.
+  /// Scales a block's scattering by the amplitude that reaches it through the aperture, to zero if none does, and adds
+  /// the boundaries.
   void light(int firstLine, BlockEchoes& echoes) const;
 
  private:
@@ -30,7 +30,7 @@ class ApertureTransmission {
   const FramePlan* plan_ = nullptr;
   int width_ = 0, lines_ = 0;
   AlignedArray<float> contact_, passed_;                       ///< [width], [gate][width]
-  std::array<AlignedArray<float>, ApertureRays::kCount> ray_;  ///< [gate][width], before the gate's own loss
+  std::array<AlignedArray<float>, ApertureRays::kCount> ray_;  ///< [gate][width], before the loss in the gate itself
 };
 
 }  // namespace insonate::cpu

@@ -7,12 +7,12 @@
 
 namespace insonate::cpu {
 
-/// The plan's kernels as floats, and the interpolation from gates to samples.
+/// The plan's kernels as floats, with the interpolation from gates to samples.
 struct BeamTables {
   std::vector<float> axialKernel;    ///< [gate][maxAxialRadius + 1], center first
   std::vector<float> lateralKernel;  ///< [gate][maxLateralRadius + 1]
   struct Upsample {
-    int gateBefore;  ///< relative to sample / stride
+    int gateBefore;  ///< index of the preceding gate, relative to sample / stride
     float weight[4];
   };
   std::vector<Upsample> upsample;  ///< [sample % stride]
@@ -21,8 +21,8 @@ struct BeamTables {
   explicit BeamTables(const FramePlan& plan);
 };
 
-/// Echoes after the axial kernel: [component][gate][width], scanlines preceded and followed by maxLateralRadius zeros
-/// (rounded up), so that the lateral kernel runs without edges.
+/// Echoes after the axial kernel: [component][gate][width]. The scanlines are preceded and followed by maxLateralRadius
+/// zeros (rounded up), so that the lateral kernel needs no special case at the edges.
 struct EchoPlane {
   int width = 0, margin = 0;
   AlignedArray<float> values;
@@ -31,16 +31,17 @@ struct EchoPlane {
   }
 };
 
-/// Axial kernel over one block's echoes.
+/// Applies the axial kernel to one block's echoes.
 void convolveAxially(const FramePlan& plan, const BeamTables& tables, const float* blockEcho, int firstLine,
                      EchoPlane& out);
 
-/// Rows a thread needs for convolving laterally: a ring of four gates.
+/// Rows that a thread needs for the lateral convolution: a ring buffer of four gates.
 struct LateralBuffers {
   AlignedArray<float> ring;  ///< [component][gate & 3][width]
 };
 
-/// Lateral kernel and magnitude for samples firstSample .. endSample - 1. `envelope` is [look][sample][scanline].
+/// Applies the lateral kernel and computes the magnitude for samples firstSample .. endSample - 1. `envelope` is
+/// [look][sample][scanline].
 void convolveLaterally(const FramePlan& plan, const BeamTables& tables, const EchoPlane& echo, int firstSample,
                        int endSample, LateralBuffers& buffers, float* envelope);
 

@@ -1,4 +1,5 @@
-// The two nearest structures of each cell of one row, their boundary, and what follows from it, spread to scanlines.
+// Finds the two nearest structures of each cell of one row, computes their boundary and the values that depend on it,
+// and expands the results from cells to scanlines.
 #if defined(INSONATE_CPU_CELLS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef INSONATE_CPU_CELLS_INL_H_
 #undef INSONATE_CPU_CELLS_INL_H_
@@ -21,9 +22,10 @@ using CellIntTag = hn::Rebind<std::int32_t, CellTag>;
 using FloatVec = hn::Vec<CellTag>;
 using IntVec = hn::Vec<CellIntTag>;
 
-/// Bits of the channels that can be the nearest or second nearest somewhere in a row of cells. The bound is the second
-/// smallest of the channels' greatest distances: a channel whose least distance exceeds it is left out. Of the channels
-/// out of reach, which all have the same distance, only the first is kept.
+/// Returns bits of the channels that can be nearest or second nearest somewhere in a row of cells. Each channel has a
+/// minimum and a maximum distance in the row. Let the bound be the second smallest of all maximum distances: at every
+/// place two channels are at most that far. A channel whose minimum exceeds the bound is therefore left out. Channels
+/// out of reach all have the same distance; only the first of them is kept.
 HWY_INLINE std::uint32_t activeChannels(int channels, const TraceBuffers::NodeRow& top,
                                         const TraceBuffers::NodeRow& bottom) {
   float first = 1e30F, second = 1e30F;
@@ -46,7 +48,7 @@ HWY_INLINE std::uint32_t activeChannels(int channels, const TraceBuffers::NodeRo
   return active;
 }
 
-/// Spreads one value per cell to one per scanline.
+/// Expands one value per cell to one value per scanline.
 class Spread {
  public:
   explicit Spread(int cellLines) : cellLines_(cellLines) {
@@ -65,7 +67,7 @@ class Spread {
     hn::Store(hn::TableLookupLanes(value, hn::IndicesFromVec(d, lowLanes_)), d, out + 2 * cell);
     hn::Store(hn::TableLookupLanes(value, hn::IndicesFromVec(d, highLanes_)), d, out + 2 * cell + lanes);
   }
-  /// For what varies across the cell: the second scanline of a cell lies halfway to the next.
+  /// Expands a value that varies across the cell: the second scanline of a cell lies halfway to the next cell.
   HWY_INLINE void storeMixed(FloatVec left, FloatVec right, float* out, int cell) const {
     if (cellLines_ == 1) return store(left, out, cell);
     const CellTag d;
@@ -111,7 +113,8 @@ HWY_INLINE NearestPair nearestPair(std::uint32_t active, const TraceBuffers::Nod
   return {a, b};
 }
 
-/// s = (dB - dA) / 2 at the corners of a cell, and at its first corner in the planes beside.
+/// Signed distance s = (dB - dA) / 2 between the two nearest structures, at the corners of a cell and, in the
+/// neighboring planes, at its first corner.
 struct CellDistances {
   FloatVec corner[4], before, after;
 };
@@ -127,7 +130,7 @@ HWY_INLINE CellDistances distancesOf(std::uint32_t active, const NearestPair& pa
   for (std::uint32_t left = active; left; left &= left - 1) {
     const int ch = __builtin_ctz(left);
     const auto lanes = hn::Set(di, ch);
-    // +1/2 where the channel is the second nearest, -1/2 where it is the nearest.
+    // +1/2 if the channel is the second nearest, -1/2 if it is the nearest.
     const auto sign = hn::Sub(hn::IfThenElseZero(hn::RebindMask(d, hn::Eq(pair.b, lanes)), half),
                               hn::IfThenElseZero(hn::RebindMask(d, hn::Eq(pair.a, lanes)), half));
     const auto add = [&](FloatVec& sum, const TraceBuffers::NodeRow& row, int at) {
@@ -225,7 +228,7 @@ HWY_INLINE void computeCellRow(const TraceInput& in, int firstLine, int plane, i
     const auto aside = hn::Mul(lateral, lateralSpread), across = hn::Mul(elevation, elevationSpread);
     const auto spread_gates = hn::Div(hn::Sqrt(hn::MulAdd(aside, aside, hn::Mul(across, across))),
                                       hn::Max(hn::Abs(axial), hn::Set(d, 1e-3F)));
-    // 20 log10(0.12 + 0.88 cos^2)
+    // Facing in dB: 20 log10(0.12 + 0.88 cos^2).
     const auto facing = hn::Mul(hn::Log2(d, hn::MulAdd(hn::Set(d, 0.88F), hn::Mul(cosine, cosine), hn::Set(d, 0.12F))),
                                 hn::Set(d, 6.0205999F));
     const auto average = [&](const float* t, const float* u) {
@@ -262,7 +265,8 @@ HWY_INLINE void computeCellRow(const TraceInput& in, int firstLine, int plane, i
     for (const FloatVec& v : s.corner) nearest = hn::Min(nearest, hn::Abs(v));
   }
   cells.channelsPresent = present;
-  // A cell is less than a millimeter: no sample of it is nearer to the boundary than its nearest corner by more.
+  // A cell is smaller than a millimeter: each of its samples is at most that much closer to the boundary than the
+  // nearest corner.
   cells.nearBoundary = hn::GetLane(hn::MinOfLanes(d, nearest)) < static_cast<float>(BoundaryProfiles::kReach_mm) + 1;
 }
 

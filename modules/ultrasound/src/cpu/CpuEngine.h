@@ -4,7 +4,8 @@
 
 namespace insonate {
 
-/// The model of the reference engine with SIMD across scanlines and threads across blocks of them, in float.
+/// Makes the engine that computes the reference engine's model in float, with SIMD across scanlines and threads across
+/// blocks of scanlines.
 std::unique_ptr<Engine> makeCpuEngine();
 
 }  // namespace insonate

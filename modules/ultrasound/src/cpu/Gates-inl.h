@@ -1,4 +1,4 @@
-// Echo of one gate from all planes of a block of scanlines.
+// Computes the echo of one gate from all planes of a block of scanlines.
 #if defined(INSONATE_CPU_GATES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef INSONATE_CPU_GATES_INL_H_
 #undef INSONATE_CPU_GATES_INL_H_
@@ -37,7 +37,7 @@ HWY_INLINE void startLines(const TraceInput& in, int firstLine, TraceBuffers& b,
   std::fill_n(e.boundaries.get(), std::size_t(plan.gates) * kBlockLines, 0.0F);
 }
 
-/// Points on the scanlines from a block's l-th on, at these ranges, in the frame of the arrays.
+/// Points at these ranges on the scanlines from the block's scanline `line` on, in the frame of the arrays.
 HWY_INLINE Point pointsOn(const RayArrays& rays, int line, GateVec range) {
   const GateTag d;
   const auto along = [&](const std::vector<float>& origin, const std::vector<float>& direction) {
@@ -51,7 +51,7 @@ HWY_INLINE Point shifted(const Point& p, float x, float y, float z, float by) {
   return {hn::Add(p.x, hn::Set(d, x * by)), hn::Add(p.y, hn::Set(d, y * by)), hn::Add(p.z, hn::Set(d, z * by))};
 }
 
-/// Integral of the quadratic B-spline from the left.
+/// Integral of the quadratic B-spline from minus infinity to x.
 HWY_INLINE GateVec splineBefore(GateVec x) {
   const GateTag d;
   const auto a = hn::Min(hn::Abs(x), hn::Set(d, 1.5F)), left = hn::Sub(hn::Set(d, 1.5F), a);
@@ -62,7 +62,7 @@ HWY_INLINE GateVec splineBefore(GateVec x) {
   return hn::IfThenElse(hn::Lt(x, hn::Zero(d)), hn::Sub(hn::Set(d, 1.0F), right), right);
 }
 
-/// The same as Impulse, by vectors.
+/// Vector version of Impulse.
 struct ImpulseRow {
   int first, count;
   alignas(64) float weight[32];
@@ -84,13 +84,14 @@ struct ImpulseRow {
   }
 };
 
-/// The first gate behind a boundary, and the needle's shadow there.
+/// First gate behind a boundary, with the needle's shadow there.
 struct Crossing {
   int channel;
   float s, impedance, shadow_dB, patch;
 };
 
-/// Echo and loss of the boundary that one scanline crosses between the last gate and this one. Rare, so scalar.
+/// Adds echo and loss of the boundary that one scanline crosses between the previous gate and this one. Crossings are
+/// rare, so the code is scalar.
 HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, const Crossing& at, TraceBuffers& b,
                               BlockEchoes& e) {
   const auto& [channel, s, impedance, shadow_dB, patch] = at;
@@ -121,7 +122,7 @@ HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, 
   if (plan.settings.effects.transmission) state.amplitude[l] *= std::max(1 - reflection * reflection, 1e-12F);
 }
 
-/// NeedleEchoes::shadow_dB(), by vectors.
+/// Vector version of NeedleEchoes::shadow_dB().
 HWY_INLINE GateVec shadowAt(const NeedleEchoes& needle, int plane, int line, int gate) {
   const GateTag d;
   const auto behind =
@@ -130,7 +131,7 @@ HWY_INLINE GateVec shadowAt(const NeedleEchoes& needle, int plane, int line, int
   return hn::Mul(hn::LoadU(d, needle.shadowLosses_dB(plane) + line), share);
 }
 
-/// Gas behind tissue, in the central plane, starts the reverberation.
+/// Finds gas behind tissue in the central plane, at which the reverberation starts.
 HWY_INLINE void findGas(const TraceInput& in, int gate, bool gelPossible, TraceBuffers& b, BlockEchoes& e) {
   const GateTag d;
   const GateIntTag di;
@@ -172,7 +173,7 @@ HWY_INLINE void traceGate(const TraceInput& in, int firstLine, int row, int gate
     GateVec sum[2 * kLooks];
     for (GateVec& v : sum) v = hn::Zero(d);
     auto offset = hn::Zero(d), left = hn::Zero(d), inPhase = hn::Zero(d);
-    // Scattering is told over what reaches the gate, which the aperture knows.
+    // Scattering is stored relative to the amplitude that reaches the gate, which only the aperture's rays determine.
     const auto overReaching = hn::Div(hn::Set(d, 1.0F), hn::Load(d, b.reaching + l));
     const int line = firstLine + l;
     const auto r = hn::MulAdd(hn::LoadU(d, in.lineGap_mm.data() + line), decay, range);

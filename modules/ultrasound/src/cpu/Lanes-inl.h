@@ -1,4 +1,4 @@
-// Vectors of one value a scanline, and elementary functions on them.
+// Vectors with one value per scanline, and elementary functions on them.
 #if defined(INSONATE_CPU_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef INSONATE_CPU_LANES_INL_H_
 #undef INSONATE_CPU_LANES_INL_H_
@@ -27,20 +27,22 @@ struct Point {
   GateVec x, y, z;
 };
 
-/// Added to a float below 2^22 in magnitude, 1.5 * 2^23 leaves no bits for a fraction: the sum is the nearest whole
-/// number, and its bits are kWholeBits plus that number. Cheaper than conversions, which guard against overflow.
+/// Constant for rounding: added to a float below 2^22 in magnitude, 1.5 * 2^23 leaves no bits for a fraction. The sum
+/// is then the nearest whole number, and its bits are kWholeBits plus that number. This is cheaper than conversions,
+/// which guard against overflow.
 inline constexpr float kToWhole = 12582912.0F;
 inline constexpr std::uint32_t kWholeBits = 0x4B400000U;
 
-/// kWholeBits plus the nearest whole number; the low 22 bits are that number's.
+/// Returns kWholeBits plus the nearest whole number; the low 22 bits are those of the whole number.
 HWY_INLINE GateInt wholeBits(GateVec x) {
   const GateTag d;
   return hn::BitCast(GateIntTag(), hn::Add(x, hn::Set(d, kToWhole)));
 }
 
-inline constexpr float kOctavesPerDecibel = 0.16609640474F;  ///< of an amplitude: log2(10) / 20
+inline constexpr float kOctavesPerDecibel = 0.16609640474F;  ///< log2(10) / 20, for amplitudes
 
-/// 10^(dB / 20) down to 10^-36: 2^x, of the fraction by its Taylor polynomial (relative error below 3e-6 on -0.5..0.5).
+/// 10^(dB / 20), down to 10^-36. It is computed as 2^x, with a Taylor polynomial for the fraction (relative error below
+/// 3e-6 on -0.5..0.5).
 HWY_INLINE GateVec amplitudeOf(GateVec level_dB) {
   const GateTag d;
   const GateIntTag di;
@@ -56,14 +58,14 @@ HWY_INLINE GateVec amplitudeOf(GateVec level_dB) {
   return hn::BitCast(d, hn::Add(hn::BitCast(di, y), hn::ShiftLeft<23>(hn::BitCast(di, whole))));
 }
 
-/// The four voxels along w from each place of a tile on, one a byte.
+/// Loads four consecutive voxels along w, beginning at each position of a tile, one per byte.
 template <class V>
 HWY_INLINE V tileWords(const TextureTile& tile, V place) {
   const hn::DFromV<V> di;
   return hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(tile.value.data()), place);
 }
 
-/// One of the bytes of a word, with its sign: -127..127.
+/// Extracts one byte of a word as a signed number: -127..127.
 template <int kByte, class V>
 HWY_INLINE V byteOf(V word) {
   return hn::ShiftRight<24>(hn::ShiftLeft<24 - 8 * kByte>(word));

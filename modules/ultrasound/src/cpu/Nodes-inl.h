@@ -1,4 +1,4 @@
-// Signed distances to every structure at one row of lattice nodes.
+// Looks up signed distances to every structure at one row of lattice nodes.
 #if defined(INSONATE_CPU_NODES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef INSONATE_CPU_NODES_INL_H_
 #undef INSONATE_CPU_NODES_INL_H_
@@ -20,13 +20,13 @@ HWY_BEFORE_NAMESPACE();
 namespace insonate::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Position of a row's nodes in the field: the low corner of their cell, and the weights of its eight corners.
+/// Position of a row's nodes in the field: the low corner of the cell, and the weights of the cell's eight corners.
 struct NodePlaces {
   alignas(64) std::int32_t corner[kMaxColumns];
   alignas(64) float weight[8][kMaxColumns];
 };
 
-/// From the low corner of a cell of the field to each corner, in nodes; none along an axis of one node.
+/// Steps from the low corner of a cell of the field to each corner, in nodes; zero along an axis with a single node.
 struct CornerSteps {
   std::int32_t step[8];
   explicit CornerSteps(const TissueField& field) {
@@ -36,7 +36,8 @@ struct CornerSteps {
   }
 };
 
-/// Clamps a continuous index to the field: the low node, and how far beyond it. Zeroes `inside` off the field.
+/// Clamps a continuous index to the field. Returns the low node and the fraction beyond it. Sets `inside` to zero
+/// outside the field.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, D>> lowNode(D d, V index, int size, V& fraction, V& inside) {
   const hn::Rebind<std::int32_t, D> di;
@@ -49,8 +50,8 @@ HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, D>> lowNode(D d, V index, int size, 
   return low;
 }
 
-/// Cells by their low nodes and how far beyond them a point is: stores their corners from `c` on and returns them, with
-/// the corners' weights in `weight`.
+/// Stores, from `c` on, the corners of cells, which are given by their low nodes and the points' fractions beyond them.
+/// Returns the corners, and the corners' weights in `weight`.
 template <class D, class VI, class V = hn::Vec<D>>
 HWY_INLINE VI storeCells(D d, const TissueField& field, VI i, VI j, VI k, V fx, V fy, V fz, int c, NodePlaces& places,
                          V* weight) {
@@ -68,7 +69,7 @@ HWY_INLINE VI storeCells(D d, const TissueField& field, VI i, VI j, VI k, V fx, 
   return corner;
 }
 
-/// TextureTile::between() of the patch tile, over its unit.
+/// Vector version of TextureTile::between() for the patch tile, in units of the tile's SD.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V patchAt(D d, V x, V y, V z, Vec3 origin_mm, int step) {
   const hn::Rebind<std::int32_t, D> di;
@@ -100,14 +101,15 @@ HWY_INLINE V patchAt(D d, V x, V y, V z, Vec3 origin_mm, int step) {
   return hn::Mul(sum, hn::Set(d, 1.0F / 32));
 }
 
-/// HU above the structures' means.
+/// CT deviation: HU above the structures' means.
 template <class D, class VI>
 HWY_INLINE hn::Vec<D> ctAt(D d, const TissueField& field, const CornerSteps& steps, VI corner,
                            const hn::Vec<D>* weight) {
   const hn::Rebind<std::int32_t, D> di;
   auto ct = hn::Zero(d);
   for (int k = 0; k < 8; ++k) {
-    // Two bytes at an even offset: fetch four, and bring the lower two up and down again with their sign.
+    // The value has two bytes at an even offset. Loads four bytes, and shifts the lower two up and down again to extend
+    // the sign.
     const auto offset = hn::ShiftLeft<1>(hn::Add(corner, hn::Set(di, steps.step[k])));
     const auto word = hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(field.ctDeviation.data()), offset);
     ct = hn::MulAdd(weight[k], hn::ConvertTo(d, hn::ShiftRight<16>(hn::ShiftLeft<16>(word))), ct);
@@ -115,13 +117,13 @@ HWY_INLINE hn::Vec<D> ctAt(D d, const TissueField& field, const CornerSteps& ste
   return ct;
 }
 
-/// A row of nodes: which columns of the frame, how deep, how far off the central plane.
+/// A row of nodes: the columns of the frame, the depth, and the distance from the central plane.
 struct NodeRowPlace {
   int firstColumn;
   float range_mm, contactDecay, elevation_mm;
 };
 
-/// As many nodes as the tag has lanes, from the block's column c on.
+/// Processes as many nodes as the tag has lanes, from the block's column c on.
 template <class D>
 HWY_INLINE void placeNodes(D d, const TraceInput& in, const CornerSteps& steps, const NodeRowPlace& at, int c,
                            const TraceBuffers::ShiftRow& shifts, NodePlaces& places, TraceBuffers::NodeRow& row) {
@@ -159,7 +161,7 @@ HWY_INLINE void placeNodes(D d, const TraceInput& in, const CornerSteps& steps, 
     x = carried(d, x, by, axes.lateral.x, axes.axial.x);
     y = carried(d, y, by, axes.lateral.y, axes.axial.y);
     z = carried(d, z, by, axes.lateral.z, axes.axial.z);
-    inside = hn::Max(inside, place());  // tissue from beyond the scene reads as its outermost
+    inside = hn::Max(inside, place());  // tissue from beyond the scene reads as the outermost tissue of the scene
   }
   V weight[8];
   const auto corner = storeCells(d, field, i, j, k, fx, fy, fz, c, places, weight);
@@ -173,7 +175,7 @@ HWY_INLINE void placeNodes(D d, const TraceInput& in, const CornerSteps& steps, 
 
 using NodeTag = hn::CappedTag<float, 16>;
 
-/// Distances of all channels at one node to `out`, [channel], in the field's units.
+/// Writes the distances of all channels at one node to `out`, [channel], in the field's units.
 HWY_INLINE void lookUpNode(const TissueField& field, const CornerSteps& steps, const NodePlaces& places, int column,
                            float* HWY_RESTRICT out) {
   const NodeTag d;
@@ -185,7 +187,7 @@ HWY_INLINE void lookUpNode(const TissueField& field, const CornerSteps& steps, c
       const auto raw = hn::LoadU(d16, base[steps.step[k]].to + first);
       return hn::MulAdd(hn::ConvertTo(d, hn::PromoteTo(di, raw)), hn::Set(d, places.weight[k][column]), sum);
     };
-    // Two chains, so that one multiplication does not wait for the last.
+    // Two independent chains, so that no multiplication has to wait for the previous one.
     auto low = weighted(0, hn::Zero(d)), high = weighted(4, hn::Zero(d));
     for (int k = 1; k < 4; ++k) low = weighted(k, low), high = weighted(k + 4, high);
     hn::Store(hn::Mul(hn::Add(low, high), hn::Set(d, static_cast<float>(1 / TissueField::kUnitsPerMm))), d,
@@ -193,7 +195,7 @@ HWY_INLINE void lookUpNode(const TissueField& field, const CornerSteps& steps, c
   }
 }
 
-/// Four nodes' distances, [node][channel], to the rows of the channels from `column` on.
+/// Transposes the distances of four nodes, [node][channel], into the rows of the channels, from `column` on.
 HWY_INLINE void storeFourNodes(const float (*nodes)[TissueField::kStride], int channels, int column,
                                TraceBuffers::NodeRow& row) {
 #if HWY_TARGET == HWY_SCALAR
@@ -214,7 +216,8 @@ HWY_INLINE void storeFourNodes(const float (*nodes)[TissueField::kStride], int c
 #endif
 }
 
-/// All nodes of a row, four at a time, and the extremes of each channel. Past the last column the last is repeated.
+/// Looks up all nodes of a row, four at a time, and the minimum and maximum of each channel. Beyond the last column,
+/// the last column is repeated.
 HWY_INLINE void lookUpNodes(const TissueField& field, const CornerSteps& steps, const NodePlaces& places, int columns,
                             TraceBuffers::NodeRow& row) {
   const NodeTag d;
@@ -248,7 +251,7 @@ HWY_INLINE void computeNodeRow(const TraceInput& in, int firstLine, int plane, i
                         elevation};
   NodePlaces places;
   const NodeTag wide;
-  const hn::CappedTag<float, 4> narrow;  // a block has one column more than a multiple of any vector
+  const hn::CappedTag<float, 4> narrow;  // a block has one column more than a multiple of the vector length
   const int lanes = static_cast<int>(hn::Lanes(wide));
   int c = 0;
   for (; c + lanes <= columns; c += lanes) placeNodes(wide, in, steps, at, c, shifts, places, row);

@@ -1,4 +1,4 @@
-// Loose scatterers: complex noise that is a hash of a node of the patient's scatterer lattice.
+// Individual scatterers: complex noise, computed as a hash of a node of the patient's scatterer lattice.
 #if defined(INSONATE_CPU_SCATTERERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef INSONATE_CPU_SCATTERERS_INL_H_
 #undef INSONATE_CPU_SCATTERERS_INL_H_
@@ -24,15 +24,15 @@ HWY_INLINE GateUint hashLanes(GateUint x) {
   return hn::Xor(x, hn::ShiftRight<15>(x));
 }
 
-/// The corners of the tetrahedron that holds each lane's point: their hashes, and their weights as whole numbers of sum
-/// kWeightOne, two to a lane.
+/// Corners of the tetrahedron that contains each lane's point: their hashes, and their weights as whole numbers with
+/// the sum kWeightOne, two per lane.
 struct Corners {
   GateUint hash[4];
   GateInt weight01, weight23;
 };
 inline constexpr std::int32_t kWeightOne = 32767;
 
-/// See tetrahedronAt() for the division of the lattice's cells and hashNode() for the hash.
+/// See tetrahedronAt() for the division of the lattice's cells, and hashNode() for the hash.
 HWY_INLINE Corners cornersAt(std::uint32_t latticeSeed, const Point& p) {
   const GateTag d;
   const GateIntTag di;
@@ -42,7 +42,7 @@ HWY_INLINE Corners cornersAt(std::uint32_t latticeSeed, const Point& p) {
   const auto key = [&](GateVec whole, std::uint32_t factor) {
     return hn::Sub(hn::Mul(hn::BitCast(du, wholeBits(whole)), hn::Set(du, factor)), hn::Set(du, kWholeBits * factor));
   };
-  constexpr std::uint32_t kX = 0x8da6b343U, kY = 0xd8163841U, kZ = 0xcb1ab31fU;  // of hashNode()
+  constexpr std::uint32_t kX = 0x8da6b343U, kY = 0xd8163841U, kZ = 0xcb1ab31fU;  // constants of hashNode()
   const auto x0 = key(wx, kX), y0 = key(wy, kY), z0 = key(wz, kZ);
   const auto x1 = hn::Add(x0, hn::Set(du, kX)), y1 = hn::Add(y0, hn::Set(du, kY)), z1 = hn::Add(z0, hn::Set(du, kZ));
   const auto seed = hn::Set(du, latticeSeed);
@@ -72,9 +72,9 @@ HWY_INLINE Corners cornersAt(std::uint32_t latticeSeed, const Point& p) {
   return corners;
 }
 
-/// a0 b0 + a1 b1 of the 16-bit numbers in each half of a lane.
+/// Computes a0 b0 + a1 b1 from the 16-bit numbers in the two halves of a lane.
 HWY_INLINE GateInt pairProduct(GateInt a, GateInt b) {
-#if HWY_TARGET == HWY_SCALAR  // has no vectors of two
+#if HWY_TARGET == HWY_SCALAR  // the scalar target has no vectors of two
   const auto low = [](GateInt v) { return hn::ShiftRight<16>(hn::ShiftLeft<16>(v)); };
   return hn::Add(hn::Mul(low(a), low(b)), hn::Mul(hn::ShiftRight<16>(a), hn::ShiftRight<16>(b)));
 #else
@@ -86,10 +86,10 @@ HWY_INLINE GateInt pairProduct(GateInt a, GateInt b) {
 #endif
 }
 
-/// See scattererAmplitudes(): adds amplitude times {re, im} of each look to `sum`; p in the scatterers' lattice. What
-/// the fields' mean adds to all components alike goes to `offset`, to be taken off them in the end. A hash holds three
-/// fields of five bits in each half. They are multiplied with the weights where they stand, as 16-bit numbers, two
-/// corners at once; scale undoes the place.
+/// See scattererAmplitudes(): adds amplitude times {re, im} of each look to `sum`; p is in the scatterers' lattice. The
+/// fields have a common mean; its contribution to each component is added to `offset`, and subtracted at the end. Each
+/// half of a hash contains three fields of five bits. The fields are multiplied by the weights without being shifted,
+/// as 16-bit numbers, two corners at once; the scale compensates for the missing shift.
 template <int kLooks>
 HWY_INLINE void addScatterers(std::uint32_t latticeSeed, const Point& p, GateVec amplitude, GateVec* sum,
                               GateVec& offset) {
@@ -99,7 +99,7 @@ HWY_INLINE void addScatterers(std::uint32_t latticeSeed, const Point& p, GateVec
   const Corners corners = cornersAt(latticeSeed, p);
   const auto power = hn::ConvertTo(d, hn::Add(pairProduct(corners.weight01, corners.weight01),  //
                                               pairProduct(corners.weight23, corners.weight23)));
-  // One step of Newton's method after the processor's estimate.
+  // One step of Newton's method after the processor's approximation.
   const auto guess = hn::ApproximateReciprocalSqrt(power);
   const auto correction = hn::NegMulAdd(hn::Mul(hn::Mul(power, hn::Set(d, 0.5F)), guess), guess, hn::Set(d, 1.5F));
   const auto scale =

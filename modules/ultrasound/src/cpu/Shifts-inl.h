@@ -18,13 +18,13 @@ HWY_BEFORE_NAMESPACE();
 namespace insonate::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Ways in the probe's plane from seen points to where their tissue lay, mm.
+/// Shifts in the probe's plane, in mm, from displayed points to the rest positions of their tissue.
 template <class V>
 struct PlaneShifts {
   V x, z;
 };
 
-/// Low point of the displacement's lattice and how far beyond it, along one axis.
+/// Low point in the displacement's lattice and the fraction beyond it, along one axis.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, D>> lowPoint(D d, V position_mm, double first_mm, double step_mm,
                                                          int points, V& fraction) {
@@ -37,7 +37,7 @@ HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, D>> lowPoint(D d, V position_mm, dou
   return low;
 }
 
-/// Bilinear in the displacement's lattice; see shiftAt() of model/PlaneShift.h.
+/// Bilinear interpolation in the displacement's lattice; see shiftAt() of model/PlaneShift.h.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE PlaneShifts<V> latticeShifts(D d, const PlaneDisplacement& displacement, V x_mm, V z_mm) {
   const hn::Rebind<std::int32_t, D> di;
@@ -84,7 +84,7 @@ HWY_INLINE void computeShiftRow(const TraceInput& in, int firstLine, int nodeRow
   spread(row.columnX, row.lineX), spread(row.columnZ, row.lineZ);
 }
 
-/// On the scanlines from a block's l-th on, `down` of the way from a row of nodes to the next.
+/// Shifts on the scanlines from the block's scanline `l` on, at the fraction `down` from one row of nodes to the next.
 HWY_INLINE PlaneShifts<GateVec> gateShifts(const TraceBuffers& b, int row, int l, GateVec down) {
   const GateTag d;
   const TraceBuffers::ShiftRow &top = b.shift[row & 1], &bottom = b.shift[(row + 1) & 1];
@@ -95,13 +95,13 @@ HWY_INLINE PlaneShifts<GateVec> gateShifts(const TraceBuffers& b, int row, int l
   return {between(top.lineX, bottom.lineX), between(top.lineZ, bottom.lineZ)};
 }
 
-/// A coordinate after a shift, of which `lateral` and `axial` are the coordinate's changes per mm.
+/// Returns a coordinate after a shift; `lateral` and `axial` are the changes of the coordinate per mm of shift.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V carried(D d, V coordinate, const PlaneShifts<V>& by, float lateral, float axial) {
   return hn::MulAdd(by.x, hn::Set(d, lateral), hn::MulAdd(by.z, hn::Set(d, axial), coordinate));
 }
 
-/// Square of the slope in the plane that a distance has at rest, from its slopes in displaced tissue; see
+/// Square of the in-plane slope of a distance in tissue at rest, computed from its slopes in displaced tissue; see
 /// TissueLookup::inPlaneSlopeAtRest().
 HWY_INLINE GateVec squaredSlopeAtRest(const TraceInput& in, const TraceBuffers& b, int firstLine, int row, int c,
                                       GateVec axial, GateVec lateral, GateVec perAxial, GateVec perLateral) {

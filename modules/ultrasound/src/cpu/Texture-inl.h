@@ -1,4 +1,4 @@
-// Structure that a CT does not resolve: septa, lobules and sheets within tissues, layers at their boundaries.
+// Structure that a CT does not resolve: septa, lobules and sheets within tissues, and layers at their boundaries.
 #if defined(INSONATE_CPU_TEXTURE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef INSONATE_CPU_TEXTURE_INL_H_
 #undef INSONATE_CPU_TEXTURE_INL_H_
@@ -15,13 +15,13 @@ HWY_BEFORE_NAMESPACE();
 namespace insonate::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Scattering level and how much of it comes from sheets, which echo as one.
+/// Scattering level, and the share of it that comes from sheets, which echo coherently.
 struct Scattering {
   GateVec echo_dB, sheet;
 };
 
-/// Texture of one structure on one side, -127..127, bright parts as far as the beam meets them squarely. `line` is the
-/// vector's first scanline; `shift`, where not null, leads to where the tissue lay.
+/// Texture of one structure on one side of the midline, -127..127; the echo of sheets depends on the beam's angle to
+/// them. `line` is the vector's first scanline; `shift`, if not null, gives the tissue's rest position.
 HWY_INLINE GateVec textureOf(const TextureTile& tile, const TextureRays& rays, int line, GateVec range,
                              const PlaneShifts<GateVec>* shift, float elevation_mm) {
   const GateTag d;
@@ -42,8 +42,8 @@ HWY_INLINE GateVec textureOf(const TextureTile& tile, const TextureRays& rays, i
   return hn::IfThenElse(hn::Gt(value, hn::Zero(d)), hn::Mul(value, facing), value);
 }
 
-/// Adds the texture of each structure that the cells of this row name, where a lane lies in it. `right` are the lanes
-/// right of the patient's midline.
+/// Adds the texture of each structure that occurs in the cells of this row, in the lanes that lie in the structure.
+/// `right` are the lanes right of the patient's midline.
 HWY_INLINE void addTexture(const TraceInput& in, std::uint32_t present, GateInt channel, hn::Mask<GateTag> right,
                            int line, GateVec range, const PlaneShifts<GateVec>* shift, float elevation_mm,
                            Scattering& here) {
@@ -66,7 +66,7 @@ HWY_INLINE void addTexture(const TraceInput& in, std::uint32_t present, GateInt 
   }
 }
 
-/// Connective layers at the boundary take over from the tissue.
+/// Adds the connective layers at the boundary, which replace the tissue there.
 HWY_INLINE void addLayers(const TraceInput& in, const TraceBuffers::CellRow& cells, int l, GateVec s, GateVec down,
                           Scattering& here) {
   const GateTag d;

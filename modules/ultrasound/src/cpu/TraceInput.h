@@ -16,15 +16,16 @@
 
 namespace insonate::cpu {
 
-/// Scanlines are traced in blocks of this many, one task a block; a multiple of every vector length up to 16 lanes.
+/// Number of scanlines of a block. One task traces one block; the number is a multiple of every vector length up to 16
+/// lanes.
 inline constexpr int kBlockLines = 32;
-inline constexpr int kMaxColumns = kBlockLines + 16;  ///< node columns of a block, with room for a vector's tail
+inline constexpr int kMaxColumns = kBlockLines + 16;  ///< node columns of a block, including the remainder of a vector
 inline constexpr int kMaxPlanes = 9;
 
 template <class T>
 using AlignedArray = hwy::AlignedFreeUniquePtr<T[]>;
 
-/// A linear map as floats, rows by rows.
+/// A linear map as floats, row by row.
 struct FloatMatrix {
   float xx = 0, xy = 0, xz = 0, yx = 0, yy = 0, yz = 0, zx = 0, zy = 0, zz = 0;
 
@@ -38,8 +39,8 @@ struct FloatMatrix {
   }
 };
 
-/// Directions of the probe's lateral and axial axes in another frame, per mm: they convert a shift in the plane to
-/// that frame.
+/// Directions of the probe's lateral and axial axes in another frame, per mm. They convert a shift in the plane to that
+/// frame.
 struct PlaneAxes {
   struct {
     float x = 0, y = 0, z = 0;
@@ -52,9 +53,9 @@ struct PlaneAxes {
   }
 };
 
-/// Acoustic constants of one channel of the tissue field, floats for the kernels.
+/// Acoustic constants of one channel of the tissue field, as floats for the kernels.
 struct ChannelConstants {
-  float halfway = 1;  ///< share of the amplitude, there and back, that half a gate lets pass
+  float halfway = 1;  ///< two-way share of the amplitude that half a gate passes
   float echo_dB = 0, ctEcho_dBperHU = 0;
   float impedance = 0, ctImpedancePerHU = 0;
   float textureStrength_dB = 0;
@@ -63,7 +64,7 @@ struct ChannelConstants {
   const TextureTile* tile = nullptr;
 };
 
-/// Patient-frame geometry of scanlines (or node columns), one array a coordinate.
+/// Geometry of scanlines (or node columns) in the patient frame, one array per coordinate.
 struct RayArrays {
   std::vector<float> x, y, z, dx, dy, dz;
   void resize(std::size_t n) {
@@ -71,35 +72,36 @@ struct RayArrays {
   }
 };
 
-/// The scanlines in a texture tile, in voxels; half a voxel less than where they are, so that the nearest whole number
-/// is the voxel.
+/// The scanlines in voxels of a texture tile, shifted by minus half a voxel, so that rounding to the nearest whole
+/// number gives the voxel.
 struct TextureRays {
   RayArrays line;
   PlaneAxes axes;                                        ///< voxels per mm in the plane
-  float elevationX = 0, elevationY = 0, elevationZ = 0;  ///< voxels per mm across the slice
-  std::vector<float> facing;                             ///< share of a sheet's echo that comes back, see sheetFacing()
+  float elevationX = 0, elevationY = 0, elevationZ = 0;  ///< voxels per mm perpendicular to the plane
+  std::vector<float> facing;  ///< share of a sheet's echo that is received, see sheetFacing()
 };
 
-/// All that the trace of one frame reads; filled by the engine, shared by its tasks.
+/// All data that the trace of one frame reads; filled by the engine, shared by its tasks.
 struct TraceInput {
   const FramePlan* plan = nullptr;
   const AcousticScene::Impl* scene = nullptr;
   ChannelConstants channels[TissueField::kStride];
-  float halfwayEdge[TissueField::kStride * TissueField::kStride]{};  ///< what a vessel's edge lets pass of it, by pair
-  std::uint32_t gasChannels = 0, texturedChannels = 0;               ///< a bit each
+  /// Share of the amplitude that passes at a vessel's edge, by pair of channels.
+  float halfwayEdge[TissueField::kStride * TissueField::kStride]{};
+  std::uint32_t gasChannels = 0, texturedChannels = 0;  ///< one bit per channel
   bool anyCt = false;
-  const PlaneDisplacement* displacement = nullptr;  ///< null where nothing has moved
-  const NeedleEchoes* needle = nullptr;             ///< null where there is none
-  RayArrays lines, columns;                         ///< lines padded to whole blocks
-  RayArrays probeColumns;                           ///< in the probe frame
+  const PlaneDisplacement* displacement = nullptr;  ///< null if nothing has moved
+  const NeedleEchoes* needle = nullptr;             ///< null if there is no needle
+  RayArrays lines, columns;                         ///< lines are padded to whole blocks
+  RayArrays probeColumns;                           ///< probe frame
   PlaneAxes patientAxes, latticeAxes;
-  std::vector<float> lineGap_mm, lineStrength;  ///< contact
+  std::vector<float> lineGap_mm, lineStrength;  ///< contact of each scanline
   std::vector<float> columnGap_mm;
   std::vector<float> contactDecay;                       ///< [gate or node row's gate]
   std::vector<float> elevation_mm;                       ///< [plane][gate]
   std::vector<float> scatterScale;                       ///< [plane][gate]
-  RayArrays latticeLines;                                ///< the scanlines in the scatterers' lattice
-  TextureRays textureRays[TissueField::kStride][2];      ///< of textured channels, right and left of the midline
+  RayArrays latticeLines;                                ///< scanlines in the scatterers' lattice
+  TextureRays textureRays[TissueField::kStride][2];      ///< for textured channels, right and left of the midline
   float elevationX = 0, elevationY = 0, elevationZ = 0;  ///< unit, patient
   float latticeElevationX = 0, latticeElevationY = 0, latticeElevationZ = 0;
   std::uint32_t latticeSeed = 0;
@@ -109,29 +111,32 @@ struct TraceInput {
 
 inline constexpr std::int32_t kNoGasYet = -1, kNoGasEver = -2;
 
-/// Result of the trace of one block, before the beam.
+/// Result of tracing one block, before the beam.
 struct BlockEchoes {
   alignas(64) std::int32_t gasGate[kBlockLines];  ///< first gate in gas behind tissue
-  /// Scattering over what reaches a gate, [component][gate][kBlockLines], component = 2 * look + (0 re, 1 im).
+  /// Scattering relative to the amplitude that reaches a gate, [component][gate][kBlockLines], component = 2 * look +
+  /// (0 re, 1 im).
   AlignedArray<float> echo;
-  AlignedArray<float> boundaries;  ///< of all looks, as their own scanline reaches them, [gate][kBlockLines]
-  /// Amplitude in the middle of each gate in the central plane, there and back, without the needle's shadow,
-  /// [gate][kBlockLines]; unused where there is no needle.
+  /// Boundary echoes, the same for all looks, as seen along their own scanline, [gate][kBlockLines].
+  AlignedArray<float> boundaries;
+  /// Two-way amplitude in the middle of each gate in the central plane, without the needle's shadow,
+  /// [gate][kBlockLines]; unused without a needle.
   AlignedArray<float> level;
 };
 
-/// Per-thread scratch of the trace.
+/// Scratch memory of a thread for the trace.
 struct TraceBuffers {
   /// Distances at one row of nodes, [channel][column], by plane and parity of the row.
   struct NodeRow {
     alignas(64) float distance[TissueField::kStride][kMaxColumns];
     alignas(64) float ct[kMaxColumns];
     alignas(64) float patch[kMaxColumns], wander_steps[kMaxColumns];
-    alignas(64) float inside[kMaxColumns];                                      ///< 1 or 0
-    alignas(64) float least[TissueField::kStride], most[TissueField::kStride];  ///< of each channel's distances
+    alignas(64) float inside[kMaxColumns];  ///< 1 or 0
+    /// Minimum and maximum of each channel's distances.
+    alignas(64) float least[TissueField::kStride], most[TissueField::kStride];
   };
-  /// Way from where tissue is seen to where it lay at rest, at one row of nodes, in the probe's plane, mm: at its
-  /// columns and spread to scanlines. By parity of the row; unused where nothing has moved.
+  /// Shift from the displayed position of tissue to its rest position, at one row of nodes, in the probe's plane, mm:
+  /// at the row's columns, and expanded to scanlines. By parity of the row; unused if nothing has moved.
   struct ShiftRow {
     alignas(64) float columnX[kMaxColumns], columnZ[kMaxColumns], lineX[kBlockLines], lineZ[kBlockLines];
   };
@@ -139,21 +144,21 @@ struct TraceBuffers {
   struct CellRow {
     alignas(64) float sTop[kBlockLines], sBottom[kBlockLines];
     alignas(64) float cosine[kBlockLines], facing_dB[kBlockLines];
-    /// Strength of boundaries and the shift of their layers, in steps of the profile, at the cell's upper and lower
-    /// edge.
+    /// Strength of boundaries, and the shift of their layers in steps of the profile, at the cell's upper and lower
+    /// edges.
     alignas(64) float patchTop[kBlockLines], patchBottom[kBlockLines];
     alignas(64) float wanderTop_steps[kBlockLines], wanderBottom_steps[kBlockLines];
-    alignas(64) float spread[kBlockLines];  ///< of a boundary's echo, gates
+    alignas(64) float spread[kBlockLines];  ///< length over which a boundary's echo is spread, in gates
     alignas(64) float echoA[kBlockLines], echoB[kBlockLines], halfwayA[kBlockLines], halfwayB[kBlockLines];
     alignas(64) float impedanceA[kBlockLines], impedanceB[kBlockLines];
     alignas(64) float halfwayEdge[kBlockLines], inside[kBlockLines];
     alignas(64) std::int32_t channelA[kBlockLines], channelB[kBlockLines], profile[kBlockLines];
-    std::uint32_t channelsPresent = 0;  ///< bit per channel that any cell of the row names
-    bool nearBoundary = false;          ///< some cell is within reach of a boundary's layers or edge
+    std::uint32_t channelsPresent = 0;  ///< one bit per channel that occurs in a cell of the row
+    bool nearBoundary = false;          ///< a cell is within reach of a boundary's layers or edge
   };
-  /// State of each scanline on its way down.
+  /// State of each scanline during the trace downward.
   struct LineState {
-    alignas(64) float amplitude[kBlockLines];  ///< that is left of the beam, there and back; 0 beyond what is known
+    alignas(64) float amplitude[kBlockLines];  ///< two-way amplitude that remains of the beam; 0 beyond the volume
     alignas(64) float s[kBlockLines];
     alignas(64) float impedance[kBlockLines];
     alignas(64) std::int32_t channel[kBlockLines];  ///< -1 before the first gate
@@ -164,7 +169,7 @@ struct TraceBuffers {
   NodeRow nodes[kMaxPlanes][2];
   CellRow cells[kMaxPlanes];
   LineState state[kMaxPlanes];
-  alignas(64) float reaching[kBlockLines];  ///< mean amplitude of the planes before the next gate
+  alignas(64) float reaching[kBlockLines];  ///< amplitude before the next gate, averaged over the planes
   alignas(64) std::int32_t tissueSeen[kBlockLines];
 };
 
@@ -177,8 +182,8 @@ class ApertureTransmission;
 /// Fills the constants of the scene's channels.
 void setChannels(const AcousticScene::Impl& scene, TraceInput& input);
 
-/// Echoes of the scanlines firstLine .. firstLine + kBlockLines - 1 on all gates, before the beam, and the share of it
-/// that each gate lets pass.
+/// Traces the scanlines firstLine .. firstLine + kBlockLines - 1. Computes their echoes on all gates, before the beam,
+/// and the share of the amplitude that each gate passes.
 void traceBlock(const TraceInput& input, int firstLine, TraceBuffers& buffers, BlockEchoes& echoes,
                 ApertureTransmission& transmission, TraceTimes_ms& times);
 

@@ -9,19 +9,21 @@
 
 namespace insonate::display {
 
-/// Echoes of a probe's own face in an image, and the loss of echoes at a lifted end of it. The transmitted pulse rings
-/// in the elements while they already receive (main bang), and reverberates in the lens: bright bands in the first 2
-/// mm, the same in all frames, slightly different between elements. Where the skin does not touch the face, air
-/// reflects nearly everything: the lens rings a little longer, and these elements neither send nor receive. A scanline
-/// keeps the share of its apertures that touches, on transmit times on receive. Apertures grow with the depth, so that
-/// the dark strip is sharp near the face and blurs and narrows below.
+/// Echoes of the probe's own face, and the loss of echoes at an end of the face that is lifted off. The transmitted
+/// pulse rings in the elements while they already receive (main bang), and reverberates in the lens. This gives bright
+/// bands in the first 2 mm, the same in all frames and slightly different between elements. If the skin does not touch
+/// the face, air reflects nearly everything: the lens rings slightly longer, and these elements neither transmit nor
+/// receive. The amplitude of a scanline is multiplied by the touching share of its transmit aperture and by that of its
+/// receive aperture. Apertures grow with depth, so that the dark strip is sharp near the face, and becomes blurred and
+/// narrower below.
 ///
-/// No measurement of either was found. The time constants are chosen by real images; levels and strips are settings.
+/// No measurement of either effect was found. The time constants are fitted to real images; levels and strips are
+/// settings.
 class FaceEchoes {
  public:
   FaceEchoes(const Probe& probe, const ImagingSettings& settings, const DisplayPlan& plan);
 
-  /// Share of the amplitude that each scanline keeps in a block of rows; null where the whole face touches the skin.
+  /// Share of the amplitude that each scanline keeps in a block of rows; null if the whole face touches the skin.
   const float* contact(int block) const { return contact_ ? contact_->row(block) : nullptr; }
   /// Adds the ringing to a row of power.
   void addTo(float* power, int row, float rowGain) const;
@@ -31,9 +33,9 @@ class FaceEchoes {
   void findRinging(const Probe& probe, const ImagingSettings& settings, const BeamGrid& grid);
 
   int columns_;
-  Plane line_, lack_;                     ///< one row each: power of the ringing, share of it that is as in air
-  std::optional<Plane> contact_;          ///< [block][scanline]
-  std::vector<float> touching_, lifted_;  ///< [row] power; shorter than the image where nothing rings any more
+  Plane line_, lack_;             ///< single rows: power of the ringing, and share of the ringing that is as in air
+  std::optional<Plane> contact_;  ///< [block][scanline]
+  std::vector<float> touching_, lifted_;  ///< [row] power; ends at the row at which the ringing ends
 };
 
 }  // namespace insonate::display

@@ -5,19 +5,20 @@
 
 namespace insonate::display {
 
-/// Variance-adaptive smoothing of levels in dB. Log-compressed speckle varies equally strongly at any brightness, so
-/// stronger variation along one direction is an interface: it is smoothed along its own direction only (edges stay
-/// sharp, grain stretches along them), plain speckle in all directions. The direction comes from the structure tensor,
-/// J = <grad u grad u^T> (Weickert, Coherence-enhancing diffusion filtering, 1999), taken in units of the
-/// point-spread function, in which speckle has no direction of its own.
+/// Variance-adaptive smoothing of levels in dB. The variance of log-compressed speckle is the same at any brightness,
+/// so that a stronger variation in one direction indicates an interface. An interface is smoothed only along its own
+/// direction (edges stay sharp, and speckle is stretched along them); plain speckle is smoothed in all directions. The
+/// direction follows from the structure tensor, J = <grad u grad u^T> (Weickert, Coherence-enhancing diffusion
+/// filtering, 1999), in units of the point-spread function, in which speckle has no preferred direction.
 class InterfaceSmoothing {
  public:
-  /// `strength`: share of the smoothed levels in what smooth() writes, up to 1; the rest is what came in.
+  /// `strength`: share of the smoothed levels in the output of smooth(), up to 1; the rest are the input levels.
   InterfaceSmoothing(const DisplayPlan& plan, double strength);
 
-  /// Finds the interfaces of an image from `levels` averaged over blocks; both with extended rows.
+  /// Finds the interfaces of an image. `blockLevels` are the levels averaged over blocks; both planes have extended
+  /// rows.
   void analyse(const Plane& blockLevels);
-  /// One smoothed row; room for whole vectors in `out`.
+  /// Writes one smoothed row to `out`, which must have room for whole vectors.
   void smooth(const DisplayPlan& plan, const Plane& levels, int row, float* out) const;
 
  private:

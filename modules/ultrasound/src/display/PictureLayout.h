@@ -5,7 +5,8 @@
 
 namespace insonate::display {
 
-/// Size and scale of the image: square pixels, the whole field of view as large as fits, centred. No gray values.
+/// Sets size and scale of the image: square pixels, centered, with the whole field of view as large as possible. No
+/// gray values.
 BModeImage pictureLayout(const BeamGrid& grid, const ImagingSettings& settings);
 
 }  // namespace insonate::display

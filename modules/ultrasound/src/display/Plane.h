@@ -7,11 +7,11 @@
 
 namespace insonate::display {
 
-/// A zeroed grid of floats, [row][column], with room for filters on both sides of each row. Columns past the last up to
-/// a whole number of vectors may be computed with, too.
+/// A grid of floats, initially zero, [row][column], with room for filters on both sides of each row. The columns after
+/// the last, up to a whole number of vectors, may also be written.
 class Plane {
  public:
-  static constexpr int kMargin = 32;  ///< columns each side
+  static constexpr int kMargin = 32;  ///< columns on each side
   static constexpr int kVector = 16;  ///< rows are computed in multiples of this many columns
 
   Plane(int rows, int columns)
@@ -25,7 +25,7 @@ class Plane {
   static int padded(int columns) { return (columns + kVector - 1) / kVector * kVector; }
   int rows() const { return rows_; }
   int stride() const { return stride_; }
-  /// Column 0 of the nearest row there is.
+  /// Column 0 of the row; for a row outside the grid, of the nearest existing row.
   float* row(int r) { return data_.get() + std::size_t(std::clamp(r, 0, rows_ - 1)) * stride_ + kMargin; }
   const float* row(int r) const { return const_cast<Plane*>(this)->row(r); }
   void clear() { std::fill_n(data_.get(), std::size_t(rows_) * stride_, 0.0F); }

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-/// The display's inner loops before the logarithm: one row of scanlines each, with the widest instructions that the
-/// processor has. They use no fused multiply-add, so that every processor gives the same image.
+/// The display's inner loops before the logarithm: each processes one row of scanlines with the processor's widest
+/// vector instructions. They use no fused multiply-add, so that every processor gives the same image.
 namespace insonate::display {
 
 /// One row of white noise: complex, each part with unit variance. Rows of different seeds are independent.
@@ -14,24 +14,24 @@ struct WhiteRow {
 };
 void whiteRow(const WhiteRow& task);
 
-/// Noise of the looks' mean in one row, of unit power: its power where there is no echo, and twice its part in phase
-/// with an echo; and the amplitude to which both are brought.
+/// Noise of the mean of the looks in one row, of unit power. `power` is the noise's power where there is no echo,
+/// `twiceInPhase` is twice its part in phase with an echo. `amplitude` scales both.
 struct NoiseRow {
   const float *power = nullptr, *twiceInPhase = nullptr;
   float amplitude = 0;
 };
 
-/// Power of the looks' mean, unusable amplitudes as 0, with noise where there is some: (a^2 + twiceInPhase a + noise)
-/// gain^2. For one look this is |a + n|^2 with complex noise n; for more it is so where there is no echo and where the
-/// echo is strong.
+/// Computes the power of the mean of the looks, with noise if given: (a^2 + twiceInPhase a + noise) gain^2. Invalid
+/// amplitudes count as 0. For one look this equals |a + n|^2 with complex noise n. For several looks it equals this
+/// only without echo or with strong echoes.
 struct CompoundRow {
   const float* look[3] = {};
   int looks;
   int columns;
-  const float* contact = nullptr;  ///< share of the amplitude that a scanline keeps; null for all of it
-  NoiseRow noise = {};             ///< none where null
+  const float* contact = nullptr;  ///< share of the amplitude that a scanline keeps; null: all of it
+  NoiseRow noise = {};             ///< no noise if its pointers are null
   float gain;
-  float ceiling, strongCeiling;  ///< of each sample's part in the sums
+  float ceiling, strongCeiling;  ///< limits of each sample's contribution to the sums
   float* power;
   float *sum, *strong;  ///< += min(power, ceiling), += min(power, strongCeiling) over a padded row
 };
@@ -46,19 +46,19 @@ struct RingingRow {
 };
 void ringingRow(const RingingRow& task);
 
-/// One block of the haze: the tails carried down from the block above, and the haze that they leave here.
+/// One block of the haze: reads the tails of the block above, and computes this block's tails and haze.
 struct HazeRow {
-  const float* power;       ///< mean of the block
-  const float* strong;      ///< mean of the block, strong echoes included
-  const float* tailAbove;   ///< with margins
-  const float* grainAbove;  ///< with margins
-  const float* longAbove;   ///< with margins
-  int stride;               ///< scanlines to the neighbors
-  float spread;             ///< to each neighbor
+  const float* power;       ///< mean of the block, strong echoes limited
+  const float* strong;      ///< mean of the block, including strong echoes
+  const float* tailAbove;   ///< has margins
+  const float* grainAbove;  ///< has margins
+  const float* longAbove;   ///< has margins
+  int stride;               ///< distance in scanlines to the neighbors
+  float spread;             ///< share that spreads to each neighbor
   float tailDecay, grainDecay, longDecay;
   float share, longShare, smoothShare;
   const float* smeared;  ///< added to the tail
-  const float* drift;    ///< strength of both
+  const float* drift;    ///< strength of tail and smeared echoes
   int columns;
   float *tail, *grain, *longTail, *haze;
 };

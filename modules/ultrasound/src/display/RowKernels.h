@@ -2,20 +2,20 @@
 
 #include <cstdint>
 
-/// The display's inner loops from the logarithm on: one row of scanlines each, with the widest instructions that the
-/// processor has. They use no fused multiply-add, so that every processor gives the same image.
+/// The display's inner loops from the logarithm on: each processes one row of scanlines with the processor's widest
+/// vector instructions. They use no fused multiply-add, so that every processor gives the same image.
 namespace insonate::display {
 
-/// Level in dB of power plus haze, offset and shade.
+/// Computes the level in dB of power plus haze, with offset and shade.
 struct CompressRow {
   const float *power, *hazeBefore, *hazeAfter;
-  const float *meanBefore, *meanAfter;  ///< mean power of the blocks that the haze was found for
-  float hazeGrain;                      ///< share of the haze that has the grain of `power`
+  const float *meanBefore, *meanAfter;  ///< mean power of the blocks from which the haze was computed
+  float hazeGrain;                      ///< share of the haze that is modulated like `power`
   float mix;
   float offset_dB, low_dB, high_dB;
-  const float* shade_dB;  ///< of each scanline
-  float shadeShare;       ///< of it that this row has
-  const float* line_dB;   ///< of each scanline, in all rows; may be null
+  const float* shade_dB;  ///< [scanline]
+  float shadeShare;       ///< share of the shade that applies to this row
+  const float* line_dB;   ///< [scanline], the same for all rows; may be null
   int columns;
   float* level_dB;
   float* sum;  ///< += level
@@ -24,10 +24,10 @@ void compressRow(const CompressRow& task);
 
 void scaleRow(float* row, float factor, int columns);
 
-/// Local mean: (1 2 1) over blocks, (1 2 3 2 1) over strided scanlines.
+/// Local mean with weights (1 2 1) over blocks and (1 2 3 2 1) over strided scanlines.
 void meanRow(const float* above, const float* here, const float* below, int stride, int columns, float* mean);
 
-/// Products of the differences across (x) and along (z) the scanlines.
+/// Computes the products of the differences between scanlines (x) and along them (z).
 struct TensorRow {
   const float *above, *here, *below;
   int stride;
@@ -37,9 +37,9 @@ struct TensorRow {
 };
 void tensorRow(const TensorRow& task);
 
-/// From the tensor averaged over neighbors: how much structure there is (0..1), how much of it is an interface that
-/// can be followed (0..1, less than the former), and that interface's slope, in the
-/// first of each 8 scanlines.
+/// Computes from the tensor, averaged over neighbors, the strength of structure (0..1), the strength of an interface
+/// that can be followed (0..1, not more than that of structure), and the interface's slope, which is set for the first
+/// of every 8 scanlines.
 struct OrientRow {
   const float *xx[5] = {}, *xz[5] = {}, *zz[5] = {};  ///< two blocks above to two below
   int stride;
@@ -49,8 +49,8 @@ struct OrientRow {
 };
 void orientRow(const OrientRow& task);
 
-/// Smooths one row of levels: in all directions where there is only speckle, along the interface where there is one,
-/// and along the scanline where there is structure too steep to follow.
+/// Smooths one row of levels: plain speckle in all directions, an interface along itself, and structure that is too
+/// steep to follow along the scanline.
 struct SmoothRow {
   const float* axial[5] = {};  ///< rows of the axial taps, with margins
   float axialWeight[3] = {};
@@ -60,18 +60,18 @@ struct SmoothRow {
   int rowStride, rows, row;
   int alongStride = 1;
   float alongWeight[4] = {};
-  const float* slope;  ///< rows per along-tap and unit of slope are in `rowsPerSlope`
+  const float* slope;  ///< slope of the interface; `rowsPerSlope` converts it to rows per tap along the interface
   float rowsPerSlope;
   const float *structureBefore, *structureAfter, *edgeBefore, *edgeAfter, *meanBefore, *meanAfter;
   float mix;
   float contrast, contrastBend, contrastReach;
-  float strength;  ///< share of the smoothed levels in what is written
+  float strength;  ///< share of the smoothed levels in the output
   int margin, columns;
   float* out;
 };
 void smoothRow(const SmoothRow& task);
 
-/// Raises a level by a share of its difference from the levels above and below, at most by that of `reach_dB`.
+/// Adds to a level a share of its difference from the levels above and below; the difference is limited to `reach_dB`.
 struct EnhanceRow {
   const float *above, *here, *below;
   float share, reach_dB;
@@ -80,7 +80,8 @@ struct EnhanceRow {
 };
 void enhanceRow(const EnhanceRow& task);
 
-/// Levels to gray, after mixing with the previous image where `previous` is given (it receives the mixture).
+/// Converts levels to gray. If `previous` is given, the levels are first mixed with the previous image, and the mixture
+/// is stored in `previous`.
 struct GreyRow {
   const float* level_dB;
   float* previous;
@@ -92,15 +93,16 @@ struct GreyRow {
 };
 void greyRow(const GreyRow& task);
 
-/// Each column, as the low byte, with the place halfway to the next, as the high byte: the cubic through four columns,
-/// (-1 9 9 -1) / 16. Reads one column before the first and two past the last; reads and writes whole vectors.
+/// Writes for each column its value as the low byte, and the value halfway to the next column as the high byte: the
+/// cubic through four columns, (-1 9 9 -1) / 16. Reads one column before the first and two after the last; reads and
+/// writes whole vectors.
 void refineRow(const std::uint8_t* grey, int columns, std::uint16_t* fine);
 
-/// Packs each sample with its right, lower and lower right neighbor, lowest byte first.
+/// Packs each sample with its right, lower and lower right neighbors, lowest byte first.
 void packRow(const std::uint8_t* here, const std::uint8_t* below, int columns, std::uint32_t* packed);
 
-/// Bilinear interpolation between the four neighbors in packed[index]; weights are x and z in 1/256, low byte x.
-/// Writes `count` pixels; index and weight are readable up to the next multiple of 16.
+/// Interpolates bilinearly between the four neighbors in packed[index]; the weights are x and z in 1/256, with x in the
+/// low byte. Writes `count` pixels; index and weight are readable up to the next multiple of 16.
 void scanRow(const std::uint32_t* packed, const std::int32_t* index, const std::uint16_t* weight, int count,
              std::uint8_t* grey);
 

@@ -8,23 +8,23 @@
 
 namespace insonate::display {
 
-/// Gray values on the beam grid to the image: first a column halfway between each two scanlines, cubic, since
-/// scanlines are far apart and bilinear interpolation between them would take lateral detail away; then bilinear from
-/// tables made once. Black outside the field of view.
+/// Converts gray values on the beam grid to the image, in two steps. First, a column halfway between each two scanlines
+/// is computed by cubic interpolation: scanlines are far apart, and bilinear interpolation between them would lose
+/// lateral detail. Second, bilinear interpolation with tables that were made once. Black outside the field of view.
 class ScanConverter {
  public:
   ScanConverter(const Probe& probe, const ImagingSettings& settings);
 
-  /// Row that takes the gray values of one sample, one per scanline; room for whole vectors.
+  /// Row for the gray values of one sample, one per scanline; with room for whole vectors.
   std::uint8_t* greyRow(int sample) { return grey_.data() + std::size_t(sample) * greyStride_ + kMargin; }
-  /// Uses the calling thread's TBB arena. Gives `image` its size and scale.
+  /// Computes the image and sets its size and scale. Uses the calling thread's TBB arena.
   void convert(BModeImage& image);
 
  private:
   /// A run of pixels inside the field of view.
   struct Run {
     int column, count;
-    std::size_t table;  ///< of its first pixel
+    std::size_t table;  ///< index of the first pixel in the tables
   };
   void refine(int sample);
   std::uint16_t* fineRow(int sample) { return fine_.data() + std::size_t(sample) * fineStride_; }
@@ -33,16 +33,16 @@ class ScanConverter {
   void addPixel(const BeamGrid::Location& at);
   void convertRow(int row, std::uint8_t* out) const;
 
-  static constexpr int kMargin = 16;  ///< columns each side of a gray row
+  static constexpr int kMargin = 16;  ///< columns on each side of a gray row
 
   int samples_, scanlines_, greyStride_;
-  int columns_, fineStride_;  ///< of the refined rows: single columns, pairs
+  int columns_, fineStride_;  ///< size of the refined rows: in single columns, and in pairs
   BModeImage layout_;
   std::vector<std::uint8_t> grey_;
   std::vector<std::uint16_t> fine_;  ///< two columns each
   std::vector<std::uint32_t> packed_;
   std::vector<Run> runs_;
-  std::vector<std::size_t> firstRun_;  ///< of each row, and the end
+  std::vector<std::size_t> firstRun_;  ///< index of the first run of each row, and the end
   std::vector<std::int32_t> index_;
   std::vector<std::uint16_t> weight_;
 };

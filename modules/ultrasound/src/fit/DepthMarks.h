@@ -8,8 +8,8 @@
 
 namespace insonate::fit {
 
-/// Looks beside the model, in an image that is light on dark, for short marks at equal distances in a line along its
-/// axis. Pixels of the image given.
+/// Searches beside the model for short marks at equal distances on a line along the model's axis, in an image that is
+/// light on dark. Results are in pixels of this image.
 std::optional<DepthRuler> depthMarks(const cv::Mat_<uchar>& grey, const FovModel& model);
 
 }  // namespace insonate::fit

@@ -9,21 +9,20 @@ namespace insonate::fit {
 
 enum Edge { kLeft, kRight, kFace, kDeep, kEdges };
 
-/// A fan or rectangle that looks down, in the pixels of the image that is searched. `turn` is the angle of its axis
-/// from straight down, positive toward the right; `half` is half the fan's angle (radians) or half the rectangle's
-/// width.
+/// A fan or rectangle that opens downward, in pixels of the searched image. `turn` is the angle of its axis from
+/// vertical, positive toward the right; `half` is half the fan's angle (radians) or half the rectangle's width.
 struct FovModel {
   bool fan = true;
   double x = 0, y = 0, turn = 0, half = 0.5, inner = 0, outer = 100;
 
-  /// Signed distances of a point beyond each edge; all are negative inside.
+  /// Signed distances of a point beyond each edge; all are negative if the point is inside.
   std::array<double, kEdges> beyond(PixelPoint p) const;
-  /// Across -1..1, down 0..1.
+  /// Returns a point of the field of view; `across` is -1..1, `down` is 0..1.
   PixelPoint at(double across, double down) const;
   double area() const;
 };
 
-/// beyond() for many points of one model.
+/// Computes beyond() for many points of one model.
 class Beyond {
  public:
   explicit Beyond(const FovModel& model);
@@ -40,10 +39,10 @@ struct EdgeSample {
   Edge edge = kLeft;
 };
 
-/// Points of the outline about `step_px` apart; none on a face that is a point.
+/// Points on the outline about `step_px` apart; a face that is a single point has none.
 std::vector<EdgeSample> edgeSamples(const FovModel& model, double step_px);
 
-/// Parameters as a vector and back: x, y, turn, half, outer, and inner for fans.
+/// Access to the parameters by index: x, y, turn, half, outer, and, for fans, inner. parameters() returns their number.
 int parameters(const FovModel& model);
 double& parameter(FovModel& model, int index);
 

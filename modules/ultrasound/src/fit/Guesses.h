@@ -7,7 +7,8 @@
 
 namespace insonate::fit {
 
-/// Models that some of the body's outline speaks for, many of them wrong. The same body gives the same guesses.
+/// Returns models that agree with a part of the body's outline; many of them are wrong. The same body gives the same
+/// guesses.
 std::vector<FovModel> guessesFor(const Plate& plate);
 
 }  // namespace insonate::fit

@@ -8,22 +8,22 @@
 
 namespace insonate::fit {
 
-/// An image made ready for the search: light on dark, the ground's level and slow changes taken off.
+/// An image prepared for the search: light on dark, with the background's level and slow changes subtracted.
 struct Plate {
-  cv::Mat_<float> smooth;    ///< blurred by 1.5 px, ground near 0
-  float threshold = 0;       ///< of `smooth`, above the ground's noise
+  cv::Mat_<float> smooth;    ///< blurred by 1.5 px, background near 0
+  float threshold = 0;       ///< threshold for `smooth`, above the background's noise
   cv::Mat_<uchar> mask;      ///< 255 above the threshold
-  cv::Mat_<uchar> body;      ///< what is left of it without lines, letters and plain areas
-  cv::Mat_<uchar> gaps;      ///< 255 where ground is within a letter's or a line's distance
-  double bodyShare = 0;      ///< of the image
-  bool darkOnLight = false;  ///< the image's grays were turned round
+  cv::Mat_<uchar> body;      ///< the mask without lines, letters and plain areas
+  cv::Mat_<uchar> gaps;      ///< 255 if background is within the distance of a letter or a line
+  double bodyShare = 0;      ///< share of the image that is body
+  bool darkOnLight = false;  ///< the image's grays were inverted
 };
 
-/// The plausible ways to read an image, the likeliest first; none for an image of one gray.
+/// Returns the plausible interpretations of an image, the most probable first; empty for an image of a single gray.
 std::vector<Plate> platesOf(const cv::Mat_<uchar>& grey);
 
-/// If ground from top to bottom divides the body in two parts of a size: the plate with its left part alone, and with
-/// its right one.
+/// If background from top to bottom divides the body into two parts of similar size, returns the plate with only its
+/// left part, and with only its right part.
 std::optional<std::array<Plate, 2>> halvesOf(const Plate& plate);
 
 }  // namespace insonate::fit

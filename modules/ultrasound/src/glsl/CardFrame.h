@@ -11,14 +11,15 @@
 
 namespace insonate::glsl {
 
-/// Frames of one probe with one set of settings on the card. What follows from these is uploaded once, a scene once
-/// for all (SceneStore.h), and in every frame a block of parameters and the displacement.
+/// Renders frames of one probe with one set of settings on the graphics card. Data that depends only on these is
+/// uploaded once, and a scene is uploaded once for all engines (SceneStore.h). In each frame a block of parameters and
+/// the displacement are uploaded.
 class CardFrame {
  public:
   static Result<std::unique_ptr<CardFrame>> make(std::shared_ptr<const Device> device, const Probe& probe,
                                                  const ImagingSettings& settings);
 
-  /// Fails where the card has been reset or has no room for the scene; no frame can be had of it then.
+  /// Renders a frame. Fails if the card was reset or has no room for the scene; after that, no frame can be rendered.
   Result<void> render(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
                       const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope);
 
@@ -48,18 +49,18 @@ class CardFrame {
   FramePlan plan_;
   NeedleEchoes needle_;
   std::vector<float> needleWords_;
-  std::optional<thesis::ThesisPlan> thesis_;  ///< where the settings ask for its look
+  std::optional<thesis::ThesisPlan> thesis_;  ///< set if the settings select the rendering style of the thesis
   PlanTables tables_;
-  std::shared_ptr<const gpu::Buffer> volumes_;  ///< of the scene shown last
+  std::shared_ptr<const gpu::Buffer> volumes_;  ///< volumes of the last scene
 
-  // Kept for as long as the settings.
+  // Valid as long as the settings.
   gpu::Buffer planTable_, kernels_, repeats_, block_, thesisBlock_;
   gpu::Buffer contacts_, shifts_, nodes_, cells_, samples_, crossings_, gasGates_, aperture_, points_, map_;
   gpu::Buffer echo_, blurred_, envelope_, needleBuffer_;
   gpu::PairTexture displacement_;
   gpu::ReadBack readBack_;
   std::size_t pointCapacity_ = 0;
-  int pointEchoes_ = 0;  ///< in this frame
+  int pointEchoes_ = 0;  ///< number in this frame
   std::vector<Engine::Stage> stages_;
 };
 

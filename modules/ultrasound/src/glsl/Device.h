@@ -13,7 +13,7 @@
 
 namespace insonate::glsl {
 
-/// One a shader file.
+/// Stages of a frame; one shader file each.
 enum class Stage {
   Contact,
   Nodes,
@@ -38,25 +38,25 @@ enum class Stage {
   kCount
 };
 
-/// One of the project's shader files with another text.
+/// One of the project's shader files with changed text.
 struct EditedFile {
   std::string name, text;
 };
 
-/// Text of a shader file of the project (without extension), as it is or with included files inserted; empty if no
-/// file has the name.
+/// Text of a shader file of the project (by name without extension), either as it is or with included files inserted;
+/// empty if no file has this name.
 std::string_view shaderFile(std::string_view name);
 std::string shaderText(std::string_view name, const EditedFile& edited = {});
-/// Constants of the model as the shaders know them, from those of C++.
+/// Shader text that defines the model's constants, generated from those in C++.
 std::string constantsText();
 
-/// Resources shared by the engines of one process: a context, the shaders, the textures' tiles, scenes.
+/// Resources shared by the engines of one process: a context, the shaders, the texture tiles, and scenes.
 class Device {
  public:
-  /// Made at the first call, which takes as long as the driver's compiler does; made again after a loss. Fails with a
-  /// sentence without a suitable OpenGL.
+  /// Returns the shared device. It is made at the first call, which takes as long as the driver compiles, and made
+  /// again after a loss. Fails with a sentence if no suitable OpenGL is available.
   static Result<std::shared_ptr<const Device>> shared();
-  /// The same with one file edited, for tests: files that include it are compiled again.
+  /// Returns this device with one file edited, for tests: shaders that include the file are compiled again.
   Result<std::shared_ptr<const Device>> with(const EditedFile& edited) const;
 
   gpu::Context& context() const { return *context_; }
@@ -77,7 +77,7 @@ class Device {
   std::shared_ptr<SceneStore> scenes_ = std::make_shared<SceneStore>();
 };
 
-/// First byte of each tile in the device's buffer, by Texture, and last that of patchTile().
+/// Offset of the first byte of each tile in the device's buffer, by Texture; the last is that of patchTile().
 std::array<int, kTiles> tileOffsets();
 
 }  // namespace insonate::glsl

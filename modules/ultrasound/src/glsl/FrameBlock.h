@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-/// Structures that C++ and the shaders share, by the layout std140: whole groups of four numbers.
+/// Structures shared by C++ and the shaders, in the std140 layout: whole groups of four numbers.
 namespace insonate::glsl {
 
 struct alignas(16) Float4 {
@@ -16,13 +16,13 @@ struct alignas(16) Float4 {
 struct alignas(16) Int4 {
   std::int32_t x = 0, y = 0, z = 0, w = 0;
 };
-/// An affine map into some frame, rows by rows: (x, y, z, offset).
+/// An affine map, row by row: (x, y, z, offset).
 using Rows = std::array<Float4, 3>;
 
-inline constexpr int kTiles = 7;       ///< of textures, by Texture; then of what comes and goes along boundaries
+inline constexpr int kTiles = 7;       ///< texture tiles, by Texture, and one tile for the variation along boundaries
 inline constexpr int kMostPlanes = 9;  ///< see ImagingSettings
 
-/// Bit of each physical effect that a shader tests, by its name there.
+/// Bit of each physical effect that a shader tests; the shader uses the same name.
 enum EffectBit : std::int32_t {
   kScattering = 1,
   kReflection = 2,
@@ -48,7 +48,7 @@ struct ChannelBlock {
   std::array<Float4, 2> thinAxis;
 };
 
-/// FrameBlock of shaders/frame.glsl, which says what each is.
+/// FrameBlock of shaders/frame.glsl, which describes the fields.
 struct FrameBlock {
   std::int32_t lines, gates, samples, looks;
   std::int32_t planes, stride, cellGates, cellLines;
@@ -80,10 +80,10 @@ struct ThesisBlock {
   std::array<Float4, TissueField::kStride> medium, perHU;
 };
 
-/// Sizes of the records of shaders/records.glsl.
+/// Sizes in bytes of the records of shaders/records.glsl.
 inline constexpr std::size_t kNodeBytes = 80, kCellBytes = 72, kSampleBytes = 32, kCrossingBytes = 16;
 
-/// Offsets of the fields in C++, by the shaders' names; for Program::checkBlock().
+/// Offsets of the fields in C++, with the shaders' names; for Program::checkBlock().
 std::vector<gpu::Field> frameFields();
 std::vector<gpu::Field> thesisFields();
 

@@ -6,8 +6,8 @@
 
 namespace insonate {
 
-/// Fails with a sentence where there is no OpenGL 4.3. Where the card fails later, frames come from the `cpu` engine,
-/// and note() says why.
+/// Makes the engine. Fails with a sentence if OpenGL 4.3 is not available. If the card fails later, the `cpu` engine
+/// renders the frames, and note() says why.
 Result<std::unique_ptr<Engine>> makeGlslEngine();
 
 namespace glsl {

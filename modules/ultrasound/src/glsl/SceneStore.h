@@ -9,8 +9,8 @@
 
 namespace insonate::glsl {
 
-/// Volumes of the latest scenes, on the card for all engines of the process, with any probes and settings: a scene is
-/// uploaded once. Used by the thread that has the context current, so by one thread at a time.
+/// Volumes of the latest scenes on the card, shared by all engines of the process, with any probes and settings: a
+/// scene is uploaded once. Only the thread for which the context is current uses it, so one thread at a time.
 class SceneStore {
  public:
   /// Uploads missing volumes. Fails if the card has no room for them, even after the volumes of other scenes were
@@ -20,7 +20,7 @@ class SceneStore {
   int uploads() const { return uploads_; }
 
  private:
-  /// A live probe shows one scene while the next is made; and a second image may show another.
+  /// Number of scenes kept: a live probe shows one scene while the next is made, and a second image may show another.
   static constexpr std::size_t kKept = 3;
   struct Kept {
     std::uint64_t serial = 0;

@@ -9,20 +9,21 @@
 
 #include <vector>
 
-/// Converts the model's plan and a scene to the shaders' data.
+/// Conversion of the model's plan and of a scene to the shaders' data.
 namespace insonate::glsl {
 
-/// Tables that depend on probe and settings alone, uploaded once.
+/// Tables that depend only on probe and settings; uploaded once.
 struct PlanTables {
   PlanTables(const FramePlan& plan, bool thesis);
 
   std::vector<Float4> plan;     ///< scanlines and gates, see shaders/geometry.glsl
   std::vector<float> kernels;   ///< see shaders/kernels.glsl
   std::vector<Float4> repeats;  ///< see shaders/reverberate.comp
-  FrameBlock block{};           ///< with what is the same in every frame
+  FrameBlock block{};           ///< the fields that are the same in every frame
 };
 
-/// Distances, CT and profiles as words, see shaders/field.glsl; and where among them each begins.
+/// sceneWords() returns distances, CT and profiles of a scene as words, see shaders/field.glsl; setScene() sets where
+/// among the words each of them begins.
 std::vector<std::int32_t> sceneWords(const AcousticScene::Impl& scene);
 void setScene(const AcousticScene::Impl& scene, FrameBlock& block);
 
@@ -32,11 +33,11 @@ void setPose(const FramePlan& plan, const AcousticScene::Impl& scene, const Tran
 /// Sets a displacement of at least one point.
 void setDisplacement(const PlaneDisplacement& displacement, FrameBlock& block);
 
-/// Point targets as shaders/points.comp has them.
+/// Point targets in the form of shaders/points.comp.
 std::vector<Float4> pointTable(const FramePlan& plan, const AcousticScene::Impl& scene,
                                const Transform& patientFromProbe, const PlaneDisplacement& displacement);
 
-/// The needle as shaders/needle.glsl has it, into memory that is kept.
+/// Writes the needle in the form of shaders/needle.glsl to `words`, whose memory is reused.
 void setNeedle(const FramePlan& plan, const NeedleEchoes& needle, std::vector<float>& words);
 
 ThesisBlock thesisBlock(const FramePlan& plan, const thesis::ThesisPlan& thesis, const AcousticScene::Impl& scene,

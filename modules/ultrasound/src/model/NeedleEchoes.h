@@ -18,29 +18,30 @@ namespace insonate {
 namespace steel {
 inline constexpr double kImpedance_MRayl = 45, kTissueImpedance_MRayl = 1.63;
 inline constexpr double kSpeed_mmPerUs = 5.79;
-inline constexpr double kWallShare = 0.17;  ///< of the outer diameter; 0.22 mm of 18 G
-/// Per degree of the beam's tilt from square; what the beam loses by spreading over a slope comes on top.
+inline constexpr double kWallShare = 0.17;  ///< share of the outer diameter; 0.22 mm for 18 G
+/// Loss per degree of the beam's tilt from perpendicular. The loss due to the spreading of the echo over a slope is
+/// added.
 inline constexpr double kTiltLoss_dBpdeg = 0.375;
 inline constexpr double kBevel_deg = 20;
-/// The edges of the bevel scatter: its echo at the tip, the most that a tilt takes from it there, and how far it
-/// reaches.
+/// Echo of the bevel's edges, which scatter: its gain at the tip, the maximum loss by tilt, and its extent.
 inline constexpr double kTipGain_dB = 8.5, kTipTiltLoss_dB = 12, kTip_mm = 0.8;
-/// Echoes between the near and the far wall: the first over the shaft's, each over the one before.
+/// Number of echoes between the near and the far wall. Their levels follow: the first relative to the shaft's echo,
+/// each further one relative to the one before.
 inline constexpr int kRings = 5;
 inline constexpr double kFirstRing = 0.2, kNextRing = 0.4;
 }  // namespace steel
 
-/// Effect of a needle on a frame, for all engines: the echo of its near side on each scanline, and its shadow. Echoes
-/// are those of a beam that tissue has not weakened.
+/// Effect of a needle on a frame, for all engines: the echo of its near side on each scanline, and its shadow. The
+/// echoes are those of a beam that tissue has not attenuated.
 ///
-/// If the face draws the skin to it (see Contact.h), the needle moves along as one piece, as far as the tissue at its
-/// tip does: it stays straight, and its tip stays in the same tissue.
+/// If the skin follows the face (see Contact.h), the whole needle is moved by the shift of the tissue at its tip: it
+/// stays straight, and its tip stays in the same tissue.
 class NeedleEchoes {
  public:
-  /// Allocates all that frames need. `plan` must outlive this.
+  /// Allocates all memory for frames. `plan` must outlive this object.
   explicit NeedleEchoes(const FramePlan& plan);
 
-  /// Valid (see validate()), or null: none. Allocates nothing.
+  /// Sets the needle for a frame; valid (see validate()), or null for no needle. Allocates nothing.
   void place(const Needle* needle, const TissueField& field, const Transform& patientFromProbe,
              const PlaneDisplacement& displacement);
   /// Tells whether the needle echoes or casts a shadow in this frame.
@@ -48,13 +49,14 @@ class NeedleEchoes {
 
   /// Echoes of one scanline.
   struct Line {
-    int first = 0, end = 0;  ///< gates
-    float ring_gates = 0;    ///< from ring to ring; 0: none
+    int first = 0, end = 0;  ///< range of gates with echoes
+    float ring_gates = 0;    ///< distance between rings, in gates; 0: no rings
   };
   const Line& line(int line) const { return lines_[line]; }
   const float* amplitudes(int line) const { return amplitude_.data() + std::size_t(line) * plan_->gates; }
 
-  /// Loss behind the needle, there and back, applied over one gate, by scanlines; vectors may run past the last.
+  /// Start of the shadow behind the needle, as a gate, by scanline. The two-way loss is applied over one gate. Vectors
+  /// may read past the last scanline.
   const float* shadowOnsets_gate(int plane) const { return onset_gate_.data() + std::size_t(plane) * paddedLines_; }
   const float* shadowLosses_dB(int plane) const { return loss_dB_.data() + std::size_t(plane) * paddedLines_; }
   float shadow_dB(int plane, int line, int gate) const {
@@ -62,8 +64,8 @@ class NeedleEchoes {
     return shadowLosses_dB(plane)[line] * std::clamp(behind, 0.0F, 1.0F);
   }
 
-  /// Calls `add(gate, amplitude)` with the echoes of a scanline, rings included. `level_dB(gate)`: level of the beam
-  /// in the middle of a gate, there and back, without the shadow.
+  /// Calls `add(gate, amplitude)` with the echoes of a scanline, including rings. `level_dB(gate)`: two-way level of
+  /// the beam in the middle of a gate, without the shadow.
   template <class Level, class Add>
   void addTo(int line, const Level& level_dB, const Add& add) const {
     const Line& l = lines_[line];
@@ -83,13 +85,13 @@ class NeedleEchoes {
   }
 
  private:
-  struct Pose;  ///< in the probe frame
+  struct Pose;  ///< pose in the probe frame
 
   static float amplitudeOf(float level_dB) { return std::exp2(level_dB * 0.166096404744F); }
   float echoAt(int line, int gate) const {
     return gate >= lines_[line].first && gate < lines_[line].end ? amplitudes(line)[gate] : 0.0F;
   }
-  /// Interpolates values by gate; constant beyond the last one.
+  /// Interpolates values between gates; constant beyond the last gate.
   template <class Values>
   float between(float gate, const Values& values) const {
     const float below = std::floor(gate);
@@ -98,12 +100,13 @@ class NeedleEchoes {
     return a + (b - a) * (gate - below);
   }
 
-  /// Shift along the beam of the tissue at the needle's tip, or at its nearest place to the plane.
+  /// Shift along the beam of the tissue at the needle's tip; if the tip is far from the plane, at the needle's point
+  /// nearest to the plane.
   Vec3 drawn_mm(const Pose& needle, const TissueField& field, const Transform& patientFromProbe,
                 const PlaneDisplacement& displacement) const;
   void echoShaft(const Pose& needle);
   void castShadow(const Pose& needle, int plane, int line);
-  /// Spreads an echo over three gates of three scanlines, by quadratic B-splines.
+  /// Spreads an echo over three gates of three scanlines, with quadratic B-splines.
   void add(double scanline, double gate, double amplitude, float ring_gates);
 
   const FramePlan* plan_;

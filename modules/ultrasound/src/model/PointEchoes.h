@@ -9,13 +9,13 @@
 
 namespace insonate {
 
-/// Share of a point target's echo that falls on one gate of one scanline, before the beam.
+/// Share of a point target's echo on one gate of one scanline, before the beam.
 struct PointEcho {
   int gate, line;
   float amplitude;
 };
 
-/// Points move with the tissue that they lie in.
+/// Computes the echoes of point targets, which move with the tissue in which they lie.
 std::vector<PointEcho> pointEchoes(const FramePlan& plan, const std::vector<PointTarget>& points,
                                    const Transform& patientFromProbe, const PlaneDisplacement& displacement);
 

@@ -4,7 +4,8 @@
 
 namespace insonate {
 
-/// The acoustic model in its plainest form: scalar, double, one thread. Every other engine must agree with it.
+/// Makes the engine with the plainest form of the acoustic model: scalar, double precision, one thread. Every other
+/// engine must agree with it.
 std::unique_ptr<Engine> makeReferenceEngine();
 
 }  // namespace insonate

@@ -10,40 +10,40 @@ namespace insonate {
 
 /// Tissue at one gate of one scanline in one elevation plane.
 struct TissueSample {
-  Vec3 patient_mm;       ///< where the gate is in undeformed tissue
+  Vec3 patient_mm;       ///< position of the gate in tissue at rest
   bool inside = true;    ///< within the volume
-  bool outside = false;  ///< before the skin: gel
+  bool outside = false;  ///< the gate is in front of the skin, in gel
   std::uint8_t label = 0;
   int cell = 0;          ///< number of the cell along this scanline
-  int pair = 0;          ///< the two structures of the cell
-  double s_mm = 0;       ///< signed distance to the boundary between them
-  double cosine = 1;     ///< of the beam's incidence on it
-  double spread_mm = 0;  ///< over which it slopes between neighboring scanlines and planes
+  int pair = 0;          ///< identifies the two structures of the cell
+  double s_mm = 0;       ///< signed distance to the boundary between the two structures
+  double cosine = 1;     ///< cosine of the beam's incidence on the boundary
+  double spread_mm = 0;  ///< depth range of the boundary between neighboring scanlines and planes
   double impedance_MRayl = 0;
-  double echo_dB = 0;  ///< scattering over unit speckle
-  double sheet = 0;    ///< 0 loose scatterers .. 1 a sheet, which echoes as one
+  double echo_dB = 0;  ///< scattering relative to unit speckle
+  double sheet = 0;    ///< 0: individual scatterers .. 1: a sheet, which echoes coherently
   double roughness_dB = 0;
   bool grazesVessel = false;
 };
 
 /// Structures along every scanline: signed distances are looked up at the nodes of a lattice in beam coordinates and
-/// interpolated in its cells; a cell knows its two nearest structures.
+/// interpolated in its cells; each cell stores its two nearest structures.
 class TissueLookup {
  public:
   TissueLookup(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
                const PlaneDisplacement& displacement);
 
   TissueSample at(int plane, int gate, int line) const;
-  /// Interpolated between the columns of the lattice.
+  /// Contact of a scanline, interpolated between the columns of the lattice.
   Contact contact(int line) const;
-  /// First gate that lies in gas behind tissue, in the central plane; -1 if none.
+  /// First gate in gas behind tissue, in the central plane; -1 if there is none.
   int firstGasGate(int line) const;
 
  private:
   struct Node {
     std::array<double, TissueField::kStride> distance_mm{};
     double ctDeviation = 0;
-    double patch = 0, wander_mm = 0;  ///< strength of a boundary, of unit SD; shift of its layers
+    double patch = 0, wander_mm = 0;  ///< variation of a boundary's strength, with SD 1; shift of the boundary's layers
     bool inside = true;
   };
   struct Cell {
@@ -70,7 +70,8 @@ class TissueLookup {
   Transform patientFromProbe_;
   const PlaneDisplacement& displacement_;
   std::vector<Contact> contacts_;  ///< [column]
-  std::vector<Vec3> shifts_;       ///< [row][column], probe frame: rest minus seen; none where nothing has moved
+  /// [row][column], probe frame: rest position minus displayed position; empty if nothing has moved.
+  std::vector<Vec3> shifts_;
   std::vector<Node> nodes_;
 };
 

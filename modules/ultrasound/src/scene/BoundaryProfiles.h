@@ -13,7 +13,8 @@ namespace insonate {
 class BoundaryProfiles {
  public:
   static constexpr int kEntries = 256;
-  /// No round number: distances of a round grid would lie on the edges of entries, where rounding decides.
+  /// Deliberately no round number: distances of a round grid would lie exactly on the limits of entries, where rounding
+  /// would decide.
   static constexpr double kStep_mm = 0.0251;
   static constexpr double kReach_mm = kEntries / 2 * kStep_mm;
 
@@ -24,7 +25,7 @@ class BoundaryProfiles {
   BoundaryProfiles() = default;
   BoundaryProfiles(const AcousticTable& table, std::span<const std::uint8_t> channelLabels);
 
-  /// Index of the first entry for an ordered pair of channels.
+  /// Index of the first entry of an ordered pair of channels.
   int first(int channelA, int channelB) const { return (channelA * channels_ + channelB) * kEntries; }
   const std::vector<std::uint32_t>& entries() const { return entries_; }
 
@@ -33,7 +34,8 @@ class BoundaryProfiles {
   std::vector<std::uint32_t> entries_;
 };
 
-/// No boundary is to be seen between tissues of equal impedance, attenuation and scattering, whatever their labels.
+/// Tells whether two tissues have equal impedance, attenuation and scattering, so that no boundary is visible between
+/// them, whatever their labels.
 bool acousticallyEqual(const AcousticTissue& a, const AcousticTissue& b);
 
 }  // namespace insonate

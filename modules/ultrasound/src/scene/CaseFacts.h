@@ -20,13 +20,13 @@ struct CaseFacts {
 
   CaseFacts(const CtVolume& ct, const LabelMap& labels);
 
-  /// A bit for each label in the blocks that a box of voxels touches; unknown labels count as soft tissue.
+  /// One bit for each label in the blocks that a box of voxels touches; unknown labels count as soft tissue.
   std::uint32_t labelsNear(const NodeBox& voxels) const;
 
-  std::uint32_t patient = 0;          ///< hash of the CT: tells patients apart, however their labels are edited
-  LabelMeans mean_HU{};               ///< of each label; 0 where there is none
-  double midline_mm = 0;              ///< patient x; textures mirror across it
-  std::array<Vec3, 2> muscleFibre;    ///< of the sternocleidomastoid, right and left; unit, patient LPS
+  std::uint32_t patient = 0;          ///< hash of the CT; identifies the patient independent of edits of the labels
+  LabelMeans mean_HU{};               ///< mean of each label; 0 if the label does not occur
+  double midline_mm = 0;              ///< x in the patient frame; textures are mirrored across it
+  std::array<Vec3, 2> muscleFibre;    ///< fiber direction of the sternocleidomastoid, right and left; unit, patient LPS
   std::vector<std::string> warnings;  ///< about unknown labels
 
  private:

@@ -7,7 +7,7 @@
 
 namespace insonate {
 
-/// The eight nodes round a continuous node index, edge nodes continuing outside, and their weights.
+/// The eight nodes around a continuous node index, and their weights; nodes at the edge are repeated outside.
 struct FieldCell {
   std::size_t offset[8];
   double weight[8];

@@ -12,50 +12,53 @@
 
 namespace insonate {
 
-/// Called now and then by long work, on its threads: true if the result is no longer needed. May be empty.
+/// Function that long computations call repeatedly, on their threads; returns true if the result is no longer needed.
+/// May be empty.
 using Stopped = std::function<bool()>;
 
 /// A box of whole nodes or voxels.
 struct NodeBox {
   std::array<int, 3> low{}, size{};
 
-  int high(int axis) const { return low[axis] + size[axis]; }  ///< the first beyond
+  int high(int axis) const { return low[axis] + size[axis]; }  ///< index after the last
   std::size_t count() const { return std::size_t(size[0]) * size[1] * size[2]; }
   std::size_t offset(int i, int j, int k) const {
     return (std::size_t(k - low[2]) * size[1] + (j - low[1])) * size[0] + (i - low[0]);
   }
 };
 
-/// This much larger each way, but not beyond `limit`.
+/// Returns a box that is larger by `margin` on each side, limited to `limit`.
 NodeBox grown(const NodeBox& box, const std::array<int, 3>& margin, const NodeBox& limit);
 NodeBox overlap(const NodeBox& a, const NodeBox& b);
-/// Cubes with edges of `edge` nodes, counted from node 0, that a box touches; in cubes.
+/// Returns the cubes that a box touches, with edges of `edge` nodes, counted from node 0; the result is in units of
+/// cubes.
 NodeBox cubesOf(const NodeBox& box, int edge);
 
-/// Positions of the nodes of a patient's distances: each voxel cut into equal parts, or several merged. Does not
-/// depend on a region.
+/// Positions of the nodes at which a patient's distances are stored. Along each axis, a voxel is divided into equal
+/// parts, or several voxels are merged. The lattice does not depend on a region.
 struct NodeLattice {
-  /// Division of one axis of the label map. One of the two is 1.
+  /// Division of one axis of the label map. At least one of the two numbers is 1.
   struct AxisCut {
     int parts = 1, merged = 1;
     double nodesPerVoxel() const { return double(parts) / merged; }
   };
-  /// The two voxels whose blend a node is; one and the same at the volume's edge.
+  /// The two voxels between which a node is interpolated; both are the same at the volume's edge.
   struct AxisNode {
     int low, high;
-    float weight;  ///< of the high one
+    float weight;  ///< weight of the high voxel
   };
 
   /// Nodes are at most detail_mm apart.
   NodeLattice(const VolumeGeometry& grid, double detail_mm);
 
   NodeBox whole() const { return {{}, size}; }
-  /// Nodes round a region, and a little more, as far as there are any; empty where the region misses the volume.
+  /// Returns the nodes around a region, with a small margin, limited to the lattice; empty if the region lies outside
+  /// the volume.
   NodeBox boxOf(const Region& region) const;
-  /// Voxels that decide on a box of nodes.
+  /// Returns the voxels that determine a box of nodes.
   NodeBox voxelsOf(const NodeBox& nodes) const;
   AxisNode at(int axis, int node) const;
-  /// The stored distance to a structure out of reach.
+  /// Stored distance to a structure that is out of reach.
   std::int16_t farUnits() const;
 
   std::array<AxisCut, 3> cuts;
@@ -63,8 +66,8 @@ struct NodeLattice {
   Vec3 spacing_mm;
   Transform nodeFromPatient;
   Vec3 smoothing_mm;  ///< SD of the smoothing of outlines
-  double freedom_mm;  ///< by which smoothing may move an outline: half a voxel
-  /// Nodes that one depends on: by the smoothing of distances, and by their reach.
+  double freedom_mm;  ///< maximum movement of an outline by smoothing: half a voxel
+  /// Number of nodes, to each side, that affect a node: through the smoothing of distances, and through their reach.
   std::array<int, 3> smoothed, reach;
 };
 

@@ -7,21 +7,21 @@
 
 namespace insonate {
 
-/// Rounds the outlines of structures on a block of nodes, as far as a label map leaves open where they run. Keeps its
-/// buffers from block to block; one thread at a time.
+/// Smooths the outlines of structures on a block of nodes, within the uncertainty of the label map. Its buffers are
+/// reused for the next block; one thread at a time.
 class OutlineSmoothing {
  public:
-  /// The smoothest outline that stays within the lattice's freedom of the label map's: what a voxel does not resolve
-  /// may be rounded, what it does may not. (Constrained elastic surface nets, S. F. Gibson 1998, on distances.)
-  /// `d_mm` holds the nodes of the block. Those at its sides stay as they are, but where the block ends with the
-  /// lattice: there the last node continues outside.
+  /// Finds the smoothest outline that stays within the lattice's freedom of the label map's outline: details smaller
+  /// than a voxel may be smoothed, larger details may not. (Constrained elastic surface nets, S. F. Gibson 1998,
+  /// applied to distances.) `d_mm` holds the nodes of the block. The nodes at its sides are not changed, except where
+  /// the block ends with the lattice: there, the last node is repeated outside.
   void roundStairs(const NodeLattice& lattice, const NodeBox& block, const Stopped& stopped, std::vector<float>& d_mm);
 
  private:
-  using Kernel = std::vector<float>;  ///< half of it, center first
+  using Kernel = std::vector<float>;  ///< half of the kernel, center first
   using Kernels = std::array<Kernel, 3>;
   struct Range {
-    int first, last;  ///< nodes to be filtered; the last is beyond
+    int first, last;  ///< nodes to filter; last is exclusive
   };
   static Kernels gaussians(const NodeLattice& lattice, double factor);
   Range inner(int axis, const Kernel& kernel) const;

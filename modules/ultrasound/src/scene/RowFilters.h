@@ -11,10 +11,10 @@ void weighRows(std::span<const float* const> rows, std::span<const float> weight
 /// out[i] = min over the rows of row[i] + add[row].
 void leastOfRows(std::span<const float* const> rows, std::span<const float> add, std::span<float> out);
 
-/// least[i] becomes values[i] where that is above zero and less.
+/// Sets least[i] to values[i] if values[i] is above zero and smaller.
 void leastPositive(std::span<const float> values, std::span<float> least);
 
-/// out[i] = half - sqrt(inside2[i]) where outside2[i] is 0, else sqrt(outside2[i]) - half.
+/// out[i] = half - sqrt(inside2[i]) if outside2[i] is 0, else sqrt(outside2[i]) - half.
 void signedDistance(std::span<const float> outside2, std::span<const float> inside2, float half, std::span<float> out);
 
 }  // namespace insonate

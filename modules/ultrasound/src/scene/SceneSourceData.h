@@ -22,7 +22,7 @@ struct SceneSource::Impl {
 
  private:
   std::mutex mutex_;
-  std::map<double, std::unique_ptr<TissueTiles>> tiles_;  ///< by detail
+  std::map<double, std::unique_ptr<TissueTiles>> tiles_;  ///< key: detail_mm
 };
 
 }  // namespace insonate

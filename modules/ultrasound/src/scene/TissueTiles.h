@@ -16,37 +16,37 @@
 
 namespace insonate {
 
-/// Distances and CT deviations of one cube of nodes. It depends on the case alone.
+/// Distances and CT deviations of one cube of nodes. They depend only on the case.
 struct TissueTile {
   NodeBox box;
-  std::vector<std::uint8_t> labels;       ///< of the structures within reach
+  std::vector<std::uint8_t> labels;       ///< labels of the structures within reach
   std::vector<std::int16_t> distance;     ///< [structure][node], in units of TissueField
   std::vector<std::int16_t> ctDeviation;  ///< [node], HU above the structure's mean
 
   std::size_t bytes() const { return sizeof(TissueTile) + labels.size() + 2 * (distance.size() + ctDeviation.size()); }
 };
 
-/// Tiles of one patient on one lattice. They lie on a grid of their own, are computed ahead of need, and kept while
-/// there is room. Any number of threads may ask.
+/// Tiles of one patient on one lattice. They are divided by a grid of their own, computed ahead of need, and cached
+/// while there is room. Any number of threads may use it.
 class TissueTiles {
  public:
-  static constexpr int kEdge = 128;  ///< nodes
+  static constexpr int kEdge = 128;  ///< edge of a tile in nodes
   static constexpr std::size_t kMostBytes = std::size_t(384) << 20;
   using TilePtr = std::shared_ptr<const TissueTile>;
 
-  /// Volumes and facts must outlive this.
+  /// Volumes and facts must outlive this object.
   TissueTiles(const CtVolume& ct, const LabelMap& labels, const CaseFacts& facts, double detail_mm);
 
   const NodeLattice& lattice() const { return lattice_; }
-  /// Tiles that cover a box of nodes: those that are kept, or else such as are made for this box alone, since they are
-  /// there sooner. Fails only when cancelled.
+  /// Returns tiles that cover a box of nodes: cached tiles or, if some are missing, tiles made for this box alone,
+  /// which is faster. Fails only if cancelled.
   Result<std::vector<TilePtr>> covering(const NodeBox& box, const Progress& progress);
-  /// Makes the one tile that a box misses and that is nearest to the box's center, and keeps it. False where none is
-  /// missing, where there is no room for one more, and when stopped.
+  /// Makes and caches the one missing tile of a box that is nearest to the box's center. Returns false if none is
+  /// missing, if there is no room for another tile, or if stopped.
   bool makeAhead(const NodeBox& box, const Stopped& stopped);
 
  private:
-  /// A tile in small cubes: in each of them, only few structures are within reach.
+  /// A tile divided into small cubes, since in each cube only few structures are within reach.
   struct Kept {
     std::vector<TilePtr> cubes;
     std::size_t bytes;
@@ -64,7 +64,7 @@ class TissueTiles {
   const NodeLattice lattice_;
   const std::array<int, 3> tiles_;
 
-  std::mutex mutex_;  ///< of the following
+  std::mutex mutex_;  ///< guards the following members
   std::unordered_map<std::uint64_t, Kept> kept_;
   std::size_t bytes_ = 0;
   std::uint64_t use_ = 0;

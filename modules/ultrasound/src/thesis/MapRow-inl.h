@@ -1,4 +1,4 @@
-// Medium and boundaries at one map row, in SIMD across the columns; the formulas are those of
+// Computes medium and boundaries at one map row, with SIMD across the columns; the formulas are those of
 // ThesisModel.cpp.
 #if defined(INSONATE_THESIS_MAP_ROW_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef INSONATE_THESIS_MAP_ROW_INL_H_
@@ -30,7 +30,8 @@ HWY_INLINE int columnsOf(const FramePlan& plan) {
   return kBlockLines / plan.cellLines + 1;
 }
 
-/// Corner weights and offsets of the field's cell that holds a continuous node index; edge nodes continue outside.
+/// Corner weights and offsets of the field's cell that contains a continuous node index; nodes at the edge are repeated
+/// outside.
 struct FieldCorners {
   std::size_t offset[8];
   float weight[8];
@@ -77,7 +78,7 @@ HWY_INLINE void sampleNode(const TissueField& field, Vec3 patient_mm, int column
   row.beyond[column] = static_cast<float>(beyondLattice(field, node));
 }
 
-/// Rest position minus displayed position of the tissue at a row of nodes, patient mm: the same for all planes.
+/// Rest position minus displayed position of the tissue at a row of nodes, patient frame, mm; the same for all planes.
 HWY_INLINE void shiftRow(const KernelInput& in, int firstLine, int nodeRow, Vec3* shifts) {
   const FramePlan& plan = *in.plan;
   const double range_mm = plan.range_mm(nodeRow * plan.cellGates);
@@ -104,7 +105,8 @@ HWY_INLINE void sampleRow(const KernelInput& in, int firstLine, int plane, int n
     const Ray& ray = in.columns[column];
     const Vec3 seen = ray.origin_mm + ray.direction * r + elevation;
     sampleNode(field, in.displacement ? seen + shifts[c] : seen, c, row);
-    if (in.displacement && row.beyond[c] > 0)  // tissue from beyond the scene reads as its outermost
+    // Tissue from beyond the scene reads as the outermost tissue of the scene.
+    if (in.displacement && row.beyond[c] > 0)
       row.beyond[c] = std::min(row.beyond[c], static_cast<float>(beyondLattice(field, field.nodeFromPatient * seen)));
   }
 }
@@ -126,10 +128,11 @@ HWY_INLINE Vec clampedToUnit(Vec t) {
   return hn::Min(hn::Max(t, hn::Zero(d)), hn::Set(d, 1.0F));
 }
 
-/// Rows of nodes that a map row lies on or between: its value is the mean of two, its slope the difference of two.
+/// Rows of nodes on which a map row lies, or between which it lies: the row's value is the mean of two rows, its slope
+/// the difference of two rows.
 struct NodeRows {
   const KernelBuffers::NodeRow *here, *next, *above, *below;
-  float perMm;  ///< of the difference between above and below
+  float perMm;  ///< factor from the difference between above and below to a slope per mm
 
   HWY_INLINE static Vec mean(const float* a, const float* b) {
     const Tag d;
@@ -147,7 +150,7 @@ struct NodeRows {
   }
 };
 
-/// Middle of the two smallest distances, and its slope.
+/// Mean of the two smallest distances, and its slope.
 struct Middle {
   Vec value, slope;
 };
@@ -243,7 +246,7 @@ HWY_INLINE void mapRow(const KernelInput& in, const NodeRows& rows, double range
   }
 }
 
-/// From columns to scanlines.
+/// Expands a row from columns to scanlines.
 HWY_INLINE void spreadRow(const FramePlan& plan, const KernelBuffers::MapRow& columns, KernelBuffers::MapRow& lines) {
   const auto spread = [&](const float* from, float* to) {
     if (plan.cellLines == 1) {

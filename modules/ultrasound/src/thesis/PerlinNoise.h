@@ -7,13 +7,13 @@
 #include <cstdint>
 
 /// Speckle of the thesis (equation 9): usnoise2d(x, y, p, r, t), Perlin's gradient noise over the texture coordinates
-/// of the image, seeded by position and orientation of the probe and by the time. The lattice is made of integer
-/// hashes alone, so that every engine, and a shader, sees the same one.
+/// of the image, seeded by position and orientation of the probe and by the time. The lattice consists of integer
+/// hashes, so that every engine, and a shader, uses the same lattice.
 namespace insonate::thesis {
 
-inline constexpr int kNoiseOctaves = 2;          ///< each twice as fine and half as strong as the one before
-inline constexpr double kSeedPosition_mm = 0.1;  ///< smaller changes of the pose leave the seed alone
-inline constexpr double kSeedDirection = 0.01;   ///< of a unit axis
+inline constexpr int kNoiseOctaves = 2;          ///< each octave is twice as fine and half as strong as the one before
+inline constexpr double kSeedPosition_mm = 0.1;  ///< smaller changes of the position do not change the seed
+inline constexpr double kSeedDirection = 0.01;   ///< likewise, for a component of a unit axis
 inline constexpr double kSeedTime_s = 0.001;
 
 /// Perlin's quintic step from 0 to 1 ("Improving noise", 2002) and its slope.
@@ -37,13 +37,13 @@ constexpr std::uint32_t octaveSeed(std::uint32_t seed, int octave) {
   return hash32(seed + 0x9e3779b9U * static_cast<std::uint32_t>(octave + 1));
 }
 
-/// Number of lattice cells of the first octave over the image.
+/// Number of lattice cells of the first octave across the image.
 struct NoiseCells {
   double across = 1, down = 1;
 };
 
-/// Variance of one octave, over all gradients and places in a cell: 8/3 of the integral of w^2 times that of w^2 x^2
-/// over a cell, w = 1 - fade(x).
+/// Variance of one octave, over all gradients and positions in a cell: 8/3 times the integral of w^2 times the integral
+/// of w^2 x^2 over a cell, with w = 1 - fade(x).
 constexpr double octaveVariance() {
   constexpr int kSteps = 1000;
   double even = 0, arm = 0;
@@ -55,14 +55,14 @@ constexpr double octaveVariance() {
   return 8.0 / 3 * even * arm;
 }
 
-/// Variance of all octaves, squared amplitudes 1, 1/4, ...
+/// Variance of the sum of all octaves, with squared amplitudes 1, 1/4, ...
 constexpr double noiseVariance() {
   double sum = 0, power = octaveVariance();
   for (int o = 0; o < kNoiseOctaves; ++o, power /= 4) sum += power;
   return sum;
 }
 
-/// One octave: the four vertices' gradients, interpolated along x and then along y.
+/// One octave: the gradients at the four corners, interpolated along x and then along y.
 inline double perlin(double x, double y, std::uint32_t seed) {
   const double i = std::floor(x), j = std::floor(y), dx = x - i, dy = y - j;
   const auto column = static_cast<std::int32_t>(i), row = static_cast<std::int32_t>(j);
@@ -75,7 +75,7 @@ inline double perlin(double x, double y, std::uint32_t seed) {
   return above + fade(dy) * (below - above);
 }
 
-/// Texture coordinates x, y from 0 to 1; zero mean, unit variance.
+/// Noise with zero mean and unit variance; texture coordinates x, y from 0 to 1.
 inline double usnoise2d(double x, double y, const NoiseCells& cells, std::uint32_t seed) {
   double sum = 0, scale = 1;
   for (int o = 0; o < kNoiseOctaves; ++o, scale *= 2)
@@ -83,7 +83,7 @@ inline double usnoise2d(double x, double y, const NoiseCells& cells, std::uint32
   return sum / std::sqrt(noiseVariance());
 }
 
-/// The p, r, t of equation 9.
+/// Seed from p, r and t of equation 9.
 inline std::uint32_t noiseSeed(const Transform& patientFromProbe, double time_s) {
   std::uint32_t seed = 0x75736e32U;
   const auto mixIn = [&seed](double value, double step) {

@@ -9,8 +9,8 @@
 
 namespace insonate::thesis {
 
-/// The thesis look (see ThesisModel.h) with SIMD across scanlines and threads across blocks of them. Everything is
-/// allocated by the constructor, but for scratch of threads that a larger arena brings.
+/// Renders the style of the thesis (see ThesisModel.h) with SIMD across scanlines and threads across blocks of
+/// scanlines. The constructor allocates all memory, except the scratch memory of additional threads in a larger arena.
 class ThesisCpu {
  public:
   ThesisCpu(const Probe& probe, const ImagingSettings& settings);
@@ -39,7 +39,7 @@ class ThesisCpu {
   EchoRows echo_;
   std::vector<float> lateralKernel_;
   std::vector<Contact> contacts_;                       ///< [column]
-  std::vector<std::unique_ptr<Workspace>> workspaces_;  ///< by thread of the arena
+  std::vector<std::unique_ptr<Workspace>> workspaces_;  ///< a workspace for each thread of the arena
   std::vector<Engine::Stage> stages_;
 };
 

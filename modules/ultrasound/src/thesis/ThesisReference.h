@@ -8,7 +8,8 @@
 
 namespace insonate::thesis {
 
-/// One frame of the thesis look (see ThesisModel.h) in its plainest form, of one look.
+/// Renders one frame in the style of the thesis (see ThesisModel.h), in the plainest form of the code, with a single
+/// compounding look.
 void renderReference(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
                      const PlaneDisplacement& displacement, EnvelopeFrame& envelope);
 

@@ -11,26 +11,28 @@
 
 namespace insonate {
 
-/// One model with one mesh, on the built-in neck under the linear probe, pressed by about 4 mm.
+/// Measurements of one model with one mesh, on the built-in neck under the linear probe, compressed by about 4 mm.
 struct DeformationBenchRow {
   std::string model;
-  double mesh_mm = 0;  ///< cells near vessels and face
+  double mesh_mm = 0;  ///< size of the cells near vessels and face
   int unknowns = 0;
-  int threads = 1;  ///< that it may use
-  /// `cold`: from rest, until converged. `warm`: pressed in and out by 0.25 mm a frame. `moving`: so, and sliding by
-  /// 0.3 mm. `static`: the same question again. `untouched`: the face is off the skin.
+  int threads = 1;  ///< maximum number of threads
+  /// Motion between frames. `cold`: solved from rest until converged. `warm`: the compression changes by 0.25 mm per
+  /// frame. `moving`: as `warm`, while the probe also slides by 0.3 mm per frame. `static`: the same input again.
+  /// `untouched`: the face is off the skin.
   std::string state;
   int frames = 0;
-  double median_ms = 0, p95_ms = 0, min_ms = 0;  ///< a whole frame: tissue looked up, solved, seen backwards
-  double iterations = 0;                         ///< mean
-  /// Against `reference` at the same pose, at tissue in the image outside of vessels. NaN where not compared.
+  /// Time of a whole frame: tissue look-up, solution, and inversion of the displacement.
+  double median_ms = 0, p95_ms = 0, min_ms = 0;
+  double iterations = 0;  ///< mean
+  /// Difference from `reference` at the same pose, over tissue in the image outside vessels. NaN if not compared.
   double displacementRms_mm = 0, displacementMax_mm = 0;
   double forceError_percent = 0;
-  double lumenAreaError = 0;  ///< of the vein's area as a share of that at rest
-  double memory_MB = 0;       ///< that the model holds after a frame
+  double lumenAreaError = 0;  ///< error of the vein's area, as a share of its area at rest
+  double memory_MB = 0;       ///< memory that the model holds after a frame
 };
 
-/// Areas of the vessels, as shares of those at rest, while a face presses.
+/// Areas of the vessels during compression, as shares of their areas at rest.
 struct CompressionCurve {
   double venousPressure_mmHg = 0;
   struct Point {
@@ -45,13 +47,14 @@ struct DeformationBench {
   std::vector<std::string> notes;
 };
 
-/// Minutes of work; quick: one mesh, one curve. Fails when cancelled.
+/// Runs the benchmark, which takes minutes; `quick`: one mesh, one curve. Fails if cancelled.
 Result<DeformationBench> runDeformationBench(bool quick, const Progress& progress = {});
 
-/// rows, curves and notes. Values that are not finite are null.
+/// Returns rows, curves and notes as JSON. Values that are not finite are null.
 nlohmann::json toJson(const DeformationBench& bench);
 
-/// deformation.json, deformation.csv, compression.csv, plots as SVG and deformation.md; all of them or none.
+/// Writes deformation.json, deformation.csv, compression.csv, plots as SVG and deformation.md; either all of them or
+/// none.
 Result<void> writeDeformationBench(const DeformationBench& bench, const std::filesystem::path& folder);
 
 }  // namespace insonate

@@ -7,23 +7,23 @@
 
 namespace insonate {
 
-/// A number that describes how an ultrasound image looks, without labels.
+/// A number that describes the appearance of an ultrasound image, computed without labels.
 struct LookFeature {
   std::string name;
-  double value = 0;  ///< NaN where the image has nothing to measure
+  double value = 0;  ///< NaN if the image does not allow the measurement
 };
 
-/// Pixels per mm to which images are brought before they are measured.
+/// Pixels per mm to which images are resampled before they are measured.
 inline constexpr double kLookPixelsPer_mm = 10;
 
-/// The image at 10 pixels per mm, cut to its upper `depth_mm`. Fails on an image that is smaller than 10 x 10 mm or
-/// whose scale is not in 1 to 100 pixels per mm.
+/// Resamples an image to 10 pixels per mm and crops it to the upper `depth_mm`. Fails if the image is smaller than 10 x
+/// 10 mm or if its scale is not in 1 to 100 pixels per mm.
 Result<GreyPicture> atLookScale(const GreyPicture& image, double pixelsPer_mm, double depth_mm = 30);
 
-/// Features of the inside of a field of view of a linear probe, without text, as atLookScale() returns it: gray
+/// Measures the inside of a linear probe's field of view, without text, as atLookScale() returns it. Features: gray
 /// percentiles, local contrast, lateral and axial detail by spatial frequency, edges, correlation of ridges (skin,
-/// fascia, vessel walls) along the face, length of ridges, and by depth (0 to 10, 10 to 20, 20 to 30 mm) the full width
-/// of the detail's autocorrelation at half its height, axial and lateral, and the pixel noise.
+/// fascia, vessel walls) along the face, and length of ridges. By depth (0 to 10, 10 to 20, 20 to 30 mm) also: the full
+/// width at half maximum of the detail's autocorrelation, axial and lateral, and the pixel noise.
 std::vector<LookFeature> lookFeatures(const GreyPicture& image);
 
 }  // namespace insonate

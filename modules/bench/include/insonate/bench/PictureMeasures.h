@@ -4,46 +4,49 @@
 
 namespace insonate {
 
-/// Pixels column .. column + width - 1, row .. row + height - 1.
+/// A box of pixels: columns column .. column + width - 1, rows row .. row + height - 1.
 struct PictureBox {
   int column = 0, row = 0, width = 0, height = 0;
   bool operator==(const PictureBox&) const = default;
 };
 
-/// Grey values 0..255 of the displayed image inside a box; the box must lie in the image and not be empty.
+/// Statistics of the gray values 0..255 of the displayed image inside a box; the box must lie in the image and not be
+/// empty.
 struct GreyShares {
   double p25 = 0, p50 = 0, p75 = 0, p95 = 0, p99 = 0, mean = 0;
-  double black = 0, blackUpper60 = 0;  ///< shares of gray <= 5, whole and upper 60 %
+  double black = 0, blackUpper60 = 0;  ///< shares of gray <= 5: in the whole box, and in its upper 60 %
   double bright = 0, saturated = 0;    ///< shares of gray >= 200, >= 250
-  double deepOverShallow = 0;          ///< mean of the deepest quarter over that of the second eighth and third eighth
+  double deepOverShallow = 0;          ///< mean of the deepest quarter over the mean of the second and third eighths
 };
 GreyShares greyShares(const BModeImage& image, const PictureBox& fieldOfView);
 
-/// Speckle in a patch of even tissue, after a quadratic surface has been taken off: slow shading is not grain.
+/// Speckle in a patch of even tissue. A quadratic surface is subtracted first, since slow shading is not speckle.
 struct Grain {
   double axial_mm = 0,
-         lateral_mm = 0;  ///< full width of the autocorrelation at half its height; NaN where it stays above
+         lateral_mm = 0;  ///< full width at half maximum of the autocorrelation; NaN if it stays above half
   double mean = 0, sd = 0, skewness = 0;
 };
-/// The box must have at least 8 x 8 pixels.
+/// Measures the speckle of a patch, which must have at least 8 x 8 pixels.
 Grain grainOf(const BModeImage& image, const PictureBox& patch);
 
-/// The lumen of a vessel, from a box well inside it. Boxes more than 2.5 times as wide as tall are long-axis views:
-/// their surroundings are bands above and below, and enhancement behind them is not measured.
+/// Gray levels of a vessel's lumen, from a box well inside the lumen. A box more than 2.5 times as wide as tall is a
+/// long-axis view: its surroundings are the bands above and below, and the enhancement behind it is not measured.
 struct Lumen {
   double mean = 0, sd = 0;
-  double overSurroundings = 0;  ///< ring of 1.7 to 2.4 times the box's half axes; NaN where none is in the image
-  double nearMinusFar = 0;      ///< top fifth minus bottom fifth
-  double belowOverSides = 0;    ///< 0.4 to 1 box heights below; NaN in long-axis views
+  /// Compared with a ring of 1.7 to 2.4 times the box's half axes; NaN if the ring is not in the image.
+  double overSurroundings = 0;
+  double nearMinusFar = 0;  ///< mean of the top fifth minus mean of the bottom fifth
+  /// Region 0.4 to 1 box heights below the box, compared with its sides; NaN in long-axis views.
+  double belowOverSides = 0;
 };
 Lumen lumenOf(const BModeImage& image, const PictureBox& box);
 
-/// Median over the columns of their brightest pixel.
+/// Returns the median, over a box's columns, of each column's brightest pixel.
 double lineGrey(const BModeImage& image, const PictureBox& box);
 double meanGrey(const BModeImage& image, const PictureBox& box);
 
-/// Mean structural similarity of two images of equal size (Wang, Bovik, Sheikh, Simoncelli, IEEE Trans. Image
-/// Process. 13(4), 2004), over 8 x 8 windows every 4 pixels; 1 for equal pictures.
+/// Mean structural similarity of two images of equal size (Wang, Bovik, Sheikh, Simoncelli, IEEE Trans. Image Process.
+/// 13(4), 2004), over 8 x 8 windows every 4 pixels; 1 for equal images.
 double structuralSimilarity(const BModeImage& a, const BModeImage& b);
 
 }  // namespace insonate

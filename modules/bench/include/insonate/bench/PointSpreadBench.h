@@ -12,20 +12,22 @@
 
 namespace insonate {
 
-/// Figures of a beam from the image of a point at one depth, by amplitude. Contrasts and correlation lengths are those
-/// that fully developed speckle has with this point spread.
+/// Properties of a beam, from the amplitude image of a point at one depth. Contrasts and correlation lengths are those
+/// of fully developed speckle with this point spread.
 struct PointSpreadFigures {
   double lateral_mm = 0, lateral20dB_mm = 0;  ///< full widths at half maximum and at -20 dB
   double axial_mm = 0, slice_mm = 0;          ///< full widths at half maximum
-  double endLateral_mm = 0;                   ///< as lateral_mm, 1.2 mm from the array's end
-  double aside_dB = 0;                        ///< highest level 2 mm and more aside
-  double lumen4_dB = 0, lumen8_dB = 0;        ///< middle of a lumen of 4 and 8 mm across, against its surroundings
-  double speckleLateral_mm = 0, speckleAxial_mm = 0;  ///< full width at half maximum of the intensity's correlation
+  double endLateral_mm = 0;                   ///< lateral_mm at a distance of 1.2 mm from the array's end
+  double aside_dB = 0;                        ///< maximum level at lateral distances of 2 mm and more
+  /// Level in the middle of a lumen of 4 or 8 mm diameter, relative to its surroundings.
+  double lumen4_dB = 0, lumen8_dB = 0;
+  /// Full width at half maximum of the autocorrelation of the intensity.
+  double speckleLateral_mm = 0, speckleAxial_mm = 0;
 };
 
 struct PointSpreadRow {
   double depth_mm = 0;
-  PointSpreadFigures ours, field;  ///< of the engine, and of the array's field summed independently
+  PointSpreadFigures ours, field;  ///< figures of the engine, and of the array's field computed independently
 };
 
 struct PointSpreadBench {
@@ -35,12 +37,13 @@ struct PointSpreadBench {
   std::vector<PointSpreadRow> rows;
 };
 
-/// Images of points at 5 to 45 mm from a linear probe in homogeneous tissue without loss, beside the array's field
-/// (bench/pointspread/ArrayField.h). A minute. Fails on a probe that is not linear and on an unknown engine.
+/// Makes images of points at 5 to 45 mm from a linear probe in homogeneous tissue without loss, and computes the
+/// array's field for comparison (bench/pointspread/ArrayField.h). Takes a minute. Fails if the probe is not linear or
+/// the engine is unknown.
 Result<PointSpreadBench> runPointSpreadBench(const Probe& probe, std::string_view engine,
                                              const Progress& progress = {});
 
-/// pointspread.csv, index.md and plots by depth. All of it or nothing.
+/// Writes pointspread.csv, index.md and plots by depth; either all of them or none.
 Result<void> writePointSpreadBench(const PointSpreadBench& bench, const std::filesystem::path& folder);
 nlohmann::json toJson(const PointSpreadBench& bench);
 

@@ -11,22 +11,23 @@ struct RocArea {
   double low = 0, high = 1;  ///< 95 % interval
 };
 
-/// Share of pairs of which the positive one is larger, ties by half. The interval is DeLong's (Biometrics 1988, 44:837)
-/// on the logit, which keeps it within 0 and 1; where all pairs agree, it is the exact (Clopper-Pearson) interval of a
-/// share; with fewer than two values in a group, it is 0 to 1. Values must be finite.
+/// Share of pairs in which the positive value is larger, ties counted half. The interval is DeLong's (Biometrics 1988,
+/// 44:837) on the logit, which keeps it within 0 and 1. If all pairs agree, it is the exact (Clopper-Pearson) interval
+/// of a proportion; with fewer than two values in a group, it is 0 to 1. Values must be finite.
 RocArea rocArea(std::span<const double> positive, std::span<const double> negative);
 
-/// Two-sided p of the hypothesis that both groups are alike, by the same variance; 1 without a variance.
+/// Two-sided p of the hypothesis that both groups have the same distribution, from the same variance; 1 without a
+/// variance.
 double rocP(std::span<const double> positive, std::span<const double> negative);
 
 /// Ratings of the same images by one reader.
 struct ReaderRatings {
-  std::vector<double> positive, negative;  ///< in the same order for each reader
+  std::vector<double> positive, negative;  ///< same order for each reader
 };
 
-/// Mean area of several readers of the same images. The interval holds for other readers and other images: both are
-/// drawn again, with replacement, 4000 times (Gallas et al., Acad Radiol 2009, 16:1387 on the variance of readers and
-/// cases). One reader: for other images alone. The same seed gives the same interval.
+/// Mean area of several readers of the same images. The interval takes into account that readers and images are
+/// samples: both are resampled with replacement, 4000 times (Gallas et al., Acad Radiol 2009, 16:1387 on the variance
+/// of readers and cases). With one reader, only images are resampled. The same seed gives the same interval.
 RocArea readersRocArea(std::span<const ReaderRatings> readers, unsigned seed = 1);
 
 }  // namespace insonate

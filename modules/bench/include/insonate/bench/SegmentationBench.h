@@ -15,44 +15,45 @@ namespace insonate {
 
 /// Plan of a segmentation bench. Real data is scored if its folder is given.
 struct SegmentationBenchPlan {
-  std::vector<std::string> necks;  ///< built-in ones
-  bool speed = true;               ///< times and memory on a CT of 512 x 512 x 300
-  bool quick = false;              ///< necks and atlas with one noise
-  /// An angiogram of the chest: `ct_cropped.nii.gz`, and the masks of its vessels beside it.
+  std::vector<std::string> necks;  ///< built-in necks
+  bool speed = true;               ///< measure times and memory on a CT of 512 x 512 x 300
+  bool quick = false;              ///< use only one noise level for necks and atlas
+  /// Folder of an angiogram of the chest: `ct_cropped.nii.gz` and the masks of its vessels.
   std::filesystem::path chestCta;
-  /// Labels of an atlas and the map that translates and completes them, see caseFromLabels; both or none.
+  /// Labels of an atlas, and the map that translates and completes them, see caseFromLabels; either both or none.
   std::filesystem::path atlas, atlasMap;
 };
 
-/// Walls that a mask of a vessel may hold, and a Dice for each.
+/// Thicknesses of vessel wall that a mask may include, and a Dice score for each.
 constexpr std::array kWalls_mm{0.0, 0.5, 1.0, 1.5};
 using WallScores = std::array<double, kWalls_mm.size()>;
 
 /// Agreement of a structure found in a CT with the truth.
 struct SegmentationScoreRow {
-  std::string variant;             ///< of the built-in neck; or `atlas`, `chest CTA`
+  std::string variant;             ///< variant of the built-in neck; or `atlas`, `chest CTA`
   std::string contrast;            ///< `native` or `arterial`
-  std::optional<double> noise_HU;  ///< what a synthetic CT has
+  std::optional<double> noise_HU;  ///< noise of a synthetic CT
   std::string structure;
-  int clicks = 0;  ///< 0: found by itself
+  int clicks = 0;  ///< 0: found automatically
   double dice = 0;
   std::optional<double> meanSurface_mm, p95Surface_mm;
-  std::optional<double> bar;  ///< the Dice that is aimed at, where there is one
-  /// Scores of a mask drawn by others, as the upper limit: a lumen found exactly, alone and with walls around it.
+  std::optional<double> bar;  ///< target Dice score, if there is one
+  /// Scores of an exactly found lumen, alone and with walls around it, against a mask drawn by others: the upper limit
+  /// of the score.
   std::optional<WallScores> exactLumen;
 };
 
 /// Time of a tool on a CT of 512 x 512 x 300.
 struct SegmentationTimeRow {
   std::string task;
-  double voxels = 0;  ///< of its region
+  double voxels = 0;  ///< number of voxels in the tool's region
   double median_ms = 0, most_ms = 0;
-  double cpu_ms = 0;             ///< processor time of all threads, once
-  std::optional<double> bar_ms;  ///< for the median
-  double silence_ms = 0;         ///< the longest time in which it did not ask whether to go on
+  double cpu_ms = 0;             ///< processor time of all threads in one run
+  std::optional<double> bar_ms;  ///< target for the median
+  double silence_ms = 0;         ///< longest interval between two checks for cancellation
 };
 
-/// Peak memory of the process while the automatic part runs.
+/// Peak memory of the process during the automatic part.
 struct SegmentationMemory {
   double peak_MB = 0, bytesPerVoxel = 0;
 };
@@ -64,13 +65,13 @@ struct SegmentationBench {
   std::vector<std::string> notes;
 };
 
-/// Clicks are what an author would make: points on the middle of a vessel, from end to end. Refuses data that is not
-/// there or cannot be read; fails when cancelled.
+/// Runs the benchmark. Clicks are placed as an author would place them: on the middle of a vessel, from end to end.
+/// Fails if data is missing or cannot be read, or if cancelled.
 Result<SegmentationBench> runSegmentationBench(const SegmentationBenchPlan& plan, const Progress& progress = {});
 
 nlohmann::json toJson(const SegmentationBench& bench);
 
-/// segmentation.json, segmentation.csv, segmentation-times.csv and segmentation.md; all of them or none.
+/// Writes segmentation.json, segmentation.csv, segmentation-times.csv and segmentation.md; either all of them or none.
 Result<void> writeSegmentationBench(const SegmentationBench& bench, const std::filesystem::path& folder);
 
 }  // namespace insonate

@@ -5,25 +5,25 @@
 
 namespace insonate {
 
-/// A chart's axis. Logarithmic axes leave out values that are not above 0.
+/// Axis of a chart. Logarithmic axes leave out values that are not above 0.
 struct PlotAxis {
   std::string title;
   bool logarithmic = false;
-  bool fromZero = false;  ///< linear axes: begin at 0 even where no value is near it
+  bool fromZero = false;  ///< a linear axis begins at 0 even if no value is near 0
 };
 
 struct PlotPoint {
   double x = 0, y = 0;
-  std::string label;  ///< written beside the mark where not empty
+  std::string label;  ///< text beside the mark; may be empty
 };
 
-/// Marks of one color, joined in the order given. Points that are not finite are left out.
+/// Marks of one color, joined in their order. Points that are not finite are left out.
 struct PlotSeries {
   std::string name;
   std::vector<PlotPoint> points;
   bool joined = true;
   bool dashed = false;
-  bool marked = true;  ///< unless they lie so close that the line says it
+  bool marked = true;  ///< draw marks, unless they are so close that the line suffices
 };
 
 /// A horizontal line across the chart, such as a limit.
@@ -39,18 +39,19 @@ struct LineChart {
   std::vector<PlotLevel> levels;
 };
 
-/// Horizontal bars, each the sum of its parts.
+/// Horizontal bars, each the sum of its segments.
 struct StackedBars {
   struct Part {
     std::string name;
-    std::vector<double> values;  ///< one a bar; values that are missing, not finite or below 0 count as 0
+    std::vector<double> values;  ///< one value per bar; values that are missing, not finite or below 0 count as 0
   };
   std::string title, subtitle, valueTitle;
   std::vector<std::string> bars;
   std::vector<Part> parts;
 };
 
-/// A whole SVG file: dark text on white, any text escaped. A chart without a single point keeps its frame and says so.
+/// Returns a complete SVG file: dark text on white, all text escaped. A chart without points keeps its frame and says
+/// that it has no data.
 std::string svgOf(const LineChart& chart);
 std::string svgOf(const StackedBars& chart);
 

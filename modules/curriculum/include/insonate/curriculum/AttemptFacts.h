@@ -8,34 +8,35 @@
 namespace insonate {
 
 enum class AttemptState {
-  Open,       ///< begun, not ended: its workstation is at it, or has died
-  Completed,  ///< to the end of its procedure
+  Open,       ///< begun, not ended: its workstation is still running it, or has crashed
+  Completed,  ///< carried out to the end of its procedure
   Abandoned,  ///< ended early, by the trainee or by a crash
-  Voided,     ///< taken out of the count by an instructor, with a reason; kept
+  Voided,     ///< excluded from the count by an instructor, with a reason; still stored
 };
 
 /// Evidence that an attempt was made as its facts say.
 enum class AttemptProof {
-  Unproven,       ///< nothing: its recording was made for another store, by an earlier program or by nobody known
-  Proven,         ///< its recording: whole, and keyed as the store asked when the attempt began
-  Accepted,       ///< an instructor or administrator, by name, although nothing proves it
-  Earlier,        ///< nothing was asked: it was kept before there were proofs
-  Demonstration,  ///< it is made up, and says so (`curriculum demo`)
+  Unproven,       ///< no evidence: the recording was made for another store or by an earlier program, or its origin is
+                  ///< unknown
+  Proven,         ///< proved by its recording, which is complete and keyed as the store required when the attempt began
+  Accepted,       ///< accepted without evidence by an instructor or administrator, whose name is stored
+  Earlier,        ///< stored before proofs existed, so that none was required
+  Demonstration,  ///< made up, and marked as such (`curriculum demo`)
 };
 
-/// A metric's value as it was measured; a missing one stays missing.
+/// A metric's measured value; a missing value stays missing.
 struct MetricFact {
   std::string id{};  ///< as in procedure/AttemptMetrics.h: "vein_punctures"
-  int version = 0;   ///< of its definition
+  int version = 0;   ///< version of the metric's definition
   std::optional<double> value{};
 
   bool operator==(const MetricFact&) const = default;
 };
 
-/// Facts about one attempt; its samples are in its recording. After its end an attempt does not change; it can only be
-/// voided.
+/// Facts about one attempt; its samples are in its recording. After its end an attempt does not change, except that it
+/// can be voided.
 struct AttemptFacts {
-  std::string id{};          ///< UUID, made where the attempt was begun
+  std::string id{};          ///< UUID, made by the workstation at which the attempt was begun
   std::string person{};      ///< Person::id
   std::string curriculum{};  ///< Curriculum::name; "": free practice
   int curriculumVersion = 0;
@@ -43,15 +44,15 @@ struct AttemptFacts {
   std::string procedure{};
   int procedureVersion = 0;
   std::string caseName{}, caseHash{};
-  std::string workstation{};   ///< where it was made
-  std::int64_t begun_us = 0;   ///< since 1970, UTC, by the workstation's clock, which may have been wrong
-  std::int64_t length_us = 0;  ///< by a clock that does not jump
+  std::string workstation{};   ///< workstation at which the attempt was made
+  std::int64_t begun_us = 0;   ///< since 1970, UTC, by the workstation's clock, which may be wrong
+  std::int64_t length_us = 0;  ///< measured by a clock that does not jump
   AttemptState state = AttemptState::Open;
   bool succeeded = false;
   int criticalErrors = 0;
   std::optional<double> points{};     ///< 0..100
-  std::vector<MetricFact> metrics{};  ///< those that were defined then
-  std::string recording{};            ///< file name within the workstation's recordings; "": there is none
+  std::vector<MetricFact> metrics{};  ///< the metrics that existed when the attempt was made
+  std::string recording{};            ///< file name within the workstation's recordings; "": no recording
   std::string recordingHash{};        ///< SHA-256 of the file, hexadecimal
   /// BLAKE2b (256 bits, hexadecimal) of the hands' motion, independent of the recording's header. Empty if the hands
   /// did nothing, if there is no recording, or if an earlier program stored the attempt.

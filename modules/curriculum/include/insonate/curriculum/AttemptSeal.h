@@ -6,15 +6,15 @@
 
 namespace insonate {
 
-/// The secret with which the links of a recording are keyed (procedure/RecordingProof.h); for the recorder alone.
+/// Secret key of the links of a recording (procedure/RecordingProof.h); only the recorder may have it.
 using AttemptKey = std::array<std::uint8_t, 32>;
 
-/// Nonce and key that a store gives to an attempt as it begins, so that its recording can prove whose it is. With s the
-/// store's secret
-/// and H(k, ...) BLAKE2b-256 keyed with k over texts that each have their length before them:
+/// Nonce and key that a store issues to an attempt at its beginning, so that the recording can prove to which attempt
+/// it belongs. s is the store's secret, r are 16 random bytes, and H(k, ...) is BLAKE2b-256 with key k over texts, each
+/// preceded by its length:
 ///   tag = the first 16 bytes of H(s, "store"), code = H(s, "nonce", r, id, person, curriculum, version, level),
-///   nonce = r tag code with r 16 random bytes, key = H(s, "key", nonce).
-/// The store keeps none of it: it makes code and key again from the nonce.
+///   nonce = r tag code, key = H(s, "key", nonce).
+/// The store keeps none of these values: it computes code and key again from the nonce.
 struct AttemptSeal {
   std::string nonce{};  ///< for the recording's header, 128 hexadecimal digits
   AttemptKey key{};
@@ -23,12 +23,13 @@ struct AttemptSeal {
 /// A store's answer about the nonce of a recording.
 struct NonceOrigin {
   enum class Kind {
-    Given,      ///< to this attempt, with `key`
-    Elsewhere,  ///< by another store
-    Forged,     ///< by nobody: it bears this store's tag, and was not given to this attempt of this person and level
+    Given,      ///< issued by this store to this attempt, with `key`
+    Elsewhere,  ///< issued by another store
+    Forged,  ///< issued by no store: the nonce has this store's tag, but was not issued to this attempt of this person
+             ///< and level
   };
   Kind kind = Kind::Elsewhere;
-  AttemptKey key{};  ///< of Kind::Given
+  AttemptKey key{};  ///< if kind is Given
 };
 
 }  // namespace insonate

@@ -9,15 +9,16 @@
 /// Columns that every table of attempts shares (CSV; Csv.h).
 namespace insonate {
 
-/// "proven", "accepted", "earlier", "demonstration", "not proven".
+/// Name of a proof in tables: "proven", "accepted", "earlier", "demonstration", "not proven".
 const char* wordOf(AttemptProof proof);
 
-/// "id", "begun (UTC)", ..., "assistance", "state", "broke off", "voided", "succeeded", "passed", ..., "proof".
+/// Column names: "id", "begun (UTC)", ..., "assistance", "state", "broke off", "voided", "succeeded", "passed", ...,
+/// "proof".
 std::vector<std::string> attemptColumns();
 
-/// The fields of attemptColumns(): "broke off" is hasBrokenOff(), "succeeded" is the procedure's aim, "passed" the
-/// level's rule by this curriculum, "" where nothing is passed (Judgement.h). "assistance" is what the level gives by
-/// this curriculum, "" in free practice, where the trainee chooses it. `curriculum` may be null.
+/// Values of attemptColumns(). "broke off" is hasBrokenOff(); "succeeded": the procedure's aim was reached; "passed":
+/// the level's rule in this curriculum was met, "" if there is nothing to pass (Judgement.h). "assistance" is that of
+/// the level in this curriculum, "" in free practice, in which the trainee chooses it. `curriculum` may be null.
 std::vector<std::string> attemptRow(const AttemptFacts& attempt, const Curriculum* curriculum);
 
 }  // namespace insonate

@@ -16,19 +16,19 @@ namespace insonate {
 /// The planned outcome of one line of a class list.
 struct ClassImportRow {
   enum class Step {
-    Add,           ///< someone new, who joins the class
-    Join,          ///< is here, and joins the class
-    AlreadyThere,  ///< learns in the class
-    Refuse,        ///< why() it stays out
+    Add,           ///< the person gets an account and joins the class
+    Join,          ///< the person has an account and joins the class
+    AlreadyThere,  ///< the person already learns in the class
+    Refuse,        ///< the line is not imported; see `why`
   };
   int line = 0;
   NewPerson person{};
   Step step = Step::Refuse;
-  std::string why{};  ///< of Refuse: a sentence that begins with the line
-  std::string id{};   ///< Person::id of who is here
+  std::string why{};  ///< if refused: a sentence that begins with the line number
+  std::string id{};   ///< Person::id, if the person has an account
 };
 
-/// Imports a class list into a class: first a plan, then all lines or none. For the class's instructors and for
+/// Imports a class list into a class: first as a plan, then all lines or none. For the class's instructors and for
 /// administrators; only administrators add people who already have an account. On a workstation that belongs to a
 /// server, people are changed on the server.
 class ClassImport {
@@ -38,10 +38,10 @@ class ClassImport {
   /// Returns the planned rows in the order of lines. Changes nothing.
   Result<std::vector<ClassImportRow>> plan(const std::string& cohort, const ClassList& list) const;
 
-  /// New passwords for all whom a plan adds, in its order.
+  /// Makes new passwords for all people that a plan adds, in the plan's order.
   static std::vector<FirstPassword> passwordsFor(std::span<const ClassImportRow> plan);
-  /// Adds and joins as planned, in one transaction. Fails, having changed nothing, where that is not possible any more,
-  /// naming the line, and when cancelled. Takes 0.1 s for each new password.
+  /// Adds people and lets them join as planned, in one transaction. Fails with nothing changed if the plan is no longer
+  /// possible (the error names the line), or if cancelled. Takes 0.1 s for each new password.
   Result<void> apply(const std::string& cohort, std::span<const ClassImportRow> plan,
                      std::span<const FirstPassword> passwords, const Progress& progress = {}) const;
 

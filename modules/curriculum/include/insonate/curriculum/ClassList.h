@@ -11,40 +11,41 @@
 
 namespace insonate {
 
-/// Someone on a class list.
+/// One person on a class list.
 struct ClassListEntry {
   int line = 0;
-  NewPerson person{};  ///< a trainee; `name` from the column of user names, else ID numbers, else e-mail addresses
+  /// A trainee; `name` is from the column of user names, else of ID numbers, else of e-mail addresses.
+  NewPerson person{};
 };
 
 struct ClassListTrouble {
   int line = 0;
-  std::string sentence{};  ///< what is wrong and what to do
-  NewPerson person{};      ///< as far as the line could be read
+  std::string sentence{};  ///< explains the error and what to do
+  NewPerson person{};      ///< the fields that could be read from the line
 };
 
 struct ClassList {
-  std::vector<ClassListEntry> entries{};  ///< whose lines are fine
+  std::vector<ClassListEntry> entries{};  ///< lines without errors
   std::vector<ClassListTrouble> troubles{};
 };
 
-/// Parses a CSV with a header line as Moodle and others export participants: "First name" and "Last name" (or
-/// "Surname"), or "Full name"; "Email address"; "Username", "ID number", in any case; other columns are ignored. Fails
-/// if nothing of it is a class list; a wrong line becomes an error of that line alone.
+/// Parses CSV with a header line, as Moodle and other systems export participants: "First name" and "Last name" (or
+/// "Surname"), or "Full name"; "Email address"; "Username", "ID number". Case is ignored, and so are other columns.
+/// Fails if the text is no class list at all; a wrong line becomes an error of that line alone.
 Result<ClassList> parseClassList(std::string_view csv);
 
-/// A class list beside the people who are there already.
+/// A class list compared with the existing people.
 struct ClassListMatch {
   struct Known {
     ClassListEntry entry{};
     Person person{};
   };
-  std::vector<ClassListEntry> added{};  ///< who are not there yet
+  std::vector<ClassListEntry> added{};  ///< people who have no account yet
   std::vector<Known> known{};
-  std::vector<ClassListTrouble> troubles{};  ///< those of the list, and who is two people here
+  std::vector<ClassListTrouble> troubles{};  ///< errors of the list, and lines that match two people
 };
 
-/// Matches by e-mail address, else by name, ignoring case.
+/// Matches people by e-mail address, else by name, ignoring case.
 ClassListMatch matchClassList(const ClassList& list, std::span<const Person> people);
 
 }  // namespace insonate

@@ -12,39 +12,41 @@ namespace insonate {
 
 /// Amount of help that a level gives during an attempt.
 enum class Assistance {
-  Guided,  ///< each step is said, hints and CT are shown
-  Hints,   ///< hints only when something goes wrong
-  Test,    ///< neither
+  Guided,  ///< each step is announced; hints and CT are shown
+  Hints,   ///< hints are shown only if something goes wrong
+  Test,    ///< neither hints nor CT are shown
 };
 /// Name in files: "guided", "hints", "test".
 std::string_view nameOf(Assistance assistance);
 
-/// The value that a metric has to reach in one attempt. A missing value, or one measured by another version of the
-/// metric's definition, does not reach it.
+/// The limit that a metric has to meet in one attempt. A missing value, or a value measured by another version of the
+/// metric's definition, does not meet it.
 struct MetricStandard {
   std::string metric{};  ///< MetricFact::id
   int version = 1;
-  std::optional<double> least{}, most{};  ///< one of the two
-  std::string otherwise{};                ///< what is said where it is not met: "the artery was punctured"
-  std::string source{};                   ///< why this limit
-  bool critical = false;                  ///< an attempt that does not meet it fails, whatever the share
+  std::optional<double> least{}, most{};  ///< minimum or maximum; exactly one is set
+  std::string otherwise{};                ///< text shown if the standard is not met: "the artery was punctured"
+  std::string source{};                   ///< justification of the limit
+  bool critical = false;  ///< an attempt that misses this standard fails, whatever share of standards it meets
 
   bool operator==(const MetricStandard&) const = default;
 };
 
-/// Conditions for passing one attempt: completed, succeeded, without a critical error, and:
+/// Conditions for passing one attempt. The attempt must be completed and successful, without a critical error, and meet
+/// these:
 struct PassRule {
-  std::optional<double> leastPoints{};  ///< of AttemptFacts::points
+  std::optional<double> leastPoints{};  ///< minimum of AttemptFacts::points
   std::vector<MetricStandard> standards{};
-  double mastery_percent = 100;  ///< minimum share of the standards that are met, and all critical ones
+  double mastery_percent = 100;  ///< minimum share of standards met; critical standards must all be met
 
   bool operator==(const PassRule&) const = default;
 };
 
-/// The learning curve test LC-CUSUM (LcCusum.h): mastery waits for its signal.
+/// Rule for the learning curve test LC-CUSUM (LcCusum.h): a level is mastered only after the test has signaled.
 struct CusumRule {
   double acceptable = 0.1, unacceptable = 0.25;  ///< rates of failure
-  double limit = 3.1;  ///< h: what the score has to reach; 8.9 % do within 50 attempts falsely
+  /// Threshold h: score that signals; 8.9 % of trainees who are not able reach it falsely within 50 attempts.
+  double limit = 3.1;
 
   bool operator==(const CusumRule&) const = default;
 };
@@ -59,7 +61,7 @@ struct FailureRule {
 struct MasteryRule {
   int passesInARow = 1;
   std::optional<CusumRule> cusum{};
-  std::optional<int> lapsesAfter_days{};  ///< without an attempt here or in a level that builds on this one
+  std::optional<int> lapsesAfter_days{};  ///< days without an attempt at this level or at one that builds on it
   std::optional<FailureRule> lapsesAfter{};
   std::string source{};
 
@@ -68,12 +70,12 @@ struct MasteryRule {
 
 struct Level {
   std::string name{}, title{};
-  std::string about{};     ///< what is learnt, one or two sentences
-  std::string caseName{};  ///< of the case library, or a variant of the built-in neck
+  std::string about{};     ///< subject of the level, one or two sentences
+  std::string caseName{};  ///< name in the case library, or a variant of the built-in neck
   std::string procedure{};
-  std::string position{};  ///< of the procedure's positions; "": the trainee's choice
+  std::string position{};  ///< a position of the procedure; "": the trainee chooses
   Assistance assistance = Assistance::Guided;
-  std::vector<std::string> prerequisites{};  ///< levels to be mastered before
+  std::vector<std::string> prerequisites{};  ///< levels that must be mastered first
   PassRule pass{};
   MasteryRule mastery{};
 
@@ -91,15 +93,15 @@ struct Curriculum {
   bool operator==(const Curriculum&) const = default;
 };
 
-/// The presets of resources/curricula.
+/// Names of the presets of resources/curricula.
 std::vector<std::string> curriculumPresetNames();
 /// Loads a preset by name, or a JSON file of the same form. Fails with a sentence that names the place, the error and
 /// the possible values.
 Result<Curriculum> loadCurriculum(std::string_view nameOrPath);
-/// Levels may be written in any order; they come back in one in which they can be learnt. Refuses circles and
-/// more than 200 levels.
+/// Reads a curriculum. Levels may be written in any order; they are returned in an order in which they can be learned.
+/// Fails on circular prerequisites and on more than 200 levels.
 Result<Curriculum> parseCurriculum(std::string_view json);
-/// Inverse of parseCurriculum().
+/// Writes a curriculum; inverse of parseCurriculum().
 std::string curriculumText(const Curriculum& curriculum);
 
 /// Names that a curriculum may refer to in this installation.
@@ -113,8 +115,8 @@ struct TeachingNames {
   std::vector<MetricMeaning> metrics{};
 };
 
-/// Checks that every name in the curriculum exists and that its standards ask for more of what is better. Fails with
-/// the first violation.
+/// Checks that every name in the curriculum exists. Also checks that a standard sets a minimum only if higher values of
+/// its metric are better, and a maximum only if lower values are better. Fails with the first violation.
 Result<void> checkNames(const Curriculum& curriculum, const TeachingNames& known);
 
 }  // namespace insonate

@@ -9,8 +9,8 @@
 
 namespace insonate {
 
-/// Reads what curriculumText() wrote of a curriculum that is not finished: texts may be missing, there may be no level,
-/// levels may need each other in a circle, and come back in the order in which they are written.
+/// Reads an unfinished curriculum that curriculumText() wrote. Texts and levels may be missing, and prerequisites may
+/// be circular; levels are returned in the order in which they are written.
 Result<Curriculum> parseDraft(std::string_view json);
 
 /// A reason why a draft cannot be published.
@@ -20,7 +20,8 @@ struct DraftTrouble {
 
   bool operator==(const DraftTrouble&) const = default;
 };
-/// One for each level at most, then those of the whole; none: parseCurriculum() and checkNames() take it.
+/// Returns at most one problem for each level, then the problems of the whole curriculum. Empty if parseCurriculum()
+/// and checkNames() accept the draft.
 std::vector<DraftTrouble> problemsOf(const Curriculum& draft, const TeachingNames& known);
 
 }  // namespace insonate

@@ -5,25 +5,25 @@
 
 namespace insonate {
 
-/// A questionnaire, checklist or rating as it was filled in.
+/// A filled-in questionnaire, checklist or rating.
 struct FilledForm {
   std::string id{};  ///< UUID; made when missing
   std::string form{};
   int formVersion = 0;
-  std::string person{};   ///< whom it is about
-  std::string attempt{};  ///< which of theirs; "": none in particular
-  std::string by{};       ///< Person::id of who filled it in; the store's doing
+  std::string person{};   ///< the person whom the form is about
+  std::string attempt{};  ///< the person's attempt that the form is about; "": no particular attempt
+  std::string by{};       ///< Person::id of the author; set by the store
   std::int64_t filled_us = 0;
-  std::string answers{};  ///< JSON object, at most 1 MB, kept byte for byte
+  std::string answers{};  ///< JSON object, at most 1 MB, stored byte for byte
 
   bool operator==(const FilledForm&) const = default;
 };
 
-/// A form with what the store adds to it.
+/// A form with the data that the store adds to it.
 struct KeptForm {
   FilledForm filled{};
-  std::string rater{};  ///< who filled it in, by full name, or by name where there is none
-  /// Another rater's form whose answers are withheld: raters submit the same form themselves first.
+  std::string rater{};  ///< full name of the author, or name if there is no full name
+  /// True if the answers are another rater's and are withheld: the reader must first submit the same form.
   bool withheld = false;
 
   bool operator==(const KeptForm&) const = default;

@@ -9,18 +9,18 @@
 
 namespace insonate {
 
-/// A password to hand over, by chance: 12 of 31 letters and digits that are not taken for one another, 59 bits, in
-/// groups of four.
+/// Makes a random password to hand over: 12 of 31 letters and digits that cannot be confused with each other, 59 bits,
+/// in groups of four.
 std::string firstPassword();
 
-/// Whom it is handed to.
+/// A person with the password to hand over.
 struct FirstPassword {
   NewPerson person{};
   std::string password{};
 };
 
-/// CSV with a line for each, in a new file that its owner alone can read. Fails where the file is there already: it may
-/// hold passwords of an earlier import.
+/// Writes CSV with one line for each password, to a new file that only its owner can read. Fails if the file exists,
+/// since it may hold passwords of an earlier import.
 Result<void> writeFirstPasswords(const std::filesystem::path& file, std::span<const FirstPassword> passwords);
 
 }  // namespace insonate

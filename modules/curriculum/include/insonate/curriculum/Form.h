@@ -12,24 +12,25 @@
 namespace insonate {
 
 struct FormOption {
-  std::string name{};              ///< as it is stored
-  std::string title{};             ///< as it is read
-  std::optional<double> points{};  ///< none: is not scored, as "not seen"
+  std::string name{};              ///< name under which the answer is stored
+  std::string title{};             ///< text shown to the user
+  std::optional<double> points{};  ///< empty: the option is not scored, e.g. "not seen"
 
   bool operator==(const FormOption&) const = default;
 };
 
-/// One question.
+/// A question of a form.
 struct FormItem {
   enum class Kind { Choice, Number, Text };
 
-  std::string name{};  ///< unique in its form
+  std::string name{};  ///< unique within the form
   std::string title{};
-  std::string about{};  ///< what a rater looks for; may be empty
+  std::string about{};  ///< hint for the rater; may be empty
   Kind kind = Kind::Choice;
   bool needed = false;
-  std::vector<FormOption> options{};  ///< of a choice, in their order; a scale's points grow or fall with it
-  double least = 0, most = 0;         ///< of a number
+  /// Options of a choice, in order; on a scale the points rise or fall in this order.
+  std::vector<FormOption> options{};
+  double least = 0, most = 0;  ///< limits of a number
 
   bool operator==(const FormItem&) const = default;
 };
@@ -44,28 +45,29 @@ struct FormSection {
 /// A questionnaire, a checklist or a rating scale, as data.
 struct Form {
   enum class Purpose {
-    Questionnaire,  ///< by the trainee, about the simulator
-    Checklist,      ///< by a rater, about an attempt: what was done
-    Rating,         ///< by a rater, about an attempt: how well
+    Questionnaire,  ///< filled in by the trainee, about the simulator
+    Checklist,      ///< filled in by a rater, about an attempt: which steps were done
+    Rating,         ///< filled in by a rater, about an attempt: how well it was done
   };
 
   std::string name{}, title{}, about{};
-  std::string source{};  ///< on whose work its structure stands
+  std::string source{};  ///< publication on which the form's structure is based
   int version = 1;
   Purpose purpose = Purpose::Questionnaire;
   std::vector<FormSection> sections{};
 
   const FormItem* item(std::string_view itemName) const;
-  /// Tells whether a rater may write a note to this item: in checklists and ratings, unless the answer is text anyway.
+  /// Tells whether a rater may write a note on this item: in checklists and ratings, unless the answer is itself a
+  /// text.
   bool takesNote(const FormItem& item) const {
     return purpose != Purpose::Questionnaire && item.kind != FormItem::Kind::Text;
   }
   bool operator==(const Form&) const = default;
 };
 
-/// The presets of resources/forms.
+/// Names of the presets of resources/forms.
 std::vector<std::string> formPresetNames();
-/// A preset's name or a JSON file of the same form. Fails with a sentence on where and what.
+/// Loads a preset by name, or a JSON file of the same form. Fails with a sentence that names the place and the error.
 Result<Form> loadForm(std::string_view nameOrPath);
 Result<Form> parseForm(std::string_view json);
 
@@ -79,26 +81,27 @@ std::string noteKey(const FormItem& item);
 std::string answerText(const FormItem& item, const FormAnswers& answers);
 std::string noteText(const FormItem& item, const FormAnswers& answers);
 
-/// JSON object, as FilledForm::answers.
+/// Reads answers from a JSON object as in FilledForm::answers.
 Result<FormAnswers> parseAnswers(std::string_view json);
 std::string answersText(const FormAnswers& answers);
 
 struct AnswerTrouble {
-  std::string item{};      ///< FormItem::name, or an answer's that has none
-  std::string sentence{};  ///< what is wrong and what to do
+  std::string item{};      ///< FormItem::name, or the name of an answer to which no item belongs
+  std::string sentence{};  ///< explains the error and what to do
 };
 
-/// Everything that keeps these answers from being stored, in the form's order; empty: they are fine.
+/// Returns every reason why these answers cannot be stored, in the form's order; empty if they are valid.
 std::vector<AnswerTrouble> checkAnswers(const Form& form, const FormAnswers& answers);
 
 struct FormScore {
-  double points = 0, most = 0;      ///< of items that were answered with an option that has points
-  std::optional<double> percent{};  ///< 100 points / most; none where nothing is scored
-  int scored = 0;                   ///< items
-  int unscored = 0;                 ///< items with points that were not answered, or by an option without
+  double points = 0, most = 0;      ///< sums over items that were answered with an option that has points
+  std::optional<double> percent{};  ///< 100 points / most; empty if nothing is scored
+  int scored = 0;                   ///< number of scored items
+  /// Number of items with points that were not answered, or were answered with an option without points.
+  int unscored = 0;
 };
 
-/// Answers that are not fine are left out. Most are the points of an item's best option.
+/// Computes the score. Invalid answers are left out. `most` counts the points of each item's best option.
 FormScore formScore(const Form& form, const FormAnswers& answers);
 
 }  // namespace insonate

@@ -10,7 +10,7 @@
 
 namespace insonate {
 
-/// Filled-in forms: facts, which are neither changed nor deleted. People fill in forms about themselves, and
+/// Stores filled-in forms, which are neither changed nor deleted. People fill in forms about themselves, and
 /// instructors about learners in their cohorts. Visible to the person concerned and to those who may see the person's
 /// attempts. Raters, whatever their role, see another rater's answers about an attempt only after submitting the same
 /// form about it themselves.
@@ -21,12 +21,12 @@ class FormStore {
   /// Adds a form and returns its id. Adding the same form again is no error; another form of the same kind by the same
   /// rater about the same attempt is refused.
   Result<std::string> add(const FilledForm& filled) const;
-  /// Forms about a person, in the order of arrival.
+  /// Returns the forms about a person, in the order of arrival.
   Result<std::vector<KeptForm>> ofPerson(const std::string& person) const;
   Result<std::vector<KeptForm>> ofAttempt(const std::string& attempt) const;
-  /// Forms of one kind about all learners of a cohort, in the order of arrival.
+  /// Returns the forms of one kind about all learners of a cohort, in the order of arrival.
   Result<std::vector<KeptForm>> ofCohort(const std::string& cohort, const std::string& form) const;
-  /// Agreement of the raters over all attempts of a cohort: figures that disclose nobody's answers.
+  /// Returns the agreement of the raters over all attempts of a cohort. The figures disclose no rater's answers.
   Result<FormAgreement> agreement(const std::string& cohort, const Form& form) const;
 
  private:

@@ -11,13 +11,13 @@ namespace insonate {
 
 struct Grade {
   Person person{};
-  std::optional<double> percent{};  ///< none: not graded yet
+  std::optional<double> percent{};  ///< empty: not graded yet
   std::string feedback{};
 };
 
-enum class GradeKey { Email, Name };  ///< how a learning management system knows people
+enum class GradeKey { Email, Name };  ///< key by which a learning management system identifies people
 
-/// A person who is left out.
+/// A person who is left out of the grades.
 struct UngradedPerson {
   std::string fullName{};
   std::string why{};  ///< "no grade yet", "no e-mail address", "no name"
@@ -28,9 +28,9 @@ struct GradeBook {
   std::vector<UngradedPerson> leftOut{};
 };
 
-/// Grades for Moodle's import: "Email address" or "ID number", then `item`, then its feedback if anyone has some.
-/// People without a grade are left out, with their feedback: Moodle would take an empty grade beside it for a grade
-/// and overwrite theirs.
+/// Grades for Moodle's import: a column "Email address" or "ID number", a column `item`, and a column of feedback if
+/// anyone has feedback. People without a grade are left out, with their feedback: Moodle would import the empty grade
+/// next to the feedback and overwrite an existing grade.
 GradeBook gradeBook(const std::string& item, GradeKey key, std::span<const Grade> grades);
 
 }  // namespace insonate

@@ -8,22 +8,22 @@
 
 namespace insonate {
 
-/// The sentence that a trainee reads at one turn of a level's story.
+/// A situation in the course of a level, with the sentence that the trainee then reads.
 struct StoryTurn {
   enum class When {
-    Beginning,     ///< no attempt anywhere
-    Reached,       ///< what it builds on is mastered
-    AfterFailure,  ///< the first attempt here failed
-    AfterPass,     ///< one attempt passed, which is not enough
+    Beginning,     ///< no attempt at any level yet
+    Reached,       ///< all prerequisites are mastered
+    AfterFailure,  ///< the first attempt at this level failed
+    AfterPass,     ///< an attempt passed, but more passes are needed for mastery
     Mastered,
-    Lapsed,  ///< too long without practice
+    Lapsed,  ///< lapsed after too long without practice
   };
   When when = When::Beginning;
   std::string sentence{};  ///< LevelProgress::why
 };
 
-/// Returns the story of a trainee who first fails and then always passes. Turns that the level's rule does not have
-/// are left out. `curriculum` comes from parseCurriculum() and contains the level.
+/// Returns the course of a trainee who first fails and then always passes. Situations that cannot occur under the
+/// level's rule are left out. `curriculum` comes from parseCurriculum() and contains the level.
 std::vector<StoryTurn> levelStory(const Curriculum& curriculum, std::string_view level);
 
 }  // namespace insonate

@@ -11,30 +11,31 @@
 
 namespace insonate {
 
-/// People and their passwords. A trainee sees themselves, an instructor also the people of cohorts that are theirs, an
-/// administrator all. Passwords have 8 to 200 characters. On a workstation that belongs to a server, people are changed
-/// on the server.
+/// Accounts and their passwords. Trainees see themselves; instructors also see the people in their cohorts;
+/// administrators see everyone. Passwords have 8 to 200 characters. On a workstation that belongs to a server, people
+/// are changed on the server.
 class PeopleStore {
  public:
   explicit PeopleStore(SignedIn by) : by_(std::move(by)) {}
 
-  /// Themselves, or someone they may see.
+  /// Returns the signed-in user, or a person whom the user may see.
   Result<Person> person(const std::string& id) const;
   /// Returns all people by name; administrators only.
   Result<std::vector<Person>> all() const;
 
-  /// Adds a person, who must change `password` at the first sign-in. An administrator adds anyone; an instructor adds
-  /// trainees to `cohort`, one of the instructor's own. An empty cohort means none, and is for administrators only.
+  /// Adds a person, who must change `password` at the first sign-in. An administrator may add anyone; an instructor may
+  /// add trainees to `cohort`, which must be the instructor's own. An empty `cohort` means no cohort, and is for
+  /// administrators only.
   Result<Person> add(const NewPerson& person, const std::string& password, const std::string& cohort = "") const;
-  /// Name, full name, e-mail, role and whether they are disabled; administrators only. The last administrator who can
-  /// sign in stays one.
+  /// Changes a person's name, full name, e-mail, role and disabled state; administrators only. The last administrator
+  /// who can sign in must remain one.
   Result<void> change(const Person& person) const;
   /// Changes full name and e-mail of the signed-in user.
   Result<void> changeOwnDetails(const std::string& fullName, const std::string& email) const;
 
   Result<void> changeOwnPassword(const std::string& old, const std::string& password) const;
-  /// A password for someone else, who must change it at the next sign-in; also ends their lock-out. Instructors: for
-  /// trainees of their cohorts.
+  /// Sets a password for another person, who must change it at the next sign-in; also unlocks the person's name.
+  /// Instructors may do so for trainees of their cohorts.
   Result<void> resetPassword(const std::string& person, const std::string& password) const;
 
  private:

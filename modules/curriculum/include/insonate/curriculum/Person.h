@@ -9,11 +9,11 @@ enum class Role { Trainee, Instructor, Administrator };
 /// A user with an account. An instructor sees the instructor's own cohorts only.
 struct Person {
   std::string id{};        ///< UUID
-  std::string name{};      ///< to sign in; unique, whatever its case
-  std::string fullName{};  ///< as others see it
+  std::string name{};      ///< name for signing in; unique, ignoring case
+  std::string fullName{};  ///< name shown to others
   std::string email{};     ///< may be empty
   Role role = Role::Trainee;
-  bool disabled = false;  ///< cannot sign in; what they did stays
+  bool disabled = false;  ///< cannot sign in; the person's data is kept
 
   bool operator==(const Person&) const = default;
 };
@@ -22,7 +22,7 @@ struct Person {
 struct Cohort {
   std::string id{};  ///< UUID
   std::string name{};
-  std::string curriculum{};  ///< Curriculum::name; "": none yet
+  std::string curriculum{};  ///< Curriculum::name; "": no curriculum yet
   int curriculumVersion = 0;
 
   bool operator==(const Cohort&) const = default;

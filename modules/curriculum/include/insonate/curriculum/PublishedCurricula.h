@@ -11,11 +11,11 @@
 namespace insonate {
 
 struct CurriculumEntry {
-  std::string name{};  ///< as in its text
+  std::string name{};  ///< as in the curriculum's text
   int version = 0;
-  std::string hash{};  ///< SHA-256 of its text, hexadecimal
+  std::string hash{};  ///< SHA-256 of the curriculum's text, hexadecimal
   std::int64_t published_us = 0;
-  std::string publishedBy{};  ///< full name
+  std::string publishedBy{};  ///< full name of the publisher
 
   bool operator==(const CurriculumEntry&) const = default;
 };
@@ -29,14 +29,15 @@ class PublishedCurricula {
 
   /// Returns all curricula by name, newest version first.
   Result<std::vector<CurriculumEntry>> list() const;
-  /// Returns the text of a version; also fails if it is not the text that was published.
+  /// Returns the text of a version. Also fails if the text differs from the published text.
   Result<std::string> text(const std::string& name, int version) const;
-  /// `text` is what parseCurriculum() reads, of this name and version and at most 1 MB; it is kept byte for byte.
-  /// Versions grow; the same text once more is no error.
+  /// Publishes a version. `text` is valid for parseCurriculum(), has this name and version and at most 1 MB; it is
+  /// stored byte for byte. Version numbers must rise; publishing the same text again is no error.
   Result<CurriculumEntry> publish(const std::string& name, int version, const std::string& text) const;
 
-  /// One a name, shared by instructors; any text of at most 1 MB. `before` is the draft as the caller last knew it, ""
-  /// where there was none: fails where another user has saved another since, whose work is not overwritten unseen.
+  /// Saves the draft of this name. There is one draft for each name, shared by instructors; it may be any text of at
+  /// most 1 MB. `before` is the draft as the caller last read it, "" if there was none. Fails if another user has saved
+  /// a different draft since, so that it is not overwritten unseen.
   Result<void> saveDraft(const std::string& name, const std::string& text, const std::string& before) const;
   Result<std::vector<std::string>> drafts() const;
   Result<std::string> draft(const std::string& name) const;

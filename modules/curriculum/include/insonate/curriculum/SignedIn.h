@@ -9,9 +9,9 @@ namespace store {
 class Session;
 }
 
-/// A signed-in user of a store, on whose behalf everything is read and written. Copies are handles of one session,
-/// which keeps the store open and ends with the last copy. Permissions are read at each call: a user who is disabled,
-/// or whose password was reset by others, is refused from then on. Any thread.
+/// A signed-in user of a store, on whose behalf data is read and written. Copies are handles of the same session. The
+/// session keeps the store open and ends with the last copy. Permissions are read at each call: a user who is disabled,
+/// or whose password was reset by others, is refused from then on. Any thread may use it.
 class SignedIn {
  public:
   bool isGuest() const;

@@ -14,15 +14,15 @@ namespace insonate {
 struct PendingUpload {
   std::int64_t number = 0;
   std::string kind{};  ///< "attempt", "form"
-  std::string id{};    ///< of the attempt or form
+  std::string id{};    ///< id of the attempt or form
   std::int64_t since_us = 0;
 };
 
 struct UploadReport {
-  int attempts = 0, forms = 0;                 ///< that the server took
-  int people = 0, cohorts = 0, curricula = 0;  ///< that came from the server and are new or other here
-  /// Sentences about what could not be sent and what to do: a name that belongs to another person on the server, a
-  /// curriculum that differs there. Everything else was sent.
+  int attempts = 0, forms = 0;                 ///< number that the server accepted
+  int people = 0, cohorts = 0, curricula = 0;  ///< number that came from the server and was new or different here
+  /// Sentences that name each fact that could not be sent and say what to do: a name that belongs to another person on
+  /// the server, a curriculum that differs on the server. Everything else was sent.
   std::vector<std::string> troubles{};
 };
 
@@ -45,7 +45,7 @@ class SiteUpload {
   CurriculumStore here_, server_;
 };
 
-/// Oldest first, at most `count` (1..1000); administrators and instructors.
+/// Returns the waiting facts, oldest first, at most `count` (1..1000). For administrators and instructors.
 Result<std::vector<PendingUpload>> pendingUploads(const SignedIn& by, int count);
 
 }  // namespace insonate

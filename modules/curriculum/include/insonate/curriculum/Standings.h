@@ -22,13 +22,13 @@ inline constexpr int kStuckAfter = 5;
 struct Standing {
   std::string curriculum{};
   int curriculumVersion = 0;
-  std::string level{};  ///< Level::name they are at; "": all are mastered
-  int mastered = 0;     ///< levels
+  std::string level{};  ///< Level::name of the trainee's present level; "": all levels are mastered
+  int mastered = 0;     ///< number of mastered levels
   Concern concern = Concern::None;
-  std::string sentence{};     ///< why: of the level that is of concern, else of the one they are at
-  std::int64_t changes = 0;   ///< Member::changes it was worked out from
-  std::int64_t from_us = 0;   ///< when it was worked out
-  std::int64_t until_us = 0;  ///< from then on it may be another one though nothing was done
+  std::string sentence{};     ///< explains the level that is of concern, else the present level
+  std::int64_t changes = 0;   ///< Member::changes at the time of computation
+  std::int64_t from_us = 0;   ///< time of computation
+  std::int64_t until_us = 0;  ///< from this time on, the standing may change without any new attempt
 
   bool operator==(const Standing&) const = default;
 };
@@ -37,8 +37,9 @@ struct Standing {
 /// standings stored by an older program are computed again.
 inline constexpr int kStandingRules = 2;
 
-/// Someone's progress as a class list shows it: the first level in the curriculum's order that is open or lapsed.
-/// `progress` is progressOf() of the history at `now_us`; `changes` is Member::changes, asked before the history.
+/// Computes a trainee's progress for a class list: the present level is the first level in the curriculum's order that
+/// is open or lapsed. `progress` is progressOf() of the history at `now_us`; `changes` is Member::changes, read before
+/// the history.
 Standing standingOf(const Curriculum& curriculum, std::span<const AttemptFacts> history,
                     std::span<const LevelProgress> progress, std::int64_t now_us, std::int64_t changes);
 

@@ -11,29 +11,31 @@
 
 namespace insonate {
 
-/// A stored value that does not follow from its source: a recording, the attempts, or the audit log.
+/// A stored value that does not agree with its source: a recording, the attempts, or the audit log.
 struct StoreDifference {
-  std::string attempt{};  ///< AttemptFacts::id; "": of a standing
+  std::string attempt{};  ///< AttemptFacts::id; "": the difference is in a standing
   std::string person{};   ///< Person::id
-  std::string field{};    ///< for people: "points", "metric needle_path_mm", "standing in central_line 5: level"
+  /// Readable description: "points", "metric needle_path_mm", "standing in central_line 5: level".
+  std::string field{};
   std::string stored{};
-  std::string expected{};  ///< what follows
+  std::string expected{};  ///< value that follows from the source
 
   bool operator==(const StoreDifference&) const = default;
 };
 
-/// Looks for rows that were written past the program. Administrators only; each look is in the audit log.
+/// Finds rows that were not written by the program. Administrators only; each check is in the audit log.
 class StoreCheck {
  public:
   explicit StoreCheck(SignedIn by) : by_(std::move(by)) {}
 
-  /// Everyone's, in the order of arrival: at most `count` (1..1000) that came after arrival `after`.
+  /// Returns attempts of all people, in the order of arrival: at most `count` (1..1000) that arrived after number
+  /// `after`.
   Result<std::vector<KeptAttempt>> attempts(std::int64_t after, int count) const;
-  /// Attempts whose person, level, end or recording is not the one of their entries in the audit log, those without an
-  /// entry, and entries whose attempt is gone. Programs before schema 3 made no entries: in a store of theirs attempts
-  /// before the first one with an entry are left out.
+  /// Returns attempts whose person, level, end or recording differs from their entries in the audit log, attempts
+  /// without an entry, and entries without an attempt. Programs before schema 3 made no entries: in a store that such a
+  /// program used, attempts before the first attempt with an entry are left out.
   Result<std::vector<StoreDifference>> againstLog() const;
-  /// Standings that would be shown now and are not what the attempts give.
+  /// Returns standings that would be shown now but do not follow from the attempts.
   Result<std::vector<StoreDifference>> standings() const;
 
  private:

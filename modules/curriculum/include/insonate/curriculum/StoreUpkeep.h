@@ -26,13 +26,13 @@ class StoreUpkeep {
   Result<StoreFacts> facts() const;
   /// Reads all pages and keys, and checks the hashes of published texts and the audit log. Takes seconds.
   Result<void> verify() const;
-  /// A copy of a file's store as of one moment, while others work; replaces `file` when it is whole. Its recordings are
-  /// copied to FILE.recordings; those of an earlier backup stay there. A server's store is backed up by pg_dump, and
-  /// refused here.
+  /// Copies a file's store as it is at one moment, while other processes use it. Replaces `file` once the copy is
+  /// complete. The store's recordings are copied to FILE.recordings; recordings of an earlier backup stay there. Fails
+  /// for a server's store, which is backed up by pg_dump.
   Result<void> backup(const std::filesystem::path& file, const Progress& progress = {}) const;
-  /// Everything but passwords, as one JSON object with a list for each table. Of each attempt it also says whether it
-  /// was voided, whether its recording broke off, and, by the version of the curriculum that it was made for, the
-  /// level's assistance and whether it passed; null in free practice.
+  /// Writes everything except passwords as one JSON object with a list for each table. For each attempt it also
+  /// contains whether it was voided, whether its recording broke off, and, by the curriculum version for which the
+  /// attempt was made, the level's assistance and whether the attempt passed; the last two are null in free practice.
   Result<void> exportJson(const std::filesystem::path& file) const;
 
  private:
@@ -40,15 +40,15 @@ class StoreUpkeep {
 };
 
 /// Replaces a store's file, which may be open, damaged or missing, by a backup. `administrator` and `password` belong
-/// to the replaced store; if it is missing, damaged or has no people yet, to the backup. The backup is checked first:
-/// its pages, its schema, and its audit log, which records who restored it and where the replaced log ended. The
-/// former file is kept as FILE.before-restore. The backup's recordings are copied to those of the store, of which none
-/// is deleted: recordings of later attempts stay.
+/// to the replaced store; if that store is missing, damaged or has no people yet, they belong to the backup. The backup
+/// is checked first: its pages, its schema, and its audit log, which records who restored it and where the replaced log
+/// ended. The former file is kept as FILE.before-restore. The backup's recordings are added to the store's recordings;
+/// none of the store's recordings is deleted.
 Result<void> restoreStore(const std::filesystem::path& file, const std::filesystem::path& backup,
                           const std::string& administrator, const std::string& password);
 
-/// Upgrades a store for one of its administrators, who is asked before anything but the log is changed. Opening a
-/// store upgrades it too, for any user, which gives nobody new permissions.
+/// Upgrades a store for one of its administrators, whose password is checked before anything but the log is changed.
+/// Opening a store upgrades it too, for any user, but gives no user new permissions.
 Result<void> migrateStore(const std::string& address, const std::string& administrator, const std::string& password,
                           const StoreServices& services = {});
 

@@ -12,13 +12,13 @@
 
 namespace insonate {
 
-/// A site's name in statements.
+/// Identity of a site in xAPI statements.
 struct XapiSite {
-  std::string homePage{};  ///< IRI of the site: of accounts and activities, "https://training.example.org"
-  bool byMail = false;     ///< actors by e-mail address where they have one, else by account
+  std::string homePage{};  ///< IRI of the site, for accounts and activities: "https://training.example.org"
+  bool byMail = false;     ///< identify actors by e-mail address if they have one, else by account
 };
 
-/// An attempt of which there is no statement.
+/// An attempt for which no statement is written.
 struct LeftOutAttempt {
   std::string attempt{};  ///< AttemptFacts::id
   std::string why{};      ///< "has not ended", "was abandoned before the skin"
@@ -31,18 +31,18 @@ struct XapiExport {
 
 /// Writes Experience API 1.0.3 statements, one JSON text each, ready to be sent.
 ///
-/// An ended attempt passed or failed by its level's rule; one in free practice was completed; an abandoned one was
-/// abandoned; a voided one voids its statement. Left out, with the reason, are attempts that do not count
-/// (Judgement.h) and those of other curricula or versions, since a statement must not change once it is sent. A
+/// The verb is "passed" or "failed" for an ended attempt at a level, "completed" in free practice, and "abandoned" for
+/// an abandoned attempt; a voided attempt voids its statement. Left out, with the reason, are attempts that do not
+/// count (Judgement.h) and those of other curricula or versions, since a statement must not change once it is sent. A
 /// level's assistance is part of its activity's definition, which stores do not compare. Ids are UUIDs of version 5
 /// made from the attempt's id, so that a repeated statement is recognized. Nothing is null: missing values are left
 /// out, as are times outside the years 1 to 9999. Fails if the home page is no absolute http address.
 Result<XapiExport> xapiStatements(const XapiSite& site, const Curriculum& curriculum, const Person& person,
                                   std::span<const AttemptFacts> attempts);
-/// "Left out: 3 attempts (2 that have not ended, ...)."; "" where nothing is.
+/// Summary for the user: "Left out: 3 attempts (2 that have not ended, ...)."; "" if no attempt is left out.
 std::string leftOutSentence(std::span<const LeftOutAttempt> leftOut);
 
-/// A JSON array of them.
+/// Writes the statements to a file as a JSON array.
 Result<void> writeXapi(const std::filesystem::path& file, std::span<const std::string> statements);
 
 }  // namespace insonate

@@ -7,7 +7,7 @@
 
 namespace insonate::store {
 
-/// People, passwords, cohorts, curricula and voidings as the server has them.
+/// Copies people, passwords, cohorts, curricula and voided attempts from the server to this store.
 Result<void> fetchFromServer(Core& here, Core& server, UploadReport& report);
 
 }  // namespace insonate::store

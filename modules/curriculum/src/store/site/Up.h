@@ -8,10 +8,11 @@
 
 namespace insonate::store {
 
-/// Sends people whom the server does not know yet, as disabled trainees; under another name if theirs is taken.
+/// Sends people whom the server does not know yet, as disabled trainees; under another name if a person's name is
+/// taken.
 Result<void> sendPeople(Core& here, Core& server, UploadReport& report);
 
-/// All that waits, in batches. What the server has now waits no more.
+/// Sends all waiting facts in batches. Facts that the server has stored are removed from the outbox.
 Result<void> sendFacts(Core& here, Core& server, UploadReport& report, const Progress& progress);
 
 }  // namespace insonate::store

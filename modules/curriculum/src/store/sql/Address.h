@@ -10,8 +10,8 @@ namespace insonate::store {
 /// Address of a store: a file, or a database on a PostgreSQL server.
 struct Address {
   bool isServer = false;
-  QString file{};                                  ///< of SQLite
-  QString host{}, database{}, user{}, password{};  ///< of PostgreSQL
+  QString file{};                                  ///< for SQLite
+  QString host{}, database{}, user{}, password{};  ///< for PostgreSQL
   int port = 5432;
 
   static Result<Address> parse(const std::string& text);

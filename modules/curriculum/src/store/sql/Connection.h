@@ -19,10 +19,10 @@ struct sqlite3;
 
 namespace insonate::store {
 
-/// One connection to a store, for one thread.
+/// One connection to a store, for use by one thread.
 class Connection {
  public:
-  /// A file is created when missing.
+  /// Opens a connection; a missing file is created.
   static Result<std::unique_ptr<Connection>> open(const Address& address);
   ~Connection();
   Connection(const Connection&) = delete;
@@ -31,14 +31,14 @@ class Connection {
   const Dialect& dialect() const { return dialect_; }
   const std::string& place() const { return place_; }
   bool isLost() const { return lost_; }
-  /// The handle of SQLite; null for PostgreSQL.
+  /// Handle of SQLite; null for PostgreSQL.
   sqlite3* handle() const;
 
-  /// A prepared statement, kept for the next time.
+  /// Runs a prepared statement, which is kept for the next call, and returns its rows.
   Result<std::vector<Row>> rows(std::string_view sql, const std::vector<QVariant>& values);
-  /// The number of rows changed.
+  /// Runs a statement and returns the number of changed rows.
   Result<std::int64_t> run(std::string_view sql, const std::vector<QVariant>& values);
-  /// Any number of statements without values.
+  /// Runs any number of statements without values.
   Result<void> script(const std::string& sql);
 
  private:

@@ -10,17 +10,18 @@ namespace insonate::store {
 
 enum class Way { Read, Write };
 
-/// Differences between SQLite and PostgreSQL; everything else is the same SQL for both.
+/// Differences between SQLite and PostgreSQL; all other SQL is the same for both.
 struct Dialect {
-  std::string_view name;          ///< as in the names of migrations
-  std::string_view driver;        ///< of Qt
-  std::string_view options;       ///< of Qt's connection
-  std::string_view setUp;         ///< for each connection
-  std::string_view beginReading;  ///< one moment's view of everything
-  /// One writer at a time in the whole store: numbers are the last one and one, and nothing has to be tried again.
+  std::string_view name;          ///< name in migration files
+  std::string_view driver;        ///< Qt's name of the driver
+  std::string_view options;       ///< options of Qt's connection
+  std::string_view setUp;         ///< statements that set up each connection
+  std::string_view beginReading;  ///< begins a transaction that reads one consistent snapshot
+  /// Begins a transaction as the only writer in the whole store, so that a new number is the last number plus one and
+  /// no transaction must be retried.
   std::string_view beginWriting;
   std::string_view integer, real, text,
-      strict;  ///< what stands for {INTEGER}, {REAL}, {TEXT} and {STRICT} in migrations
+      strict;  ///< text that replaces {INTEGER}, {REAL}, {TEXT} and {STRICT} in migrations
 
   static const Dialect& sqlite();
   static const Dialect& postgresql();
@@ -29,9 +30,9 @@ struct Dialect {
   std::string spelled(std::string_view migration) const;
 };
 
-/// Converts a driver's error to a sentence with what to do. `place` names the store.
+/// Converts a driver's error to a sentence that says what to do. `place` names the store.
 Error sentenceOf(const QSqlError& error, const std::string& place);
-/// The connection is of no more use.
+/// Tells whether an error means that the connection can no longer be used.
 bool isLost(const QSqlError& error);
 
 }  // namespace insonate::store

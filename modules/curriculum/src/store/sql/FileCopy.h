@@ -8,10 +8,11 @@
 
 namespace insonate::store {
 
-/// A copy of a file's store as of one moment, while others work with it; replaces `file` once it is whole.
+/// Copies a file's store as it is at one moment, while other processes use it. Replaces `file` once the copy is
+/// complete.
 Result<void> copyToFile(Connection& from, const std::filesystem::path& file);
 
-/// Copies a file that is not open here and is only read.
+/// Copies a file that is not open in this process; the source is only read.
 Result<void> copyFile(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Replaces all contents of `to` by those of `from`, in one transaction; other connections see the change at once.

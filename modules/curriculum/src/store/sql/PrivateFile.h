@@ -4,9 +4,9 @@
 
 namespace insonate::store {
 
-/// Makes a database's file readable and writable by its owner alone, before anything is in it; a file that is there
-/// already loses the rights of others, as far as it belongs to the user. SQLite gives the files that it keeps beside it
-/// the same rights. What cannot be made is left to SQLite, which says why.
+/// Makes a database file readable and writable only by its owner, before it contains anything. An existing file that
+/// belongs to the user loses the rights of others. SQLite gives its auxiliary files the same rights. If the file cannot
+/// be made, SQLite reports the error later.
 void makePrivate(const std::filesystem::path& database);
 
 }  // namespace insonate::store

@@ -11,10 +11,11 @@
 
 namespace insonate::store {
 
-/// Values as they are bound to a statement. Truth is 0 or 1; nothing is SQL's NULL.
+/// Values as they are bound to a statement: truth values are 0 or 1, and an empty optional is SQL's NULL.
 inline QVariant bound(std::string_view text) {
-  if (text.empty()) return QVariant(QString(""));  // which is not NULL
-  // Stored texts were checked; a zero byte in a search text would end the statement on its way to a server.
+  if (text.empty()) return QVariant(QString(""));  // an empty text is not NULL
+  // Texts to be stored were checked before; a zero byte in a search text would end the statement on its way to a
+  // server.
   return QVariant(
       QString::fromUtf8(text.data(), static_cast<int>(text.size())).replace(QChar('\0'), QChar::ReplacementCharacter));
 }
@@ -43,7 +44,7 @@ inline QVariant bound(const std::optional<std::string>& text) {
   return text ? bound(*text) : QVariant(QVariant::String);
 }
 
-/// A row that a statement gave, by the numbers of its columns.
+/// One row of a statement's result; values are accessed by column number.
 class Row {
  public:
   explicit Row(std::vector<QVariant> values) : values_(std::move(values)) {}

@@ -8,8 +8,8 @@
 
 namespace insonate::store {
 
-/// A transaction, all or nothing. After a failure it does nothing more, returns no rows, and keeps the first error, so
-/// that only its end needs a check; without commit() everything is undone.
+/// A transaction: all changes or none. After a failure it does nothing more, returns no rows, and keeps the first
+/// error, so that only its end must be checked. Without commit() all changes are undone.
 class Transaction {
  public:
   Transaction(Connection& connection, Way way);
@@ -26,18 +26,18 @@ class Transaction {
     std::vector<Row> found = asked(sql, {bound(values)...});
     return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
   }
-  /// The number in the first column of the first row; 0 without a row.
+  /// Returns the number in the first column of the first row; 0 if there is no row.
   template <class... Values>
   std::int64_t number(std::string_view sql, const Values&... values) {
     const auto found = row(sql, values...);
     return found ? found->number(0) : 0;
   }
-  /// The number of rows changed.
+  /// Returns the number of changed rows.
   template <class... Values>
   std::int64_t run(std::string_view sql, const Values&... values) {
     return told(sql, {bound(values)...});
   }
-  /// Statements from outside the program's text, once.
+  /// Runs statements from outside the program's code, once.
   void script(const std::string& sql);
 
   const std::optional<Error>& error() const { return error_; }

@@ -21,37 +21,38 @@ class HidDevice;
 struct HidFound;
 }  // namespace haptics
 
-/// Devices on USB and Bluetooth, through hidapi.
+/// Returns the bus of the devices on USB and Bluetooth, accessed through hidapi.
 std::shared_ptr<haptics::HidBus> usbDevices();
 
 struct HubOptions {
-  std::chrono::milliseconds rescan{1000};  ///< between two looks at what is plugged in
+  std::chrono::milliseconds rescan{1000};  ///< interval between two searches for plugged-in devices
   std::vector<DeviceTable> tables = builtInDeviceTables();
 };
 
-/// All devices of this session: those on the bus that a table knows, opened when they are plugged in and again after
-/// they were gone, and those that are added by hand. All functions may be called from any thread but the servo's,
-/// which works with the devices themselves.
+/// All devices of this session: devices on the bus that match a table, and devices that are added by the program. A
+/// device on the bus is opened when it is plugged in, and again each time it returns. All functions may be called from
+/// any thread except the servo's, which uses the devices directly.
 class DeviceHub {
  public:
   explicit DeviceHub(std::shared_ptr<haptics::HidBus> bus, HubOptions options = {});
-  /// Releases all devices, after a last zero force. Devices that others still hold stay absent.
+  /// Releases all devices, after a last zero force. A device that another object still holds becomes absent.
   ~DeviceHub();
   DeviceHub(const DeviceHub&) = delete;
   DeviceHub& operator=(const DeviceHub&) = delete;
 
-  /// Looks at the bus now and each `rescan`, on a thread of its own. Returns at once.
+  /// Starts searching the bus, now and after each `rescan`, on its own thread. Returns at once.
   void start();
-  /// Searches for devices once, on the calling thread. Not to be called while start() is in effect.
+  /// Searches for devices once, on the calling thread. Do not call this while start() is in effect.
   void scanOnce();
 
-  /// A simulated, replayed or vendor's device.
+  /// Adds a device that is not on the bus: simulated, replayed or of a vendor's kit.
   void add(std::shared_ptr<HapticDevice> device);
-  /// All devices seen since the start, including those that are gone, in the order in which they came.
+  /// All devices seen since the start, including devices that are no longer present, in the order in which they
+  /// appeared.
   std::vector<std::shared_ptr<HapticDevice>> devices() const;
-  /// Returns the events since the last call; the oldest first, 1000 at most.
+  /// Returns the events since the last call, oldest first, at most 1000.
   std::vector<DeviceEvent> takeEvents();
-  /// Raw reports of all devices on the bus.
+  /// Recorder of the raw reports of all devices on the bus.
   ReportRecorder& recorder() { return *recorder_; }
 
  private:
@@ -67,7 +68,7 @@ class DeviceHub {
   HubOptions options_;
   std::shared_ptr<haptics::EventQueue> events_;
   std::shared_ptr<ReportRecorder> recorder_;
-  mutable std::mutex mutex_;  ///< of slots_ and others_
+  mutable std::mutex mutex_;  ///< guards slots_ and others_
   std::vector<Slot> slots_;
   std::vector<std::shared_ptr<HapticDevice>> others_;
   std::mutex waitMutex_;

@@ -13,11 +13,11 @@ namespace insonate {
 
 /// Phase of a device's life. A device may pass all phases repeatedly without a restart.
 enum class DevicePhase : std::uint8_t {
-  kAbsent,     ///< known, but not there (or not asked for yet)
-  kOpening,    ///< found, being opened
-  kReady,      ///< open; nothing heard yet
-  kStreaming,  ///< its states come
-  kLost,       ///< was there; unplugged, or silent. It is taken back as soon as it can be
+  kAbsent,     ///< known, but not connected or not yet in use
+  kOpening,    ///< found; being opened
+  kReady,      ///< open; no report received yet
+  kStreaming,  ///< states are arriving
+  kLost,       ///< was connected, but is now unplugged or silent; reconnected automatically when possible
   kFailed,     ///< cannot be used; trouble() says why and what to do
 };
 
@@ -25,54 +25,59 @@ std::string_view nameOf(DevicePhase phase);
 
 /// Identity and limits of a device; constant.
 struct DeviceInfo {
-  std::string id;    ///< the same each time this device is plugged in, where it can be told: for assignments
-  std::string name;  ///< for people
+  /// The same each time this device is plugged in, if the device can be identified; for storing assignments.
+  std::string id;
+  std::string name;  ///< shown to the user
   DeviceKind kind = DeviceKind::kMotion;
   DeviceLimits limits;
 };
 
 /// Counts of reports and forces since the start.
 struct DeviceCounters {
-  std::uint64_t reports = 0, forces = 0;  ///< taken, sent
+  std::uint64_t reports = 0, forces = 0;  ///< received, sent
   std::uint64_t refused = 0;              ///< reports that were too short, too long or unknown
-  std::uint64_t lateForces = 0;           ///< that took longer than two periods to send
+  std::uint64_t lateForces = 0;           ///< forces that took longer than two periods to send
 };
 
-/// Something that a user should hear of, once.
+/// A message to the user about a device, shown once.
 struct DeviceEvent {
   std::int64_t time_ns = 0;  ///< CLOCK_MONOTONIC
   std::string device;        ///< DeviceInfo::id
   DevicePhase phase = DevicePhase::kAbsent;
-  bool trouble = false;  ///< a fault, as against news
-  std::string text;      ///< a sentence
+  bool trouble = false;  ///< true: a fault; false: information
+  std::string text;      ///< message, one sentence
 };
 
-/// A hand or a pedal of any kind: USB, a vendor's kit, mouse and keys, a recording, a model. States arrive and forces
-/// leave on the device's own thread: take() and push() never wait, lock or allocate.
+/// A tool or pedal of any kind: on USB, of a vendor's kit, mouse and keys, a recording, or simulated. The device's own
+/// thread receives states and sends forces; take() and push() never wait, lock or allocate.
 class HapticDevice {
  public:
   virtual ~HapticDevice() = default;
 
   virtual const DeviceInfo& info() const noexcept = 0;
   virtual DevicePhase phase() const noexcept = 0;
-  /// Why it is lost or failed, and what to do; else empty. Not for the servo's thread.
+  /// Says why the device is lost or failed, and what to do; else empty. Do not call it on the servo's thread.
   virtual std::string trouble() const = 0;
   virtual DeviceCounters counters() const noexcept = 0;
 
-  /// One thread, the servo's: the latest state, where there is one that was not taken yet.
+  /// Gets the latest state; false if there is no new state since the last call. Call it on one thread only, the
+  /// servo's.
   virtual bool take(DeviceState& state) noexcept = 0;
-  /// Sets the force from now on, in the device's frame; call on the thread of take(). It is limited to the device's
-  /// maximum and sent as zero when nothing was pushed for 100 ms. A device receives nothing before the first push.
+  /// Sets the force from now on, in the device's frame; call it on the thread that calls take(). The force is limited
+  /// to the device's maximum; it becomes zero if push() is not called for 100 ms. A device receives nothing before the
+  /// first push().
   virtual void push(const Force& force) noexcept = 0;
 
-  /// The device is in its home posture now: counts are taken from here. For devices without encoders: nothing.
+  /// Tells the device that it is in its home posture now, from which its encoders count. No effect on devices without
+  /// encoders.
   virtual void calibrate() {}
 };
 
-/// Forces older than this are no forces any more.
+/// Age from which a force is no longer applied.
 inline constexpr std::int64_t kForceLife_ns = 100'000'000;
 
-/// `force` within `limits`: no longer than they allow, nothing on axes that are not driven, nothing that is not finite.
+/// Returns `force` within `limits`: magnitudes clamped, zero on axes that are not driven, and zero for values that are
+/// not finite.
 Force heldWithin(const DeviceLimits& limits, const Force& force) noexcept;
 
 }  // namespace insonate

@@ -6,9 +6,9 @@
 
 namespace insonate {
 
-/// Shows one reader the latest value of one writer, in place: neither copies for the other, waits or allocates. The
-/// writer releases a value's resources when it overwrites it. A triple buffer; insonate::Mailbox is for many writers,
-/// and hands a value out only once.
+/// Passes the latest value of one writer to one reader, in place: neither copies, waits or allocates. The writer
+/// releases a value's resources when it overwrites the value. This is a triple buffer; insonate::Mailbox, in contrast,
+/// is for many writers and returns each value only once.
 template <class T>
 class LatestValue {
  public:
@@ -17,7 +17,8 @@ class LatestValue {
     slots_[back_] = std::move(value);
     back_ = middle_.exchange(back_ | kFresh, std::memory_order_acq_rel) & kSlot;
   }
-  /// Returns the latest value, or a default one; call on the reader's thread. Constant until the next call.
+  /// Returns the latest value, or a default value before the first; call it on the reader's thread. The value is
+  /// constant until the next call.
   const T& read() noexcept {
     if (middle_.load(std::memory_order_relaxed) & kFresh)
       front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kSlot;

@@ -10,12 +10,12 @@
 
 namespace insonate {
 
-/// State from all reports of a device so far: a device that splits its axes over several reports leaves the others
-/// unchanged.
+/// State from all reports received so far: if a device splits its axes over several reports, a report changes only its
+/// own axes.
 struct DeviceReading {
-  std::array<double, 6> encoder{};               ///< counts; those that wrap, since the first report
-  std::optional<Vec3> position_mm;               ///< in the device's frame (DeviceState.h)
-  std::array<double, 4> quaternion{1, 0, 0, 0};  ///< w, x, y, z as told, not normalised
+  std::array<double, 6> encoder{};               ///< counts; counters that overflow: since the first report
+  std::optional<Vec3> position_mm;               ///< device frame (DeviceState.h)
+  std::array<double, 4> quaternion{1, 0, 0, 0};  ///< w, x, y, z as reported, not normalized
   std::array<double, 6> deflection{};            ///< -1..1: along x, y, z, then about them
   std::uint32_t buttons = 0;
   std::uint32_t status = 0;
@@ -28,20 +28,21 @@ enum class ReportFate : std::uint8_t {
   kTaken,
   kShort,    ///< fewer bytes than any layout of its id
   kLong,     ///< more than an exact layout allows
-  kUnknown,  ///< an id that no layout has, or nothing at all
+  kUnknown,  ///< an id without a layout, or an empty report
 };
 
-/// Turns reports into a reading, by a table. Nothing allocates and nothing throws. For one device and one thread.
+/// Decodes reports by a table. Neither allocates nor throws. For one device and one thread.
 class ReportDecoder {
  public:
-  /// `table` outlives the decoder.
+  /// `table` must outlive the decoder.
   explicit ReportDecoder(const DeviceTable& table);
 
-  /// A report as hidapi reads it: with its id in front only where the device numbers its reports. Of the layouts of
-  /// one id the longest that fits is taken; bytes beyond it are padding. A report that is not taken changes nothing.
+  /// Decodes a report as hidapi reads it: the report begins with its id only if the device numbers its reports. Of
+  /// several layouts with this id, the longest that fits is used; further bytes are padding. A report that is rejected
+  /// changes nothing.
   ReportFate take(std::span<const std::uint8_t> report) noexcept;
   const DeviceReading& reading() const noexcept { return reading_; }
-  /// Resets after the device was plugged in again: counters start at zero, and no button is pressed.
+  /// Resets the decoder after the device was plugged in again: counters start at zero, and no button is pressed.
   void reset() noexcept;
 
  private:
@@ -61,20 +62,20 @@ class ReportDecoder {
   std::array<Counter, 6> counters_{};
 };
 
-/// `bits` bits from `bit` on, least significant first; none beyond the end of `bytes`.
+/// Returns `bits` bits, beginning at `bit`, least significant first; bits beyond the end of `bytes` are 0.
 std::uint32_t bitsAt(std::span<const std::uint8_t> bytes, int bit, int bits) noexcept;
-/// The lower `bits` bits as a two's complement number.
+/// Reads the lower `bits` bits as a two's complement number.
 std::int32_t signedValue(std::uint32_t raw, int bits) noexcept;
 
 /// Output to a device.
 struct DeviceOutput {
-  Vec3 force_N, torque_Nmm;            ///< device's frame
-  std::array<double, 3> current_mA{};  ///< of the motors
+  Vec3 force_N, torque_Nmm;            ///< device frame
+  std::array<double, 3> current_mA{};  ///< for each motor
   std::uint32_t sequence = 0;
 };
 
 /// Writes `output` by `layout` into `report`, the id first, as hidapi expects it (0 if reports have none). Numbers are
-/// rounded to the nearest count and clamped to the field's range; those that are not finite become 0. Returns the
+/// rounded to the nearest count and clamped to the field's range; numbers that are not finite become 0. Returns the
 /// bytes used, 0 if `report` is too small.
 std::size_t encodeReport(const ReportLayout& layout, const DeviceOutput& output,
                          std::span<std::uint8_t> report) noexcept;

@@ -17,9 +17,9 @@
 
 namespace insonate {
 
-/// Writes raw reports as they come and go, for a bug report or a replay. Text, one report a line: seconds, the
-/// device's id, its table, `in` or `out`, bytes in hex. A thread of the recorder writes the disk: put() may be called
-/// where forces depend on it, even if the disk stalls.
+/// Records raw input and output reports, for bug reports and replays. The file is text with one line per report:
+/// seconds, the device's id, its table, `in` or `out`, bytes in hex. The recorder's own thread writes to the disk, so
+/// that put() may be called on a thread that computes forces, even if the disk stalls.
 class ReportRecorder {
  public:
   ReportRecorder() = default;
@@ -27,13 +27,13 @@ class ReportRecorder {
   ReportRecorder(const ReportRecorder&) = delete;
   ReportRecorder& operator=(const ReportRecorder&) = delete;
 
-  /// Starts a file, over an older one; fails where it cannot be written. Runs until stop(). One thread starts and
-  /// stops.
+  /// Starts a file and overwrites an older one; fails if the file cannot be written. Recording continues until stop().
+  /// Start and stop it on the same thread.
   Result<void> start(const std::filesystem::path& file);
-  /// Fails where the disk did not take all of it.
+  /// Stops recording. Fails if some reports could not be written.
   Result<void> stop();
   bool isRunning() const noexcept { return running_.load(std::memory_order_acquire); }
-  /// Any thread.
+  /// Adds a report. Any thread may call.
   void put(const std::string& device, std::string_view table, bool in, std::span<const std::uint8_t> report);
 
  private:
@@ -41,10 +41,10 @@ class ReportRecorder {
 
   std::atomic<bool> running_{false};
   std::mutex mutex_;
-  std::string pending_;  ///< lines that wait for the disk
-  bool lost_ = false;    ///< so many that some were left out
+  std::string pending_;  ///< lines that are not yet written
+  bool lost_ = false;    ///< so many lines were waiting that some were left out
   std::int64_t begin_ns_ = 0;
-  // The recorder's thread, while it runs.
+  // Used by the recorder's thread while it runs.
   std::filesystem::path path_;
   std::ofstream file_;
   std::jthread writer_;
@@ -58,12 +58,12 @@ struct RecordedReport {
   std::vector<std::uint8_t> bytes;
 };
 
-/// Fails with the line that cannot be read.
+/// Reads a recording. Fails with the line that cannot be read.
 Result<std::vector<RecordedReport>> readRecording(const std::filesystem::path& file);
 
-/// Replays a recording as a device: its reports come at their recorded pace, through the same decoder. Forces are
-/// accepted without effect. Starts at once; with `again`, repeats from the beginning. Fails if the recording has no
-/// report of a device that a table knows; `device` empty: the first one's.
+/// Replays a recording as a device: its reports arrive at their recorded times, through the same decoder. Forces are
+/// accepted without effect. The replay starts at once; with `again`, it repeats. `device` selects the device by id;
+/// empty: the device of the first report. Fails if the recording has no report of a device that matches a table.
 Result<std::shared_ptr<HapticDevice>> replayRecording(const std::vector<RecordedReport>& reports,
                                                       const std::string& device = {}, bool again = false);
 

@@ -12,57 +12,57 @@ namespace insonate {
 
 /// Rights that the system grants to the servo's thread.
 struct RealTimeRights {
-  bool priority = false;  ///< SCHED_FIFO
-  bool locked = false;    ///< its memory stays in place
-  std::string sentence;   ///< for people: what it is, and what to do where something is missing
+  bool priority = false;  ///< SCHED_FIFO is granted
+  bool locked = false;    ///< memory is locked
+  std::string sentence;   ///< description for the user, with what to do if a right is missing
 };
 
 /// Timing of the ticks since the start, or since the last clearTiming().
 struct TickTiming {
   std::uint64_t ticks = 0;
-  std::uint64_t late = 0;  ///< ticks that began more than a period after their time; those in between were left out
-  double p50_us = 0, p99_us = 0, p999_us = 0, max_us = 0;  ///< of the work of a tick; within 3 %
-  double wakeP99_us = 0, wakeMax_us = 0;                   ///< from when it should have begun to when it did
+  std::uint64_t late = 0;  ///< ticks that began more than a period late; the ticks missed in between were skipped
+  double p50_us = 0, p99_us = 0, p999_us = 0, max_us = 0;  ///< working time of a tick; within 3 %
+  double wakeP99_us = 0, wakeMax_us = 0;                   ///< delay from a tick's due time to its beginning
 };
 
 /// Inputs and outputs of the servo's last tick.
 struct ServoSnapshot {
-  std::int64_t time_ns = 0;  ///< 0: none yet
+  std::int64_t time_ns = 0;  ///< 0: no tick yet
   std::array<DeviceState, 2> states;
   std::array<bool, 2> present{};
   ServoOutput output;
 };
 
-/// Hears of each tick on the servo's own thread: it must neither wait nor allocate.
+/// Receives each tick on the servo's own thread: it must neither wait nor allocate.
 class TickListener {
  public:
   virtual ~TickListener() = default;
   virtual void ticked(const ServoSnapshot& tick) noexcept = 0;
 };
 
-/// Runs a HapticServo on a thread of its own, a tick a millisecond by absolute time, with real-time priority and
-/// locked memory if the system allows it. A late tick is counted, and ticks that it missed are skipped. All functions
-/// may be called from any thread; none makes the servo wait.
+/// Runs a HapticServo on its own thread, one tick per millisecond by absolute time, with real-time priority and locked
+/// memory if the system allows it. A late tick is counted, and missed ticks are skipped. All functions may be called
+/// from any thread; none makes the servo wait.
 class ServoThread {
  public:
   explicit ServoThread(std::int64_t period_ns = 1'000'000);
-  /// Stops, after a last zero force.
+  /// Stops the thread, after a last zero force.
   ~ServoThread();
   ServoThread(const ServoThread&) = delete;
   ServoThread& operator=(const ServoThread&) = delete;
 
   void setup(const ServoSetup& setup);
   void show(LocalModel model);
-  /// Sets the device in a hand, or none. The former device gets no more forces, and so releases its force within 100
-  /// ms.
+  /// Sets the device in a hand; null: none. The former device receives no more forces, so that its force ends within
+  /// 100 ms.
   void assign(Hand hand, std::shared_ptr<HapticDevice> device);
 
-  /// Sets the listener of the ticks, or none. The previous listener may receive one more tick.
+  /// Sets the listener of the ticks; null: none. The previous listener may receive one more tick.
   void listen(std::shared_ptr<TickListener> listener);
 
   RealTimeRights rights() const;
   ServoSnapshot latest() const;
-  /// Since the last call, the oldest first; the last 1024 at most.
+  /// Returns the events since the last call, oldest first; only the last 1024 are kept.
   std::vector<NeedleEvent> takeEvents();
   TickTiming timing() const;
   void clearTiming();

@@ -9,17 +9,17 @@
 
 namespace insonate {
 
-/// A device that is not there, in a hand that is not there: the force of the servo meets mass, friction and grip, and
-/// the stylus goes where that takes it. Lives on the servo's calls of take(), as far as time has gone on.
+/// A simulated device in a simulated hand: the servo's force acts on mass, friction and grip, which determine the
+/// stylus's motion. The simulation advances in take(), up to the present time.
 class SimulatedDevice : public HapticDevice {
  public:
   SimulatedDevice(std::string id, const DeviceProfile& profile, const Grip& grip, const HandPath::Point& start);
 
-  /// Sets the place that the hand aims at from now on; from one thread. Used by the hands of mouse and keyboard.
+  /// Sets the place to which the hand moves. Call it on one thread. Mouse and keyboard use this.
   void want(const HandPath::Point& point);
-  /// A path instead, over and over, its times counted from the call.
+  /// Lets the hand follow a path instead, repeatedly; times count from this call.
   void follow(HandPath path);
-  /// Pulled out of its socket, and put in again.
+  /// Simulates plugging the device in, or unplugging it.
   void plug(bool in) { phase_ = in ? DevicePhase::kStreaming : DevicePhase::kLost; }
 
   const DeviceInfo& info() const noexcept override { return info_; }
@@ -29,7 +29,8 @@ class SimulatedDevice : public HapticDevice {
   bool take(DeviceState& state) noexcept override;
   void push(const Force& force) noexcept override;
 
-  /// Least energy that the hand had put into device and servo at any moment of a contact; 0 or above when passive.
+  /// Minimum, over all moments of a contact, of the energy that the hand had put into device and servo; 0 or above if
+  /// the loop is passive.
   double leastEnergy_J() const { return least_J_; }
 
  private:

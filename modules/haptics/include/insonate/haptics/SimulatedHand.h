@@ -12,52 +12,54 @@
 
 namespace insonate {
 
-/// Published properties of real devices, by their makers and by measurements; for simulated hands and tests.
+/// Published properties of real devices, from manufacturers and measurements; for simulated hands and tests.
 struct DeviceProfile {
   std::string_view name;
   DeviceLimits limits;
 };
 std::span<const DeviceProfile> deviceProfiles();
 
-/// The greatest stiffness of a virtual wall with which a device stays passive, N/mm: Colgate and Schenkel, J Robot Syst
-/// 1997;14:37: b > K T / 2 + |B|. If friction is the device's only damping, the smaller of two limits holds: the
-/// encoder's steps, f > K d / 2 (Abbott and Okamura, IEEE Trans Robot 2005;21:952), and f > K T v / 2 at the speed
+/// The maximum stiffness of a virtual wall, N/mm, at which a device stays passive. Colgate and Schenkel, J Robot Syst
+/// 1997;14:37: b > K T / 2 + |B|, with K the stiffness, T the period, b the device's and B the virtual damping. If
+/// friction is the device's only damping, the smaller of two limits holds, with f the friction, d the encoder's step
+/// and v the speed: f > K d / 2 (Abbott and Okamura, IEEE Trans Robot 2005;21:952), and f > K T v / 2 at the speed
 /// `fastest_mmps` (Diolaiti, Niemeyer, Barbagli and Salisbury, IEEE Trans Robot 2006;22:256).
 double passiveStiffness_Npmm(const DeviceLimits& limits, double virtualDamping_Nspm, double fastest_mmps);
 
-/// Mechanics of a hand that holds a stylus: mass of hand and fingers, and the spring and damper between the place that
-/// the hand aims at and the stylus. Magnitudes of Fu and Cavusoglu, IEEE Trans Syst Man Cybern B 2012;42:1633.
+/// Mechanics of a hand that holds a stylus: mass of hand and fingers, and the spring and damper between the stylus and
+/// the place to which the hand moves. Values from Fu and Cavusoglu, IEEE Trans Syst Man Cybern B 2012;42:1633.
 struct Grip {
   double mass_kg = 0.15;
   double stiffness_Npmm = 0.5;
   double damping_Nspm = 5;
 };
 
-/// Places that a hand aims at, by time: a recorded or synthetic path, linear between its points, constant before the
+/// Places to which a hand moves, by time: a recorded or synthetic path, linear between its points, constant before the
 /// first and after the last.
 struct HandPath {
   struct Point {
-    double time_s = 0;  ///< growing
-    Vec3 position_mm;   ///< of the stylus, device frame
-    Mat3 attitude;      ///< of the stylus, device frame
+    double time_s = 0;  ///< strictly increasing
+    Vec3 position_mm;   ///< position of the stylus, device frame
+    Mat3 attitude;      ///< attitude of the stylus, device frame
   };
   std::vector<Point> points;
 
   Point at(double time_s) const;
 };
 
-/// A path as text: one line for each point, `time_s,x_mm,y_mm,z_mm` and, for all or none, the stylus's nine direction
-/// cosines, columns first. Lines that begin with # are remarks. Fails with the line that is not understood.
+/// Parses a path from text: one line for each point, `time_s,x_mm,y_mm,z_mm`, optionally followed by the stylus's nine
+/// direction cosines, columns first (on all lines or on none). Lines that begin with # are comments. Fails with the
+/// line that is not understood.
 Result<HandPath> parseHandPath(std::string_view text);
 std::string textOf(const HandPath& path);
 
-/// A device with mass, damping, friction, encoders and a greatest force in a hand, moved in steps of 50 us, while the
-/// force of the servo stays the same for a tick. Attitude follows the hand.
+/// A device with mass, damping, friction, encoders and a maximum force, held by a hand. The motion is computed in steps
+/// of 50 us; the servo's force is constant during a tick. The attitude follows the hand.
 class SimulatedHand {
  public:
   SimulatedHand(const DeviceLimits& device, const Grip& grip, Vec3 start_mm);
 
-  /// One tick: the hand wants to be at `want`, the device pushes with `force` (device frame).
+  /// Simulates one tick: the hand moves toward `want`, and the device pushes with `force` (device frame).
   void move(const HandPath::Point& want, const Force& force, double tick_s);
 
   /// Readings of the encoders at `time_ns`.
@@ -65,9 +67,9 @@ class SimulatedHand {
   Vec3 position_mm() const { return position_mm_; }
   Vec3 velocity_mmps() const { return velocity_mmps_; }
 
-  /// Energy that the hand and the moving masses have put into the servo's force so far, less what came back.
+  /// Energy that the hand and the moving masses have put into the servo so far, minus the energy that came back.
   double intoLoop_J() const { return intoLoop_mJ_ * 1e-3; }
-  /// Energy that damping and friction of the device have used up.
+  /// Energy that the device's damping and friction have dissipated.
   double lost_J() const { return lost_mJ_ * 1e-3; }
 
  private:
@@ -78,11 +80,12 @@ class SimulatedHand {
   double intoLoop_mJ_ = 0, lost_mJ_ = 0;
 };
 
-/// Measures the energy that a hand puts into a loop and gets back: a passive loop never gives more than it took
-/// (Hannaford and Ryu 2002). Restarts each time no force acts, so that energy lost in friction cannot pay for later.
+/// Measures the energy that a hand puts into a loop and gets back. A passive loop never returns more than it received
+/// (Hannaford and Ryu 2002). The measurement restarts whenever no force acts, so that energy dissipated by friction is
+/// not credited later.
 class PassivityObserver {
  public:
-  /// `into_J` so far; `felt`: the loop pushes now.
+  /// Adds a measurement: `into_J` is the energy put in so far; `felt` tells whether the loop exerts a force now.
   void look(double into_J, bool felt);
   double least_J() const { return least_J_; }
 

@@ -16,21 +16,21 @@ namespace haptics {
 class HidBus;
 }
 
-/// A device that a vendor's kit knows.
+/// A device that a vendor's kit has found.
 struct VendorFound {
-  std::string serial;  ///< as the kit tells devices apart; the same each time
+  std::string serial;  ///< identifies the device in the kit; the same each time it is plugged in
   std::string name;
   DeviceLimits limits;
 };
 
-/// An open one. All calls come from one thread, the device's own.
+/// An open device. All calls come from one thread, the device's own.
 class VendorHandle {
  public:
   virtual ~VendorHandle() = default;
   /// Reads the present state, in the frame of DeviceState.h; time_ns is not used. Returns within a millisecond; false
   /// if the device is gone.
   virtual bool read(DeviceState& state) noexcept = 0;
-  /// Pushes so until the next call: already within the limits. False when it is gone.
+  /// Sets the force until the next call; it is already within the limits. Returns false if the device is gone.
   virtual bool write(const Force& force) noexcept = 0;
 };
 
@@ -41,13 +41,13 @@ class VendorHandle {
 /// cmake -D INSONATE_WITH_OPENHAPTICS=ON -D INSONATE_OPENHAPTICS_SOURCES=/site/OpenHapticsKit.cpp -D
 /// INSONATE_OPENHAPTICS_LIBRARIES="HD;HDU"
 ///
-/// Life cycle, limits, the 100 ms rule, recording and the panel are then the same as for every device. All calls come
-/// from the thread that looks for devices.
+/// Phases, limits, the 100 ms rule, recording and the panel then work as for every device. All calls come from the
+/// thread that looks for devices.
 class VendorKit {
  public:
   virtual ~VendorKit() = default;
   virtual std::string_view name() const = 0;
-  /// Lists the devices that are plugged in; called each second, also while devices are open.
+  /// Lists the devices that are plugged in; called every second, also while devices are open.
   virtual std::vector<VendorFound> list() = 0;
   virtual Result<std::unique_ptr<VendorHandle>> open(const VendorFound& found) = 0;
 };
@@ -55,13 +55,13 @@ class VendorKit {
 std::unique_ptr<VendorKit> makeVendorKit_openhaptics();
 std::unique_ptr<VendorKit> makeVendorKit_forcedimension();
 
-/// The kits that this program was built with; none unless they were asked for.
+/// Returns the kits that this program was built with; empty unless the build selected some.
 std::vector<std::unique_ptr<VendorKit>> builtInVendorKits();
 
-/// A kit's devices, for a DeviceHub.
+/// Returns a kit's devices as a bus, for a DeviceHub.
 std::shared_ptr<haptics::HidBus> devicesOf(std::unique_ptr<VendorKit> kit);
 
-/// Devices on USB and of all kits that are built in, for a DeviceHub.
+/// Returns the devices on USB and of all built-in kits as a bus, for a DeviceHub.
 std::shared_ptr<haptics::HidBus> allDevices();
 
 }  // namespace insonate

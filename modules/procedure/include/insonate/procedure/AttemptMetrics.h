@@ -52,11 +52,11 @@ enum class Better { Lower, Higher, Neither };
 struct MetricDefinition {
   Metric metric;
   std::string_view id;    ///< as in files and JSON: "vein_punctures"
-  int version;            ///< of the definition: grows whenever a value could come out otherwise
+  int version;            ///< version of the definition: raised whenever the definition may give another value
   std::string_view unit;  ///< "", "s", "mm", "%", "deg", "N"
   Better better;
-  std::string_view definition;  ///< what is counted, with its thresholds
-  std::string_view evidence;    ///< who showed that it tells something, or where it comes from
+  std::string_view definition;  ///< quantity that is counted or measured, with its thresholds
+  std::string_view evidence;    ///< study that showed the metric to be meaningful, or origin of the metric
 };
 
 std::span<const MetricDefinition, kMetricCount> metricTable();
@@ -64,7 +64,7 @@ inline const MetricDefinition& definitionOf(Metric metric) {
   return metricTable()[static_cast<std::size_t>(metric)];
 }
 
-/// One value each; what an attempt does not tell is missing, not 0.
+/// One value for each metric. A value that does not follow from the attempt is missing, not 0.
 struct MetricValues {
   std::array<std::optional<double>, kMetricCount> values;
 
@@ -73,20 +73,20 @@ struct MetricValues {
   bool operator==(const MetricValues&) const = default;
 };
 
-/// Place of the needle, with the color that the thesis gives it: none, none, green, red, yellow.
+/// Place of the needle. The thesis shows these places in color: no color, no color, green, red, yellow.
 enum class NeedlePlace {
-  Clean,     ///< new, and not in the skin
+  Clean,     ///< new needle that has not been in the skin
   Underway,  ///< under the skin
   Vein,
-  WrongPlace,  ///< in an artery, another vein, lung or airway, behind the vein's back wall, on bone
-  Used,        ///< out of the skin, until it is replaced
+  WrongPlace,  ///< artery, another vein, lung or airway, behind the posterior wall of the vein, or on bone
+  Used,        ///< withdrawn from the skin and not yet replaced
 };
 
-/// One pass over the samples and events of an attempt, in the order of its recording. Live and replayed, the same
-/// stream gives the same values, to the last bit.
+/// Computes the metrics while it receives the samples and events of an attempt once, in the order of the recording. The
+/// same sequence gives exactly the same values, live and replayed.
 class AttemptMetrics {
  public:
-  /// `hasTarget`: only vessel 1 of the events is the vein; else each vein is.
+  /// `hasTarget`: only vessel 1 of the events is the vein; otherwise each vein is.
   explicit AttemptMetrics(const PictureField& picture, bool hasTarget = false);
   ~AttemptMetrics();
   AttemptMetrics(AttemptMetrics&&) noexcept;
@@ -94,12 +94,12 @@ class AttemptMetrics {
 
   void take(const AttemptSample& sample);
   void take(const AttemptEvent& event);
-  /// Values at present; one of them, for callers that ask at each sample.
+  /// values() returns all present values; value() returns one, for callers that ask at each sample.
   MetricValues values() const;
   std::optional<double> value(Metric metric) const;
   NeedlePlace needle() const;
-  /// Time since which the syringe has drawn venous blood with the tip in one place, as tip_in_vein counts it. None
-  /// while it does not.
+  /// Time since which the syringe has drawn venous blood with the tip in one place, as tip_in_vein defines it. Empty
+  /// while it draws none.
   std::optional<std::int64_t> drawingBlood_us() const;
 
  private:

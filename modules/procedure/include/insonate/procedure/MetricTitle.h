@@ -6,8 +6,8 @@
 
 namespace insonate {
 
-/// The metric's name wherever people read it: "posterior wall punctures". The unit stands beside the value. Defined in
-/// the help's glossary.
+/// Name of a metric in the user interface: "posterior wall punctures". The unit is shown beside the value. The help's
+/// glossary defines the name.
 std::string_view metricTitle(Metric metric);
 
 }  // namespace insonate

@@ -10,20 +10,21 @@
 
 namespace insonate {
 
-/// State of an attempt within its procedure: the current step and the findings so far. Processes samples and events
-/// like AttemptMetrics, which it contains; the same stream gives the same result, live and replayed.
+/// State of an attempt within its procedure: the current step and the findings so far. Receives samples and events like
+/// AttemptMetrics, of which it contains one. The same sequence gives the same result, live and replayed.
 class ProcedureRun {
  public:
   enum class StepState { Open, Done, Skipped };
   struct Step {
     StepState state = StepState::Open;
-    std::int64_t time_us = 0;  ///< when it was done or passed over
+    std::int64_t time_us = 0;  ///< time at which the step was done or skipped
   };
   struct Finding {
-    std::size_t rule = 0;  ///< of Procedure::rules
+    std::size_t rule = 0;  ///< index into Procedure::rules
     std::int64_t time_us = 0;
-    double value = 0;      ///< of the metric
-    std::string vessel{};  ///< name of the vessel that was punctured as the rule was broken; empty: none, or not named
+    double value = 0;  ///< value of the metric
+    /// Name of the vessel that was punctured when the rule was broken; empty: no vessel, or unnamed.
+    std::string vessel{};
   };
 
   /// `vessels` as in AttemptHeader.
@@ -36,13 +37,13 @@ class ProcedureRun {
   const std::vector<std::string>& vessels() const { return vessels_; }
   const AttemptMetrics& metrics() const { return metrics_; }
   const std::vector<Step>& steps() const { return steps_; }
-  /// The first step that is due; none when all are done.
+  /// Index of the first step that is due; empty if all steps are done.
   std::optional<std::size_t> due() const;
-  const std::vector<Finding>& findings() const { return findings_; }  ///< in the order of their times
-  /// The events by which an attempt is described, in order of time: counted punctures, bone, needle out of the skin or
-  /// replaced, pedal held, patient's position. A tip that trembles in a hole adds none.
+  const std::vector<Finding>& findings() const { return findings_; }  ///< sorted by time
+  /// Events that describe the attempt, in the order of their times: counted punctures, contact with bone, needle
+  /// withdrawn or replaced, needle held by the pedal, change of position. A tip that trembles in a hole adds no event.
   const std::vector<AttemptEvent>& milestones() const { return milestones_; }
-  /// Name of the vessel that the tip is in, as vesselName(); empty: it is in none, or in one that is not known.
+  /// Name of the vessel in which the tip is, as vesselName() gives it; empty: no vessel, or unknown.
   std::string vesselIn() const;
   /// Tells whether the procedure has succeeded so far.
   bool succeeded() const;
@@ -60,9 +61,10 @@ class ProcedureRun {
   std::size_t due_ = 0;
   std::vector<Finding> findings_;
   std::vector<AttemptEvent> milestones_;
-  std::optional<AttemptEvent> vesselWall_;                      ///< by which the tip came into the vessel that it is in
-  std::vector<std::optional<double>> told_;                     ///< by rule: the value that was told last
-  std::optional<std::int64_t> probeOnSkin_us_, aspirating_us_;  ///< since when they hold
+  std::optional<AttemptEvent> vesselWall_;   ///< event by which the tip entered its present vessel
+  std::vector<std::optional<double>> told_;  ///< for each rule, the value at the last finding
+  /// Time since which the state has lasted; empty: the state does not hold.
+  std::optional<std::int64_t> probeOnSkin_us_, aspirating_us_;
 };
 
 }  // namespace insonate

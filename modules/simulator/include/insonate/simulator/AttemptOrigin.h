@@ -9,7 +9,8 @@
 
 namespace insonate {
 
-/// Begun now; without hashes and engine. `software` is name and version.
+/// Makes the header of an attempt that begins now. The header has no hashes and no engine yet. `software` is name and
+/// version.
 AttemptHeader headerOf(const Procedure& procedure, const PatientCase& patient, const Probe& probe,
                        std::string_view software);
 

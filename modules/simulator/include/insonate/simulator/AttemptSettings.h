@@ -10,14 +10,14 @@
 
 namespace insonate {
 
-/// All that, with a case and what the hands did, decides the images of an attempt: what AttemptHeader::settings and
-/// SettingsChange keep.
+/// Everything that decides the images of an attempt, apart from the case and the motion of the hands.
+/// AttemptHeader::settings and SettingsChange store it.
 struct AttemptSettings {
   /// Setup with the engine that made the images, not "auto". Replays ignore persistence.
   ImagingSetup setup;
   Physiology physiology;
   bool pulsating = false;  ///< false: blood is at its mean pressure
-  double bloodTime_s = 0;  ///< of heart and breath when the recording began
+  double bloodTime_s = 0;  ///< time of heartbeat and breathing when the recording began
   std::string needle;      ///< preset of NeedleTable, or the name of a file
   double needleRadius_mm = 0.635, needleLength_mm = 70;
 
@@ -28,9 +28,9 @@ struct AttemptSettings {
   }
 };
 
-/// Settings as JSON, with all numbers to the last bit.
+/// Writes settings as JSON that reads back to exactly the same numbers.
 std::string textOf(const AttemptSettings& settings);
-/// Fails with a sentence on an invalid text, and on values out of range.
+/// Reads settings. Fails with a sentence on an invalid text or on values out of range.
 Result<AttemptSettings> parseAttemptSettings(std::string_view json);
 
 }  // namespace insonate

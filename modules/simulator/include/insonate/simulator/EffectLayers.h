@@ -9,12 +9,12 @@ namespace insonate {
 
 /// Settings that show one effect of the image by itself.
 struct EffectLayer {
-  std::string name;  ///< suits a file name
+  std::string name;  ///< valid as a file name
   ImagingSettings settings;
 };
 
-/// Every effect of the settings' look alone. An effect that acts on echoes (attenuation, beam, clutter, ...) is shown
-/// on plain, even scattering.
+/// Returns one layer for every effect of the settings' rendering style. An effect that acts on echoes (attenuation,
+/// beam, clutter, ...) is shown on plain, even scattering.
 std::vector<EffectLayer> effectLayers(const ImagingSettings& settings);
 
 }  // namespace insonate

@@ -16,27 +16,28 @@
 
 namespace insonate {
 
-/// Everything but patient and pose that decides what an image looks like.
+/// All settings that decide an image, apart from patient and pose.
 struct ImagingSetup {
   Probe probe;
   ImagingSettings settings;
   AcousticTable tissues;
-  std::string engine = "auto";     ///< or one of engineNames()
-  TissueMechanics mechanics = {};  ///< for what presses: an Imager is handed the displacement
+  std::string engine = "auto";  ///< an engine's name from engineNames(), or "auto"
+  /// Tells which part of the tissue a scene must cover; an Imager receives the displacement ready-made.
+  TissueMechanics mechanics = {};
 };
 
-/// One image with what led to it.
+/// One image with its intermediate results.
 struct ImagingFrame {
   struct Stage {
     std::string name;
-    double ms = 0;  ///< the engine's are summed over threads
+    double ms = 0;  ///< the engine's stages are summed over its threads
   };
-  std::uint32_t noiseSeed = 0;  ///< set before render(): frames of other seeds have other electronic noise
+  std::uint32_t noiseSeed = 0;  ///< set before render(): frames with different seeds have different electronic noise
   EnvelopeFrame envelope;
   BModeImage image;
   std::vector<Stage> stages;
-  double frame_ms = 0;             ///< from pose to image, on the clock
-  std::string engine, engineNote;  ///< that computed it, and what is to be said of it; see Engine::note()
+  double frame_ms = 0;             ///< wall-clock time from pose to image
+  std::string engine, engineNote;  ///< engine that computed the image, and its note; see Engine::note()
 };
 
 /// Renders images from a scene and a pose: the engine and the display of one setup. Not for concurrent use of one
@@ -46,7 +47,8 @@ class Imager {
   /// Fails on an unknown engine and on a probe or settings out of range.
   static Result<Imager> make(const ImagingSetup& setup, CompoundedAngles angles = CompoundedAngles::InEachFrame);
 
-  /// Allocates nothing once `frame` has been used before. `patientFromProbe` is rigid (see ProbePose.h).
+  /// Renders an image. Allocates nothing if `frame` has been used before. `patientFromProbe` is rigid (see
+  /// ProbePose.h).
   void render(const AcousticScene& scene, const Transform& patientFromProbe, ImagingFrame& frame) {
     render(scene, patientFromProbe, {}, nullptr, frame);
   }
@@ -67,23 +69,24 @@ struct SceneRun {
 };
 
 /// Region that a scene must cover for a frame at this pose, including displaced tissue and the tissue that decides its
-/// displacement. `further_mm` adds poses that lie deeper along the axis by up to as much.
+/// displacement. `further_mm` extends the region to poses that lie up to this much deeper along the axis.
 Region sceneRegion(const ImagingSetup& setup, const Transform& patientFromProbe, double further_mm = 0);
 
-/// Splits a path so that no scene has to cover much more than its frames need.
+/// Splits a path into runs, so that no scene has to cover much more than its frames need.
 std::vector<SceneRun> sceneRuns(const ImagingSetup& setup, std::span<const Transform> path, double further_mm = 0);
 
-/// Makes the source of scenes for a case with more than one scene: shared parts are computed once. It must not outlive
-/// the case.
+/// Makes the source of several scenes of one case: parts that the scenes share are computed once. The case must outlive
+/// the source.
 Result<std::shared_ptr<const SceneSource>> makeSceneSource(const CaseView& patient);
 
-/// The part of the patient that a region needs. Fails on a region that misses the patient's volume.
+/// Makes the scene of the part of the patient that a region needs. Fails if the region lies outside the patient's
+/// volume.
 Result<std::shared_ptr<const AcousticScene>> makeScene(const CaseView& patient, const ImagingSetup& setup,
                                                        const Region& region, const Progress& progress = {});
 Result<std::shared_ptr<const AcousticScene>> makeScene(const SceneSource& source, const ImagingSetup& setup,
                                                        const Region& region, const Progress& progress = {});
 
-/// Fails, naming the pose, where a frame would miss the patient's volume altogether.
+/// Fails with a sentence that names the pose if a frame would lie entirely outside the patient's volume.
 Result<void> checkReach(const PatientCase& patient, const ImagingSetup& setup, std::span<const Transform> path);
 
 }  // namespace insonate

@@ -18,10 +18,10 @@ namespace insonate {
 
 class SkinSurface;
 
-/// State of an attempt; all of one moment, some milliseconds ago.
+/// State of an attempt; all values are of the same moment, some milliseconds ago.
 struct AttemptView {
-  double time_s = 0;                      ///< on the clock, since it began
-  std::vector<ProcedureRun::Step> steps;  ///< of Procedure::steps
+  double time_s = 0;                      ///< wall-clock time since the attempt began
+  std::vector<ProcedureRun::Step> steps;  ///< steps of Procedure::steps
   std::optional<std::size_t> due;
   std::vector<ProcedureRun::Finding> findings;
   std::vector<AttemptEvent> events;
@@ -33,19 +33,20 @@ struct AttemptView {
 
 /// Records an attempt made by two hands (HandsSession::setAttempt): each tick of their servo is recorded, and a
 /// ProcedureRun processes the recorded samples, so that a replay gives the same to the last bit. Times count from
-/// start(). Members but ticked() and show() may be called from any thread.
+/// start(). Members other than ticked(), show() and see() may be called from any thread.
 class LiveAttempt final : public TickListener {
  public:
-  /// Facts about a tick that the servo's output does not contain.
+  /// State of patient and vessels around a tick, which the servo's output does not contain.
   struct Surroundings {
-    std::shared_ptr<const TissueGrid> grid;                ///< null: not there yet
-    std::shared_ptr<const std::vector<CentreLine>> veins;  ///< null: not there yet
-    std::shared_ptr<const SkinSurface> skin;               ///< of the case; null: not there yet
-    Transform restFromPatient;                             ///< of LocalModel
+    std::shared_ptr<const TissueGrid> grid;                ///< null: not computed yet
+    std::shared_ptr<const std::vector<CentreLine>> veins;  ///< null: not computed yet
+    std::shared_ptr<const SkinSurface> skin;               ///< skin of the case; null: not computed yet
+    Transform restFromPatient;                             ///< LocalModel::restFromPatient
     double pictureDepth_mm = 0;
   };
 
-  /// `header` has the names of `vessels`; `key` is as in AttemptRecorder. Fails as AttemptRecorder::start() does.
+  /// Starts an attempt. `header` has the names of `vessels`; `key` is as in AttemptRecorder. Fails as
+  /// AttemptRecorder::start() does.
   static Result<std::shared_ptr<LiveAttempt>> start(const std::filesystem::path& file, const AttemptHeader& header,
                                                     Procedure procedure, VesselNames vessels = {},
                                                     const std::optional<RecordKey>& key = std::nullopt);
@@ -54,26 +55,27 @@ class LiveAttempt final : public TickListener {
 
   /// Called by the servo: neither waits nor allocates.
   void ticked(const ServoSnapshot& tick) noexcept override;
-  /// Passes the surroundings; call on one thread, as often as the servo is shown the tissue.
+  /// Passes the surroundings. Call it on one thread, whenever the servo receives new tissue.
   void show(Surroundings around);
-  /// Passes the latest live image, null without one; call as often as show(), on the same thread. The attempt detects
-  /// from it when the target vein is found.
+  /// Passes the latest live image; null: no live image. Call it as often as show(), on the same thread. From the images
+  /// the attempt detects that the target vein is found.
   void see(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around);
 
-  /// Replaced, frozen, released or positioned. While frozen, images stand still and count as none.
+  /// Records an event that the program reports: needle replaced, image frozen or released, patient positioned. While
+  /// the image is frozen, no image is counted.
   void tell(AttemptEventKind kind, double tilt_deg = 0);
   void setAspirating(bool on);
-  /// Sets the settings from now on; those of the header apply before.
+  /// Sets the settings that apply from now on; until the first call the settings of the header apply.
   void setSettings(const AttemptSettings& settings);
 
   const Procedure& procedure() const;
   const std::filesystem::path& file() const;
   AttemptView view() const;
-  /// Score at present; of the whole attempt once it is finished.
+  /// Returns the score so far; after finish(), that of the whole attempt.
   AttemptScore score() const;
-  /// A sentence once the disk refuses; empty: all is well.
+  /// A sentence if the recording can no longer be written to disk; else empty.
   std::string trouble() const;
-  /// Stops recording and writes the rest. Call once. Fails as AttemptRecorder::finish() does.
+  /// Stops recording and writes the remaining samples. Call it once. Fails as AttemptRecorder::finish() does.
   Result<MetricValues> finish(AttemptStatus status);
 
  private:

@@ -6,7 +6,7 @@
 
 namespace insonate {
 
-/// makeScene() with point targets among the patient's tissue, to measure the point spread by.
+/// Makes a scene as makeScene() does, with point targets in the patient's tissue for measuring the point spread.
 Result<std::shared_ptr<const AcousticScene>> makePointScene(const CaseView& patient, const ImagingSetup& setup,
                                                             const Region& region, std::vector<PointTarget> points,
                                                             const Progress& progress = {});

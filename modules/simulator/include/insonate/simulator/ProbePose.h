@@ -9,9 +9,9 @@
 
 namespace insonate {
 
-/// patientFromProbe of a face centred at `position_mm` (patient LPS): z along `axial`, x along the part of `lateral` at
-/// right angles to it, y = axial x lateral (elevation). Directions of any length. Fails on values that are not finite,
-/// zero directions, and directions within 1 degree of parallel.
+/// Returns patientFromProbe of a face centered at `position_mm` (patient LPS): z along `axial`, x along the part of
+/// `lateral` at right angles to it, y = axial x lateral (elevation). Directions may have any length. Fails on values
+/// that are not finite, zero directions, and directions within 1 degree of parallel.
 Result<Transform> patientFromProbe(Vec3 position_mm, Vec3 axial, Vec3 lateral);
 
 /// The inverse of patientFromProbe, for showing and storing a pose.
@@ -20,13 +20,14 @@ StartPose poseOf(const Transform& patientFromProbe);
 /// Poses of a probe, one or a path.
 struct PosePath {
   std::vector<Transform> patientFromProbe;  ///< at least one
-  bool isPath = false;                      ///< given as a list, even one of a single pose
-  std::vector<std::string> warnings;        ///< what was straightened or found automatically, one sentence each
+  bool isPath = false;                      ///< given as a list, even if the list has a single pose
+  /// Sentences about directions that were made perpendicular, and about poses that were found automatically.
+  std::vector<std::string> warnings;
 };
 
-/// Reads poses from a user's text: "auto" (see autoStartPose), the name of one of the case's start poses, inline JSON,
-/// or a JSON file. JSON is {"position_mm": [x, y, z], "axial": [x, y, z], "lateral": [x, y, z]} in patient LPS, a list
-/// of such objects, or {"poses": [...]}. Fails with a sentence that names the pose and the field.
+/// Reads poses from text that the user entered: "auto" (see autoStartPose), the name of one of the case's start poses,
+/// inline JSON, or a JSON file. JSON is {"position_mm": [x, y, z], "axial": [x, y, z], "lateral": [x, y, z]} in patient
+/// LPS, a list of such objects, or {"poses": [...]}. Fails with a sentence that names the pose and the field.
 Result<PosePath> readPoses(std::string_view text, const PatientCase& patient);
 
 }  // namespace insonate

@@ -13,7 +13,7 @@ namespace insonate {
 /// needs is not labeled, or if the case's targets are those of another built-in procedure. Targets whose names
 /// indicate no procedure are accepted.
 Result<void> checkFits(const Procedure& procedure, const CaseManifest& manifest, std::span<const std::uint8_t> labels);
-/// Checks by searching the label map.
+/// Checks a procedure as above; the labels are found by searching the case's label map.
 Result<void> checkFits(const Procedure& procedure, const PatientCase& patient);
 
 }  // namespace insonate

@@ -17,20 +17,20 @@
 
 namespace insonate {
 
-/// One thing that hands do. Lengths in patient space, mm; hands move at `speed_mmps` where they move.
+/// One action of the hands. Lengths in patient space, mm; hands that move do so at `speed_mmps`.
 struct SessionAct {
   struct PutProbe {
     Transform patientFromProbe;
   };
   struct LiftProbe {};
-  struct MoveProbe {  ///< straight, as it looks
-    Vec3 to_mm;       ///< the middle of its face
+  struct MoveProbe {  ///< straight, with constant angles
+    Vec3 to_mm;       ///< position of the middle of the face
     double speed_mmps = 10;
   };
-  struct PutNeedle {  ///< outside, its tip at `from_mm`, pointing to `to_mm`
+  struct PutNeedle {  ///< puts the needle outside the body: tip at `from_mm`, pointing to `to_mm`
     Vec3 from_mm, to_mm;
   };
-  struct MoveNeedle {  ///< along its direction, back when negative
+  struct MoveNeedle {  ///< moves the needle along its direction; backward if negative
     double by_mm = 0, speed_mmps = 10;
   };
   struct Wait {
@@ -39,7 +39,7 @@ struct SessionAct {
   struct Aspirate {
     bool on = false;
   };
-  struct Tell {  ///< replaced, frozen, released, positioned
+  struct Tell {  ///< reports an event: needle replaced, image frozen or released, patient positioned
     AttemptEventKind kind = AttemptEventKind::NeedleReplaced;
     double tilt_deg = 0;
   };
@@ -48,7 +48,7 @@ struct SessionAct {
 
 struct SessionScript {
   std::string procedure = "internal_jugular", probe = "linear";
-  bool abandoned = false;  ///< how it ends
+  bool abandoned = false;  ///< true: the attempt ends as abandoned
   std::vector<SessionAct> acts;
 };
 
@@ -56,10 +56,10 @@ struct SessionScript {
 /// from 1.
 Result<SessionScript> readSessionScript(std::string_view json, const PatientCase& patient);
 
-/// The scripts that come along: resources/procedures/attempts.
+/// Names of the built-in scripts in resources/procedures/attempts.
 std::vector<std::string> sessionScriptNames();
 
-/// A script that comes along, by name, or a file. Fails as readSessionScript() does, and where there is neither.
+/// Loads a built-in script by name, or a script from a file. Fails as readSessionScript() does, and if neither exists.
 Result<SessionScript> loadSessionScript(std::string_view nameOrPath, const PatientCase& patient);
 
 struct SessionOutcome {
@@ -69,19 +69,21 @@ struct SessionOutcome {
   ProcedureRun run;
 };
 
-/// Images on the way, as AttemptPictures makes them of the recording.
+/// Images made during the session, as AttemptPictures would make them from the recording.
 struct SessionPictures {
-  std::int64_t every_us = 1'000'000;  ///< of the script's time, a multiple of 1000; the first at the first multiple
-  /// Called while a probe is held, once for a frozen image; a failure ends the session. Empty: no images are made.
+  /// Interval in script time, a multiple of 1000; the first image is at the first multiple.
+  std::int64_t every_us = 1'000'000;
+  /// Receives each image while a probe is held; a frozen image only once. A failure ends the session. Empty: no images
+  /// are made.
   std::function<Result<void>(const LiveFrame&)> take;
 };
 
-/// Runs a whole attempt without a window, device or clock: hands at the script's poses pass through the servo at 1 kHz
-/// into a recording. Where the script puts the probe's face below the undeformed skin, it compresses: 30 times per
-/// second of the script's time the tissue is solved, from rest, for the probe's force and the place of the tissue that
-/// the needle meets. Faster than real time, unless images are made or the probe moves through tissue. The same script,
-/// case and program give the same attempt. `software` is name and version, for the header, which says that a script
-/// moved the hands. Cancelled, it leaves no file.
+/// Runs a whole attempt without a window, device or clock: the hands take the poses of the script, pass through the
+/// servo at 1 kHz, and are recorded. If the script puts the probe's face below the undeformed skin, the face compresses
+/// the tissue. The tissue is then solved from rest 30 times per second of script time; the solution gives the probe's
+/// force and the displaced tissue that the needle meets. Runs faster than real time, unless images are made or the
+/// probe moves through tissue. The same script, case and program give the same attempt. `software` is name and version,
+/// for the header, which also says that a script moved the hands. If cancelled, no file is left.
 Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase& patient, std::string_view software,
                                   const std::filesystem::path& recording, const Progress& progress = {},
                                   const SessionPictures& pictures = {});

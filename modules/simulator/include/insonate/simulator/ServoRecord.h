@@ -17,22 +17,23 @@ namespace insonate {
 
 class SkinSurface;
 
-/// Facts about a tick that the servo does not know.
+/// Time and tissue of a tick, which the servo does not know.
 struct TickContext {
   std::int64_t time_us = 0;  ///< since the recording began
   std::array<bool, 2> present{};
   double pictureDepth_mm = 0;
   bool aspirating = false;
-  Transform restFromPatient;  ///< of LocalModel
+  Transform restFromPatient;  ///< LocalModel::restFromPatient
 };
 
-/// A tick of the servo as a recording keeps it. Distances to artery and lung are those of the grid, where it knows any
-/// within 200 mm; `veins` are the center lines of the case's veins, in tissue at rest. Neither waits nor allocates.
+/// Returns a tick of the servo as a sample of a recording. Distances to artery and lung are those of the grid, if it
+/// has any within 200 mm; `veins` are the center lines of the case's veins, in tissue at rest. Neither waits nor
+/// allocates.
 AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, const TissueGrid* grid,
                        std::span<const CentreLine> veins, const VesselNames& vessels) noexcept;
-/// Time is the context's. `skin`: that of the case, as it lies without the probe; null: not there yet. The normal of
-/// the skin is taken where the line of the needle meets it, as by NeedleHand, so that the insertion angle is the angle
-/// that the hand had set.
+/// Returns an event of the needle as an event of a recording, at the context's time. `skin`: skin of the case,
+/// undeformed by the probe; null: not computed yet. The normal of the skin is taken at the point where the needle's
+/// line meets the skin, as NeedleHand does, so that the insertion angle is the angle that the user had set.
 AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const SkinSurface* skin,
                      std::span<const CentreLine> veins, const VesselNames& vessels) noexcept;
 

@@ -15,33 +15,33 @@
 
 namespace insonate {
 
-/// A vessel that attempts may meet.
+/// Name and label of a vessel that attempts may meet.
 struct VesselKind {
   std::string_view name;  ///< as in NamedVessel, e.g. "right internal jugular vein"
   std::uint8_t label;     ///< kVein or kArtery
 };
 
-/// The large vessels of neck and upper chest, in the order in which a form lists them.
+/// The large vessels of neck and upper chest, in the order of the form's list.
 std::span<const VesselKind> vesselKinds();
 
-/// Names the vessel at a place (patient space). The course is the center line of the place's label (see centreLines())
-/// that passes nearest to the place; a radius is that of a circle with the area of the connected section there. `own`
-/// lists the author's own labels that are veins or arteries. Runs on the caller's thread, a second or so for a whole
-/// CT. Fails if the place is in no vein or artery, if the vessel is too short to have a center line, and when
-/// cancelled.
+/// Names the vessel at a place (patient space). The vessel's course is the center line of the place's label (see
+/// centreLines()) that passes nearest to the place. A radius of the course is that of a circle with the area of the
+/// connected cross-section there. `own` lists the author's own labels that are veins or arteries. Runs on the caller's
+/// thread, a second or so for a whole CT. Fails if the place is in no vein or artery, if the vessel is too short to
+/// have a center line, and if it is cancelled.
 Result<NamedVessel> nameVessel(const LabelMap& labels, const OwnLabels& own, Vec3 place_mm, std::string name,
                                const Progress& progress = {});
 
 /// Cuts a vessel in two at the point of its course nearest to a place. Both parts keep the name and the point of the
-/// cut. Fails where that is an end of the course.
+/// cut. Fails if that point is an end of the course.
 Result<std::pair<NamedVessel, NamedVessel>> splitVessel(const NamedVessel& vessel, Vec3 place_mm);
 
-/// The vessels that the recipe's steps have labeled for steps of the guide that name one, each found by the step's
-/// clicks. A vessel whose clicks lie in no vein or artery any more is left out.
+/// Returns the vessels that the recipe labeled for those steps of the guide that name a vessel. Each vessel is found by
+/// the clicks of its step. A vessel whose clicks no longer lie in a vein or artery is left out.
 Result<std::vector<NamedVessel>> vesselsOf(const Guide& guide, const Recipe& recipe, const LabelMap& labels,
                                            const OwnLabels& own, const Progress& progress = {});
 
-/// Adds a vessel, in place of one with the same name.
+/// Adds a vessel, or replaces the vessel with the same name.
 void putVessel(NamedVessel vessel, std::vector<NamedVessel>& vessels);
 
 }  // namespace insonate

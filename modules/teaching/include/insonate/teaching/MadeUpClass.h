@@ -13,27 +13,27 @@
 
 namespace insonate {
 
-/// People who do not exist, for demonstrations and benchmarks.
+/// Plan of a class of invented people, for demonstrations and benchmarks.
 struct MadeUpPlan {
   int trainees = 20;
-  int attempts = 50;  ///< of each
+  int attempts = 50;  ///< attempts of each trainee
   std::uint32_t seed = 1;
-  /// Since 1970, UTC; each made their last in the ten days before.
+  /// Since 1970, UTC. Each trainee made the last attempt in the ten days before.
   std::int64_t until_us = 1'767'258'000'000'000;
 };
 
-/// A made-up trainee's attempts, in the order in which they were made up, without person and id. Who they are decides
-/// how good they begin, how good they can become and how fast; each metric goes from what novices reach to what experts
-/// reach (the procedure's norms where there are some, else round numbers), and scatters. After each five attempts they
-/// take up the first level that is open to them. The same trainee and seed give the same attempts.
+/// Makes up a trainee's attempts, in order, without person and id. Each trainee has an initial skill, an attainable
+/// skill and a learning rate. Each metric goes from the novice's to the expert's value (the procedure's norms if it has
+/// some, else round numbers), with random scatter. After every five attempts the trainee takes up the first open level.
+/// The same trainee and seed give the same attempts.
 Result<std::vector<AttemptFacts>> madeUpAttempts(const Curriculum& curriculum, int trainee, const MadeUpPlan& plan);
 
 inline constexpr const char *kMadeUpAdministrator = "made-up-administrator", *kMadeUpTeacher = "made-up-teacher",
                             *kMadeUpClass = "Made-up class", *kMadeUpHalf = "Made-up class, second half";
 
-/// Fills an empty store: an administrator, a teacher, the published curriculum, a class of all trainees and one of the
-/// second half. All names begin with made-up, and all have this password. Fails if there are people, or when
-/// cancelled; entries made until then stay.
+/// Fills an empty store: an administrator, an instructor, the published curriculum, a class of all trainees and a class
+/// of the second half. All names begin with "made-up", and all accounts have this password. Fails if the store has
+/// people, or if cancelled; entries made until then stay.
 Result<void> makeUpClass(const CurriculumStore& store, const Curriculum& curriculum, const MadeUpPlan& plan,
                          const std::string& password, const Progress& progress = {});
 

@@ -14,7 +14,7 @@
 
 namespace insonate {
 
-/// Agreement of the facts in a store with the recordings that it keeps.
+/// Comparison of the facts in a store with the recordings that the store keeps.
 struct RecomputedAttempts {
   struct Left {
     std::string attempt{}, person{};  ///< ids
@@ -24,21 +24,24 @@ struct RecomputedAttempts {
     std::string attempt{}, person{};  ///< ids
     std::vector<std::string> words{};
   };
-  std::int64_t compared = 0;  ///< attempts
+  std::int64_t compared = 0;  ///< number of attempts
   std::vector<StoreDifference> differences{};
   std::vector<Left> left{};                  ///< ended attempts that cannot be recomputed
-  std::map<std::string, int> notCompared{};  ///< of compared attempts: which values and why; of how many
-  std::vector<Flagged> implausible{};        ///< whether or not they could be recomputed
+  std::map<std::string, int> notCompared{};  ///< values of compared attempts that were not compared, with the reason;
+                                             ///< number of attempts for each
+  /// Attempts with implausible values, including those that could not be recomputed.
+  std::vector<Flagged> implausible{};
 };
 
 /// Compares an attempt's stored values with those of its recording, computed by the code that scored it. Values are
-/// equal within a billionth, since mathematical libraries differ in the last digits. Metrics are compared if their
-/// definition has the stored version, outcome and points if the procedure has. Fails if the recording cannot be
-/// scored.
+/// equal within a billionth, since mathematical libraries differ in the last digits. A metric is compared if its
+/// definition still has the stored version; outcome and points are compared if the procedure still has the stored
+/// version. Fails if the recording cannot be scored.
 Result<void> compareWithRecording(const AttemptFacts& stored, const std::filesystem::path& recording,
                                   RecomputedAttempts& into);
 
-/// Does so for all attempts of a store; administrators only. A second for some ten of them; stops between two.
+/// Compares all attempts of a store; administrators only. Takes about a second for ten attempts; can be cancelled
+/// between two attempts.
 Result<RecomputedAttempts> recomputeAttempts(const SignedIn& by, const Progress& progress);
 
 }  // namespace insonate

@@ -12,9 +12,9 @@ namespace insonate {
 /// Returns the names that a curriculum can refer to: built-in necks, built-in procedures and all metrics.
 Result<TeachingNames> teachingNames();
 
-/// All metrics in the order of metricTable(), without what novices and experts reach.
+/// Returns all metrics in the order of metricTable(), without values of novices and experts.
 std::vector<MetricMeaning> metricMeanings();
-/// Meanings of metrics with the procedure's norms.
+/// Returns the meanings of the metrics with the procedure's norms.
 std::vector<MetricMeaning> metricMeanings(const Procedure& procedure);
 
 }  // namespace insonate

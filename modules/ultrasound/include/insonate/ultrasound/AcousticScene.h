@@ -14,28 +14,29 @@
 
 namespace insonate {
 
-/// A wire or bead of a resolution phantom: echoes from one point with the given amplitude (envelope peak in focus).
+/// A wire or bead of a resolution phantom. It echoes from one point with the given amplitude (peak of the envelope in
+/// focus).
 struct PointTarget {
   Vec3 position_mm;  ///< patient LPS
   double amplitude = 1;
 };
 
-/// The engines' view of a patient: smooth signed distances to every structure around a region, CT deviations from each
-/// structure's mean, and the acoustic table. Immutable once made, so any number of threads may read it. The values at
-/// a point do not depend on the region, so neighboring regions give the same image.
+/// The engines' view of a patient around a region: smooth signed distances to every structure, CT deviations from each
+/// structure's mean, and the acoustic table. Immutable once made, so any number of threads may read it. The values at a
+/// point do not depend on the region, so neighboring regions give the same image.
 class AcousticScene {
  public:
   static constexpr double kFinestDetail_mm = 0.7;
 
-  /// Copies the data that it needs; `ct` and `labels` must share one grid. Fails on grids that differ or a region that
-  /// does not touch the volume; warnings() lists unknown labels. Label maps coarser than `detail_mm` are subdivided
-  /// (see sceneDetail_mm() for a useful value by probe).
+  /// Makes a scene and copies the data that it needs; `ct` and `labels` must share one grid. Fails if the grids differ
+  /// or the region does not touch the volume; warnings() lists unknown labels. Label maps coarser than `detail_mm` are
+  /// subdivided (see sceneDetail_mm() for a useful value by probe).
   static Result<std::shared_ptr<const AcousticScene>> make(const CtVolume& ct, const LabelMap& labels,
                                                            const AcousticTable& table, const Region& region,
                                                            const Progress& progress = {},
                                                            std::vector<PointTarget> points = {},
                                                            double detail_mm = kFinestDetail_mm);
-  /// Makes a scene of a case with more than one scene: shared parts are computed once.
+  /// Makes one of several scenes of a case: parts that the scenes share are computed once.
   static Result<std::shared_ptr<const AcousticScene>> make(const SceneSource& source, const AcousticTable& table,
                                                            const Region& region, const Progress& progress = {},
                                                            std::vector<PointTarget> points = {},
@@ -43,10 +44,10 @@ class AcousticScene {
   ~AcousticScene();
 
   const std::vector<std::string>& warnings() const;
-  /// Acoustic properties that engines see, those of the patient where a simulator has varied them.
+  /// Acoustic properties that the engines use; those of the patient if a simulator has varied them.
   const AcousticTable& tissues() const;
 
-  struct Impl;  ///< for the engines
+  struct Impl;  ///< accessed by the engines
   const Impl& impl() const { return *impl_; }
 
  private:

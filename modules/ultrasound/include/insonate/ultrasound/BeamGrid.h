@@ -21,13 +21,14 @@ class BeamGrid {
 
   Vec3 origin(double scanline) const;
   Vec3 direction(double scanline) const;
-  /// Distance between neighboring scanlines at a range, perpendicular to them.
+  /// Distance between neighboring scanlines at a range, perpendicular to the scanlines.
   double scanlineSpacing_mm(double range_mm) const;
-  /// Distance of scanlines along the face of a linear probe.
+  /// Distance between scanlines along the face of a linear probe.
   double pitch_mm() const { return pitch_; }
 
-  /// Scanline and sample (fractional) of a point of the imaging plane (y = 0) and whether it is inside the field of
-  /// view: the rectangle or the fan between r1 and r2, edges half a scanline outside the first and last scanline.
+  /// Scanline and sample (fractional) of a point of the imaging plane (y = 0), and whether the point is inside the
+  /// field of view. The field of view is the rectangle, or the fan between r1 and r2; its edges lie half a scanline
+  /// outside the first and last scanlines.
   struct Location {
     double scanline, sample;
     bool inside;
@@ -44,11 +45,11 @@ class BeamGrid {
   double pitch_;              // linear: mm, else radians
   double radius_mm_;          // r1; 0 for linear
   double steering_rad_;       // 0 for fans
-  double depthAlong_mm_ = 0;  // range at which a scanline reaches the depth
+  double depthAlong_mm_ = 0;  // range at which a scanline reaches the image's depth
 };
 
-/// Angles of a compounded frame, the straight one first: the settings' steering, and to either side of it 8 degrees, or
-/// 5 and 10 degrees, within what validate() allows. A fan has one.
+/// Angles of a compounded frame, the settings' steering first, then 8 degrees, or 5 and 10 degrees, to either side of
+/// it, limited to the range of validate(). A fan has one angle.
 std::vector<double> steeringAngles_deg(const Probe& probe, const ImagingSettings& settings);
 
 }  // namespace insonate

@@ -8,8 +8,8 @@
 
 namespace insonate {
 
-/// Converts a linear envelope to the displayed image: electronic noise > looks averaged > ringing > clutter > TGC and
-/// gains > logarithm > speckle reduction > edge enhancement > persistence > gray map > scan conversion. The
+/// Converts a linear envelope to the displayed image: electronic noise > averaging of the looks > ringing > clutter >
+/// TGC and gains > logarithm > speckle reduction > edge enhancement > persistence > gray map > scan conversion. The
 /// constructor allocates everything; process() allocates nothing once the image has its size. The settings must be
 /// valid for the probe (see validate()). Not for concurrent use of one object. Uses the calling thread's TBB arena.
 class Display {
@@ -19,10 +19,10 @@ class Display {
   Display(Display&&) noexcept;
   Display& operator=(Display&&) noexcept;
 
-  /// The frame must have the settings' numbers of scanlines and samples, and at most their number of looks; otherwise
-  /// the image is black. Amplitudes that are NaN or negative count as 0, infinite ones as white. Persistence mixes with
-  /// the previous call's image. Electronic noise follows from `noiseSeed` and the settings' time_s alone: the same seed
-  /// gives the same image.
+  /// Processes one frame. The frame must have the settings' numbers of scanlines and samples, and at most their number
+  /// of looks; otherwise the image is black. Amplitudes that are NaN or negative count as 0, infinite amplitudes as
+  /// white. Persistence mixes with the image of the previous call. Electronic noise depends only on `noiseSeed` and the
+  /// settings' time_s: the same seed gives the same image.
   void process(const EnvelopeFrame& envelope, BModeImage& image, std::uint32_t noiseSeed = 0);
   /// Discards the previous image.
   void reset();
@@ -37,11 +37,11 @@ class Display {
   std::unique_ptr<Impl> impl_;
 };
 
-/// 1 inside the field of view, 0 outside, for the image that Display makes with these settings.
+/// Mask of the image that Display makes with these settings: 1 inside the field of view, 0 outside.
 std::vector<std::uint8_t> fieldOfViewMask(const Probe& probe, const ImagingSettings& settings);
 
-/// Built-in time-gain compensation before the operator's sliders, in dB per cm and MHz of depth (there and back);
-/// none where the settings leave attenuation out, and at most 120 dB.
+/// Built-in time-gain compensation, without the operator's sliders, in dB per cm of depth and MHz (two-way). It is at
+/// most 120 dB, and off if the settings switch attenuation off.
 inline constexpr double kTgc_dBpcmMHz = 0.73;
 
 }  // namespace insonate

@@ -10,7 +10,8 @@
 
 namespace insonate {
 
-/// A photograph or screen capture of a machine's picture. Pixel (0, 0) is the upper left one; its center is (0, 0).
+/// A photograph or screen capture of a machine's image. Pixel (0, 0) is at the upper left; its center has the
+/// coordinates (0, 0).
 struct GreyPicture {
   int width = 0, height = 0;
   std::vector<std::uint8_t> grey;  ///< [row][column]
@@ -24,45 +25,46 @@ struct PixelPoint {
 struct FovShape {
   ProbeShape shape = ProbeShape::Linear;
   PixelPoint origin;                      ///< fan: the virtual apex; linear: the middle of the face
-  double rotation_deg = 0;                ///< of the axis from upright; positive where its far end leans to the right
-  bool upsideDown = false;                ///< the face is below and depth runs upward
+  double rotation_deg = 0;                ///< angle of the axis from vertical; positive: the far end leans to the right
+  bool upsideDown = false;                ///< the face is at the bottom and depth runs upward
   double alpha_deg = 60;                  ///< fan: full angle
-  double r1_px = 0, r2_px = 100;          ///< fan: from the apex to the face and to the end
+  double r1_px = 0, r2_px = 100;          ///< fan: distance from the apex to the face, and to the end
   double width_px = 100, depth_px = 100;  ///< linear
 };
 
 /// The marks of a depth scale beside the picture.
 struct DepthRuler {
   double spacing_px = 0;       ///< between neighboring marks, along the axis
-  int marks = 0;               ///< seen
-  int longEvery = 0;           ///< every n-th mark is a long one; 0 where all are alike
-  double mmPerMark = 10;       ///< the likely meaning: numbers are not read
-  std::vector<PixelPoint> at;  ///< the marks seen, from the face down
+  int marks = 0;               ///< number of marks found
+  int longEvery = 0;           ///< every n-th mark is longer; 0: all have the same length
+  double mmPerMark = 10;       ///< most probable spacing; numbers in the image are not read
+  std::vector<PixelPoint> at;  ///< positions of the marks found, from the face downward
 };
 
 struct FovFit {
   FovShape shape;
-  double confidence = 0;            ///< 0..1; below 0.5 it should be corrected by hand
-  std::vector<std::string> doubts;  ///< sentences: what was not seen well
+  double confidence = 0;            ///< 0..1; below 0.5 the user should correct the fit
+  std::vector<std::string> doubts;  ///< sentences about parts that were not clearly visible
   std::optional<DepthRuler> ruler;
 };
 
-/// Finds the fan or rectangle of an ultrasound image, turned by up to 5 degrees, upright or upside down, light on dark
-/// or dark on light, with text and bars around it, also with a side or the end cut off. Of two similar ones side by
-/// side on a ground, it is the clearer one, or the left; a warning says so. The same image gives the same fit. Takes
-/// up to a second, or three with two candidates. Fails, with a sentence, on images under 64 or over 16384 pixels wide
-/// or high, and if nothing looks like a field of view.
+/// Finds the fan or rectangle of an ultrasound image: turned by up to 5 degrees, upright or upside down, light on dark
+/// or dark on light, with text and bars around it, and possibly with a side or the end cut off. If two similar images
+/// lie side by side, the clearer one is taken, or else the left one, and a warning says so. The same image gives the
+/// same fit. Takes up to a second, or three with two candidates. Fails with a sentence on images under 64 or over 16384
+/// pixels wide or high, and if nothing looks like a field of view.
 Result<FovFit> fitFov(const GreyPicture& picture);
 
 /// Distance from the middle of the face to the end, in pixels.
 double depthOf_px(const FovShape& shape);
-/// A point of the field of view: across -1..1 from its left to its right as seen from the face, down 0..1.
+/// Returns a point of the field of view: `across` is -1..1 from left to right as seen from the face, `down` is 0..1
+/// from the face to the end.
 PixelPoint pointIn(const FovShape& shape, double across, double down);
 /// Outline of the field of view as a closed line.
 std::vector<PixelPoint> outlineOf(const FovShape& shape);
 
-/// Makes a probe from an image: shape, angle, radii, width and the depth on display; all else is the base's.
-/// `mm_per_px` is above 0. Fails if the result is no valid probe, and says which value is out of range.
+/// Makes a probe from a fit: shape, angle, radii, width and the displayed depth come from the fit, everything else from
+/// `base`. `mm_per_px` is above 0. Fails if the result is no valid probe, and says which value is out of range.
 Result<Probe> probeFromFit(const FovShape& shape, double mm_per_px, const Probe& base, std::string name);
 
 }  // namespace insonate

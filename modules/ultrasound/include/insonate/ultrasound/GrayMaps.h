@@ -7,12 +7,13 @@
 
 namespace insonate {
 
-/// A gray map: the share of white that a level gets, y = t (a + t (b + t c)), t being the level's share of the dynamic
-/// range from black to white. Black stays black, white stays white (a + b + c = 1), and y rises throughout.
+/// A gray map: the gray of a level as a share of white, y = t (a + t (b + t c)), with t the level's position in the
+/// dynamic range, 0 (black) to 1 (white). Black stays black, white stays white (a + b + c = 1), and y always increases
+/// with t.
 struct GrayMapCurve {
   GrayMap map;
-  std::string_view name;   ///< in settings files
-  std::string_view about;  ///< what it does to an image, for a tooltip or a list
+  std::string_view name;   ///< name in settings files
+  std::string_view about;  ///< effect on an image, for a tooltip or a list
   float a, b, c;
 };
 

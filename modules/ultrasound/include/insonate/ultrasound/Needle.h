@@ -5,20 +5,21 @@
 
 namespace insonate {
 
-/// A straight, hollow steel needle with a short bevel at its present place: it is no tissue and does not move with it.
-/// Patient LPS, millimeters. Its radius counts from the axis outward; 18 G is 1.27 mm thick (ISO 9626).
+/// A straight, hollow steel needle with a short bevel, at its present place. It is not part of the tissue and does not
+/// move with it. Patient LPS, millimeters. 18 G has an outer diameter of 1.27 mm (ISO 9626).
 struct Needle {
   Vec3 tip_mm{};
-  Vec3 direction{0, 0, 1};    ///< of the shaft, toward the tip; unit
-  Vec3 bevelNormal{1, 0, 0};  ///< to where the bevel's opening faces; not along the shaft, its part across it counts
+  Vec3 direction{0, 0, 1};    ///< unit direction of the shaft, toward the tip
+  Vec3 bevelNormal{1, 0, 0};  ///< direction that the bevel's opening faces; must not be along the shaft: only the
+                              ///< component perpendicular to it counts
   double radius_mm = 0.635;   ///< outer; 0.1..2
   double length_mm = 70;      ///< from the tip to the hub; 1..300
 
   bool operator==(const Needle&) const = default;
 };
 
-/// Fails, with a sentence, on values that are not finite or out of range, a direction that is not of unit length, and
-/// a bevel that faces along the shaft.
+/// Fails with a sentence on values that are not finite or out of range, on a direction that is not of unit length, and
+/// on a bevel that faces along the shaft.
 Result<void> validate(const Needle& needle);
 
 }  // namespace insonate

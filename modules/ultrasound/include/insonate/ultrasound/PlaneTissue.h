@@ -10,19 +10,20 @@
 
 namespace insonate {
 
-/// Limit of signed distances, either way; a distance out of reach may read as up to half a voxel less.
+/// Limit of signed distances, both positive and negative; a larger distance may read as up to half a voxel less than
+/// the limit.
 inline constexpr float kPlaneReach_mm = 6;
 
-/// Undisturbed tissue at points of a plane, one entry a point. The signed distances are those of the rendering,
-/// negative inside the structure; kPlaneReach_mm for a structure that is not in the scene.
+/// Undisplaced tissue at points of a plane, one entry per point. The signed distances are those of the rendering,
+/// negative inside the structure. For a structure that is not in the scene the distance is kPlaneReach_mm.
 struct PlaneSamples {
-  std::vector<std::uint8_t> label;  ///< of the structure that the point lies in: the nearest by signed distance
+  std::vector<std::uint8_t> label;  ///< label of the structure at the point: the nearest structure by signed distance
   std::vector<float> toArtery_mm, toVein_mm, toBone_mm;
-  std::vector<float> toSkin_mm;  ///< to the body's outline, negative inside the body
+  std::vector<float> toSkin_mm;  ///< distance to the body's outline, negative inside the body
 };
 
-/// Points outside the scene read as the outermost points within it. Allocates nothing once `tissue` has held as many
-/// points. Any number of threads may ask one scene at a time.
+/// Samples a scene at points of a plane. Points outside the scene read as the outermost points within it. Allocates
+/// nothing if `tissue` has held as many points before. Any number of threads may sample one scene at the same time.
 void samplePlane(const AcousticScene& scene, const Transform& patientFromProbe, std::span<const PlanePoint> points,
                  PlaneSamples& tissue);
 

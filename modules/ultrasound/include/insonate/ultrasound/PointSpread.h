@@ -4,30 +4,33 @@
 
 namespace insonate {
 
-/// Speed of sound that the machine assumes in all tissue.
+/// Speed of sound that the machine assumes for all tissue.
 inline constexpr double kSoundSpeed_mmPerUs = 1.54;
 
 double wavelength_mm(const ImagingSettings& settings);
 
-/// Active parts of the array.
+/// Active part of the array in transmission and in reception.
 double transmitAperture_mm(const Probe& probe, const ImagingSettings& settings);
 double receiveAperture_mm(const Probe& probe, double range_mm);
 
-/// Full width at half maximum of the amplitude point-spread function of a probe with these settings. The pulse is a
-/// Gaussian of the probe's bandwidth. The other two are laws fitted to the field of an array and of a strip: within 10
-/// % of the engines' for linear arrays, 20 % for others; for callers that need only a width.
+/// Full width at half maximum of the amplitude point-spread function of a probe with these settings. Axial: the pulse
+/// is a Gaussian of the probe's bandwidth. The other two are laws fitted to the fields of an array and of a strip, for
+/// callers that need only a width. They agree with the engines within 10 % for linear arrays and 20 % for others.
 double axialFwhm_mm(const Probe& probe, const ImagingSettings& settings);
-/// Axial width at a depth: receive filters of machines narrow with depth, as attenuation takes the high frequencies.
+/// Axial width at a depth. It grows with depth, since the machines' receive filters become narrower as attenuation
+/// removes the high frequencies.
 double axialFwhm_mm(const Probe& probe, const ImagingSettings& settings, double range_mm);
 double lateralFwhm_mm(const Probe& probe, const ImagingSettings& settings, double range_mm);
-/// Ratio of the beam's width at a depth to that at the set frequency: attenuation takes the high frequencies, and a
-/// dynamic filter follows the rest. A Gaussian band of SD s loses s^2 times the loss in Np/MHz of its center: with 60
-/// % of 9 MHz and 0.6 dB/cm/MHz a quarter in 30 mm, there and back.
+/// Ratio of the beam's width at a depth to its width at the set frequency. The width grows since attenuation removes
+/// high frequencies and a dynamic filter removes more. For a Gaussian band with SD s, the center frequency falls by s^2
+/// times the loss in Np/MHz. With a bandwidth of 60 % at 9 MHz and 0.6 dB/cm/MHz, it falls by a quarter over 30 mm,
+/// two-way.
 double beamGrowth(const ImagingSettings& settings, double range_mm);
 
-/// Slice thickness by depth: hypot(narrowest, growth * distance from the narrowest place), before and behind it.
+/// Slice thickness by depth: hypot(minimum thickness, growth * distance from the depth of the minimum), with one growth
+/// before and another behind this depth.
 struct SliceLaw {
-  double narrowest_mm, at_mm;  ///< thickness, and depth of the narrowest place: it lies before the lens's focus
+  double narrowest_mm, at_mm;  ///< minimum thickness, and its depth, which lies before the lens's focus
   double growthBefore, growthBehind;
 
   double thickness_mm(double range_mm) const;

@@ -4,7 +4,7 @@
 
 namespace insonate {
 
-/// A box in patient LPS millimeters.
+/// A box in patient LPS, millimeters.
 struct Region {
   Vec3 low_mm, high_mm;
 };

@@ -10,23 +10,24 @@
 
 namespace insonate {
 
-/// Shared parts of all scenes of one patient: facts about the whole case, found once, and the distances that scenes
-/// are likely to need, computed ahead and kept up to 384 MB for each resolution. A scene is then put together rather
-/// than computed, with the same result. Any number of threads may use one.
+/// Data that all scenes of one patient share: facts about the whole case, found once, and distances that scenes will
+/// probably need, computed ahead and cached up to 384 MB per resolution. A scene is then assembled from these parts,
+/// with the same result as if it were computed alone. Any number of threads may use one source.
 class SceneSource {
  public:
-  /// `ct` and `labels` must outlive the source and stay as they are. Fails where they lie on different grids.
+  /// `ct` and `labels` must outlive the source and must not change. Fails if their grids differ.
   static Result<std::shared_ptr<const SceneSource>> make(const CtVolume& ct, const LabelMap& labels);
   ~SceneSource();
 
-  /// Hash of the CT: identifies the patient, whatever edits the labels have.
+  /// Hash of the CT. It identifies the patient, independent of edits of the labels.
   std::uint32_t patient() const;
 
-  /// Computes one more part of a region, the one nearest to its center, for scenes to come. Takes about a second of one
-  /// processor; `stopped` is asked now and then, and ends it. False where nothing is missing, or no room is left.
+  /// Computes one more part of a region, the part nearest to its center, for later scenes. Takes about a second of one
+  /// processor; `stopped` is called repeatedly, and true cancels the computation. Returns false if nothing is missing,
+  /// or if the cache is full.
   bool makeAhead(const Region& region, double detail_mm, const std::function<bool()>& stopped = {}) const;
 
-  struct Impl;  ///< for scenes
+  struct Impl;  ///< accessed by scenes
   Impl& impl() const { return *impl_; }
 
  private:

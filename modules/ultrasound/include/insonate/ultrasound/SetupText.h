@@ -9,14 +9,14 @@
 
 namespace insonate {
 
-/// The shape's name in a probe file: "linear".
+/// Name of a shape in a probe file: "linear".
 std::string_view nameOf(ProbeShape shape);
 
-/// Text form of a probe, as saveProbe() writes and loadProbe() reads it; exact to the last bit.
+/// Writes a probe as text, in the form of saveProbe() and loadProbe(); exact to the last bit.
 std::string textOf(const Probe& probe);
 Result<Probe> parseProbe(std::string_view json);
 
-/// All fields, as settingsFromJson() reads them back to the last bit.
+/// Writes all fields as JSON, which settingsFromJson() reads back exactly.
 nlohmann::json jsonOf(const ImagingSettings& settings);
 
 }  // namespace insonate

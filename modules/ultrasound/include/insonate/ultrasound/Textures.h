@@ -2,8 +2,9 @@
 
 namespace insonate {
 
-/// Makes the texture of tissues, which all scenes of a process share and the first one would make otherwise: half a
-/// second of one processor. To be called early, on any thread, where there is something else to wait for.
+/// Makes the textures of tissues, which all scenes of a process share. This takes half a second of one processor.
+/// Without this call, the first scene makes them. Call it early, on any thread, while the program waits for something
+/// else.
 void prepareTextures();
 
 }  // namespace insonate
