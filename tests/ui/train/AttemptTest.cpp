@@ -58,7 +58,7 @@ TEST_F(TrainAttempt, AWholeOneByKeysIsGuidedScoredAndKept) {
   EXPECT_TRUE(waitFor([&] { return text("attemptDue").contains("All steps are done"); }));
   EXPECT_TRUE(text("attemptNeedle").contains("needle used"));
   key(Qt::Key_U);
-  EXPECT_TRUE(waitFor([&] { return text("attemptNeedle").contains("needle new"); }));
+  EXPECT_TRUE(waitFor([&] { return text("attemptNeedle").contains("new needle"); }));
   EXPECT_EQ(syringe->content(), SyringeView::Content::Nothing);
   finish();
 

@@ -146,7 +146,7 @@ void PlacesBox::refresh() {
   for (std::size_t n = 0; n < places.vessels.size(); ++n)
     add(vessels, Kind::Vessel, n, QString::fromStdString(places.vessels[n].name));
   auto* poses = heading(places.startPoses.empty() ? tr("Start poses of the probe: none yet")
-                                                  : tr("Start poses, the case begins at the first"));
+                                                  : tr("Start poses of the probe; the case begins at the first one"));
   for (std::size_t n = 0; n < places.startPoses.size(); ++n)
     add(poses, Kind::StartPose, n, QString::fromStdString(places.startPoses[n].name));
   auto* landmarks = heading(places.landmarks.empty() ? tr("Landmarks: none yet") : tr("Landmarks"));

@@ -38,7 +38,7 @@ RulesBox::RulesBox(PrepareModel& shared, QWidget* parent)
   limited_->setObjectName(QStringLiteral("ruleLimited"));
   limited_->setToolTip(tr("No tool changes voxels outside this range"));
   auto* row = new QHBoxLayout;
-  auto* name = new QLabel(tr("overwrites"));
+  auto* name = new QLabel(tr("tools overwrite"));
   name->setBuddy(over_);
   row->addWidget(name);
   row->addWidget(over_, 1);

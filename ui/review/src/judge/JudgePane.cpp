@@ -177,7 +177,7 @@ void JudgePane::showProgress() {
   const FormAnswers answers = sheet_->answers();
   const FormScore score = formScore(form(), answers);
   progress_->setText(answers.empty() ? QString::fromStdString(form().about)
-                                     : tr("So far %1; kept as a draft").arg(scoreWords(score)));
+                                     : tr("Not complete yet: %1. Saved as a draft").arg(scoreWords(score)));
 }
 
 void JudgePane::keepDraft() {

@@ -61,7 +61,7 @@ RatersPage::RatersPage(const ClassDesk& desk, QWidget* parent)
       pairs_(tableOf(
           "raterPairs", tr("Pairs of raters and their agreement"),
           {tr("Raters"), tr("Attempts"), tr("Answers"), tr("Equal answers"), tr("Kappa"), tr("ICC of the scores")})),
-      items_(tableOf("raterItems", tr("Agreement of the selected pair on each item"),
+      items_(tableOf("raterItems", tr("Agreement of the two selected raters on each item"),
                      {tr("Item"), tr("Answers"), tr("Equal answers"), tr("Kappa"), tr("ICC of the points")})) {
   for (const std::string& name : formPresetNames())
     if (auto form = loadForm(name); form && form->purpose != Form::Purpose::Questionnaire)

@@ -68,7 +68,7 @@ ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level) {
     ui::ChartPicture picture;
     picture.title = tr("LC-CUSUM");
     picture.words = facts.curriculum ? tr("n/a: shown for one level; choose one above.")
-                                     : tr("n/a: the class has no curriculum, which defines a pass.");
+                                     : tr("n/a: a curriculum defines what a pass is, and the class has none.");
     return picture;
   }
   if (!known->mastery.cusum) {

@@ -92,7 +92,7 @@ void AccountMenu::refresh() {
   QString words = tr("Guest: attempts are recorded, but do not count");
   if (state == State::SignedIn)
     words = tr("%1, %2").arg(QString::fromStdString(account_.person().fullName), wordOf(account_.person().role));
-  if (state == State::Opening) words = tr("Opening the store of people and attempts ...");
+  if (state == State::Opening) words = tr("Opening the database of people and attempts ...");
   if (state == State::Unreachable) words = tr("People and attempts cannot be reached");
   who_->setText(plainCaption(words));
   who_->setToolTip(plainToolTip(state == State::Unreachable ? account_.trouble() : account_.place()));

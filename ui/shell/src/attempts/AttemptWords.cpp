@@ -11,7 +11,7 @@ namespace insonate::ui {
 PlaceWords wordsOf(NeedlePlace place, const QString& vessel) {
   switch (place) {
     case NeedlePlace::Clean:
-      return {QStringLiteral("○"), tr("needle new")};
+      return {QStringLiteral("○"), tr("new needle")};
     case NeedlePlace::Underway:
       return {QStringLiteral("◐"), tr("needle inserted")};
     case NeedlePlace::Vein:

@@ -302,7 +302,7 @@ void CurriculumWindow::reject() {
 
 void CurriculumWindow::askToClose() {
   (new EntryDialog(
-       tr("Close without the last changes?"),
+       tr("Close without saving your changes?"),
        tr("The draft cannot be saved now. While this window stays open it is saved as soon as it can be."), {},
        tr("Close without saving"),
        [this](const QStringList&, const std::function<void(Result<void>)>& done) {

@@ -16,7 +16,7 @@ QString wordsOf(StoryTurn::When when) {
     case StoryTurn::When::Beginning:
       return LevelStoryView::tr("At the beginning");
     case StoryTurn::When::Reached:
-      return LevelStoryView::tr("Once it is unlocked");
+      return LevelStoryView::tr("When the level is unlocked");
     case StoryTurn::When::AfterFailure:
       return LevelStoryView::tr("After a failure");
     case StoryTurn::When::AfterPass:

@@ -44,8 +44,9 @@ ClippingControls::ClippingControls(std::shared_ptr<views::SceneView> scene, QWid
       scene_(std::move(scene)),
       kind_(new QComboBox),
       offset_(new ValueSlider(tr("position"), tr("mm"), {-100, 100, 0, 1, 0},
-                              tr("Along the plane's normal, from the patient's middle or the image plane"))),
-      turn_(new ValueSlider(tr("turn"), tr("°"), {-180, 180, 0, 5, 0}, tr("0 keeps the front, 90 the patient's left"))),
+                              tr("Distance of the plane from the patient's middle or from the image plane"))),
+      turn_(new ValueSlider(tr("turn"), tr("°"), {-180, 180, 0, 5, 0},
+                            tr("Angle of the plane: 0° keeps the front of the patient, 90° the left side"))),
       tilt_(new ValueSlider(tr("tilt"), tr("°"), {-90, 90, 0, 5, 0}, tr("90 keeps the head's side"))),
       flipped_(new QCheckBox(tr("Flip"))),
       asSeen_(new QToolButton) {

@@ -50,7 +50,9 @@ QString headlineFor(const PassRule& rule, const AttemptFacts& attempt, bool pass
   const bool well = attempt.state == AttemptState::Completed && attempt.succeeded && attempt.criticalErrors == 0;
   if (!passed && well && !judge(rule, attempt).reachesStandards(rule)) return tr("Not passed");
   if (!passed && judge(rule, attempt).passed)
-    return tr("Does not count yet: the store of attempts did not answer as it began. An instructor can accept it");
+    return tr(
+        "This attempt does not count yet: the database could not be reached when it began. An instructor can accept "
+        "the attempt");
   return passed ? tr("Passed") : tr("Not passed: %1").arg(ui::qt(reasonOfFailure(rule, attempt)));
 }
 

@@ -222,7 +222,8 @@ void HandsControl::takeNeedle(NeedlePlane plane) {
   constexpr double kInPlane_mm = 0.1;
   if (plane == NeedlePlane::Along && wish_->offPlane_mm(probe_->pose()) > kInPlane_mm)
     return Q_EMIT said(
-        tr("The needle is not in-plane: beside the probe there is no skin, or it faces away. Move the "
+        tr("The needle is not in-plane: there is no skin beside the probe, or the skin faces away from the needle. "
+           "Move the "
            "probe, then press I twice."));
   Q_EMIT said(session_->tissueReady()
                   ? tr("The needle is beside the probe, at 20 degrees to the skin. Alt+W makes it steeper, Page Down "

@@ -187,7 +187,7 @@ void ProbeMotion::placeOnSkin() {
   models_.patientCase.setStart(poseOf(pose()));
   Q_EMIT placingChanged();
   Q_EMIT handMoved();
-  models_.status.say(tr("The probe is on the skin in front. Drag on the skin in 3D to put it elsewhere."));
+  models_.status.say(tr("The probe was placed on the front of the patient. Drag on the skin in 3D to move it."));
 }
 
 }  // namespace insonate::train

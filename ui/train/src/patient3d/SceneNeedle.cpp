@@ -88,8 +88,9 @@ void SceneNeedle::toggleCut() {
   const Vec3 shaft = needle_->linear.column[2], seen = scene_.towardViewer();
   const Vec3 toward = seen - shaft * dot(seen, shaft);
   if (norm(toward) < 0.1)
-    return status_.say(tr(
-        "The view is along the needle. Drag beside the patient to turn the view, then press H to cut at the needle."));
+    return status_.say(
+        tr("You are looking along the needle. Drag beside the patient to turn the view, then press H to cut the "
+           "patient open at the needle."));
   views::Clipping cut;
   cut.kind = views::ClippingKind::Free;
   cut.direction = -normalized(toward);

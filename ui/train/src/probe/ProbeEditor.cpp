@@ -168,7 +168,7 @@ QWidget* ProbeEditor::buildFoot() {
   auto* grid = new QGridLayout(foot);
   grid->setContentsMargins(12, 8, 12, 8);
   grid->setSpacing(4);
-  save_ = button(tr("Save"), "saveProbe", tr("Saves this probe under its name, in a file of yours"));
+  save_ = button(tr("Save"), "saveProbe", tr("Saves this probe under its name, in a file for this user"));
   rename_ = button(tr("Rename"), "renameProbe", tr("Give the saved probe the name above"));
   remove_ = button(tr("Delete"), "deleteProbe", tr("Delete the saved probe of this name"));
   reset_ = button(tr("Reset"), "resetProbe", tr("Back to the saved probe, or to the built-in one of this shape"));
@@ -262,7 +262,7 @@ void ProbeEditor::showButtons() {
   save_->setEnabled(valid && !isBuiltIn(draft_.name));
   save_->setText(own ? tr("Overwrite") : tr("Save"));
   save_->setToolTip(isBuiltIn(draft_.name) ? tr("A built-in probe stays as it is: type another name to save yours")
-                                           : tr("Saves this probe under its name, in a file of yours"));
+                                           : tr("Saves this probe under its name, in a file for this user"));
   remove_->setEnabled(own);
   const ProbeLibrary::Entry* last = library_.find(savedName_);
   rename_->setEnabled(valid && last && !own && !isBuiltIn(draft_.name));
