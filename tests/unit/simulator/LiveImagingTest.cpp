@@ -78,7 +78,7 @@ TEST(LiveImaging, PersistenceSettlesAndThenRests) {
   EXPECT_EQ(picturesThere(), 10) << "0.5^9 of 255 grey levels is the first below a half";
   const Frame settled = live->latest();
   setup.settings.persistence = 0;
-  // What is left of the former image, half a gray, and the overshoot of the interpolation between scanlines.
+  // Half a gray is left of the former image; interpolation between scanlines overshoots.
   EXPECT_LE(greatestDifference(settled->image, freshPicture(*wideCase(), setup, poseAt(8))), 2);
 }
 
