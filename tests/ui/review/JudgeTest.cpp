@@ -115,7 +115,7 @@ TEST_F(JudgeTest, TwoInstructorsJudgeAReplayBlindlyAndSeeWhereTheyDiffer) {
   EXPECT_GT(workspace_->findChild<ReviewSession*>()->time_us(), 0);
   EXPECT_TRUE(child<QRadioButton>("form_consent_done")->isChecked()) << "scrubbing takes nothing away";
   handIn();
-  EXPECT_TRUE(workspace_->statusText().startsWith("Handed in")) << workspace_->statusText().toStdString();
+  EXPECT_TRUE(workspace_->statusText().startsWith("The form is handed in")) << workspace_->statusText().toStdString();
   child<QToolButton>("fillForm")->click();
   EXPECT_FALSE(child<QPushButton>("handIn")->isEnabled()) << "a form is handed in once";
   EXPECT_TRUE(child<QPushButton>("handIn")->toolTip().contains("once"));
