@@ -22,7 +22,7 @@ class SkinSurface {
   double body(Vec3 patient_mm) const;
 
   /// Outward normal, averaged over about the footprint of a probe, so that noise, ears and folds do not make it jump.
-  /// Where the skin gives no clear normal (thin parts, far away), the normal follows `before`.
+  /// If the skin has no clear normal there (thin parts, far away), the normal follows `before`.
   Vec3 normal(Vec3 patient_mm, Vec3 before) const;
 
   /// Intersection of the skin with the line through a point along `outward`. From a point in the body the search goes

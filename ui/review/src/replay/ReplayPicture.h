@@ -14,7 +14,8 @@
 namespace insonate::review {
 
 /// Computes the ultrasound image at a time of an attempt (AttemptPictures) on a background thread, one image at a time.
-/// Of several times requested meanwhile, only the latest is computed. For the window's thread.
+/// If several times are requested while it computes, only the latest one is computed next. Called on the window's
+/// thread.
 class ReplayPicture : public QObject {
   Q_OBJECT
 

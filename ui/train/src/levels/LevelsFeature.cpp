@@ -60,8 +60,9 @@ void LevelsFeature::connectParts() {
   connect(keeper_, &AttemptKeeper::allSent, course_, &Course::refresh);
   connect(keeper_, &AttemptKeeper::ended, this, [this](const AttemptFacts& facts) { judge(facts); });
   connect(&attempt_, &AttemptControl::begun, this, [this] {
-    verdict_->show(course_->isSomebodys() ? tr("Free practice: the attempt is listed, but counts for no level.")
-                                          : tr("You are a guest: the attempt is recorded, but counts for nobody."));
+    verdict_->show(course_->isSomebodys()
+                       ? tr("Free practice: the attempt is listed, but counts for no level.")
+                       : tr("You are a guest: the attempt is recorded, but does not count at any level."));
   });
   connect(pageAction_, &QAction::triggered, this, [this](bool on) { showPage(on); });
 }
