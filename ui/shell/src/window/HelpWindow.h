@@ -1,6 +1,6 @@
 #pragma once
 
-#include <insonate/ui/Workspace.h>
+#include <insonate/ui/Commands.h>
 
 #include <QDialog>
 #include <vector>
@@ -9,12 +9,6 @@ class QListWidget;
 class QTextBrowser;
 
 namespace insonate::ui {
-
-/// Keyboard shortcuts of one part of the program.
-struct ShortcutGroup {
-  QString place;
-  std::vector<Shortcut> shortcuts;
-};
 
 /// Non-modal window with the pages of resources/help and the list of keys.
 class HelpWindow : public QDialog {

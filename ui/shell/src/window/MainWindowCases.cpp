@@ -244,7 +244,11 @@ void MainWindow::showHelp(bool keys) {
   std::vector<ShortcutGroup> groups{std::move(everywhere), views};
   for (const Room& room : rooms_) {
     // Commands of the current workspace come first.
-    const auto place = room.workspace == currentWorkspace() ? groups.begin() : groups.end();
+    auto place = room.workspace == currentWorkspace() ? groups.begin() : groups.end();
+    for (ShortcutGroup section : room.workspace->commands().shortcuts()) {
+      section.place = section.place.isEmpty() ? room.title : tr("%1: %2").arg(room.title, section.place);
+      place = std::next(groups.insert(place, std::move(section)));
+    }
     if (auto shortcuts = room.workspace->shortcuts(); !shortcuts.empty())
       groups.insert(place, {room.title, std::move(shortcuts)});
   }

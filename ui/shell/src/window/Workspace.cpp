@@ -3,6 +3,8 @@
 
 namespace insonate::ui {
 
+Workspace::Workspace(QWidget* parent) : QWidget(parent), commands_(new Commands(this)) {}
+
 TaskBar& Workspace::tasks() {
   if (!tasks_) tasks_ = new TaskBar(this);
   return *tasks_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <insonate/cases/PatientCase.h>
+#include <insonate/ui/Commands.h>
 
 #include <QString>
 #include <QStringList>
@@ -15,12 +16,6 @@ namespace insonate::ui {
 
 class Account;
 class TaskBar;
-
-/// A keyboard shortcut as the list of keys (`?`) shows it.
-struct Shortcut {
-  QString keys;  ///< as printed on the keyboard, e.g. "Shift + arrows"
-  QString does;  ///< e.g. "tilt and rock the probe"
-};
 
 /// Origin of a case.
 struct CaseOrigin {
@@ -41,7 +36,10 @@ class Workspace : public QWidget {
   Q_OBJECT
 
  public:
-  using QWidget::QWidget;
+  explicit Workspace(QWidget* parent = nullptr);
+
+  /// Commands of this workspace, with their keys. Features add theirs.
+  Commands& commands() { return *commands_; }
 
   /// Sets the case to work on; null: no case is open. A shared case does not change.
   virtual void setCase(std::shared_ptr<const PatientCase> patient) = 0;
@@ -130,6 +128,7 @@ class Workspace : public QWidget {
   void attemptWanted(const QString& file);
 
  private:
+  Commands* commands_;
   TaskBar* tasks_ = nullptr;
 };
 

@@ -1,0 +1,113 @@
+#include <insonate/ui/Commands.h>
+
+#include <QAction>
+#include <QKeyEvent>
+#include <QKeySequence>
+#include <algorithm>
+#include <utility>
+
+namespace insonate::ui {
+namespace {
+
+constexpr Qt::KeyboardModifiers kDistinguishing = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
+
+bool haveSameKeys(const Command& a, const Command& b) {
+  return std::ranges::any_of(a.keys, [&b](const CommandKey& one) {
+    return std::ranges::any_of(
+        b.keys, [&one](const CommandKey& other) { return one.key == other.key && one.modifiers == other.modifiers; });
+  });
+}
+
+QString firstUpper(QString text) {
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
+
+}  // namespace
+
+void Commands::beginSection(const QString& heading) {
+  const auto known = std::ranges::find(sections_, heading, &ShortcutGroup::place);
+  section_ = std::size_t(known - sections_.begin());
+  if (known == sections_.end()) sections_.push_back({heading, {}});
+}
+
+void Commands::add(Command command) {
+  Q_ASSERT_X(!find(command.id), "Commands::add", "the id is in use");
+  Q_ASSERT_X(std::ranges::none_of(commands_, [&](const Command& one) { return haveSameKeys(one, command); }),
+             "Commands::add", "a key is in use");
+  if (!command.listed.isEmpty()) addListed(command.listed, command.does);
+  commands_.push_back(std::move(command));
+}
+
+void Commands::addListed(const QString& keys, const QString& does) {
+  if (sections_.empty()) sections_.emplace_back();
+  sections_[section_].shortcuts.push_back({keys, does});
+}
+
+const Command* Commands::commandOf(const QKeyEvent& event, const CommandKey*& key) const {
+  const Qt::KeyboardModifiers modifiers = event.modifiers() & kDistinguishing;
+  for (const Command& command : commands_)
+    for (const CommandKey& one : command.keys)
+      if (one.key == event.key() && one.modifiers == modifiers) {
+        key = &one;
+        return &command;
+      }
+  return nullptr;
+}
+
+bool Commands::key(const QKeyEvent& event, bool isPerformed) const {
+  const CommandKey* key = nullptr;
+  const Command* command = commandOf(event, key);
+  if (!command || (command->isAvailable && !command->isAvailable())) return false;
+  if (isPerformed)
+    (key->perform ? key->perform
+                  : command->perform)({event.modifiers().testFlag(Qt::ShiftModifier), event.isAutoRepeat()});
+  return true;
+}
+
+bool Commands::offer(QEvent& event) const {
+  if (event.type() == QEvent::KeyPress) return key(static_cast<QKeyEvent&>(event), true);
+  if (event.type() != QEvent::ShortcutOverride || !key(static_cast<QKeyEvent&>(event), false)) return false;
+  event.accept();
+  return true;
+}
+
+const Command* Commands::find(const QString& id) const {
+  const auto found = std::ranges::find(commands_, id, &Command::id);
+  return found == commands_.end() ? nullptr : &*found;
+}
+
+QString Commands::toolTip(const QString& id) const {
+  const Command* command = find(id);
+  if (!command) return {};
+  const QString sentence = firstUpper(command->does);
+  return command->listed.isEmpty() ? sentence : QStringLiteral("%1 (%2)").arg(sentence, command->listed);
+}
+
+QAction* Commands::action(const QString& id) {
+  if (auto* made = findChild<QAction*>(id, Qt::FindDirectChildrenOnly)) return made;
+  const Command* command = find(id);
+  if (!command) return nullptr;
+  const QString key = command->keys.empty()
+                          ? QString()
+                          : QKeySequence(int(command->keys.front().modifiers) | command->keys.front().key)
+                                .toString(QKeySequence::NativeText);
+  // A menu shows the text behind a tab where it shows shortcuts.
+  auto* action = new QAction(key.isEmpty() ? command->text : command->text + QLatin1Char('\t') + key, this);
+  action->setObjectName(id);
+  action->setToolTip(toolTip(id));
+  connect(action, &QAction::triggered, this, [this, id] {
+    const Command* command = find(id);
+    if (!command->isAvailable || command->isAvailable()) command->perform({});
+  });
+  return action;
+}
+
+std::vector<ShortcutGroup> Commands::shortcuts() const {
+  std::vector<ShortcutGroup> filled;
+  std::ranges::copy_if(sections_, std::back_inserter(filled),
+                       [](const ShortcutGroup& one) { return !one.shortcuts.empty(); });
+  return filled;
+}
+
+}  // namespace insonate::ui
