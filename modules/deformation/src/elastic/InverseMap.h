@@ -7,9 +7,10 @@
 namespace insonate::elastic {
 
 /// Extent of the lattice on which invertMesh() computes the displacement: |x| up to `half_mm`, z from `top_mm` to
-/// `bottom_mm`, spacing `step_mm`.
+/// `bottom_mm`, spacing `step_mm`. The spacing is finer than the mesh: a collapsed lumen lies between two rows of the
+/// lattice, so that in the image it would follow the lattice in visible steps.
 struct InverseMapExtent {
-  float half_mm = 30, top_mm = -5, bottom_mm = 50, step_mm = 0.5f;
+  float half_mm = 30, top_mm = -5, bottom_mm = 50, step_mm = 0.25f;
 };
 /// Inverts the motion of a mesh to the positions `now`: computes the displacement at each point of a lattice. The
 /// displacement is one-to-one: single lattice points that sharp folds would turn over are moved between their
