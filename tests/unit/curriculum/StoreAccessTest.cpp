@@ -69,6 +69,7 @@ std::vector<Call> peopleCalls(const Target& target) {
        }},
       {"change own details", "abiom",
        [=](const SignedIn& by) { return outcome(PeopleStore(by).changeOwnDetails("Someone", "")); }},
+      {"stay signed in", "abiom", [=](const SignedIn& by) { return outcome(PeopleStore(by).staySignedIn()); }},
       {"reset password", "im",
        [=, id = target.leaver.id](const SignedIn& by) {
          return outcome(PeopleStore(by).resetPassword(id, "temporary one"));

@@ -20,6 +20,7 @@ constexpr std::array kRules{
     Rule{ChangePerson,      "change person",          None, None,   None,      All, kOnServer},
     Rule{ChangeOwnDetails,  "change own details",     None, Self,   Self,      Self, kOnServer},
     Rule{ChangeOwnPassword, "change own password",    None, Self,   Self,      Self},
+    Rule{StaySignedIn,      "stay signed in",         None, Self,   Self,      Self},
     Rule{ResetPassword,     "reset password",         None, None,   Taught,    All, kNotOneself | kOnlyTrainees | kOnServer},
     Rule{SeeOwnCohorts,     "see cohorts",            None, All,    All,       All, kUnlogged},
     Rule{SeeMembers,        "see members",            None, None,   Taught,    All, kWholeCohort},

@@ -20,6 +20,7 @@ enum class Act {
   ChangePerson,
   ChangeOwnDetails,
   ChangeOwnPassword,
+  StaySignedIn,
   ResetPassword,
   SeeOwnCohorts,
   SeeMembers,

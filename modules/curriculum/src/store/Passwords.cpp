@@ -29,6 +29,14 @@ bool fitsPassword(const std::string& password, const std::string& hashed) {
   return crypto_pwhash_str_verify(hashed.c_str(), password.data(), password.size()) == 0;
 }
 
+std::string randomToken() {
+  if (sodium_init() < 0) return {};
+  std::array<unsigned char, 32> random{};
+  randombytes_buf(random.data(), random.size());
+  std::array<char, 2 * random.size() + 1> digits{};
+  return sodium_bin2hex(digits.data(), digits.size(), random.data(), random.size());
+}
+
 const std::string& hashOfNobody(PasswordCost cost) {
   const auto made = [](PasswordCost of) {
     std::array<char, 32> random{};

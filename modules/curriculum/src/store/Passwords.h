@@ -13,6 +13,8 @@ Result<std::string> hashedPassword(const std::string& password, PasswordCost cos
 /// Checks and hashes a password that a user entered. Call it outside of any transaction, since it takes 0.1 s.
 Result<std::string> checkedAndHashed(const std::string& password, PasswordCost cost);
 bool fitsPassword(const std::string& password, const std::string& hashed);
+/// Makes 32 random bytes, hexadecimal; empty if the system has no random numbers.
+std::string randomToken();
 /// A hash that no password matches, at the usual cost. It is verified if the person does not exist, so that the reply
 /// takes the same time.
 const std::string& hashOfNobody(PasswordCost cost);

@@ -125,6 +125,28 @@ Result<void> PeopleStore::changeOwnPassword(const std::string& old, const std::s
   return {};
 }
 
+Result<std::string> PeopleStore::staySignedIn() const {
+  store::Session& session = *by_.session();
+  const std::string& id = by_.person().id;
+  const std::string token = store::randomToken();
+  if (token.empty()) return fail("There are no random numbers for a token; restart the program.");
+  return session.write({.act = Act::StaySignedIn, .person = id},
+                       [&](Transaction& transaction, const Actor& actor) -> Result<std::string> {
+                         transaction.run("INSERT INTO sign_in_tokens VALUES (?, ?, ?, ?)", store::sha256(token), id,
+                                         actor.passwordVersion, session.core().now_us());
+                         return token;
+                       });
+}
+
+Result<void> PeopleStore::revokeTokens() const {
+  const std::string& id = by_.person().id;
+  return by_.session()->write({.act = Act::StaySignedIn, .person = id},
+                              [&](Transaction& transaction, const Actor&) -> Result<void> {
+                                transaction.run("DELETE FROM sign_in_tokens WHERE person = ?", id);
+                                return {};
+                              });
+}
+
 Result<void> PeopleStore::resetPassword(const std::string& person, const std::string& password) const {
   store::Session& session = *by_.session();
   const auto hashed = store::checkedAndHashed(password, session.core().passwordCost());

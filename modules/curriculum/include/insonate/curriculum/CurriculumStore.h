@@ -66,6 +66,9 @@ class CurriculumStore {
   /// After five failures for a name, existing or not, the name is locked for a while that doubles up to an hour. Takes
   /// about 0.1 s.
   Result<SignedIn> signIn(const std::string& name, const std::string& password) const;
+  /// Signs in with a token of PeopleStore::staySignedIn(). Fails if the token was revoked, the password was changed
+  /// since, or the account is disabled.
+  Result<SignedIn> signInByToken(const std::string& token) const;
   /// Returns a guest, who can only read published curricula. Stores nothing.
   SignedIn guest() const;
 

@@ -34,6 +34,11 @@ class PeopleStore {
   Result<void> changeOwnDetails(const std::string& fullName, const std::string& email) const;
 
   Result<void> changeOwnPassword(const std::string& old, const std::string& password) const;
+  /// Makes a token that signs the user in without a password, for a computer that only this user can open. Keep it in a
+  /// file that only its owner can read: the store keeps its hash. A new password revokes it.
+  Result<std::string> staySignedIn() const;
+  /// Revokes all tokens of the signed-in user.
+  Result<void> revokeTokens() const;
   /// Sets a password for another person, who must change it at the next sign-in; also unlocks the person's name.
   /// Instructors may do so for trainees of their cohorts.
   Result<void> resetPassword(const std::string& person, const std::string& password) const;
