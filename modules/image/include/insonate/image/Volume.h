@@ -22,7 +22,7 @@ struct Volume {
 
 /// CT in Hounsfield units.
 using CtVolume = Volume<std::int16_t>;
-/// Structure numbers of insonate/tissue/Labels.h; 0 is outside the patient.
+/// Label of each voxel: a number of insonate/tissue/Labels.h; 0 is outside the patient.
 using LabelMap = Volume<std::uint8_t>;
 
 /// Interpolates trilinearly at a continuous index (voxel centers at integers); takes the nearest edge voxel outside the
