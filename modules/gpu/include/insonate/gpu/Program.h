@@ -27,9 +27,9 @@ class Program {
 
   const std::string& name() const { return name_; }
 
-  /// Compares a uniform block with its mirror in C++: names, offsets, number of fields, size. Arrays are represented
-  /// by their first element, arrays of structures by the fields of the first. Fails with the first difference. A
-  /// program that does not use the block passes.
+  /// Compares a shader's uniform block with the C++ structure of the same layout: names, offsets, number of fields,
+  /// size. Arrays are represented by their first element, arrays of structures by the fields of the first. Fails with
+  /// the first difference. A program that does not use the block passes.
   Result<void> checkBlock(const Current& current, std::string_view block, std::span<const Field> fields,
                           std::size_t size) const;
 
