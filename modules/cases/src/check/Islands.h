@@ -8,9 +8,9 @@ namespace insonate::check {
 
 /// A connected component of labeled voxels, joined by faces.
 struct Island {
-  std::uint8_t label = 0;  ///< label of its first voxel
+  std::uint8_t label = 0;  ///< label of the component's first voxel
   std::size_t voxels = 0;
-  std::size_t first = 0;  ///< offset of its first voxel
+  std::size_t first = 0;  ///< offset of the component's first voxel in the label map
 };
 
 /// Rule by which voxels are connected: only voxels of one label, or labeled voxels of any label.

@@ -28,14 +28,14 @@ struct DicomSlice {
   bool burnedInText = false;
   bool lossy = false;      ///< the image has been compressed with loss
   bool otherUnit = false;  ///< values are in another unit than Hounsfield units, or in an unspecified unit
-  bool cutOff = false;     ///< its pixels are incomplete
+  bool cutOff = false;     ///< the file ends before the slice's last pixel
 };
 
 /// The slices of a file, or the reason why it has none.
 struct DicomScan {
   std::vector<DicomSlice> slices;
   std::string setAside;
-  bool isDirectory = false;  ///< an index of the images in the folders beside it (DICOMDIR)
+  bool isDirectory = false;  ///< the file is an index of the images in the folders beside it (DICOMDIR)
 };
 
 /// Reads a file's header. Sets aside scouts, screenshots, segmentations, reports, indexes and files other than DICOM;

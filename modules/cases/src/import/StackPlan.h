@@ -14,7 +14,7 @@ struct SliceStack {
   std::array<double, 2> spacing_mm{};  ///< along i (between columns), along j (between rows)
   std::array<Vec3, 2> direction;       ///< directions of i and j; nearly perpendicular
   std::vector<Vec3> positions_mm;      ///< center of each slice's first pixel, patient LPS
-  double thickness_mm = 0;             ///< 0 when unknown; used as the spacing of a single slice
+  double thickness_mm = 0;             ///< slice thickness, used as the spacing of a single slice; 0 if unknown
 };
 
 /// Grid and order in which a stack becomes a volume.
@@ -22,7 +22,7 @@ struct StackPlan {
   VolumeGeometry grid;          ///< orthogonal, right-handed
   std::vector<int> order;       ///< indices of slices in the stack, by increasing k
   std::vector<Vec3> offset_mm;  ///< offset of each ordered slice's first pixel from the grid's origin, along i, j, k
-  bool resample = false;        ///< false if slice n of the order is slice n of the grid
+  bool resample = false;  ///< true if slices must be interpolated; false if slice n of `order` is slice n of the grid
   std::vector<std::string> warnings;
   std::string refusal;
 };
@@ -33,8 +33,8 @@ inline constexpr double kSamePlace_mm = 0.01;
 /// in a larger gap.
 inline constexpr double kLargestFilledGap_mm = 10;
 
-/// Determines spacing, tilt and gaps from the positions alone. The stack must have at least one slice, and no two at
-/// the same position.
+/// Determines a stack's spacing, tilt and gaps from the positions of its slices alone. The stack must have at least one
+/// slice, and no two at the same position.
 StackPlan planStack(const SliceStack& stack);
 
 /// Tells whether the spacing is even enough that the stack has no gap and needs no resampling along k.

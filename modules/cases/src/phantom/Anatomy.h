@@ -35,7 +35,7 @@ enum class Kind { kOrgan, kArtery, kVein, kMuscle };
 struct Structure {
   Label label = kSoftTissue;
   Kind kind = Kind::kOrgan;
-  double sheath_mm = 0;  ///< width of the soft tissue that is kept free around it
+  double sheath_mm = 0;  ///< width of the layer around the structure that remains soft tissue
   Shape shape;
 };
 
@@ -43,10 +43,10 @@ struct Structure {
 std::vector<Structure> makeAnatomy(const NeckParameters& parameters, std::uint32_t seed);
 
 /// Returns the internal jugular vein at a level: lateral and posterior position of its center (mm), half width, half
-/// height, turn (degrees).
+/// height, rotation (degrees).
 std::array<double, 5> jugularVeinAt(const NeckParameters& parameters, Side side, double z_mm);
 
-/// A named vessel, e.g. "left vertebral artery". Model mm.
+/// A named vessel, e.g. "left vertebral artery", with its center line in the model frame, mm.
 struct VesselCourse {
   std::string name;
   Label label = kVein;
@@ -61,7 +61,8 @@ double airwayCentre_mm(double z_mm);
 /// Course of the subclavian vein from its confluence to the axillary vein, below the clavicle; the artery
 /// (axillaryArtery) lies behind and above it. Dimensions after Galloway and Bodenham, Br J Anaesth 2003;90:589. Below
 /// the middle of the clavicle, the vein is 12 mm wide and begins 19 mm below the skin; the artery is 3 mm and the rib
-/// cage 10 mm away. 40 mm farther lateral, these are 9, 31, 8 and 20 mm.
+/// cage 10 mm away. 40 mm farther lateral, the vein is 9 mm wide and 31 mm deep, the artery is 8 mm and the rib cage 20
+/// mm away.
 std::vector<Tube::Knot> axillaryVein();
 std::vector<Tube::Knot> axillaryArtery();
 

@@ -43,12 +43,12 @@ enum class Form {
   kFaceted  ///< soft vein: flat toward its neighbors, indented by the neighbor in direction `facing_deg`
 };
 
-/// An upright organ or muscle: an oval whose center, half axes and turn change smoothly.
+/// An upright organ or muscle: an oval whose center, half axes and rotation change smoothly with the level.
 struct Column {
-  /// Lateral and posterior position of the center, half axes along lateral and posterior (mm), turn (degrees, from
+  /// Lateral and posterior position of the center, half axes along lateral and posterior (mm), rotation (degrees, from
   /// lateral toward posterior).
   Curve<5> course;
-  double taper_mm = 3;        ///< length over which each end is rounded
+  double taper_mm = 3;        ///< length over which each end of the column is rounded
   double irregular_mm = 0.5;  ///< amplitude of the boundary's noise
   Form form = Form::kOval;
   double facing_deg = 0;  ///< kFaceted: direction of the indenting neighbor, from lateral toward posterior
@@ -63,7 +63,7 @@ struct Sheet {
   Curve<4> course;
   double taper_mm = 4;
   double irregular_mm = 0.5;
-  Form form = Form::kLens;  ///< or kOval
+  Form form = Form::kLens;  ///< kLens or kOval
 };
 Shape sheet(Side side, Sheet sheet, std::uint32_t seed);
 

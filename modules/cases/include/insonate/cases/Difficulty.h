@@ -13,14 +13,15 @@ namespace insonate {
 /// target shows it.
 struct VeinMeasures {
   std::string target;
-  double depth_mm = 0;                    ///< from the skin to the front wall
-  double area_mm2 = 0;                    ///< of the lumen
-  double width_mm = 0, height_mm = 0;     ///< axes of the ellipse with the lumen's second moments
-  std::optional<double> overlap_percent;  ///< share of the artery's width behind the vein; no value: no artery
-  std::optional<double> angle_deg;        ///< angle at the vein from the beam to the artery; 0: straight behind
-  std::optional<double> artery_mm;        ///< distance from the vein's wall to the artery's wall
-  std::optional<double> second_mm;        ///< distance to the wall of a second artery within the probe's reach
-  std::optional<double> lung_mm;          ///< distance along the beam from the vein's back wall to air
+  double depth_mm = 0;                 ///< depth of the vein's front wall below the skin
+  double area_mm2 = 0;                 ///< area of the vein's lumen
+  double width_mm = 0, height_mm = 0;  ///< axes of the ellipse with the second moments of the vein's lumen
+  /// Share of the artery's width that lies behind the vein; no value: no artery.
+  std::optional<double> overlap_percent;
+  std::optional<double> angle_deg;  ///< angle at the vein between the beam and the artery; 0: artery straight behind
+  std::optional<double> artery_mm;  ///< distance from the vein's wall to the artery's wall
+  std::optional<double> second_mm;  ///< distance to the wall of a second artery within the probe's reach
+  std::optional<double> lung_mm;    ///< distance along the beam from the vein's back wall to air
 };
 
 /// Contribution of one property to the difficulty.
@@ -35,9 +36,9 @@ struct DifficultyShare {
 struct DifficultyEstimate {
   static constexpr int kVersion = 1;  ///< version of the formula
   std::string_view grade;             ///< "easy", "moderate" or "hard"
-  double points = 0;                  ///< sum of the shares
+  double points = 0;                  ///< sum of the points of all shares
   VeinMeasures measures;
-  std::vector<DifficultyShare> shares;  ///< the largest first
+  std::vector<DifficultyShare> shares;  ///< contributions of the single properties, the largest first
   std::string sentence;                 ///< the grade and the reasons for it
 };
 

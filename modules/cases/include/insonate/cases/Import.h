@@ -35,7 +35,7 @@ struct SeriesListing {
   std::vector<SetAside> setAside;
 };
 
-/// Result of an import. `ct` is int16 HU; padding and everything below -1024 are set to -1024.
+/// Result of an import. `ct` is int16 HU, in which padding and all values below -1024 are set to -1024.
 struct ImportedCt {
   CtVolume ct;
   SeriesInfo series;   ///< its warnings list all changes made during the import, for CaseManifest::importNotes

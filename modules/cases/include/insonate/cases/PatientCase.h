@@ -80,7 +80,7 @@ enum class LabelState : std::uint8_t { NotStarted, InProgress, Completed, Flagge
 /// Returns "not started", "in progress", "completed" or "flagged".
 std::string_view nameOf(LabelState state);
 
-/// Progress by label.
+/// The author's progress on each structure, by label.
 using LabelStates = std::map<std::uint8_t, LabelState>;
 
 /// Returns the state that the author set; else InProgress if the label has voxels, NotStarted if not.
@@ -95,15 +95,15 @@ struct CaseManifest {
   std::string description;
   std::string difficulty;  ///< the author's grade: "easy", "moderate", "hard" or empty (see cases/Difficulty.h)
   std::vector<Target> targets;
-  std::vector<NamedVessel> vessels;   ///< distinguish vessels that share a label
+  std::vector<NamedVessel> vessels;   ///< named vessels, so that vessels that share a label can be distinguished
   std::vector<StartPose> startPoses;  ///< training begins at the first pose
   std::vector<Landmark> landmarks;
   CaseVersion version;
   std::map<std::uint8_t, StructureShown> shown;  ///< display settings by label, if the author set them
-  OwnLabels ownLabels;                           ///< structures of labels that the label table does not know
-  LabelStates states;                            ///< progress on structures, if the author set it
-  std::string source;                            ///< origin of the case, without anything that identifies a patient
-  std::vector<std::string> importNotes;          ///< changes and doubtful points of the import, one sentence each
+  OwnLabels ownLabels;                   ///< the author's own structures, which the label table does not contain
+  LabelStates states;                    ///< the author's progress on each structure, if set
+  std::string source;                    ///< origin of the case, without anything that identifies a patient
+  std::vector<std::string> importNotes;  ///< changes that the import made, and points to check, one sentence each
 };
 
 using LabelColour = std::array<std::uint8_t, 3>;  ///< sRGB

@@ -16,7 +16,7 @@ Result<StartPose> proposeStartPose(const CaseView& patient);
 /// Proposes a start pose for a transverse image over this target.
 Result<StartPose> poseOver(const CaseView& patient, const Target& target);
 
-/// Returns the pose that `auto` stands for: the case's first start pose, else the proposed one.
+/// Returns the pose for the value `auto` of the command line: the case's first start pose, else the proposed one.
 Result<StartPose> autoStartPose(const CaseView& patient);
 
 }  // namespace insonate
