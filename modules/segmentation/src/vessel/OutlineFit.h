@@ -42,7 +42,7 @@ class OutlineFit {
   const CtVolume& ct_;
   Transform indexFromPatient_;
   int steps_;
-  double blur_mm2_;  ///< variance of the known blur: scanner and voxels
+  double blur_mm2_;  ///< variance of the CT's blur by scanner and voxels
   int reach_;        ///< maximum number of steps by which refined() searches from a wall
 };
 

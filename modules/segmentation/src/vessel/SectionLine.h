@@ -6,8 +6,8 @@
 
 namespace insonate::segmentation {
 
-/// Returns moving averages over `reach` points on both sides. Near an end, the number on both sides is reduced equally,
-/// so that the ends do not move.
+/// Returns the line smoothed by a moving average over `reach` points on both sides. Near an end, fewer points are used,
+/// equally many on both sides, so that the ends do not move.
 std::vector<Vec3> smoothed(const std::vector<Vec3>& line, int reach);
 
 /// Returns points a millimeter apart on a polyline.

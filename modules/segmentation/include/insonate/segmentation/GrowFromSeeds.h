@@ -9,8 +9,8 @@ namespace insonate {
 /// Labels that the author painted as seeds in a box. Voxels of seeds keep their labels; tools assign the contested
 /// voxels to seeds.
 struct Seeds {
-  Proposal painted;     ///< kKeep at voxels without a seed
-  Selection contested;  ///< voxels, in the same box, that seeds may take
+  Proposal painted;     ///< labels of the seeds' voxels; Proposal::kKeep at voxels without a seed
+  Selection contested;  ///< voxels of the same box that the tool assigns to seeds
 };
 
 /// Returns the seeds of all labels in `which`; the contested voxels are those of labels in `over`.

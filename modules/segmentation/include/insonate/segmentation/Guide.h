@@ -22,10 +22,11 @@ enum class GuideSide { Right, Left };
 
 /// One of the alternative ways to do a step of a guide.
 struct GuideWay {
-  std::optional<HuRange> clicks_HU{};  ///< brightness of the clicked tissue to which this way applies; any if empty
-  std::optional<double> around_mm{};   ///< its steps are limited to this distance from the clicks
-  std::vector<LabelStep> steps;        ///< without their points, which are the clicks
-  std::string caution{};               ///< warning to the author about the result
+  std::optional<HuRange> clicks_HU{};  ///< CT values of the clicked tissue for which this way is used; any if empty
+  /// Limits the steps to voxels within this distance of the clicks; no limit if empty.
+  std::optional<double> around_mm{};
+  std::vector<LabelStep> steps;  ///< labeling steps without points; the author's clicks become their points
+  std::string caution{};         ///< warning to the author about the result
 };
 
 /// One step of the guide: the author's task, the view, and the expected result.
@@ -36,13 +37,15 @@ struct GuideStep {
   std::uint8_t label = 0;           ///< label of the result; 0 for a step that makes several labels
   std::string vessel;               ///< name of the vein or artery in the result, e.g. "right internal jugular vein"
   std::string say;                  ///< instruction to the author
-  std::string lookFor, ifWrong;     ///< appearance of a good result; alternatives for a bad result
-  int leastClicks = 0, clicks = 0;  ///< clicks that are required; clicks that usually suffice; 0 for an automatic step
+  std::string lookFor, ifWrong;     ///< lookFor: appearance of a good result; ifWrong: advice if the result is bad
+  int leastClicks = 0, clicks = 0;  ///< leastClicks: clicks that are required; clicks: clicks that usually suffice;
+                                    ///< both 0 for an automatic step
   bool optional = false;            ///< not needed for training
   std::vector<GuideWay> ways;       ///< alternatives; the first one that fits the clicks is taken
   std::vector<std::uint8_t> makes;  ///< labels, besides `label`, that should exist after the step
   std::vector<std::uint8_t> apart;  ///< labels that should not touch the result
-  std::optional<GuideRange> diameter_mm, volume_ml;  ///< expected in the result; the guide's file states the source
+  /// Expected diameter and volume of the result; the guide's file states the source.
+  std::optional<GuideRange> diameter_mm, volume_ml;
 };
 
 /// Steps by which an author labels a CT, in order.
