@@ -29,13 +29,13 @@ class LabelSprings {
  public:
   explicit LabelSprings(const MechanicalTable& tissues);
 
-  /// Equation 3: returns the pressure that shortens the column by `shortening_mm`.
+  /// Equation 3 of the thesis: returns the pressure that shortens the column by `shortening_mm`.
   ColumnLoad loadAtShortening(double shortening_mm, const LengthByLabel& length_mm) const;
 
   /// Returns the maximum by which the column can be shortened.
   double limit_mm(const LengthByLabel& length_mm) const;
 
-  /// Equation 4: returns the relative shortening of a spring.
+  /// Equation 4 of the thesis: returns the relative shortening of a spring.
   double strain(std::uint8_t label, double pressure_kPa) const;
 
  private:

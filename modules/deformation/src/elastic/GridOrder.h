@@ -13,12 +13,12 @@ class GridOrder {
   /// A group of unknowns that are eliminated together. Its front contains these own unknowns and the border: unknowns
   /// of later fronts that are coupled to them, i.e. the nodes around the rectangle that has been eliminated so far.
   struct Front {
-    int first = 0, own = 0;   ///< own unknowns, in elimination order
+    int first = 0, own = 0;   ///< index of the first own unknown in elimination order, and number of own unknowns
     int border = 0;           ///< number of unknowns in the border
-    int firstBorder = 0;      ///< index of the first one in borderUnknowns()
-    int stride = 0;           ///< row length of the panel and the update, floats
-    std::size_t panel = 0;    ///< offset of the factor's rows, floats
-    int depth = 0, side = 0;  ///< buffer that receives the update
+    int firstBorder = 0;      ///< index of the front's first border unknown in borderUnknowns()
+    int stride = 0;           ///< row length of the front's panel (its part of the factor) and of its update, floats
+    std::size_t panel = 0;    ///< offset of the front's rows in the factor, floats
+    int depth = 0, side = 0;  ///< indices of the buffer that receives the front's update
     int child[2] = {-1, -1};
     int firstRun = 0, runs = 0;       ///< entries of runs() that place the update in the parent's front
     int firstEntry = 0, entries = 0;  ///< entries of entries() that assemble the front

@@ -11,11 +11,13 @@ struct Materials {
   static constexpr float kGasMu_kPa = 0.02f;  ///< very soft, only to keep cells regular
   static constexpr bool isGas(float mu_kPa) { return mu_kPa < 2 * kGasMu_kPa; }
 
-  std::vector<float> mu, bulk;      ///< kPa
-  std::vector<float> hoop;          ///< kPa, added to bulk if a lumen becomes wider; see TubeStiffness.h
-  std::vector<float> artery, vein;  ///< share of a cell's area inside the vessel, for any kind of vessel material, 0..1
-  std::vector<float> arteryBlood, veinBlood;  ///< the same if the vessel is a lumen, else 0
-  std::vector<char> fixed;                    ///< [node]: the node does not move
+  std::vector<float> mu, bulk;  ///< shear modulus mu and area modulus bulk (lambda + mu) of each cell, kPa
+  std::vector<float> hoop;      ///< kPa, added to bulk if a lumen becomes wider; see TubeStiffness.h
+  /// Share of a cell's area inside an artery or a vein, whatever the material of the vessel; 0..1.
+  std::vector<float> artery, vein;
+  /// Share of a cell's area inside an artery or a vein that contains blood (Mechanics::Lumen); else 0.
+  std::vector<float> arteryBlood, veinBlood;
+  std::vector<char> fixed;  ///< [node]: the node does not move
   bool anyBlood = false;
 
   void fill(const Mesh& mesh, const TissuePlane& plane, const MechanicalTable& tissues);

@@ -21,12 +21,12 @@ struct TubeStiffness {
   float wider_kPa = 0, narrower_kPa = 0;
 };
 
-/// Returns the stiffness of one vessel under the pressure at which the CT was taken; `bend` is the mean over its
-/// outline.
+/// Returns the stiffness that the curved wall of one vessel adds, under the pressure at which the CT was taken; `bend`
+/// is the mean curvature of the vessel's outline.
 TubeStiffness tubeStiffness(const MechanicalTissue& vessel, const OutlineBend& bend);
 
-/// Finds the stiffness of each cell, numbered as in Mesh::middle(): all cells of a connected part of a vessel in this
-/// plane get the same. `shares` are the shares of the cells' areas that are lumen.
+/// Finds the stiffness that vessel walls add to each cell, numbered as in Mesh::middle(): all cells of a connected part
+/// of a vessel in this plane get the same value. `shares` are the shares of the cells' areas that are lumen.
 class TubeFinder {
  public:
   void find(const Mesh& mesh, const TissuePlane& plane, float PlaneTissue::*outline, const MechanicalTissue& vessel,

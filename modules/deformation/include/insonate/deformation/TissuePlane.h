@@ -8,7 +8,7 @@
 
 namespace insonate {
 
-/// Undeformed tissue at a point.
+/// Undeformed tissue at a point of the image plane.
 struct PlaneTissue {
   static constexpr float kFar_mm = 6;  ///< maximum absolute distance that is reported
 
