@@ -23,9 +23,10 @@ class FaceEchoes {
  public:
   FaceEchoes(const Probe& probe, const ImagingSettings& settings, const DisplayPlan& plan);
 
-  /// Share of the amplitude that each scanline keeps in a block of rows; null if the whole face touches the skin.
+  /// Returns the share of the amplitude that each scanline keeps in a block of rows, because a part of the face does
+  /// not touch the skin; null if the whole face touches.
   const float* contact(int block) const { return contact_ ? contact_->row(block) : nullptr; }
-  /// Adds the ringing to a row of power.
+  /// Adds the power of the ringing to a row of echo power.
   void addTo(float* power, int row, float rowGain) const;
 
  private:
@@ -33,9 +34,10 @@ class FaceEchoes {
   void findRinging(const Probe& probe, const ImagingSettings& settings, const BeamGrid& grid);
 
   int columns_;
-  Plane line_, lack_;             ///< single rows: power of the ringing, and share of the ringing that is as in air
-  std::optional<Plane> contact_;  ///< [block][scanline]
-  std::vector<float> touching_, lifted_;  ///< [row] power; ends at the row at which the ringing ends
+  Plane line_, lack_;  ///< line_: power of each scanline's ringing; lack_: share of its ringing that is as in air
+  std::optional<Plane> contact_;          ///< [block][scanline]
+  std::vector<float> touching_, lifted_;  ///< [row] power of the ringing where the face touches the skin, and where it
+                                          ///< is lifted; ends with the ringing
 };
 
 }  // namespace insonate::display

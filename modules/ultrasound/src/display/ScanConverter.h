@@ -15,7 +15,7 @@ class ScanConverter {
  public:
   ScanConverter(const Probe& probe, const ImagingSettings& settings);
 
-  /// Row for the gray values of one sample, one per scanline; with room for whole vectors.
+  /// Returns the row for the gray values of one sample depth, one per scanline, with room for whole SIMD vectors.
   std::uint8_t* greyRow(int sample) { return grey_.data() + std::size_t(sample) * greyStride_ + kMargin; }
   /// Computes the image and sets its size and scale. Uses the calling thread's TBB arena.
   void convert(BModeImage& image);
@@ -33,13 +33,14 @@ class ScanConverter {
   void addPixel(const BeamGrid::Location& at);
   void convertRow(int row, std::uint8_t* out) const;
 
-  static constexpr int kMargin = 16;  ///< columns on each side of a gray row
+  static constexpr int kMargin = 16;  ///< number of extra columns on each side of a gray row
 
   int samples_, scanlines_, greyStride_;
-  int columns_, fineStride_;  ///< size of the refined rows: in single columns, and in pairs
+  int columns_, fineStride_;  ///< size of a refined row (with columns halfway between scanlines): columns_ single
+                              ///< columns, fineStride_ pairs
   BModeImage layout_;
   std::vector<std::uint8_t> grey_;
-  std::vector<std::uint16_t> fine_;  ///< two columns each
+  std::vector<std::uint16_t> fine_;  ///< refined rows; each element holds two columns
   std::vector<std::uint32_t> packed_;
   std::vector<Run> runs_;
   std::vector<std::size_t> firstRun_;  ///< index of the first run of each row, and the end

@@ -6,8 +6,9 @@
 
 namespace insonate {
 
-/// Linear echo amplitude on the beam grid, before compounding, gain, compression and scan conversion. 1 is the RMS
-/// amplitude of fully developed speckle in a 0 dB tissue without attenuation. Scanlines are fastest in memory.
+/// Linear echo amplitude on the beam grid, before compounding, gain, compression and scan conversion. Amplitude 1 is
+/// the RMS amplitude of fully developed speckle in a 0 dB tissue without attenuation. A look is one of several frames
+/// with independent speckle, which the display averages. Scanlines are fastest in memory.
 struct EnvelopeFrame {
   int scanlines = 0, samples = 0, looks = 0;
   std::vector<float> amplitude;  ///< [look][sample][scanline]

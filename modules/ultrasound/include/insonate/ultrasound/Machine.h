@@ -13,7 +13,7 @@ namespace insonate {
 struct Machine {
   std::string name;   ///< "cart-2024"
   std::string title;  ///< "cart, 2024", for a list
-  std::string about;  ///< one sentence
+  std::string about;  ///< description of the machine in one sentence
 };
 
 /// Returns the presets of resources/machines, in a fixed order.
