@@ -35,8 +35,8 @@ bool sameGrid(const VolumeGeometry& a, const VolumeGeometry& b);
 /// Fails with a sentence if sizes, spacings or directions cannot describe a grid.
 Result<void> validate(const VolumeGeometry& geometry);
 
-/// Fails if voxels are smaller than 0.05 mm or larger than 25 mm along an axis: no patient's CT has such voxels, but a
-/// file in meters or micrometers seems to.
+/// Fails if voxels are smaller than 0.05 mm or larger than 25 mm along an axis, which suggests a file in meters or
+/// micrometers.
 Result<void> checkVoxelSize(Vec3 spacing_mm);
 
 }  // namespace insonate
