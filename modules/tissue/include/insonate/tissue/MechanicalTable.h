@@ -12,7 +12,7 @@ namespace insonate {
 
 /// Behavior of a structure under compression.
 enum class Mechanics {
-  Solid,  ///< elastic
+  Solid,  ///< elastic tissue
   Rigid,  ///< does not move (bone)
   Lumen,  ///< blood under pressure, which can flow out of the plane; the wall lies outside the label
   Gas,    ///< no resistance (airway, lung, outside the patient)

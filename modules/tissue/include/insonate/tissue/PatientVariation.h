@@ -14,7 +14,8 @@ namespace insonate {
 ///
 /// Standard deviations of the variation, which is limited to two standard deviations: echogenicity 1.5 dB, of muscle
 /// and fat 2.5 dB; texture strength 15 %; roughness 20 %; layers 2 dB, 20 % of their thickness and 0.12 of patchiness.
-/// These amounts are chosen; muscle's increase with age is from Arts et al., Muscle Nerve 2010; 41:32.
+/// These amounts were chosen, not measured; the increase of muscle with age is from Arts et al., Muscle Nerve 2010;
+/// 41:32.
 AcousticTable tableOfPatient(const AcousticTable& table, std::uint32_t seed);
 
 }  // namespace insonate
