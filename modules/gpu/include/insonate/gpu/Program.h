@@ -19,7 +19,8 @@ struct Field {
 /// A compute shader.
 class Program {
  public:
-  /// Compiles the concatenated `parts` after a line with the GLSL version. Fails with the compiler's log.
+  /// Compiles the shader text in `parts`, concatenated in this order, after a line with the GLSL version. Fails with
+  /// the compiler's log.
   static Result<Program> make(const Current& current, std::string name, std::span<const std::string_view> parts);
   ~Program();
   Program(Program&& other) noexcept;
