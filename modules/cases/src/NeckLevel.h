@@ -12,7 +12,8 @@ struct BodyLevel {
   double z_mm = 0;       ///< level, patient LPS
   double area_mm2 = 0;   ///< 0 if there is no body at this level
   double middle_mm = 0;  ///< x of the patient's midline, the same at all levels
-  /// Position y of the front of the body, 25 mm to the right of the patient's midline; 1e6 if there is no body.
+  /// Position y of the front of the body, 25 mm to the right of the patient's midline; 1e6 if there is no body at that
+  /// place.
   double front_mm = 0;
 };
 

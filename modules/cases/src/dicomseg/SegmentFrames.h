@@ -11,7 +11,7 @@ namespace insonate {
 
 /// One slice of one structure.
 struct SegmentFrame {
-  int segment = 0;  ///< index among SegmentFrames::labels
+  int segment = 0;  ///< index of the structure's label in SegmentFrames::labels
   int k = 0;
 };
 
@@ -19,7 +19,7 @@ struct SegmentFrame {
 /// the lowest bit.
 struct SegmentFrames {
   std::vector<std::uint8_t> labels;  ///< labels that occur in the map, ascending
-  std::vector<SegmentFrame> frames;  ///< slices in which a structure occurs, by structure, then by k
+  std::vector<SegmentFrame> frames;  ///< slices in which a structure occurs, ordered by structure, then by k
   std::vector<std::uint8_t> bits;
 };
 

@@ -12,7 +12,7 @@ namespace insonate {
 /// Number of bytes found in a file, after decompression.
 struct HeldBytes {
   double count = 0;
-  bool streamBreaks = false;  ///< a compressed stream ended early or did not match its checksum
+  bool streamBreaks = false;  ///< true if a compressed stream ended early or did not match its checksum
 };
 
 /// Reads a file's bytes from its beginning, decompressed if it is a gzip file.
@@ -22,7 +22,7 @@ class GzipReader {
   ~GzipReader();
   /// Reads up to the size of `bytes`; returns the number read.
   std::size_t read(std::span<char> bytes);
-  /// Skips bytes; returns false if fewer are left.
+  /// Skips `count` bytes; returns false if fewer bytes are left.
   bool skip(std::size_t count);
   /// Tells whether the compressed stream was damaged.
   bool broken() const;

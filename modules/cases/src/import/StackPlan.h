@@ -11,15 +11,15 @@ namespace insonate {
 /// Parallel slices of one size, in any order, each at a different position.
 struct SliceStack {
   int columns = 0, rows = 0;
-  std::array<double, 2> spacing_mm{};  ///< along i (between columns), along j (between rows)
-  std::array<Vec3, 2> direction;       ///< directions of i and j; nearly perpendicular
+  std::array<double, 2> spacing_mm{};  ///< distance between pixels along i (between columns) and along j (between rows)
+  std::array<Vec3, 2> direction;       ///< patient directions of i and j; nearly perpendicular
   std::vector<Vec3> positions_mm;      ///< center of each slice's first pixel, patient LPS
   double thickness_mm = 0;             ///< slice thickness, used as the spacing of a single slice; 0 if unknown
 };
 
 /// Grid and order in which a stack becomes a volume.
 struct StackPlan {
-  VolumeGeometry grid;          ///< orthogonal, right-handed
+  VolumeGeometry grid;          ///< grid of the volume: orthogonal, right-handed
   std::vector<int> order;       ///< indices of slices in the stack, by increasing k
   std::vector<Vec3> offset_mm;  ///< offset of each ordered slice's first pixel from the grid's origin, along i, j, k
   bool resample = false;  ///< true if slices must be interpolated; false if slice n of `order` is slice n of the grid

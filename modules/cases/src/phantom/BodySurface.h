@@ -21,13 +21,13 @@ struct Site {
 struct LayerOptions {
   double fat_mm = 4.5;   ///< mean thickness of the subcutaneous fat over the front and sides
   double skin_mm = 1.6;  ///< mean thickness of the skin
-  double girth_mm = 0;   ///< added to the usual radius of the fascia
+  double girth_mm = 0;   ///< increase of the neck's girth, added to the usual radius of the fascia
   std::uint32_t seed = 1;
 };
 
 /// The platysma: a sheet of muscle in the subcutaneous fat.
 struct Platysma {
-  double height = 0.3;  ///< height above the fascia, as a share of the fat's thickness
+  double height = 0.3;  ///< height of the muscle above the fascia, as a share of the fat's thickness
   double halfThickness_mm = 0.55;
   double first = 0.14, last = 1.7;  ///< angles of the muscle's edges from the front, radians
   double top_z_mm = 46;
@@ -60,7 +60,7 @@ class BodySurface {
   /// Returns the depth of one point below the skin's surface (negative outside), mm.
   double belowSkin_mm(Vec3 p_mm) const;
 
-  static constexpr double kAxisY_mm = 40;  ///< the neck's axis passes through (0, kAxisY_mm)
+  static constexpr double kAxisY_mm = 40;  ///< y of the neck's axis, whose x is 0
 
  private:
   struct Level {

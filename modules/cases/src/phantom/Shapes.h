@@ -56,7 +56,7 @@ struct Column {
 Shape column(Side side, Column column, std::uint32_t seed);
 
 /// A flat muscle that follows the investing fascia: a lens in the coordinates arc length along the fascia and depth
-/// below it. Its edges lie closer to the fascia than its middle.
+/// below it. The sheet's edges lie closer to the fascia than its middle.
 struct Sheet {
   /// Angle from the front (degrees), depth of the center below the fascia, half width along the fascia, half thickness
   /// (mm).
@@ -76,7 +76,7 @@ struct Tube {
   std::vector<Knot> knots;
   double flatness = 1;  ///< above 1: height from head to foot divided by this factor
   double irregular_mm = 0.15;
-  double oval = 0;  ///< relative deviation of the cross-section from a circle
+  double oval = 0;  ///< oval cross-section: relative deviation from a circle
 };
 Shape tube(Side side, Tube tube, std::uint32_t seed);
 

@@ -18,8 +18,8 @@ std::string_view nameOf(FindingSeverity severity);
 /// A result of checkCase(): one error, warning or remark about a case.
 struct Finding {
   FindingSeverity severity;
-  std::string code;                ///< stable, for scripts, e.g. "no_vein"
-  std::string text;                ///< a sentence: what is wrong, where, and what to do
+  std::string code;                ///< stable identifier of the finding, for scripts, e.g. "no_vein"
+  std::string text;                ///< sentence that says what is wrong, where, and what to do
   std::optional<Vec3> place_mm{};  ///< patient LPS, if the finding has a single position; may lie outside the volume
   std::uint8_t label = 0;          ///< the structure that the finding concerns; 0 for none
 };

@@ -25,8 +25,8 @@ Result<VolumeGeometry> croppedGrid(const VolumeGeometry& geometry, const CropOpt
 /// interpolated CT over the voxel; its label is the one with the largest share of the voxel. Each label is interpolated
 /// separately, so that thin walls stay connected (nearest-voxel resampling would tear them). Title, colors, targets and
 /// start poses are kept, in patient coordinates; targets outside the crop are removed. The import notes list the
-/// changes. Uses all cores. The result is bit-identical on any number of threads. Fails like croppedGrid(), and when
-/// cancelled.
+/// changes. Uses all cores. The result is bit-identical on any number of threads. Fails with the errors of
+/// croppedGrid(), and when cancelled.
 Result<PatientCase> cropCase(const PatientCase& patient, const CropOptions& options, const Progress& progress = {});
 
 }  // namespace insonate

@@ -28,8 +28,8 @@ struct VeinMeasures {
 struct DifficultyShare {
   std::string what;    ///< name of the property, e.g. "height of the vein"
   std::string value;   ///< value of the property, with its unit
-  double points = 0;   ///< 0 easy .. 1 hard
-  std::string reason;  ///< as a clause: "the vein is only 4 mm high"
+  double points = 0;   ///< contribution to the difficulty: 0 for easy, 1 for hard, more beyond
+  std::string reason;  ///< reason for the contribution, as a clause: "the vein is only 4 mm high"
 };
 
 /// Difficulty estimated from the labels; modules/cases/README.md states the formula and its basis.
@@ -46,7 +46,7 @@ struct DifficultyEstimate {
 /// target, if the target is not in its vessel, or if there is no skin in front of it.
 Result<DifficultyEstimate> estimateDifficulty(const CaseView& patient);
 
-/// Measures the vessel's cross-section at a target. Fails like estimateDifficulty().
+/// Measures the vessel's cross-section at a target. Fails with the errors of estimateDifficulty().
 Result<VeinMeasures> measureVein(const CaseView& patient, const Target& target);
 
 /// Returns the author's grade, else the estimated one; empty if neither is known.

@@ -53,23 +53,23 @@ double distanceToCourse_mm(const NamedVessel& vessel, Vec3 patient_mm) noexcept;
 /// A landmark to which instructions refer, e.g. the cricoid. Codes are those of cases/Landmarks.h; unknown codes are
 /// kept.
 struct Landmark {
-  std::string code;  ///< for programs, e.g. "clavicle_right"; empty for a landmark that the author defined
+  std::string code;  ///< code for programs, e.g. "clavicle_right"; empty for a landmark that the author defined
   std::string name;
   Vec3 position_mm;
 };
 
 /// Identity of a case at the time it was saved (see cases/CaseVersions.h).
 struct CaseVersion {
-  int number = 0;       ///< 1 for the first; 0 for a case that has never been saved as a version
+  int number = 0;       ///< number of the version: 1 for the first; 0 for a case that has never been saved as a version
   std::string content;  ///< contentHashOf() of the case when it was saved
   std::string voxels;   ///< voxelHashOf() of the case when it was saved
   std::string date;     ///< the day on which it was saved, e.g. "2026-11-22"
-  std::string author;   ///< may be empty
+  std::string author;   ///< person who saved the version; may be empty
 };
 
 /// Display settings of a structure's surface in 3D.
 struct StructureShown {
-  double opacity = 1;  ///< 0..1
+  double opacity = 1;  ///< opacity of the surface, 0..1
   bool visible = true;
   bool operator==(const StructureShown&) const = default;
 };
@@ -96,7 +96,7 @@ struct CaseManifest {
   std::string difficulty;  ///< the author's grade: "easy", "moderate", "hard" or empty (see cases/Difficulty.h)
   std::vector<Target> targets;
   std::vector<NamedVessel> vessels;   ///< named vessels, so that vessels that share a label can be distinguished
-  std::vector<StartPose> startPoses;  ///< training begins at the first pose
+  std::vector<StartPose> startPoses;  ///< poses of the probe; training begins at the first one
   std::vector<Landmark> landmarks;
   CaseVersion version;
   std::map<std::uint8_t, StructureShown> shown;  ///< display settings by label, if the author set them
