@@ -8,7 +8,8 @@
 
 namespace insonate::segmentation {
 
-/// The part of a vessel in one plane that is connected to the point at which the plane was placed. Patient space.
+/// A cross-section of a vessel: the part of the vessel in one plane that is connected to the point through which the
+/// plane was laid. Patient space.
 struct VesselSection {
   Vec3 centre_mm;  ///< centroid of the section
   double area_mm2 = 0;

@@ -26,7 +26,7 @@ class RunPacker {
 
   std::vector<std::uint8_t> bytes_;
   ChangedRun run_{0, 0, 0, 0};
-  std::size_t packed_ = 0;  ///< end of the last run in bytes_
+  std::size_t packed_ = 0;  ///< voxel after the last run that is packed in bytes_
 };
 
 /// Unpacks runs: calls `visit(const ChangedRun&)` for each run in order.

@@ -12,7 +12,7 @@ namespace insonate::segmentation {
 /// CT value of blood, and the limits below and above which the CT shows other tissue.
 struct BloodLevel {
   double low_HU = 0, blood_HU = 0, high_HU = 0;
-  double half_HU = 0;  ///< half-way between the blood and the darker tissue around it
+  double half_HU = 0;  ///< CT value half-way between the blood and the darker tissue around it
 
   /// Returns the squared difference of `hu` from blood_HU, scaled to 0 at blood_HU and 1 at low_HU and high_HU; at most
   /// 4.

@@ -31,7 +31,7 @@ struct Bend {
 
 /// Returns the closed outline of minimum cost. `bendAt(r)` limits the change of radius from the previous ray to index
 /// r. If `expected` is given, deviations from `expected` cost more, too. Dynamic programming over two turns around the
-/// center; the result is taken from the middle of both turns, which does not depend on the ray at which the search
+/// center; the result is one turn from the middle of these two, which does not depend on the ray at which the search
 /// starts.
 Radii closedWay(RadialCost cost, const std::function<Bend(int)>& bendAt, const Radii* expected);
 

@@ -8,8 +8,8 @@
 
 namespace insonate {
 
-/// Parameters of a front that starts at the seeds. It moves by 1 mm per unit of time in homogeneous tissue, and more
-/// slowly where the CT's gradient is steep:
+/// Parameters of a front that starts at the seeds. The front moves by 1 mm per unit of time in homogeneous tissue, and
+/// more slowly where the CT's gradient is steep:
 ///   speed = 1 / (1 + (gradient / edge)^2)
 /// J. A. Sethian, "A fast marching level set method for monotonically advancing fronts", PNAS 93, 1996.
 struct MarchingFront {

@@ -31,8 +31,8 @@ Result<Proposal> grownFromSeeds(const CtVolume& ct, const Seeds& seeds, const Co
 
 /// Marker-controlled watershed: floods the CT's gradient from the seeds and assigns each contested voxel to the seed
 /// that reaches it first (F. Meyer, "Topographic distance and watershed lines", Signal Processing 38, 1994).
-/// `smoothing_mm` is the standard deviation of the Gaussian blur that is applied to the CT first. Refuses and fails
-/// like grownFromSeeds().
+/// `smoothing_mm` is the standard deviation of the Gaussian blur that is applied to the CT first. Refuses seeds of
+/// fewer than two labels; fails when cancelled.
 Result<Proposal> watershed(const CtVolume& ct, const Seeds& seeds, double smoothing_mm, const Progress& progress = {});
 
 }  // namespace insonate

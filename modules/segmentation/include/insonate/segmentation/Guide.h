@@ -32,7 +32,7 @@ struct GuideWay {
 /// One step of the guide: the author's task, the view, and the expected result.
 struct GuideStep {
   std::string name;                 ///< identifier, e.g. "vein-right"
-  std::string title;                ///< e.g. "Jugular vein, right"
+  std::string title;                ///< title of the step for the user, e.g. "Jugular vein, right"
   std::optional<GuideSide> side;    ///< side of the patient on which to click
   std::uint8_t label = 0;           ///< label of the result; 0 for a step that makes several labels
   std::string vessel;               ///< name of the vein or artery in the result, e.g. "right internal jugular vein"
@@ -40,7 +40,7 @@ struct GuideStep {
   std::string lookFor, ifWrong;     ///< lookFor: appearance of a good result; ifWrong: advice if the result is bad
   int leastClicks = 0, clicks = 0;  ///< leastClicks: clicks that are required; clicks: clicks that usually suffice;
                                     ///< both 0 for an automatic step
-  bool optional = false;            ///< not needed for training
+  bool optional = false;            ///< true if the step is not needed for training
   std::vector<GuideWay> ways;       ///< alternatives; the first one that fits the clicks is taken
   std::vector<std::uint8_t> makes;  ///< labels, besides `label`, that should exist after the step
   std::vector<std::uint8_t> apart;  ///< labels that should not touch the result
@@ -65,8 +65,8 @@ const std::vector<Preset>& guidePresets();
 /// fits no way.
 Result<GuideWay> wayFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct);
 
-/// Returns the clicks of a step of the guide: the points of the recipe's first step that was made for it and has
-/// points. Empty if there is no such step.
+/// Returns the clicks of a step of the guide: the points of the recipe's first step that was made for this step of the
+/// guide and has points. Empty if there is no such step.
 std::vector<Vec3> clicksOf(const GuideStep& step, const Recipe& recipe);
 
 /// Checks the result of a step and returns findings, one sentence each: the result does not contain the clicks, has an

@@ -14,7 +14,7 @@ struct GeodesicLevelSet {
   double propagation = 1;     ///< outward speed of the surface; negative for inward
   double curvature = 0.3;     ///< weight of the surface's smoothness; 0 or more
   double advection = 1;       ///< weight of the attraction by edges of the CT; 0 or more
-  int rounds = 120;           ///< maximum number of iterations; stops earlier if the surface no longer moves
+  int rounds = 120;           ///< maximum number of iterations; fewer if the surface no longer moves
 };
 
 /// Moves the surface of `start` and returns the region inside the final surface. The surface stays within the
