@@ -12,8 +12,8 @@ namespace insonate::column {
 struct TissueColumn {
   bool met = false;       ///< true if the column contains tissue under the face
   bool skinFound = true;  ///< false if tissue continues to the upper end of the grid
-  double skin_mm = 0;     ///< z of the skin
-  int first = 0;          ///< row of the first spring
+  double skin_mm = 0;     ///< depth z of the skin
+  int first = 0;          ///< row of the column's first spring
   LengthByLabel length_mm{};
 };
 
@@ -60,7 +60,7 @@ class ColumnGrid {
 
   int columnCount = 0, rowCount = 0;
   double step = 0, bottom = 0, width = 0;
-  std::vector<PlanePoint> points;  ///< [column][row], centers
+  std::vector<PlanePoint> points;  ///< centers of the springs, [column][row]
   std::vector<PlaneTissue> tissue;
   std::vector<TissueColumn> measured;
   std::vector<double> weights;

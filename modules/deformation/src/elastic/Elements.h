@@ -29,9 +29,10 @@ struct Elements {
   static constexpr float kShutBelow = 0.1f;  ///< Jmin: relative area at which a lumen is closed
 
   int columns = 0, rows = 0;
-  std::array<std::vector<float>, 10> m;           ///< upper triangle of m_ab, kPa: 00 01 02 03 11 12 13 22 23 33
-  std::vector<float> area;                        ///< A0, mm2
-  std::vector<float> mu, bulk, hoop, shut, base;  ///< kPa
+  /// Coefficients m_ab of the energy W of each cell, upper triangle, kPa: 00 01 02 03 11 12 13 22 23 33.
+  std::array<std::vector<float>, 10> m;
+  std::vector<float> area;                        ///< undeformed area A0 of each cell, mm2
+  std::vector<float> mu, bulk, hoop, shut, base;  ///< moduli of each cell in the energy W, kPa
   std::vector<float> guarded;  ///< above 0: allowedShare() limits the Newton step for the sake of this cell
   /// Coefficient of the area's second derivative in the tangent: the cell's pressure, treated as an unknown that
   /// changes linearly with each step (mixed Newton). With the pressure of the present area instead, steps would

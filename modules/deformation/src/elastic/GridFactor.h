@@ -28,7 +28,7 @@ class GridFactor {
 
   GridOrder order_;
   std::vector<float> panels_;
-  std::vector<std::vector<float>> updates_[2];  ///< [side][depth]
+  std::vector<std::vector<float>> updates_[2];  ///< updates that fronts pass to their parents, [side][depth]
   std::vector<float> ordered_, border_;
 };
 

@@ -20,8 +20,9 @@ class GridOrder {
     std::size_t panel = 0;    ///< offset of the front's rows in the factor, floats
     int depth = 0, side = 0;  ///< indices of the buffer that receives the front's update
     int child[2] = {-1, -1};
-    int firstRun = 0, runs = 0;       ///< entries of runs() that place the update in the parent's front
-    int firstEntry = 0, entries = 0;  ///< entries of entries() that assemble the front
+    /// First entry and number of entries of runs() that place the update in the parent's front.
+    int firstRun = 0, runs = 0;
+    int firstEntry = 0, entries = 0;  ///< first index and number of the entries() that assemble the front
   };
   /// Consecutive unknowns of a border, and their positions in the parent's front.
   struct Run {
@@ -29,8 +30,10 @@ class GridOrder {
   };
   /// A coupling of two nodes, and its position in the front.
   struct Entry {
-    std::int32_t node = 0, at = 0;  ///< `at`: position in the panel
-    std::int8_t block = 0;          ///< GridMatrix::Block
+    /// `node`: the node in whose blocks the matrix stores the coupling; `at`: position of the coupling in the front's
+    /// panel.
+    std::int32_t node = 0, at = 0;
+    std::int8_t block = 0;  ///< block of the coupling in the matrix (GridMatrix::Block)
     bool transposed = false;
   };
 
@@ -40,15 +43,15 @@ class GridOrder {
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   int unknowns() const { return 2 * columns_ * rows_; }
-  /// Fronts in the order of elimination; children precede their parent.
+  /// Returns the fronts in the order of elimination; children precede their parent.
   const std::vector<Front>& fronts() const { return fronts_; }
   const std::vector<int>& borderUnknowns() const { return border_; }
   const std::vector<Run>& runs() const { return runs_; }
   const std::vector<Entry>& entries() const { return entries_; }
-  /// First of the two positions of each node's unknowns in the elimination order.
+  /// Returns, for each node, the position of the first of its two unknowns in the elimination order.
   const std::vector<int>& placeOfNode() const { return place_; }
   std::size_t factorSize() const { return factorSize_; }
-  /// Size of the largest update at each depth, floats.
+  /// Returns the size of the largest update at each depth of the dissection, floats.
   const std::vector<std::size_t>& updateSize() const { return updateSize_; }
 
  private:
@@ -66,7 +69,8 @@ class GridOrder {
   std::vector<Run> runs_;
   std::vector<Entry> entries_;
   struct Part {
-    Rectangle whole, own;  ///< nodes eliminated up to and including a front; nodes eliminated by this front only
+    /// `whole`: nodes eliminated up to and including a front; `own`: nodes eliminated by this front only.
+    Rectangle whole, own;
   };
   std::vector<Part> parts_;
   std::size_t factorSize_ = 0;

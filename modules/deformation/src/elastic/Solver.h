@@ -88,7 +88,7 @@ class Solver {
   float caution_ = 0;  ///< parameter `caution` of the next assemble()
   int cautiousRounds_ = 0;
   int rounds_ = 0;  ///< Newton steps since the start of this solution; live imaging takes a few per image
-  float last_ = 0;  ///< longest displacement in the last step
+  float last_ = 0;  ///< longest displacement of a node in the last step
 };
 
 }  // namespace insonate::elastic

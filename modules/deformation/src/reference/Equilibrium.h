@@ -21,9 +21,9 @@ class Equilibrium {
   State state;  ///< starting point of the next solve(); fixed nodes keep their positions of this state
 
   struct Outcome {
-    bool converged = false;  ///< no node moved by more than the tolerance in the last full step
+    bool converged = false;  ///< true if no node moved by more than the tolerance in the last full step
     int iterations = 0;
-    double missed_mm = 0;  ///< maximum error of the face's height at touching nodes that moved along it
+    double missed_mm = 0;  ///< maximum error of the face's height at nodes that slid along the face
   };
   /// Finds the equilibrium with the face at load.shift_mm or, if force_kPa_mm is above 0, at the shift at which the
   /// face presses with that force. Stores in `load` the positions at which nodes met the face, and the shift.

@@ -59,7 +59,7 @@ struct Deformation {
   PlaneDisplacement displacement;
   double force_N = 0;             ///< contact force of the tissue on the face
   double faceShift_mm = 0;        ///< distance by which the face was moved along z to reach the required force
-  std::vector<LumenArea> lumens;  ///< one for each vessel label in the plane
+  std::vector<LumenArea> lumens;  ///< areas of lumens, one entry for each vessel label in the plane
   int iterations = 0;             ///< iterations of the solver
   bool converged = true;          ///< true if the solution is within the model's tolerance
   bool moved = false;             ///< false if nothing had to be solved: no contact, and blood pressure as in the CT

@@ -14,8 +14,8 @@ struct Physiology {
   double centralVenous_mmHg = 4;  ///< venous pressure at the heart, mean over a breath; -5..30
   double systolic_mmHg = 120;     ///< maximum arterial pressure of a heartbeat, at the heart; 40..260, above diastolic
   double diastolic_mmHg = 80;     ///< minimum arterial pressure of a heartbeat, at the heart; 20..180
-  double heartRate_perMin = 70;   ///< 20..250; 0 for no pulse: always mean pressure
-  double breathing_perMin = 14;   ///< 2..60; 0 for no respiration
+  double heartRate_perMin = 70;   ///< heart rate, 20..250; 0 for no pulse (constant mean pressure)
+  double breathing_perMin = 14;   ///< respiratory rate, 2..60; 0 for no respiration
   /// Peak-to-peak change of the neck's venous pressure; 0..20 for a minimum at the end of inspiration. Negative, down
   /// to -20, for a minimum at the end of expiration, as under mechanical ventilation.
   double breathingSwing_mmHg = 2.5;
