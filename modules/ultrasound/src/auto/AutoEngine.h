@@ -13,7 +13,7 @@ struct EngineCandidate {
   double frame_ms = 0;
 };
 
-/// The engine that fastestOf() chose, with the reason for the choice. There must be at least one candidate.
+/// The engine that fastestOf() chose among the candidates, with the reason for the choice.
 struct EngineChoice {
   std::string name, why;
 };

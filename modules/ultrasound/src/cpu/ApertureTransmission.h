@@ -30,7 +30,7 @@ class ApertureTransmission {
 
   const FramePlan* plan_ = nullptr;
   int width_ = 0, lines_ = 0;
-  AlignedArray<float> contact_, passed_;  ///< [width], [gate][width]
+  AlignedArray<float> contact_, passed_;  ///< arrays of contact() and passed(): [width] and [gate][width]
   /// Amplitude along each ray, [gate][width], before the loss in the gate itself.
   std::array<AlignedArray<float>, ApertureRays::kCount> ray_;
 };

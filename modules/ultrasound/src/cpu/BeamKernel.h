@@ -39,7 +39,7 @@ void convolveAxially(const FramePlan& plan, const BeamTables& tables, const floa
 
 /// Memory of one thread for the lateral convolution: a ring buffer of the rows of four gates.
 struct LateralBuffers {
-  AlignedArray<float> ring;  ///< [component][gate & 3][width]
+  AlignedArray<float> ring;  ///< rows of the last four gates, [component][gate & 3][width]
 };
 
 /// Convolves the echoes with the lateral kernel and computes the envelope's magnitude for samples firstSample ..

@@ -33,13 +33,14 @@ struct Point {
 inline constexpr float kToWhole = 12582912.0F;
 inline constexpr std::uint32_t kWholeBits = 0x4B400000U;
 
-/// Returns kWholeBits plus the nearest whole number; the low 22 bits are those of the whole number.
+/// Returns kWholeBits plus the whole number nearest to x; the low 22 bits are those of the whole number.
 HWY_INLINE GateInt wholeBits(GateVec x) {
   const GateTag d;
   return hn::BitCast(GateIntTag(), hn::Add(x, hn::Set(d, kToWhole)));
 }
 
-inline constexpr float kOctavesPerDecibel = 0.16609640474F;  ///< log2(10) / 20, for amplitudes
+/// The factor log2(10) / 20, which converts dB of amplitude to an exponent of 2.
+inline constexpr float kOctavesPerDecibel = 0.16609640474F;
 
 /// Returns 10^(dB / 20), at least 10^-36. Computed as 2^x, with a Taylor polynomial for the fraction of x (relative
 /// error below 3e-6 on -0.5..0.5).

@@ -38,8 +38,8 @@ HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, D>> lowPoint(D d, V position_mm, dou
   return low;
 }
 
-/// Returns the displacement at points of the probe's plane by bilinear interpolation in its lattice; see shiftAt() of
-/// model/PlaneShift.h.
+/// Returns the displacement (rest position minus displayed position) at points of the probe's plane by bilinear
+/// interpolation in its lattice; see shiftAt() of model/PlaneShift.h.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE PlaneShifts<V> latticeShifts(D d, const PlaneDisplacement& displacement, V x_mm, V z_mm) {
   const hn::Rebind<std::int32_t, D> di;

@@ -65,7 +65,7 @@ struct ChannelConstants {
   const TextureTile* tile = nullptr;
 };
 
-/// Geometry of scanlines (or node columns) in the patient frame, one array per coordinate.
+/// Origins (x, y, z) and directions (dx, dy, dz) of scanlines or node columns, one array per coordinate.
 struct RayArrays {
   std::vector<float> x, y, z, dx, dy, dz;
   void resize(std::size_t n) {
@@ -101,8 +101,8 @@ struct TraceInput {
   std::vector<float> lineGap_mm, lineStrength;  ///< Contact::gap_mm and Contact::strength of each scanline
   std::vector<float> columnGap_mm;
   std::vector<float> contactDecay;  ///< share of the skin's shift that remains at this depth, [node row], then [gate]
-  std::vector<float> elevation_mm;  ///< [plane][gate]
-  std::vector<float> scatterScale;  ///< [plane][gate]
+  std::vector<float> elevation_mm;  ///< offset of each elevation plane from the central plane, [plane][gate]
+  std::vector<float> scatterScale;  ///< factor on the amplitude of scatterers in each elevation plane, [plane][gate]
   RayArrays latticeLines;           ///< scanlines in the scatterers' lattice
   /// Scanlines in the tiles of textured channels, right and left of the midline.
   TextureRays textureRays[TissueField::kStride][2];
@@ -146,7 +146,7 @@ struct TraceBuffers {
   struct ShiftRow {
     alignas(64) float columnX[kMaxColumns], columnZ[kMaxColumns], lineX[kBlockLines], lineZ[kBlockLines];
   };
-  /// One row of grid cells, interpolated to the scanlines.
+  /// Values of one row of lattice cells, expanded to the scanlines.
   struct CellRow {
     alignas(64) float sTop[kBlockLines], sBottom[kBlockLines];
     alignas(64) float cosine[kBlockLines], facing_dB[kBlockLines];

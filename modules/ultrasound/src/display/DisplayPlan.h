@@ -27,13 +27,14 @@ inline constexpr double kHazeSmoothShare = 0.6;  ///< share of the haze that is 
 inline constexpr double kHazeGrain = 0.3;        ///< share of the haze that is modulated by the speckle of each sample
 /// Axial length of the local mean with which the speckle of a sample is compared.
 inline constexpr double kHazeGrain_mm = 0.7;
-inline constexpr double kHazeCeiling_dB = 6;  ///< stronger echoes leak no more than this level
+inline constexpr double kHazeCeiling_dB = 6;  ///< level of an echo above which the haze behind it does not grow
 /// Haze behind strong reflectors such as bone: its level relative to the reflector, and the depth over which it falls
 /// to 1/e. Chosen so that the shadow of bone has 0.33 to 0.52 of the gray of the tissue above.
 inline constexpr double kHazeLongShare_dB = -30, kHazeLongTail_mm = 6;
 /// Minimum depth of reflectors that cause long haze; shallower echoes are from the skin and the face.
 inline constexpr double kHazeLongFrom_mm = 3;
-inline constexpr double kHazeLongCeiling_dB = 30;  ///< stronger echoes leak no more than this level
+/// Level of a reflector above which the long haze behind it does not grow.
+inline constexpr double kHazeLongCeiling_dB = 30;
 /// Haze by side lobes: level relative to the echoes beside a scanline at the same depth.
 inline constexpr double kSideLobes_dB = -23;
 /// Haze by a second round trip between face and tissue: level relative to the echoes at half the depth.
@@ -80,7 +81,7 @@ inline constexpr double kAlongSd = 0.55;
 /// place is an interface: below kEdgeFrom no interface, from kEdgeTo on a full interface. The trace decides whether the
 /// place is structure at all. In plain speckle the difference is below 2 at 95 % of all places.
 inline constexpr float kEdgeFrom = 2.5F, kEdgeTo = 12;
-/// Slope of an interface above which it is not smoothed along itself, in units of axial FWHM per lateral FWHM.
+/// Slope above which an interface is not smoothed along itself, in units of axial FWHM per lateral FWHM.
 inline constexpr float kMaxSlope = 3;
 /// Enhancement of the contrast of speckle against its surroundings: a difference d becomes d + d (kContrast +
 /// kContrastBend d), with d limited to +-kContrastReach_dB.
@@ -93,7 +94,7 @@ inline constexpr double kEdgeShare = 0.8, kEdgeReach_dB = 10;
 /// A block of sample rows about as thick as the pulse, for values that change slowly with depth.
 struct Block {
   int first = 0, count = 0;              ///< first row and number of rows
-  int edgeStride = 1;                    ///< scanlines per half width of the point-spread function
+  int edgeStride = 1;                    ///< half the width of the point-spread function, in scanlines
   float edgeLateral = 1, edgeAxial = 1;  ///< factors that convert level differences to dB per FWHM, lateral and axial
   int plainStride = 1;                   ///< scanlines between the 5 lateral taps of the smoothing of plain speckle
   float plainWeight[3] = {};             ///< weights of the 5 lateral taps: center, next, outermost
@@ -123,9 +124,10 @@ struct DisplayPlan {
   std::vector<float> edgeShade_dB;   ///< [scanline] loss at the ends of the array
   std::vector<float> shadeShare;     ///< [row] share of each scanline's streak loss that applies to the row
   int shadeFirst = 0, shadeEnd = 0;  ///< first and end of the blocks of rows whose bright places cast dark streaks
-  int streakNarrow, streakWide;      ///< half widths of the narrow and the wide mean, in scanlines
+  int streakNarrow, streakWide;      ///< half widths, in scanlines, of the two means by which bright places are found
   float low_dB, high_dB;             ///< minimum and maximum level that the display distinguishes
-  float black_dB, perLevel;          ///< position of a level in the dynamic range, 0 to 1: (dB - black_dB) * perLevel
+  /// A level's position in the dynamic range, 0 to 1, is (level in dB - black_dB) * perLevel.
+  float black_dB, perLevel;
 
   void planShade(const Probe& probe, const ImagingSettings& settings, const BeamGrid& grid);
 

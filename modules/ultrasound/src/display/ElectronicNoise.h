@@ -35,7 +35,7 @@ class ElectronicNoise {
 
   /// Selects the part of the noise field for one frame; the same seed gives the same noise.
   void draw(std::uint32_t seed);
-  /// Returns the noise of the mean of all looks (averaged frames) in one row of samples.
+  /// Returns the noise of the mean of all looks (renderings with independent speckle) in one row of samples.
   NoiseRow row(int sample) const;
 
  private:

@@ -35,7 +35,7 @@ class FaceEchoes {
 
   int columns_;
   Plane line_, lack_;  ///< line_: power of each scanline's ringing; lack_: share of its ringing that is as in air
-  std::optional<Plane> contact_;          ///< [block][scanline]
+  std::optional<Plane> contact_;          ///< share of the amplitude that each scanline keeps, [block][scanline]
   std::vector<float> touching_, lifted_;  ///< [row] power of the ringing where the face touches the skin, and where it
                                           ///< is lifted; ends with the ringing
 };

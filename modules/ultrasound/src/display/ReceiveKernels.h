@@ -15,8 +15,9 @@ struct WhiteRow {
 };
 void whiteRow(const WhiteRow& task);
 
-/// Electronic noise of the mean of all looks (averaged frames) in one row, of unit power. `power` is the noise's power
-/// where there is no echo, `twiceInPhase` is twice its part in phase with an echo. `amplitude` scales both.
+/// Electronic noise of the mean of all looks (renderings with independent speckle) in one row, of unit power. `power`
+/// is the noise's power where there is no echo, `twiceInPhase` is twice its part in phase with an echo. `amplitude`
+/// scales both.
 struct NoiseRow {
   const float *power = nullptr, *twiceInPhase = nullptr;
   float amplitude = 0;
@@ -55,15 +56,15 @@ void ringingRow(const RingingRow& task);
 struct HazeRow {
   const float* power;       ///< mean power of the block, strong echoes limited
   const float* strong;      ///< mean power of the block, including strong echoes
-  const float* tailAbove;   ///< has margins
-  const float* grainAbove;  ///< has margins
-  const float* longAbove;   ///< has margins
+  const float* tailAbove;   ///< tail of the haze in the block above, with margins
+  const float* grainAbove;  ///< local mean power (for the modulation by speckle) in the block above, with margins
+  const float* longAbove;   ///< tail of strong reflectors' haze in the block above, with margins
   int stride;               ///< distance in scanlines to the neighbors to which haze spreads
   float spread;             ///< share of the haze that spreads to each neighbor
   float tailDecay, grainDecay, longDecay;
   float share, longShare, smoothShare;
   const float* smeared;  ///< haze by side lobes and second round trips, added to the tail
-  const float* drift;    ///< factor on `tail` and `smeared`, varying from place to place
+  const float* drift;    ///< factor on all haze, varying from place to place
   int columns;
   float *tail, *grain, *longTail, *haze;
 };

@@ -10,7 +10,8 @@ namespace insonate::display {
 
 /// Converts gray values on the beam grid to the image, in two steps. First, a column halfway between each two scanlines
 /// is computed by cubic interpolation: scanlines are far apart, and bilinear interpolation between them would lose
-/// lateral detail. Second, bilinear interpolation with tables that were made once. Black outside the field of view.
+/// lateral detail. Second, each pixel is interpolated bilinearly, with tables that were made once. The image is black
+/// outside the field of view.
 class ScanConverter {
  public:
   ScanConverter(const Probe& probe, const ImagingSettings& settings);
@@ -24,7 +25,7 @@ class ScanConverter {
   /// A run of pixels inside the field of view.
   struct Run {
     int column, count;
-    std::size_t table;  ///< index of the first pixel in the tables
+    std::size_t table;  ///< index of the run's first pixel in the tables
   };
   void refine(int sample);
   std::uint16_t* fineRow(int sample) { return fine_.data() + std::size_t(sample) * fineStride_; }
@@ -43,7 +44,7 @@ class ScanConverter {
   std::vector<std::uint16_t> fine_;  ///< refined rows; each element holds two columns
   std::vector<std::uint32_t> packed_;
   std::vector<Run> runs_;
-  std::vector<std::size_t> firstRun_;  ///< index of the first run of each row, and the end
+  std::vector<std::size_t> firstRun_;  ///< index of the first run of each image row, and the number of all runs
   std::vector<std::int32_t> index_;
   std::vector<std::uint16_t> weight_;
 };

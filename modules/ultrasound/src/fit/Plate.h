@@ -11,9 +11,9 @@ namespace insonate::fit {
 /// An image prepared for the search for the field of view: light on dark, with the background's level and slow changes
 /// subtracted.
 struct Plate {
-  cv::Mat_<float> smooth;    ///< blurred by 1.5 px, background near 0
+  cv::Mat_<float> smooth;    ///< the image blurred by 1.5 px, with the background near 0
   float threshold = 0;       ///< threshold for `smooth`, above the background's noise
-  cv::Mat_<uchar> mask;      ///< 255 above the threshold
+  cv::Mat_<uchar> mask;      ///< 255 where `smooth` is above the threshold
   cv::Mat_<uchar> body;      ///< the mask without lines, letters and plain areas: the ultrasound image itself
   cv::Mat_<uchar> gaps;      ///< 255 if background is as close as between letters or lines
   double bodyShare = 0;      ///< share of the image that is body

@@ -74,7 +74,7 @@ class Device {
   Result<void> fill(const gpu::Current& current);
 
   std::shared_ptr<gpu::Context> context_;
-  std::vector<std::shared_ptr<const gpu::Program>> programs_;  ///< [stage]
+  std::vector<std::shared_ptr<const gpu::Program>> programs_;  ///< compiled shader of each stage
   std::shared_ptr<const gpu::Buffer> tiles_;
   std::shared_ptr<SceneStore> scenes_ = std::make_shared<SceneStore>();
 };

@@ -36,8 +36,8 @@ class BeamField {
   /// by [node], value by [node][entry].
   struct Profiles {
     int entries = 0;
-    std::vector<double> step_mm;  ///< [node]
-    std::vector<float> value;     ///< [node][entry]
+    std::vector<double> step_mm;  ///< distance between entries, [node]
+    std::vector<float> value;     ///< field, [node][entry]
   };
   struct Place {
     int node;

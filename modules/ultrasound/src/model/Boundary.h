@@ -36,7 +36,7 @@ inline double roughnessDepth_mm(const AcousticTissue& below) {
 inline constexpr double kSheetCoherence = 0.35;
 
 /// Random displacement of a boundary's connective layers, so that they are not exactly parallel to the boundary:
-/// kLayerWander_mm is its SD. It is read from the random field that also varies the layers' strength,
+/// kLayerWander_mm is its SD. The displacement is read from the random field that also varies the layers' strength,
 /// kWanderStep_voxels away.
 inline constexpr double kLayerWander_mm = 0.15;
 inline constexpr int kWanderStep_voxels = 23;

@@ -16,7 +16,7 @@ inline constexpr double kFwhmPerSd = 2.3548200450309493;
 /// Envelope of the echo of a perfect plane reflector (R = 1) perpendicular to the beam; 0 dB is the speckle of a 0 dB
 /// tissue.
 inline constexpr double kReflectorGain_dB = 58;
-/// Depth below the skin down to which tissue moves with skin that is drawn to the face.
+/// Where skin is drawn to the face, the tissue below moves with the skin: depth over which this movement falls to 1/e.
 inline constexpr double kContactDepth_mm = 15;
 /// Maximum distance between face and skin at which the probe receives echoes.
 inline constexpr double kContactReach_mm = 12;
@@ -60,7 +60,7 @@ struct FramePlan {
   /// weights. Each plane represents the part of the slice that is nearest to it. Its weight is the root of this part's
   /// power for scattering (unit total power), and this part's amplitude for boundaries (unit sum).
   std::vector<double> planeOffset_sd, scatterWeight, boundaryWeight;
-  std::vector<double> elevationSd_mm;  ///< [gate]
+  std::vector<double> elevationSd_mm;  ///< SD of the slice at each gate (BeamField::sliceSd_mm)
   /// Distance between neighboring elevation planes in SDs of the slice; 0 for a single plane, which has no thickness.
   double planeSpacing_sd = 0;
 
@@ -78,12 +78,12 @@ struct FramePlan {
   /// Point-spread function: half of each gate's kernels, center first; the radius is the number of further entries. The
   /// lateral kernels and the axial kernel at the face have unit sum. The axial kernels of all gates give a reflector
   /// the same peak.
-  std::vector<int> axialRadius;  ///< [gate]
+  std::vector<int> axialRadius;  ///< radius of the axial kernel at each gate
   int maxAxialRadius = 0;
-  std::vector<double> axialKernel;  ///< [gate][maxAxialRadius + 1]
-  std::vector<int> lateralRadius;   ///< [gate]
+  std::vector<double> axialKernel;  ///< half of each gate's axial kernel, [gate][maxAxialRadius + 1]
+  std::vector<int> lateralRadius;   ///< radius of the lateral kernel at each gate
   int maxLateralRadius = 0;
-  std::vector<double> lateralKernel;  ///< [gate][maxLateralRadius + 1]
+  std::vector<double> lateralKernel;  ///< half of each gate's lateral kernel, [gate][maxLateralRadius + 1]
 
   double range_mm(double gate) const { return (gate + 0.5) * gate_mm; }
 

@@ -114,10 +114,10 @@ class NeedleEchoes {
   void add(double scanline, double gate, double amplitude, float ring_gates);
 
   const FramePlan* plan_;
-  std::vector<float> amplitude_;  ///< [line][gate]
+  std::vector<float> amplitude_;  ///< amplitude of the needle's echo, [line][gate]
   std::vector<Line> lines_;
   std::size_t paddedLines_;
-  std::vector<float> onset_gate_, loss_dB_;  ///< [plane][padded line]
+  std::vector<float> onset_gate_, loss_dB_;  ///< onset and loss of the needle's shadow, [plane][padded line]
   bool present_ = false;
 };
 

@@ -20,16 +20,17 @@ struct ScattererLattice {
   ScattererLattice(Vec3 elevation, double pitch_mm, double elevationPitch_mm, std::uint32_t pattern);
 };
 
-/// Bit positions in a node's hash of the real and imaginary parts of its amplitudes in up to three looks (frames of
-/// independent speckle): re and im of each look in turn, three numbers in each half of the hash. Each has 5 bits and is
-/// uniform; the total power is 1.
+/// Bit positions in a node's hash of the real and imaginary parts of its amplitudes in up to three looks (renderings
+/// with independent speckle): re and im of each look in turn, three numbers in each half of the hash. Each has 5 bits
+/// and is uniform; the total power is 1.
 inline constexpr int kScattererShift[6] = {0, 5, 10, 16, 21, 26};
 inline constexpr double kScattererUnit = 0.07658395810674835;  // 1 / (sqrt(2) * SD of 0..31)
 inline constexpr double kScattererMean = 15.5;
 
-/// Returns the complex amplitudes of all looks (frames of independent speckle) at a patient point: {re, im} per look,
-/// total variance 1. Interpolates between the four corners of the tetrahedron that contains the point (Kuhn's division
-/// of the cell), and divides by the root of the summed squared weights, so that the variance is the same everywhere.
+/// Returns the complex amplitudes of all looks (renderings with independent speckle) at a patient point: {re, im} per
+/// look, total variance 1. Interpolates between the four corners of the tetrahedron that contains the point (Kuhn's
+/// division of the cell), and divides by the root of the summed squared weights, so that the variance is the same
+/// everywhere.
 std::array<double, 6> scattererAmplitudes(const ScattererLattice& lattice, Vec3 patient_mm);
 
 /// Returns the correlation of the scatterer amplitudes at two points with these distances, in lattice pitches,

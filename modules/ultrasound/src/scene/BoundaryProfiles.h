@@ -13,8 +13,8 @@ namespace insonate {
 class BoundaryProfiles {
  public:
   static constexpr int kEntries = 256;
-  /// Step of the table along s. It is deliberately no round number: distances on a regular grid would otherwise lie
-  /// exactly on the limits of entries, where rounding would decide.
+  /// Step of the table along s, deliberately no round number: distances on a regular grid would otherwise lie exactly
+  /// on the limits of entries, where rounding would decide.
   static constexpr double kStep_mm = 0.0251;
   static constexpr double kReach_mm = kEntries / 2 * kStep_mm;
 

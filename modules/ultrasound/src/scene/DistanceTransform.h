@@ -19,8 +19,9 @@ struct NodeLabels {
 class DistanceTransform {
  public:
   struct Result {
-    std::vector<std::uint8_t> labels;    ///< labels of the structures whose distance is below the limit (within reach)
-    std::vector<std::int16_t> distance;  ///< [structure][node of the block], in units of TissueField
+    std::vector<std::uint8_t> labels;  ///< labels of the structures whose distance is below the limit (within reach)
+    /// Signed distances in 1/256 mm (TissueField::kUnitsPerMm), [structure][node of the block].
+    std::vector<std::int16_t> distance;
   };
 
   /// `nodes` must contain the labels of all nodes up to the block's smoothing and reach margins; nodes beyond the

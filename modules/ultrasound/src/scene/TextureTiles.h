@@ -21,7 +21,8 @@ struct TextureTile {
 
   std::array<int, 3> size{};
   Vec3 voxel_mm;
-  std::vector<std::int8_t> value;  ///< [v][u][w] with padding, since beams most often run along w
+  /// Values of the voxels, [v][u][w] with padding; w is fastest, since beams most often run along w.
+  std::vector<std::int8_t> value;
 
   /// stepU() and stepV() return the offset in `value` from a voxel to the next voxel along u and along v.
   int stepU() const { return size[2] + kGap; }

@@ -40,8 +40,8 @@ using UninitialisedVector = std::vector<T, UninitialisedAllocator<T>>;
 /// channels of a node are adjacent in memory, so that one trilinear look-up fetches all of them.
 struct TissueField {
   static constexpr int kStride = 16;          ///< maximum number of channels of a node
-  static constexpr double kUnitsPerMm = 256;  ///< unit of the stored distances
-  static constexpr double kReach_mm = 6;      ///< limit of the stored distances
+  static constexpr double kUnitsPerMm = 256;  ///< stored distances are whole multiples of 1 / kUnitsPerMm
+  static constexpr double kReach_mm = 6;      ///< maximum absolute value of the stored distances
   /// Extra CT deviations after the last, so that each can be loaded as a 32-bit word.
   static constexpr int kPadding = 1;
 
@@ -55,7 +55,7 @@ struct TissueField {
   struct alignas(2 * kStride) Distances {
     std::int16_t to[kStride];
   };
-  UninitialisedVector<Distances> distance;        ///< [node]
+  UninitialisedVector<Distances> distance;        ///< signed distances, [node]
   UninitialisedVector<std::int16_t> ctDeviation;  ///< [node], plus padding: CT minus the structure's mean, HU
 
   std::size_t offset(int i, int j, int k) const { return (std::size_t(k) * size[1] + j) * size[0] + i; }

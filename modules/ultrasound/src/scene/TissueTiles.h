@@ -19,8 +19,8 @@ namespace insonate {
 /// Signed distances and CT deviations of one cube of lattice nodes. They depend only on the case.
 struct TissueTile {
   NodeBox box;
-  std::vector<std::uint8_t> labels;       ///< labels of the structures whose distance is below the limit
-  std::vector<std::int16_t> distance;     ///< [structure][node], in units of TissueField
+  std::vector<std::uint8_t> labels;    ///< labels of the structures whose distance is below the limit
+  std::vector<std::int16_t> distance;  ///< signed distances in 1/256 mm (TissueField::kUnitsPerMm), [structure][node]
   std::vector<std::int16_t> ctDeviation;  ///< [node] CT minus the structure's mean, HU
 
   std::size_t bytes() const { return sizeof(TissueTile) + labels.size() + 2 * (distance.size() + ctDeviation.size()); }

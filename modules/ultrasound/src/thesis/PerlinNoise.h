@@ -11,13 +11,14 @@
 /// hashes, so that every engine, and a shader, uses the same lattice.
 namespace insonate::thesis {
 
-inline constexpr int kNoiseOctaves = 2;          ///< each octave is twice as fine and half as strong as the one before
-inline constexpr double kSeedPosition_mm = 0.1;  ///< smaller changes of the position do not change the seed
+/// Number of octaves of the noise; each is twice as fine and half as strong as the one before.
+inline constexpr int kNoiseOctaves = 2;
+inline constexpr double kSeedPosition_mm = 0.1;  ///< smaller changes of the probe's position do not change the seed
 /// Smaller changes of a component of the probe's axes do not change the seed.
 inline constexpr double kSeedDirection = 0.01;
 inline constexpr double kSeedTime_s = 0.001;
 
-/// Perlin's quintic step from 0 to 1 ("Improving noise", 2002) and its slope.
+/// fade() is Perlin's quintic step from 0 to 1 ("Improving noise", 2002), fadeSlope() its slope.
 constexpr double fade(double t) {
   return t * t * t * (10 + t * (-15 + 6 * t));
 }
@@ -26,7 +27,7 @@ constexpr double fadeSlope(double t) {
 }
 
 struct NoiseGradient {
-  double x, y;  ///< components, each uniform in -1..1
+  double x, y;  ///< components of the gradient, each uniform in -1..1
 };
 
 constexpr NoiseGradient gradientAt(std::int32_t column, std::int32_t row, std::uint32_t seed) {
@@ -38,7 +39,7 @@ constexpr std::uint32_t octaveSeed(std::uint32_t seed, int octave) {
   return hash32(seed + 0x9e3779b9U * static_cast<std::uint32_t>(octave + 1));
 }
 
-/// Number of lattice cells of the first octave across the image.
+/// Number of lattice cells of the noise's first octave along the width and the depth of the image.
 struct NoiseCells {
   double across = 1, down = 1;
 };

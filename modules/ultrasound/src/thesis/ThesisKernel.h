@@ -35,8 +35,8 @@ struct KernelInput {
   std::vector<float> columnGap_mm;
   /// Change of each scanline's level by its contact with the skin; padded to whole blocks.
   std::vector<float> lineLevel_dB;
-  std::vector<float> contactDecay;  ///< [node row]
-  std::vector<float> elevation_mm;  ///< [plane][node row]
+  std::vector<float> contactDecay;  ///< share of the skin's shift that remains at the depth of each node row
+  std::vector<float> elevation_mm;  ///< offset of each elevation plane from the central plane, [plane][node row]
   Vec3 elevationAxis;
   std::uint32_t noiseSeed = 0;
 };
@@ -53,8 +53,8 @@ struct KernelBuffers {
   struct MapRow {
     alignas(64) float reflection[kMaxColumns], loss_dBpmm[kMaxColumns], echo[kMaxColumns];
   };
-  /// One octave of noise between two rows of its lattice: at the distance dy from the upper row, each scanline's value
-  /// is constant + perCell * dy.
+  /// Contribution of one row of the noise's lattice to one octave, for each scanline: at the signed distance dy (in
+  /// cells) below this row the contribution is constant + perCell * dy.
   struct NoiseRow {
     alignas(64) float constant[kBlockLines], perCell[kBlockLines];
   };
@@ -64,7 +64,7 @@ struct KernelBuffers {
   MapRow lines[kMaxPlanes][2];  ///< last two map rows of each plane; second index: 0 for even, 1 for odd rows
   alignas(64) float level_dB[kMaxPlanes][kBlockLines];
   NoiseRow noise[kNoiseOctaves][2];
-  int noiseCell[kNoiseOctaves];  ///< lattice row of noise[o][0]
+  int noiseCell[kNoiseOctaves];  ///< for each octave o, the row of the noise's lattice to which noise[o][0] belongs
   alignas(64) float tail[kBlockLines];
 };
 

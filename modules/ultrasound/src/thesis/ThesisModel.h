@@ -21,7 +21,7 @@ inline constexpr double kReflectorGain_dB = 50;
 inline constexpr double kInterface_mm = 0.8;
 /// Loss per mm outside the volume, so high that no echo is received from there.
 inline constexpr double kBeyondLoss_dBpmm = 1000;
-inline constexpr double kSpeckleContrast = 0.55;  ///< SD over mean of the speckle's amplitude
+inline constexpr double kSpeckleContrast = 0.55;  ///< contrast of the speckle: SD of its amplitude divided by the mean
 /// Size of the cells of the speckle noise, in units of the point-spread function's FWHM.
 inline constexpr double kNoiseCellAxial = 2.2, kNoiseCellLateral = 2.4;
 /// Length of the exponential tail of the radial blur (along the scanline), in units of the pulse's FWHM.
@@ -46,7 +46,7 @@ struct ThesisPlan {
 /// Acoustic constants of one channel of the tissue field; effects that are switched off are left out.
 struct ChannelAcoustics {
   double lnImpedance = 0, lnImpedancePerHU = 0;
-  double loss_dBpmm = 0;  ///< two-way: twice alpha f^n
+  double loss_dBpmm = 0;  ///< two-way attenuation, twice alpha f^n
   double echo_dB = 0, echo_dBperHU = 0;
 };
 std::array<ChannelAcoustics, TissueField::kStride> channelAcoustics(const ImagingSettings& settings,
@@ -56,7 +56,7 @@ std::array<ChannelAcoustics, TissueField::kStride> channelAcoustics(const Imagin
 struct SceneSample {
   std::array<double, TissueField::kStride> distance_mm{};
   double ctDeviation_HU = 0;
-  double beyond = 0;  ///< 0: inside the volume .. 1: outside
+  double beyond = 0;  ///< 0: inside the volume; 1: outside
 };
 SceneSample sampleScene(const TissueField& field, Vec3 patient_mm);
 /// Returns how far a node index lies outside the volume: 0 up to half a node beyond the lattice, rising to 1 over the
@@ -83,8 +83,8 @@ MapSample mapAt(const SceneSample& here, const SceneSample& slope, double range_
                 const ImagingSettings& settings, const AcousticScene::Impl& scene,
                 const std::array<ChannelAcoustics, TissueField::kStride>& channels);
 
-/// Tells whether a structure at this range, in front of the skin, may be gel or air in front of the face; at larger
-/// ranges it is visible.
+/// Tells whether background (label 0) at this range counts as gel or air between face and skin, which does not echo; at
+/// larger ranges background is imaged like tissue.
 inline bool mayBeGel(double range_mm) {
   return range_mm < acoustics::kContactReach_mm;
 }

@@ -14,7 +14,7 @@ namespace insonate {
 /// coordinates (0, 0).
 struct GreyPicture {
   int width = 0, height = 0;
-  std::vector<std::uint8_t> grey;  ///< [row][column]
+  std::vector<std::uint8_t> grey;  ///< gray values, index [row][column]
 };
 
 struct PixelPoint {
@@ -26,7 +26,7 @@ struct FovShape {
   ProbeShape shape = ProbeShape::Linear;
   PixelPoint origin;              ///< fan: the virtual apex; linear: the middle of the face
   double rotation_deg = 0;        ///< angle of the axis from vertical; positive: the far end leans to the right
-  bool upsideDown = false;        ///< the face is at the bottom and depth runs upward
+  bool upsideDown = false;        ///< true if the face is at the bottom and depth runs upward
   double alpha_deg = 60;          ///< fan: full angle
   double r1_px = 0, r2_px = 100;  ///< fan: distances from the virtual apex to the face (r1) and to the far end (r2)
   double width_px = 100, depth_px = 100;  ///< linear: size of the rectangle along the face and along the depth
@@ -43,7 +43,7 @@ struct DepthRuler {
 
 struct FovFit {
   FovShape shape;
-  double confidence = 0;            ///< 0..1; below 0.5 the user should correct the fit
+  double confidence = 0;            ///< confidence of the fit, 0..1; below 0.5 the user should correct the fit
   std::vector<std::string> doubts;  ///< sentences about edges of the field of view that were not clearly visible
   std::optional<DepthRuler> ruler;
 };

@@ -11,8 +11,8 @@ namespace insonate {
 
 /// A class of ultrasound machines: the settings that reproduce its images, each with its source.
 struct Machine {
-  std::string name;   ///< "cart-2024"
-  std::string title;  ///< "cart, 2024", for a list
+  std::string name;   ///< identifier, e.g. "cart-2024"
+  std::string title;  ///< title for a list, e.g. "cart, 2024"
   std::string about;  ///< description of the machine in one sentence
 };
 

@@ -23,10 +23,10 @@ double axialFwhm_mm(const Probe& probe, const ImagingSettings& settings);
 /// receive filters become narrower as attenuation removes the high frequencies.
 double axialFwhm_mm(const Probe& probe, const ImagingSettings& settings, double range_mm);
 double lateralFwhm_mm(const Probe& probe, const ImagingSettings& settings, double range_mm);
-/// Ratio of the beam's width at a depth to its width at the set frequency. The width grows since attenuation removes
-/// high frequencies and a dynamic filter removes more. For a Gaussian band with SD s, the center frequency falls by s^2
-/// times the loss in Np/MHz. With a bandwidth of 60 % at 9 MHz and 0.6 dB/cm/MHz, the center frequency falls by a
-/// quarter over 30 mm, two-way.
+/// Returns the ratio of the beam's width at a depth to its width at the set frequency. The width grows since
+/// attenuation removes high frequencies and a dynamic filter removes more. For a Gaussian band with SD s, the center
+/// frequency falls by s^2 times the loss in Np/MHz. With a bandwidth of 60 % at 9 MHz and 0.6 dB/cm/MHz, the center
+/// frequency falls by a quarter over 30 mm, two-way.
 double beamGrowth(const ImagingSettings& settings, double range_mm);
 
 /// Slice thickness by depth: hypot(minimum thickness, growth * distance from the depth of the minimum), with one growth
