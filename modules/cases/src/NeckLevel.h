@@ -9,8 +9,8 @@ namespace insonate {
 /// The body's axial cross-section at one level: only its largest connected part, so that arms beside the head do not
 /// count.
 struct BodyLevel {
-  double z_mm = 0;       ///< level, patient LPS
-  double area_mm2 = 0;   ///< 0 if there is no body at this level
+  double z_mm = 0;       ///< position of the level, patient LPS
+  double area_mm2 = 0;   ///< area of the cross-section; 0 if there is no body at this level
   double middle_mm = 0;  ///< x of the patient's midline, the same at all levels
   /// Position y of the front of the body, 25 mm to the right of the patient's midline; 1e6 if there is no body at that
   /// place.

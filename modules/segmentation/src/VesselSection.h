@@ -17,7 +17,8 @@ struct VesselSection {
   bool cut = false;     ///< true if the volume's edge cuts the section
 };
 
-/// Finds sections of one label by planes. Reuses memory for one plane, so that finding many sections is fast.
+/// Finds cross-sections of the vessels with one label. Reuses memory for one plane, so that finding many sections is
+/// fast.
 class SectionFinder {
  public:
   SectionFinder(const LabelMap& labels, std::uint8_t label);

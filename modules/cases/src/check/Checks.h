@@ -38,7 +38,7 @@ int headFootAxis(const VolumeGeometry& geometry);
 void checkGrid(const CaseView& patient, const LabelStatistics& statistics, Findings& findings);
 /// Finds missing and unknown labels, implausible HU for a label, and labels in air.
 void checkLabels(const CaseView& patient, const LabelStatistics& statistics, Findings& findings);
-/// Checks that the skin is closed and finds background inside the body and a body cut by the volume's sides.
+/// Checks that the skin is closed; finds background inside the body, and a body that the volume's sides cut.
 void checkBody(const CaseView& patient, Findings& findings);
 /// Checks a vessel (the label of vein or artery) for fragments and thin parts, and whether a vessel to be punctured can
 /// be followed.

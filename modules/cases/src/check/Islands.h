@@ -16,7 +16,7 @@ struct Island {
 /// Rule by which voxels are connected: only voxels of one label, or labeled voxels of any label.
 enum class Joining { kOneLabel, kAnyLabel };
 
-/// Returns all islands of labeled voxels, in the order of their first voxels. Memory grows with the number of rows of
+/// Returns all islands of labeled voxels, in the order of their first voxels. Memory grows with the number of runs of
 /// equal voxels, not with the number of voxels.
 std::vector<Island> islandsOf(const LabelMap& labels, Joining joining);
 

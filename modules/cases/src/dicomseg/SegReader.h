@@ -29,7 +29,7 @@ struct DicomSegments {
   int columns = 0, rows = 0;
   std::array<Vec3, 2> direction;       ///< patient directions of the pixel indices i and j, unit, perpendicular
   std::array<double, 2> spacing_mm{};  ///< distance between pixels along i and along j
-  double step_mm = 0;                  ///< distance of neighboring slices
+  double step_mm = 0;                  ///< distance between neighboring slices
   std::vector<std::uint8_t> pixels;    ///< pixels of all frames, one bit each (lowest bit first) or one byte each
   bool isLabelMap = false;             ///< true if pixels are labels, in this program's numbers
   /// 0 if pixels are bits; else the minimum value of a byte inside the segment (fractional segmentation).

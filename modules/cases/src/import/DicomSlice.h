@@ -17,7 +17,7 @@ struct DicomSlice {
   std::string studyUid, seriesUid, sopUid, frameOfReferenceUid, modality;
   std::optional<int> acquisition, instance;
   int columns = 0, rows = 0;
-  std::optional<Vec3> position_mm;                 ///< center of the first pixel, patient LPS
+  std::optional<Vec3> position_mm;                 ///< center of the slice's first pixel, patient LPS
   std::optional<std::array<Vec3, 2>> orientation;  ///< patient directions along a row (i) and down a column (j)
   /// Pixel spacing as in DICOM: distance between rows, then between columns.
   std::optional<std::array<double, 2>> pixelSpacing_mm;

@@ -12,9 +12,9 @@ namespace insonate {
 struct SliceStack {
   int columns = 0, rows = 0;
   std::array<double, 2> spacing_mm{};  ///< distance between pixels along i (between columns) and along j (between rows)
-  std::array<Vec3, 2> direction;       ///< patient directions of i and j; nearly perpendicular
-  std::vector<Vec3> positions_mm;      ///< center of each slice's first pixel, patient LPS
-  double thickness_mm = 0;             ///< slice thickness, used as the spacing of a single slice; 0 if unknown
+  std::array<Vec3, 2> direction;  ///< patient directions of i (along a row) and j (down a column); nearly perpendicular
+  std::vector<Vec3> positions_mm;  ///< center of each slice's first pixel, patient LPS
+  double thickness_mm = 0;         ///< slice thickness, used as the spacing of a single slice; 0 if unknown
 };
 
 /// Grid and order in which a stack becomes a volume.

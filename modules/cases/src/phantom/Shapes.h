@@ -49,7 +49,7 @@ struct Column {
   /// lateral toward posterior).
   Curve<5> course;
   double taper_mm = 3;        ///< length over which each end of the column is rounded
-  double irregular_mm = 0.5;  ///< amplitude of the boundary's noise
+  double irregular_mm = 0.5;  ///< amplitude of random irregularities of the boundary
   Form form = Form::kOval;
   double facing_deg = 0;  ///< kFaceted: direction of the indenting neighbor, from lateral toward posterior
 };
@@ -63,7 +63,7 @@ struct Sheet {
   Curve<4> course;
   double taper_mm = 4;
   double irregular_mm = 0.5;
-  Form form = Form::kLens;  ///< kLens or kOval
+  Form form = Form::kLens;  ///< form of the cross-section: kLens or kOval
 };
 Shape sheet(Side side, Sheet sheet, std::uint32_t seed);
 

@@ -23,9 +23,9 @@ class SliceLabels {
  public:
   SliceLabels(std::span<const Structure> structures, BodySurface::Slice body, const Platysma& platysma, SliceGrid grid);
 
-  /// Computes the model position of each voxel.
+  /// Computes the position of each voxel in the model frame.
   void place(const std::function<Vec3(Vec3)>& modelFromPatient);
-  /// Writes width * height labels.
+  /// Writes the labels of the level, width * height values, to `labels`.
   void paint(std::uint8_t* labels);
 
  private:

@@ -113,8 +113,8 @@ HWY_INLINE NearestPair nearestPair(std::uint32_t active, const TraceBuffers::Nod
   return {a, b};
 }
 
-/// Signed distance s = (dB - dA) / 2 between the two nearest structures, at the corners of a cell and, in the
-/// neighboring planes, at its first corner.
+/// Signed distance s = (dB - dA) / 2 to the boundary between the two nearest structures A and B, at the corners of a
+/// cell and, in the neighboring planes, at the cell's first corner.
 struct CellDistances {
   FloatVec corner[4], before, after;
 };

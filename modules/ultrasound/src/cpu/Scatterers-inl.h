@@ -89,9 +89,9 @@ HWY_INLINE GateInt pairProduct(GateInt a, GateInt b) {
 
 /// Adds to `sum` the complex scatterer amplitudes {re, im} of each look at p (in the scatterers' lattice), multiplied
 /// by `amplitude`; see scattererAmplitudes(). The random numbers are not centered: the contribution of their common
-/// mean is added to `offset`, and subtracted at the end. Each half of a hash contains three numbers of five bits. They
-/// are multiplied by the weights without being shifted, as 16-bit numbers, two corners at once; the scale compensates
-/// for the missing shift.
+/// mean is added to `offset`, and subtracted at the end. Each half of a hash contains three numbers of five bits. The
+/// numbers are multiplied by the weights without being shifted, as 16-bit numbers, two corners at once; the scale
+/// compensates for the missing shift.
 template <int kLooks>
 HWY_INLINE void addScatterers(std::uint32_t latticeSeed, const Point& p, GateVec amplitude, GateVec* sum,
                               GateVec& offset) {

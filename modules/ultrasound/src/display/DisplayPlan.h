@@ -93,7 +93,7 @@ inline constexpr double kEdgeShare = 0.8, kEdgeReach_dB = 10;
 
 /// A block of sample rows about as thick as the pulse, for values that change slowly with depth.
 struct Block {
-  int first = 0, count = 0;              ///< first row and number of rows
+  int first = 0, count = 0;              ///< first row of the block, and number of its rows
   int edgeStride = 1;                    ///< half the width of the point-spread function, in scanlines
   float edgeLateral = 1, edgeAxial = 1;  ///< factors that convert level differences to dB per FWHM, lateral and axial
   int plainStride = 1;                   ///< scanlines between the 5 lateral taps of the smoothing of plain speckle

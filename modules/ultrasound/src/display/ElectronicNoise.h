@@ -27,8 +27,8 @@ struct NoiseField {
 ///
 /// Level: at the penetration depth the speckle of average tissue is as strong as the noise. A clinical probe reaches 60
 /// cm MHz divided by its frequency (Szabo and Lewin, J Ultrasound Med 2013; 32:573). At this depth, echoes of tissue
-/// that TGC keeps level have lost 60 kTgc_dBpcmMHz = 44 dB. The default of ImagingSettings::noise_dB is therefore -44
-/// dB.
+/// whose attenuation TGC compensates exactly have lost 60 kTgc_dBpcmMHz = 44 dB. The default of
+/// ImagingSettings::noise_dB is therefore -44 dB.
 class ElectronicNoise {
  public:
   ElectronicNoise(const Probe& probe, const ImagingSettings& settings, const DisplayPlan& plan);

@@ -9,13 +9,13 @@
 
 namespace insonate::display {
 
-/// Echoes of the probe's own face, and the loss of echoes at an end of the face that is lifted off. The transmitted
-/// pulse rings in the elements while they already receive (main bang), and reverberates in the lens. This gives bright
-/// bands in the first 2 mm, the same in all frames and slightly different between elements. If the skin does not touch
-/// the face, air reflects nearly everything: the lens rings slightly longer, and these elements neither transmit nor
-/// receive. The amplitude of a scanline is multiplied by the touching share of its transmit aperture and by that of its
-/// receive aperture. Apertures grow with depth, so that the dark strip is sharp near the face, and becomes blurred and
-/// narrower below.
+/// Echoes of the probe's own face, and the loss of echoes at an end of the face that is lifted off the skin. The
+/// transmitted pulse rings in the elements while they already receive (main bang), and reverberates in the lens. This
+/// gives bright bands in the first 2 mm, the same in all frames and slightly different between elements. If the skin
+/// does not touch the face, air reflects nearly everything: the lens rings slightly longer, and these elements neither
+/// transmit nor receive. The amplitude of a scanline is multiplied by the touching share of its transmit aperture and
+/// by that of its receive aperture. Apertures grow with depth, so that the dark strip is sharp near the face, and
+/// becomes blurred and narrower below.
 ///
 /// No measurement of either effect was found. The time constants are fitted to real images; levels and strips are
 /// settings.

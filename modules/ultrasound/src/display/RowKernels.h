@@ -60,7 +60,7 @@ struct SmoothRow {
   float axialWeight[3] = {};
   int plainStride = 1;
   float plainWeight[3] = {};
-  const float* origin;  ///< row 0 of the levels
+  const float* origin;  ///< pointer to row 0 of the levels
   int rowStride, rows, row;
   int alongStride = 1;
   float alongWeight[4] = {};

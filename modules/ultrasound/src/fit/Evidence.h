@@ -16,7 +16,7 @@ struct EdgeEvidence {
 struct Evidence {
   std::array<EdgeEvidence, kEdges> edges;
   double outline = 0;    ///< `seen` minus `against`, over the whole visible outline; -1..1
-  double agreement = 0;  ///< `seen` over `seen` plus `against`
+  double agreement = 0;  ///< `seen` divided by the sum of `seen` and `against`
   double cover = 0;   ///< agreement of the model's area with the body (the bright area of the image); dark areas inside
                       ///< count little
   double filled = 0;  ///< share of the model's area within the image that is body (bright)

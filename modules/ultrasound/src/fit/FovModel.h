@@ -17,7 +17,7 @@ struct FovModel {
 
   /// Returns the signed distance by which a point lies beyond each edge; all are negative if the point is inside.
   std::array<double, kEdges> beyond(PixelPoint p) const;
-  /// Returns a point of the field of view; `across` is -1..1, `down` is 0..1.
+  /// Returns a point of the field of view; `across` is -1 (left) to 1 (right), `down` is 0 (face) to 1 (far end).
   PixelPoint at(double across, double down) const;
   double area() const;
 };

@@ -36,8 +36,8 @@ class BeamField {
   /// by [node], value by [node][entry].
   struct Profiles {
     int entries = 0;
-    std::vector<double> step_mm;  ///< distance between entries, [node]
-    std::vector<float> value;     ///< field, [node][entry]
+    std::vector<double> step_mm;  ///< distance between entries of a profile, [node]
+    std::vector<float> value;     ///< relative amplitude of the field, [node][entry]
   };
   struct Place {
     int node;

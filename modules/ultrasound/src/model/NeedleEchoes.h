@@ -60,7 +60,7 @@ class NeedleEchoes {
   const float* amplitudes(int line) const { return amplitude_.data() + std::size_t(line) * plan_->gates; }
 
   /// Returns, for each scanline of an elevation plane, the gate (fractional) at which the needle's shadow begins. The
-  /// two-way loss is applied over one gate. SIMD vectors may read past the last scanline.
+  /// two-way loss rises to its full value within one gate. SIMD vectors may read past the last scanline.
   const float* shadowOnsets_gate(int plane) const { return onset_gate_.data() + std::size_t(plane) * paddedLines_; }
   const float* shadowLosses_dB(int plane) const { return loss_dB_.data() + std::size_t(plane) * paddedLines_; }
   float shadow_dB(int plane, int line, int gate) const {

@@ -64,7 +64,7 @@ class DistanceTransform {
   const NodeLabels& nodes_;
   /// Boxes of nodes: block_: distances are requested; smoothed_: distances are computed; read_: labels are read.
   const NodeBox block_, smoothed_, read_;
-  const NodeBox seen_;            ///< the block and its neighbors
+  const NodeBox seen_;            ///< nodes of the block and their neighbors
   const float half_mm_;           ///< distance from a node to the boundary between it and the next node
   const std::vector<float> far_;  ///< a row of the value that means "out of reach"
   const Stopped stopped_;

@@ -20,7 +20,7 @@ using Stopped = std::function<bool()>;
 struct NodeBox {
   std::array<int, 3> low{}, size{};
 
-  int high(int axis) const { return low[axis] + size[axis]; }  ///< index after the last
+  int high(int axis) const { return low[axis] + size[axis]; }  ///< index after the last one along the axis
   std::size_t count() const { return std::size_t(size[0]) * size[1] * size[2]; }
   std::size_t offset(int i, int j, int k) const {
     return (std::size_t(k - low[2]) * size[1] + (j - low[1])) * size[0] + (i - low[0]);
@@ -46,7 +46,7 @@ struct NodeLattice {
   /// The two voxels between which a node is interpolated; both are the same at the volume's edge.
   struct AxisNode {
     int low, high;
-    float weight;  ///< weight of the high voxel
+    float weight;  ///< interpolation weight of the voxel `high`
   };
 
   /// Makes the lattice of a label map's grid, with nodes at most detail_mm apart.

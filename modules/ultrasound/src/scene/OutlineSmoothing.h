@@ -13,8 +13,8 @@ class OutlineSmoothing {
  public:
   /// Finds the smoothest outline that differs from the label map's outline by at most NodeLattice::freedom_mm: details
   /// smaller than a voxel may be smoothed, larger details may not. (Constrained elastic surface nets, S. F. Gibson
-  /// 1998, applied to distances.) `d_mm` holds the nodes of the block. The nodes at its sides are not changed, except
-  /// where the block ends with the lattice: there, the last node is repeated outside.
+  /// 1998, applied to distances.) `d_mm` holds the signed distances at the nodes of the block. Distances at the block's
+  /// sides are not changed, except at the end of the lattice, where filters repeat the last node beyond the end.
   void roundStairs(const NodeLattice& lattice, const NodeBox& block, const Stopped& stopped, std::vector<float>& d_mm);
 
  private:

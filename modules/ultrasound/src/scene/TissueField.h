@@ -47,7 +47,7 @@ struct TissueField {
 
   std::array<int, 3> size{};                  ///< number of nodes along each axis
   Transform nodeFromPatient;                  ///< maps a patient point to a continuous node index
-  int channels = 0;                           ///< number of structures present
+  int channels = 0;                           ///< number of channels: structures present in the field
   std::array<std::uint8_t, kStride> label{};  ///< label of each channel
   int backgroundChannel = -1;                 ///< channel of label 0 (background); -1 if the scene has none
   /// Distances to each channel's structure, negative inside, in 1/256 mm. Aligned, so that no node crosses a cache

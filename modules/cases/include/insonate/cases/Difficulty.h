@@ -15,7 +15,7 @@ struct VeinMeasures {
   std::string target;
   double depth_mm = 0;                 ///< depth of the vein's front wall below the skin
   double area_mm2 = 0;                 ///< area of the vein's lumen
-  double width_mm = 0, height_mm = 0;  ///< axes of the ellipse with the second moments of the vein's lumen
+  double width_mm = 0, height_mm = 0;  ///< axes of an ellipse with the same second moments as the vein's lumen
   /// Share of the artery's width that lies behind the vein; no value: no artery.
   std::optional<double> overlap_percent;
   std::optional<double> angle_deg;  ///< angle at the vein between the beam and the artery; 0: artery straight behind
@@ -34,12 +34,12 @@ struct DifficultyShare {
 
 /// Difficulty estimated from the labels; modules/cases/README.md states the formula and its basis.
 struct DifficultyEstimate {
-  static constexpr int kVersion = 1;  ///< version of the formula
-  std::string_view grade;             ///< "easy", "moderate" or "hard"
-  double points = 0;                  ///< sum of the points of all shares
+  static constexpr int kVersion = 1;  ///< version of the formula for the difficulty
+  std::string_view grade;             ///< the difficulty in words: "easy", "moderate" or "hard"
+  double points = 0;                  ///< total difficulty: sum of the points of all shares
   VeinMeasures measures;
   std::vector<DifficultyShare> shares;  ///< contributions of the single properties, the largest first
-  std::string sentence;                 ///< the grade and the reasons for it
+  std::string sentence;                 ///< sentence with the grade and the reasons for the grade
 };
 
 /// Estimates the difficulty of the first target, to which the procedure applies. Fails, with the reason, if there is no

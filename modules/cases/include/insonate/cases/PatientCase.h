@@ -19,8 +19,8 @@ namespace insonate {
 struct StartPose {
   std::string name;
   Vec3 position_mm;  ///< center of the probe face
-  Vec3 axial;        ///< into the body, unit
-  Vec3 lateral;      ///< toward the probe's marker, unit, perpendicular to axial
+  Vec3 axial;        ///< direction into the body, unit
+  Vec3 lateral;      ///< direction toward the probe's marker, unit, perpendicular to axial
 };
 
 /// A structure to which the procedure applies, e.g. the right internal jugular vein at the puncture level.
@@ -37,7 +37,7 @@ struct NamedVessel {
     double radius_mm = 0;
     bool operator==(const Point&) const = default;
   };
-  std::string name;  ///< e.g. "right internal jugular vein"
+  std::string name;  ///< name of the vessel, e.g. "right internal jugular vein"
   std::uint8_t label = 0;
   std::vector<Point> course;  ///< center line from one end to the other, at least one point
 
@@ -106,8 +106,8 @@ struct CaseManifest {
   std::vector<std::string> importNotes;  ///< changes that the import made, and points to check, one sentence each
 };
 
-using LabelColour = std::array<std::uint8_t, 3>;  ///< sRGB
-/// Colors by label.
+using LabelColour = std::array<std::uint8_t, 3>;  ///< color of a label, sRGB
+/// Colors of structures, by label.
 using LabelColours = std::map<std::uint8_t, LabelColour>;
 
 /// A patient: CT and labels on one grid, and the manifest. Owns its volumes.

@@ -15,7 +15,7 @@ namespace insonate {
 struct PhantomVariant {
   std::string_view name;        ///< name for the command line, e.g. "small-vein"
   std::string_view title;       ///< title of the neck for a list, one line
-  std::string_view difficulty;  ///< "easy", "moderate" or "hard"
+  std::string_view difficulty;  ///< difficulty of the puncture: "easy", "moderate" or "hard"
   std::string_view description;
 };
 

@@ -29,7 +29,7 @@ struct BloodPressure {
   double artery_kPa = 0, vein_kPa = 0;
 };
 
-/// Input of one solution: tissue, face and pressures.
+/// Input of DeformationModel::solve(): tissue, face of the probe and blood pressures.
 struct DeformationInput {
   const TissuePlane* plane = nullptr;
   ProbeFace face;
@@ -54,13 +54,13 @@ struct MeshNode {
   float restX_mm = 0, restZ_mm = 0, x_mm = 0, z_mm = 0;
 };
 
-/// Result of one solution.
+/// Result of DeformationModel::solve(): displacement, force, lumens and mesh.
 struct Deformation {
   PlaneDisplacement displacement;
   double force_N = 0;             ///< contact force of the tissue on the face
   double faceShift_mm = 0;        ///< distance by which the face was moved along z to reach the required force
   std::vector<LumenArea> lumens;  ///< areas of lumens, one entry for each vessel label in the plane
-  int iterations = 0;             ///< iterations of the solver
+  int iterations = 0;             ///< number of iterations of the solver
   bool converged = true;          ///< true if the solution is within the model's tolerance
   bool moved = false;             ///< false if nothing had to be solved: no contact, and blood pressure as in the CT
 

@@ -31,7 +31,7 @@ struct GuideWay {
 
 /// One step of the guide: the author's task, the view, and the expected result.
 struct GuideStep {
-  std::string name;                 ///< identifier, e.g. "vein-right"
+  std::string name;                 ///< identifier of the step, e.g. "vein-right"
   std::string title;                ///< title of the step for the user, e.g. "Jugular vein, right"
   std::optional<GuideSide> side;    ///< side of the patient on which to click
   std::uint8_t label = 0;           ///< label of the result; 0 for a step that makes several labels

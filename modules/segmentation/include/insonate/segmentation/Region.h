@@ -38,7 +38,7 @@ struct HuRange {
 
 /// Labels that a tool would write: one for each voxel of a block, or kKeep.
 struct Proposal {
-  static constexpr std::uint8_t kKeep = 255;  ///< means that the voxel keeps its label
+  static constexpr std::uint8_t kKeep = 255;  ///< entry that means: the voxel keeps its label
   VoxelBox box;
   Volume<std::uint8_t> labels;
 };

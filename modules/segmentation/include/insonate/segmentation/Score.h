@@ -10,7 +10,7 @@
 
 namespace insonate {
 
-/// Agreement of a label with the reference.
+/// Agreement of one label between a label map and the reference map.
 struct LabelScore {
   std::uint8_t label = 0;
   std::size_t voxels = 0, trueVoxels = 0;

@@ -15,7 +15,7 @@ enum class Mechanics {
   Solid,  ///< elastic tissue
   Rigid,  ///< does not move (bone)
   Lumen,  ///< blood under pressure, which can flow out of the plane; the wall lies outside the label
-  Gas,    ///< no resistance (airway, lung, outside the patient)
+  Gas,    ///< offers no resistance (airway, lung, outside the patient)
 };
 
 struct MechanicalTissue {

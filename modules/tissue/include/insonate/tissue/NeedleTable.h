@@ -13,8 +13,8 @@ namespace insonate {
 /// Resistance of a structure's surface to the needle's tip: the needle's row of Table II of the thesis.
 enum class NeedleWall {
   None,      ///< no wall: the surface does not resist the needle
-  Membrane,  ///< yields like a spring, then is punctured
-  Hard,      ///< stops the needle
+  Membrane,  ///< wall that yields like a spring, then is punctured
+  Hard,      ///< wall that stops the needle
 };
 
 /// Resistance of a structure to an 18 G needle (outer diameter 1.27 mm).

@@ -17,7 +17,7 @@ namespace insonate {
 /// A wire or bead of a resolution phantom. Its echo comes from one point; `amplitude` is the peak of the envelope in
 /// focus.
 struct PointTarget {
-  Vec3 position_mm;  ///< patient LPS
+  Vec3 position_mm;  ///< position of the target, patient LPS
   double amplitude = 1;
 };
 

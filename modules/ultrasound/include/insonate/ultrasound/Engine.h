@@ -35,7 +35,7 @@ class Engine {
   /// folds; tissue from beyond the scene reads as the outermost tissue of the scene.
   ///
   /// `needle` is valid (see validate()), or null for no needle, which has no cost. The needle echoes and casts its
-  /// shadow at its own place, independent of the tissue's displacement. Look::Thesis does not draw it.
+  /// shadow at its own place, independent of the tissue's displacement. Look::Thesis does not draw the needle.
   virtual void render(const AcousticScene& scene, const Transform& patientFromProbe,
                       const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) = 0;
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,

@@ -27,7 +27,7 @@ struct FovShape {
   PixelPoint origin;              ///< fan: the virtual apex; linear: the middle of the face
   double rotation_deg = 0;        ///< angle of the axis from vertical; positive: the far end leans to the right
   bool upsideDown = false;        ///< true if the face is at the bottom and depth runs upward
-  double alpha_deg = 60;          ///< fan: full angle
+  double alpha_deg = 60;          ///< fan: full opening angle
   double r1_px = 0, r2_px = 100;  ///< fan: distances from the virtual apex to the face (r1) and to the far end (r2)
   double width_px = 100, depth_px = 100;  ///< linear: size of the rectangle along the face and along the depth
 };

@@ -12,7 +12,7 @@ namespace insonate {
 /// always increases with t.
 struct GrayMapCurve {
   GrayMap map;
-  std::string_view name;   ///< name in settings files
+  std::string_view name;   ///< name of the gray map in settings files
   std::string_view about;  ///< effect on an image, for a tooltip or a list
   float a, b, c;
 };

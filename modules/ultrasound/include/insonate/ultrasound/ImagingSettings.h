@@ -75,7 +75,7 @@ struct ImagingSettings {
   int scanlines = 256;            ///< number of scanlines, 16..1024
   int samples = 1000;             ///< number of samples per scanline, 64..4096
   int elevationPlanes = 3;        ///< number of planes across the slice thickness in which echoes are summed; odd, 1..9
-  int width = 820, height = 616;  ///< image size, 64..4096
+  int width = 820, height = 616;  ///< size of the image in pixels, 64..4096
   bool conformingContact = true;  ///< true: the skin follows the face, as with gel and light pressure
   Look look = Look::Coherent;
   double time_s = 0;  ///< time of the image, to the millisecond, from which electronic noise and the speckle of

@@ -20,7 +20,7 @@ struct Machine {
 const std::vector<Machine>& machines();
 
 /// Replaces the settings that this machine determines for a probe of this shape; the frequency is limited to the
-/// probe's range. Depth, focus, TGC and effects stay. Fails on an unknown name, and lists the known names.
+/// probe's range. Depth, focus, TGC and effects are kept. Fails on an unknown name, and lists the known names.
 Result<ImagingSettings> settingsOf(std::string_view machine, const Probe& probe, ImagingSettings base);
 
 /// Returns the machine whose settings all equal these; null if there is none.
