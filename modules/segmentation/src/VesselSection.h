@@ -34,7 +34,7 @@ class SectionFinder {
   Place placeOf(Vec3 index) const;
 
   static constexpr double kStep_mm = 0.5;
-  static constexpr int kHalf = 40;  ///< half width of the sampled square in steps of kStep_mm: 20 mm
+  static constexpr int kHalf = 40;  ///< half width of the sampled square, 20 mm, in steps of kStep_mm
   static constexpr int kWidth = 2 * kHalf + 1;
 
   const LabelMap& labels_;

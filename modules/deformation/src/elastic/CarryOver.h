@@ -24,9 +24,10 @@ class CarryOver {
 
  private:
   Mesh::Place placeOf(const Mesh& mesh, std::size_t node, const Transform& keptFromNow) const;
-  /// Returns the cell of the stored mesh that corresponds to a cell, where `place` is the place of the cell's first
-  /// corner. A neighbor is returned if its stiffness is closer to `mu`, the cell's present shear modulus: the stress of
-  /// a vessel wall would make the soft tissue beside the wall buckle.
+  /// Returns the cell of the stored mesh whose stress a new cell takes; `place` is the position of the new cell's first
+  /// corner in the stored mesh, `mu` its shear modulus. If the cell at that position has a very different shear
+  /// modulus, the neighbor with the most similar one is returned: the stress of a vessel wall, for example, would make
+  /// the soft tissue beside the wall buckle.
   std::size_t cellOf(const Mesh::Place& place, float mu) const;
 
   Mesh mesh_;

@@ -30,15 +30,16 @@ class Contact {
   /// Begins the next iteration: columns that lost contact with the face are released.
   void settle();
 
-  /// Adds the springs and their forces to the top row, with the face moved by `shift_mm` along z. With `sticking`,
-  /// nodes that touch keep the x of their first contact; nodes that touch in the first iteration keep their x at rest.
+  /// Adds the stiffness of the contact springs to `matrix` and their forces to `force`, with the face moved by
+  /// `shift_mm` along z. With `sticking`, nodes that touch keep the x of their first contact; nodes that touch in the
+  /// first iteration keep their undeformed x.
   void add(float shift_mm, bool sticking, const Nodes& at, GridMatrix& matrix, std::vector<float>& force);
 
   /// Returns the force on the face along z per millimeter of footprint, kPa mm.
   float pressing(float shift_mm, const Nodes& at) const;
-  /// Returns the force on the face along z per millimeter of footprint, kPa mm, as the linear system predicted it: only
-  /// the springs of the last add() count. A column that the last step has moved slightly into the face or off it is
-  /// counted from the next iteration on, because its stiff spring would exaggerate the force.
+  /// Returns the force on the face along z per millimeter of footprint, kPa mm, from the springs of the last add()
+  /// only, as the last Newton step predicted it. Nodes that this step moved slightly into or off the face count only
+  /// from the next iteration on, because their stiff springs would exaggerate the change of the force.
   float foreseen(float shift_mm, const Nodes& at) const;
 
   /// Adds to `force` the derivative of the contact force with respect to the face's shift along z, as a right-hand

@@ -34,9 +34,9 @@ struct Elements {
   std::vector<float> area;                        ///< undeformed area A0 of each cell, mm2
   std::vector<float> mu, bulk, hoop, shut, base;  ///< moduli of each cell in the energy W, kPa
   std::vector<float> guarded;  ///< above 0: allowedShare() limits the Newton step for the sake of this cell
-  /// Coefficient of the area's second derivative in the tangent: the cell's pressure, treated as an unknown that
-  /// changes linearly with each step (mixed Newton). With the pressure of the present area instead, steps would
-  /// overshoot.
+  /// Pressure of each cell, the factor of the area's second derivative in the tangent. The pressure is treated as an
+  /// unknown that changes linearly with each step (mixed Newton); if it were computed from the present area, steps
+  /// would overshoot.
   std::vector<float> carried;
 
   void resize(int c, int r);

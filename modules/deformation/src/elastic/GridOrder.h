@@ -10,8 +10,9 @@ namespace insonate::elastic {
 /// Depends only on the grid's size and is computed once per mesh.
 class GridOrder {
  public:
-  /// A group of unknowns that are eliminated together. Its front contains these own unknowns and the border: unknowns
-  /// of later fronts that are coupled to them, i.e. the nodes around the rectangle that has been eliminated so far.
+  /// A front of the elimination: a group of unknowns that are eliminated together (own unknowns), and its border, the
+  /// unknowns of later fronts that are coupled to the group. The border's nodes surround the rectangle of nodes that
+  /// has been eliminated so far.
   struct Front {
     int first = 0, own = 0;   ///< index of the first own unknown in elimination order, and number of own unknowns
     int border = 0;           ///< number of unknowns in the border
@@ -56,7 +57,8 @@ class GridOrder {
 
  private:
   struct Rectangle {
-    int left, right, top, bottom;  ///< right and bottom are one past the last node
+    /// Rectangle of nodes: first column and row; right and bottom are one past the last column and row.
+    int left, right, top, bottom;
   };
   int dissect(Rectangle r, int depth, int side);
   void close(int front);

@@ -19,9 +19,9 @@ struct BloodLevel {
   double unlikeness(double hu) const;
 };
 
-/// Measures the CT value of blood and its limits around a point in blood (patient, mm) in a blurred CT. The limits are
-/// closer to the blood than the half-way value to the darker tissue within `reach_mm`, because a vein differs less from
-/// an artery beside it than from tissue.
+/// Measures the CT value of blood and its limits around a point in blood (patient, mm) in a blurred CT. Each limit is
+/// closer to the value of blood than the value half-way to the darker tissue within `reach_mm`, because a vein differs
+/// less from an artery beside the vein than from other tissue.
 BloodLevel bloodAt(const CtVolume& ct, Vec3 patient_mm, double reach_mm);
 
 /// Interpolates linearly between two levels: returns a for `share` 0, b for `share` 1.

@@ -31,9 +31,9 @@ inline constexpr double kHazeCeiling_dB = 6;  ///< level of an echo above which 
 /// Haze behind strong reflectors such as bone: its level relative to the reflector, and the depth over which it falls
 /// to 1/e. Chosen so that the shadow of bone has 0.33 to 0.52 of the gray of the tissue above.
 inline constexpr double kHazeLongShare_dB = -30, kHazeLongTail_mm = 6;
-/// Minimum depth of reflectors that cause long haze; shallower echoes are from the skin and the face.
+/// Minimum depth of strong reflectors with haze behind them; shallower echoes are from the skin and the face.
 inline constexpr double kHazeLongFrom_mm = 3;
-/// Level of a reflector above which the long haze behind it does not grow.
+/// Level of a reflector above which the haze behind it does not grow.
 inline constexpr double kHazeLongCeiling_dB = 30;
 /// Haze by side lobes: level relative to the echoes beside a scanline at the same depth.
 inline constexpr double kSideLobes_dB = -23;
@@ -119,7 +119,7 @@ struct DisplayPlan {
   int edgeRows;  ///< half the pulse's length, in rows
   /// Factors by which the tails of the haze fall from one block of rows to the next.
   float hazeDecay, hazeGrainDecay, hazeLongDecay;
-  int longHazeFrom = 0;              ///< first block of rows whose reflectors cause long haze behind them
+  int longHazeFrom = 0;              ///< first block of rows in which strong reflectors cause haze behind them
   std::vector<float> line_dB;        ///< lateral gain of each scanline; empty if it is 0 everywhere
   std::vector<float> edgeShade_dB;   ///< [scanline] loss at the ends of the array
   std::vector<float> shadeShare;     ///< [row] share of each scanline's streak loss that applies to the row

@@ -11,11 +11,11 @@ namespace insonate {
 /// rays of an aperture pass beside the edge of a bone, so that the border of the bone's shadow is a penumbra as wide as
 /// the cone of rays at that edge.
 ///
-/// Half the cone's width, per depth, is half of 1 / F, with F the mean of transmission and reception, and no wider than
-/// the array's maximum aperture. A ray's tangent is the same at all depths, so that one sweep down the image follows
-/// all rays with this tangent. The weights of the rays are a triangle, the convolution of two uniform apertures. The
-/// sweep interpolates linearly between scanlines, which blurs the border by 1 mm at a depth of 40 mm (SD, 256 scanlines
-/// over 38 mm), so that no steps remain.
+/// At each depth, half the cone's width at the face is the depth times half of 1 / F (mean of transmission and
+/// reception, F the F-number), but at most half the array's maximum aperture. A ray's tangent is the same at all
+/// depths, so that one sweep down the image follows all rays with this tangent. The weights of the rays are a triangle,
+/// the convolution of two uniform apertures. The sweep interpolates linearly between scanlines, which blurs the border
+/// by 1 mm at a depth of 40 mm (SD, 256 scanlines over 38 mm), so that no steps remain.
 struct ApertureRays {
   static constexpr int kCount = 7;
   /// Tangent of each ray's angle to the scanline, relative to the tangent of the cone's edge.

@@ -152,8 +152,8 @@ Result<Proposal> propose(const LabelStep& step, const CtVolume& ct, const LabelM
                          const Progress& progress = {});
 
 /// Computes a preview of perform() for a window: the label's whole shape; for erasing, only the part that is removed. A
-/// threshold reuses the proposal's memory, so that the preview can follow a slider. Fails with the errors of propose();
-/// the proposal's contents are then undefined.
+/// threshold step reuses the memory of `into`, so that the preview can follow a slider. Fails with the errors of
+/// propose(); the proposal's contents are then undefined.
 Result<void> preview(const LabelStep& step, const CtVolume& ct, const LabelMap& labels, Proposal& into,
                      const Progress& progress = {});
 
