@@ -37,7 +37,7 @@ inline constexpr double kLargestFilledGap_mm = 10;
 /// slice, and no two at the same position.
 StackPlan planStack(const SliceStack& stack);
 
-/// Tells whether the spacing is even enough that the stack has no gap and needs no resampling along k.
+/// Tells whether the slices are spaced evenly enough: without gaps, and without need for resampling along k.
 bool isRegular(const SliceStack& stack);
 
 /// Resamples the slices of `stack` to the plan's grid. `slices` holds the voxels in the plan's order. Interpolates

@@ -23,7 +23,8 @@ class Equilibrium {
   struct Outcome {
     bool converged = false;  ///< true if no node moved by more than the tolerance in the last full step
     int iterations = 0;
-    double missed_mm = 0;  ///< maximum error of the face's height at nodes that slid along the face
+    /// Maximum difference between the assumed and the actual z of the face, at nodes that slid along the face.
+    double missed_mm = 0;
   };
   /// Finds the equilibrium with the face at load.shift_mm or, if force_kPa_mm is above 0, at the shift at which the
   /// face presses with that force. Stores in `load` the positions at which nodes met the face, and the shift.

@@ -13,8 +13,8 @@ std::vector<Vec3> smoothed(const std::vector<Vec3>& line, int reach);
 /// Returns points a millimeter apart on a polyline.
 std::vector<Vec3> resampled(const std::vector<Vec3>& line);
 
-/// Returns sections perpendicular to a line. Each is rotated as little as possible relative to the previous one, so
-/// that a ray stays on the same side of the vessel.
+/// Returns sections perpendicular to a line. Each section is rotated as little as possible relative to the previous
+/// one, so that the ray with number n stays on the same side of the vessel.
 std::vector<VesselOutline> sectionsAlong(const std::vector<Vec3>& line);
 
 /// Returns a part of the CT, blurred with a Gaussian.

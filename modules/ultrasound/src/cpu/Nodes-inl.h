@@ -72,7 +72,8 @@ HWY_INLINE VI storeCells(D d, const TissueField& field, VI i, VI j, VI k, V fx, 
   return corner;
 }
 
-/// SIMD version of TextureTile::between() for the tile that varies boundaries (patchTile()), in units of the tile's SD.
+/// SIMD version of TextureTile::between() for patchTile(), the tile of the variation along boundaries, in units of the
+/// tile's SD.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V patchAt(D d, V x, V y, V z, Vec3 origin_mm, int step) {
   const hn::Rebind<std::int32_t, D> di;

@@ -117,7 +117,8 @@ inline constexpr std::int32_t kNoGasYet = -1, kNoGasEver = -2;
 
 /// Echoes of one block of scanlines, before convolution with the beam's point-spread function.
 struct BlockEchoes {
-  alignas(64) std::int32_t gasGate[kBlockLines];  ///< first gate in gas behind tissue, or kNoGasYet or kNoGasEver
+  alignas(64) std::int32_t gasGate[kBlockLines];  ///< first gate in gas behind tissue; kNoGasYet: none found so far;
+                                                  ///< kNoGasEver: none can be found
   /// Scattering relative to the amplitude that reaches the gate, [component][gate][kBlockLines], component = 2 * look +
   /// (0 for the real, 1 for the imaginary part).
   AlignedArray<float> echo;

@@ -87,8 +87,8 @@ inline constexpr float kMaxSlope = 3;
 /// kContrastBend d), with d limited to +-kContrastReach_dB.
 inline constexpr float kContrast = 0.5F, kContrastBend = 0.2F, kContrastReach_dB = 6;
 
-/// Edge enhancement at full strength: share that is added of the difference between a level and the levels half a pulse
-/// above and below, and maximum of the difference that counts.
+/// Edge enhancement at full strength: a level changes by kEdgeShare times its difference from the levels half a pulse
+/// above and below; at most kEdgeReach_dB of the difference counts.
 inline constexpr double kEdgeShare = 0.8, kEdgeReach_dB = 10;
 
 /// A block of sample rows about as thick as the pulse, for values that change slowly with depth.

@@ -9,8 +9,8 @@ namespace insonate::fit {
 /// image.
 struct EdgeEvidence {
   double visible = 0;  ///< share of the edge's whole length that lies within the image
-  double seen = 0;     ///< share where the image is light inside and background outside the edge: evidence for it
-  double against = 0;  ///< share where the image is light outside the edge: evidence against it
+  double seen = 0;     ///< share with light inside and background outside the edge: evidence for the edge
+  double against = 0;  ///< share with light outside the edge: evidence against the edge
 };
 
 struct Evidence {

@@ -19,8 +19,8 @@ Contact contactOf(const TissueField& field, const Transform& patientFromProbe, c
                   Vec3 origin_mm, Vec3 direction);
 
 /// Converts a range from the face to a range in undeformed tissue: the skin across a gap is drawn to the face, while
-/// deep tissue stays. If a displacement has already brought the skin to the face, there is no gap, and the range stays
-/// the same.
+/// deep tissue stays. If a displacement has already brought the skin to the face, there is no gap, and the range is
+/// unchanged.
 double tissueRange_mm(double range_mm, double gap_mm);
 
 }  // namespace insonate

@@ -70,9 +70,10 @@ struct FramePlan {
   std::uint32_t specklePattern = 0;
   double latticePitch_mm = 0;           ///< distance between scatterers perpendicular to the elevation direction
   double latticeElevationPitch_mm = 0;  ///< distance between scatterers along the elevation direction
-  /// [gate] factor on scattering with which the envelope of a 0 dB tissue has RMS 1 after the point-spread function.
+  /// Factor on scattering at each gate, by which the envelope of a 0 dB tissue has RMS 1 after the point-spread
+  /// function.
   std::vector<double> scatterScale;
-  /// Factor on boundary echoes with which the peak of a plane reflector equals its reflection.
+  /// Factor on boundary echoes, by which the peak of a plane reflector equals its reflection coefficient.
   double boundaryScale = 1;
 
   /// Point-spread function: half of each gate's kernels, center first; the radius is the number of further entries. The

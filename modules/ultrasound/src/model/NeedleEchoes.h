@@ -20,7 +20,7 @@ inline constexpr double kImpedance_MRayl = 45, kTissueImpedance_MRayl = 1.63;
 inline constexpr double kSpeed_mmPerUs = 5.79;
 /// Thickness of the needle's wall as a share of the outer diameter; 0.22 mm for 18 G.
 inline constexpr double kWallShare = 0.17;
-/// Loss of the shaft's echo per degree by which the beam deviates from perpendicular, in addition to the loss by
+/// Loss of the shaft's echo per degree between the beam and the perpendicular to the shaft, in addition to the loss by
 /// spreading the echo over a slope.
 inline constexpr double kTiltLoss_dBpdeg = 0.375;
 inline constexpr double kBevel_deg = 20;

@@ -12,7 +12,7 @@ namespace insonate {
 /// a rough mucosa: the strength of each ring varies along the surface independently.
 class Reverberation {
  public:
-  /// First gate behind the gas surface that is replaced, so that the surface keeps its own echo.
+  /// Number of gates behind the gas surface from which on echoes are replaced, so that the surface keeps its own echo.
   static constexpr int kFirstGate = 2;
 
   /// A repeated echo: the echo of the gate `gatesAbove` gates above the gas surface is repeated with the factor `share`

@@ -25,8 +25,8 @@ struct OutlineBend {
   float within_permm = 0, across_permm = 0;
 };
 
-/// Undeformed tissue in the image plane, as models query it. The plane belongs to a pose of the probe; the face may lie
-/// inside the undeformed tissue, and its depth there is the indentation.
+/// Undeformed tissue in the image plane, in the form in which deformation models query it. The plane belongs to a pose
+/// of the probe; the face may lie inside the undeformed tissue, and its depth there is the indentation.
 class TissuePlane {
  public:
   virtual ~TissuePlane() = default;

@@ -13,7 +13,7 @@ namespace insonate {
 ///   speed = 1 / (1 + (gradient / edge)^2)
 /// J. A. Sethian, "A fast marching level set method for monotonically advancing fronts", PNAS 93, 1996.
 struct MarchingFront {
-  double reach_mm = 15;       ///< time at which the front stops: the distance covered in homogeneous tissue; above 0
+  double reach_mm = 15;       ///< distance that the front covers in homogeneous tissue before it stops; above 0
   double edge_HUpmm = 30;     ///< CT gradient at which the front moves at half speed; above 0
   double smoothing_mm = 0.8;  ///< standard deviation of the CT's blur before the gradient is computed; 0 or more
 };
