@@ -55,8 +55,8 @@ struct Column {
 };
 Shape column(Side side, Column column, std::uint32_t seed);
 
-/// A flat muscle that follows the investing fascia: a lens in the coordinates arc length along the fascia and depth
-/// below it. The sheet's edges lie closer to the fascia than its middle.
+/// A flat muscle that follows the investing fascia. Its cross-section is a lens, whose coordinates are the arc length
+/// along the fascia and the depth below the fascia. The edges of the sheet lie closer to the fascia than its middle.
 struct Sheet {
   /// Angle from the front (degrees), depth of the center below the fascia, half width along the fascia, half thickness
   /// (mm).

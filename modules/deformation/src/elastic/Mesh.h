@@ -44,7 +44,7 @@ class Mesh {
   const std::vector<PlaneTissue>& tissue() const { return tissue_; }  ///< tissue at each node
   /// Tissue at the middle of each cell, indexed by the cell's first node.
   const std::vector<PlaneTissue>& middle() const { return middle_; }
-  const std::vector<float>& skin_mm() const { return skin_; }  ///< z of the skin in each column
+  const std::vector<float>& skin_mm() const { return skin_; }  ///< depth z of the skin in each column, probe frame
 
   /// Copies lines, skin and rest positions, without the tissue.
   void takeShape(const Mesh& other);

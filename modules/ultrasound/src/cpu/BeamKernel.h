@@ -13,7 +13,7 @@ struct BeamTables {
   std::vector<float> axialKernel;    ///< half of each gate's axial kernel, [gate][maxAxialRadius + 1], center first
   std::vector<float> lateralKernel;  ///< half of each gate's lateral kernel, [gate][maxLateralRadius + 1], center first
   struct Upsample {
-    int gateBefore;  ///< index of the gate before the sample, minus sample / stride
+    int gateBefore;  ///< number of the gate before the sample, counted from gate number sample / stride
     float weight[4];
   };
   std::vector<Upsample> upsample;  ///< interpolation weights, index [sample % stride]

@@ -179,7 +179,7 @@ HWY_INLINE void placeNodes(D d, const TraceInput& in, const CornerSteps& steps, 
 
 using NodeTag = hn::CappedTag<float, 16>;
 
-/// Writes the distances of all channels at one node to `out`, [channel], in the field's units.
+/// Writes the distances of all channels at one node to `out`, [channel], in mm.
 HWY_INLINE void lookUpNode(const TissueField& field, const CornerSteps& steps, const NodePlaces& places, int column,
                            float* HWY_RESTRICT out) {
   const NodeTag d;

@@ -15,7 +15,8 @@ inline constexpr double kMaxTgc_dB = 120;
 /// Range of levels below black and above white that smoothing still distinguishes.
 inline constexpr double kHeadroom_dB = 15;
 
-inline constexpr double kNoNoise_dB = -120;  ///< minimum of ImagingSettings::noise_dB; means no noise, at no cost
+/// Minimum of ImagingSettings::noise_dB: stands for no noise, and has no cost.
+inline constexpr double kNoNoise_dB = -120;
 
 /// Haze: weak echoes that side lobes and reverberation add to dark regions. Level of the haze relative to the echoes at
 /// smaller depth that cause it.

@@ -5,8 +5,8 @@
 
 namespace insonate {
 
-/// Minimum ratio of a lattice cell's area, at rest over displaced, by which slopes are divided, to avoid a division by
-/// zero.
+/// Minimum of the ratio of a lattice cell's area at rest to its displaced area; a limit, since slopes are divided by
+/// this ratio.
 inline constexpr double kLeastVolume = 0.01;
 
 /// Returns the displayed position of a tissue point from its rest position, both in the probe frame. Solves x +

@@ -68,8 +68,8 @@ struct NodeLattice {
   Transform nodeFromPatient;
   Vec3 smoothing_mm;  ///< SD of the Gaussian with which outlines are smoothed
   double freedom_mm;  ///< maximum distance by which smoothing may move an outline: half a voxel
-  /// Number of nodes, to each side, that affect the value at a node: smoothed: through the smoothing of distances;
-  /// reach: through the maximum distance.
+  /// Number of neighboring nodes, to each side and by axis, that affect the value at a node: `smoothed`: through the
+  /// smoothing of distances; `reach`: through the maximum distance.
   std::array<int, 3> smoothed, reach;
 };
 

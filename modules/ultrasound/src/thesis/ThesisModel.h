@@ -32,10 +32,10 @@ struct ThesisPlan {
   explicit ThesisPlan(const FramePlan& plan);
 
   int mapRows;  ///< number of map rows, at half the distance of node rows, since interfaces vary faster than distances
-  double row_mm;         ///< distance between node rows
-  double interface_mm;   ///< kInterface_mm, or more if the map rows are too far apart to sample it
-  double steepness_mm;   ///< interface_mm over the maximum slope of fade(); multiplied by a change per mm, it gives the
-                         ///< change over an interface
+  double row_mm;        ///< distance between node rows
+  double interface_mm;  ///< kInterface_mm, or more if the map rows are too far apart to sample it
+  double steepness_mm;  ///< interface_mm divided by the maximum slope of fade(): converts a change per mm to the change
+                        ///< across an interface
   double lossLength_mm;  ///< length over which a plane interface's loss is spread, so that its integral is correct
   double tailShare;      ///< share of an echo that the radial blur passes on to the next gate
   NoiseCells noise;

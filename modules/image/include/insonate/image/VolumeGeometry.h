@@ -10,7 +10,7 @@ namespace insonate {
 
 /// Position of a voxel grid in patient space (LPS, millimeters, as in DICOM).
 struct VolumeGeometry {
-  std::array<int, 3> size{1, 1, 1};  ///< voxels along i, j, k; each at least 1
+  std::array<int, 3> size{1, 1, 1};  ///< number of voxels along i, j, k; each at least 1
   Vec3 spacing_mm{1, 1, 1};          ///< distance between neighboring voxel centers along i, j, k; each above 0
   Vec3 origin_mm{};                  ///< patient position of the center of voxel (0, 0, 0)
   Mat3 direction;                    ///< columns: patient directions of i, j, k; orthonormal (either handedness)

@@ -19,7 +19,8 @@ double sceneDetail_mm(const Probe& probe, const ImagingSettings& settings);
 /// Number of operations and bytes of one stage of a frame, computed by formula from the sizes of its grids: an estimate
 /// for comparison with measured times, not a count of instructions.
 struct StageWork {
-  std::string_view name;  ///< name as in Engine::stages(); for the display: compound, compress, smooth, scan_convert
+  std::string_view name;  ///< name of the stage as in Engine::stages(); stages of the display: compound, compress,
+                          ///< smooth, scan_convert
   double operations = 0;  ///< single-precision and 32-bit integer operations; a multiply-add counts as two
   double bytes = 0;       ///< bytes read and written, each counted once, as with an unlimited cache
 };
