@@ -15,11 +15,11 @@ class Contact {
   static constexpr float kStiffness_kPa_mm = 1500;
 
   void prepare(const Nodes& rest, int columns);
-  /// Samples the face's profile at the present x of the top row's nodes; the samples remain valid while the nodes
-  /// slide. If the same mesh meets the face again, the sampling positions move only half-way to the present x: under
-  /// the rounded ends of the face, strongly compressed skin would otherwise oscillate. Columns that touched at the end
-  /// of the last solution count as touching in the first iteration; otherwise the skin would spring back between two
-  /// images whenever the face retreats.
+  /// Samples the outline of the face at the present x of the top row's nodes; the samples are used until the next
+  /// meet(), even if nodes slide. If the same mesh meets the face again, each sampling position moves only half-way to
+  /// the node's present x; otherwise, strongly compressed skin under the rounded ends of the face would oscillate.
+  /// Columns that touched at the end of the last solution count as touching in the first iteration; otherwise the skin
+  /// would spring back between two images whenever the face retreats.
   void meet(const FaceProfile& face, const Nodes& at);
   /// Stores which columns touch the face, for the next meet().
   void remember(float shift_mm, const Nodes& at);

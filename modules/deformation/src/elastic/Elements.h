@@ -53,7 +53,7 @@ void shapeElements(const Nodes& rest, Elements& elements);
 /// close to the solution.
 void assemble(const Elements& elements, const Nodes& at, float caution, GridMatrix& matrix, std::vector<float>& force);
 
-/// Returns the share of `step` ([2 * node + axis]), at most 1, at which the first guarded cell would have lost 60 % of
+/// Returns the largest share of `step` ([2 * node + axis]), at most 1, by which no guarded cell loses more than 60 % of
 /// its area.
 float allowedShare(const Elements& elements, const Nodes& at, const std::vector<float>& step);
 

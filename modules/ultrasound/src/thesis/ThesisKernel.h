@@ -49,7 +49,8 @@ struct KernelBuffers {
     alignas(64) float ct_HU[kMaxColumns];
     alignas(64) float beyond[kMaxColumns];
   };
-  /// Medium and boundaries at one map row, at columns and expanded to scanlines.
+  /// Acoustic values of the medium and of boundaries at one map row, which lies on a row of nodes or midway between
+  /// two: one value per node column or, after expansion, per scanline.
   struct MapRow {
     alignas(64) float reflection[kMaxColumns], loss_dBpmm[kMaxColumns], echo[kMaxColumns];
   };

@@ -11,7 +11,6 @@ namespace insonate {
 /// fat content. The same seed gives the same patient. Impedance and attenuation keep their published values, so that
 /// levels and shadows stay accurate. A texture, layer or roughness that is absent in `table` (0 dB) stays absent.
 ///
-///
 /// Standard deviations of the variation, which is limited to two standard deviations: echogenicity 1.5 dB, of muscle
 /// and fat 2.5 dB; texture strength 15 %; roughness 20 %; layers 2 dB, 20 % of their thickness and 0.12 of patchiness.
 /// These amounts were chosen, not measured; the increase of muscle with age is from Arts et al., Muscle Nerve 2010;
