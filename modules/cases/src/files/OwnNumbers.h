@@ -11,7 +11,8 @@ namespace insonate {
 class OwnNumbers {
  public:
   void keep(std::uint8_t label) { taken_.set(label); }
-  /// Reserves and returns `wanted` if it is free, else the first free number; returns kSoftTissue if all are taken.
+  /// Reserves and returns a label number: `wanted` if it is free, else the first free number. Returns kSoftTissue if
+  /// all numbers are taken.
   std::uint8_t take(long wanted) {
     if (wanted < kLabelCount || wanted > kLastOwnLabel || taken_.test(static_cast<std::size_t>(wanted)))
       for (wanted = kLabelCount; wanted <= kLastOwnLabel && taken_.test(static_cast<std::size_t>(wanted));) ++wanted;

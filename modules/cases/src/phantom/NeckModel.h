@@ -10,7 +10,8 @@
 
 namespace insonate::phantom {
 
-/// A whole neck as functions of patient position, which label maps sample. Immutable.
+/// Mathematical model of a whole neck: depth and structure at each patient position, from which label maps are sampled.
+/// Immutable.
 class NeckModel {
  public:
   NeckModel(const NeckParameters& parameters, std::uint32_t seed);

@@ -5,8 +5,8 @@
 
 namespace insonate::display {
 
-/// Sets size and scale of the image: square pixels, centered, with the whole field of view as large as possible. No
-/// gray values.
+/// Returns an image with size and scale, but without gray values: square pixels, centered, with the whole field of view
+/// as large as possible.
 BModeImage pictureLayout(const BeamGrid& grid, const ImagingSettings& settings);
 
 }  // namespace insonate::display

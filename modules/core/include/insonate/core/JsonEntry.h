@@ -36,9 +36,10 @@ class JsonEntry {
   std::string text(std::string_view key, bool needed = true);
   double number(std::string_view key, double low, double high);
   std::optional<double> numberIfThere(std::string_view key, double low, double high);
-  /// Reads a number, or an object with the "value", its "range" [low, high] and its "source".
+  /// Reads an optional number, written either as a number or as an object with "value", "range" [low, high] and
+  /// "source". With `orInfinity`, the word "infinity" is also accepted.
   std::optional<double> sourcedIfThere(std::string_view key, double low, double high, bool orInfinity = false);
-  /// Returns a whole number.
+  /// Returns the whole number under the key, which must be there and lie within low to high.
   int whole(std::string_view key, int low, int high);
   std::optional<int> wholeIfThere(std::string_view key, int low, int high);
   /// Returns `count` numbers; zeros after an error. `order` describes the list in the error sentence: "[x, y, z]".
