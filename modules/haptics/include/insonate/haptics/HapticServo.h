@@ -20,9 +20,9 @@ enum Hand : int { kProbeHand = 0, kNeedleHand = 1 };
 /// patientFromDevice * shift by apart_mm * deviceFromStylus * stylusFromTool. The tool frame of the probe is the probe
 /// frame; that of the needle has its origin at the tip and z along the needle, in the direction of insertion.
 struct HandSetup {
-  Transform patientFromDevice;  ///< rigid
+  Transform patientFromDevice;  ///< rigid pose of the device's workspace in patient space
   Vec3 apart_mm;                ///< offset of the tool from the stylus, device frame; lets two devices stand apart
-  Transform stylusFromTool;     ///< rigid
+  Transform stylusFromTool;     ///< rigid pose of the tool in the stylus's frame
   DeviceLimits limits;          ///< limits of the device's force and stiffness
   double gain = 1;              ///< fraction of the computed force that is sent to the device, 0 to 1
   double mostForce_N = 1e9;     ///< maximum force set by the user
