@@ -47,8 +47,8 @@ struct AttemptFacts {
   int procedureVersion = 0;
   std::string caseName{}, caseHash{};
   std::string workstation{};  ///< workstation at which the attempt was made
-  std::int64_t begun_us =
-      0;  ///< time at which the attempt began, since 1970, UTC, by the workstation's clock, which may be wrong
+  /// time at which the attempt began, since 1970, UTC, by the workstation's clock, which may be wrong
+  std::int64_t begun_us = 0;
   std::int64_t length_us = 0;  ///< duration, measured by a monotonic clock
   AttemptState state = AttemptState::Open;
   bool succeeded = false;

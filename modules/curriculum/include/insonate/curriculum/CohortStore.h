@@ -18,8 +18,8 @@ namespace insonate {
 /// A member of a cohort (class), with a summary of the member's progress.
 struct Member {
   Person person{};
-  bool teaches =
-      false;         ///< true: an instructor of this cohort, whose fields about attempts stay empty; false: a learner
+  /// true: an instructor of this cohort, whose fields about attempts stay empty; false: a learner
+  bool teaches = false;
   int attempts = 0;  ///< number of the member's attempts that count (Judgement.h), including free practice
   /// Counter that grows with each attempt of the member that is ended or voided; detects an outdated Standing.
   std::int64_t changes = 0;

@@ -13,8 +13,8 @@ struct RankComparison {
   double superiority = 0;
   double effect = 0;  ///< rank-biserial correlation (Cliff's delta), 2 superiority - 1; -1 to 1
   double p = 1;       ///< two-sided p-value of the Mann-Whitney test
-  bool exact =
-      false;  ///< true: p is computed from all arrangements of the values; false: from the normal approximation
+  /// true: p is computed from all arrangements of the values; false: from the normal approximation
+  bool exact = false;
 };
 
 /// Minimum number of values per group for a comparison: with 3 against 3, no difference has p below 0.1.

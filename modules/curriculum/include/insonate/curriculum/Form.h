@@ -98,9 +98,8 @@ std::vector<AnswerTrouble> checkAnswers(const Form& form, const FormAnswers& ans
 
 /// Score of a filled form.
 struct FormScore {
-  double points = 0,
-         most =
-             0;  ///< points and maximum points, summed over questions that were answered with an option that has points
+  /// points and maximum points, summed over questions that were answered with an option that has points
+  double points = 0, most = 0;
   std::optional<double> percent{};  ///< 100 points / most; empty if no question is scored
   int scored = 0;                   ///< number of questions answered with an option that has points
   /// Number of questions with points that were not answered, or were answered with an option without points.

@@ -22,8 +22,8 @@ struct RaterPair {
 struct FormAgreement {
   int judged = 0;       ///< number of attempts judged by at least one rater
   int judgedTwice = 0;  ///< number of attempts judged by at least two raters
-  int otherVersions =
-      0;  ///< number of filled forms left out, since they were filled in for another version of the form
+  /// number of filled forms left out, since they were filled in for another version of the form
+  int otherVersions = 0;
   std::vector<RaterPair> pairs{};  ///< agreement of each pair of raters, sorted by their names
 };
 

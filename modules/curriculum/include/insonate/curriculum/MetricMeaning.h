@@ -17,8 +17,8 @@ struct MetricMeaning {
   std::string title{};  ///< name shown to users: "Punctures of the artery"
   std::string unit{};   ///< unit of the values: "", "s", "mm", "%"
   Better better = Better::Neither;
-  std::optional<double> novice{},
-      expert{};  ///< published typical values of novices and experts, in `unit`; the expert's is the better one
+  /// published typical values of novices and experts, in `unit`; the expert's is the better one
+  std::optional<double> novice{}, expert{};
   ValueKind kind = ValueKind::Any;
 
   /// Returns the position of a value on the scale from the novice value (0) to the expert value (100), clamped; empty

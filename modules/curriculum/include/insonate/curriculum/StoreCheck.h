@@ -13,8 +13,8 @@ namespace insonate {
 
 /// A value in the database that does not agree with its source: a recording, the attempts, or the audit log.
 struct StoreDifference {
-  std::string
-      attempt{};  ///< attempt concerned (AttemptFacts::id); "": the difference is in a standing (progress of a trainee)
+  /// attempt concerned (AttemptFacts::id); "": the difference is in a standing (progress of a trainee)
+  std::string attempt{};
   std::string person{};  ///< person concerned: Person::id
   /// Name of the value: "points", "metric needle_path_mm", "standing in central_line 5: level".
   std::string field{};

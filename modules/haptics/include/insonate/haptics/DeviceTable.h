@@ -45,9 +45,9 @@ struct ReportField {
   int index = 0;
   int bit = 0, bits = 8;  ///< first bit of the field, and its width in bits (1..32)
   bool isSigned = false;  ///< the raw value is a two's complement number
-  bool wraps =
-      false;         ///< the raw value is a counter that overflows; it is decoded as the change since the first report
-  double scale = 1;  ///< factor from the raw value to the unit of `quantity`
+  /// the raw value is a counter that overflows; it is decoded as the change since the first report
+  bool wraps = false;
+  double scale = 1;          ///< factor from the raw value to the unit of `quantity`
   int count = 1, usage = 0;  ///< for kKey: number of consecutive fields to search, and the HID usage code to search for
 };
 
@@ -64,8 +64,8 @@ struct ReportLayout {
 struct DeviceMatch {
   std::uint16_t vendor = 0, product = 0;
   std::optional<std::uint16_t> usagePage, usage;
-  std::string
-      name;  ///< text that the USB product string must contain, ignoring case; distinguishes devices with equal USB ids
+  /// text that the USB product string must contain, ignoring case; distinguishes devices with equal USB ids
+  std::string name;
 };
 
 /// Geometry and motors of a three-axis haptic arm: a turret that carries two bars. Each bar's angle is measured from
@@ -76,9 +76,9 @@ struct ArmTable {
   std::array<double, 3> bodyTurnsPerMotorTurn{};  ///< gear ratio of each cable drive, with sign: turns of the turret or
                                                   ///< bar per turn of its motor
   std::array<double, 3> torque_NmmPermA{};        ///< torque per current of each motor
-  std::array<double, 3>
-      homeAngle_deg{};  ///< angles of turret, upper and lower bar in the home posture, from which the encoders count
-  Vec3 centre_mm;       ///< center of the workspace, in the arm's frame
+  /// angles of turret, upper and lower bar in the home posture, from which the encoders count
+  std::array<double, 3> homeAngle_deg{};
+  Vec3 centre_mm;             ///< center of the workspace, in the arm's frame
   double mostCurrent_mA = 0;  ///< maximum current of each motor
 };
 

@@ -60,8 +60,8 @@ struct HandOutput {
   Transform patientFromTool;   ///< pose of the tool as the device holds it
   Transform patientFromShown;  ///< pose at which the program draws the tool; unlike patientFromTool never inside bone
   Vec3 wanted_N;               ///< force of tissue and of the other tool before any limit, patient space
-  double energy_J =
-      0;  ///< energy that the user's hand has put into the virtual tissue and not got back; decays with time
+  /// energy that the user's hand has put into the virtual tissue and not got back; decays with time
+  double energy_J = 0;
   bool limited = false;  ///< true: the force was reduced, by a limit, missing inputs or passivity control (energy_J)
 };
 

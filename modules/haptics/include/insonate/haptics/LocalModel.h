@@ -23,8 +23,8 @@ struct SkinPatch {
 /// Tissue near probe and needle, from which the force loop computes forces. Slower threads update it tens of times per
 /// second.
 struct LocalModel {
-  std::int64_t time_ns =
-      0;  ///< time at which the model was made, CLOCK_MONOTONIC; forces decrease to zero if the model is old
+  /// time at which the model was made, CLOCK_MONOTONIC; forces decrease to zero if the model is old
+  std::int64_t time_ns = 0;
   std::shared_ptr<const TissueGrid> grid;  ///< tissue at rest; null: the needle feels no force
   /// Affine map from a point near the needle's tip to where its tissue lies without deformation; close to the identity.
   Transform restFromPatient;

@@ -21,10 +21,10 @@ struct RealTimeRights {
 struct TickTiming {
   std::uint64_t ticks = 0;
   std::uint64_t late = 0;  ///< ticks that began more than a period late; the ticks missed before them were skipped
-  double p50_us = 0, p99_us = 0, p999_us = 0,
-         max_us = 0;  ///< percentiles and maximum of a tick's computing time; within 3 %
-  double wakeP99_us = 0,
-         wakeMax_us = 0;  ///< 99th percentile and maximum of the delay from a tick's due time to its beginning
+  /// percentiles and maximum of a tick's computing time; within 3 %
+  double p50_us = 0, p99_us = 0, p999_us = 0, max_us = 0;
+  /// 99th percentile and maximum of the delay from a tick's due time to its beginning
+  double wakeP99_us = 0, wakeMax_us = 0;
 };
 
 /// Inputs and outputs of one tick of the force loop.

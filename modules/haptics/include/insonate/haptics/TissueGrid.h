@@ -18,8 +18,8 @@ inline constexpr int kNeedleWallCount = static_cast<int>(kNeedleWalls.size());
 
 /// Tissue at a point.
 struct TissueSample {
-  std::array<float, kNeedleWallCount>
-      distance_mm{};  ///< distance to the surface of each of kNeedleWalls, negative inside the structure
+  /// distance to the surface of each of kNeedleWalls, negative inside the structure
+  std::array<float, kNeedleWallCount> distance_mm{};
   std::uint8_t label = kBackground;
 };
 

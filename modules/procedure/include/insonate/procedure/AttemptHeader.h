@@ -38,8 +38,8 @@ struct AttemptHeader {
   /// Settings of probe, image, tissue and blood at the beginning of the attempt, JSON (simulator/AttemptSettings.h);
   /// empty: unknown.
   std::string settings{};
-  bool isScripted =
-      false;  ///< true: a script moved probe and needle; the recording is a demonstration, not a person's attempt
+  /// true: a script moved probe and needle; the recording is a demonstration, not a person's attempt
+  bool isScripted = false;
   RecordedFor recordedFor{};
 
   bool operator==(const AttemptHeader&) const = default;

@@ -82,8 +82,8 @@ struct Procedure {
   std::string target;  ///< text that the name of a case's target must contain; empty: any target
   std::vector<PatientPosition> positions;
   std::vector<ProcedureStep> steps;  ///< steps in their order, at least one
-  std::size_t passBegins =
-      0;  ///< index of the step to which the attempt returns if the needle leaves the body too early
+  /// index of the step to which the attempt returns if the needle leaves the body too early
+  std::size_t passBegins = 0;
   std::vector<ProcedureRule> rules;
   std::vector<MetricLimit> success;  ///< conditions of success: every one of these limits must be exceeded at the end
   std::vector<MetricNorm> norms;  ///< published values, at most one for each metric; metrics without an entry have none

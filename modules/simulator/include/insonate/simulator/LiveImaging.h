@@ -55,8 +55,8 @@ struct LiveFrame {
   std::optional<Needle> needle;  ///< pose of the needle; empty: no needle
   LivePress press;
   std::shared_ptr<const ImagingSetup> setup;  ///< probe, settings, tissues, engine; never null
-  std::shared_ptr<const std::vector<std::string>>
-      warnings;                             ///< sentences about the case, e.g. unknown labels; never null
+  /// sentences about the case, e.g. unknown labels; never null
+  std::shared_ptr<const std::vector<std::string>> warnings;
   std::vector<ImagingFrame::Stage> stages;  ///< computing times; empty if the probe is outside the patient
   double frame_ms = 0;                      ///< wall-clock time of computing the image, from pose to B-mode
   std::string engine, engineNote;  ///< engine of the last image that was computed, and its note (Engine::note())

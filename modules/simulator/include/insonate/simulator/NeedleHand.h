@@ -14,8 +14,8 @@ struct NeedleHandState {
   Vec3 inward{0, 1, 0};   ///< into the body, perpendicular to the skin, unit
   Vec3 heading{1, 0, 0};  ///< horizontal part of the needle's direction: tangential to the skin, unit
   double angle_deg = 45;  ///< angle between needle and skin; 90: perpendicular to the skin
-  double advance_mm =
-      -5;  ///< distance of the tip beyond the entry, along the needle; below 0: the tip is before the skin
+  /// distance of the tip beyond the entry, along the needle; below 0: the tip is before the skin
+  double advance_mm = -5;
   double bevel_deg = 0;  ///< rotation about the needle's axis; 0: the bevel faces away from the skin
   /// Unit normal of the image plane in which the needle stays when it is moved; empty: the needle is not bound to a
   /// plane.

@@ -37,8 +37,8 @@ class PressedTissue {
 
   /// Distances along the probe's axis from a pose to first contact and to the deepest possible compression.
   struct Travel {
-    double touch_mm =
-        0;  ///< distance from the pose to first contact with the skin; below 0: the pose is indented by this much
+    /// distance from the pose to first contact with the skin; below 0: the pose is indented by this much
+    double touch_mm = 0;
     /// Distance from the pose at which the tissue over bone is compressed to a tenth of its thickness; infinite without
     /// bone.
     double deepest_mm = 0;

@@ -14,12 +14,12 @@ struct ProbeHandState {
   Vec3 skin_mm;  ///< skin point under the middle of the probe's face; also for a lifted probe
   Vec3 inward;   ///< into the body, perpendicular to the skin, unit
   Vec3 lateral;  ///< toward the probe's marker, along the skin, unit
-  double tilt_deg =
-      0;  ///< tilt (fan), rotation about the lateral axis (x); above 0: the beam turns toward -y (elevation)
-  double rock_deg =
-      0;  ///< rock (heel-toe), rotation about the elevation axis (y); above 0: the beam turns toward the marker (x)
-  double press_mm =
-      0;  ///< depth of the face along the probe's axis; above 0: pressed into the skin, below 0: off the skin
+  /// tilt (fan), rotation about the lateral axis (x); above 0: the beam turns toward -y (elevation)
+  double tilt_deg = 0;
+  /// rock (heel-toe), rotation about the elevation axis (y); above 0: the beam turns toward the marker (x)
+  double rock_deg = 0;
+  /// depth of the face along the probe's axis; above 0: pressed into the skin, below 0: off the skin
+  double press_mm = 0;
   bool operator==(const ProbeHandState&) const = default;
 };
 
@@ -41,8 +41,8 @@ class ProbeHand {
  public:
   static constexpr double kMostAngle_deg = 60;  ///< maximum tilt and maximum rock, to either side
   static constexpr double kMostPress_mm = 20;
-  static constexpr double kLift_mm =
-      20;  ///< distance of a lifted probe from the skin; the probe receives no echoes there
+  /// distance of a lifted probe from the skin; the probe receives no echoes there
+  static constexpr double kLift_mm = 20;
 
   /// Places a probe on the skin, which is the outer boundary of all labels except background; the pose is applied as by
   /// setPose(). Takes some tenths of a second for a large volume. Fails if the label map has only background or none,
