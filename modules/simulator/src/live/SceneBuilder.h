@@ -63,8 +63,8 @@ class SceneBuilder {
   std::function<void()> whenDone_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::atomic<std::uint64_t> ticket_{
-      0};  ///< number of the scene requested last; a job in progress with another number is cancelled
+  /// number of the scene requested last; a job in progress with another number is cancelled
+  std::atomic<std::uint64_t> ticket_{0};
   bool stopping_ = false;
   bool dropping_ = false;  ///< true: source_ is to be released before the next job
   std::optional<SceneJob> next_;
