@@ -10,8 +10,8 @@ namespace insonate::cli {
 /// a password on the command line.)
 struct PasswordSource {
   std::string file;      ///< file whose first line is the password; "/dev/fd/3" for a descriptor; "": no file
-  const char* variable;  ///< environment variable, read if no file is named
-  std::string prompt;    ///< asked on the terminal, without echo, if neither file nor variable is given
+  const char* variable;  ///< name of the environment variable that contains the password; read if `file` is ""
+  std::string prompt;    ///< prompt on the terminal, which asks without echo if neither file nor variable is given
   bool twice = false;    ///< true: the terminal asks twice, since typing is not shown
 };
 

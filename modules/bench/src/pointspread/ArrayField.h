@@ -40,7 +40,8 @@ class ArrayField {
 
   Probe probe_;
   double frequency_MHz_, transmitFocus_mm_, end_mm_;
-  std::vector<double> waveNumber_radPmm_, spectrum_;  ///< wave number and spectrum of the pulse, [frequency]
+  /// wave number, and spectrum of the pulse; one value for each frequency
+  std::vector<double> waveNumber_radPmm_, spectrum_;
   /// For each piece of an element's height: its position, and the delay of the lens as a path length.
   std::vector<double> height_mm_, lens_mm_;
 };

@@ -12,7 +12,7 @@ namespace insonate::bench {
 struct Spread {
   double x_mm = 0.05, z_mm = 0.01, y_mm = 0.05;  ///< sampling steps: lateral, axial, elevation
   int across = 0, along = 0;
-  /// complex echo, [across: lateral][along: axial]; the point is in the middle of both
+  /// ^Complex echo by position, in the order [lateral][axial]; the point is in the middle of both.
   std::vector<std::complex<double>> echo;
   std::vector<double> slice;      ///< peak of the echo by elevation position; the point is in the middle
   std::vector<double> endAcross;  ///< peak of the echo by lateral position, for a point near the array's end

@@ -60,7 +60,8 @@ class LevelRecord {
   bool lastPassed_ = false;
   std::vector<double> cusum_;
   bool cusumSignalled_ = false;
-  std::deque<bool> sinceMastery_;  ///< whether each of the last FailureRule::within attempts since mastery was passed
+  /// for each of the last FailureRule::within attempts since mastery: true if it was passed
+  std::deque<bool> sinceMastery_;
 };
 
 }  // namespace insonate

@@ -41,7 +41,7 @@ class HidDevice final : public HapticDevice {
   void opening(const std::string& path);
   void attach(std::unique_ptr<HidHandle> handle);
   void cannotOpen(const std::string& why);
-  /// Sets the device's phase after a search that did not find it.
+  /// Sets the device's phase to kAbsent, since a search has not found the device.
   void missing();
   /// Reports to the user if writing a force to the device has been blocked for 100 ms.
   void watch(std::int64_t now_ns);

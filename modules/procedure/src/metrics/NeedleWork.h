@@ -9,7 +9,8 @@ namespace insonate::metrics {
 /// Measures the path of the needle's tip under the skin until the vein is reached, over all passes.
 class NeedleWork {
  public:
-  static constexpr double kStep_mm = 0.5;  ///< smaller motions of the tip count as trembling and are ignored
+  /// motions of the tip below this distance count as trembling and are ignored
+  static constexpr double kStep_mm = 0.5;
   /// Distance of withdrawal, and of the advance that follows, that makes a redirection.
   static constexpr double kRedirect_mm = 3;
 

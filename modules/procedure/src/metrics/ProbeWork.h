@@ -26,7 +26,8 @@ class Movements {
 /// Computes the metrics of the probe's motion and force.
 class ProbeWork {
  public:
-  static constexpr double kStep_mm = 1;  ///< smaller motions of the probe count as trembling and are ignored
+  /// motions of the probe below this distance count as trembling and are ignored
+  static constexpr double kStep_mm = 1;
   static constexpr std::int64_t kSpeed_us = 50'000;  ///< time over which a speed is computed
 
   /// Adds a sample. `counting`: the probe's path is counted now (from the first puncture of the skin until that of the

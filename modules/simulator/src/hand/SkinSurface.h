@@ -50,8 +50,9 @@ class SkinSurface {
   std::array<int, 3> parts_{};   ///< number of voxels per grid node, along each axis
   Vec3 spacing_mm_;              ///< distance between grid nodes
   Transform nodeFromPatient_, patientFromNode_;
-  std::vector<float> body_;  ///< fraction of body, [node]
-  /// Fraction of body averaged over about the footprint of a probe, from which normals are computed; [node].
+  std::vector<float> body_;  ///< fraction of body, one value for each grid node
+  /// Fraction of body averaged over about the footprint of a probe, from which normals are computed; one value for each
+  /// grid node.
   std::vector<float> footprint_;
   std::vector<std::array<float, 3>> skin_;  ///< points near the skin, patient LPS, mm
 };

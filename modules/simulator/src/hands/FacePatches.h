@@ -25,7 +25,7 @@ class FacePatches {
 
  private:
   struct Law {
-    /// force k1 d + k2 d^2 of each patch; typical values of a neck until a solution is known
+    /// Force k1 d + k2 d^2 of each patch at indentation d; typical values of a neck until a solution is known.
     double k1_Npmm = 0.06, k2_Npmm2 = 0.008;
   };
 

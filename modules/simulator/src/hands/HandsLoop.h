@@ -42,7 +42,7 @@ class HandsSession::Impl {
 
   DeviceHub hub;
   std::once_flag looking;
-  mutable std::mutex mutex;  ///< guards all members below
+  mutable std::mutex mutex;  ///< guards all members that are declared below it
   std::array<std::shared_ptr<InputHand>, 2> mice;
   std::array<Transform, 2> mouseAt;
   /// center of the workspace of the device emulated by the mouse, for probe and needle

@@ -25,7 +25,8 @@ class FaceContact {
 
  private:
   struct Column {
-    float x_mm, face_mm;  ///< lateral position of a column, and axial position of the face there
+    /// lateral position of a column of searched points, and axial position of the probe's face there
+    float x_mm, face_mm;
   };
   std::vector<Column> columns_;
   std::vector<PlanePoint> points_;

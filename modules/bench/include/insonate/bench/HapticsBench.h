@@ -22,7 +22,8 @@ struct HapticsBenchRow {
   /// 99th percentile and maximum of the delay from a tick's due time to its beginning
   double wakeP99_us = 0, wakeMax_us = 0;
   int pictures = 0;  ///< number of ultrasound images made during the measurement
-  /// minimum over time of the energy that a hand has put in since a contact began; below 0: not passive
+  /// minimum over time of the net energy that a hand has put into the force loop since a contact began; below 0: not
+  /// passive
   double passivityMin_J = 0;
 };
 
@@ -44,7 +45,8 @@ struct ForceDepthCurve {
 struct HapticsBench {
   std::vector<HapticsBenchRow> rows;
   std::vector<StiffnessRow> stiffness;
-  StiffnessRow colgate;  ///< check against theory: a device of 0.2 kg and 0.2 N s/m, not held and without friction
+  StiffnessRow colgate;  ///< result for a device of 0.2 kg and 0.2 N s/m, not held and without friction, for which the
+                         ///< theory (Colgate) is exact
   std::vector<ForceDepthCurve> curves;
   std::vector<std::string> notes;
 };

@@ -110,7 +110,7 @@ struct BenchPicture {
 struct UltrasoundBench {
   BenchComputer machine;
   std::vector<UltrasoundBenchRow> rows;  ///< measurements; the main workload W1 first
-  FrameTimes plainLoop;                  ///< times of a simple scalar program (PlainLoop) with workload W1, one thread
+  FrameTimes plainLoop;  ///< times of a simple scalar program (PlainLoop) with the main workload W1, one thread
   std::vector<StageLimits> stages;
   std::vector<RealismRow> realism;
   std::vector<BenchPicture> pictures;

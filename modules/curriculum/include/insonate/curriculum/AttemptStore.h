@@ -18,7 +18,8 @@ struct KeptAttempt {
   AttemptFacts facts{};
   /// Running number of the attempt in the database, from 1, by the order of beginnings; independent of clocks.
   std::int64_t arrival = 0;
-  bool crashed = false;  ///< true: marked abandoned since its process died; its real end may still be reported
+  /// true: the attempt was marked abandoned since the program crashed; its real end may still be reported
+  bool crashed = false;
   std::string voidReason{};
   /// The database's copy of the recording; empty if there is none. The file has not been compared with
   /// facts.recordingHash.

@@ -9,7 +9,8 @@
 /// Columns that every table of attempts shares (CSV; Csv.h).
 namespace insonate {
 
-/// Returns the word for a proof in tables: "proven", "accepted", "earlier", "demonstration", "not proven".
+/// Returns the word for an attempt's proof of origin in tables: "proven", "accepted", "earlier", "demonstration", "not
+/// proven".
 const char* wordOf(AttemptProof proof);
 
 /// Returns the column names of a table of attempts: "id", "begun (UTC)", ..., "assistance", "state", "broke off",

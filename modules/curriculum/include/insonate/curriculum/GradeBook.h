@@ -12,7 +12,7 @@ namespace insonate {
 /// Grade of one person, for export to a learning management system.
 struct Grade {
   Person person{};
-  std::optional<double> percent{};  ///< empty: not graded yet
+  std::optional<double> percent{};  ///< grade, 0 to 100; empty: not graded yet
   std::string feedback{};
 };
 

@@ -13,7 +13,7 @@ namespace insonate {
 /// Result of comparing one attempt with a level's conditions for passing (PassRule).
 struct Judgement {
   bool passed = false;
-  std::vector<bool> standardsMet{};  ///< whether each of PassRule::standards is met, in their order
+  std::vector<bool> standardsMet{};  ///< for each of PassRule::standards, in their order: true if it is met
   int met = 0;                       ///< number of standards that are met
   bool criticalMet = true;           ///< true: all critical standards are met
 
@@ -45,8 +45,8 @@ const Level* levelOf(const Curriculum& curriculum, const AttemptFacts& attempt);
 /// (levelOf() is null) or does not count.
 std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& attempt);
 
-/// Tells whether an attempt counts at a level with this rule. A failed attempt counts if counts(attempt) is true; a
-/// passed one only if its origin is also proven (AttemptProof). Unproven failures count, since trainees could otherwise
+/// Tells whether an attempt counts at a level with this rule. The attempt must count in general (counts(attempt)); an
+/// attempt that passes must also not be AttemptProof::Unproven. Unproven failures count, since trainees could otherwise
 /// choose which attempts count.
 bool counts(const AttemptFacts& attempt, const PassRule& rule);
 

@@ -11,7 +11,7 @@ struct Person {
   std::string id{};        ///< UUID of the person
   std::string name{};      ///< name for signing in; unique, ignoring case
   std::string fullName{};  ///< name shown to others
-  std::string email{};     ///< may be empty
+  std::string email{};     ///< e-mail address, or empty
   Role role = Role::Trainee;
   bool disabled = false;  ///< true: the person cannot sign in; all data is kept
 

@@ -17,7 +17,7 @@ struct Interval {
 
 struct Estimate {
   double value = 0;
-  std::optional<Interval> interval{};  ///< confidence interval
+  std::optional<Interval> interval{};  ///< confidence interval of `value`
   /// Method of the interval if several methods exist, or the reason why there is no interval: "t", "Poisson", "Wilson",
   /// "bootstrap", "fewer than 5 values", "all values alike".
   std::string_view basis{};
@@ -26,7 +26,7 @@ struct Estimate {
 /// Range of values that a metric can have. Confidence intervals and learning curves stay within it.
 enum class ValueKind {
   Any,          ///< any number, e.g. a distance that is negative inside
-  NotNegative,  ///< e.g. a time, a distance, a force
+  NotNegative,  ///< 0 or more, e.g. a time, a distance, a force
   Percent,      ///< 0 to 100
   Count,        ///< a whole number, 0 or more
   YesNo,        ///< 0 or 1

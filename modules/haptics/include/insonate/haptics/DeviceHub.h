@@ -21,7 +21,7 @@ class HidDevice;
 struct HidFound;
 }  // namespace haptics
 
-/// Returns the bus of the devices on USB and Bluetooth, accessed through hidapi.
+/// Returns a bus that lists and opens the USB and Bluetooth devices, through hidapi.
 std::shared_ptr<haptics::HidBus> usbDevices();
 
 struct HubOptions {
@@ -59,7 +59,7 @@ class DeviceHub {
 
  private:
   struct Slot {
-    std::string kind;  ///< vendor, product and serial number
+    std::string kind;  ///< identifies a device across reconnections: vendor, product and serial number
     std::shared_ptr<haptics::HidDevice> device;
   };
 

@@ -7,8 +7,10 @@ namespace insonate {
 /// Capabilities of a haptic device. A value of 0 means that the manufacturer states none; the program then does not use
 /// it.
 struct DeviceLimits {
-  int sensedAxes = 0;            ///< 0 (a pedal), 3 (position) or 6 (position and direction)
-  int forceAxes = 0;             ///< 0 (a mouse), 3 (force) or 6 (force and torque)
+  /// number of axes that the device measures: 0 (a pedal), 3 (position) or 6 (position and direction)
+  int sensedAxes = 0;
+  /// number of axes along which the device exerts force: 0 (a mouse), 3 (force) or 6 (force and torque)
+  int forceAxes = 0;
   Vec3 workspace_mm;             ///< full extent (not half) of the workspace along the device's axes
   double maxForce_N = 0;         ///< peak force
   double continuousForce_N = 0;  ///< force that can be held indefinitely; at most maxForce_N

@@ -12,7 +12,7 @@ namespace insonate {
 struct DeviceState {
   Transform deviceFromStylus;  ///< rigid pose of the stylus in the device's frame
   Vec3 velocity_mmps;          ///< velocity of the stylus's origin; 0 if the device does not report it
-  Vec3 angularVelocity_radps;  ///< device frame; 0 if the device does not report it
+  Vec3 angularVelocity_radps;  ///< angular velocity of the stylus, device frame; 0 if the device does not report it
   std::uint32_t buttons = 0;   ///< one bit per button, the first button is bit 0; 1: pressed
   std::int64_t time_ns = 0;    ///< time of the state, CLOCK_MONOTONIC; 0: no state yet
 };

@@ -17,7 +17,7 @@ namespace insonate {
 enum class DeviceKind : std::uint8_t {
   kForce,   ///< hand-held stylus with force feedback
   kMotion,  ///< hand-held controller without force feedback
-  kPedal,   ///< buttons only
+  kPedal,   ///< pedal, which has only buttons
 };
 
 std::string_view nameOf(DeviceKind kind);
@@ -29,13 +29,14 @@ enum class Quantity : std::uint8_t {
   kQuaternion,  ///< attitude as a quaternion; index 0..3: w, x, y, z
   kDeflection,  ///< deflection of a 3D mouse's spring-loaded cap, -1..1; index 0..2: along x, y, z; 3..5: about x, y, z
   kButtons,     ///< one bit per button; index: number of the button in the lowest bit
-  kKey,         ///< a button, pressed if one of `count` fields equals `usage`; index is the button's number
-  kStatus,      ///< status bits whose meaning is specific to the device
-  kSequence,    ///< running number of the report
-  kTime,        ///< time in s on the device's own clock
-  kForce,       ///< output: force in N, device frame; index 0..2: x, y, z
-  kTorque,      ///< output: torque in N mm, device frame; index 0..2: about x, y, z
-  kCurrent,     ///< output: motor current in mA; index 0..2 selects the motor
+  kKey,  ///< a single button, pressed if one of ReportField::count consecutive fields equals ReportField::usage; index:
+         ///< number of the button
+  kStatus,    ///< status bits whose meaning is specific to the device
+  kSequence,  ///< running number of the report
+  kTime,      ///< time in s on the device's own clock
+  kForce,     ///< output: force in N, device frame; index 0..2: x, y, z
+  kTorque,    ///< output: torque in N mm, device frame; index 0..2: about x, y, z
+  kCurrent,   ///< output: motor current in mA; index 0..2 selects the motor
 };
 
 /// One field of a HID report: a run of bits, least significant first, and its meaning. Bit 0 is the first bit after the
@@ -48,7 +49,8 @@ struct ReportField {
   /// the raw value is a counter that overflows; it is decoded as the change since the first report
   bool wraps = false;
   double scale = 1;          ///< factor from the raw value to the unit of `quantity`
-  int count = 1, usage = 0;  ///< for kKey: number of consecutive fields to search, and the HID usage code to search for
+  int count = 1, usage = 0;  ///< only for Quantity::kKey: number of consecutive fields, and the HID usage code that one
+                             ///< of them has if the button is pressed
 };
 
 /// Layout of one kind of HID report: its id, length and fields.

@@ -42,8 +42,8 @@ struct DeviceCounters {
 
 /// A message to the user about a device, shown once.
 struct DeviceEvent {
-  std::int64_t time_ns = 0;  ///< CLOCK_MONOTONIC
-  std::string device;        ///< DeviceInfo::id
+  std::int64_t time_ns = 0;  ///< time of the event, CLOCK_MONOTONIC
+  std::string device;        ///< device concerned: DeviceInfo::id
   DevicePhase phase = DevicePhase::kAbsent;
   bool trouble = false;  ///< true: the message reports a fault; false: it only informs
   std::string text;      ///< message for the user, one sentence

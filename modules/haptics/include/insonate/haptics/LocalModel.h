@@ -12,11 +12,12 @@ namespace insonate {
 
 /// Plane approximation of the skin at one point of the probe's face, with the skin's resistance.
 struct SkinPatch {
-  Vec3 onProbe_mm;              ///< point of the probe's face to which this patch belongs, probe frame
-  Vec3 skin_mm;                 ///< a point of the skin at rest, patient space
-  Vec3 outward{0, 0, -1};       ///< unit normal of the skin, patient space
-  double stiffness_Npmm = 0;    ///< k1 of the force k1 d + k2 d^2, with d the depth of the face's point below the skin
-  double stiffening_Npmm2 = 0;  ///< k2, not below 0
+  Vec3 onProbe_mm;         ///< point of the probe's face to which this patch belongs, probe frame
+  Vec3 skin_mm;            ///< a point of the undeformed skin, patient space
+  Vec3 outward{0, 0, -1};  ///< unit normal of the skin, patient space
+  /// k1 of the skin's force on the probe, k1 d + k2 d^2, at the depth d of `onProbe_mm` below the undeformed skin.
+  double stiffness_Npmm = 0;
+  double stiffening_Npmm2 = 0;  ///< k2 of the skin's force on the probe, k1 d + k2 d^2; 0 or more
   bool operator==(const SkinPatch&) const = default;
 };
 
@@ -25,7 +26,7 @@ struct SkinPatch {
 struct LocalModel {
   /// time at which the model was made, CLOCK_MONOTONIC; forces decrease to zero if the model is old
   std::int64_t time_ns = 0;
-  std::shared_ptr<const TissueGrid> grid;  ///< tissue at rest; null: the needle feels no force
+  std::shared_ptr<const TissueGrid> grid;  ///< undeformed tissue; null: no force acts on the needle
   /// Affine map from a point near the needle's tip to where its tissue lies without deformation; close to the identity.
   Transform restFromPatient;
   std::array<SkinPatch, 4> patches;

@@ -14,7 +14,7 @@ namespace insonate {
 /// changes only the axes that it contains.
 struct DeviceReading {
   std::array<double, 6> encoder{};  ///< encoder counts; of counters that overflow, the counts since the first report
-  std::optional<Vec3> position_mm;  ///< device frame (DeviceState.h)
+  std::optional<Vec3> position_mm;  ///< position of the stylus, device frame (DeviceState.h)
   std::array<double, 4> quaternion{1, 0, 0, 0};  ///< attitude w, x, y, z as reported, not normalized
   std::array<double, 6> deflection{};  ///< deflection of a 3D mouse's cap, -1..1: along x, y, z, then about x, y, z
   std::uint32_t buttons = 0;
@@ -70,7 +70,7 @@ std::int32_t signedValue(std::uint32_t raw, int bits) noexcept;
 
 /// Values for an output report to a device: force and torque, or motor currents.
 struct DeviceOutput {
-  Vec3 force_N, torque_Nmm;            ///< device frame
+  Vec3 force_N, torque_Nmm;            ///< force and torque in the device frame
   std::array<double, 3> current_mA{};  ///< current for each motor
   std::uint32_t sequence = 0;
 };

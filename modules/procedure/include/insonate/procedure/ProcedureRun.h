@@ -63,9 +63,11 @@ class ProcedureRun {
   std::size_t due_ = 0;
   std::vector<Finding> findings_;
   std::vector<AttemptEvent> milestones_;
-  std::optional<AttemptEvent> vesselWall_;   ///< event by which the tip entered its present vessel
-  std::vector<std::optional<double>> told_;  ///< for each rule, the value at the last finding
-  /// Time since which the state has lasted; empty: the state does not hold.
+  std::optional<AttemptEvent> vesselWall_;  ///< event by which the tip entered its present vessel
+  /// for each rule, the metric's value at the rule's last finding; empty: no finding yet
+  std::vector<std::optional<double>> told_;
+  /// Times since which the probe has been on the skin, and the needle has aspirated blood in the vein; empty: not at
+  /// present.
   std::optional<std::int64_t> probeOnSkin_us_, aspirating_us_;
 };
 

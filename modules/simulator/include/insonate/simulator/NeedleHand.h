@@ -11,10 +11,10 @@ namespace insonate {
 /// Position and angles of the needle in a NeedleHand. Patient LPS.
 struct NeedleHandState {
   Vec3 entry_mm;          ///< point on the skin at which the needle enters or will enter
-  Vec3 inward{0, 1, 0};   ///< into the body, perpendicular to the skin, unit
-  Vec3 heading{1, 0, 0};  ///< horizontal part of the needle's direction: tangential to the skin, unit
+  Vec3 inward{0, 1, 0};   ///< unit direction into the body, perpendicular to the skin
+  Vec3 heading{1, 0, 0};  ///< unit direction of the needle's projection onto the skin
   double angle_deg = 45;  ///< angle between needle and skin; 90: perpendicular to the skin
-  /// distance of the tip beyond the entry, along the needle; below 0: the tip is before the skin
+  /// distance of the tip beyond the entry, along the needle; below 0: the tip is outside the skin
   double advance_mm = -5;
   double bevel_deg = 0;  ///< rotation about the needle's axis; 0: the bevel faces away from the skin
   /// Unit normal of the image plane in which the needle stays when it is moved; empty: the needle is not bound to a
@@ -41,9 +41,9 @@ class NeedleHand {
   /// Angle of a new needle to the skin. Every target needs a steeper angle, so that the trainee has to aim.
   static constexpr double kTaken_deg = 20;
 
-  /// Places a needle beside a probe, before the skin, at kTaken_deg to it. Along: in the image plane, at the end of the
-  /// probe's face opposite the marker; if the skin's shape does not allow that, as for Across. Across: beside the
-  /// middle of the face. `halfWidth_mm`: half the width of the face.
+  /// Places a needle beside a probe, outside the skin, at the angle kTaken_deg to the skin. Along: in the image plane,
+  /// at the end of the probe's face opposite the marker; if the skin's shape does not allow that, as for Across.
+  /// Across: beside the middle of the face. `halfWidth_mm`: half the width of the face.
   static NeedleHand beside(const ProbeHand& probe, double halfWidth_mm, NeedlePlane plane);
 
   /// Moves the entry point over the skin along the probe's lateral and elevation directions; no effect while the tip is

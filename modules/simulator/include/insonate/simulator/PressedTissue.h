@@ -39,8 +39,8 @@ class PressedTissue {
   struct Travel {
     /// distance from the pose to first contact with the skin; below 0: the pose is indented by this much
     double touch_mm = 0;
-    /// Distance from the pose at which the tissue over bone is compressed to a tenth of its thickness; infinite without
-    /// bone.
+    /// Distance from the pose to the position at which the tissue over bone is compressed to a tenth of its thickness;
+    /// infinite without bone.
     double deepest_mm = 0;
   };
   /// Returns the range over which the probe's face can be moved along its axis from this pose. Empty if there is no
@@ -61,7 +61,7 @@ class PressedTissue {
   /// Removes the probe from the patient and discards the last solution.
   void release();
 
-  /// Returns the last solution, in the probe frame of pose().
+  /// Returns the deformation that hold() or push() computed last, in the probe frame of pose().
   const Deformation& deformation() const;
   const Transform& pose() const;
   /// Returns the depth of the probe's face below first contact with the skin; below 0: distance from the skin. NaN if

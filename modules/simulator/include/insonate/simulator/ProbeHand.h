@@ -12,8 +12,8 @@ namespace insonate {
 /// Position and angles of a ProbeHand: its complete state, for saving and restoring. Patient LPS.
 struct ProbeHandState {
   Vec3 skin_mm;  ///< skin point under the middle of the probe's face; also for a lifted probe
-  Vec3 inward;   ///< into the body, perpendicular to the skin, unit
-  Vec3 lateral;  ///< toward the probe's marker, along the skin, unit
+  Vec3 inward;   ///< unit direction into the body, perpendicular to the skin
+  Vec3 lateral;  ///< unit direction toward the probe's marker, along the skin
   /// tilt (fan), rotation about the lateral axis (x); above 0: the beam turns toward -y (elevation)
   double tilt_deg = 0;
   /// rock (heel-toe), rotation about the elevation axis (y); above 0: the beam turns toward the marker (x)

@@ -13,9 +13,9 @@
 
 namespace insonate {
 
-/// Tells the named vessels of a case apart (all veins share one label, all arteries another), and which is the target
-/// of an attempt. A point belongs to the vessel of CaseManifest::vessels whose wall is nearest, unless it lies outside
-/// that vessel, in an unnamed one. In a case without named vessels, the center line of a vein that passes nearest to a
+/// Identifies the vessel at a point of a case (all veins share one label, all arteries another), and the target of an
+/// attempt. A point belongs to the vessel of CaseManifest::vessels whose wall is nearest, unless it lies outside that
+/// vessel, in an unnamed one. In a case without named vessels, the center line of a vein that passes nearest to a
 /// target of the case gets the target's name.
 class VesselNames {
  public:

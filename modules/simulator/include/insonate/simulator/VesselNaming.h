@@ -17,8 +17,8 @@ namespace insonate {
 
 /// Name and label of a kind of vessel that an author may name in a case.
 struct VesselKind {
-  std::string_view name;  ///< as in NamedVessel, e.g. "right internal jugular vein"
-  std::uint8_t label;     ///< kVein or kArtery
+  std::string_view name;  ///< name of the vessel, e.g. "right internal jugular vein"
+  std::uint8_t label;     ///< label of the vessel: kVein or kArtery
 };
 
 /// Returns the large vessels of neck and upper chest, in the order in which the form lists them.

@@ -23,9 +23,9 @@ struct MadeUpPlan {
 };
 
 /// Generates the attempts of an invented trainee, in order, without person and id. Each trainee has an initial skill,
-/// an attainable skill and a learning rate. With skill, each metric moves from the novice's to the expert's value (the
-/// procedure's norms, else round numbers), with random scatter. After every five attempts the trainee goes on to the
-/// first open level. The same trainee and seed give the same attempts.
+/// an attainable skill and a learning rate. With rising skill, each metric moves from the novice's to the expert's
+/// value (the procedure's norms, else round numbers), with random scatter. After every five attempts the trainee goes
+/// on to the first open level. The same trainee and seed give the same attempts.
 Result<std::vector<AttemptFacts>> madeUpAttempts(const Curriculum& curriculum, int trainee, const MadeUpPlan& plan);
 
 inline constexpr const char *kMadeUpAdministrator = "made-up-administrator", *kMadeUpTeacher = "made-up-teacher",
