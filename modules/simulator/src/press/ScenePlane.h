@@ -9,7 +9,7 @@
 namespace insonate::press {
 
 /// Tissue in the image plane of a probe pose, sampled from an acoustic scene; input of the deformation models. Outside
-/// the window, the tissue at its edge continues, so that results do not depend on the extent of the scene.
+/// the window, the tissue at the window's edge is continued, so that results do not depend on the extent of the scene.
 class ScenePlane final : public TissuePlane {
  public:
   explicit ScenePlane(const PressWindow& window) : window_(window) {}

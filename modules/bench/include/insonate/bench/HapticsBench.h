@@ -45,8 +45,8 @@ struct ForceDepthCurve {
 struct HapticsBench {
   std::vector<HapticsBenchRow> rows;
   std::vector<StiffnessRow> stiffness;
-  StiffnessRow colgate;  ///< result for a device of 0.2 kg and 0.2 N s/m, not held and without friction, for which the
-                         ///< theory (Colgate) is exact
+  StiffnessRow colgate;  ///< result for a device of 0.2 kg and 0.2 N s/m, not held and without friction, for comparison
+                         ///< with Colgate's bound
   std::vector<ForceDepthCurve> curves;
   std::vector<std::string> notes;
 };

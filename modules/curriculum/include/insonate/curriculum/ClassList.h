@@ -22,7 +22,7 @@ struct ClassListEntry {
 struct ClassListTrouble {
   int line = 0;
   std::string sentence{};  ///< explains the error and what to do
-  NewPerson person{};      ///< the fields that could be read from the line
+  NewPerson person{};      ///< data of the person that could be read from the line in spite of the error
 };
 
 struct ClassList {

@@ -31,10 +31,10 @@ struct HandSetup {
 /// Shapes of probe and needle for their mutual contact: capsules, as in figure 14 of the thesis (see
 /// modules/haptics/README.md).
 struct ToolShapes {
-  double faceHalfWidth_mm = 19,
-         /// half length and radius of the capsule parallel to the probe's face, just behind the face
-      probeRadius_mm = 6;
-  double handle_mm = 90;  ///< length of the capsule along the probe's axis, behind the face
+  /// half length and radius of the capsule parallel to the probe's face, just behind the face
+  double faceHalfWidth_mm = 19, probeRadius_mm = 6;
+  /// length of the capsule that stands for the probe's handle, along the probe's axis behind the face
+  double handle_mm = 90;
   double needleLength_mm = 70, needleRadius_mm = 0.635;
 };
 

@@ -50,7 +50,7 @@ class ReportRecorder {
   std::jthread writer_;
 };
 
-/// One report of a recording.
+/// One input or output report of a device, as read from a recording by readRecording().
 struct RecordedReport {
   double time_s = 0;  ///< time since the recording began
   std::string device, table;

@@ -91,9 +91,10 @@ struct LiveOptions {
   bool background = false;
   bool workAhead = true;       ///< true: parts of future scenes are computed while processors are idle
   bool keepEnvelopes = false;  ///< true: LiveFrame::envelope is filled, which takes about six times the memory
-  Physiology physiology = {};  ///< initial value of LiveImaging::setPhysiology()
-  bool pulsating = false;      ///< initial value of LiveImaging::setPulsating()
-  bool resting = false;        ///< initial value of LiveImaging::setResting()
+  /// heart, breathing and blood pressures at the beginning; see LiveImaging::setPhysiology()
+  Physiology physiology = {};
+  bool pulsating = false;  ///< true: vessels pulsate from the beginning; see LiveImaging::setPulsating()
+  bool resting = false;    ///< true: imaging is paused at the beginning; see LiveImaging::setResting()
 };
 
 /// Live ultrasound imaging of a moving probe over a patient. If the pose puts the probe's face below the undeformed

@@ -31,8 +31,8 @@ Result<void> validate(const TissueMechanics& mechanics);
 /// Curvilinear: the arc of the array. Phased: flat and as wide as the aperture, although the fan begins in a point.
 ProbeFace faceOf(const Probe& probe, const TissueMechanics& mechanics);
 
-/// Part of the image plane, in the probe frame, in which the mechanical model computes. Outside, the tissue at its edge
-/// continues.
+/// Part of the image plane, in the probe frame, for which the tissue deformation is computed. Outside, the tissue at
+/// the part's edge is continued.
 struct PressWindow {
   double half_mm = 0;  ///< lateral extent to either side of the probe's axis
   double top_mm = 0, bottom_mm = 0;
