@@ -35,8 +35,8 @@ struct NeedleForce {
 /// at high speed or at a thin vessel. Positions are stored in undeformed tissue.
 class NeedleMechanics {
  public:
-  /// Sets the needle's table of forces. `steepest_Npmm`: maximum stiffness that the haptic device can render, to which
-  /// all springs are limited.
+  /// Sets the needle's table of forces. `steepest_Npmm`: maximum stiffness that the haptic device can render; the
+  /// stiffness of each spring is limited to a fraction of it.
   void configure(const NeedleTable& table, double steepest_Npmm);
   /// Removes the needle from the tissue, and adds a Withdrawn event for every wall that it had punctured.
   void remove(std::int64_t time_ns, NeedleEvents& events) noexcept;
@@ -58,7 +58,7 @@ class NeedleMechanics {
     bool slides = false;    ///< true: the angle to the wall is too flat for a puncture
     bool inwards = true;    ///< true: the tip moves into the structure; false: out of it
     Vec3 point, direction;  ///< first point of contact with the wall, and direction in which the tip pushes
-    Vec3 normal;            ///< normal of the wall, in the direction of the tip's motion
+    Vec3 normal;            ///< unit normal of the wall, on the side toward which the tip moves
     double depth_mm = 0, force_N = 0;
     /// Displacement of the tip perpendicular to its direction, by which it drags the skin sideways before it slips.
     Vec3 aside_mm;

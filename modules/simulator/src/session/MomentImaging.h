@@ -18,7 +18,7 @@ namespace insonate {
 class MomentImaging {
  public:
   /// `source`: source of acoustic scenes of a case whose volumes have the geometry `grid`; these volumes must outlive
-  /// both objects.
+  /// `source` and this object.
   MomentImaging(const VolumeGeometry& grid, std::shared_ptr<const SceneSource> source);
   ~MomentImaging();
 

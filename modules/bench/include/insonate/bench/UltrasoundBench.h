@@ -16,7 +16,7 @@ namespace insonate {
 struct UltrasoundBenchPlan {
   PatientCase patient;
   std::string variant;  ///< name of the case in the tables
-  /// settings of the main workload W1 (see ultrasoundBenchPlan()); ImagingSetup::engine is ignored
+  /// settings that are measured first (workload W1); ImagingSetup::engine is ignored
   ImagingSetup setup;
   Transform start;  ///< patientFromProbe at the beginning of the motion
 
@@ -71,7 +71,7 @@ struct UltrasoundBenchRow {
   double discretisationError_percent = 0, discretisationSsim = 1;
 };
 
-/// Speed of one stage of the main workload W1 (from its minimum time), compared with the computer's limits.
+/// Speed of one stage of an engine (from the stage's minimum time), compared with the computer's limits.
 struct StageLimits {
   std::string stage;
   int threads = 1;
@@ -109,8 +109,9 @@ struct BenchPicture {
 
 struct UltrasoundBench {
   BenchComputer machine;
-  std::vector<UltrasoundBenchRow> rows;  ///< measurements; the main workload W1 first
-  FrameTimes plainLoop;  ///< times of a simple scalar program (PlainLoop) with the main workload W1, one thread
+  /// measurements of engines and settings; those of UltrasoundBenchPlan::setup first
+  std::vector<UltrasoundBenchRow> rows;
+  FrameTimes plainLoop;  ///< times of a simple scalar program (PlainLoop) with UltrasoundBenchPlan::setup, one thread
   std::vector<StageLimits> stages;
   std::vector<RealismRow> realism;
   std::vector<BenchPicture> pictures;
