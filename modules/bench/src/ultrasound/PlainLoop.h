@@ -17,8 +17,8 @@ class PlainLoop {
   void render(const Transform& patientFromProbe, BModeImage& image);
 
  private:
-  /// A pixel inside the field of view for scan conversion: indices of the pixel and of the sample before it, and
-  /// weights of the next sample along each axis.
+  /// Bilinear interpolation of one image pixel: index of the pixel (`at`), index in level_ of the first of four samples
+  /// (`level`), and weights of the next samples in lateral (`x`) and axial (`z`) direction.
   struct Pixel {
     std::size_t at, level;
     float x, z;

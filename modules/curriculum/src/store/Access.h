@@ -49,8 +49,8 @@ enum class Act {
 enum class Reach {
   None,
   Self,  ///< the user's own data
-  /// Also data of learners in a cohort that the user teaches. For acts on a cohort: only a cohort that the user
-  /// teaches.
+  /// The user's own data, and data of learners in a cohort that the user teaches. For acts on a cohort: a cohort that
+  /// the user teaches.
   Taught,
   All,
 };

@@ -24,7 +24,7 @@ class Session {
   Core& core() const { return *core_; }
   const Person& person() const { return person_; }
   bool mustChangePassword() const { return mustChange_; }
-  /// Continues the session after the user has chosen a new password, of this version.
+  /// Continues the session after the user has chosen a new password. `version`: number of the new password.
   void hasPassword(std::int64_t version) {
     passwordVersion_ = version;
     mustChange_ = false;

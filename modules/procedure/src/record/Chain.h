@@ -57,7 +57,7 @@ struct ChainFault {
 };
 
 struct ChainReading {
-  std::vector<Link> links{};  ///< the readable links
+  std::vector<Link> links{};  ///< links (digests) of the file that could be read, in their order
   std::vector<ChainFault> faults{};
 };
 

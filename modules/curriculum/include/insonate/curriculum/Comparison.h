@@ -9,7 +9,8 @@ namespace insonate {
 struct RankComparison {
   double u = 0;  ///< Mann-Whitney U of the first group: number of pairs in which the first group's value is greater,
                  ///< ties counted half
-  /// U / (n m): probability that a value of the first group exceeds a value of the second, ties counted half.
+  /// U / (n m), with n and m the sizes of the groups: probability that a value of the first group exceeds a value of
+  /// the second, ties counted half.
   double superiority = 0;
   double effect = 0;  ///< rank-biserial correlation (Cliff's delta), 2 superiority - 1; -1 to 1
   double p = 1;       ///< two-sided p-value of the Mann-Whitney test

@@ -32,8 +32,8 @@ struct MetricStandard {
   bool operator==(const MetricStandard&) const = default;
 };
 
-/// Conditions for passing one attempt at a level, in addition to these: it is completed and successful, without a
-/// critical error.
+/// Conditions for passing one attempt at a level. The attempt must also be completed and successful, without a critical
+/// error.
 struct PassRule {
   std::optional<double> leastPoints{};  ///< minimum score (AttemptFacts::points); empty: none
   std::vector<MetricStandard> standards{};
@@ -53,7 +53,7 @@ struct CusumRule {
   bool operator==(const CusumRule&) const = default;
 };
 
-/// Rule by which a mastered level lapses: `failures` failed attempts among the last `within`.
+/// Rule by which mastery of a level lapses: `failures` failed attempts among the last `within`.
 struct FailureRule {
   int failures = 2, within = 3;
 

@@ -41,7 +41,7 @@ struct AttemptEvent {
   /// Depth of the puncture below the puncture of the skin, along the needle; for the vein: d1 of the thesis.
   double depth_mm = 0;
   std::optional<Vec3> outward{};  ///< unit normal of the undeformed skin at its puncture; empty: unknown
-  double tilt_deg = 0;            ///< tilt of the table, for Positioned; positive: head down (Trendelenburg)
+  double tilt_deg = 0;  ///< tilt of the patient's table in a Positioned event; positive: head down (Trendelenburg)
 
   bool operator==(const AttemptEvent&) const = default;
 };

@@ -78,7 +78,7 @@ struct MetricValues {
 /// yellow.
 enum class NeedlePlace {
   Clean,     ///< new needle that has not been in the skin
-  Underway,  ///< under the skin, in none of the places below
+  Underway,  ///< under the skin, but neither Vein nor WrongPlace
   Vein,
   WrongPlace,  ///< artery, another vein, lung or airway, behind the posterior wall of the vein, or on bone
   Used,        ///< withdrawn from the skin and not yet replaced

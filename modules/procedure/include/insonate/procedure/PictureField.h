@@ -13,9 +13,10 @@ struct PictureField {
   double faceRadius_mm = 0;
   double sliceHalf_mm = 0;       ///< half the minimum slice thickness of the beam (FWHM); 0: there is no image
   double elevationFocus_mm = 0;  ///< depth below the probe's face at which the slice is thinnest
-  /// growth of the slice thickness per mm, at depths above elevationFocus_mm; 0: unknown or none
+  /// growth of the slice thickness per mm of distance from elevationFocus_mm, toward the probe; 0: unknown or none
   double elevationDivergence = 0;
-  double elevationDivergenceBehind = 0;  ///< growth of the slice thickness per mm, at depths below elevationFocus_mm
+  /// growth of the slice thickness per mm of distance from elevationFocus_mm, away from the probe
+  double elevationDivergenceBehind = 0;
 
   bool operator==(const PictureField&) const = default;
 };

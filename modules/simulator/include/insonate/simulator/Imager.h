@@ -63,7 +63,8 @@ class Imager {
   Display display_;
 };
 
-/// Range of consecutive poses of a path whose images use one scene, which covers `region`.
+/// Consecutive poses of a path that share one acoustic scene: the poses `first` to `first` + `count` - 1. The scene
+/// covers `region`.
 struct SceneRun {
   Region region;
   std::size_t first = 0, count = 0;

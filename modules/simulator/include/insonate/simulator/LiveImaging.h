@@ -21,7 +21,7 @@ struct TissueMesh {
   std::vector<float> pressure_kPa;  ///< pressure in each cell, (columns-1) x (rows-1) values; above 0: compression
 };
 
-/// Spacing in the image of the points of LivePress::middleAtRest_mm.
+/// Axial spacing of the points on the image's middle line for which LivePress::middleAtRest_mm is computed.
 inline constexpr double kMiddleStep_mm = 0.5;
 
 /// Deformation of the tissue under the probe for one image. Without a mechanical model (kNoDeformation) the tissue is

@@ -10,12 +10,11 @@
 
 namespace insonate {
 
-/// Returns the facts that a recording's header contains. The caller adds the facts of the recording (addRecording())
-/// and, if the header has no id, person and level, also these.
+/// Returns the facts that a recording's header contains. The caller adds the facts of the recording (addRecording()),
+/// and id, person and level if the header has none.
 AttemptFacts beginningOf(const AttemptHeader& header);
 
-/// Adds to an attempt's facts its end: Completed for a completed attempt, else Abandoned, with duration, metrics and
-/// points.
+/// Adds the end of an attempt to its facts: duration, metrics, points, and the state Completed or Abandoned.
 void addEnding(AttemptFacts& facts, AttemptStatus status, std::int64_t length_us, const AttemptScore& score);
 
 /// Computes AttemptFacts::recordingHash, the SHA-256 of a recording's file, which differs for changed copies.
@@ -35,8 +34,8 @@ enum class Hands { Person, PersonOrScript };
 /// recording.
 Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file, Hands hands = Hands::Person);
 
-/// Completes the facts of an attempt that has begun by those of its recording. Id, person, level and the procedure's
-/// version stay. Fails like factsOfRecording(), with `facts` unchanged.
+/// Adds to the facts of a begun attempt what its recording contains. Id, person, level and the procedure's version
+/// stay. Fails like factsOfRecording(), with `facts` unchanged.
 Result<void> takeRecording(AttemptFacts& facts, const std::filesystem::path& file);
 
 }  // namespace insonate
