@@ -8,7 +8,7 @@
 namespace insonate {
 
 /// Skin in front of a probe's face as the force loop feels it: plane patches (SkinPatch) that follow the probe, with
-/// the stiffness found by the last deformation solution. For one thread; allocates nothing.
+/// the stiffness found by the last computed deformation. For one thread; allocates nothing.
 class FacePatches {
  public:
   static constexpr int kCount = 3;  ///< number of patches along the probe's face
@@ -16,8 +16,8 @@ class FacePatches {
   /// Discards the learned stiffness, for another patient or other tissue.
   void reset() { *this = {}; }
 
-  /// Learns the stiffness from one deformation solution: pose, indentation and force. Solutions that have not converged
-  /// and have an implausibly large force are ignored.
+  /// Learns the stiffness from one computed deformation: pose, indentation and force. Deformations that have not
+  /// converged and have an implausibly large force are ignored.
   void learn(const SkinSurface& skin, const ProbeFace& face, const Transform& patientFromProbe, const LivePress& press);
 
   /// Writes the skin patches in front of a face at this pose into `model`.

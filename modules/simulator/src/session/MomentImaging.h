@@ -25,8 +25,8 @@ class MomentImaging {
   /// Sets the settings that apply from now on. Fails if no image can be made with them.
   Result<void> use(const AttemptSettings& settings);
 
-  /// Computes the deformation by the probe at this pose and the blood pressure at `time_s`, unless the last solution
-  /// was for the same.
+  /// Computes the deformation by the probe at this pose and the blood pressure at `time_s`, unless the last deformation
+  /// was computed for the same.
   Result<void> press(const Transform& patientFromProbe, double time_s);
   /// Returns the deformation that press() computed; without force and displacement if the tissue is not compressed.
   const Deformation& deformation() const;

@@ -49,7 +49,7 @@ class PressedTissue {
 
   /// Computes the deformation with the probe's face at the pose. The scene must cover the region of the pose
   /// (sceneRegion()). Without contact, and with blood at its pressure in the CT, the tissue is undeformed and the last
-  /// solution is discarded. Allocates nothing after the first call.
+  /// deformation is discarded. Allocates nothing after the first call.
   void hold(const AcousticScene& scene, const Transform& patientFromProbe, const BloodPressure& pressure);
 
   /// Moves the probe along its axis until it presses on the tissue with `force_N`, but not through bone, and computes
@@ -58,7 +58,7 @@ class PressedTissue {
   void push(const AcousticScene& scene, const Transform& patientFromProbe, const BloodPressure& pressure,
             double force_N);
 
-  /// Removes the probe from the patient and discards the last solution.
+  /// Takes the probe off the patient: discards the last deformation.
   void release();
 
   /// Returns the deformation that hold() or push() computed last, in the probe frame of pose().
