@@ -38,8 +38,8 @@ struct Standing {
 inline constexpr int kStandingRules = 2;
 
 /// Computes a trainee's progress for the table of a class. The present level is the first level in the curriculum's
-/// order that is open or lapsed. `progress`: progressOf() the history at `now_us`. `changes`: Member::changes, read
-/// before the history.
+/// order that is open or lapsed. `progress`: result of progressOf() for `history` at `now_us`. `changes`:
+/// Member::changes, read before the history.
 Standing standingOf(const Curriculum& curriculum, std::span<const AttemptFacts> history,
                     std::span<const LevelProgress> progress, std::int64_t now_us, std::int64_t changes);
 

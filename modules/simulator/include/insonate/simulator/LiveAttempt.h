@@ -63,7 +63,7 @@ class LiveAttempt final : public TickListener {
   void see(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around);
 
   /// Records an event that the user interface reports: needle replaced, image frozen or released, patient positioned.
-  /// Frozen images do not count in the metrics of the image.
+  /// While the image is frozen, samples are recorded as without a live image.
   void tell(AttemptEventKind kind, double tilt_deg = 0);
   void setAspirating(bool on);
   /// Records the imaging settings that apply from now on; until the first call those of the header apply.
