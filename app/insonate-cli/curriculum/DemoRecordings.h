@@ -12,7 +12,7 @@ namespace insonate::cli {
 
 inline constexpr int kDemonstrations = 3;
 
-/// Records the first `most` of the built-in demonstration attempts (`session --script`) at a level's built-in case: a
+/// Records the first `most` of the built-in scripted attempts (`session --script`) at a level's built-in case: a
 /// success, an attempt in two passes, and a puncture of the artery. The files are named "NAME SCRIPT.attempt"; the
 /// folder is created if it is missing. Takes about ten seconds for each. If cancelled, the finished recordings stay.
 Result<std::vector<std::filesystem::path>> recordDemonstrations(const Level& level, const std::filesystem::path& folder,

@@ -8,7 +8,8 @@
 
 namespace insonate::haptics {
 
-/// Histogram of durations, filled by one thread and read by others. Buckets of 2.3 %, from 10 ns to 20 s.
+/// Histogram of durations with logarithmic buckets of 2.3 %, from 10 ns to 20 s; filled by one thread and read by
+/// others.
 class TickHistogram {
  public:
   void add(std::int64_t ns) noexcept {
@@ -27,7 +28,7 @@ class TickHistogram {
     return sum;
   }
   double most_us() const { return static_cast<double>(most_ns_.load(std::memory_order_relaxed)) * 1e-3; }
-  /// Duration that a `share` of all durations did not exceed: the upper end of its bucket.
+  /// Returns the quantile for `share` (0 to 1) of the durations, as the upper end of its bucket.
   double quantile_us(double share) const {
     const double wanted = share * static_cast<double>(count());
     double sum = 0;

@@ -13,23 +13,25 @@
 
 namespace insonate {
 
-/// An image of the inside of a field of view, without text, at kLookPixelsPer_mm and at most 30 mm deep.
+/// A real or simulated ultrasound image for comparison: the inside of the field of view, without text, at
+/// kLookPixelsPer_mm and at most 30 mm deep.
 struct SourceImage {
-  std::string source;  ///< real image: machine or data set; simulated image: neck
-  std::string about;   ///< file, or neck, view and settings
+  std::string source;  ///< origin. Real image: machine or data set; simulated image: neck
+  std::string about;   ///< description. Real image: file; simulated image: neck, view and settings
   GreyPicture image;
 };
 
-/// Reads the images of a list with lines `file,pixels per mm,source`. If a file shows more than the inside of the field
-/// of view, the line also has `,left,top,width,height` of the inside in pixels. # begins a comment; a file's path is
-/// relative to the list. Fails, with the line, on a file that cannot be read or measured, and on a list without images.
+/// Reads real images from a text file with lines `file,pixels per mm,source`. If a file shows more than the inside of
+/// the field of view, the line also has `,left,top,width,height` of the inside in pixels. # begins a comment; paths are
+/// relative to the text file. Fails, naming the line, on an image that cannot be read or measured, and on a list
+/// without images.
 Result<std::vector<SourceImage>> readRealImages(const std::filesystem::path& list);
 
-/// Set of images to simulate.
+/// Number, random seed and cases of the images to simulate.
 struct SimulatedSet {
   int count = 20;
-  unsigned seed = 1;  ///< another seed gives other necks, views and settings
-  /// Case folders used in addition to the built-in necks: CTs of patients, atlases.
+  unsigned seed = 1;  ///< random seed; another seed gives other necks, views and settings
+  /// Folders of cases (CTs of patients, atlases) used in addition to the built-in necks.
   std::vector<std::filesystem::path> cases;
 };
 
@@ -41,44 +43,51 @@ struct SimulatedSet {
 Result<std::vector<SourceImage>> simulatedImages(const SimulatedSet& set, const std::vector<SourceImage>& real,
                                                  const Progress& progress = {});
 
-/// Comparison of one feature between both sets.
+/// Comparison of one image feature between real and simulated images.
 struct RealismFeature {
   std::string name;
-  double real = 0, realLow = 0, realHigh = 0;                 ///< median, 10th and 90th percentile
-  double simulated = 0, simulatedLow = 0, simulatedHigh = 0;  ///< likewise for simulated images
-  RocArea told;      ///< separation of the sets by this feature; greater values count as simulated
-  double floor = 0;  ///< ROC area, 0.5 to 1, by which real sources differ: median over real sources with at least 4
-                     ///< images of the area that separates the source from all others; NaN without two such sources
-  double p = 1;  ///< probability of such a difference between equal sets, corrected for the number of features (Holm,
-                 ///< Scand J Stat 1979, 6:65)
-  /// The sets are told apart better than real sources are told from each other, with p below 0.05.
+  double real = 0, realLow = 0, realHigh = 0;  ///< values in real images: median, 10th and 90th percentile
+  /// values in simulated images: median, 10th and 90th percentile
+  double simulated = 0, simulatedLow = 0, simulatedHigh = 0;
+  RocArea told;  ///< ROC area with which the feature separates simulated (greater values) from real images
+  /// ROC area, 0.5 to 1, with which the feature separates one real source (machine or data set) from the others: median
+  /// over sources with at least 4 images. NaN without two such sources.
+  double floor = 0;
+  /// p-value of the difference between real and simulated images, corrected for the number of features (Holm, Scand J
+  /// Stat 1979, 6:65).
+  double p = 1;
+  /// Tells whether the feature separates simulated from real images better than real sources from each other (`floor`),
+  /// with p below 0.05.
   bool isBeyondFloor() const;
 };
 
 struct RealismBench {
   std::vector<SourceImage> real, simulated;
-  std::vector<RealismFeature> features;  ///< the most discriminating feature first
-  RocArea classifier;                    ///< cross-validated by leaving out one source at a time
+  std::vector<RealismFeature> features;  ///< comparison of each feature, the most discriminating first
+  RocArea classifier;  ///< ROC area of a linear classifier of simulated against real images, cross-validated by leaving
+                       ///< out one source at a time
   unsigned seed = 1;
 };
 
 Result<RealismBench> runRealismBench(std::vector<SourceImage> real, const SimulatedSet& set,
                                      const Progress& progress = {});
 
-/// Writes features.csv, index.md and the blind test; either all of it or nothing. `blind/` holds all images in random
-/// order, numbered, of one size in mm and with the same compression, with instructions, a sheet to look at (sheet.html,
-/// sheet-N.png) and a sheet to fill in (ratings.csv). key.csv, outside `blind/`, tells which images are real.
+/// Writes the results (features.csv, index.md) and the images for a blind test into `folder`; either all of it or
+/// nothing. `blind/` holds all images in random order, numbered, of one size in mm and with the same compression, with
+/// instructions, a sheet to look at (sheet.html, sheet-N.png) and a sheet to fill in (ratings.csv). key.csv, outside
+/// `blind/`, tells which images are real.
 Result<void> writeRealismBench(const RealismBench& bench, const std::filesystem::path& folder);
 
-/// Result of a blind test by several readers.
+/// Result of a blind test in which readers rated whether images are real or simulated.
 struct BlindResult {
   int readers = 0, images = 0;
-  double sensitivity = 0, specificity = 0;  ///< means over readers; ratings of 4 and more count as simulated
+  double sensitivity = 0, specificity = 0;  ///< means over readers; an image rated 4 or more counts as judged simulated
   RocArea told;
 };
 
-/// Scores ratings against key.csv. Each reader's ratings.csv has lines `number,rating` with ratings 1 to 6. Fails, with
-/// file and line, on a rating that is missing, repeated or not a number from 1 to 6.
+/// Evaluates a blind test: compares the readers' ratings with key.csv, which tells the real images. Each reader's
+/// ratings.csv has lines `number,rating` with ratings 1 (real) to 6 (simulated). Fails, with file and line, on a rating
+/// that is missing, repeated or not a number from 1 to 6.
 Result<BlindResult> scoreBlindTest(const std::filesystem::path& key, const std::vector<std::filesystem::path>& ratings);
 
 nlohmann::json toJson(const RealismBench& bench);
