@@ -16,7 +16,7 @@ CanvasInput& CanvasInput::of(QWidget& canvas) {
 }
 
 void CanvasInput::add(InputRank rank, QObject& handler) {
-  if (std::ranges::find(entries_, &handler, &Entry::handler) != entries_.end()) return;
+  if (std::ranges::any_of(entries_, [&handler](const Entry& one) { return one.handler == &handler; })) return;
   entries_.insert(std::ranges::upper_bound(entries_, rank, {}, &Entry::rank), {rank, &handler});
 }
 

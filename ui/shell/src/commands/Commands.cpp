@@ -97,8 +97,8 @@ QAction* Commands::action(const QString& id) {
   action->setObjectName(id);
   action->setToolTip(toolTip(id));
   connect(action, &QAction::triggered, this, [this, id] {
-    const Command* command = find(id);
-    if (!command->isAvailable || command->isAvailable()) command->perform({});
+    const Command& triggered = *find(id);
+    if (!triggered.isAvailable || triggered.isAvailable()) triggered.perform({});
   });
   return action;
 }

@@ -17,7 +17,7 @@ namespace insonate::ui {
 namespace {
 
 /// Time without wheel input after which a view is drawn exactly again.
-constexpr int kRest_ms = 300;
+constexpr int kWheelRest_ms = 300;
 constexpr double kDegreesOfANotch = 120;  // in eighths of a degree, as Qt counts
 
 views::Button viewButton(Qt::MouseButton button) {
@@ -199,7 +199,7 @@ void ViewWidget::Canvas::wheelEvent(QWheelEvent* event) {
                           event->modifiers().testFlag(Qt::ShiftModifier),
                           event->modifiers().testFlag(Qt::ControlModifier)};
   event->setAccepted(notches != 0 && view_.wheel(at, notches));
-  rest_.start(kRest_ms, this);
+  rest_.start(kWheelRest_ms, this);
 }
 
 void ViewWidget::Canvas::timerEvent(QTimerEvent* event) {
@@ -211,7 +211,7 @@ void ViewWidget::Canvas::timerEvent(QTimerEvent* event) {
 void ViewWidget::Canvas::keyPressEvent(QKeyEvent* event) {
   const auto key = viewKey(event->key());
   const bool plain = !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
-  if (key && plain && view_.key(*key)) return rest_.start(kRest_ms, this);
+  if (key && plain && view_.key(*key)) return rest_.start(kWheelRest_ms, this);
   event->ignore();
 }
 
