@@ -1,16 +1,24 @@
 #include "Answer.h"
-#include "DemoRecordings.h"
 #include "Groups.h"
 
+#include <insonate/cases/Phantom.h>
+#include <insonate/simulator/ScriptedSession.h>
 #include <insonate/teaching/MadeUpClass.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 
 namespace insonate::cli {
 namespace {
+
+constexpr int kDemonstrations = 3;
+/// Built-in scripts: a success, an attempt in two passes, and a puncture of the artery.
+constexpr std::array<const char*, kDemonstrations> kScripts{"clean-success", "two-passes", "carotid-puncture"};
+constexpr std::uint32_t kSeed = 1;  // the neck that the window shows
 
 struct DemoArguments {
   std::string database;
@@ -18,6 +26,29 @@ struct DemoArguments {
   int recorded = kDemonstrations;
   NewPasswordOption password;
 };
+
+/// Records the first `most` of the demonstration attempts at a level's built-in case. The files are named "NAME
+/// SCRIPT.attempt"; the folder is created if it is missing. Takes about ten seconds for each. If cancelled, the
+/// finished recordings stay.
+Result<std::vector<std::filesystem::path>> recordDemonstrations(const Level& level, const std::filesystem::path& folder,
+                                                                const std::string& name, int most,
+                                                                const Progress& progress) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return fail(folder.string() + " cannot be made: " + error.message() + ". Name a database elsewhere.");
+  const auto patient = makePhantom(level.caseName, kSeed, progress);
+  if (!patient) return tl::unexpected(patient.error());
+  std::vector<std::filesystem::path> recordings;
+  for (const char* script : kScripts) {
+    if (static_cast<int>(recordings.size()) == most) break;
+    const auto acts = loadSessionScript(script, *patient);
+    if (!acts) return tl::unexpected(acts.error());
+    recordings.push_back(folder / (name + ' ' + script + ".attempt"));
+    const auto recorded = runSession(*acts, *patient, "insonate " INSONATE_VERSION, recordings.back(), progress);
+    if (!recorded) return tl::unexpected(recorded.error());
+  }
+  return recordings;
+}
 
 /// Folder in which the window looks for recordings of this store's attempts.
 std::filesystem::path recordingsOf(const std::string& database) {

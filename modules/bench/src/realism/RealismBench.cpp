@@ -32,8 +32,9 @@ double floorOf(const std::vector<FeatureRow>& rows, std::size_t feature) {
   for (const FeatureRow& row : rows)
     if (!row.simulated) ++sources[row.source];
   std::vector<double> areas;
-  for (const auto& [source, count] : sources) {
-    if (count < kLeastOfASource || sources.size() < 2) continue;
+  for (const auto& entry : sources) {
+    if (entry.second < kLeastOfASource || sources.size() < 2) continue;
+    const std::string& source = entry.first;
     const auto own = finite(rows, feature, [&](const FeatureRow& r) { return !r.simulated && r.source == source; });
     const auto others = finite(rows, feature, [&](const FeatureRow& r) { return !r.simulated && r.source != source; });
     if (!own.empty() && !others.empty()) areas.push_back(0.5 + std::abs(rocArea(own, others).area - 0.5));

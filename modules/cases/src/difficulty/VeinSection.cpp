@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <ranges>
+#include <utility>
 
 namespace insonate {
 namespace {
@@ -145,8 +145,12 @@ void measureArteries(const Section& section, const Region& vein, Vec3 back, Vein
   m.artery_mm = arteries.front().first;
   if (arteries.size() > 1) m.second_mm = arteries[1].first;
   const auto acrossOf = [&](const std::array<int, 2>& p) { return p[0] * back.y - p[1] * back.x; };
-  const auto [left, right] = std::ranges::minmax(vein.pixels | std::views::transform(acrossOf));
-  const auto [first, last] = std::ranges::minmax(artery.pixels | std::views::transform(acrossOf));
+  const auto extentOf = [&](const Region& region) {
+    const auto [low, high] = std::ranges::minmax(region.pixels, {}, acrossOf);
+    return std::pair(acrossOf(low), acrossOf(high));
+  };
+  const auto [left, right] = extentOf(vein);
+  const auto [first, last] = extentOf(artery);
   const Vec3 to = centreOf(artery) - centreOf(vein);
   const double behind = dot(to, back), aside = to.x * back.y - to.y * back.x;
   m.angle_deg = std::abs(std::atan2(aside, behind)) * 180 / std::numbers::pi;

@@ -67,10 +67,10 @@ Result<Selection> islandAt(const Selection& of, Vec3 point_mm, const Progress& p
   const Vec3 index = of.box.empty() ? Vec3{-9, -9, -9} : of.mask.geometry.indexFromPatient() * point_mm;
   if (of.box.empty() || sampleNearest(of.mask, index) == 0)
     return fail("There is no island at this point; click on one.");
-  const auto [i, j, k] = nearestVoxel(index);
+  const auto voxel = nearestVoxel(index);
   return keep(of, progress, [&](const Components& islands) {
     std::vector<bool> chosen(islands.count(), false);
-    chosen[islands.componentAt(i, j, k)] = true;
+    chosen[islands.componentAt(voxel[0], voxel[1], voxel[2])] = true;
     return chosen;
   });
 }

@@ -33,6 +33,7 @@ class JsonEntry {
   JsonEntry(const JsonEntry&) = delete;
   JsonEntry& operator=(const JsonEntry&) = delete;
 
+  /// Returns a text. A needed text is there and not empty.
   std::string text(std::string_view key, bool needed = true);
   double number(std::string_view key, double low, double high);
   std::optional<double> numberIfThere(std::string_view key, double low, double high);
@@ -67,6 +68,10 @@ class JsonEntry {
     return all;
   }
 
+  using Reader = std::function<void(const nlohmann::json& entry, const std::string& where, std::string& trouble)>;
+  /// Reads the entries of a list as list() does; `read` keeps what it reads.
+  void each(std::string_view key, const std::string& noun, const Reader& read, bool namesDiffer = true);
+
   bool has(std::string_view key) const;
   void refuse(const std::string& sentence);
   const std::string& where() const { return where_; }
@@ -74,13 +79,10 @@ class JsonEntry {
   const std::string& trouble() const { return trouble_; }
 
  private:
-  using Reader = std::function<void(const nlohmann::json& entry, const std::string& where, std::string& trouble)>;
-
   const nlohmann::json* find(std::string_view key, bool needed);
   const nlohmann::json& array(std::string_view key);
   std::optional<double> boundedNumber(std::string_view key, double low, double high, bool orInfinity);
   void checkStatedRange(double value);
-  void each(std::string_view key, const std::string& noun, const Reader& read, bool namesDiffer);
 
   const nlohmann::json& object_;
   std::string where_, ownTrouble_;
