@@ -248,7 +248,7 @@ CaseManifest manifestFrom(const json& document, std::vector<std::string>& notes)
                                                      "import_notes", "targets",    "start_poses",    "structures"};
   for (const auto& [key, value] : document.items())
     if (std::ranges::find(kFields, key) == kFields.end())
-      notes.push_back("case.json has a field \"" + key + "\" that is not known here; it was ignored.");
+      notes.push_back("case.json has a field \"" + key + "\" that Insonate does not know; it was ignored.");
   return m;
 }
 
@@ -281,8 +281,9 @@ Result<CaseManifest> manifestFromJson(const std::string& text, std::vector<std::
     const json document = json::parse(text);
     if (document.is_object() && document.contains("schema_version") && document["schema_version"].is_number_integer() &&
         document["schema_version"] > CaseManifest::kSchemaVersion)
-      return fail("case.json has schema version " + document["schema_version"].dump() + ", this program knows up to " +
-                  std::to_string(CaseManifest::kSchemaVersion) + ". Use a newer version of the program.");
+      return fail("case.json has schema version " + document["schema_version"].dump() +
+                  ", but this program can read versions up to " + std::to_string(CaseManifest::kSchemaVersion) +
+                  ". Use a newer version of the program.");
     return manifestFrom(document, notes);
   } catch (const Wrong& wrong) {
     return fail("case.json: " + wrong.where + " must be " + wrong.expected + ".");

@@ -17,7 +17,7 @@ struct StylusPlace {
 /// Known properties of the device. The account may count on the energy that the device's mechanics dissipate, but on no
 /// other dissipation.
 struct TankLimits {
-  double most_J = 0.05;      ///< maximum of the stored energy
+  double max_J = 0.05;       ///< maximum of the stored energy
   double friction_N = 0;     ///< friction of the device
   double damping_Nspmm = 0;  ///< damping of the device
   double resolution_mm = 0;  ///< resolution of the device's position

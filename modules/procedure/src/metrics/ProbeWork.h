@@ -35,7 +35,7 @@ class ProbeWork {
   std::optional<int> translations() const;
   std::optional<int> rotations() const;
   std::optional<double> forceMean_N() const;
-  std::optional<double> forceMost_N() const;
+  std::optional<double> forceMax_N() const;
 
  private:
   struct Place {
@@ -52,7 +52,7 @@ class ProbeWork {
   std::array<Place, 128> recent_;  ///< ring buffer; holds more than kSpeed_us at 1 kHz
   std::size_t begin_ = 0, size_ = 0;
   Movements translations_{50}, rotations_{50};  ///< limits in mm/s and deg/s
-  double forceSum_N_ = 0, forceMost_N_ = 0;
+  double forceSum_N_ = 0, forceMax_N_ = 0;
   std::int64_t pressed_ = 0;
 };
 

@@ -87,7 +87,7 @@ class HandsSession::Impl {
 
   FacePatches patches_;
   GridMaker maker_;
-  Vec3 centre_mm_;  ///< center of the tissue that is ready or being prepared
+  Vec3 center_mm_;  ///< center of the tissue that is ready or being prepared
   bool making_ = false;
   std::optional<Needle> needle_;  ///< the needle that the imaging received last
   std::optional<Tenting> tenting_;

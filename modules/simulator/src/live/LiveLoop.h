@@ -60,7 +60,7 @@ class LiveImaging::Impl {
 
   static constexpr double kNever_s = HUGE_VAL;
   /// Maximum number of images for one solution; later ones are not expected to converge.
-  static constexpr int kMostOfOneSolve = 30;
+  static constexpr int kMaxOfOneSolve = 30;
 
   void wake();
   void waitFor(double seconds);
@@ -74,9 +74,9 @@ class LiveImaging::Impl {
   bool isFrozen() const;
   /// Makes an image if one is due. Returns the seconds until the next image is due; infinite if nothing is due until a
   /// change.
-  double makePicture();
-  void renderPicture();
-  void blackPicture();
+  double makeImage();
+  void renderImage();
+  void blackImage();
   void takePhysiology();
   void press();
   bool goesOn() const { return !press_.settled && tissueLeft_ > 0; }

@@ -35,7 +35,7 @@ class VeinWatch {
 
  private:
   std::optional<std::int64_t> since_us_;  ///< time since which the target has been in the middle; empty: it is not
-  double most_mm_ = 0;                    ///< maximum thickness of the target since then
+  double max_mm_ = 0;                     ///< maximum thickness of the target since then
   bool isCenteredTold_ = false, isCompressedTold_ = false;
 };
 

@@ -5,7 +5,8 @@
 #include <string_view>
 #include <vector>
 
-/// Statistics of people and classes. There is no value ("n/a") if there are too few values or if one is not finite.
+/// Print statistics of people and classes. There is no value ("n/a") if there are too few values or if one is not
+/// finite.
 namespace insonate {
 
 /// Number of latest counting attempts that describe a trainee's present performance: in class lists, comparisons,
@@ -20,7 +21,7 @@ struct Estimate {
   double value = 0;
   std::optional<Interval> interval{};  ///< confidence interval
   /// Method of the interval if there are several methods, or the reason why there is no interval: "t", "Poisson",
-  /// "Wilson", "bootstrap", "fewer than 5 values", "all values alike".
+  /// "Wilson", "bootstrap", "fewer than 5 values", "all values are equal".
   std::string_view basis{};
 };
 

@@ -21,7 +21,7 @@ struct XapiSite {
 /// An attempt for which no statement is written.
 struct LeftOutAttempt {
   std::string attempt{};  ///< AttemptFacts::id
-  std::string why{};      ///< "has not ended", "was abandoned before the skin"
+  std::string why{};      ///< "has not ended", "was abandoned before the skin was punctured"
 };
 
 struct XapiExport {
