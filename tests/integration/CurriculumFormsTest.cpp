@@ -82,7 +82,7 @@ TEST_F(CurriculumForms, RatersReadEachOthersNotesAfterTheirOwn) {
   EXPECT_EQ(after[1]["differs"], false);
   EXPECT_THAT(
       refused("forms fill jugular_checklist " + sheet("not_done") + " --about alice --attempt " + id + " --as otto"),
-      HasSubstr("a form is handed in once"))
+      HasSubstr("a form can be handed in only once"))
       << "who knows what others said";
   EXPECT_EQ(told("forms filled --as alice")["forms"][0]["withheld"], false) << "whom it is about reads it";
   EXPECT_THAT(refused("forms compare jugular_checklist " + id + " --as bob"), Not(IsEmpty()));

@@ -74,17 +74,18 @@ Result<std::vector<std::filesystem::path>> makeUp(const CurriculumStore& store, 
 Result<Answer> demonstrate(const DemoArguments& a) {
   std::error_code error;
   if (!isServer(a.database) && std::filesystem::exists(a.database, error))
-    return fail(a.database + " is there already; people who are made up do not go among others. Name a new file.");
+    return fail(a.database + " already exists, and made-up people must not be mixed with real ones. Name a new file.");
   const auto curriculum = loadCurriculum("central_line");
   if (!curriculum) return tl::unexpected(curriculum.error());
-  const auto password = a.password.read("A password for all who are made up");
+  const auto password = a.password.read("Password for all made-up people");
   if (!password) return tl::unexpected(password.error());
   const auto store = CurriculumStore::open(a.database);
   if (!store) return tl::unexpected(store.error());
   const auto recordings = makeUp(*store, *curriculum, a, *password);
   if (!recordings) {
     // "Nothing was written" would not be true.
-    if (recordings.error().message == kCancelled) return fail("Cancelled; " + a.database + " holds a part, delete it.");
+    if (recordings.error().message == kCancelled)
+      return fail("Canceled; " + a.database + " contains a part of the data. Delete it.");
     return tl::unexpected(recordings.error());
   }
   Json files = Json::array();
@@ -108,8 +109,9 @@ Result<Answer> demonstrate(const DemoArguments& a) {
 
 void addDemoCommand(CLI::App& curriculum, Outcome& outcome) {
   auto a = std::make_shared<DemoArguments>();
-  CLI::App* command = addAnsweringCommand(
-      curriculum, outcome, "demo", "Make a new store of made-up people and attempts", [a] { return demonstrate(*a); });
+  CLI::App* command =
+      addAnsweringCommand(curriculum, outcome, "demo", "Make a new database of made-up people and attempts",
+                          [a] { return demonstrate(*a); });
   command->add_option("DATABASE", a->database, "New file, or a server without people")->required()->check(notEmpty());
   command->add_option("--trainees", a->plan.trainees, "Maximum number of entries")
       ->check(CLI::Range(1, 999))
@@ -117,10 +119,12 @@ void addDemoCommand(CLI::App& curriculum, Outcome& outcome) {
   command->add_option("--attempts", a->plan.attempts, "Number of attempts of each trainee")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();
-  command->add_option("--seed", a->plan.seed, "Seed; the same seed gives the same attempts")->capture_default_str();
+  command->add_option("--seed", a->plan.seed, "Seed of the random numbers; the same seed gives the same attempts")
+      ->capture_default_str();
   command
-      ->add_option("--recorded", a->recorded,
-                   "How many trainees have a recorded attempt as their newest, to be replayed; ten seconds each")
+      ->add_option(
+          "--recorded", a->recorded,
+          "Number of trainees whose newest attempt gets a recording that can be replayed; each takes ten seconds")
       ->check(CLI::Range(0, kDemonstrations))
       ->capture_default_str();
   a->password.addTo(*command);

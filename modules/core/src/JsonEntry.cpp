@@ -219,7 +219,7 @@ void JsonEntry::each(std::string_view key, const std::string& noun, const Reader
     std::string trouble;
     read(entry, where, trouble);
     if (trouble.empty() && !name.empty() && namesDiffer && !names.insert(name).second)
-      trouble = where + " is there twice; names tell them apart.";
+      trouble = where + " occurs twice. Give each a different name.";
     if (!trouble.empty()) return refuse("cannot be used: " + trouble);
   }
 }

@@ -17,7 +17,7 @@ void open(Mask& mask, double radius_mm, Work& work);
 void close(Mask& mask, double radius_mm, Work& work);
 
 /// Adds the six face neighbors of each set voxel to the mask.
-void dilateToNeighbours(Mask& mask, Work& work);
+void dilateToNeighbors(Mask& mask, Work& work);
 
 /// Sets each voxel to the majority of the 3 x 3 voxels around it in the slice.
 void majorityInSlice(Mask& mask, Work& work);

@@ -282,7 +282,7 @@ TEST_F(Guiding, AStepThatFailsLeavesWhatWasThere) {
   choose("vein-right");
   guide_->moveClick(1, guide_->clicks_mm()[0]);
   run();
-  EXPECT_THAT(child<QLabel>("guideTold")->text().toStdString(), HasSubstr("nearly on one point"));
+  EXPECT_THAT(child<QLabel>("guideTold")->text().toStdString(), HasSubstr("almost at the same point"));
   EXPECT_EQ(voxels(), before);
 }
 

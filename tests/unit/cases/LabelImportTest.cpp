@@ -154,7 +154,7 @@ TEST(LabelImport, LabelsOfAnotherPlaceAreRefused) {
   test::TemporaryFolder folder;
   test::writeRawNrrd(folder / "l.seg.nrrd", header("2 1 1", "(900,202,-48)") + kVeinSegment, "\1\1");
   EXPECT_THAT(importLabels(blankCase(), folder / "l.seg.nrrd").error().message,
-              testing::AllOf(HasSubstr("l.seg.nrrd"), HasSubstr("drawn on another one")));
+              testing::AllOf(HasSubstr("l.seg.nrrd"), HasSubstr("drawn on another CT")));
 }
 
 TEST(LabelImport, ItkSnapsDescriptionNamesTheNumbers) {
@@ -228,7 +228,7 @@ TEST(LabelImport, WhatIsWrittenComesBack) {
 TEST(LabelImport, OtherFilesGetASentence) {
   test::TemporaryFolder folder;
   test::writeText(folder / "text", "no labels");
-  EXPECT_THAT(importLabels(blankCase(), folder / "text").error().message, HasSubstr("holds no labels"));
+  EXPECT_THAT(importLabels(blankCase(), folder / "text").error().message, HasSubstr("contains no labels"));
   EXPECT_THAT(importLabels(blankCase(), folder / "none").error().message, HasSubstr("There is no file"));
   EXPECT_THAT(importLabels(blankCase(), folder.path()).error().message, HasSubstr("There is no file"));
 }

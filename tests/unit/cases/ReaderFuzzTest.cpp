@@ -133,7 +133,7 @@ TEST_F(ReaderFuzz, AHeaderAloneGetsNoMemoryAndNoPatience) {
   };
   test::writeText(folder_ / "large.nrrd", instead(nrrd, "sizes: 8 8 5", "sizes: 1500 1500 1500"));
   EXPECT_THAT(asLabels(folder_ / "large.nrrd"),
-              testing::HasSubstr("its header promises 6750000000 bytes, it holds 640"));
+              testing::HasSubstr("its header states 6750000000 bytes, but it contains 640"));
   const std::string meta = test::metaImage(patient_.ct, "1 0 0 0 1 0 0 0 1");
   for (const char* dimensions : {"100000", "-1", "many"}) {
     test::writeText(folder_ / "deep.mha", instead(meta, "NDims = 3", std::string("NDims = ") + dimensions));

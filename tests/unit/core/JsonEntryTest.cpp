@@ -36,7 +36,7 @@ TEST(JsonEntry, ListsOfTextsAndEntriesKeepTheFirstTrouble) {
     return where + step["name"].get<std::string>();
   });
   EXPECT_THAT(names, testing::ElementsAre("step 'x'x", "step 'y'y", "step 'x'x"));
-  EXPECT_EQ(steps.trouble(), "The file cannot be used: step 'x' is there twice; names tell them apart.");
+  EXPECT_EQ(steps.trouble(), "The file cannot be used: step 'x' occurs twice. Give each a different name.");
 }
 
 TEST(JsonEntry, OnlyAnOptionalTextMayBeEmpty) {

@@ -80,7 +80,7 @@ TEST(Form, AnswersAreCheckedItemByItem) {
   EXPECT_THAT(items, ElementsAre("asepsis", "artery", "years", "comment", "other"));
   EXPECT_THAT(sentences, ElementsAre("'Disinfects' needs an answer.", "'Spares the artery' needs one of 1, 5.",
                                      "'Years' needs a number from 0 to 60.", "'Comment' needs a text.",
-                                     "'other' is not asked in 'A form'; leave it out."));
+                                     "'other' is not an item of 'A form'; leave it out."));
   EXPECT_EQ(checkAnswers(form(), {{"asepsis", 1.0}}).size(), 1U);
   EXPECT_EQ(checkAnswers(form(), {{"asepsis", "yes"}, {"years", std::numeric_limits<double>::quiet_NaN()}}).size(), 1U);
   EXPECT_EQ(checkAnswers(form(), {{"asepsis", "yes"}, {"comment", std::string(20'000, 'x')}}).size(), 1U);

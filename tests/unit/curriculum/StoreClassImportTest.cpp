@@ -111,7 +111,7 @@ TEST(FirstPasswords, AreWrittenOnceForTheOwnerAlone) {
   succeed(writeFirstPasswords(file, passwords));
   EXPECT_EQ(std::filesystem::status(file).permissions(),
             std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
-  EXPECT_THAT(refusalOf(writeFirstPasswords(file, {})), HasSubstr("is there already"));
+  EXPECT_THAT(refusalOf(writeFirstPasswords(file, {})), HasSubstr("exists"));
 }
 
 }  // namespace

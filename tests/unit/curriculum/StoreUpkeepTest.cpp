@@ -181,7 +181,7 @@ TEST(StoreUpkeepOfFile, OnlyAnAdministratorOfTheStoreIsAllowedToReplaceIt) {
     succeed(StoreUpkeep(anna).backup(ownBackup));
   }
   EXPECT_THAT(refusalOf(restoreStore(rig.address, ownBackup, "anna", kPassword)),
-              AllOf(HasSubstr("was not restored"), HasSubstr("no administrator of " + rig.address)));
+              AllOf(HasSubstr("was not restored"), HasSubstr("not an administrator of " + rig.address)));
   EXPECT_EQ(valueOf(StoreUpkeep(school.admin).facts()).people, 6);
   EXPECT_THAT(filesIn(rig.folder.path()), ElementsAre("curriculum.db", "own-backup.db", "own.db"));
   const auto tried = valueOf(AuditLog(school.admin).page(20));

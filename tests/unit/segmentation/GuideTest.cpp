@@ -70,7 +70,7 @@ TEST(Guide, RefusesTooFewClicksAndClicksBesideTheCt) {
   const CtVolume ct(test::toolGrids()[0].geometry, 42);
   EXPECT_THAT(wayFor(vein, std::array{Vec3{}}, ct).error().message,
               HasSubstr("Jugular vein, right needs 2 clicks or more. Click in"));
-  EXPECT_THAT(wayFor(vein, std::array{Vec3{}, Vec3{900, 0, 0}}, ct).error().message, HasSubstr("beside the CT"));
+  EXPECT_THAT(wayFor(vein, std::array{Vec3{}, Vec3{900, 0, 0}}, ct).error().message, HasSubstr("outside the CT"));
 }
 
 TEST(Guide, RefusesClicksThatNoWayIsFor) {
@@ -104,9 +104,8 @@ TEST(Guide, BadGuidesAreRefusedWithThePlace) {
               HasSubstr("needs a list of 2 or more points"));
   EXPECT_THAT(stepRefusal(R"("clicks": 2, "ways": [{"steps": [{"tool": "auto"}]}])"),
               HasSubstr("has clicks but no 'label'"));
-  EXPECT_THAT(
-      stepRefusal(R"("clicks": 2, "least_clicks": 3, "label": "vein", "ways": [{"steps": [{"tool": "auto"}]}])"),
-      HasSubstr("more clicks in 'least_clicks'"));
+  EXPECT_THAT(stepRefusal(R"("clicks": 2, "least_clicks": 3, "label": "vein", "ways": [{"steps": [{"tool": "auto"}]}])"),
+              HasSubstr("more clicks in 'least_clicks'"));
   EXPECT_THAT(stepRefusal(R"("diameter_mm": [9, 3], "ways": [{"steps": [{"tool": "auto"}]}])"),
               HasSubstr("[from, to]"));
   EXPECT_THAT(stepRefusal(R"("apart": ["airway and lungs"], "ways": [{"steps": [{"tool": "auto"}]}])"),

@@ -217,7 +217,8 @@ Result<CaseManifest> manifestFrom(const json& document, std::vector<std::string>
                                                      "import_notes", "targets",    "start_poses",    "structures"};
   for (const std::string_view key : keysOf(document))
     if (std::ranges::find(kFields, key) == kFields.end())
-      notes.push_back("case.json has a field \"" + std::string(key) + "\" that is not known here; it was ignored.");
+      notes.push_back("case.json has a field \"" + std::string(key) +
+                      "\" that Insonate does not know; it was ignored.");
   return m;
 }
 
@@ -250,7 +251,7 @@ Result<CaseManifest> manifestFromJson(const std::string& text, std::vector<std::
   if (!document) return tl::unexpected(document.error());
   const json schema = document->is_object() ? document->value("schema_version", json()) : json();
   if (schema.is_number_integer() && schema > CaseManifest::kSchemaVersion)
-    return fail("case.json has schema version " + schema.dump() + ", this program knows up to " +
+    return fail("case.json has schema version " + schema.dump() + ", but this program can read versions up to " +
                 std::to_string(CaseManifest::kSchemaVersion) + ". Use a newer version of the program.");
   return manifestFrom(*document, notes);
 }

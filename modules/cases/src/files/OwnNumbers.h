@@ -27,9 +27,10 @@ class OwnNumbers {
 
 /// Returns a note to the author about an unknown structure.
 inline std::string unknownStructure(const std::string& what, std::uint8_t label) {
-  return what + " is no structure this program knows and is read as " +
-         (isOwnLabel(label) ? labelName(label) + ", of soft tissue; say in the table of structures what it is."
-                            : "soft tissue, since no number is left for it.");
+  return what + " is a structure that Insonate does not know. It is read as " +
+         (isOwnLabel(label)
+              ? labelName(label) + ", with the tissue soft tissue. Set its name and tissue in the table of structures."
+              : "soft tissue, since all numbers of labels are in use.");
 }
 
 }  // namespace insonate

@@ -57,7 +57,7 @@ std::vector<VesselCourse> vesselCourses(const NeckParameters& parameters, const 
 /// Returns the front of the vertebral bodies: model y at level z.
 double vertebralFront_mm(double z_mm);
 /// Returns the center of the airway (larynx, then trachea): model y at level z.
-double airwayCentre_mm(double z_mm);
+double airwayCenter_mm(double z_mm);
 /// Returns the course of the subclavian vein from its confluence to the axillary vein, below the clavicle; the artery
 /// (axillaryArtery) lies behind and above it. Dimensions after Galloway and Bodenham, Br J Anaesth 2003;90:589. Below
 /// the middle of the clavicle, the vein is 12 mm wide and begins 19 mm below the skin; the artery is 3 mm and the rib

@@ -21,7 +21,7 @@ class BodyHull {
   static constexpr int kDirections = 180;
 
   struct Slice {
-    double centreX = 0, centreY = 0;
+    double centerX = 0, centerY = 0;
     std::vector<double> support_mm;  ///< maximum distance of the structures from the center, by direction
     std::vector<double> radius_mm;   ///< radius of the hull around the center, by direction
   };

@@ -81,7 +81,7 @@ struct Tube {
 Shape tube(Side side, Tube tube, std::uint32_t seed);
 
 /// Returns closely spaced points of a tube's center line with their radii, for structures that follow the tube.
-std::vector<Tube::Knot> centreLine(const std::vector<Tube::Knot>& knots);
+std::vector<Tube::Knot> centerLine(const std::vector<Tube::Knot>& knots);
 
 /// Returns the union of shapes.
 Shape join(std::vector<Shape> shapes);

@@ -117,7 +117,7 @@ bool isWithin(Transaction& transaction, Reach reach, const Rule& rule, const Act
 
 Error refusalOf(const Rule& rule, const Actor& actor) {
   if (!actor.role) return {"Sign in first: guests can neither store data nor see other people's."};
-  return {"You may not do this (" + std::string(rule.words) +
+  return {"You do not have the permission for this (" + std::string(rule.words) +
           "), or it does not exist. Ask an administrator for the permission."};
 }
 

@@ -16,7 +16,9 @@ Result<std::string> hashedPassword(const std::string& password, PasswordCost cos
                                            usual ? crypto_pwhash_MEMLIMIT_INTERACTIVE : crypto_pwhash_MEMLIMIT_MIN,
                                            crypto_pwhash_ALG_ARGON2ID13);
   if (failed)
-    return fail("There are no 64 MB of memory to keep the password with; close another program and try again.");
+    return fail(
+        "The password cannot be stored, since there are less than 64 MB of free memory. Close another program and try "
+        "again.");
   return std::string(hashed.data());
 }
 

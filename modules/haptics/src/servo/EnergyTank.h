@@ -17,7 +17,7 @@ struct StylusPlace {
 /// Properties of the device for EnergyTank, which takes the energy that the device's own mechanics dissipate into
 /// account.
 struct TankLimits {
-  double most_J = 0.05;      ///< maximum of the energy that the account stores
+  double max_J = 0.05;       ///< maximum of the energy that the account stores
   double friction_N = 0;     ///< friction of the device's mechanics
   double damping_Nspmm = 0;  ///< damping of the device's mechanics
   double resolution_mm = 0;  ///< smallest position change that the encoders report

@@ -38,7 +38,7 @@ class ProbeWork {
   std::optional<int> translations() const;
   std::optional<int> rotations() const;
   std::optional<double> forceMean_N() const;
-  std::optional<double> forceMost_N() const;
+  std::optional<double> forceMax_N() const;
 
  private:
   struct Place {
@@ -55,7 +55,7 @@ class ProbeWork {
   std::array<Place, 128> recent_;  ///< ring buffer of the last poses; holds more than kSpeed_us at 1 kHz
   std::size_t begin_ = 0, size_ = 0;
   Movements translations_{50}, rotations_{50};  ///< movements faster than 50 mm/s and 50 deg/s
-  double forceSum_N_ = 0, forceMost_N_ = 0;
+  double forceSum_N_ = 0, forceMax_N_ = 0;
   std::int64_t pressed_ = 0;
 };
 

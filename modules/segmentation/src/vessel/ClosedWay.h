@@ -36,6 +36,6 @@ struct Bend {
 Radii closedWay(RadialCost cost, const std::function<Bend(int)>& bendAt, const Radii* expected);
 
 /// Returns, for each section and ray, the median of the radii of the section and `reach` sections on both sides.
-std::vector<Radii> likeNeighbours(const std::vector<VesselOutline>& sections, int reach);
+std::vector<Radii> likeNeighbors(const std::vector<VesselOutline>& sections, int reach);
 
 }  // namespace insonate::segmentation

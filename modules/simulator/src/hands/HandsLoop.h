@@ -88,7 +88,7 @@ class HandsSession::Impl {
 
   FacePatches patches_;
   GridMaker maker_;
-  Vec3 centre_mm_;  ///< center of the tissue grid that is ready or being computed
+  Vec3 center_mm_;  ///< center of the tissue grid that is ready or being computed
   bool making_ = false;
   std::optional<Needle> needle_;  ///< needle that was passed to the live imaging last
   std::optional<Tenting> tenting_;

@@ -22,9 +22,9 @@ class Cine {
   std::vector<Frame> last(double seconds) const;
 
  private:
-  static constexpr std::size_t kMostFrames = 4096;
+  static constexpr std::size_t kMaxFrames = 4096;
 
-  const Frame& at(std::size_t i) const { return ring_[(first_ + i) % kMostFrames]; }
+  const Frame& at(std::size_t i) const { return ring_[(first_ + i) % kMaxFrames]; }
   void dropOldest();
 
   std::size_t mostBytes_, bytes_ = 0;

@@ -61,7 +61,7 @@ class LiveImaging::Impl {
   static constexpr double kNever_s = HUGE_VAL;
   /// Maximum number of images over which one deformation is iterated; if it has not converged then, it is not expected
   /// to.
-  static constexpr int kMostOfOneSolve = 30;
+  static constexpr int kMaxOfOneSolve = 30;
 
   void wake();
   void waitFor(double seconds);
@@ -75,9 +75,9 @@ class LiveImaging::Impl {
   bool isFrozen() const;
   /// Makes an image if pose, setup or tissue require one. Returns the seconds until the next image; infinite if none is
   /// needed until something changes.
-  double makePicture();
-  void renderPicture();
-  void blackPicture();
+  double makeImage();
+  void renderImage();
+  void blackImage();
   void takePhysiology();
   void press();
   bool goesOn() const { return !press_.settled && tissueLeft_ > 0; }

@@ -37,7 +37,7 @@ class VeinWatch {
  private:
   /// time since which the target vein has been in the middle; empty: it is not in the middle
   std::optional<std::int64_t> since_us_;
-  double most_mm_ = 0;  ///< maximum thickness of the target vein since since_us_
+  double max_mm_ = 0;  ///< maximum thickness of the target vein since since_us_
   bool isCenteredTold_ = false, isCompressedTold_ = false;
 };
 

@@ -19,7 +19,7 @@ struct Estimate {
   double value = 0;
   std::optional<Interval> interval{};  ///< confidence interval of `value`
   /// Method of the interval if several methods exist, or the reason why there is no interval: "t", "Poisson", "Wilson",
-  /// "bootstrap", "fewer than 5 values", "all values alike".
+  /// "bootstrap", "fewer than 5 values", "all values are equal".
   std::string_view basis{};
 };
 

@@ -22,7 +22,7 @@ struct XapiSite {
 /// An attempt for which no xAPI statement is written.
 struct LeftOutAttempt {
   std::string attempt{};  ///< id of the attempt: AttemptFacts::id
-  std::string why{};      ///< reason: "has not ended", "was abandoned before the skin"
+  std::string why{};      ///< reason: "has not ended", "was abandoned before the skin was punctured"
 };
 
 struct XapiExport {
