@@ -202,7 +202,8 @@ TEST_F(JudgeTest, TheTraineeReadsAndFillsInNothing) {
   EXPECT_EQ(table().item(0, 1)->text(), "Not done, or done incorrectly: <img src='x'> %1");
   EXPECT_TRUE(text("judgeWords").contains("Your attempt"));
   change("ben");
-  EXPECT_TRUE(text("judgeWords").startsWith("You do not have the permission for this")) << text("judgeWords").toStdString();
+  EXPECT_TRUE(text("judgeWords").startsWith("You do not have the permission for this"))
+      << text("judgeWords").toStdString();
   EXPECT_FALSE(table().isVisible());
 }
 
@@ -210,7 +211,8 @@ TEST_F(JudgeTest, WhoTeachesAnotherClassReadsAndJudgesNothing) {
   judge(school_->ina, attempt_, "not_done", "between us");
   enter("otto");
   openAndJudge();
-  EXPECT_TRUE(text("judgeWords").startsWith("You do not have the permission for this")) << text("judgeWords").toStdString();
+  EXPECT_TRUE(text("judgeWords").startsWith("You do not have the permission for this"))
+      << text("judgeWords").toStdString();
   EXPECT_FALSE(isSeen("handIn"));
   EXPECT_FALSE(table().isVisible());
   child<QPushButton>("backToList")->click();

@@ -8,7 +8,7 @@
 
 namespace insonate::ui {
 
-/// What keeps one user signed in on this computer, in a file that only its owner can read.
+/// Sign-in that one user keeps on this computer, in a file that only its owner can read.
 struct KeptSignIn {
   std::string token{};     ///< of PeopleStore::staySignedIn(); empty if nobody is kept signed in
   std::string password{};  ///< the generated password, if the user has not chosen one
