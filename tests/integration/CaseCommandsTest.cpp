@@ -63,7 +63,7 @@ TEST_F(CaseCommands, ImportWritesACaseAndSaysWhatIsNext) {
 TEST_F(CaseCommands, ValuesWithoutTheirOffsetAreShiftedWhenAskedFor) {
   INSONATE_NEEDS_DATA("head-ct-dicom-small");
   const std::string series = test::testData("head-ct-dicom-small").string();
-  expectRefusal("import " + series + " " + at("case") + " --auto-label", "--shift -1024 puts it right");
+  expectRefusal("import " + series + " " + at("case") + " --auto-label", "--shift -1024 corrects this");
   const auto result = run("import " + series + " " + at("case") + " --auto-label --shift -1024 --json");
   ASSERT_EQ(result.status, 0) << result.errors;
   EXPECT_THAT(json::parse(result.output)["series"][0]["warnings"].dump(), HasSubstr("-1024 was added to every value"));

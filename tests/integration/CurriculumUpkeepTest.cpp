@@ -56,7 +56,7 @@ TEST_F(CurriculumUpkeep, AnInstructorIsRefusedTheLogAndOtherClasses) {
         "attempts list " + carol, "forms filled " + carol, std::string("forms agreement jugular_checklist 'Year 2'"),
         "classes import 'Year 2' " + list})
     EXPECT_THAT(refused(command + " --as miller"),
-                AnyOf(HasSubstr("You do not have the permission for this"), HasSubstr("among those that miller sees")))
+                AnyOf(HasSubstr("You do not have the permission for this"), HasSubstr("among the classes that miller can see")))
         << command;
   told("statistics class 'Year 1' --as miller");
   int refusals = 0;

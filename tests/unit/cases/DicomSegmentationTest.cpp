@@ -149,7 +149,7 @@ TEST_F(DicomSegmentation, NamesWhereTheCodeIsAnotherSchemes) {
   EXPECT_EQ(back.labels.at(2, 3, 1), kVein);
   EXPECT_EQ(back.labels.at(5, 6, 3), kLabelCount);
   EXPECT_EQ(back.own, (OwnLabels{{kLabelCount, {"", kSoftTissue}}})) << "kept apart, without a name that may identify";
-  EXPECT_THAT(back.notes, Contains(HasSubstr("\"Thing\" (number 1) is no structure this program knows")));
+  EXPECT_THAT(back.notes, Contains(HasSubstr("\"Thing\" (number 1) is a structure that Insonate does not know")));
 }
 
 TEST_F(DicomSegmentation, LabelsOfTheAuthorsOwnKeepNameAndTissue) {
@@ -282,7 +282,7 @@ TEST(RealSegmentation, AgreesWithItsTwin) {
   const auto labels = importLabels(patient, test::testData("seg-dicom/liver.dcm"));
   ASSERT_TRUE(labels) << labels.error().message;
   EXPECT_THAT(labels->notes,
-              testing::ElementsAre(HasSubstr("\"Liver\" (number 1) is no structure this program knows")));
+              testing::ElementsAre(HasSubstr("\"Liver\" (number 1) is a structure that Insonate does not know")));
   const auto twin = readLabelValues(test::testData("seg-dicom/liver_seg.nrrd"));
   ASSERT_TRUE(twin) << twin.error().message;
   ASSERT_TRUE(sameGrid(twin->geometry, patient.ct.geometry));

@@ -273,16 +273,19 @@ TEST_P(StoreAccess, AnInstructorGainsNothingByACohort) {
   succeed(CohortStore(school.admin).join(school.autumn.id, school.ina.id, false));
   EXPECT_FALSE(AttemptStore(ina).history(school.carl.id)) << "who learns beside her is not hers";
   EXPECT_TRUE(AttemptStore(otto).history(school.ina.id)) << "she learns in his";
-  EXPECT_THAT(refusalOf(PeopleStore(otto).resetPassword(school.ina.id, "temporary one")), StartsWith("You do not have the permission"))
+  EXPECT_THAT(refusalOf(PeopleStore(otto).resetPassword(school.ina.id, "temporary one")),
+              StartsWith("You do not have the permission"))
       << "or he could sign in as an instructor of another cohort";
   succeed(CohortStore(school.admin).join(school.autumn.id, school.admin.person().id, false));
   EXPECT_FALSE(PeopleStore(otto).resetPassword(school.admin.person().id, "temporary one"));
-  EXPECT_THAT(refusalOf(PeopleStore(ina).resetPassword(school.ina.id, "temporary one")), StartsWith("You do not have the permission"));
+  EXPECT_THAT(refusalOf(PeopleStore(ina).resetPassword(school.ina.id, "temporary one")),
+              StartsWith("You do not have the permission"));
   EXPECT_FALSE(CohortStore(ina).leave(school.spring.id, school.ina.id)) << "teachers are removed by administrators";
   EXPECT_THAT(refusalOf(CohortStore(school.admin).join(school.spring.id, school.anna.id, true)),
               HasSubstr("cannot teach"));
   const AttemptFacts own = keepAttempt(ina);
-  EXPECT_THAT(refusalOf(AttemptStore(ina).voidAttempt(own.id, "bad day")), StartsWith("You do not have the permission"));
+  EXPECT_THAT(refusalOf(AttemptStore(ina).voidAttempt(own.id, "bad day")),
+              StartsWith("You do not have the permission"));
   EXPECT_TRUE(AttemptStore(otto).voidAttempt(own.id, "device failed"));
 }
 

@@ -136,7 +136,7 @@ TEST(StoreUpkeepOfFile, ABackupIsOfOneMomentAndRestoresWhileOthersHaveTheStoreOp
   keepAttempt(anna);
 
   EXPECT_THAT(refusalOf(restoreStore(rig.address, backup, "admin", "wrong password")), HasSubstr("was not restored"));
-  EXPECT_THAT(refusalOf(restoreStore(rig.address, backup, "ina", kPassword)), HasSubstr("no administrator"));
+  EXPECT_THAT(refusalOf(restoreStore(rig.address, backup, "ina", kPassword)), HasSubstr("not an administrator"));
   EXPECT_EQ(valueOf(AttemptStore(anna).history(school.anna.id)).size(), 2U);
 
   succeed(restoreStore(rig.address, backup, "admin", kPassword));

@@ -224,7 +224,7 @@ TEST_F(ScriptedSession, BadScriptsAreToldWhereAndWhatElse) {
            {R"({"acts": [{"needle": [1, 2, 3]}]})", "act 1, needle, must be an object { ... }, not [ ... ]."},
            {R"({"acts": [{"needle": {"from_mm": [0, 0, 0], "to": "artery"}}]})", "targets ('vein') as 'to'."},
            {R"({"acts": [{"needle": {"from_mm": [0, 12, 0], "to": "vein"}}]})", "less than 1 mm apart"},
-           {R"({"acts": [{"freeze": true}, {"withdraw_mm": 3}]})", "act 2 moves a needle that is frozen; let it go"},
+           {R"({"acts": [{"freeze": true}, {"withdraw_mm": 3}]})", "act 2 moves a needle that is frozen. Release it"},
            {R"({"acts": [{"replace_needle": false}]})", "act 1 needs true as 'replace_needle'"}}) {
     const auto script = readSessionScript(c.text, patient);
     ASSERT_FALSE(script) << c.text;

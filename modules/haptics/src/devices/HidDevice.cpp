@@ -200,7 +200,7 @@ void HidDevice::reportRefused(std::int64_t now_ns) {
   if (info_.kind != DeviceKind::kForce && reports_.load(std::memory_order_relaxed) > 0) return;
   events_->put({0, info_.id, phase(), true,
                 info_.name + ": " + std::to_string(more) + (more == 1 ? " report was" : " reports were") +
-                    " whose length or kind does not match its device table."});
+                    " ignored, because length or kind does not match the device table."});
 }
 
 void HidDevice::watch(std::int64_t now_ns) {

@@ -233,7 +233,7 @@ TEST_F(DeviceHubTest, ReportsThatAreNotUnderstoodAreTold) {
   std::vector<DeviceEvent> events;
   ASSERT_TRUE(eventually([&] { return !(events = hub_.takeEvents()).empty(); }));
   EXPECT_TRUE(events[0].trouble);
-  EXPECT_THAT(events[0].text, HasSubstr("1 report was not of the length"));
+  EXPECT_THAT(events[0].text, HasSubstr("1 report was ignored, because length or kind"));
   EXPECT_EQ(device("16c0:0486/7")->counters().refused, 1U);
   EXPECT_EQ(device("16c0:0486/7")->phase(), DevicePhase::kReady);
 }
