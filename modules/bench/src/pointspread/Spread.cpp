@@ -35,6 +35,22 @@ double leak_dB(const Spread& spread, double diameter_mm) {
   return 10 * std::log10(std::max(outside / all, 1e-12));
 }
 
+/// Highest level beyond the first minimum to either side of the peak, in dB. Ripples below a thousandth are rounding.
+double sideLobe_dB(const std::vector<double>& profile) {
+  constexpr double kLeast_dB = -120, kRipple = 1e-3;
+  const auto top = std::max_element(profile.begin(), profile.end());
+  const int middle = int(top - profile.begin()), size = int(profile.size());
+  double lobe = 0;
+  for (const int side : {-1, 1}) {
+    int at = middle + side;
+    while (at + side >= 0 && at + side < size && profile[at + side] < profile[at] * (1 + kRipple)) at += side;
+    for (; at >= 0 && at < size; at += side)
+      if (at + side >= 0 && at + side < size && profile[at + side] > profile[at] * (1 + kRipple))
+        lobe = std::max(lobe, profile[at + side]);
+  }
+  return lobe > 0 ? std::max(kLeast_dB, 20 * std::log10(lobe / *top)) : kLeast_dB;
+}
+
 /// Correlation of intensity by shift, of fully developed speckle: the squared magnitude of the echo's autocorrelation.
 std::vector<double> speckleCorrelation(const Spread& spread, bool across) {
   const int steps = (across ? spread.across : spread.along) / 2;
@@ -75,6 +91,7 @@ PointSpreadFigures figuresOf(const Spread& spread) {
           .slice_mm = widthAt(spread.slice, 0.5) * spread.y_mm,
           .endLateral_mm = widthAt(spread.endAcross, 0.5) * spread.x_mm,
           .aside_dB = 20 * std::log10(std::max(aside / top, 1e-6)),
+          .sideLobe_dB = sideLobe_dB(peaks),
           .lumen4_dB = leak_dB(spread, 4),
           .lumen8_dB = leak_dB(spread, 8),
           .speckleLateral_mm = widthAt(speckleCorrelation(spread, true), 0.5) * spread.x_mm,

@@ -16,7 +16,7 @@ std::vector<std::string> protocol(std::size_t images, bool hasClips) {
       "Use the screen, the light and the distance with which you read scans. Set the zoom of the browser to 100 %.",
       "Look at each image once, in the order of the numbers. Rate it from 1 (surely real) to 6 (surely simulated). You "
       "cannot go back.",
-      "There is no time limit; most readers need 5 to 20 s for each image. The time is recorded. Breaks are allowed.",
+      "There is no time limit, but the first impression counts. The time is recorded. Breaks are allowed.",
       "Judge the image, not the examination: a poor view of a patient is real, a perfect one may be simulated.",
       "Do not talk about the images with other readers before all have finished. Do not read a set a second time: "
       "known "

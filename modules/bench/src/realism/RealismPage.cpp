@@ -5,6 +5,7 @@
 #include <insonate/ultrasound/SetupText.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace insonate::bench {
@@ -12,13 +13,14 @@ namespace {
 
 constexpr const char* kPageHead = R"(<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>Simulated and real ultrasound images</title><style>
-body{font:16px/1.5 sans-serif;margin:0 auto;max-width:70em;padding:1.5em;color:#222}
+body{font:16px/1.5 sans-serif;margin:0 auto;max-width:78em;padding:1.5em;color:#222}
 table{border-collapse:collapse;font-size:.9em}td,th{padding:.25em .6em;border-bottom:1px solid #ddd;text-align:left}
 td.n{text-align:right;white-space:nowrap}.track{position:relative;width:220px;height:16px;background:#f2f2f2}
 .track i{position:absolute;top:0;bottom:0}.floor{background:#cfe3cf}.middle{width:1px;background:#888}
 .interval{top:7px!important;bottom:7px!important;background:#555}.area{width:6px;margin-left:-3px;background:#06c}
 tr.beyond .area{background:#c30}figure{display:inline-block;margin:.6em;vertical-align:top;width:20em}
-figure img{width:100%;background:#000}figcaption{font-size:.8em;color:#555}
+figure img{width:100%;background:#000}figcaption{font-size:.8em;color:#555;overflow-wrap:anywhere}
+td:first-child{min-width:17em}
 </style></head><body><h1>Simulated and real ultrasound images</h1>
 )";
 
@@ -57,8 +59,14 @@ std::string track(const RealismFeature& f) {
          "\"></i><i class=\"area\" style=\"left:" + percent(f.told.area) + "\"></i></div>";
 }
 
+/// About three digits.
+std::string shortText(double value) {
+  const double size = std::abs(value);
+  return fixed(value, size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3);
+}
+
 std::string rangeText(double median, double low, double high) {
-  return fixed(median, 3) + " [" + fixed(low, 3) + ", " + fixed(high, 3) + "]";
+  return shortText(median) + " [" + shortText(low) + ", " + shortText(high) + "]";
 }
 
 std::string comparisonHtml(const RealismComparison& comparison) {

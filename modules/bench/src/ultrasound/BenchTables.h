@@ -8,6 +8,7 @@ namespace insonate::bench {
 std::string rowsCsv(const UltrasoundBench& bench);
 std::string stagesCsv(const UltrasoundBench& bench);
 std::string realismCsv(const UltrasoundBench& bench);
+std::string penetrationCsv(const UltrasoundBench& bench);
 
 /// Returns the tables and plots as a readable page (Markdown).
 std::string indexPage(const UltrasoundBench& bench);
