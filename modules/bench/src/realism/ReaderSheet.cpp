@@ -51,7 +51,7 @@ constexpr const char* kScreens = R"(
 <section id="end" hidden><h1>All images are rated</h1>
 <label>Which features gave images away, real or simulated?<textarea id="notes"></textarea></label>
 <p><button id="save">Save Ratings</button></p>
-<p class="note">Return the saved file ratings.csv to the organizer.</p></section>
+<p class="note">Return the saved file to the organizer.</p></section>
 )";
 
 constexpr const char* kScript = R"(
@@ -88,7 +88,8 @@ $('save').onclick=()=>{
  text+=line('reader',$('reader').value)+line('profession',$('profession').value)+line('years',$('years').value)+
   line('notes',$('notes').value);
  const a=document.createElement('a');a.href=URL.createObjectURL(new Blob([text],{type:'text/csv'}));
- a.download='ratings.csv';a.click();};
+ const code=$('reader').value.replace(/[^\w-]/g,'');
+ a.download=code?'ratings-'+code+'.csv':'ratings.csv';a.click();};
 )";
 
 }  // namespace

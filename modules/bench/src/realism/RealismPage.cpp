@@ -32,12 +32,12 @@ of several machines and patients.</li>
 <li>Give each reader the folder <code>blind</code> alone, a code, and no feedback. The reader must not have seen these images
 or this page.</li>
 <li>Each reader uses the screen and the light in which scans are read, rates all images alone, and returns
-<code>ratings.csv</code>.</li>
+the saved file, <code>ratings-CODE.csv</code>.</li>
 <li>Score all readers together: <code>insonate-cli bench realism --out DIR --ratings FILE...</code>. It prints sensitivity,
 specificity, and the ROC area with a 95 % interval that holds for other readers and other images.</li>
 <li>State the interval with the result. Readers cannot tell the images apart if the whole interval is near 0.5, e.g. from 0.4
 to 0.6. An area near 0.5 with a wide interval means that there were too few readers or images.</li>
-<li>Read the remarks at the end of each <code>ratings.csv</code>: they name what to improve next.</li></ol>
+<li>Read the remarks at the end of each of these files: they name what to improve next.</li></ol>
 )";
 
 std::string areaText(const RocArea& told) {
