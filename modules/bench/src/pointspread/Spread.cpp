@@ -22,6 +22,17 @@ double widthAt(const std::vector<double>& profile, double share) {
   return to - from;
 }
 
+/// Width in indices between the outermost places that reach a share of the maximum: side lobes count.
+double outerWidthAt(const std::vector<double>& profile, double share) {
+  const double level = share * *std::ranges::max_element(profile);
+  int left = 0, right = int(profile.size()) - 1;
+  while (profile[left] < level) ++left;
+  while (profile[right] < level) --right;
+  if (left == 0 || right == int(profile.size()) - 1) return 0;
+  return right - left + (profile[left] - level) / (profile[left] - profile[left - 1]) +
+         (profile[right] - level) / (profile[right] - profile[right + 1]);
+}
+
 /// Energy from outside a lumen relative to all energy, in dB: the leakage of speckle into its middle.
 double leak_dB(const Spread& spread, double diameter_mm) {
   double outside = 0, all = 0;
@@ -86,7 +97,7 @@ PointSpreadFigures figuresOf(const Spread& spread) {
   for (int x = 0; x < spread.across; ++x)
     if (std::abs(x - spread.across / 2) * spread.x_mm >= kAside_mm) aside = std::max(aside, peaks[x]);
   return {.lateral_mm = widthAt(peaks, 0.5) * spread.x_mm,
-          .lateral20dB_mm = widthAt(peaks, 0.1) * spread.x_mm,
+          .lateral20dB_mm = outerWidthAt(peaks, 0.1) * spread.x_mm,
           .axial_mm = widthAt(beam, 0.5) * spread.z_mm,
           .slice_mm = widthAt(spread.slice, 0.5) * spread.y_mm,
           .endLateral_mm = widthAt(spread.endAcross, 0.5) * spread.x_mm,

@@ -70,9 +70,11 @@ std::string rangeText(double median, double low, double high) {
 }
 
 std::string comparisonHtml(const RealismComparison& comparison) {
+  std::string name(nameOf(comparison.probe));
+  name.front() = char(std::toupper(name.front()));
   const auto beyond = std::ranges::count_if(comparison.features, &RealismFeature::isBeyondFloor);
   std::string html =
-      "<h2>" + std::string(nameOf(comparison.probe)) + " probe: " + std::to_string(comparison.real) + " real and " +
+      "<h2>" + name + " probe: " + std::to_string(comparison.real) + " real and " +
       std::to_string(comparison.simulated) + " simulated images</h2>\n<p>" + std::to_string(beyond) + " of " +
       std::to_string(comparison.features.size()) +
       " features distinguish the sets better than real sources are distinguished from each other. A "

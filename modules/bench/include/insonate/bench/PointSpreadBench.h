@@ -16,7 +16,7 @@ namespace insonate {
 /// of fully developed speckle with this point spread. The figures from cnr4 on are measured on speckle with anechoic
 /// cysts, without noise: rendered by the engine, and computed from the field.
 struct PointSpreadFigures {
-  double lateral_mm = 0, lateral20dB_mm = 0;  ///< full widths at half maximum and at -20 dB
+  double lateral_mm = 0, lateral20dB_mm = 0;  ///< full widths at half maximum and, side lobes included, at -20 dB
   double axial_mm = 0, slice_mm = 0;          ///< full widths at half maximum
   double endLateral_mm = 0;                   ///< lateral_mm at a distance of 1.2 mm from the array's end
   double aside_dB = 0;                        ///< maximum level at lateral distances of 2 mm and more
