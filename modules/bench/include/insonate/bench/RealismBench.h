@@ -24,8 +24,8 @@ struct SimulatedSet {
   bool clips = false;  ///< only clips; otherwise clips for real clips, stills for real stills
 };
 
-/// Simulates images of built-in necks and the given cases, in turn one image of each. Each image has another view,
-/// place and compression, and is made with one of machines(). Depth, frequency, gain, dynamic range, gray map and
+/// Simulates images of built-in necks and the given cases, one of each before the next round. Each image has another
+/// view, place and compression, and is made with one of machines(). Depth, frequency, gain, dynamic range, gray map and
 /// contact of the probe's ends are drawn at random, with about the variation of real sources. Each image of a linear
 /// probe is cropped to the size of such an image of `real`, in turn. In a clip the vessels pulsate; in every second
 /// clip the probe also slides and tilts slowly. The same set gives the same images. Takes a few seconds per image, and
