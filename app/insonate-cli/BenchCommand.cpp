@@ -8,9 +8,12 @@
 #include <insonate/bench/SegmentationBench.h>
 #include <insonate/bench/UltrasoundBench.h>
 #include <insonate/cases/Phantom.h>
+#include <insonate/ultrasound/SetupText.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <iostream>
 #include <memory>
 
@@ -88,11 +91,13 @@ Result<void> benchCurriculum(const BenchOptions& options) {
   return {};
 }
 
+constexpr std::array kShapes{ProbeShape::Linear, ProbeShape::Curvilinear, ProbeShape::Phased};
+
 struct RealismOptions : BenchOptions {
   std::string real;
   bool pointSpread = false;
-  std::string probe = "linear", engine = "cpu";
-  std::vector<std::string> ratings, cases;
+  std::string engine = "cpu";
+  std::vector<std::string> ratings, cases, probes, planes;
   SimulatedSet set;
 };
 
@@ -108,12 +113,16 @@ Result<void> scoreRatings(const RealismOptions& options) {
       "%d images, %d readers: sensitivity %.2f, specificity %.2f, ROC area %.2f (95 %% interval %.2f to %.2f)\n",
       result->images, result->readers, result->sensitivity, result->specificity, result->told.area, result->told.low,
       result->told.high);
+  for (const BlindGroup& group : result->groups)
+    std::printf("  %s, %d real and %d simulated: ROC area %.2f (%.2f to %.2f)\n", group.name.c_str(), group.real,
+                group.simulated, group.told.area, group.told.low, group.told.high);
   return {};
 }
 
 Result<void> benchPointSpread(const RealismOptions& options) {
   if (auto ok = checkBenchFolder(options.folder); !ok) return ok;
-  const auto probe = loadProbe(options.probe);
+  if (options.probes.size() > 1) return fail("--point-spread takes one --probe.");
+  const auto probe = loadProbe(options.probes.empty() ? "linear" : options.probes.front());
   if (!probe) return tl::unexpected(probe.error());
   const auto results = runPointSpreadBench(*probe, options.engine, terminalProgress());
   if (!results) return tl::unexpected(results.error());
@@ -128,6 +137,14 @@ Result<void> benchRealism(const RealismOptions& options) {
   if (auto ok = checkBenchFolder(options.folder); !ok) return ok;
   SimulatedSet set = options.set;
   set.cases.assign(options.cases.begin(), options.cases.end());
+  for (const std::string& name : options.probes) {
+    const auto shape = std::ranges::find(kShapes, name, [](ProbeShape one) { return nameOf(one); });
+    if (shape == kShapes.end())
+      return fail("The probe of simulated images is linear, curvilinear or phased, not \"" + name + "\".");
+    set.probes.push_back(*shape);
+  }
+  for (const std::string& name : options.planes)
+    if (const auto plane = scanPlaneNamed(name)) set.planes.push_back(*plane);
   auto real = readRealImages(options.real);
   if (!real) return tl::unexpected(real.error());
   const auto results = runRealismBench(std::move(*real), set, terminalProgress());
@@ -189,13 +206,13 @@ void addRealism(CLI::App& bench, Outcome& outcome) {
       "realism", "Compare simulated with real images: features, a classifier, and a blind test for readers");
   command->add_option("--out", options->folder, "Folder for tables and the blind test; created when missing")
       ->required();
-  CLI::Option* real =
-      command
-          ->add_option("--real", options->real,
-                       "List of real images, with lines: file,pixels per mm,source[,left,top,width,height]. Each "
-                       "image, or the box of it that the last four numbers give, shows the inside of a linear probe's "
-                       "field of view, without text")
-          ->check(CLI::ExistingFile);
+  CLI::Option* real = command
+                          ->add_option("--real", options->real,
+                                       "List of real images: lines file,pixels per mm,source[,left,top,width,height]"
+                                       "[,probe=...][,plane=...][,fps=...]. Each shows, or the box cuts out, the "
+                                       "inside of a linear probe's field of view, without text, or the fan of another "
+                                       "probe. A folder of images is a clip")
+                          ->check(CLI::ExistingFile);
   CLI::Option* ratings =
       command
           ->add_option("--ratings", options->ratings,
@@ -219,9 +236,23 @@ void addRealism(CLI::App& bench, Outcome& outcome) {
                                        "side levels, slice thickness and contrast at each depth")
                             ->excludes(real)
                             ->excludes(ratings);
-  command->add_option("--probe", options->probe, "Linear probe: a preset or a file")
-      ->capture_default_str()
-      ->needs(points);
+  command
+      ->add_option("--probe", options->probes,
+                   "Probes of the simulated images, in turn: linear, curvilinear, phased; otherwise those of the real "
+                   "images. With --point-spread: one linear probe, a preset or a file")
+      ->excludes(ratings);
+  command
+      ->add_option("--plane", options->planes,
+                   "Planes of the simulated images, in turn: transverse, longitudinal, oblique; otherwise those of the "
+                   "real images")
+      ->check(CLI::IsMember({"transverse", "longitudinal", "oblique"}))
+      ->excludes(points)
+      ->excludes(ratings);
+  command
+      ->add_flag("--clips", options->set.clips,
+                 "Simulate clips of 1 s (30 frames) only; otherwise a clip for each real clip")
+      ->excludes(points)
+      ->excludes(ratings);
   command->add_option("--engine", options->engine, "cpu, glsl or reference")->capture_default_str()->needs(points);
   command->add_flag("--json", options->json, "Print the results as one JSON object");
   command->callback([options, real, ratings, points, &outcome] {

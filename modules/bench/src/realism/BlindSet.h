@@ -1,5 +1,7 @@
 #pragma once
 
+#include "realism/ReaderSheet.h"
+
 #include <insonate/bench/RealismBench.h>
 
 namespace insonate::bench {
@@ -10,8 +12,22 @@ struct BlindImage {
   bool simulated = false;
 };
 
-/// Returns all real and simulated images in a random order, which the seed of `bench` determines.
-std::vector<BlindImage> shuffled(const RealismBench& bench);
+/// Images of both sets: those of a blind test, in an order that the seed determines, and those that cannot be in it,
+/// since only one of the sets has images of their kind (probe, still or clip).
+struct BlindImages {
+  std::vector<BlindImage> matched, unmatched;
+};
+BlindImages blindImages(const RealismBench& bench);
+
+/// Name of the file, or of the folder of a clip's frames, for image `n` (from 0): "003".
+std::string numbered(std::size_t n);
+/// Names of the files of image `n`, relative to the folder of writeImages().
+SheetItem filesOf(const BlindImage& image, std::size_t n);
+
+/// Writes images as numbered JPEG files, clips as folders of frames. Returns the images as readers see them, of clips
+/// the middle frame.
+Result<std::vector<GreyPicture>> writeImages(const std::vector<BlindImage>& images,
+                                             const std::filesystem::path& folder);
 
 /// Writes the images, sheets and instructions of a blind test; nothing in them reveals which images are real.
 Result<void> writeBlindSet(const std::vector<BlindImage>& images, const std::filesystem::path& folder);

@@ -9,6 +9,7 @@ namespace insonate::bench {
 std::string rowsCsv(const UltrasoundBench& bench);
 std::string stagesCsv(const UltrasoundBench& bench);
 std::string realismCsv(const UltrasoundBench& bench);
+std::string penetrationCsv(const UltrasoundBench& bench);
 
 /// Returns a Markdown page with all tables and plots of the benchmark.
 std::string indexPage(const UltrasoundBench& bench);

@@ -20,11 +20,16 @@ inline constexpr double kLookPixelsPer_mm = 10;
 /// 10 mm or if its scale is not in 1 to 100 pixels per mm.
 Result<GreyPicture> atLookScale(const GreyPicture& image, double pixelsPer_mm, double depth_mm = 30);
 
-/// Measures the appearance of a linear probe's image: the inside of the field of view, without text, as atLookScale()
-/// returns it. Features: gray percentiles, local contrast, lateral and axial detail by spatial frequency, edges,
-/// correlation of ridges (skin, fascia, vessel walls) along the face, and length of ridges. For each depth range (0 to
-/// 10, 10 to 20, 20 to 30 mm) also: the full width at half maximum of the detail's autocorrelation, axial and lateral,
-/// and the pixel noise.
+/// Measures a rectangle inside a field of view, without text, as atLookScale() returns it. Features: gray
+/// percentiles, local contrast, lateral and axial detail by spatial frequency, edges, correlation of ridges (skin,
+/// fascia, vessel walls) along the face, and length of ridges. By depth (0 to 10, 10 to 20, 20 to 30 mm of the
+/// rectangle) also: the full width at half maximum of the detail's autocorrelation, axial and lateral, and the pixel
+/// noise.
 std::vector<LookFeature> lookFeatures(const GreyPicture& image);
+
+/// Measures motion in a clip of kClipFrames frames of equal size: correlation of the fine detail between frames 1/30 s
+/// and 1/3 s apart, mean change of gray from frame to frame relative to the mean gray, and standard deviation of the
+/// frames' mean gray relative to it. NaN for stills.
+std::vector<LookFeature> motionFeatures(const std::vector<GreyPicture>& frames);
 
 }  // namespace insonate

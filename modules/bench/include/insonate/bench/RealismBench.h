@@ -1,9 +1,8 @@
 #pragma once
 
 #include <insonate/bench/RocArea.h>
+#include <insonate/bench/SourceImage.h>
 #include <insonate/core/Progress.h>
-#include <insonate/core/Result.h>
-#include <insonate/ultrasound/FovFit.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -13,81 +12,82 @@
 
 namespace insonate {
 
-/// A real or simulated ultrasound image for comparison: the inside of the field of view, without text, at
-/// kLookPixelsPer_mm and at most 30 mm deep.
-struct SourceImage {
-  std::string source;  ///< origin. Real image: machine or data set; simulated image: neck
-  std::string about;   ///< description. Real image: file; simulated image: neck, view and settings
-  GreyPicture image;
-};
-
-/// Reads real images from a text file with lines `file,pixels per mm,source`. If a file shows more than the inside of
-/// the field of view, the line also has `,left,top,width,height` of the inside in pixels. # begins a comment; paths are
-/// relative to the text file. Fails, naming the line, on an image that cannot be read or measured, and on a list
-/// without images.
-Result<std::vector<SourceImage>> readRealImages(const std::filesystem::path& list);
-
-/// Number, random seed and cases of the images to simulate.
+/// Set of images to simulate.
 struct SimulatedSet {
   int count = 20;
-  unsigned seed = 1;  ///< random seed; another seed gives other necks, views and settings
-  /// Folders of cases (CTs of patients, atlases) used in addition to the built-in necks.
-  std::vector<std::filesystem::path> cases;
+  unsigned seed = 1;  ///< another seed gives other necks, views and settings
+  /// Case folders used in addition to the built-in necks: CTs of patients, atlases.
+  std::vector<std::filesystem::path> cases = {};
+  /// Probes and planes, in turn. Empty: those of the real images, in turn; of a real image without a stated plane, any.
+  std::vector<ProbeShape> probes = {};
+  std::vector<ScanPlane> planes = {};
+  bool clips = false;  ///< only clips; otherwise clips for real clips, stills for real stills
 };
 
-/// Simulates images of built-in necks and the given cases, in turn two images of each. Each image has another view,
-/// place and compression, and is made with one of machines(). Depth, frequency, gain, dynamic range, gray map and
-/// contact of the probe's ends are drawn at random, with about the variation of real sources. Each image is cropped to
-/// the size of an image of `real`, in turn. The same set gives the same images. Takes a few seconds per image. Fails on
-/// a case that cannot be read or has no skin.
+/// Simulates images of built-in necks and the given cases, one of each before the next round. Each image has another
+/// view, place and compression, and is made with one of machines(). Depth, frequency, gain, dynamic range, gray map and
+/// contact of the probe's ends are drawn at random, with about the variation of real sources. Each image of a linear
+/// probe is cropped to the size of such an image of `real`, in turn. In a clip the vessels pulsate; in every second
+/// clip the probe also slides and tilts slowly. The same set gives the same images. Takes a few seconds per image, and
+/// about ten per clip. Fails on a case that cannot be read or has no skin.
 Result<std::vector<SourceImage>> simulatedImages(const SimulatedSet& set, const std::vector<SourceImage>& real,
                                                  const Progress& progress = {});
 
 /// Comparison of one image feature between real and simulated images.
 struct RealismFeature {
   std::string name;
-  double real = 0, realLow = 0, realHigh = 0;  ///< values in real images: median, 10th and 90th percentile
-  /// values in simulated images: median, 10th and 90th percentile
-  double simulated = 0, simulatedLow = 0, simulatedHigh = 0;
-  RocArea told;  ///< ROC area with which the feature separates simulated (greater values) from real images
-  /// ROC area, 0.5 to 1, with which the feature separates one real source (machine or data set) from the others: median
-  /// over sources with at least 4 images. NaN without two such sources.
-  double floor = 0;
-  /// p-value of the difference between real and simulated images, corrected for the number of features (Holm, Scand J
-  /// Stat 1979, 6:65).
-  double p = 1;
-  /// Tells whether the feature separates simulated from real images better than real sources from each other (`floor`),
-  /// with p below 0.05.
+  double real = 0, realLow = 0, realHigh = 0;                 ///< median, 10th and 90th percentile
+  double simulated = 0, simulatedLow = 0, simulatedHigh = 0;  ///< likewise for simulated images
+  RocArea told;      ///< separation of the sets by this feature; greater values count as simulated
+  double floor = 0;  ///< ROC area, 0.5 to 1, by which real sources differ: median over real sources with at least 4
+                     ///< images of the area that separates the source from all others; NaN without two such sources
+  double p = 1;      ///< probability of such a difference between equal sets, corrected for the number of features of
+                     ///< all comparisons (Holm, Scand J Stat 1979, 6:65)
+  /// The sets are told apart better than real sources are told from each other, with p below 0.05.
   bool isBeyondFloor() const;
+};
+
+/// Comparison of the images of one probe shape, as far as there are real and simulated ones.
+struct RealismComparison {
+  ProbeShape probe = ProbeShape::Linear;
+  int real = 0, simulated = 0;           ///< numbers of images
+  std::vector<RealismFeature> features;  ///< the most discriminating feature first
+  RocArea classifier;                    ///< cross-validated by leaving out one source at a time
 };
 
 struct RealismBench {
   std::vector<SourceImage> real, simulated;
-  std::vector<RealismFeature> features;  ///< comparison of each feature, the most discriminating first
-  RocArea classifier;  ///< ROC area of a linear classifier of simulated against real images, cross-validated by leaving
-                       ///< out one source at a time
+  std::vector<RealismComparison> comparisons;
   unsigned seed = 1;
 };
 
 Result<RealismBench> runRealismBench(std::vector<SourceImage> real, const SimulatedSet& set,
                                      const Progress& progress = {});
 
-/// Writes the results (features.csv, index.md) and the images for a blind test into `folder`; either all of it or
-/// nothing. `blind/` holds all images in random order, numbered, of one size in mm and with the same compression, with
-/// instructions, a sheet to look at (sheet.html, sheet-N.png) and a sheet to fill in (ratings.csv). key.csv, outside
-/// `blind/`, tells which images are real.
+/// Writes features.csv, index.md, index.html and the blind test; either all of it or nothing. `blind/` holds images and
+/// clips in random order, numbered, of one scale and with the same compression, with the page that readers use
+/// (sheet.html), sheets to look at (sheet-N.png), instructions and a list to fill in by hand (ratings.csv). key.csv,
+/// outside `blind/`, tells which images are real. A kind of image (probe, still or clip) that only one of the sets has
+/// would be recognized by its kind: such images lie in `unmatched/` instead, and unmatched.csv lists them.
 Result<void> writeRealismBench(const RealismBench& bench, const std::filesystem::path& folder);
 
-/// Result of a blind test in which readers rated whether images are real or simulated.
+/// Result for the images of one kind.
+struct BlindGroup {
+  std::string name;             ///< e.g. "linear", "transverse", "clips"
+  int real = 0, simulated = 0;  ///< numbers of images
+  RocArea told;
+};
+
+/// Result of a blind test by several readers.
 struct BlindResult {
   int readers = 0, images = 0;
   double sensitivity = 0, specificity = 0;  ///< means over readers; an image rated 4 or more counts as judged simulated
   RocArea told;
+  std::vector<BlindGroup> groups;  ///< by probe, plane, still or clip, if the set has several of them
 };
 
-/// Evaluates a blind test: compares the readers' ratings with key.csv, which tells the real images. Each reader's
-/// ratings.csv has lines `number,rating` with ratings 1 (real) to 6 (simulated). Fails, with file and line, on a rating
-/// that is missing, repeated or not a number from 1 to 6.
+/// Scores ratings against key.csv. Each reader's ratings.csv has lines `number,rating` with ratings 1 to 6; further
+/// cells are ignored. Fails, with file and line, on a rating that is missing, repeated or not a number from 1 to 6.
 Result<BlindResult> scoreBlindTest(const std::filesystem::path& key, const std::vector<std::filesystem::path>& ratings);
 
 nlohmann::json toJson(const RealismBench& bench);

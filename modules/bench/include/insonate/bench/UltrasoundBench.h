@@ -30,6 +30,7 @@ struct UltrasoundBenchPlan {
   double secondsForLimits = 0.6;
 
   bool everyView = true;                     ///< true: realism is measured for all start poses of the first target
+  bool penetration = true;                   ///< true: the penetration of all machines is measured
   std::vector<std::string> realismVariants;  ///< built-in necks that are measured in addition to `patient`
 };
 
@@ -101,6 +102,17 @@ struct RealismRow {
   bool inRange = false;
 };
 
+/// Penetration of a machine's image in tissue whose attenuation the built-in TGC compensates: the depth at which echoes
+/// are as strong as the noise (IEC 61391-2), measured on displayed images.
+struct PenetrationRow {
+  std::string machine, probe;
+  double frequency_MHz = 0;   ///< the machine's own for this probe; with harmonic imaging, the received frequency
+  double expected_mm = 0;     ///< -noise_dB over the attenuation; Szabo and Lewin 2013: 60 cm MHz over the frequency
+  double penetration_mm = 0;  ///< without harmonic imaging; 0 if the noise is stronger at all depths
+  double harmonic_mm = 0;     ///< with harmonic imaging
+  double loss_dB = 0;  ///< echo over noise that harmonic imaging costs; NaN if it never stands clear of the noise
+};
+
 /// An image for which realism was measured.
 struct BenchPicture {
   std::string name;  ///< file name of the image, without extension
@@ -114,6 +126,7 @@ struct UltrasoundBench {
   FrameTimes plainLoop;  ///< times of a simple scalar program (PlainLoop) with UltrasoundBenchPlan::setup, one thread
   std::vector<StageLimits> stages;
   std::vector<RealismRow> realism;
+  std::vector<PenetrationRow> penetration;
   std::vector<BenchPicture> pictures;
   std::vector<std::string> notes;
 };
@@ -122,14 +135,21 @@ struct UltrasoundBench {
 /// no tissue of the case, or if cancelled.
 Result<UltrasoundBench> runUltrasoundBench(const UltrasoundBenchPlan& plan, const Progress& progress = {});
 
-/// Returns rows, stages, realism, machine, plain_loop and notes as JSON. Values that are not finite are null.
+/// Measures the penetration with and without harmonic imaging, with the frequency and noise of these settings. Takes
+/// less than a second.
+Result<PenetrationRow> measurePenetration(const Probe& probe, const ImagingSettings& settings);
+/// Measures the penetration of all machines() with all probe presets.
+Result<std::vector<PenetrationRow>> penetrationRows(const Progress& progress = {});
+
+/// Returns rows, stages, realism, penetration, machine, plain_loop and notes as JSON. Values that are not finite are
+/// null.
 nlohmann::json toJson(const UltrasoundBench& bench);
 
 /// Checks that the folder for the results can be created and written, before a benchmark starts.
 Result<void> checkBenchFolder(const std::filesystem::path& folder);
 
-/// Writes the results into `folder`: ultrasound.json, ultrasound.csv, stages.csv, realism.csv, plots as SVG, images as
-/// PNG and index.md; either all of them or none.
+/// Writes ultrasound.json, ultrasound.csv, stages.csv, realism.csv, penetration.csv, plots as SVG, images as PNG and
+/// index.md; either all of them or none.
 Result<void> writeUltrasoundBench(const UltrasoundBench& bench, const std::filesystem::path& folder);
 
 }  // namespace insonate
