@@ -1,12 +1,12 @@
 #include "KeyTable.h"
 #include "PrepareParts.h"
 #include "guide/GuideSession.h"
+#include "layout/CaseViews.h"
+#include "layout/PathPanel.h"
+#include "model/CaseChanges.h"
 #include "model/Notice.h"
 #include "model/OpenCase.h"
-#include "panel/PathPanel.h"
-#include "publish/CaseChanges.h"
-#include "viewing/CaseViews.h"
-#include "viewing/StatusLine.h"
+#include "model/StatusLine.h"
 
 #include <insonate/prepare/PrepareWorkspace.h>
 #include <insonate/ui/EmptyWorkspace.h>

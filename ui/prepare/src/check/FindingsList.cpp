@@ -1,11 +1,11 @@
 #include "FindingsList.h"
 
+#include "../model/CaseMeasuring.h"
+#include "../model/Crosshair.h"
 #include "../model/PrepareModel.h"
+#include "../model/StructureList.h"
+#include "../model/TermsEditor.h"
 #include "../places/PlacesBox.h"
-#include "../structures/StructureList.h"
-#include "../structures/TermsEditor.h"
-#include "../viewing/Crosshair.h"
-#include "CaseMeasuring.h"
 
 #include <insonate/ui/Theme.h>
 

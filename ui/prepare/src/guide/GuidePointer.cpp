@@ -2,7 +2,7 @@
 
 #include "../labels/LabelSession.h"
 #include "../model/PrepareModel.h"
-#include "../structures/TermsEditor.h"
+#include "../model/TermsEditor.h"
 #include "GuideSession.h"
 
 #include <insonate/ui/KeyOffer.h>

@@ -1,15 +1,15 @@
 #include "GuideSession.h"
 
-#include "../check/CaseMeasuring.h"
 #include "../labels/LabelSession.h"
+#include "../model/CaseMeasuring.h"
 #include "../model/OpenCase.h"
+#include "../model/PlacesEditor.h"
 #include "../model/PrepareModel.h"
-#include "../places/PlacesEditor.h"
-#include "../places/VesselNaming.h"
-#include "../structures/StructureAppearance.h"
-#include "../structures/StructureList.h"
-#include "../structures/TermsEditor.h"
-#include "../viewing/SliceSettings.h"
+#include "../model/SliceSettings.h"
+#include "../model/StructureAppearance.h"
+#include "../model/StructureList.h"
+#include "../model/TermsEditor.h"
+#include "../model/VesselNaming.h"
 
 #include <insonate/core/AtomicFile.h>
 
@@ -57,7 +57,7 @@ GuideSession::GuideSession(PrepareModel& shared, QObject* parent)
     : QObject(parent),
       shared_(shared),
       guide_(neckGuide()),
-      replay_(*new GuideReplay(shared.labelling, shared.openCase.undoStack(), this)),
+      replay_(*new StepReplay(shared.labelling, shared.openCase.undoStack(), this)),
       progress_(guide_.steps.size()) {
   const LabelSession& labels = shared_.labelling;
   connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] { beginCase(); });

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "GuideReplay.h"
+#include "../labels/StepReplay.h"
 
 #include <insonate/segmentation/Guide.h>
 
@@ -104,7 +104,7 @@ class GuideSession : public QObject {
 
   PrepareModel& shared_;
   Guide guide_;
-  GuideReplay& replay_;
+  StepReplay& replay_;
   std::vector<StepProgress> progress_;
   Recipe before_;  ///< recipe that was saved with the case before it was opened
   Recipe recipe_;  ///< recipe of the steps since the case was opened

@@ -1,11 +1,11 @@
 #include "UltrasoundPane.h"
 
+#include "../model/Crosshair.h"
+#include "../model/LivePatient.h"
 #include "../model/OpenCase.h"
+#include "../model/PlacesEditor.h"
 #include "../model/PrepareModel.h"
-#include "../places/PlacesEditor.h"
-#include "../structures/Structures.h"
-#include "../viewing/Crosshair.h"
-#include "LivePatient.h"
+#include "../model/Structures.h"
 
 #include <insonate/ui/AreaWords.h>
 #include <insonate/ui/Theme.h>

@@ -1,15 +1,15 @@
 #include "PlacesBox.h"
 
 #include "../labels/LabelSession.h"
-#include "../live/LivePatient.h"
+#include "../model/Crosshair.h"
+#include "../model/LivePatient.h"
 #include "../model/Notice.h"
 #include "../model/OpenCase.h"
+#include "../model/PlacesEditor.h"
 #include "../model/PrepareModel.h"
-#include "../structures/StructureList.h"
-#include "../structures/TermsEditor.h"
-#include "../viewing/Crosshair.h"
-#include "PlacesEditor.h"
-#include "VesselNaming.h"
+#include "../model/StructureList.h"
+#include "../model/TermsEditor.h"
+#include "../model/VesselNaming.h"
 
 #include <insonate/cases/Landmarks.h>
 #include <insonate/simulator/ProbePose.h>

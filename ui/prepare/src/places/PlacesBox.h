@@ -1,6 +1,6 @@
 #pragma once
 
-#include "CasePlaces.h"
+#include "../model/CasePlaces.h"
 
 #include <QString>
 #include <QWidget>

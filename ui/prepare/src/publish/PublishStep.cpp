@@ -1,10 +1,10 @@
 #include "PublishStep.h"
 
-#include "../check/CaseMeasuring.h"
+#include "../model/CaseChanges.h"
+#include "../model/CaseMeasuring.h"
 #include "../model/Notice.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
-#include "CaseChanges.h"
 
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/ui/TaskBar.h>

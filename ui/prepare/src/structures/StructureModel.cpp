@@ -1,12 +1,12 @@
 #include "StructureModel.h"
 
-#include "../check/CaseMeasuring.h"
 #include "../labels/LabelSession.h"
+#include "../model/CaseMeasuring.h"
 #include "../model/PrepareModel.h"
-#include "StructureAppearance.h"
-#include "StructureList.h"
-#include "Swatch.h"
-#include "TermsEditor.h"
+#include "../model/StructureAppearance.h"
+#include "../model/StructureList.h"
+#include "../model/Swatch.h"
+#include "../model/TermsEditor.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/Theme.h>

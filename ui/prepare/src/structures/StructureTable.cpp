@@ -3,11 +3,11 @@
 #include "../labels/LabelSession.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
+#include "../model/StructureAppearance.h"
+#include "../model/StructureList.h"
+#include "../model/TermsEditor.h"
 #include "LabelDetails.h"
-#include "StructureAppearance.h"
-#include "StructureList.h"
 #include "StructureModel.h"
-#include "TermsEditor.h"
 
 #include <insonate/tissue/OwnLabels.h>
 #include <insonate/ui/PassLetters.h>

@@ -1,6 +1,6 @@
 #include "SceneTools.h"
 
-#include "../viewing/CaseViews.h"
+#include "../layout/CaseViews.h"
 #include "ToolSession.h"
 
 #include <insonate/ui/ViewWidget.h>

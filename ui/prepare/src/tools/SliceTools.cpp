@@ -1,11 +1,11 @@
 #include "SliceTools.h"
 
 #include "../labels/LabelSession.h"
+#include "../layout/CaseViews.h"
+#include "../model/Crosshair.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
-#include "../viewing/CaseViews.h"
-#include "../viewing/Crosshair.h"
-#include "../viewing/StatusLine.h"
+#include "../model/StatusLine.h"
 
 #include <insonate/ui/ViewWidget.h>
 

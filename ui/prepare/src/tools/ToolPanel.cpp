@@ -2,8 +2,8 @@
 
 #include "../labels/LabelSession.h"
 #include "../model/PrepareModel.h"
-#include "../structures/StructureAppearance.h"
-#include "../structures/StructureList.h"
+#include "../model/StructureAppearance.h"
+#include "../model/StructureList.h"
 #include "LabelBox.h"
 #include "RangeField.h"
 #include "RulesBox.h"

@@ -1,7 +1,7 @@
 #include "SliceControls.h"
 
 #include "../model/PrepareModel.h"
-#include "SliceSettings.h"
+#include "../model/SliceSettings.h"
 
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Text.h>

@@ -1,8 +1,8 @@
 #include "Crosshair.h"
 
-#include "../live/LivePatient.h"
-#include "../model/Notice.h"
-#include "../model/OpenCase.h"
+#include "LivePatient.h"
+#include "Notice.h"
+#include "OpenCase.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../places/CasePlaces.h"
+#include "../model/CasePlaces.h"
 
 #include <insonate/views/NamedPlace.h>
 #include <insonate/views/SceneOptions.h>

@@ -1,6 +1,6 @@
-#include "GuideReplay.h"
+#include "StepReplay.h"
 
-#include "../labels/LabelSession.h"
+#include "LabelSession.h"
 
 #include <QTimer>
 #include <QUndoStack>
@@ -13,8 +13,7 @@ constexpr int kUntilFree_ms = 50;
 
 }  // namespace
 
-bool GuideReplay::run(std::vector<LabelStep> steps, std::size_t first, std::size_t end, const QString& name,
-                      Done done) {
+bool StepReplay::run(std::vector<LabelStep> steps, std::size_t first, std::size_t end, const QString& name, Done done) {
   const std::vector<LabelStep> all = labels_.recipe().steps;
   here_ = undo_.index();
   if (!undoTo(first)) return false;
@@ -31,7 +30,7 @@ bool GuideReplay::run(std::vector<LabelStep> steps, std::size_t first, std::size
 }
 
 /// Undoes all steps after the first `count`, or none of them.
-bool GuideReplay::undoTo(std::size_t count) {
+bool StepReplay::undoTo(std::size_t count) {
   const int here = undo_.index();
   for (std::size_t steps = labels_.recipe().steps.size(); steps > count; steps = labels_.recipe().steps.size()) {
     if (undo_.canUndo()) undo_.undo();
@@ -42,7 +41,7 @@ bool GuideReplay::undoTo(std::size_t count) {
   return true;
 }
 
-void GuideReplay::next() {
+void StepReplay::next() {
   if (todo_.empty()) return end(!restoring_);
   const bool again = todo_.size() <= again_;
   LabelStep step = std::move(todo_.front());
@@ -55,26 +54,26 @@ void GuideReplay::next() {
 }
 
 /// If nothing new was recorded, the undone steps can still be redone.
-bool GuideReplay::wasRedone() {
+bool StepReplay::wasRedone() {
   if (labels_.recipe().steps.size() != first_) return false;
   while (undo_.index() < here_ && undo_.canRedo()) undo_.redo();
   return labels_.recipe().steps.size() == first_ + before_.size();
 }
 
-void GuideReplay::fail() {
+void StepReplay::fail() {
   if (restoring_ || wasRedone()) return end(false);
   restoring_ = true;
   restoreSoon();
 }
 
 /// A user who has canceled may start another action, which has precedence.
-void GuideReplay::restoreSoon() {
+void StepReplay::restoreSoon() {
   QTimer::singleShot(kUntilFree_ms, this, [this, number = number_] {
     if (number == number_) labels_.isFree() ? restore() : restoreSoon();
   });
 }
 
-void GuideReplay::restore() {
+void StepReplay::restore() {
   // If that fails, too, the steps that could be made remain.
   if (!undoTo(first_)) return end(false);
   todo_.assign(before_.begin(), before_.end());
@@ -82,7 +81,7 @@ void GuideReplay::restore() {
   next();
 }
 
-void GuideReplay::end(bool well) {
+void StepReplay::end(bool well) {
   running_ = false;
   std::exchange(done_, {})(well);
 }

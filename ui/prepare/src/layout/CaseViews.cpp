@@ -1,16 +1,16 @@
 #include "CaseViews.h"
 
-#include "../check/CaseMeasuring.h"
 #include "../labels/LabelSession.h"
-#include "../live/LivePatient.h"
+#include "../model/CaseMeasuring.h"
+#include "../model/Crosshair.h"
+#include "../model/LivePatient.h"
 #include "../model/OpenCase.h"
+#include "../model/PlacesEditor.h"
 #include "../model/PrepareModel.h"
-#include "../places/PlacesEditor.h"
-#include "../structures/StructureAppearance.h"
-#include "../structures/StructureList.h"
-#include "Crosshair.h"
+#include "../model/SliceSettings.h"
+#include "../model/StructureAppearance.h"
+#include "../model/StructureList.h"
 #include "MarkedPlaces.h"
-#include "SliceSettings.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/Theme.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "../places/CasePlaces.h"
-#include "../structures/LabelTerms.h"
+#include "CasePlaces.h"
+#include "LabelTerms.h"
 
 #include <insonate/cases/CaseCheck.h>
 #include <insonate/cases/CaseStatistics.h>

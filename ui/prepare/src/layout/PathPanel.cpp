@@ -1,13 +1,13 @@
 #include "PathPanel.h"
 
-#include "../check/CaseMeasuring.h"
 #include "../check/FindingsList.h"
 #include "../guide/GuidePage.h"
 #include "../guide/GuideSession.h"
+#include "../model/CaseMeasuring.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
+#include "../model/StructureList.h"
 #include "../publish/PublishStep.h"
-#include "../structures/StructureList.h"
 #include "../structures/StructureTable.h"
 
 #include <insonate/tissue/Labels.h>

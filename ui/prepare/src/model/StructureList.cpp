@@ -1,9 +1,9 @@
 #include "StructureList.h"
 
-#include "../check/CaseMeasuring.h"
 #include "../labels/LabelSession.h"
-#include "../model/Notice.h"
-#include "../model/OpenCase.h"
+#include "CaseMeasuring.h"
+#include "Notice.h"
+#include "OpenCase.h"
 #include "TermsEditor.h"
 
 #include <insonate/tissue/Labels.h>

@@ -1,9 +1,9 @@
 #include "MeasuringUpdates.h"
 
-#include "../model/OpenCase.h"
-#include "../places/PlacesEditor.h"
-#include "../structures/TermsEditor.h"
 #include "CaseMeasuring.h"
+#include "OpenCase.h"
+#include "PlacesEditor.h"
+#include "TermsEditor.h"
 
 namespace insonate::prepare {
 namespace {

@@ -1,10 +1,10 @@
 #include "TermsEditor.h"
 
-#include "../check/CaseMeasuring.h"
-#include "../model/Notice.h"
-#include "../model/OpenCase.h"
-#include "../model/ValueEdit.h"
+#include "CaseMeasuring.h"
+#include "Notice.h"
+#include "OpenCase.h"
 #include "Structures.h"
+#include "ValueEdit.h"
 
 #include <insonate/tissue/Labels.h>
 

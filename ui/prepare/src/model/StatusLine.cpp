@@ -1,11 +1,11 @@
 #include "StatusLine.h"
 
 #include "../labels/LabelSession.h"
-#include "../live/LivePatient.h"
-#include "../model/Notice.h"
-#include "../model/OpenCase.h"
-#include "../structures/TermsEditor.h"
 #include "Crosshair.h"
+#include "LivePatient.h"
+#include "Notice.h"
+#include "OpenCase.h"
+#include "TermsEditor.h"
 
 #include <insonate/tissue/Labels.h>
 

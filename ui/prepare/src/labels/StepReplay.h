@@ -16,13 +16,12 @@ class LabelSession;
 
 /// Performs labeling steps one after the other on a background thread, and inserts them between earlier steps: later
 /// steps are first undone and then repeated with their own rules.
-class GuideReplay : public QObject {
+class StepReplay : public QObject {
  public:
   /// Called with true after success. After a failure, with false: the labels are as they were before.
   using Done = std::function<void(bool well)>;
 
-  GuideReplay(LabelSession& labels, QUndoStack& undo, QObject* parent)
-      : QObject(parent), labels_(labels), undo_(undo) {}
+  StepReplay(LabelSession& labels, QUndoStack& undo, QObject* parent) : QObject(parent), labels_(labels), undo_(undo) {}
 
   /// Replaces the recorded steps [first, end) by `steps`. Returns false, without a change, if those steps can no longer
   /// be undone.

@@ -1,9 +1,9 @@
 #include "PlacesEditor.h"
 
-#include "../live/LivePatient.h"
-#include "../model/Notice.h"
-#include "../model/OpenCase.h"
-#include "../model/ValueEdit.h"
+#include "LivePatient.h"
+#include "Notice.h"
+#include "OpenCase.h"
+#include "ValueEdit.h"
 
 #include <insonate/simulator/ProbePose.h>
 

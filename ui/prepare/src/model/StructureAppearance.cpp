@@ -1,7 +1,7 @@
 #include "StructureAppearance.h"
 
 #include "../labels/LabelSession.h"
-#include "../model/OpenCase.h"
+#include "OpenCase.h"
 #include "StructureList.h"
 #include "TermsEditor.h"
 

@@ -1,10 +1,10 @@
 #include "LiveUpdates.h"
 
 #include "../labels/LabelSession.h"
-#include "../model/OpenCase.h"
-#include "../structures/StructureAppearance.h"
-#include "../structures/TermsEditor.h"
 #include "LivePatient.h"
+#include "OpenCase.h"
+#include "StructureAppearance.h"
+#include "TermsEditor.h"
 
 #include <insonate/tissue/Labels.h>
 

@@ -1,11 +1,11 @@
 #include "CaseChanges.h"
 
 #include "../labels/LabelSession.h"
-#include "../model/OpenCase.h"
-#include "../places/PlacesEditor.h"
-#include "../structures/StructureAppearance.h"
-#include "../structures/StructureList.h"
-#include "../structures/TermsEditor.h"
+#include "OpenCase.h"
+#include "PlacesEditor.h"
+#include "StructureAppearance.h"
+#include "StructureList.h"
+#include "TermsEditor.h"
 
 #include <utility>
 

@@ -1,11 +1,11 @@
 #include "VesselNaming.h"
 
 #include "../labels/LabelSession.h"
-#include "../model/Notice.h"
-#include "../model/OpenCase.h"
-#include "../model/PrepareModel.h"
-#include "../structures/TermsEditor.h"
+#include "Notice.h"
+#include "OpenCase.h"
 #include "PlacesEditor.h"
+#include "PrepareModel.h"
+#include "TermsEditor.h"
 
 #include <insonate/simulator/VesselNaming.h>
 #include <insonate/tissue/Labels.h>
