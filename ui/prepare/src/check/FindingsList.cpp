@@ -2,10 +2,10 @@
 
 #include "../model/CaseMeasuring.h"
 #include "../model/Crosshair.h"
+#include "../model/PlacesEditor.h"
 #include "../model/PrepareModel.h"
 #include "../model/StructureList.h"
 #include "../model/TermsEditor.h"
-#include "../places/PlacesBox.h"
 
 #include <insonate/ui/Theme.h>
 
@@ -103,7 +103,7 @@ QPushButton* FindingsList::way(const Finding& finding) {
     auto* mark = button(tr("Mark it"), tr("Opens the list of targets, vessels, start poses and landmarks"));
     connect(mark, &QPushButton::clicked, this, [this, finding, kind = missing->second] {
       if (finding.place_mm) shared_.crosshair.moveTo(*finding.place_mm);
-      Q_EMIT placeWanted(kind);
+      shared_.places.requestMark(kind);
     });
     return mark;
   }

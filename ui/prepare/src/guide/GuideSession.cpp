@@ -2,6 +2,7 @@
 
 #include "../labels/LabelSession.h"
 #include "../model/CaseMeasuring.h"
+#include "../model/Notice.h"
 #include "../model/OpenCase.h"
 #include "../model/PlacesEditor.h"
 #include "../model/PrepareModel.h"
@@ -62,6 +63,7 @@ GuideSession::GuideSession(PrepareModel& shared, QObject* parent)
   const LabelSession& labels = shared_.labelling;
   connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] { beginCase(); });
   connect(&shared_.openCase, &OpenCase::originChanged, this, [this] { takeUpRecipe(); });
+  connect(&shared_.openCase, &OpenCase::saved, this, [this] { saveRecipe(); });
   connect(&labels, &LabelSession::changed, this, [this] {
     recipe_ = shared_.labelling.recipe();
     Q_EMIT changed();
@@ -314,15 +316,19 @@ void GuideSession::setCorrecting(bool on) {
   Q_EMIT clicksChanged();
 }
 
-Result<void> GuideSession::saveRecipe(const std::filesystem::path& folder) const {
+void GuideSession::saveRecipe() {
+  const QString folder = shared_.openCase.origin().folder;
   // Queried now, since a stroke has all its points only at its end.
   const Recipe made = shared_.labelling.recipe();
-  if (made.steps.empty()) return {};
+  if (folder.isEmpty() || made.steps.empty()) return;
   Recipe all = before_;
   all.description = "What made the labels of this case out of those that its import gave, in this order.";
   all.labels = shared_.terms.value().own;
   all.steps.insert(all.steps.end(), made.steps.begin(), made.steps.end());
-  return writeAtomically(folder / kRecipeFile, textOf(all));
+  const auto ok = writeAtomically(std::filesystem::path(folder.toStdString()) / kRecipeFile, textOf(all));
+  if (!ok)
+    shared_.notice.say(tr("The case is saved, but the recipe of its labels is not: %1")
+                           .arg(QString::fromStdString(ok.error().message)));
 }
 
 }  // namespace insonate::prepare

@@ -7,7 +7,6 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
-#include <filesystem>
 #include <vector>
 
 namespace insonate::prepare {
@@ -33,7 +32,7 @@ class GuideSession : public QObject {
   State state(int index) const;
   /// Tells whether the author had used the guide when the case was saved and required steps are still to do.
   bool goesOn() const;
-  /// Sentences about a step's state, for example why its result is doubtful.
+  /// Sentences about a step's state, for example why its result may be wrong.
   QStringList remarks(int index) const;
 
   /// Sets whether the guide's page is shown: clicks in slices then belong to the current step.
@@ -68,9 +67,6 @@ class GuideSession : public QObject {
   double brush_mm() const { return brush_mm_; }
   void setBrush(double radius_mm) { brush_mm_ = radius_mm; }
 
-  /// Writes a recipe beside a saved case: all steps that made its labels since the CT was imported, for replay.
-  Result<void> saveRecipe(const std::filesystem::path& folder) const;
-
  Q_SIGNALS:
   void changed();
   void clicksChanged();
@@ -101,6 +97,8 @@ class GuideSession : public QObject {
   void finished(int index, bool well);
   void goToNext();
   void findWarnings(int index);
+  /// Writes a recipe beside the saved case: all steps that made its labels since the CT was imported, for replay.
+  void saveRecipe();
 
   PrepareModel& shared_;
   Guide guide_;

@@ -13,6 +13,7 @@
 #include "MarkedPlaces.h"
 
 #include <insonate/tissue/Labels.h>
+#include <insonate/ui/CanvasInput.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
 #include <insonate/ui/Widgets.h>
@@ -52,7 +53,7 @@ CaseViews::CaseViews(PrepareModel& shared, QWidget* parent)
   arrange();
   buildEmpty();
   connectSlices();
-  widgets_[kSlices]->focusProxy()->installEventFilter(this);
+  ui::CanvasInput::of(*widgets_[kSlices]->focusProxy()).add(ui::InputRank::Pointer, *this);
   follow_.setSingleShot(true);
   connect(&follow_, &QTimer::timeout, this, [this] { followProbe(); });
   rest_.setSingleShot(true);
@@ -62,6 +63,7 @@ CaseViews::CaseViews(PrepareModel& shared, QWidget* parent)
     if (rested_) rested_();
   });
   connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] { showCase(); });
+  connect(&shared_.openCase, &OpenCase::saved, this, [this] { replaceCase(); });
   connect(&shared_.appearance, &StructureAppearance::lookChanged, this, [this](int label) { showLook(label); });
   connect(&shared_.slices, &SliceSettings::changed, this, [this] { showSlices(); });
   connect(&shared_.crosshair, &Crosshair::moved, this, [this] { showCrosshair(); });
@@ -279,7 +281,7 @@ void CaseViews::pickAt(QPoint at) {
   if (picked) shared_.crosshair.moveTo(picked->position_mm);
 }
 
-bool CaseViews::eventFilter(QObject* watched, QEvent* event) {
+bool CaseViews::eventFilter(QObject*, QEvent* event) {
   if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonRelease ||
       event->type() == QEvent::MouseButtonDblClick) {
     const auto& mouse = *static_cast<QMouseEvent*>(event);
@@ -294,7 +296,7 @@ bool CaseViews::eventFilter(QObject* watched, QEvent* event) {
       pickAt(mouse.pos());
     }
   }
-  return QWidget::eventFilter(watched, event);
+  return false;
 }
 
 QByteArray CaseViews::saveState() const {

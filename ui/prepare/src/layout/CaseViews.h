@@ -42,8 +42,6 @@ class CaseViews : public QWidget {
   /// Tells whether the 3D view is up to date and in full detail.
   bool isAtRest() const { return !follow_.isActive() && !rest_.isActive(); }
   void setRested(std::function<void()> listener) { rested_ = std::move(listener); }
-  /// Replaces the case by one with the same voxels at another address.
-  void replaceCase();
 
   /// Sets a line to draw over 3D.
   void setSceneLine(std::vector<Vec3> line_mm);
@@ -60,6 +58,8 @@ class CaseViews : public QWidget {
   void arrange();
   void connectSlices();
   void showCase();
+  /// Replaces the case by its saved state, which has the same voxels at another address.
+  void replaceCase();
   void showSeen();
   void showLook(int label);
   void showSlices();

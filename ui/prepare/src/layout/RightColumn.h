@@ -1,65 +1,52 @@
 #pragma once
 
 #include <QSplitter>
-#include <memory>
 #include <vector>
 
 class QScrollArea;
 class QSettings;
 class QTabBar;
-
-namespace insonate::ui {
-class ScenePanel;
-}
-namespace insonate::views {
-class SceneView;
-}
+class QVBoxLayout;
 
 namespace insonate::prepare {
 
-struct PrepareModel;
 class Section;
-class ToolSession;
-class UltrasoundPane;
 
-/// The column beside the slices: the selected tool, two pages of which one is shown, and the ultrasound image of the
-/// labels. The first page is about the structures, the second about the check: findings, difficulty and places.
+/// The column beside the slices: two pages of sections, of which one is shown, sections above both, and a foot that is
+/// always visible.
 class RightColumn : public QSplitter {
-  Q_OBJECT
-
  public:
-  RightColumn(PrepareModel& shared, ToolSession& tools, std::shared_ptr<views::SceneView> scene,
-              QWidget* parent = nullptr);
+  enum class Place {
+    Top,   ///< above both pages; hidden until setShown()
+    Case,  ///< the page about the case and its display
+    Check  ///< the page about findings, difficulty and places
+  };
 
-  ui::ScenePanel& scene() { return *scene_; }
-  UltrasoundPane& ultrasound() { return *ultrasound_; }
+  RightColumn();
+
+  /// Adds a section below the earlier ones of its place. `key` identifies it in the settings.
+  Section& addSection(Place place, const QString& key, const QString& title, QWidget* content);
+  void setFoot(QWidget* foot);
+  void setTips(const QString& casePage, const QString& checkPage);
+
   bool showsCheck() const;
-  void setCheckShown(bool shown);
-  /// Shows or hides the section of the selected tool, expands it, and scrolls to the top of the column.
-  void setToolShown(bool shown);
-  void setToolRemark(const QString& remark);
-  void setCheckRemark(const QString& remark);
+  void showCheck(bool isShown);
+  /// Shows or hides a section of the top, expands it, and scrolls to the top of the column.
+  void setShown(Section& section, bool isShown);
+  /// Scrolls to a widget once the layout is known.
+  void scrollTo(QWidget& widget);
+
   void save(QSettings& settings) const;
   void restore(QSettings& settings);
 
- Q_SIGNALS:
-  /// Emitted when the user wants to make a structure that the check misses.
-  void labelWanted(int label);
-  /// Emitted when the user has chosen what to mark; the next click sets its position.
-  void markingBegun();
-
  private:
-  QWidget* buildPage(const std::vector<Section*>& sections);
-  std::vector<Section*> buildCheck(PrepareModel& shared);
   void showPage();
 
   QTabBar* tabs_;
   QScrollArea* scroll_;
-  QWidget *look_ = nullptr, *checkPage_ = nullptr;
-  Section *tool_ = nullptr, *check_ = nullptr;
-  std::vector<Section*> all_;
-  ui::ScenePanel* scene_;
-  UltrasoundPane* ultrasound_;
+  QVBoxLayout *top_, *case_, *check_;
+  QWidget *casePage_, *checkPage_;
+  std::vector<Section*> all_;  ///< sections of both pages
 };
 
 }  // namespace insonate::prepare

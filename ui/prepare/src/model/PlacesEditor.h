@@ -14,6 +14,10 @@ class LivePatient;
 class Notice;
 class OpenCase;
 
+/// Kinds of places besides landmarks; the kind of a landmark is its code.
+inline const QString kTargetKind = QStringLiteral("target"), kStartPoseKind = QStringLiteral("start pose"),
+                     kVesselKind = QStringLiteral("vessel");
+
 /// Edits targets, landmarks, start poses and the grade of the open case.
 class PlacesEditor : public QObject {
   Q_OBJECT
@@ -29,10 +33,16 @@ class PlacesEditor : public QObject {
   bool lacksStart() const;
   /// Adds to `all` an edit that sets these places, if they differ from the present ones.
   void restore(const CasePlaces& places, QUndoCommand& all);
+  /// Asks for the controls that mark a place of this kind.
+  void requestMark(const QString& kind) { Q_EMIT markRequested(kind); }
+  /// Announces that the user has chosen what to mark, and that the next click sets its position.
+  void beginMarking() { Q_EMIT markingBegun(); }
 
  Q_SIGNALS:
   void edited();
   void changed();
+  void markRequested(const QString& kind);
+  void markingBegun();
 
  private:
   QUndoCommand* edit(CasePlaces places, const QString& what, QUndoCommand* parent);

@@ -55,7 +55,7 @@ PlacesBox::PlacesBox(PrepareModel& shared, QWidget* parent)
                             tr("Splits the selected vessel at the crosshair, to give its parts different names"))),
       remove_(ui::pushButton("placeRemove", tr("Remove"), tr("Removes the selected place"))) {
   arrange();
-  connect(kind_, qOverload<int>(&QComboBox::activated), this, &PlacesBox::markingBegun);
+  connect(kind_, qOverload<int>(&QComboBox::activated), this, [this] { shared_.places.beginMarking(); });
   connect(add_, &QPushButton::clicked, this, [this] { add(); });
   connect(show_, &QPushButton::clicked, this, [this] { show(); });
   connect(put_, &QPushButton::clicked, this, [this] { moveHere(); });
@@ -118,7 +118,7 @@ void PlacesBox::arrange() {
 void PlacesBox::offer(const QString& kind) {
   kind_->setCurrentIndex(std::max(0, kind_->findData(kind)));
   kind_->setFocus();
-  Q_EMIT markingBegun();
+  shared_.places.beginMarking();
 }
 
 void PlacesBox::refresh() {
