@@ -55,7 +55,7 @@ void EditingFeature::makeUndo() {
     redo->setToolTip(what.isEmpty() ? tr("Nothing to redo (Ctrl+Y)") : tr("Redo: %1 (Ctrl+Y)").arg(what));
   });
   commands().beginSection(tr("Case"));
-  commands().addListed(QStringLiteral("Ctrl+Z, Ctrl+Y"), tr("undoes a change, makes it again"));
+  commands().addListed(QStringLiteral("Ctrl+Z, Ctrl+Y"), tr("undoes, redoes the last change"));
 }
 
 void EditingFeature::makeSave() {

@@ -18,6 +18,7 @@
 #include <QPointer>
 #include <QtConcurrent/QtConcurrentRun>
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 namespace insonate::prepare {
@@ -146,7 +147,7 @@ bool GuideSession::isThere(int index) const {
 GuideSession::State GuideSession::state(int index) const {
   const StepProgress& p = progress_[std::size_t(index)];
   if (index == working_) return State::Working;
-  if (isMade(index)) return p.doubts.isEmpty() || p.accepted ? State::Done : State::Doubtful;
+  if (isMade(index)) return p.doubts.isEmpty() || p.accepted ? State::Done : State::Warning;
   if (p.restored || isThere(index)) return State::Done;
   return p.skipped ? State::Skipped : State::ToDo;
 }
@@ -283,7 +284,7 @@ void GuideSession::goToNext() {
 }
 
 void GuideSession::accept() {
-  if (const State now = state(current_); now != State::Done && now != State::Doubtful) return;
+  if (const State now = state(current_); now != State::Done && now != State::Warning) return;
   progress_[std::size_t(current_)].accepted = true;
   if (!step().vessel.empty() && isMade(current_))
     nameVesselAt(shared_, clicks_mm(), QString::fromStdString(step().vessel));
@@ -298,7 +299,7 @@ void GuideSession::skip() {
 
 void GuideSession::proceed() {
   const State now = state(current_);
-  if (now == State::Done || now == State::Doubtful) return accept();
+  if (now == State::Done || now == State::Warning) return accept();
   run();
 }
 

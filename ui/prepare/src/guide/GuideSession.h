@@ -3,6 +3,7 @@
 #include "../labels/StepReplay.h"
 
 #include <insonate/segmentation/Guide.h>
+#include <insonate/ui/StateColors.h>
 
 #include <QObject>
 #include <QString>
@@ -19,7 +20,7 @@ class GuideSession : public QObject {
   Q_OBJECT
 
  public:
-  enum class State { ToDo, Working, Done, Doubtful, Skipped };
+  using State = ui::StepState;
 
   GuideSession(PrepareModel& shared, QObject* parent);
 

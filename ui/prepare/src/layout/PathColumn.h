@@ -20,12 +20,11 @@ class PathStep : public QWidget {
   void add(QWidget* controls, int stretch = 0);
   /// Shows in a few words how far the step is.
   void setMark(const QString& mark);
-
- private:
-  friend class PathColumn;
   void setNumber(int number);
+  /// Tells whether no feature has added controls.
   bool isEmpty() const;
 
+ private:
   QString title_;
   QLabel *heading_, *mark_;
   QVBoxLayout* box_;

@@ -1,6 +1,7 @@
 #include "LabelTerms.h"
 
 #include <insonate/tissue/Labels.h>
+#include <insonate/ui/StateColors.h>
 #include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 
@@ -13,16 +14,8 @@ QString stateWord(LabelState state) {
 }
 
 QIcon stateIcon(LabelState state) {
-  switch (state) {
-    case LabelState::InProgress:
-      return ui::icon(QStringLiteral("state-begun"));
-    case LabelState::Completed:
-      return ui::icon(QStringLiteral("done"), views::theme::kGood);
-    case LabelState::Flagged:
-      return ui::icon(QStringLiteral("flag"), views::theme::kCaution);
-    default:
-      return ui::icon(QStringLiteral("state-none"), views::theme::kQuiet);
-  }
+  constexpr const char* kIcons[] = {"state-none", "state-begun", "done", "flag"};
+  return ui::icon(QLatin1String(kIcons[std::size_t(state)]), ui::colorOf(state));
 }
 
 QString termOf(std::uint8_t tissue) {

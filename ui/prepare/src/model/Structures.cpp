@@ -2,7 +2,9 @@
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/Text.h>
+#include <insonate/ui/Theme.h>
 
+#include <QPainter>
 #include <algorithm>
 
 namespace insonate::prepare {
@@ -73,6 +75,20 @@ QString structureName(std::uint8_t label) {
 
 QString volumeText(double volume_ml) {
   return QString::number(volume_ml, 'f', volume_ml < 10 ? 2 : volume_ml < 100 ? 1 : 0);
+}
+
+QPixmap swatch(views::Colour colour) {
+  constexpr int kSwatch_px = 16, kSharp = 3;
+  QPixmap pixmap(kSwatch_px * kSharp, kSwatch_px * kSharp);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(ui::colour(views::theme::kQuiet), kSharp));
+  painter.setBrush(ui::colour(colour));
+  painter.drawRoundedRect(QRectF(pixmap.rect()).adjusted(2, 2, -2, -2), 3 * kSharp, 3 * kSharp);
+  painter.end();
+  pixmap.setDevicePixelRatio(kSharp);
+  return pixmap;
 }
 
 }  // namespace insonate::prepare

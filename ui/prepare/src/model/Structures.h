@@ -3,6 +3,7 @@
 #include <insonate/cases/PatientCase.h>
 #include <insonate/views/Theme.h>
 
+#include <QPixmap>
 #include <QString>
 #include <array>
 #include <cstdint>
@@ -48,6 +49,8 @@ void putShown(const StructureLooks& looks, const std::vector<std::uint8_t>& stru
 QString structureName(std::uint8_t label);
 /// Formats a volume with a suitable number of digits.
 QString volumeText(double volume_ml);
+/// Returns a small square in a structure's color.
+QPixmap swatch(views::Colour colour);
 
 inline views::Colour viewColour(const LabelColour& c) {
   return {c[0], c[1], c[2]};

@@ -4,7 +4,6 @@
 #include "../model/PrepareModel.h"
 #include "../model/StructureList.h"
 #include "../model/Structures.h"
-#include "../model/Swatch.h"
 #include "../model/TermsEditor.h"
 
 #include <insonate/tissue/Labels.h>

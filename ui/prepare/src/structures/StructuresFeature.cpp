@@ -34,7 +34,8 @@ void StructuresFeature::addCommands() {
        {Qt::Key_W, [&structures] { structures.selectNext(1); }}});
   add("prepare.structures.visibility", tr("H, Space in the table"), tr("hides or shows the selected structure"),
       {{Qt::Key_H, [this] { toggleVisible(); }}});
-  commands().addListed(tr("Enter in the table"), tr("color of the selected structure, without a tool in hand"));
+  commands().addListed(tr("Enter in the table"),
+                       tr("chooses the color of the selected structure, while no tool is selected"));
   add("prepare.structures.lock", QStringLiteral("L"), tr("locks the selected structure against tools, or unlocks it"),
       {{Qt::Key_L, [this] { toggleLocked(); }}});
   add("prepare.structures.state", QStringLiteral("S"),

@@ -3,7 +3,7 @@
 #include "../model/PrepareModel.h"
 #include "../model/StructureAppearance.h"
 #include "../model/StructureList.h"
-#include "../model/Swatch.h"
+#include "../model/Structures.h"
 #include "../model/TermsEditor.h"
 
 #include <insonate/ui/QuietWheel.h>

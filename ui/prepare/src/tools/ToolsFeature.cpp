@@ -42,7 +42,8 @@ void ToolsFeature::addChoosing() {
   for (const int key : used)
     keys.emplace_back(key,
                       [this, key] { tools_->choose(toolOfKey(key, tools_->tool() ? tools_->tool()->id : QString())); });
-  add("prepare.tools.choose", tr("1 to 9, 0"), tr("selects a tool of the palette; again the next of its group"), keys);
+  add("prepare.tools.choose", tr("1 to 9, 0"),
+      tr("selects a tool of the palette; pressed again, the next of its group"), keys);
   add("prepare.tools.last", tr("Space"), tr("selects the tool that was selected before"),
       {{Qt::Key_Space, [this] { tools_->chooseLast(); }}});
 }
