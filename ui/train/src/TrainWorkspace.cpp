@@ -1,6 +1,5 @@
 #include "attempt/AttemptFeature.h"
 #include "devices/DevicesFeature.h"
-#include "feature/KeyTable.h"
 #include "image/ImageExports.h"
 #include "image/ImageFeature.h"
 #include "layout/LayoutFeature.h"
@@ -166,14 +165,6 @@ void TrainWorkspace::reportProblem() {
   Q_EMIT failed(std::exchange(trouble_, {}), tr("Check the case in Prepare, or open another one."), {});
 }
 
-std::vector<ui::Shortcut> TrainWorkspace::shortcuts() const {
-  std::vector<ui::Shortcut> all;
-  for (const KeyRow& row : keyTable())
-    if (*row.keys) all.push_back({tr(row.keys), tr(row.meaning)});
-  for (const MouseRow& row : mouseTable()) all.push_back({tr(row.gesture), tr(row.meaning)});
-  return all;
-}
-
 void TrainWorkspace::saveLayout(QSettings& settings) const {
   for (const Feature* feature : features_) feature->save(settings);
 }
@@ -206,16 +197,7 @@ TrainBenchmark& TrainWorkspace::benchmark() {
   return *benchmark_;
 }
 
-bool TrainWorkspace::key(const QKeyEvent& event, bool isPerformed) {
-  const KeyRow* row = rowFor(event);
-  if (!row) return false;
-  const auto taker = std::ranges::find_if(features_, [row](const Feature* one) { return one->takes(row->command); });
-  if (taker == features_.end()) return false;
-  if (isPerformed) (*taker)->act(*row, {bool(event.modifiers() & Qt::ShiftModifier), event.isAutoRepeat()});
-  return true;
-}
-
-/// Handles keys of the table for the views, and moves the keyboard focus to the image with the mouse.
+/// Performs the commands of keys for the views, and moves the keyboard focus to the image with the mouse.
 bool TrainWorkspace::eventFilter(QObject* watched, QEvent* event) {
   // The views are being deleted.
   if (features_.empty()) return false;
@@ -224,7 +206,7 @@ bool TrainWorkspace::eventFilter(QObject* watched, QEvent* event) {
     // The view's own keys stay with the view, and away from the window's shortcuts.
     if (std::ranges::any_of(features_, [&](const Feature* one) { return one->isViewKey(watched, pressed); }))
       return !isPerformed;
-    return key(pressed, isPerformed);
+    return commands().key(pressed, isPerformed);
   });
   return isHandled || ui::Workspace::eventFilter(watched, event);
 }
@@ -256,7 +238,7 @@ void TrainWorkspace::hideEvent(QHideEvent* event) {
 }
 
 void TrainWorkspace::keyPressEvent(QKeyEvent* event) {
-  if (!key(*event, true)) ui::Workspace::keyPressEvent(event);
+  if (!commands().key(*event, true)) ui::Workspace::keyPressEvent(event);
 }
 
 }  // namespace insonate::train

@@ -31,16 +31,15 @@ class ImageFeature final : public Feature {
 
   ImageExports& exports() { return *exports_; }
 
-  void act(const KeyRow& row, KeyPress press) override;
   void save(QSettings& settings) const override;
   void restore(QSettings& settings) override;
   void setOpening(const QString& what) override;
   void setCompact(bool isCompact) override;
 
- protected:
-  bool isAvailable(Command command) const override;
-
  private:
+  void addCommands();
+  void addMeasuring();
+  void addGestures();
   void buildColumn();
   void buildInput();
   void connectModel();

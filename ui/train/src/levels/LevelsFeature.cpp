@@ -22,13 +22,14 @@
 namespace insonate::train {
 
 LevelsFeature::LevelsFeature(TrainModel& model, TrainLayout& layout, AttemptControl& attempt, AttemptPanel& panel)
-    : Feature(model, layout, {Command::ShowCourse}),
+    : Feature(model, layout),
       attempt_(attempt),
       panel_(panel),
       pageAction_(layout.addAction(tr("Levels and attempts\tJ"), tr("Levels, your progress and your attempts"))),
       course_(new Course(unsentFolder(), this)),
       levels_(new LevelControl(model.status, model.patientCase, model.imaging, model.motion, attempt, *course_, this)),
       keeper_(new AttemptKeeper(attempt, unsentFolder(), this)) {
+  addCommands();
   fillPanel();
   connectParts();
 }
@@ -82,8 +83,16 @@ void LevelsFeature::judge(const AttemptFacts& facts) {
   if (level) verdict_->show(verdictOf(*curriculum, *level, facts, before, course_->progress()));
 }
 
-void LevelsFeature::act(const KeyRow&, KeyPress press) {
-  if (!press.repeated) showPage(!layout_.isPageShown());
+void LevelsFeature::addCommands() {
+  beginSection(KeySection::Attempts);
+  // The page needs no patient.
+  addCommand({.id = "train.levels.show",
+              .text = tr("Levels and attempts"),
+              .does = tr("shows levels, your attempts and the questionnaire, or returns to the image"),
+              .listed = tr("J"),
+              .keys = keys({Qt::Key_J}),
+              .perform = once([this] { showPage(!layout_.isPageShown()); }),
+              .isAvailable = [] { return true; }});
 }
 
 bool LevelsFeature::holdsCase() const {

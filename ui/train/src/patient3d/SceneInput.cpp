@@ -1,6 +1,5 @@
 #include "SceneInput.h"
 
-#include "../feature/KeyTable.h"
 #include "../model/HandsControl.h"
 #include "../model/NeedleMotion.h"
 #include "../model/ProbeMotion.h"
@@ -99,7 +98,7 @@ bool SceneInput::moved(const QMouseEvent& event) {
   const QPointF by = event.localPos() - last_;
   last_ = event.localPos();
   if (drag_ == Drag::Rotate) {
-    motion_.move(HandAxis::Rotation, by.x() * kDrag_degPerPx);
+    motion_.move(HandAxis::Rotation, by.x() * ProbeMotion::kDrag_degPerPx);
   } else if (drag_ == Drag::Needle) {
     if (const auto picked = view_.pick(pointer(event).at)) hands_.needleTo(picked->position_mm);
   } else if (const auto picked = view_.pick(pointer(event).at)) {
@@ -112,7 +111,7 @@ bool SceneInput::wheel(const QWheelEvent& event) {
   if (!event.modifiers().testFlag(Qt::ShiftModifier)) return false;
   constexpr double kNotch = 120;  // in eighths of a degree, as Qt counts
   const QPoint turned = event.angleDelta();
-  needle_.move(NeedleAxis::Advance, -(turned.y() != 0 ? turned.y() : turned.x()) / kNotch * kWheelNeedle_mm);
+  needle_.move(NeedleAxis::Advance, -(turned.y() != 0 ? turned.y() : turned.x()) / kNotch * NeedleMotion::kWheel_mm);
   return true;
 }
 

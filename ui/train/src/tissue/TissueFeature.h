@@ -14,11 +14,12 @@ class TissueFeature final : public Feature {
  public:
   TissueFeature(TrainModel& model, TrainLayout& layout);
 
-  void act(const KeyRow& row, KeyPress press) override;
   void save(QSettings& settings) const override;
   void restore(QSettings& settings) override;
 
  private:
+  void addCommands();
+
   TissueShown* shown_;
 };
 
