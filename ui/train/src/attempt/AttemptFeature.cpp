@@ -20,13 +20,12 @@ constexpr const char* kAttemptGroup = "attempt";
 }  // namespace
 
 AttemptFeature::AttemptFeature(TrainModel& model, TrainLayout& layout)
-    : Feature(model, layout),
-      control_(new AttemptControl(model, {}, this)),
-      panel_(new AttemptPanel(model.disclosure, model.patientCase, model.imaging, model.live, *control_)) {
+    : Feature(model, layout), control_(new AttemptControl(model, {}, this)) {
   addCommands();
+  panel_ = new AttemptPanel(model.disclosure, model.patientCase, model.imaging, model.live, *control_, commands());
   layout.left().setHead(panel_, [this](int maximum_px) { panel_->setMostHeight(maximum_px); });
-  layout.image().add(ImageColumn::Line,
-                     new AttemptStrip(model.disclosure, model.hands, model.patientCase, *control_, &layout.image()));
+  layout.image().add(ImageColumn::Line, new AttemptStrip(model.disclosure, model.hands, model.patientCase, *control_,
+                                                         commands(), &layout.image()));
   connect(control_, &AttemptControl::stateChanged, this, [this] {
     showNeedle();
     // Not from within the change itself: the case goes with what belongs to it.

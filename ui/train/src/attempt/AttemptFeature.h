@@ -32,7 +32,7 @@ class AttemptFeature final : public Feature {
   void showNeedle();
 
   AttemptControl* control_;
-  AttemptPanel* panel_;
+  AttemptPanel* panel_ = nullptr;
 };
 
 }  // namespace insonate::train

@@ -5,6 +5,8 @@
 
 #include <insonate/ui/Workspace.h>
 
+#include <QAction>
+#include <QStringList>
 #include <utility>
 
 namespace insonate::train {
@@ -36,6 +38,15 @@ void Feature::beginSection(KeySection section) {
 void Feature::addCommand(ui::Command command) {
   if (!command.isAvailable) command.isAvailable = [this] { return isPatientShown(); };
   commands().add(std::move(command));
+}
+
+QAction* Feature::addSwitch(const QString& id, std::function<bool()> isOn) {
+  QAction* action = commands().action(id);
+  action->setCheckable(true);
+  // Qt changes the mark before the command is performed, which may be unavailable or refused.
+  connect(action, &QAction::triggered, this, [action, isOn = std::move(isOn)] { action->setChecked(isOn()); });
+  layout_.addToViewMenu(*action);
+  return action;
 }
 
 bool Feature::isPatientShown() const {

@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <vector>
 
+class QAction;
 class QSettings;
 
 namespace insonate::ui {
@@ -64,6 +65,9 @@ class Feature : public QObject {
   void beginSection(KeySection section);
   /// Adds a command. If it does not say when it is available, it is while isPatientShown().
   void addCommand(ui::Command command);
+  /// Adds a command that switches something on and off to the View menu, with a check mark while `isOn`. The feature
+  /// sets the mark when something else switches it.
+  QAction* addSwitch(const QString& id, std::function<bool()> isOn);
   /// Tells whether a patient is open and no page covers image and controls.
   bool isPatientShown() const;
 

@@ -28,15 +28,14 @@
 
 namespace insonate::train {
 
-ImageFeature::ImageFeature(TrainModel& model, TrainLayout& layout, QWidget& probeChooser)
-    : Feature(model, layout),
-      panel_(new ImagePanel(model.disclosure, model.imaging, probeChooser)),
-      besideAction_(layout.addAction(tr("CT beside the image\tC"), tr("The same plane of the CT at the same scale"))) {
+ImageFeature::ImageFeature(TrainModel& model, TrainLayout& layout, QWidget& probeChooser) : Feature(model, layout) {
   addCommands();
   addMeasuring();
   addGestures();
+  besideAction_ = addSwitch("train.image.ctBeside", [this] { return beside_->isShown(); });
+  panel_ = new ImagePanel(model.disclosure, model.imaging, probeChooser, commands());
   layout.controls().addSection(panel_);
-  layout.controls().setFoot(new FreezeButton(model.patientCase, model.live));
+  layout.controls().setFoot(new FreezeButton(model.patientCase, model.live, commands().toolTip("train.image.freeze")));
   buildColumn();
   buildInput();
   connectModel();
@@ -60,7 +59,7 @@ void ImageFeature::buildColumn() {
   vesselNote_->setWordWrap(true);
   vesselNote_->setContentsMargins(12, ui::kSmallGap, 12, ui::kSmallGap);
   ui::setRole(vesselNote_, "quiet");
-  cine_ = new CineBar(model_.patientCase, model_.live, &column);
+  cine_ = new CineBar(model_.patientCase, model_.live, commands(), &column);
   column.add(ImageColumn::Image, empty_);
   column.add(ImageColumn::Image, panes_);
   column.add(ImageColumn::Note, vesselNote_);
@@ -93,7 +92,7 @@ void ImageFeature::connectModel() {
   connect(&model_.imaging, &ImagingModel::setupChanged, this, [this] { showNotice(); });
   connect(&model_.disclosure, &DisclosureModel::changed, this, [this] {
     const bool anatomy = model_.disclosure.current().anatomy;
-    if (!anatomy) besideAction_->setChecked(false);
+    if (!anatomy && beside_->isShown()) setCtBeside(false);
     cine_->setCtBesideOffered(anatomy);
     besideAction_->setEnabled(anatomy);
   });
@@ -104,7 +103,6 @@ void ImageFeature::connectModel() {
   connect(&views, &SharedViews::windowLevelChanged, this,
           [this](views::WindowLevel value) { beside_->view().setWindowLevel(value); });
   connect(cine_, &CineBar::ctBesideChosen, this, [this](bool on) { setCtBeside(on); });
-  connect(besideAction_, &QAction::toggled, this, [this](bool on) { setCtBeside(on); });
 }
 
 void ImageFeature::addCommands() {
@@ -268,7 +266,7 @@ void ImageFeature::showFrozen() {
 }
 
 void ImageFeature::setCtBeside(bool isShown) {
-  if (isShown && !model_.disclosure.mayShowAnatomy()) return besideAction_->setChecked(false);
+  if (isShown && !model_.disclosure.mayShowAnatomy()) return;
   besideAction_->setChecked(isShown);
   // Leaving the full size of a view would show what was visible before.
   layout_.views().restoreSizes();
@@ -277,7 +275,7 @@ void ImageFeature::setCtBeside(bool isShown) {
 }
 
 void ImageFeature::save(QSettings& settings) const {
-  settings.setValue("ctBeside", besideAction_->isChecked());
+  settings.setValue("ctBeside", beside_->isShown());
   exports_->save(settings);
   panel_->save(settings);
 }

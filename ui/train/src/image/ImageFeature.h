@@ -50,8 +50,8 @@ class ImageFeature final : public Feature {
   void showFrozen();
   void setCtBeside(bool isShown);
 
-  ImagePanel* panel_;
-  QAction* besideAction_;
+  ImagePanel* panel_ = nullptr;
+  QAction* besideAction_ = nullptr;
   QLabel *empty_ = nullptr, *vesselNote_ = nullptr;
   EqualPanes* panes_ = nullptr;  ///< contains the image and the CT beside it
   CtBeside* beside_ = nullptr;

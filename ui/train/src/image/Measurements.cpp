@@ -18,8 +18,6 @@ Measurements::Measurements(StatusLine& status, History& history, SharedViews& vi
     : QObject(parent), status_(status), history_(history), views_(views), input_(input), cine_(cine) {
   for (const SharedViews::Slice& slice : views_.slices()) addSlice(slice);
   connect(&views_, &SharedViews::sliceAdded, this, [this](const SharedViews::Slice& slice) { addSlice(slice); });
-  connect(&cine_, &CineBar::calliperChosen, this, [this](int kind) { choose(kind); });
-  connect(&cine_, &CineBar::clearCallipers, this, [this] { clear(); });
   input_.setMeasured([this] { show(); });
 }
 

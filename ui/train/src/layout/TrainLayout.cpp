@@ -58,13 +58,9 @@ bool TrainLayout::isPageShown() const {
   return page_ && page_->isVisibleTo(&workspace_);
 }
 
-QAction* TrainLayout::addAction(const QString& text, const QString& tip, bool isCheckable) {
-  auto* action = new QAction(text, &workspace_);
-  action->setCheckable(isCheckable);
-  action->setToolTip(tip);
+void TrainLayout::addToViewMenu(QAction& action) {
   const QList<QAction*> others = workspace_.actions();
-  workspace_.insertAction(others.isEmpty() ? nullptr : others.front(), action);
-  return action;
+  workspace_.insertAction(others.isEmpty() ? nullptr : others.front(), &action);
 }
 
 }  // namespace insonate::train

@@ -40,7 +40,7 @@ class LevelsFeature final : public Feature {
 
   AttemptControl& attempt_;
   AttemptPanel& panel_;
-  QAction* pageAction_;
+  QAction* pageAction_ = nullptr;
   Course* course_;
   LevelControl* levels_;
   AttemptKeeper* keeper_;

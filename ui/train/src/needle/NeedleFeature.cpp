@@ -11,9 +11,10 @@ namespace insonate::train {
 
 NeedleFeature::NeedleFeature(TrainModel& model, TrainLayout& layout, QAction& showDevices) : Feature(model, layout) {
   addCommands();
-  auto* controls = new NeedleControls(model.status, model.disclosure, model.hands, model.motion, model.needle);
+  auto* controls =
+      new NeedleControls(model.status, model.disclosure, model.hands, model.motion, model.needle, commands());
+  controls->setShowDevices(showDevices);
   layout.controls().addSection(controls);
-  connect(controls, &NeedleControls::devicesWanted, &showDevices, &QAction::trigger);
 }
 
 void NeedleFeature::addCommands() {

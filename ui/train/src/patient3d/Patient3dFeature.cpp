@@ -21,9 +21,9 @@
 
 namespace insonate::train {
 
-Patient3dFeature::Patient3dFeature(TrainModel& model, TrainLayout& layout)
-    : Feature(model, layout), patient_(new PatientViews(model)) {
+Patient3dFeature::Patient3dFeature(TrainModel& model, TrainLayout& layout) : Feature(model, layout) {
   addCommands();
+  patient_ = new PatientViews(model, commands());
   layout.setPatient(patient_);
   SharedViews& views = layout.views();
   views.add(patient_->sceneWidget());

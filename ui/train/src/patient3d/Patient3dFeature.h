@@ -25,7 +25,7 @@ class Patient3dFeature final : public Feature {
   void addWindows();
   void connectNeedle();
 
-  PatientViews* patient_;
+  PatientViews* patient_ = nullptr;
   bool touchesTray_ = false;  ///< the used needle, held in a hand, touches the tray
 };
 

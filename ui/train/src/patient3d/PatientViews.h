@@ -21,6 +21,7 @@ class QStackedWidget;
 class QToolButton;
 
 namespace insonate::ui {
+class Commands;
 class ScenePanel;
 class ViewWidget;
 }  // namespace insonate::ui
@@ -37,7 +38,8 @@ struct TrainModel;
 /// the ultrasound image.
 class PatientViews : public QWidget {
  public:
-  explicit PatientViews(TrainModel& model, QWidget* parent = nullptr);
+  /// `commands`: those of this column, for tooltips and menus.
+  PatientViews(TrainModel& model, const ui::Commands& commands, QWidget* parent = nullptr);
   ~PatientViews() override;
 
   views::SceneView& scene() { return *scene_; }
@@ -75,7 +77,7 @@ class PatientViews : public QWidget {
   void setFollowing(bool following);
 
  private:
-  QWidget* buildMpr();
+  QWidget* buildMpr(const ui::Commands& commands);
   QWidget* buildSilence();
   QWidget* buildScenePanel(QWidget* parent);
   /// Shows the single slice, the four slices or the 3D settings below the 3D view.

@@ -16,11 +16,10 @@ constexpr const char* kTissueGroup = "tissue";
 
 }  // namespace
 
-TissueFeature::TissueFeature(TrainModel& model, TrainLayout& layout)
-    : Feature(model, layout),
-      shown_(new TissueShown(model.status, model.disclosure, model.patientCase, model.live, layout.views().image(),
-                             &layout.image())) {
+TissueFeature::TissueFeature(TrainModel& model, TrainLayout& layout) : Feature(model, layout) {
   addCommands();
+  shown_ = new TissueShown(model.status, model.disclosure, model.patientCase, model.live, layout.views().image(),
+                           commands(), &layout.image());
   layout.image().add(ImageColumn::Curve, &shown_->curve());
   layout.image().add(ImageColumn::Line, &shown_->strip());
   auto* controls = new TissueControls(model.status, model.imaging);

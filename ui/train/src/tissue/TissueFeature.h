@@ -20,7 +20,7 @@ class TissueFeature final : public Feature {
  private:
   void addCommands();
 
-  TissueShown* shown_;
+  TissueShown* shown_ = nullptr;
 };
 
 }  // namespace insonate::train
