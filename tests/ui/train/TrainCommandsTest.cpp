@@ -3,7 +3,10 @@
 #include <insonate/simulator/NeedleHand.h>
 #include <insonate/ui/Commands.h>
 
+#include <QAction>
 #include <QKeySequence>
+#include <QMenu>
+#include <QToolButton>
 #include <array>
 #include <cmath>
 #include <map>
@@ -203,6 +206,102 @@ TEST_F(TrainCommands, NumberKeysRecallPositionsInTheirOrder) {
   }
   key(Qt::Key_9);
   EXPECT_EQ(list->currentRow(), 0) << "there is no ninth position";
+}
+
+TEST_F(TrainCommands, TooltipsAndMenusSayTheKeysOfTheCommands) {
+  const auto& commands = workspace_->commands();
+  EXPECT_EQ(child<QPushButton>("freeze")->toolTip().toStdString(),
+            "Freezes the image, or makes it live again (Space, F)");
+  const std::pair<const char*, const char*> same[] = {{"ctBesideButton", "train.image.ctBeside"},
+                                                      {"attemptDraw", "train.attempt.aspirate"},
+                                                      {"attemptNewNeedle", "train.attempt.newNeedle"},
+                                                      {"levelsOpen", "train.levels.show"}};
+  for (const auto& [object, id] : same)
+    EXPECT_EQ(child<QPushButton>(object)->toolTip().toStdString(), commands.toolTip(id).toStdString()) << object;
+  EXPECT_EQ(child<QToolButton>("allSlicesTab")->toolTip(), commands.toolTip("train.patient3d.allSlices"));
+  for (const char* object : {"attemptStart", "attemptFinish"})
+    EXPECT_TRUE(child<QPushButton>(object)->toolTip().endsWith(" (Ctrl+Return)")) << object;
+  EXPECT_TRUE(child<QPushButton>("needleAlong")->toolTip().endsWith(" (I)"));
+  EXPECT_TRUE(child<QLineEdit>("needle_angle")->toolTip().contains("(Alt+W, Alt+S)"));
+  EXPECT_TRUE(child<QPushButton>("save")->toolTip().contains("(Ctrl+P)"));
+  EXPECT_TRUE(child<QPushButton>("tissueMenu")->toolTip().contains("(T)"));
+  EXPECT_TRUE(child<QComboBox>("effect")->toolTip().contains("(N, Shift+N; 0 "));
+  QStringList entries;
+  for (const QAction* action : workspace_->actions()) entries << action->text();
+  EXPECT_EQ(entries.join(", ").toStdString(),
+            "CT beside the image\tC, Left-handed layout, Devices ..., Levels and attempts\tJ");
+  QStringList windows;
+  for (const QAction* action : child<QToolButton>("sliceMenu")->menu()->actions()) windows << action->text();
+  EXPECT_TRUE(windows.contains("soft tissue\tAlt+1") && windows.contains("brain\tAlt+5"));
+}
+
+TEST_F(TrainCommands, TheCheckMarkOfAViewEntryFollowsWhatItSwitches) {
+  QAction* beside = workspace_->commands().action("train.image.ctBeside");
+  QAction* levels = workspace_->commands().action("train.levels.show");
+  QAction* leftHanded = workspace_->commands().action("train.layout.leftHanded");
+  EXPECT_TRUE(beside->isCheckable() && levels->isCheckable() && leftHanded->isCheckable());
+  beside->trigger();
+  EXPECT_FALSE(beside->isChecked()) << "there is no patient";
+  openCase();
+  beside->trigger();
+  EXPECT_TRUE(beside->isChecked() && child<QPushButton>("ctBesideButton")->isChecked());
+  key(Qt::Key_C);
+  EXPECT_FALSE(beside->isChecked());
+  key(Qt::Key_J);
+  EXPECT_TRUE(levels->isChecked());
+  QTest::keyClick(child<QWidget>("course"), Qt::Key_J);
+  EXPECT_FALSE(levels->isChecked()) << "the page leaves the key to the command";
+  levels->trigger();
+  EXPECT_TRUE(levels->isChecked() && child<QWidget>("course")->isVisible());
+  QTest::keyClick(child<QWidget>("course"), Qt::Key_Escape);
+  EXPECT_FALSE(levels->isChecked());
+  leftHanded->trigger();
+  EXPECT_TRUE(leftHanded->isChecked());
+  leftHanded->trigger();
+  EXPECT_FALSE(leftHanded->isChecked());
+}
+
+TEST_F(TrainCommands, TheMeasureMenuShowsTheSelectedCaliper) {
+  openCase();
+  auto* button = child<QPushButton>("measure");
+  const QList<QAction*> entries = button->menu()->actions();
+  ASSERT_GE(entries.size(), 3);
+  EXPECT_EQ(entries[0]->text().toStdString(), "Distance\tL");
+  entries[0]->trigger();
+  EXPECT_TRUE(entries[0]->isChecked());
+  EXPECT_EQ(button->text().toStdString(), "Distance");
+  key(Qt::Key_V);
+  EXPECT_TRUE(!entries[0]->isChecked() && entries[2]->isChecked());
+  EXPECT_EQ(button->text().toStdString(), "Angle");
+  entries[2]->trigger();
+  EXPECT_FALSE(entries[2]->isChecked()) << "a selected caliper is deselected by selecting it again";
+  EXPECT_EQ(button->text().toStdString(), "Measure");
+  entries[1]->trigger();
+  key(Qt::Key_J);
+  entries[0]->trigger();
+  EXPECT_TRUE(entries[1]->isChecked() && !entries[0]->isChecked()) << "a page covers the image";
+}
+
+TEST_F(TrainCommands, KeysOfAViewTakePrecedenceOverTheWindowsShortcuts) {
+  openCase();
+  const auto takes = [](QWidget* canvas, int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QKeyEvent asked(QEvent::ShortcutOverride, key, modifiers);
+    asked.ignore();
+    QApplication::sendEvent(canvas, &asked);
+    return asked.isAccepted();
+  };
+  EXPECT_TRUE(takes(canvas_, Qt::Key_A) && takes(canvas_, Qt::Key_P, Qt::ControlModifier));
+  EXPECT_FALSE(takes(canvas_, Qt::Key_S, Qt::ControlModifier)) << "saves the case, in every workspace";
+  EXPECT_FALSE(takes(canvas_, Qt::Key_G));
+  EXPECT_FALSE(takes(canvas_, Qt::Key_Escape));
+  for (auto* view : workspace_->findChildren<ui::ViewWidget*>()) {
+    if (view->accessibleName() != "CT slice") continue;
+    EXPECT_TRUE(takes(view->focusProxy(), Qt::Key_G)) << "the slice's own";
+    EXPECT_TRUE(takes(view->focusProxy(), Qt::Key_Space)) << "a command's, over every view";
+    const double rock_deg = model_->motion.numbers().rock_deg;
+    QTest::keyClick(view->focusProxy(), Qt::Key_D);
+    EXPECT_EQ(model_->motion.numbers().rock_deg, rock_deg) << "the slice uses D itself";
+  }
 }
 
 TEST_F(TrainCommands, AHeldKeyFreezesOnce) {

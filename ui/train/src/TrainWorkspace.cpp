@@ -14,7 +14,7 @@
 
 #include <insonate/train/TrainBenchmark.h>
 #include <insonate/train/TrainWorkspace.h>
-#include <insonate/ui/KeyOffer.h>
+#include <insonate/ui/CanvasInput.h>
 #include <insonate/ui/ViewWidget.h>
 
 #include <QAbstractSpinBox>
@@ -35,9 +35,7 @@ constexpr int kRoomy_px = 1260;
 TrainWorkspace::TrainWorkspace(QWidget* parent)
     : ui::Workspace(parent), model_(new TrainModel(this)), layout_(std::make_unique<TrainLayout>(*this)) {
   setObjectName("train");
-  const auto watch = [this](ui::ViewWidget* view) { view->focusProxy()->installEventFilter(this); };
-  watch(&layout_->views().imageWidget());
-  connect(&layout_->views(), &SharedViews::added, this, watch);
+  ui::CanvasInput::of(*layout_->views().imageWidget().focusProxy()).add(ui::InputRank::Observer, *this);
   addFeatures();
   layout_->assemble();
   connectModel();
@@ -197,26 +195,18 @@ TrainBenchmark& TrainWorkspace::benchmark() {
   return *benchmark_;
 }
 
-/// Performs the commands of keys for the views, and moves the keyboard focus to the image with the mouse.
+/// Gives the image the keyboard focus when the pointer enters it.
 bool TrainWorkspace::eventFilter(QObject* watched, QEvent* event) {
-  // The views are being deleted.
-  if (features_.empty()) return false;
-  if (event->type() == QEvent::Enter) takeKeyboard(watched);
-  const bool isHandled = ui::offerKey(*event, [&](const QKeyEvent& pressed, bool isPerformed) {
-    // The view's own keys stay with the view, and away from the window's shortcuts.
-    if (std::ranges::any_of(features_, [&](const Feature* one) { return one->isViewKey(watched, pressed); }))
-      return !isPerformed;
-    return commands().key(pressed, isPerformed);
-  });
-  return isHandled || ui::Workspace::eventFilter(watched, event);
+  // Without a layout, the views are being deleted.
+  if (event->type() == QEvent::Enter && layout_) takeKeyboard();
+  return ui::Workspace::eventFilter(watched, event);
 }
 
-void TrainWorkspace::takeKeyboard(const QObject* canvas) {
+void TrainWorkspace::takeKeyboard() {
   // A field in which the user types keeps the keyboard focus.
   QWidget* holder = QApplication::focusWidget();
   const bool typing = qobject_cast<QLineEdit*>(holder) || qobject_cast<QAbstractSpinBox*>(holder);
-  ui::ViewWidget& image = layout_->views().imageWidget();
-  if (canvas == image.focusProxy() && isActiveWindow() && !typing) image.setFocus(Qt::MouseFocusReason);
+  if (isActiveWindow() && !typing) layout_->views().imageWidget().setFocus(Qt::MouseFocusReason);
 }
 
 void TrainWorkspace::resizeEvent(QResizeEvent* event) {

@@ -31,9 +31,6 @@ class Feature : public QObject {
  public:
   Feature(TrainModel& model, TrainLayout& layout);
 
-  /// Tells whether a view handles a key itself although a command has it.
-  virtual bool isViewKey(const QObject* /*canvas*/, const QKeyEvent& /*event*/) const { return false; }
-
   virtual void save(QSettings& /*settings*/) const {}
   virtual void restore(QSettings& /*settings*/) {}
 

@@ -4,6 +4,8 @@
 #include "../model/NeedleMotion.h"
 #include "../model/ProbeMotion.h"
 
+#include <insonate/ui/CanvasInput.h>
+
 #include <QDateTime>
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -21,7 +23,7 @@ constexpr qint64 kOneTurnOfWheel_ms = 600;  // notches closer than this are undo
 ImageInput::ImageInput(ImagingModel& imaging, ProbeMotion& motion, NeedleMotion& needle, views::UltrasoundView& view,
                        QWidget& canvas, QObject* parent)
     : QObject(parent), imaging_(imaging), motion_(motion), needle_(needle), view_(view), canvas_(canvas) {
-  canvas.installEventFilter(this);
+  ui::CanvasInput::of(canvas).add(ui::InputRank::Pointer, *this);
 }
 
 bool ImageInput::eventFilter(QObject* watched, QEvent* event) {

@@ -22,7 +22,7 @@ TrainLayout::TrainLayout(ui::Workspace& workspace)
       image_(new ImageColumn),
       columns_(new Columns(&workspace)) {
   leftPages_->addWidget(controls_);
-  views_ = new SharedViews(*image_);
+  views_ = new SharedViews(workspace.commands(), *image_);
   auto* box = new QVBoxLayout(&workspace);
   box->setContentsMargins(0, 0, 0, 0);
   box->addWidget(columns_);

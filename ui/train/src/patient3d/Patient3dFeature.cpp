@@ -20,6 +20,33 @@
 #include <vector>
 
 namespace insonate::train {
+namespace {
+
+/// Keys that a CT slice uses itself: structures, fit, other slices.
+SharedViews::OwnKeys keysOfSlice(const views::MprView& slice) {
+  return [&slice](const QKeyEvent& event) {
+    if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) return false;
+    switch (event.key()) {
+      case Qt::Key_A:
+      case Qt::Key_D:
+      case Qt::Key_G:
+      case Qt::Key_R:
+        return true;
+      // The probe's plane has no neighbors: there the arrows move the probe.
+      case Qt::Key_Up:
+      case Qt::Key_Down:
+      case Qt::Key_Left:
+      case Qt::Key_Right:
+      case Qt::Key_PageUp:
+      case Qt::Key_PageDown:
+        return slice.kind() != views::SliceKind::Oblique;
+      default:
+        return false;
+    }
+  };
+}
+
+}  // namespace
 
 Patient3dFeature::Patient3dFeature(TrainModel& model, TrainLayout& layout) : Feature(model, layout) {
   addCommands();
@@ -27,9 +54,10 @@ Patient3dFeature::Patient3dFeature(TrainModel& model, TrainLayout& layout) : Fea
   layout.setPatient(patient_);
   SharedViews& views = layout.views();
   views.add(patient_->sceneWidget());
-  views.addSlice({&patient_->mpr(), &patient_->mprWidget()});
+  views.addSlice({&patient_->mpr(), &patient_->mprWidget()}, keysOfSlice(patient_->mpr()));
   FourSlices& four = patient_->allSlices();
-  for (std::size_t n = 0; n < FourSlices::kCount; ++n) views.addSlice({&four.slice(n), &four.widget(n)});
+  for (std::size_t n = 0; n < FourSlices::kCount; ++n)
+    views.addSlice({&four.slice(n), &four.widget(n)}, keysOfSlice(four.slice(n)));
   patient_->setWindowChanged([&views](views::WindowLevel value) { Q_EMIT views.windowLevelChanged(value); });
   patient_->setRoomWanted([this](bool more) { layout_.columns().expandPatient(more); });
   connectNeedle();
@@ -101,28 +129,6 @@ void Patient3dFeature::addWindows() {
               .listed = tr("Alt+1 to Alt+%1").arg(names.size()),
               .keys = std::move(numbers),
               .perform = {}});
-}
-
-bool Patient3dFeature::isViewKey(const QObject* canvas, const QKeyEvent& event) const {
-  const views::MprView* slice = patient_->sliceOf(canvas);
-  if (!slice || event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) return false;
-  switch (event.key()) {
-    case Qt::Key_A:
-    case Qt::Key_D:
-    case Qt::Key_G:
-    case Qt::Key_R:
-      return true;
-    // The probe's plane has no neighbors: there the arrows are the probe's.
-    case Qt::Key_Up:
-    case Qt::Key_Down:
-    case Qt::Key_Left:
-    case Qt::Key_Right:
-    case Qt::Key_PageUp:
-    case Qt::Key_PageDown:
-      return slice->kind() != views::SliceKind::Oblique;
-    default:
-      return false;
-  }
 }
 
 void Patient3dFeature::setCompact(bool isCompact) {

@@ -15,7 +15,6 @@ class Patient3dFeature final : public Feature {
 
   PatientViews& patientViews() { return *patient_; }
 
-  bool isViewKey(const QObject* canvas, const QKeyEvent& event) const override;
   void save(QSettings& settings) const override;
   void restore(QSettings& settings) override;
   void setCompact(bool isCompact) override;

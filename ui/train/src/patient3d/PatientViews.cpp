@@ -221,13 +221,6 @@ void PatientViews::setAllSlices(bool on) {
   want();
 }
 
-views::MprView* PatientViews::sliceOf(const QObject* canvas) {
-  if (canvas == mprWidget_->focusProxy()) return mpr_.get();
-  for (std::size_t n = 0; n < FourSlices::kCount; ++n)
-    if (canvas == four_->widget(n).focusProxy()) return &four_->slice(n);
-  return nullptr;
-}
-
 void PatientViews::setSliceKind(views::SliceKind kind) {
   if (auto* button = kinds_->button(int(kind))) button->setChecked(true);
   showBelow(mprWidget_);

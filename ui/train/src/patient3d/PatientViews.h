@@ -59,8 +59,6 @@ class PatientViews : public QWidget {
   /// false afterwards.
   void setRoomWanted(std::function<void(bool more)> listener) { roomWanted_ = std::move(listener); }
   FourSlices& allSlices() { return *four_; }
-  /// Returns the slice that a canvas shows; null if it shows none.
-  views::MprView* sliceOf(const QObject* canvas);
   /// Applies a preset of views::windowLevelPresets().
   void setSliceWindow(int preset);
   /// Sets a listener that is called when the user changes window or level of a slice.

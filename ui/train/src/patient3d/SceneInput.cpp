@@ -4,6 +4,8 @@
 #include "../model/NeedleMotion.h"
 #include "../model/ProbeMotion.h"
 
+#include <insonate/ui/CanvasInput.h>
+
 #include <QApplication>
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -14,7 +16,7 @@ namespace insonate::train {
 SceneInput::SceneInput(HandsControl& hands, ProbeMotion& motion, NeedleMotion& needle, views::SceneView& view,
                        QWidget& canvas, QObject* parent)
     : QObject(parent), hands_(hands), motion_(motion), needle_(needle), view_(view), canvas_(canvas) {
-  canvas.installEventFilter(this);
+  ui::CanvasInput::of(canvas).add(ui::InputRank::Pointer, *this);
 }
 
 bool SceneInput::eventFilter(QObject* watched, QEvent* event) {

@@ -73,7 +73,7 @@ class TrainWorkspace : public ui::Workspace {
   void takeSavedCase();
   void checkReady();
   void reportProblem();
-  void takeKeyboard(const QObject* canvas);
+  void takeKeyboard();
 
   TrainModel* model_;  ///< child object, deleted after the widgets
   std::unique_ptr<TrainLayout> layout_;
