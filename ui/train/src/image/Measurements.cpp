@@ -62,13 +62,12 @@ void Measurements::clear() {
     }
     other = std::move(now);
     show();
-    return true;
   };
   const bool any = !input_.callipers().done().empty() ||
                    std::ranges::any_of(slices_, [](const auto* slice) { return !slice->callipers().empty(); });
   History::Exchange clear = exchange;
   clear();
-  if (any) history_.add(tr("removal of the measurements").toStdString(), std::move(clear));
+  if (any) history_.add(tr("removal of the measurements"), std::move(clear));
 }
 
 void Measurements::clearImage() {
