@@ -55,8 +55,8 @@ TEST_F(CurriculumUpkeep, AnInstructorIsRefusedTheLogAndOtherClasses) {
         std::string("statistics class 'Year 2'"), "export csv 'Year 2' " + path("x.csv"), "levels " + carol,
         "attempts list " + carol, "forms filled " + carol, std::string("forms agreement jugular_checklist 'Year 2'"),
         "classes import 'Year 2' " + list})
-    EXPECT_THAT(refused(command + " --as miller"),
-                AnyOf(HasSubstr("You do not have the permission for this"), HasSubstr("among the classes that miller can see")))
+    EXPECT_THAT(refused(command + " --as miller"), AnyOf(HasSubstr("You do not have the permission for this"),
+                                                         HasSubstr("among the classes that miller can see")))
         << command;
   told("statistics class 'Year 1' --as miller");
   int refusals = 0;

@@ -86,7 +86,8 @@ TEST_F(TrainNeedle, WhereItCannotGoIsSaidAndLeavesIt) {
   // All the way: freezing stops it where it is, and the number follows.
   ASSERT_TRUE(waitFor([&] { return std::abs(held().advance_mm - 15) < 1e-9; }));
   key(Qt::Key_W, Qt::AltModifier);
-  EXPECT_TRUE(workspace_->statusText().contains("Withdraw it to a depth of 10 mm")) << workspace_->statusText().toStdString();
+  EXPECT_TRUE(workspace_->statusText().contains("Withdraw it to a depth of 10 mm"))
+      << workspace_->statusText().toStdString();
   key(Qt::Key_Left, Qt::AltModifier);
   EXPECT_TRUE(workspace_->statusText().contains("Withdraw it before"));
   type("needle_depth", "99");
