@@ -107,7 +107,8 @@ TEST_F(CurriculumTrust, ASessionsScriptPassesNoLevel) {
   ASSERT_EQ(session.status, 0) << session.errors;
   EXPECT_THAT(refused("attempts add " + path("scripted.attempt") + " --level first --as alice"),
               HasSubstr("was recorded from a script"));
-  EXPECT_THAT(refused("attempts add " + path("scripted.attempt") + " --as alice"), HasSubstr("does not count for any person"))
+  EXPECT_THAT(refused("attempts add " + path("scripted.attempt") + " --as alice"),
+              HasSubstr("does not count for any person"))
       << "not as free practice either";
   EXPECT_TRUE(told("attempts list --as alice")["attempts"].empty());
 }

@@ -140,7 +140,8 @@ TEST_F(ReaderFuzz, AHeaderAloneGetsNoMemoryAndNoPatience) {
     EXPECT_THAT(asCt(folder_ / "deep.mha"), testing::HasSubstr(std::string("'") + dimensions + "' dimensions (NDims)"));
   }
   test::writeText(folder_ / "cut.dcm", written("seg.dcm").substr(0, 900));
-  EXPECT_THAT(asLabels(folder_ / "cut.dcm"), testing::HasSubstr("is not a complete DICOM file: it is cut off or damaged"));
+  EXPECT_THAT(asLabels(folder_ / "cut.dcm"),
+              testing::HasSubstr("is not a complete DICOM file: it is cut off or damaged"));
 }
 
 }  // namespace

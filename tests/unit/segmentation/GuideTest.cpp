@@ -104,8 +104,9 @@ TEST(Guide, BadGuidesAreRefusedWithThePlace) {
               HasSubstr("needs a list of 2 or more points"));
   EXPECT_THAT(stepRefusal(R"("clicks": 2, "ways": [{"steps": [{"tool": "auto"}]}])"),
               HasSubstr("has clicks but no 'label'"));
-  EXPECT_THAT(stepRefusal(R"("clicks": 2, "least_clicks": 3, "label": "vein", "ways": [{"steps": [{"tool": "auto"}]}])"),
-              HasSubstr("more clicks in 'least_clicks'"));
+  EXPECT_THAT(
+      stepRefusal(R"("clicks": 2, "least_clicks": 3, "label": "vein", "ways": [{"steps": [{"tool": "auto"}]}])"),
+      HasSubstr("more clicks in 'least_clicks'"));
   EXPECT_THAT(stepRefusal(R"("diameter_mm": [9, 3], "ways": [{"steps": [{"tool": "auto"}]}])"),
               HasSubstr("[from, to]"));
   EXPECT_THAT(stepRefusal(R"("apart": ["airway and lungs"], "ways": [{"steps": [{"tool": "auto"}]}])"),
