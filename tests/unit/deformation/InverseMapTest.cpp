@@ -28,7 +28,8 @@ TEST(InverseMap, ACollapsedLumenKeepsItsSlope) {
   }
   std::vector<int> folded;
   PlaneDisplacement displacement;
-  ASSERT_TRUE(invertMesh(mesh, now, {}, folded, displacement));
+  // The tissue below moves as well; in a patient it does not, so the lattice ends before it.
+  ASSERT_TRUE(invertMesh(mesh, now, {.half_mm = 15, .bottom_mm = 30}, folded, displacement));
   for (float x_mm = -10; x_mm <= 10; x_mm += 0.3F) {
     double low_mm = topOf(x_mm) - 2, high_mm = topOf(x_mm) + 2;
     while (high_mm - low_mm > 0.001) {

@@ -179,7 +179,7 @@ TEST(ProbeHand, StopsAtItsLimitsAndSaysWhy) {
   EXPECT_LE(std::abs(hand.state().tilt_deg), 60 + 1e-6);
   EXPECT_THAT(std::string(hand.press(25).stopped), HasSubstr("20 mm"));
   EXPECT_EQ(hand.state().press_mm, 20);
-  EXPECT_THAT(std::string(hand.press(-21).stopped), HasSubstr("lift"));
+  EXPECT_THAT(std::string(hand.press(-21).stopped), HasSubstr("Lift"));
   EXPECT_EQ(hand.state().press_mm, 0);
 }
 
