@@ -26,4 +26,18 @@ views::Colour colorOf(const std::optional<Severity>& severity) {
                                         : theme::kDanger;
 }
 
+views::Colour colorOf(CheckState state) {
+  switch (state) {
+    case CheckState::Passed:
+      return theme::kGood;
+    case CheckState::Warnings:
+      return theme::kCaution;
+    case CheckState::Failed:
+      return theme::kDanger;
+    case CheckState::Unknown:
+      break;
+  }
+  return theme::kQuiet;
+}
+
 }  // namespace insonate::ui
