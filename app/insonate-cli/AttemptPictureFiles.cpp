@@ -38,7 +38,7 @@ nlohmann::json entryOf(const LiveFrame& frame) {
 Result<void> checkFolder(const fs::path& folder) {
   std::error_code error;
   if (fs::is_directory(folder, error) && !fs::is_empty(folder, error))
-    return fail(folder.string() + " holds files already; name a new folder or an empty one for the images.");
+    return fail(folder.string() + " already contains files. Name a new or empty folder for the images.");
   return checkFolderTarget(folder);
 }
 
@@ -46,7 +46,7 @@ Result<void> checkFolder(const fs::path& folder) {
 
 void AttemptPictureOptions::addTo(CLI::App& command) {
   auto* pictures = command.add_option("--pictures", folder, "New folder for the ultrasound images (PNG)");
-  command.add_option("--every", every_s, "Time of the attempt from one image to the next, s")
+  command.add_option("--every", every_s, "Interval between the images, in seconds of the attempt")
       ->check(CLI::Range(0.001, 3600.0))
       ->capture_default_str()
       ->needs(pictures);

@@ -12,21 +12,21 @@
 
 namespace insonate::cli {
 
-/// Command-line options for an attempt's images.
+/// Command-line options for writing the ultrasound images of an attempt to files.
 struct AttemptPictureOptions {
   std::string folder;
   double every_s = 1;
 
   void addTo(CLI::App& command);
   bool wanted() const { return !folder.empty(); }
-  std::int64_t every_us() const;  ///< a multiple of 1000
+  std::int64_t every_us() const;  ///< interval between images, a multiple of 1000
 };
 
 using TakeFrame = std::function<Result<void>(const LiveFrame&)>;
 
-/// Writes each image that `make` passes on as a PNG named by its time in milliseconds, and pictures.json, which lists
-/// time, force, indentation and envelope fingerprint of every image. The folder must be new or empty. Either all files
-/// are written, or none. Returns the list.
+/// Writes the images of an attempt as PNG files named by their time in milliseconds, and pictures.json, which lists
+/// time, force, indentation and envelope fingerprint of every image; returns the list. `make` makes the images and
+/// passes each to its argument. The folder must be new or empty. Either all files are written, or none.
 Result<nlohmann::json> writeAttemptPictures(const AttemptPictureOptions& options,
                                             const std::function<Result<void>(const TakeFrame&)>& make);
 

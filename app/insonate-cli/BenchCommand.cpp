@@ -8,9 +8,12 @@
 #include <insonate/bench/SegmentationBench.h>
 #include <insonate/bench/UltrasoundBench.h>
 #include <insonate/cases/Phantom.h>
+#include <insonate/ultrasound/SetupText.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <iostream>
 #include <memory>
 
@@ -88,11 +91,13 @@ Result<void> benchCurriculum(const BenchOptions& options) {
   return {};
 }
 
+constexpr std::array kShapes{ProbeShape::Linear, ProbeShape::Curvilinear, ProbeShape::Phased};
+
 struct RealismOptions : BenchOptions {
   std::string real;
   bool pointSpread = false;
-  std::string probe = "linear", engine = "cpu";
-  std::vector<std::string> ratings, cases;
+  std::string engine = "cpu";
+  std::vector<std::string> ratings, cases, probes, planes;
   SimulatedSet set;
 };
 
@@ -108,12 +113,16 @@ Result<void> scoreRatings(const RealismOptions& options) {
       "%d images, %d readers: sensitivity %.2f, specificity %.2f, ROC area %.2f (95 %% interval %.2f to %.2f)\n",
       result->images, result->readers, result->sensitivity, result->specificity, result->told.area, result->told.low,
       result->told.high);
+  for (const BlindGroup& group : result->groups)
+    std::printf("  %s, %d real and %d simulated: ROC area %.2f (%.2f to %.2f)\n", group.name.c_str(), group.real,
+                group.simulated, group.told.area, group.told.low, group.told.high);
   return {};
 }
 
 Result<void> benchPointSpread(const RealismOptions& options) {
   if (auto ok = checkBenchFolder(options.folder); !ok) return ok;
-  const auto probe = loadProbe(options.probe);
+  if (options.probes.size() > 1) return fail("--point-spread takes one --probe.");
+  const auto probe = loadProbe(options.probes.empty() ? "linear" : options.probes.front());
   if (!probe) return tl::unexpected(probe.error());
   const auto results = runPointSpreadBench(*probe, options.engine, terminalProgress());
   if (!results) return tl::unexpected(results.error());
@@ -128,6 +137,14 @@ Result<void> benchRealism(const RealismOptions& options) {
   if (auto ok = checkBenchFolder(options.folder); !ok) return ok;
   SimulatedSet set = options.set;
   set.cases.assign(options.cases.begin(), options.cases.end());
+  for (const std::string& name : options.probes) {
+    const auto shape = std::ranges::find(kShapes, name, [](ProbeShape one) { return nameOf(one); });
+    if (shape == kShapes.end())
+      return fail("The probe of simulated images is linear, curvilinear or phased, not \"" + name + "\".");
+    set.probes.push_back(*shape);
+  }
+  for (const std::string& name : options.planes)
+    if (const auto plane = scanPlaneNamed(name)) set.planes.push_back(*plane);
   auto real = readRealImages(options.real);
   if (!real) return tl::unexpected(real.error());
   const auto results = runRealismBench(std::move(*real), set, terminalProgress());
@@ -157,20 +174,25 @@ void add(CLI::App& bench, Outcome& outcome, const char* name, const char* descri
 void addSegmentation(CLI::App& bench, Outcome& outcome) {
   auto options = std::make_shared<SegmentationOptions>();
   CLI::App* command =
-      addCommand(bench, "segmentation", "Scores of labeling against known truth, times of its tools", *options);
-  command->add_option("--chest-cta", options->plan.chestCta, "Folder of an angiogram of the chest with vessel masks")
+      addCommand(bench, "segmentation",
+                 "Measure the accuracy of labeling against reference labels, and the time of the tools", *options);
+  command
+      ->add_option("--chest-cta", options->plan.chestCta,
+                   "Folder with an angiogram of the chest and masks of its vessels")
       ->check(CLI::ExistingDirectory);
   CLI::Option* atlas =
-      command->add_option("--atlas", options->plan.atlas, "Label file of an atlas, see phantom --from-labels")
+      command->add_option("--atlas", options->plan.atlas, "Label map of an atlas (see phantom --from-labels)")
           ->check(CLI::ExistingFile);
   CLI::Option* map =
-      command->add_option("--map", options->plan.atlasMap, "File with the meaning of the atlas's numbers")
+      command->add_option("--map", options->plan.atlasMap, "JSON file that names the numbers of the atlas")
           ->check(CLI::ExistingFile)
           ->needs(atlas);
   atlas->needs(map);
   command->add_option("--neck", options->plan.necks,
-                      "A built-in neck, see phantom --list; otherwise all, or one with --quick");
-  command->add_option("--only", options->only, "necks or speed alone; none: neither, but the data that is given")
+                      "Name of one built-in neck (see phantom --list); by default all necks, or one neck with --quick");
+  command
+      ->add_option("--only", options->only,
+                   "Run only this part: necks, speed, or none (only the data given by the other options)")
       ->check(CLI::IsMember({"necks", "speed", "none"}));
   command->callback([options, &outcome] {
     outcome.json = options->json;
@@ -186,35 +208,51 @@ void addRealism(CLI::App& bench, Outcome& outcome) {
       ->required();
   CLI::Option* real = command
                           ->add_option("--real", options->real,
-                                       "List of real images: lines file,pixels per mm,source[,left,top,width,height]. "
-                                       "Each shows, or the box cuts out, the inside "
-                                       "of a linear probe's field of view, without text")
+                                       "List of real images: lines file,pixels per mm,source[,left,top,width,height]"
+                                       "[,probe=...][,plane=...][,fps=...]. Each shows, or the box cuts out, the "
+                                       "inside of a linear probe's field of view, without text, or the fan of another "
+                                       "probe. A folder of images is a clip")
                           ->check(CLI::ExistingFile);
   CLI::Option* ratings =
-      command->add_option("--ratings", options->ratings, "Score these readers' ratings.csv against key.csv in --out")
+      command
+          ->add_option("--ratings", options->ratings,
+                       "Files ratings.csv of readers, to be compared with key.csv in the folder of --out")
           ->check(CLI::ExistingFile)
           ->excludes(real);
   command->add_option("--count", options->set.count, "Simulated images")
       ->capture_default_str()
       ->check(CLI::Range(2, 2000))
       ->excludes(ratings);
-  command->add_option("--seed", options->set.seed, "Seed of necks, settings and order")
+  command->add_option("--seed", options->set.seed, "Seed for the random choice of necks, settings and order")
       ->capture_default_str()
       ->excludes(ratings);
   command
-      ->add_option("--case", options->cases,
-                   "Folders of cases to simulate beside the built-in necks: CTs of patients, atlases")
+      ->add_option("--case", options->cases, "Folders of further cases to simulate, in addition to the built-in necks")
       ->check(CLI::ExistingDirectory)
       ->excludes(ratings);
   CLI::Option* points = command
                             ->add_flag("--point-spread", options->pointSpread,
-                                       "Images of points beside the field of the probe's array: widths, levels aside, "
-                                       "slice thickness and contrast by depth")
+                                       "Compare images of points with the computed field of the probe's array: widths, "
+                                       "side levels, slice thickness and contrast at each depth")
                             ->excludes(real)
                             ->excludes(ratings);
-  command->add_option("--probe", options->probe, "Linear probe, a preset or a file")
-      ->capture_default_str()
-      ->needs(points);
+  command
+      ->add_option("--probe", options->probes,
+                   "Probes of the simulated images, in turn: linear, curvilinear, phased; otherwise those of the real "
+                   "images. With --point-spread: one linear probe, a preset or a file")
+      ->excludes(ratings);
+  command
+      ->add_option("--plane", options->planes,
+                   "Planes of the simulated images, in turn: transverse, longitudinal, oblique; otherwise those of the "
+                   "real images")
+      ->check(CLI::IsMember({"transverse", "longitudinal", "oblique"}))
+      ->excludes(points)
+      ->excludes(ratings);
+  command
+      ->add_flag("--clips", options->set.clips,
+                 "Simulate clips of 1 s (30 frames) only; otherwise a clip for each real clip")
+      ->excludes(points)
+      ->excludes(ratings);
   command->add_option("--engine", options->engine, "cpu, glsl or reference")->capture_default_str()->needs(points);
   command->add_flag("--json", options->json, "Print the results as one JSON object");
   command->callback([options, real, ratings, points, &outcome] {
@@ -227,14 +265,16 @@ void addRealism(CLI::App& bench, Outcome& outcome) {
 }  // namespace
 
 void addBenchCommand(CLI::App& app, Outcome& outcome) {
-  CLI::App* bench = app.add_subcommand("bench", "Tables and plots of speed against error");
+  CLI::App* bench = app.add_subcommand("bench", "Measure speed and errors, and write tables and plots");
   bench->require_subcommand(1);
-  add(*bench, outcome, "ultrasound", "Frame times and errors of the ultrasound engines, realism", benchUltrasound);
-  add(*bench, outcome, "deformation", "Frame times and errors of the models of pressed tissue", benchDeformation);
-  add(*bench, outcome, "haptics", "The servo's tick times, stability and force curves", benchHaptics);
+  add(*bench, outcome, "ultrasound", "Measure frame times and errors of the ultrasound engines, and realism",
+      benchUltrasound);
+  add(*bench, outcome, "deformation", "Measure frame times and errors of the deformation models", benchDeformation);
+  add(*bench, outcome, "haptics", "Measure tick times, stability and force curves of the haptic servo", benchHaptics);
   addSegmentation(*bench, outcome);
   addRealism(*bench, outcome);
-  add(*bench, outcome, "curriculum", "How long screens wait for the store of people and attempts", benchCurriculum);
+  add(*bench, outcome, "curriculum", "Measure how long the window waits for the store of users and attempts",
+      benchCurriculum);
 }
 
 }  // namespace insonate::cli

@@ -78,7 +78,7 @@ void printDifficulty(const PatientCase& patient, const Result<DifficultyEstimate
                 *m.overlap_percent);
   std::printf("; %.2f points\n", estimate->points);
   if (!patient.manifest.difficulty.empty())
-    std::printf("Difficulty, as its author says: %s\n", patient.manifest.difficulty.c_str());
+    std::printf("Difficulty, grade of the author: %s\n", patient.manifest.difficulty.c_str());
 }
 
 void print(const PatientCase& patient, const std::vector<Finding>& findings, bool asJson) {
@@ -107,8 +107,8 @@ Result<void> check(const CheckArguments& a) {
 }  // namespace
 
 void addCheckCommand(CLI::App& app, Outcome& outcome) {
-  auto* command =
-      app.add_subcommand("check", "Check whether a case is fit for training (exit status 1 only if it cannot be read)");
+  auto* command = app.add_subcommand(
+      "check", "Check whether a case is fit for training (the exit status is 1 only if the case cannot be read)");
   auto a = std::make_shared<CheckArguments>();
   command->add_option("CASE", a->folder, "Folder of the case")->required()->check(notEmpty());
   command->add_flag("--json", a->asJson, "Print one JSON object");

@@ -13,7 +13,7 @@
 namespace insonate::cli {
 
 void refuse(Outcome& outcome, const Error& error, const nlohmann::json& fields) {
-  const std::string sentence = error.message == kCancelled ? "Cancelled: nothing was written." : error.message;
+  const std::string sentence = error.message == kCancelled ? "Canceled: nothing was written." : error.message;
   if (::isatty(STDERR_FILENO)) std::cerr << "\r\033[K";  // a progress line that was left
   std::cerr << "insonate-cli: " << sentence << '\n';
   outcome.status = interruptSignal() ? 128 + interruptSignal() : 1;

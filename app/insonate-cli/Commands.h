@@ -16,11 +16,11 @@ namespace insonate::cli {
 /// Ctrl-C or SIGTERM.
 struct Outcome {
   int status = 0;
-  bool json = false;  ///< the command was called with --json; errors are then JSON, too
+  bool json = false;  ///< true: the command was called with --json; errors are then printed as JSON, too
 };
 
-/// Each of these functions adds a command. The command prints a JSON object if --json is given; messages go to standard
-/// error.
+/// Adds the subcommand `phantom` to the command line; each function below adds one subcommand. With --json a subcommand
+/// prints a JSON object; messages go to standard error.
 void addPhantomCommand(CLI::App& app, Outcome& outcome);
 void addImportCommand(CLI::App& app, Outcome& outcome);
 void addImportLabelsCommand(CLI::App& app, Outcome& outcome);
@@ -39,22 +39,22 @@ void addReplayCommand(CLI::App& app, Outcome& outcome);
 void addLabelCommand(CLI::App& app, Outcome& outcome);
 void addCurriculumCommand(CLI::App& app, Outcome& outcome);
 
-/// Prints the error message to standard error and sets the exit status. If JSON was requested, also prints {"error":
-/// ...} with `fields`.
+/// Ends a command with an error: prints the message to standard error and sets the exit status. With --json, also
+/// prints {"error": ...} with `fields`.
 void refuse(Outcome& outcome, const Error& error, const nlohmann::json& fields);
 void refuse(Outcome& outcome, const Error& error);
-/// Prints one JSON object, with the program's version added, to standard output. Names need not be UTF-8.
+/// Prints one JSON object, with the program's version added, to standard output. File names in it need not be UTF-8.
 void printJson(nlohmann::json object);
-/// Returns an array of x, y and z.
+/// Returns a vector as a JSON array of x, y and z.
 nlohmann::json jsonArray(Vec3 v);
-/// Writes a case. A case that the folder already contains is kept as an earlier version, for the attempts that were
-/// made on it.
+/// Writes a case to a folder. A case that the folder already contains is kept as an earlier version, since attempts may
+/// have been made on it.
 Result<void> writeOrReplace(const PatientCase& patient, const std::string& caseFolder);
-/// Prints, to standard error, the possible next steps with a case that was just written.
+/// Prints to standard error which commands can be used next on a case that was just written.
 void printNextSteps(const std::string& caseFolder);
-/// Rejects an empty name as wrong usage.
+/// Returns a check of an option's value that rejects an empty text as wrong usage.
 CLI::Validator notEmpty();
-/// Reports progress on standard error if that is a terminal, and requests cancellation after Ctrl-C or SIGTERM.
+/// Returns a Progress that reports on standard error if that is a terminal, and cancels after Ctrl-C or SIGTERM.
 Progress terminalProgress();
 
 }  // namespace insonate::cli

@@ -53,19 +53,21 @@ Result<void> crop(const CropArguments& a) {
 }  // namespace
 
 void addCropCommand(CLI::App& app, Outcome& outcome) {
-  auto* command = app.add_subcommand("crop", "Crop a case, CT and labels together; also resample it");
+  auto* command = app.add_subcommand(
+      "crop", "Make a smaller case from a part of a case, CT and labels together; optionally resample it");
   auto a = std::make_shared<CropArguments>();
   command->add_option("CASE", a->caseFolder, "Folder of the case")->required()->check(notEmpty());
-  command->add_option("OUT", a->folder, "Folder to write the part to")->required()->check(notEmpty());
+  command->add_option("OUT", a->folder, "Folder for the new case")->required()->check(notEmpty());
   auto* from =
-      command->add_option("--from", a->from_mm, "A corner of the kept part (patient LPS, mm): x y z")->expected(3);
+      command->add_option("--from", a->from_mm, "A corner of the part to keep (patient LPS, mm): x y z")->expected(3);
   auto* to = command->add_option("--to", a->to_mm, "The opposite corner: x y z")->expected(3);
   from->needs(to);
   to->needs(from);
-  auto* spacing =
-      command->add_option("--spacing", a->spacing_mm, "New distance of voxels (mm): one number, or x y z of the grid")
-          ->expected(1, 3);
-  command->add_flag("--replace", a->replace, "Replace a case that OUT holds already; it stays as an earlier version");
+  auto* spacing = command
+                      ->add_option("--spacing", a->spacing_mm,
+                                   "New voxel spacing in mm: one number, or three for the axes of the grid")
+                      ->expected(1, 3);
+  command->add_flag("--replace", a->replace, "Replace the case in OUT, which is kept as an earlier version");
   command->add_flag("--json", a->json, "Print one JSON object");
   command->callback([a, from, spacing, &outcome] {
     outcome.json = a->json;

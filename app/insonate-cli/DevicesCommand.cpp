@@ -62,7 +62,7 @@ void print(const DeviceHub& hub) {
   const auto devices = hub.devices();
   for (const auto& device : devices) print(*device);
   if (!devices.empty()) return;
-  std::printf("No device that Insonate knows is plugged in. Known are:\n");
+  std::printf("No device that Insonate supports is plugged in. Supported devices:\n");
   for (const DeviceTable& table : builtInDeviceTables())
     std::printf("  %-7s %s\n", std::string(nameOf(table.kind)).c_str(), table.name.c_str());
 }
@@ -96,14 +96,14 @@ Result<void> listDevices(const DevicesArguments& a) {
 }  // namespace
 
 void addDevicesCommand(CLI::App& app, Outcome& outcome) {
-  auto* command =
-      app.add_subcommand("devices", "Connected haptic devices, 3D mice and pedals: state, limits and errors");
+  auto* command = app.add_subcommand(
+      "devices", "List connected haptic devices, 3D mice and pedals with their state, limits and errors");
   auto a = std::make_shared<DevicesArguments>();
-  command->add_option("--seconds", a->seconds, "Time to listen to the devices, s")
+  command->add_option("--seconds", a->seconds, "Time to read the devices, s")
       ->check(CLI::Range(0.1, 86400.0))
       ->capture_default_str();
-  command->add_option("--record", a->record, "Write their raw reports to this file while listening")->check(notEmpty());
-  command->add_flag("--udev-rules", a->rules, "Print only the rules that give a user access to the devices");
+  command->add_option("--record", a->record, "Write the raw reports of the devices to this file")->check(notEmpty());
+  command->add_flag("--udev-rules", a->rules, "Print only the udev rules that give users access to the devices");
   command->add_flag("--json", a->asJson, "Print one JSON object");
   command->callback([a, &outcome] {
     outcome.json = a->asJson;

@@ -28,7 +28,7 @@ Result<void> checkTargets(const ExportArguments& a) {
     if (auto ok = checkLabelTarget(a.labels); !ok) return ok;
   for (const std::string& file : {a.segmentation, a.labels})
     if (!file.empty() && isCaseFile(a.caseFolder, file))
-      return fail(file + " is a file of the case itself. Name another place.");
+      return fail(file + " is a file of the case itself. Name another file.");
   return {};
 }
 
@@ -61,7 +61,8 @@ Result<void> exportCase(const ExportArguments& a) {
 }  // namespace
 
 void addExportCommand(CLI::App& app, Outcome& outcome) {
-  auto* command = app.add_subcommand("export", "A case's CT and labels for other programs; meshes: see surfaces");
+  auto* command =
+      app.add_subcommand("export", "Write a case's CT and labels for other programs (for meshes see surfaces)");
   auto a = std::make_shared<ExportArguments>();
   command->add_option("CASE", a->caseFolder, "Folder of the case")->required()->check(notEmpty());
   auto* dicom = command->add_option("--dicom", a->dicomFolder, "New or empty folder for the CT as a DICOM series");

@@ -43,7 +43,7 @@ void findScale(const FitOptions& options, FitReport& report) {
     const double mm = options.mmPerMark > 0 ? options.mmPerMark : ruler->mmPerMark;
     report.mm_per_px = mm / ruler->spacing_px;
     char text[128];
-    std::snprintf(text, sizeof text, "%d marks of a depth scale, taken as %g mm apart", ruler->marks, mm);
+    std::snprintf(text, sizeof text, "%d marks of a depth scale, assumed to be %g mm apart", ruler->marks, mm);
     report.scale = text;
   }
 }
@@ -51,7 +51,7 @@ void findScale(const FitOptions& options, FitReport& report) {
 Result<void> writeProbe(const FitOptions& options, FitReport& report) {
   if (report.mm_per_px <= 0)
     return fail(
-        "The image shows no depth scale, so millimeters are not known: give the depth on display with "
+        "The image shows no depth scale, so its size in millimeters is unknown. Give the displayed depth with "
         "--depth-mm.");
   const auto base = loadProbe(options.base.empty() ? nameOf(report.fit.shape.shape) : options.base);
   if (!base) return tl::unexpected(base.error());
@@ -134,18 +134,25 @@ void addFitCommand(CLI::App& app, Outcome& outcome) {
   CLI::App* command = app.add_subcommand("fit", "Fit a probe to a photograph or screen capture of a scanner's image");
   command->add_option("PICTURE", options->picture, "PNG or JPEG file")->required()->check(notEmpty());
   command->add_option("--out", options->out, "Probe file (JSON) to write, for render --probe")->check(notEmpty());
-  command->add_option("--overlay", options->overlay, "PNG to write: the image with the fit over it")->check(notEmpty());
-  command->add_option("--depth-mm", options->depth_mm, "Depth on display, from the middle of the face to the far end")
+  command->add_option("--overlay", options->overlay, "PNG to write: the image with the fitted outline")
+      ->check(notEmpty());
+  command
+      ->add_option("--depth-mm", options->depth_mm, "Displayed depth in mm, from the middle of the face to the far end")
       ->check(CLI::Range(1.0, 400.0));
-  command->add_option("--points", options->points, "Two points of the image and the mm between them: X Y X Y MM")
+  command
+      ->add_option("--points", options->points,
+                   "Two points of the image in pixels, and their distance in mm: X Y X Y MM")
       ->expected(5)
       ->excludes("--depth-mm")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--mm-per-mark", options->mmPerMark, "Distance of the depth scale's marks; by default likely")
+  command
+      ->add_option("--mm-per-mark", options->mmPerMark,
+                   "Distance of two marks of the depth scale in mm; by default estimated")
       ->check(CLI::Range(0.1, 100.0));
   command->add_option("--base", options->base,
-                      "Probe for the numbers that an image does not show; by default the shape's");
-  command->add_option("--name", options->name, "Name of the probe; by default the file's");
+                      "Probe from which to take the numbers that an image does not show; by default the built-in probe "
+                      "of the same shape");
+  command->add_option("--name", options->name, "Name of the probe; by default the name of the file");
   command->add_flag("--json", options->json, "Print one JSON object");
   command->callback([options, &outcome] { fit(*options, outcome); });
 }

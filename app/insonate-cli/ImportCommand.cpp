@@ -69,7 +69,7 @@ json fieldsOfRefusal(const ImportArguments& a, const Error& error) {
 void tellPose(const PatientCase& patient) {
   if (const auto pose = proposeStartPose(patient))
     std::cerr << "note: The pose \"auto\" is the " << pose->name
-              << ", found automatically; case.json may name others.\n";
+              << ", which was found automatically. Add other start poses in case.json.\n";
 }
 
 Result<void> importCase(const ImportArguments& a) {
@@ -79,8 +79,8 @@ Result<void> importCase(const ImportArguments& a) {
   if (a.shift_HU) shiftValues(*imported, *a.shift_HU);
   for (const std::string& warning : imported->series.warnings) std::cerr << "note: " << warning << '\n';
   const std::string advice =
-      imported->likelyShift_HU ? " --shift " + std::to_string(*imported->likelyShift_HU) + " puts it right." : "";
-  if (!advice.empty()) std::cerr << "note: Nothing was added to the values;" << advice << '\n';
+      imported->likelyShift_HU ? " --shift " + std::to_string(*imported->likelyShift_HU) + " corrects this." : "";
+  if (!advice.empty()) std::cerr << "note: The values were not changed;" << advice << '\n';
 
   PatientCase patient;
   patient.manifest.title = kImportedTitle;
@@ -92,12 +92,12 @@ Result<void> importCase(const ImportArguments& a) {
     auto labels = autoLabel(patient.ct, terminalProgress());
     if (!labels && labels.error().message == kCancelled) return tl::unexpected(labels.error());
     if (!labels)
-      return fail(labels.error().message + (advice.empty() ? " Without --auto-label it can be imported." : advice));
+      return fail(labels.error().message + (advice.empty() ? " It can be imported without --auto-label." : advice));
     patient.labels = std::move(*labels);
     patient.manifest.source += " Labeled automatically from Hounsfield units.";
   } else {
     patient.labels = LabelMap(patient.ct.geometry);
-    std::cerr << "note: Nothing is labeled yet; --auto-label would label tissues by their Hounsfield units.\n";
+    std::cerr << "note: The case has no labels yet. --auto-label labels tissues by their Hounsfield units.\n";
   }
   if (auto written = writeOrReplace(patient, a.folder); !written) return written;
   tellPose(patient);
@@ -112,7 +112,7 @@ void addImportCommand(CLI::App& app, Outcome& outcome) {
   auto* command = app.add_subcommand("import", "Make a case from a CT: DICOM, NRRD, NIfTI or MetaImage");
   auto a = std::make_shared<ImportArguments>();
   command
-      ->add_option("INPUT", a->input, "A folder, searched with its subfolders, or a file; a DICOMDIR means its folder")
+      ->add_option("INPUT", a->input, "A folder (subfolders are included) or a file; a DICOMDIR stands for its folder")
       ->required()
       ->check(notEmpty());
   auto* folder = command->add_option("CASE", a->folder, "Folder to write the case to")->check(notEmpty());
@@ -120,13 +120,14 @@ void addImportCommand(CLI::App& app, Outcome& outcome) {
   folder->excludes(listOnly);
   command->add_option("--series", a->series, "UID of the series to import, as listed")->excludes(listOnly);
   command
-      ->add_option("--shift", a->shift_HU,
-                   "Added to every value, e.g. -1024 where air is at 0 instead of -1024 HU; never done by itself")
+      ->add_option(
+          "--shift", a->shift_HU,
+          "Number to add to every value, e.g. -1024 if air is at 0 instead of -1024 HU; by default nothing is added")
       ->check(CLI::Range(-4096, 4096))
       ->excludes(listOnly);
   command->add_flag("--auto-label", a->autoLabel, "Label air, fat, muscle, bone and skin from Hounsfield units")
       ->excludes(listOnly);
-  command->add_flag("--replace", a->replace, "Replace a case that CASE holds already; it stays as an earlier version")
+  command->add_flag("--replace", a->replace, "Replace the case in CASE, which is kept as an earlier version")
       ->excludes(listOnly);
   command->add_flag("--json", a->asJson, "Print one JSON object");
   command->callback([a, folder, &outcome] {

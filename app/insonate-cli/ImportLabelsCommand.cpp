@@ -42,7 +42,7 @@ Result<void> importLabelsInto(const ImportLabelsArguments& a) {
   PatientCase& patient = read->patient;
   const bool labelled = std::ranges::any_of(patient.labels.voxels, [](std::uint8_t label) { return label != 0; });
   if (labelled && !a.replace)
-    return fail("The case " + a.caseFolder + " is labeled already. Add --replace to put these labels in its place.");
+    return fail("The case " + a.caseFolder + " already has labels. Add --replace to replace them.");
   auto imported = importLabels(patient, a.file, a.names, terminalProgress());
   if (!imported) return tl::unexpected(imported.error());
   for (const std::string& note : imported->notes) std::cerr << "note: " << note << '\n';
@@ -64,9 +64,9 @@ void addImportLabelsCommand(CLI::App& app, Outcome& outcome) {
   command->add_option("FILE", a->file, "DICOM segmentation, .seg.nrrd, or a label map (NRRD, NIfTI, MetaImage)")
       ->required()
       ->check(notEmpty());
-  command->add_option("--names", a->names, "ITK-SNAP label description of a plain label map's numbers")
+  command->add_option("--names", a->names, "ITK-SNAP label description that names the numbers of the label map")
       ->check(notEmpty());
-  command->add_flag("--replace", a->replace, "Replace labels that the case has");
+  command->add_flag("--replace", a->replace, "Replace the labels of the case");
   command->add_flag("--json", a->json, "Print one JSON object");
   command->callback([a, &outcome] {
     outcome.json = a->json;

@@ -2,11 +2,11 @@
 
 namespace insonate::cli {
 
-/// Makes the first Ctrl-C or SIGTERM only set a flag, which the running work checks at its next progress report. A
-/// second signal ends the program at once.
+/// Installs signal handlers: the first Ctrl-C or SIGTERM sets a flag that cancels the running work at its next progress
+/// report, a second one ends the program at once.
 void catchInterrupts();
 
-/// Returns the number of the signal that was received, or 0.
+/// Returns the number of the received signal (SIGINT or SIGTERM), 0 if none was received.
 int interruptSignal();
 
 }  // namespace insonate::cli

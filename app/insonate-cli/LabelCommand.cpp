@@ -129,16 +129,17 @@ Result<void> label(const LabelArguments& a) {
 }  // namespace
 
 void addLabelCommand(CLI::App& app, Outcome& outcome) {
-  auto* command = app.add_subcommand("label", "Label a case by a recipe of steps, and score labels against the truth");
+  auto* command =
+      app.add_subcommand("label", "Label a case by a recipe of steps, or compare its labels with reference labels");
   auto a = std::make_shared<LabelArguments>();
   auto* folder = command->add_option("CASE", a->folder, "Folder of the case")->check(notEmpty());
   auto* recipe =
-      command->add_option("RECIPE", a->recipe, "Name of a recipe, see --list, or a JSON file")->check(notEmpty());
+      command->add_option("RECIPE", a->recipe, "Name of a recipe (see --list), or a JSON file")->check(notEmpty());
   command->add_option("--out", a->outFolder, "Write the labeled case here and leave CASE unchanged")
       ->check(notEmpty())
       ->needs(recipe);
-  auto* truth =
-      command->add_option("--score", a->truth, "A case or label map to compare the labels with")->check(notEmpty());
+  auto* truth = command->add_option("--score", a->truth, "Reference to compare the labels with: a case or a label map")
+                    ->check(notEmpty());
   auto* list = command->add_flag("--list", a->list, "List the recipes and stop");
   folder->excludes(list);
   command->add_flag("--json", a->asJson, "Print one JSON object");

@@ -25,7 +25,7 @@ void listMachines(bool asJson) {
 
 void addMachinesCommand(CLI::App& app, Outcome& outcome) {
   auto asJson = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("machines", "List classes of ultrasound machines for render --machine");
+  CLI::App* command = app.add_subcommand("machines", "List the classes of ultrasound machines for render --machine");
   command->add_flag("--json", *asJson, "Print a JSON object");
   command->callback([asJson, &outcome] {
     outcome.json = *asJson;

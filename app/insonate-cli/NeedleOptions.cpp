@@ -25,17 +25,21 @@ void NeedleOptions::addTo(CLI::App& command) {
     return command.add_option(name, value, what)->delimiter(',')->expected(3)->type_name("X,Y,Z");
   };
   auto* tip = vector("--needle-tip", tip_mm,
-                     "A needle's tip in the probe's frame, mm: from the middle of the face along the image (to its "
-                     "right above 0), across the slice, deep; 0,0,20 is in the middle of the image, 20 mm deep");
+                     "Position of a needle's tip in the probe's frame, from the middle of the face, in mm: lateral "
+                     "(positive to the right of the image), elevation (perpendicular to the image), depth; 0,0,20 is "
+                     "in the middle of the image, 20 mm deep");
   vector("--needle-direction", direction,
-         "In the same frame, from hub to tip, of any length; 1,0,1 comes from the left at 45 degrees, 0,1,1 across the "
-         "slice; by default 1,0,1")
+         "Direction from hub to tip in the same frame, of any length; 1,0,1 comes from the left at 45 degrees "
+         "in-plane, 0,1,1 is out-of-plane; by default 1,0,1")
       ->needs(tip);
-  vector("--needle-bevel", bevel, "Where the opening of its bevel faces; by default the probe")->needs(tip);
+  vector("--needle-bevel", bevel, "Direction in which the opening of the bevel faces; by default toward the probe")
+      ->needs(tip);
   command.add_option("--needle-diameter", diameter_mm, "mm; 1.27 is 18 G")->capture_default_str()->needs(tip);
   command.add_option("--needle-length", length_mm, "Length from tip to hub, mm")->capture_default_str()->needs(tip);
-  command.add_option("--tenting", tenting_mm, "Distance by which the tip pushes tissue ahead of it, mm")->needs(tip);
-  command.add_option("--tenting-radius", tentingRadius_mm, "Radius of the tissue that moves along, mm")
+  command
+      .add_option("--tenting", tenting_mm, "Distance by which the tip pushes tissue ahead before it punctures it, mm")
+      ->needs(tip);
+  command.add_option("--tenting-radius", tentingRadius_mm, "Radius of the tissue that moves with the tip, mm")
       ->capture_default_str()
       ->needs(tip);
 }
@@ -47,7 +51,7 @@ Result<NeedlePlan> readNeedle(const NeedleOptions& options) {
   needle.tip_mm = vectorOf(options.tip_mm);
   const Vec3 direction = vectorOf(options.direction);
   if (!(norm(direction) > 0) || !isFinite(direction))
-    return fail("--needle-direction has no direction; give three numbers that are not all 0, such as 1,0,1.");
+    return fail("--needle-direction is 0,0,0. Give three numbers that are not all 0, such as 1,0,1.");
   needle.direction = normalized(direction);
   needle.bevelNormal = options.bevel.empty() ? usualBevel(needle.direction) : vectorOf(options.bevel);
   needle.radius_mm = options.diameter_mm / 2, needle.length_mm = options.length_mm;

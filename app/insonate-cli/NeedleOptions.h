@@ -19,14 +19,14 @@ struct NeedleOptions {
   void addTo(CLI::App& command);
 };
 
-/// A needle and its tenting, checked, in the probe's frame.
+/// A needle and its tenting (tissue that its tip pushes ahead), as given by the command line, checked; probe frame.
 struct NeedlePlan {
   std::optional<Needle> needle;
   std::optional<Tenting> tenting;
 
   /// Returns the needle in the patient's frame (LPS); `needle` must have a value.
   Needle needleAt(const Transform& patientFromProbe) const;
-  /// Returns the displacement that the probe causes, plus the tenting at the needle. Valid until the next call.
+  /// Returns the displacement `pressed` by the probe plus that by the needle's tip. Valid until the next call.
   const PlaneDisplacement& dented(const PlaneDisplacement& pressed, TentedTissue& tissue,
                                   const Transform& patientFromProbe) const;
 };

@@ -47,7 +47,7 @@ Result<PatientCase> makePatient(const PhantomArguments& a, std::vector<std::stri
 Result<void> checkTargets(const PhantomArguments& a) {
   if (auto ok = checkCaseTarget(a.folder, a.replace); !ok || a.dicomFolder.empty()) return ok;
   if (fs::weakly_canonical(a.folder) == fs::weakly_canonical(a.dicomFolder))
-    return fail("CASE and --dicom name the same folder; name two.");
+    return fail("CASE and --dicom name the same folder. Name two different folders.");
   return checkDicomTarget(a.dicomFolder);
 }
 
@@ -90,15 +90,19 @@ void addPhantomCommand(CLI::App& app, Outcome& outcome) {
   auto* command = app.add_subcommand("phantom", "Make a case from the built-in neck");
   auto a = std::make_shared<PhantomArguments>();
   auto* folder = command->add_option("CASE", a->folder, "Folder to write the case to")->check(notEmpty());
-  command->add_option("--variant", a->variant, "Which neck; see --list")->capture_default_str();
-  command->add_option("--seed", a->seed, "Seed of another neck of the same kind")->capture_default_str();
-  command->add_flag("--contrast", a->contrast, "Iodine in the vessels of the CT");
+  command->add_option("--variant", a->variant, "Name of the built-in neck (see --list)")->capture_default_str();
+  command->add_option("--seed", a->seed, "Seed: another number makes another neck of the same variant")
+      ->capture_default_str();
+  command->add_flag("--contrast", a->contrast, "Simulate contrast agent in the vessels of the CT");
   command->add_option("--dicom", a->dicomFolder, "Also write the CT as a DICOM series, into a new or empty folder")
       ->check(notEmpty());
-  command->add_flag("--replace", a->replace, "Replace a case that CASE holds already; it stays as an earlier version");
+  command->add_flag("--replace", a->replace, "Replace the case in CASE, which is kept as an earlier version");
   auto* labels =
-      command->add_option("--from-labels", a->labelFile, "Label map to make the case from, instead")->check(notEmpty());
-  auto* map = command->add_option("--map", a->mapFile, "Meaning of its numbers, and parts to complete (JSON)")
+      command->add_option("--from-labels", a->labelFile, "Make the case from this label map instead of a built-in neck")
+          ->check(notEmpty());
+  auto* map = command
+                  ->add_option("--map", a->mapFile,
+                               "JSON file that names the numbers of the label map, and the parts to complete")
                   ->check(notEmpty());
   labels->needs(map);
   map->needs(labels);

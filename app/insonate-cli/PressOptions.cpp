@@ -28,7 +28,7 @@ Result<void> readPressure(const std::string& text, Physiology& physiology) {
 Result<Physiology> readPhysiology(const PressOptions& options) {
   Physiology physiology;
   if (!options.pressure.empty() && options.map_mmHg)
-    return fail("--map and --pressure both say the arterial pressure; give one.");
+    return fail("--map and --pressure both set the arterial pressure. Give only one of them.");
   if (!options.pressure.empty())
     if (auto ok = readPressure(options.pressure, physiology); !ok) return tl::unexpected(ok.error());
   if (options.map_mmHg) {
@@ -49,19 +49,22 @@ bool saysPhysiology(const PressOptions& o) {
 }  // namespace
 
 void PressOptions::addTo(CLI::App& command) {
-  auto* force = command.add_option("--force", force_N, "Press until the tissue's force reaches this, N");
+  auto* force = command.add_option("--force", force_N, "Compress until the tissue pushes back with this force, N");
   command.add_option("--indent", indent_mm, "Indentation from first contact, mm")->excludes(force);
   command.add_option("--deformation", deformation,
-                     "none, column, elastic or reference; by default elastic where something presses or is asked about "
-                     "it, else none");
-  command.add_option("--mechanics", mechanics, "Mechanical preset or file; by default measured");
-  command.add_option("--footprint", footprint_mm, "Of the probe's housing across the slice, mm; by default 10");
-  command.add_flag("--sticking", sticking, "Tissue does not slide along the face");
+                     "Deformation model: none, column, elastic or reference; by default elastic if an option needs the "
+                     "deformation, otherwise none");
+  command.add_option("--mechanics", mechanics,
+                     "Mechanical properties of tissue: a preset or a file; by default measured");
+  command.add_option("--footprint", footprint_mm,
+                     "Width of the probe's housing perpendicular to the image plane, mm; by default 10");
+  command.add_flag("--sticking", sticking, "Let the tissue stick to the probe's face instead of sliding along it");
   command.add_option("--cvp", cvp_mmHg, "Central venous pressure, mmHg; by default 4");
-  command.add_option("--trendelenburg", trendelenburg_deg, "Tilt of the table, degrees; above 0 head down");
+  command.add_option("--trendelenburg", trendelenburg_deg, "Tilt of the table in degrees; above 0 the head is down");
   command.add_option("--map", map_mmHg, "Mean arterial pressure, mmHg");
   command.add_option("--pressure", pressure, "Arterial pressure, systolic over diastolic, mmHg; by default 120/80");
-  command.add_option("--time", time_s, "Moment of heartbeat and breath, s; without it pressures are at their means");
+  command.add_option("--time", time_s,
+                     "Time in the cycles of heartbeat and breath, s; by default all pressures are at their means");
 }
 
 Result<PressPlan> readPress(const PressOptions& options, bool displacementWanted) {
@@ -81,7 +84,7 @@ Result<PressPlan> readPress(const PressOptions& options, bool displacementWanted
                          : wanted                     ? TissueMechanics{}.model
                                                       : std::string(kNoDeformation);
   if (plan.force_N && plan.mechanics.model == kNoDeformation)
-    return fail("--force needs tissue that gives way; leave --deformation none out, or say --indent.");
+    return fail("--force needs a deformation model. Remove --deformation none, or use --indent instead of --force.");
   if (!options.mechanics.empty()) {
     auto tissues = loadMechanicalTable(options.mechanics);
     if (!tissues) return tl::unexpected(tissues.error());

@@ -10,7 +10,7 @@
 
 namespace insonate::cli {
 
-/// Command-line options for the probe's pressure and the patient's blood pressure.
+/// Command-line options for compression by the probe and the patient's blood pressure.
 struct PressOptions {
   std::optional<double> force_N, indent_mm, cvp_mmHg, trendelenburg_deg, map_mmHg, time_s, footprint_mm;
   std::string deformation, mechanics, pressure;
@@ -19,18 +19,19 @@ struct PressOptions {
   void addTo(CLI::App& command);
 };
 
-/// The checked values of PressOptions.
+/// Compression and blood pressure as given by the command line, checked.
 struct PressPlan {
   TissueMechanics mechanics;
   Physiology physiology;
   std::optional<double> force_N, indent_mm;
-  std::optional<double> time_s;  ///< without a value, blood is at its mean pressure
+  /// time in the cycles of heartbeat and breathing; empty: blood is at its mean pressure
+  std::optional<double> time_s;
 
   bool moves() const { return force_N || indent_mm; }
 };
 
-/// Checks the options. If no deformation model is named, `elastic` is used if an option or `displacementWanted` needs a
-/// model; else tissue does not deform.
+/// Checks the options. Without a named deformation model, `elastic` is used if an option or `displacementWanted` (a
+/// displacement is to be written) needs one; else tissue does not deform.
 Result<PressPlan> readPress(const PressOptions& options, bool displacementWanted);
 
 }  // namespace insonate::cli

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kDeepest_mm = 20;
 constexpr const char* kNoSkin =
-    "The probe's face meets no skin within 20 mm behind or 40 mm before it; move the pose onto the skin, or use auto.";
+    "The probe's face meets no skin within 20 mm behind it or 40 mm in front of it. Move the pose onto the skin, or "
+    "use auto.";
 
 std::string number(double value, const char* unit) {
   char text[48];
@@ -63,8 +64,8 @@ Result<void> Presser::press(const AcousticScene& scene, const Transform& patient
   const double most_mm = travel->deepest_mm - travel->touch_mm;
   if (*plan_.indent_mm > most_mm)
     return fail("--indent " + number(*plan_.indent_mm, "mm") +
-                " would press the face through bone: the tissue over it gives way by " + number(most_mm, "mm") +
-                " here at most.");
+                " would move the probe's face into bone: the tissue over the bone can be compressed by " +
+                number(most_mm, "mm") + " here at maximum.");
   Transform moved = patientFromProbe;
   moved.offset = patientFromProbe * Vec3{0, 0, travel->touch_mm + *plan_.indent_mm};
   tissue_.hold(scene, moved, blood);
@@ -103,13 +104,13 @@ std::vector<std::string> Presser::warnings() const {
   const std::string force = number(answer.force_N, "N");
   if (tissue_.stopped())
     warnings.push_back("the probe stops at " + number(tissue_.indentation_mm(), "mm") + " and " + force +
-                       ", before it presses with " + number(*plan_.force_N, "N") +
-                       ": bone is in the way, or tissue that cannot be squeezed any further.");
+                       ", before the force reaches " + number(*plan_.force_N, "N") +
+                       ": it met bone, or tissue that cannot be compressed further.");
   else if (!answer.converged && plan_.force_N)
     warnings.push_back("the tissue did not come to rest under " + number(*plan_.force_N, "N") +
                        "; the image is that of " + force + ".");
   else if (!answer.converged)
-    warnings.push_back("the tissue did not come to rest at this indentation; take places and force as estimates.");
+    warnings.push_back("the tissue did not come to rest at this indentation, so positions and force are estimates.");
   return warnings;
 }
 

@@ -12,15 +12,16 @@
 
 namespace insonate::cli {
 
-/// Compresses tissue at each pose of a path as the command-line options say.
+/// Computes the compression of tissue by the probe at each pose of a path, as given by the command line (PressPlan).
 class Presser {
  public:
   static Result<Presser> make(const ImagingSetup& setup, PressPlan plan);
 
-  /// Moves each pose to where the probe's face touches the skin, if the plan compresses. Fails if there is no skin.
+  /// Returns the poses of `path`, moved to where the probe's face touches the skin if the plan has a force or
+  /// indentation. Fails if there is no skin.
   static Result<std::vector<Transform>> onSkin(const PressPlan& plan, const LabelMap& labels, const ImagingSetup& setup,
                                                const std::vector<Transform>& path);
-  /// Maximum distance by which the probe may go deeper than its pose.
+  /// Returns the maximum distance by which compression may move the probe deeper than its pose.
   static double reach_mm(const PressPlan& plan);
 
   /// Compresses the tissue at a pose. Fails if there is no skin, or if the probe's face would enter bone.
@@ -28,11 +29,12 @@ class Presser {
 
   const Transform& pose() const { return tissue_.pose(); }
   const PlaneDisplacement& displacement() const { return tissue_.deformation().displacement; }
-  /// Returns the displacement, or zeros over the image plane if nothing moved; never empty.
+  /// Returns the tissue displacement, or zeros over the image plane if nothing moved; never empty.
   PlaneDisplacement field() const;
-  /// Returns force_N, indent_mm and lumens. Without a deformation model, numbers are null and lumens are empty.
+  /// Returns the last result as JSON: force_N, indent_mm and lumens. Without a deformation model, numbers are null and
+  /// lumens are empty.
   nlohmann::json report() const;
-  /// Returns sentences about the last pose; they begin in lower case.
+  /// Returns warnings about the last pose, sentences that begin in lower case.
   std::vector<std::string> warnings() const;
 
  private:

@@ -25,12 +25,12 @@ Result<void> checkIsFit(const PatientCase& patient, const std::string& folder) {
   std::string reasons;
   for (const Finding& finding : *findings)
     if (finding.severity == FindingSeverity::kError) reasons += "\n  " + finding.text;
-  return fail("The case " + folder + " is not fit for training, and is not published:" + reasons);
+  return fail("The case " + folder + " was not published, because it is not fit for training:" + reasons);
 }
 
 Result<void> publish(const PublishArguments& a) {
   if (const auto whole = caseOfVersion(a.folder))
-    return fail(a.folder + " is a version that was kept of " + whole->string() + ": name that case.");
+    return fail(a.folder + " is an earlier version of " + whole->string() + ". Name that case.");
   const auto read = readCase(a.folder);
   if (!read) return tl::unexpected(read.error());
   if (auto ok = checkIsFit(read->patient, a.folder); !ok) return ok;

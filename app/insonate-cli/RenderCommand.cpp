@@ -193,7 +193,7 @@ class PathRenderer {
   /// Images of a path that are done stay.
   Error cancelled() const {
     if (images_.empty()) return {std::string(kCancelled)};
-    return {"Cancelled: the first " + std::to_string(images_.size()) + " of " +
+    return {"Canceled: the first " + std::to_string(images_.size()) + " of " +
             std::to_string(job_.path.patientFromProbe.size()) + " images were written."};
   }
 
@@ -216,7 +216,7 @@ class PathRenderer {
     if (job_.needle.needle) image["needle"] = jsonOf(job_.needle.needleAt(pose));
     if (isSilent(frame_.envelope))
       warn("The image" + (job_.path.isPath ? " of pose " + std::to_string(index) : std::string()) +
-           " shows no echoes: the probe touches no tissue; move it onto the skin.");
+           " shows no echoes, because the probe does not touch tissue. Move it onto the skin.");
     image["frame_ms"] = frame_.frame_ms;
     image["stages_ms"] = stagesOf(frame_);
     if (!targets.envelope.empty()) {
@@ -291,27 +291,34 @@ void addRenderCommand(CLI::App& app, Outcome& outcome) {
   command->add_option("--probe", options->probe, "linear, curvilinear, phased, or a probe file")->capture_default_str();
   command
       ->add_option("--pose", options->pose,
-                   "auto, a start pose of the case, a JSON file, or inline JSON with position_mm, axial and lateral "
-                   "(patient LPS); a list of poses is a path")
+                   "auto, the name of a start pose of the case, a JSON file, or JSON text with position_mm, axial and "
+                   "lateral (patient LPS); a list of poses makes a path")
       ->capture_default_str();
-  command->add_option("--out", options->targets.picture, "PNG to write; along a path F.png becomes F_0000.png, ...")
+  command
+      ->add_option("--out", options->targets.picture, "PNG to write; for a path of poses F.png becomes F_0000.png, ...")
       ->required()
       ->check(notEmpty());
   command->add_option("--engine", options->engine, "auto, cpu, glsl or reference")->capture_default_str();
-  command->add_option("--tissues", options->tissues, "Tissue preset or file; by default neck, for look thesis thesis");
-  command->add_option("--machine", options->machine, "Class of machines whose settings to take; see machines")
-      ->check(notEmpty());
-  command->add_option("--settings", options->settings, "JSON file of imaging settings to override, also the machine's");
-  command->add_option("--look", options->look, "coherent or thesis")->check(CLI::IsMember({"coherent", "thesis"}));
-  command->add_option("--layers", options->targets.layers, "Folder for one image per effect alone");
-  command->add_option("--envelope", options->targets.envelope, "NRRD to write: linear echo amplitude of one look");
-  command->add_option("--displacement", options->targets.displacement,
-                      "NRRD to write: vectors from the displayed to the rest position of tissue, mm, patient LPS");
   command->add_option(
-      "--points", options->points,
-      "Point targets to measure the point spread by: depths in mm below the middle of the face, such as "
-      "5,10,20, or a file with lateral,elevation,depth a line; along a path they stay where they lie at "
-      "its first pose");
+      "--tissues", options->tissues,
+      "Acoustic properties of tissue: a preset or a file; by default neck, or thesis with --look thesis");
+  command
+      ->add_option("--machine", options->machine,
+                   "Class of ultrasound machines whose settings are applied (see machines)")
+      ->check(notEmpty());
+  command->add_option("--settings", options->settings,
+                      "JSON file of imaging settings, which override those of the probe or of --machine");
+  command->add_option("--look", options->look, "coherent or thesis")->check(CLI::IsMember({"coherent", "thesis"}));
+  command->add_option("--layers", options->targets.layers, "Folder for further images, each with one effect by itself");
+  command->add_option("--envelope", options->targets.envelope,
+                      "NRRD to write: linear echo amplitude without compounding");
+  command->add_option(
+      "--displacement", options->targets.displacement,
+      "NRRD to write: vectors from the displaced position of the tissue to its position at rest, mm, patient LPS");
+  command->add_option("--points", options->points,
+                      "Point targets, to measure the point spread function: depths in mm below the middle of the face, "
+                      "such as 5,10,20, or a file with lateral,elevation,depth in each line; in a path of poses they "
+                      "keep their places in the patient at the first pose");
   options->press.addTo(*command);
   options->needle.addTo(*command);
   command->add_flag("--json", options->json, "Print a JSON object with times and warnings");

@@ -51,7 +51,7 @@ Result<void> checkTargets(const OutputTargets& targets, const fs::path& caseFold
   if (auto ok = checkFile(targets.displacement, ".nrrd", "--displacement"); !ok) return ok;
   for (const std::string& file : {targets.picture, targets.envelope, targets.displacement})
     if (!file.empty() && isCaseFile(caseFolder, file))
-      return fail(file + " is a file of the case itself; name another, or the case would be lost.");
+      return fail(file + " is a file of the case itself, which would be overwritten. Name another file.");
   return targets.layers.empty() ? Result<void>{} : checkFolderTarget(targets.layers);
 }
 

@@ -62,7 +62,8 @@ Result<SessionOutcome> runWithPictures(const SessionArguments& a, const SessionS
 
 Result<nlohmann::json> picturesOf(const ReplayArguments& a, std::shared_ptr<const AttemptRecording> recording,
                                   std::int64_t until_us) {
-  if (a.caseFolder.empty()) return fail("--pictures needs the case that the attempt was made on, after the recording.");
+  if (a.caseFolder.empty())
+    return fail("--pictures needs the case of the attempt: name its folder after the recording.");
   auto patient = caseOf(a.caseFolder);
   if (!patient) return tl::unexpected(patient.error());
   auto made = AttemptPictures::make(std::move(recording), std::make_shared<const PatientCase>(std::move(*patient)));
@@ -196,10 +197,11 @@ Result<void> replay(const ReplayArguments& a) {
 }  // namespace
 
 void addSessionCommand(CLI::App& app, Outcome& outcome) {
-  auto* command = app.add_subcommand("session", "Perform a whole attempt by a script, and record it");
+  auto* command = app.add_subcommand("session", "Play a whole attempt from a script, and record it");
   auto a = std::make_shared<SessionArguments>();
   command->add_option("CASE", a->caseFolder, "Folder of the case")->required()->check(notEmpty());
-  command->add_option("--script", a->script, "Script of the hands: name of a built-in script, or a JSON file")
+  command
+      ->add_option("--script", a->script, "Script of the hands' movements: name of a built-in script, or a JSON file")
       ->required()
       ->check(notEmpty());
   command->add_option("--record", a->recording, "New file for the recording")->required()->check(notEmpty());
@@ -216,11 +218,13 @@ void addReplayCommand(CLI::App& app, Outcome& outcome) {
       app.add_subcommand("replay", "Print events, metrics and score of a recorded attempt, and write its images");
   auto a = std::make_shared<ReplayArguments>();
   command->add_option("RECORDING", a->recording, "File of a recording (not needed with --attempt)")->check(notEmpty());
-  command->add_option("CASE", a->caseFolder, "Folder of its case, for images")->check(notEmpty());
+  command->add_option("CASE", a->caseFolder, "Folder of the attempt's case, which is needed for images")
+      ->check(notEmpty());
   a->pictures.addTo(*command);
   a->check.addTo(*command);
   command->add_flag("--metrics", a->metrics, "Also compute metrics and score");
-  command->add_option("--until", a->until_s, "Values at this time (s)")->check(CLI::NonNegativeNumber);
+  command->add_option("--until", a->until_s, "Compute the values at this time of the attempt (s)")
+      ->check(CLI::NonNegativeNumber);
   command->add_flag("--json", a->json, "Print one JSON object");
   command->callback([a, &outcome] {
     if (a->recording.empty() && a->check.attempt.empty()) throw CLI::RequiredError("RECORDING or --attempt");

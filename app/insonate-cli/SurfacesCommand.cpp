@@ -52,16 +52,20 @@ Result<void> makeSurfaces(const SurfacesArguments& a) {
 
 void addSurfacesCommand(CLI::App& app, Outcome& outcome) {
   auto* command =
-      app.add_subcommand("surfaces", "Write each structure of a case as a mesh, in patient LPS millimeters");
+      app.add_subcommand("surfaces", "Write each structure of a case as a mesh in patient coordinates (LPS, mm)");
   auto a = std::make_shared<SurfacesArguments>();
   command->add_option("CASE", a->caseFolder, "Folder of the case")->required()->check(notEmpty());
-  command->add_option("DIR", a->folder, "New or empty folder, for one file a structure")->required()->check(notEmpty());
+  command->add_option("DIR", a->folder, "New or empty folder for the meshes, one file for each structure")
+      ->required()
+      ->check(notEmpty());
   command->add_option("--format", a->format, "stl, ply, obj or vtp")
       ->check(CLI::IsMember({"stl", "ply", "obj", "vtp"}))
       ->capture_default_str();
-  command->add_option("--smoothing", a->options.smoothing_mm, "Smooth away waves shorter than this (mm); 0 for none")
+  command
+      ->add_option("--smoothing", a->options.smoothing_mm,
+                   "Smooth the surface: remove waves shorter than this (mm); 0 for no smoothing")
       ->capture_default_str();
-  command->add_option("--detail", a->options.detail_mm, "Minimum detail (mm); 0 for every voxel")
+  command->add_option("--detail", a->options.detail_mm, "Size of the smallest detail to keep (mm); 0 keeps every voxel")
       ->capture_default_str();
   command->add_flag("--json", a->json, "Print one JSON object");
   command->callback([a, &outcome] {

@@ -26,7 +26,7 @@ std::string unknownCommand(const CLI::App& app, int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace insonate::cli;
-  CLI::App app{"Insonate: a patient's CT becomes an ultrasound image."};
+  CLI::App app{"Insonate computes ultrasound images from a patient's CT."};
   app.set_version_flag("--version", std::string(INSONATE_VERSION));
   app.require_subcommand(1);
 

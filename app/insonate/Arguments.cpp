@@ -26,14 +26,14 @@ std::string readSize(const std::string& text, int& width, int& height) {
 std::variant<Arguments, int> parseArguments(int argc, char** argv) {
   Arguments a;
   std::string screenshot;
-  CLI::App parser{"Insonate: ultrasound from a patient's CT, in a window."};
+  CLI::App parser{"Insonate computes ultrasound images from a patient's CT and shows them in a window."};
   parser.set_version_flag("--version", std::string(INSONATE_VERSION));
   parser.add_option("CASE", a.caseFolder,
-                    "Case folder, DICOM folder, volume file or recorded attempt; without it, the built-in neck");
+                    "Case folder, DICOM folder, volume file or recorded attempt to open; by default the built-in neck");
   parser.add_option("--workspace", a.workspace, "Workspace to show first")
       ->check(CLI::IsMember(std::vector<std::string>{"prepare", "train", "review"}));
   auto* shot =
-      parser.add_option("--screenshot", screenshot, "Write a PNG of the window once it shows the case, and quit");
+      parser.add_option("--screenshot", screenshot, "Write a PNG of the window when it shows the case, and quit");
   parser
       .add_option_function<std::string>(
           "--size",
@@ -43,10 +43,11 @@ std::variant<Arguments, int> parseArguments(int argc, char** argv) {
           },
           "Size of the screenshot, e.g. 1600x1000")
       ->needs(shot);
-  parser.add_option(
-      "--database", a.database,
-      "Store of people and attempts: a file, or postgresql://USER@HOST/DATABASE; without it, the user's own");
-  parser.add_option("--as", a.person, "Sign in at once, with the password in INSONATE_PASSWORD");
+  parser.add_option("--database", a.database,
+                    "Database of people and attempts: a file, or postgresql://USER@HOST/DATABASE; by default the file "
+                    "in the user's data folder");
+  parser.add_option("--as", a.person,
+                    "Sign in as this user, with the password in the environment variable INSONATE_PASSWORD");
   std::string benchmark;
   auto* bench =
       parser.add_option("--benchmark", benchmark,

@@ -3,6 +3,7 @@
 #include <insonate/cases/CropCase.h>
 #include <insonate/cases/Phantom.h>
 #include <insonate/core/AtomicFile.h>
+#include <insonate/prepare/PrepareBenchmark.h>
 #include <insonate/prepare/PrepareWorkspace.h>
 #include <insonate/train/TrainBenchmark.h>
 #include <insonate/train/TrainWorkspace.h>
@@ -188,7 +189,8 @@ void Benchmark::openLarge() {
         forgetPeakMemory();
         Q_EMIT prepare_.caseMade(*made);
         whenReady([this] {
-          prepare_.measureLabelling(plan_.quick ? 2 : kRepeats, [this](const auto& times) { labelled(times); });
+          prepare_.benchmark().measureLabelling(plan_.quick ? 2 : kRepeats,
+                                                [this](const auto& times) { labelled(times); });
         });
       });
 }

@@ -25,17 +25,18 @@ class MainWindow;
 namespace insonate::app {
 
 struct BenchmarkPlan {
-  std::filesystem::path folder;  ///< receives window.json and window.csv
-  std::string caseFolder;        ///< empty: the built-in neck
-  bool quick = false;  ///< takes moments instead of seconds; shows that the benchmark runs, but the values mean nothing
+  std::filesystem::path folder;  ///< folder for the results: window.json and window.csv
+  std::string caseFolder;        ///< case to open; empty: the built-in neck
+  /// True: measurements are too short for meaningful values; for testing that the benchmark runs.
+  bool quick = false;
 };
 
-/// Measures the real window: time to the first image, rate of live images, frame rate of 3D with and without the
-/// volume-rendered CT, memory, and speed of labeling a CT of 512 x 512 x 300 voxels. Writes and prints a table.
+/// Benchmark of the program's window: time to the first image, rate of live images, frame rate of 3D with and without
+/// the volume-rendered CT, memory, and speed of labeling a CT of 512 x 512 x 300 voxels. Writes and prints a table.
 class Benchmark : public QObject {
  public:
-  /// Show the window with Train, but without a case, before this call; the benchmark opens the case. `done` receives an
-  /// empty string or, if no table was written, an error message.
+  /// Starts the benchmark. The window must already show the workspace Train without a case; the benchmark opens the
+  /// case. `done` receives an empty string or, if no table was written, an error message.
   Benchmark(ui::MainWindow& window, train::TrainWorkspace& train, prepare::PrepareWorkspace& prepare,
             BenchmarkPlan plan, std::function<void(const QString& trouble)> done);
 
@@ -64,7 +65,7 @@ class Benchmark : public QObject {
   const BenchmarkPlan plan_;
   std::function<void(const QString&)> done_;
   QElapsedTimer opening_;
-  double empty_MB_ = 0;  ///< memory of the window without a case
+  double empty_MB_ = 0;  ///< memory of the process without a case
   std::unique_ptr<FirstImage> first_;
   std::vector<Row> rows_;
   QString graphics_, trouble_;

@@ -9,13 +9,13 @@ class MainWindow;
 
 namespace insonate::app {
 
-/// Milliseconds since this process started, including the loading of the program; resolution 10 ms.
+/// Returns the milliseconds since this process started, including the loading of the program; resolution 10 ms.
 double sinceStart_ms();
 
-/// Reports when the first live image is on the screen.
+/// Calls a function when the first live ultrasound image is on the screen.
 class FirstImage : public QObject {
  public:
-  /// `there` is called once, after the constructor has returned.
+  /// Waits for the first image; then `there` is called once, never before the constructor has returned.
   FirstImage(ui::MainWindow& window, std::function<void()> there);
 
  private:

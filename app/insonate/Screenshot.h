@@ -11,7 +11,7 @@ class MainWindow;
 
 namespace insonate::app {
 
-/// Waits until the window shows the case, writes an image of the window, and reports the outcome.
+/// Waits until the window shows the case, writes a screenshot of the window, and reports the result.
 class Screenshot : public QObject {
  public:
   /// `done` receives an empty string or, if no image was written, an error message.

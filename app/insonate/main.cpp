@@ -138,6 +138,7 @@ int run(QApplication& application, const app::Arguments& arguments) {
         window, *window.findChild<train::TrainWorkspace*>(), *window.findChild<prepare::PrepareWorkspace*>(),
         app::BenchmarkPlan{arguments.benchmark, arguments.caseFolder, arguments.quick}, leave);
   beginWith(window, arguments, leave);
+  if (!forScript && arguments.person.empty()) window.askAtFirstStart();
   application.exec();
   return status;
 }

@@ -24,6 +24,15 @@ function(insonate_module NAME)
   target_link_libraries(insonate_${NAME} ${scope} ${ARG_PUBLIC})
 endfunction()
 
+# insonate_use_itk(TARGET)
+# ITK's headers for a target whose sources include them, with GCC as with Clang. ITK's libraries are linked besides.
+function(insonate_use_itk TARGET)
+  target_include_directories(${TARGET} SYSTEM PRIVATE ${ITK_INCLUDE_DIRS})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    target_compile_options(${TARGET} PRIVATE "SHELL:-include ${PROJECT_SOURCE_DIR}/packaging/cmake/ItkForClang.h")
+  endif()
+endfunction()
+
 # insonate_suites(PREFIX PROGRAM [PROPERTY value]...)
 # Each suite of a test program is one test of ctest, PREFIX.Suite, so that its cases share what is slow to make. They are
 # read from the sources, so that none is left out.

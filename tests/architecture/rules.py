@@ -36,9 +36,11 @@ LONG_FUNCTIONS = {
     ("ui/prepare/src/tools/ToolTable.cpp", "shaping"): "a table",
 }
 
-# Folders of ui/train/src that each feature may include, and further pairs (who, whom).
-TRAIN_SHARED = {"feature", "layout", "model"}
-TRAIN_EXCEPTIONS = {("levels", "attempt"), ("measure", "patient3d")}
+# Workspaces that are lists of features: folders of their src that each feature may include, and further pairs (who, whom).
+FEATURES = {
+    "train": ({"feature", "layout", "model"}, {("levels", "attempt"), ("measure", "patient3d")}),
+    "prepare": ({"feature", "labels", "layout", "model"}, {("measure", "tools")}),
+}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 OWN = re.compile(r"insonate/(\w+)/")
@@ -213,14 +215,19 @@ def check_basenames(root):
                     yield f"{file.relative_to(root)}: has the name of {other.relative_to(root)}; name one of them anew"
 
 
-def check_train_features(root):
-    """A feature of Train knows the model and the layout, and no other feature: it can be removed with its folder."""
-    for file in sources(root, "ui/train/src"):
-        folder = file.relative_to(root / "ui/train/src").parts[0]
-        for number, header in includes(file):
-            other = header.split("/")[1] if header.startswith("../") else folder
-            if other not in TRAIN_SHARED | {folder} and (folder, other) not in TRAIN_EXCEPTIONS:
-                yield f"{file.relative_to(root)}:{number}: {folder} includes {header} of another feature; meet in the model"
+def check_features(root):
+    """A feature of a workspace knows the model and the layout, and no other feature: it can be removed with its folder."""
+    for workspace, (shared, exceptions) in FEATURES.items():
+        source = root / "ui" / workspace / "src"
+        for file in sources(root, f"ui/{workspace}/src"):
+            if file.parent == source:
+                continue
+            folder = file.relative_to(source).parts[0]
+            for number, header in includes(file):
+                first = header.removeprefix("../").split("/")[0]
+                other = first if header.startswith("../") or (source / first).is_dir() else folder
+                if other not in shared | {folder} and (folder, other) not in exceptions:
+                    yield f"{file.relative_to(root)}:{number}: {folder} includes {header} of another feature; meet in the model"
 
 
 def check_finished(root):
@@ -260,7 +267,7 @@ def check_architecture_page(root):
 
 
 RULES = [check_architecture_page, check_floors, check_private_headers, check_public_headers, check_toolkits, check_sql, check_top_level,
-         check_modules_complete, check_length, check_functions, check_basenames, check_train_features, check_finished, check_pragma_once]
+         check_modules_complete, check_length, check_functions, check_basenames, check_features, check_finished, check_pragma_once]
 
 
 def violations(root):

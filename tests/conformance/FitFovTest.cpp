@@ -62,7 +62,7 @@ std::vector<Row> variationsOf(const std::string& name, const FovShape& shape, un
   add("dark at the end", [](FovCapture& c) { c.darkEnd = c.shadows = true, c.mark_px = 30, c.longEvery = 2; });
   add("right side cut off", [](FovCapture& c) { c.cutRight = 0.3, c.bars = true; });
   add("end cut off", [](FovCapture& c) { c.cutEnd = 0.06, c.text = true; });
-  add("dark on light", [](FovCapture& c) { c.darkOnLight = c.text = true, c.mark_px = 50; });
+  add("dark echoes on a light background", [](FovCapture& c) { c.darkOnLight = c.text = true, c.mark_px = 50; });
   add("all at once", [](FovCapture& c) {
     c.text = c.bars = c.artefacts = c.darkLeft = c.shadows = true;
     c.ground = 10, c.noise = 3, c.mark_px = 55;

@@ -63,7 +63,7 @@ TEST_F(CaseCommands, ImportWritesACaseAndSaysWhatIsNext) {
 TEST_F(CaseCommands, ValuesWithoutTheirOffsetAreShiftedWhenAskedFor) {
   INSONATE_NEEDS_DATA("head-ct-dicom-small");
   const std::string series = test::testData("head-ct-dicom-small").string();
-  expectRefusal("import " + series + " " + at("case") + " --auto-label", "--shift -1024 puts it right");
+  expectRefusal("import " + series + " " + at("case") + " --auto-label", "--shift -1024 corrects this");
   const auto result = run("import " + series + " " + at("case") + " --auto-label --shift -1024 --json");
   ASSERT_EQ(result.status, 0) << result.errors;
   EXPECT_THAT(json::parse(result.output)["series"][0]["warnings"].dump(), HasSubstr("-1024 was added to every value"));
@@ -81,7 +81,7 @@ TEST_F(CaseCommands, WhatIsPublishedStaysWhileTheCaseIsSavedAgain) {
   ASSERT_EQ(run("phantom " + at("case") + " --variant collapsed-vein --replace").status, 0);
   EXPECT_EQ(bytesOf(folder_ / "case/versions/001/labels.seg.nrrd"), labels);
   EXPECT_NE(bytesOf(folder_ / "case/labels.seg.nrrd"), labels);
-  expectRefusal("publish " + at("case/versions/001"), "is a version that was kept of");
+  expectRefusal("publish " + at("case/versions/001"), "is an earlier version of");
   EXPECT_THAT(run("publish " + at("case")).output, HasSubstr("Trainees get version 2"));
   EXPECT_EQ(bytesOf(folder_ / "case/versions/001/labels.seg.nrrd"), labels) << "for attempts that were made on it";
 }
@@ -102,7 +102,7 @@ TEST_F(CaseCommands, WhatIsReplacedStaysAsAVersion) {
 TEST_F(CaseCommands, WhatIsNotFitIsNotPublished) {
   makeSeries();
   ASSERT_EQ(run("import " + at("series") + " " + at("case")).status, 0);
-  expectRefusal("publish " + at("case"), "is not fit for training, and is not published");
+  expectRefusal("publish " + at("case"), "was not published, because it is not fit for training");
   EXPECT_THAT(run("publish " + at("case")).errors, HasSubstr("Nothing is labeled yet"));
   EXPECT_FALSE(fs::exists(folder_ / "case/versions"));
   expectRefusal("publish " + at("nowhere"), "There is no case folder");
@@ -136,7 +136,7 @@ TEST_F(CaseCommands, TargetsAreRefusedBeforeTheWork) {
   fs::create_symlink(folder_ / "nothing", folder_ / "link");
   for (const std::string& command : {std::string("phantom "), "import " + at("series") + " "}) {
     expectRefusal(command + at("file"), "is a file");
-    expectRefusal(command + at("link"), "link to nothing");
+    expectRefusal(command + at("link"), "link to a folder that does not exist");
     expectRefusal(command + at("none/case"), "does not exist");
     expectRefusal(command + "''", "empty", 2);
   }
@@ -210,8 +210,8 @@ class Interrupted : public CaseCommands, public testing::WithParamInterface<cons
       EXPECT_EQ(result.status, signal == "INT" ? 130 : 143) << moment;
       EXPECT_EQ(names(), before) << "after " << moment << " s";
       if (result.errors.empty()) continue;  // before the program began
-      EXPECT_THAT(result.errors, HasSubstr("Cancelled: nothing was written."));
-      EXPECT_THAT(json::parse(result.output)["error"], HasSubstr("Cancelled"));
+      EXPECT_THAT(result.errors, HasSubstr("Canceled: nothing was written."));
+      EXPECT_THAT(json::parse(result.output)["error"], HasSubstr("Canceled"));
     }
   }
 };

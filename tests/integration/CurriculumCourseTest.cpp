@@ -128,7 +128,7 @@ TEST_F(CurriculumCourse, StatisticsSayWhatTheyCannotTell) {
   const json same = compared["procedures"][0]["metrics"][0];
   EXPECT_TRUE(same["effect"].is_null()) << "two people are too few to compare";
   EXPECT_EQ(same["n_first"], 2);
-  EXPECT_THAT(compared["note"].get<std::string>(), HasSubstr("with 4 people or more of each class"));
+  EXPECT_THAT(compared["note"].get<std::string>(), HasSubstr("and 4 people or more in each class"));
 }
 
 TEST_F(CurriculumCourse, FormsAreFilledInOnce) {

@@ -69,7 +69,7 @@ TEST_F(CurriculumForms, RatersReadEachOthersNotesAfterTheirOwn) {
   const std::string id = attempt(1), note = "=HYPERLINK(\"http://x\"), <b>%1</b>";
   judge("miller", id, "not_done", note);
   const CommandResult before = run("forms compare jugular_checklist " + id + " --as otto");
-  EXPECT_THAT(before.output, HasSubstr("read once you have filled in yours: 1"));
+  EXPECT_THAT(before.output, HasSubstr("after you have handed in yours: 1"));
   EXPECT_THAT(before.output, Not(HasSubstr("HYPERLINK")));
   const json withheld = told("forms filled alice --as otto")["forms"];
   ASSERT_EQ(withheld.size(), 1u);
@@ -82,7 +82,7 @@ TEST_F(CurriculumForms, RatersReadEachOthersNotesAfterTheirOwn) {
   EXPECT_EQ(after[1]["differs"], false);
   EXPECT_THAT(
       refused("forms fill jugular_checklist " + sheet("not_done") + " --about alice --attempt " + id + " --as otto"),
-      HasSubstr("a form is handed in once"))
+      HasSubstr("a form can be handed in only once"))
       << "who knows what others said";
   EXPECT_EQ(told("forms filled --as alice")["forms"][0]["withheld"], false) << "whom it is about reads it";
   EXPECT_THAT(refused("forms compare jugular_checklist " + id + " --as bob"), Not(IsEmpty()));
@@ -91,7 +91,7 @@ TEST_F(CurriculumForms, RatersReadEachOthersNotesAfterTheirOwn) {
 TEST_F(CurriculumForms, BadTablesAreToldWithTheirLine) {
   EXPECT_THAT(refusedSheet(""), HasSubstr("item,answer"));
   EXPECT_THAT(refusedSheet("question,answer\n"), HasSubstr("item,answer"));
-  EXPECT_THAT(refusedSheet("item,answer\nnothing,done\n"), HasSubstr("Line 2: 'nothing' is not asked"));
+  EXPECT_THAT(refusedSheet("item,answer\nnothing,done\n"), HasSubstr("Line 2: 'nothing' is not an item"));
   EXPECT_THAT(refusedSheet("item,answer\nindication,done\nindication,done\n"), HasSubstr("Line 3: 'indication' is"));
   EXPECT_THAT(refusedSheet("item,answer\nindication,done,\"a note\"\n"), HasSubstr("more fields than columns"));
   EXPECT_THAT(refusedSheet("item,answer\nindication,\"done\n"), HasSubstr("quote"));

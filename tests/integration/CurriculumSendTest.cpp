@@ -109,7 +109,7 @@ TEST_F(CurriculumSend, EachStatementArrivesOnceHoweverOftenItIsSent) {
 TEST_F(CurriculumSend, SaysWhatTheStoreSaid) {
   write(120);
   records.status = 401;
-  EXPECT_THAT(send(address()).errors, HasSubstr("refuses this name and password"));
+  EXPECT_THAT(send(address()).errors, HasSubstr("does not accept this name and password"));
   records.status = 409;
   EXPECT_THAT(send(address()).errors, HasSubstr("other statements by the same ids"));
   records.status = 302;
@@ -138,7 +138,7 @@ TEST_F(CurriculumSend, OnlyStatementsAreSent) {
     std::ofstream(folder / "x.json") << text;
     const CommandResult result = send(address());
     EXPECT_EQ(result.status, 1) << text;
-    EXPECT_THAT(result.errors, HasSubstr("no list of xAPI statements")) << text;
+    EXPECT_THAT(result.errors, HasSubstr("not a list of xAPI statements")) << text;
   }
   EXPECT_EQ(records.requests, 0);
 }

@@ -45,7 +45,7 @@ TEST_F(CurriculumTrust, ARecordingOfTheWorkstationIsProvenAndCounts) {
   const Sealed sealed = seal();
   const std::string file = record("mine", Ending::InVein, 2, utc(0), sealed.whose, sealed.key);
   EXPECT_THAT(refused("attempts add " + file + " --as bob"), HasSubstr("was recorded for another person"));
-  EXPECT_THAT(refused("attempts add " + file + " --level second --as alice"), HasSubstr("counts for no other"));
+  EXPECT_THAT(refused("attempts add " + file + " --level second --as alice"), HasSubstr("counts for this level only"));
   const json added = told("attempts add " + file + " --as alice");
   EXPECT_EQ(added["attempt"]["proof"], "proven");
   EXPECT_EQ(added["attempt"]["id"], sealed.whose.attempt);
@@ -94,7 +94,7 @@ TEST_F(CurriculumTrust, ARewrittenHeaderIsRefused) {
   EXPECT_EQ(free["counts"], false);
   EXPECT_EQ(free["state"], "open");
   EXPECT_THAT(refused("attempts accept " + free["attempt"]["id"].get<std::string>() + " --reason mine --as alice"),
-              HasSubstr("You may not do this"));
+              HasSubstr("You do not have the permission for this"));
 }
 
 TEST_F(CurriculumTrust, ASessionsScriptPassesNoLevel) {
@@ -107,7 +107,8 @@ TEST_F(CurriculumTrust, ASessionsScriptPassesNoLevel) {
   ASSERT_EQ(session.status, 0) << session.errors;
   EXPECT_THAT(refused("attempts add " + path("scripted.attempt") + " --level first --as alice"),
               HasSubstr("was recorded from a script"));
-  EXPECT_THAT(refused("attempts add " + path("scripted.attempt") + " --as alice"), HasSubstr("counts for nobody"))
+  EXPECT_THAT(refused("attempts add " + path("scripted.attempt") + " --as alice"),
+              HasSubstr("does not count for any person"))
       << "not as free practice either";
   EXPECT_TRUE(told("attempts list --as alice")["attempts"].empty());
 }
@@ -129,8 +130,8 @@ TEST_F(CurriculumTrust, ADateThatCannotBeIsRefused) {
   const std::string before = record("before", Ending::InVein, 1, "2026-01-02T03:04:05Z");
   EXPECT_THAT(refused("attempts add " + before + " --level first --as alice"), HasSubstr("level was published later"));
   const std::string future = record("future", Ending::InVein, 2, utc(86'400));
-  EXPECT_THAT(refused("attempts add " + future + " --level first --as alice"), HasSubstr("lies in the future"));
-  EXPECT_THAT(refused("attempts add " + future + " --as alice"), HasSubstr("lies in the future"));
+  EXPECT_THAT(refused("attempts add " + future + " --level first --as alice"), HasSubstr("is in the future"));
+  EXPECT_THAT(refused("attempts add " + future + " --as alice"), HasSubstr("is in the future"));
   EXPECT_TRUE(told("attempts list --as alice")["attempts"].empty());
   told("attempts add " + before + " --as alice");
 }

@@ -55,8 +55,8 @@ TEST_F(CurriculumUpkeep, AnInstructorIsRefusedTheLogAndOtherClasses) {
         std::string("statistics class 'Year 2'"), "export csv 'Year 2' " + path("x.csv"), "levels " + carol,
         "attempts list " + carol, "forms filled " + carol, std::string("forms agreement jugular_checklist 'Year 2'"),
         "classes import 'Year 2' " + list})
-    EXPECT_THAT(refused(command + " --as miller"),
-                AnyOf(HasSubstr("You may not do this"), HasSubstr("among those that miller sees")))
+    EXPECT_THAT(refused(command + " --as miller"), AnyOf(HasSubstr("You do not have the permission for this"),
+                                                         HasSubstr("among the classes that miller can see")))
         << command;
   told("statistics class 'Year 1' --as miller");
   int refusals = 0;
@@ -75,7 +75,7 @@ TEST_F(CurriculumUpkeep, ABackupIsPutBackAndVerified) {
   EXPECT_EQ(whole["attempts"], 2);
   const std::string anchor = whole["anchor"];
   EXPECT_EQ(run("verify --anchor " + anchor + " --as boss").status, 0);
-  EXPECT_THAT(refused("verify --anchor 3 --as boss"), HasSubstr("is no anchor"));
+  EXPECT_THAT(refused("verify --anchor 3 --as boss"), HasSubstr("is not an anchor"));
 
   EXPECT_THAT(refused("restore " + path("backup.sqlite") + " --as boss", "wrong"), Not(""));
   EXPECT_THAT(refused("restore " + path("none.sqlite") + " --as boss"), Not(""));

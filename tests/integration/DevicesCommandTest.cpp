@@ -40,7 +40,7 @@ class DevicesCommand : public testing::Test {
 TEST_F(DevicesCommand, WithoutDevicesItNamesThoseItKnows) {
   const CommandResult run = runAmong("", "--seconds 0.1");
   EXPECT_EQ(run.status, 0) << run.errors;
-  EXPECT_THAT(run.output, HasSubstr("No device that Insonate knows is plugged in."));
+  EXPECT_THAT(run.output, HasSubstr("No device that Insonate supports is plugged in."));
   EXPECT_THAT(run.output, HasSubstr("SpaceMouse"));
   const auto json = nlohmann::json::parse(runAmong("", "--seconds 0.1 --json").output);
   EXPECT_TRUE(json.at("devices").empty());

@@ -87,7 +87,7 @@ TEST_F(ExchangeCommands, WhatCannotBeIsRefused) {
   expectRefusal("export " + at("case") + " --dicom " + at("case"), "not empty");
   expectRefusal("export " + at("case") + " --seg " + at("no/such/s.dcm"), "no/such");
   expectRefusal("import-labels " + at("case") + " " + at("none.dcm") + " --replace", "There is no file");
-  expectRefusal("import-labels " + at("case") + " " + at("case/case.json") + " --replace", "holds no labels");
+  expectRefusal("import-labels " + at("case") + " " + at("case/case.json") + " --replace", "contains no labels");
 }
 
 }  // namespace

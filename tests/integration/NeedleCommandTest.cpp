@@ -57,7 +57,7 @@ TEST_F(NeedleCommand, NonsenseIsRefusedWithASentence) {
     EXPECT_EQ(result.status, status) << arguments << '\n' << result.errors;
     EXPECT_THAT(result.errors, HasSubstr(words)) << arguments;
   };
-  expectRefusal("--needle-tip 0,0,7 --needle-direction 0,0,0", "no direction", 1);
+  expectRefusal("--needle-tip 0,0,7 --needle-direction 0,0,0", "is 0,0,0", 1);
   expectRefusal("--needle-tip 0,0,7 --needle-diameter 9", "radius is 4.500 mm", 1);
   expectRefusal("--needle-tip 0,0,7 --needle-bevel 1,0,1", "faces along its shaft", 1);
   expectRefusal("--needle-tip 0,0,7 --tenting 40", "--tenting must be 0 to 30 mm", 1);

@@ -158,7 +158,7 @@ TEST_F(PressCommand, NonsenseIsRefusedByName) {
   expectRefusal("--indent 1 --cvp 99", "centralVenous");
   expectRefusal("--indent 1 --pressure 120", "120/80");
   expectRefusal("--indent 1 --pressure 80/120", "iastolic");
-  expectRefusal("--indent 1 --map 90 --pressure 120/80", "give one");
+  expectRefusal("--indent 1 --map 90 --pressure 120/80", "Give only one");
   expectRefusal("--indent 1 --footprint 0", "footprint");
   expectRefusal("--indent 1 --displacement " + shellWord(out("u.png")), ".nrrd");
   expectRefusal("--indent 1 --displacement " + shellWord(*shared_ / "case" / "ct.nrrd"), "file of the case itself");

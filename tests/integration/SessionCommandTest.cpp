@@ -105,7 +105,7 @@ TEST_F(SessionCommand, PicturesOfASessionAndItsReplaysAgreeByteForByte) {
   ASSERT_EQ(run(replay + path("some") + " --every 0.5").status, 0);
   EXPECT_EQ(filesIn(folder / "some").at("0001000_ms.png"), first.at("0001000_ms.png")) << "whatever came before";
 
-  EXPECT_THAT(run(replay + path("second")).errors, HasSubstr("second holds files already"));
+  EXPECT_THAT(run(replay + path("second")).errors, HasSubstr("second already contains files"));
   EXPECT_THAT(run("replay " + path("a") + " --pictures " + path("third")).errors, HasSubstr("needs the case"));
   EXPECT_EQ(run(replay + path("third") + " --every 0").status, 2);
   EXPECT_FALSE(std::filesystem::exists(folder / "third"));
@@ -123,7 +123,7 @@ TEST_F(SessionCommand, Refusals) {
   std::ofstream(folder / "there") << "text";
   const auto there = run(session + path("attempt.json") + " --record " + path("there") + " --json");
   EXPECT_EQ(there.status, 1);
-  EXPECT_THAT(json::parse(there.output)["error"].get<std::string>(), HasSubstr("are not written over"));
+  EXPECT_THAT(json::parse(there.output)["error"].get<std::string>(), HasSubstr("are never overwritten"));
   EXPECT_THAT(run("replay " + path("there")).errors, HasSubstr("is not a recording of an attempt"));
   EXPECT_EQ(run("session " + path("case")).status, 2);
   EXPECT_FALSE(std::filesystem::exists(folder / "a"));

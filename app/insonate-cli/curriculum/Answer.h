@@ -17,24 +17,26 @@ namespace insonate::cli {
 
 using Json = nlohmann::json;
 
-/// Output of a command: `object` for programs, `text` for users.
+/// Output of a subcommand: `object` with --json, otherwise `text`.
 struct Answer {
   Json object = Json::object();
   std::string text;
-  /// Error message about a fault that the command was run to find; printed after text and object, with exit status 1.
+  /// Message about a fault that the command found in the checked data; printed after text or object, with exit
+  /// status 1.
   std::string failure{};
 };
 
-/// Adds a command that prints the result of `work`.
+/// Adds a subcommand that prints the result of `work`.
 CLI::App* addAnsweringCommand(CLI::App& group, Outcome& outcome, const std::string& name, const std::string& about,
                               std::function<Result<Answer>()> work);
 
 enum class SigningIn { No, Yes };
 
-/// Adds a command with --database and, if `signingIn` is Yes, the options for signing in; `work` receives them.
+/// Adds a subcommand with the option --database and, if `signingIn` is Yes, the options for signing in; `work` receives
+/// these options.
 CLI::App* addStoreCommand(CLI::App& group, Outcome& outcome, const std::string& name, const std::string& about,
                           SigningIn signingIn, std::function<Result<Answer>(const StoreOptions&)> work);
-/// Adds a command whose `work` receives the signed-in user.
+/// Adds a subcommand that signs a user in and passes the session to `work`.
 CLI::App* addSignedInCommand(CLI::App& group, Outcome& outcome, const std::string& name, const std::string& about,
                              std::function<Result<Answer>(const SignedIn&)> work);
 
@@ -43,7 +45,8 @@ struct Column {
   const char* title;
 };
 
-/// Formats the rows of a JSON list as aligned columns. A missing value becomes n/a, control characters become spaces.
+/// Formats a JSON list of objects as a table with aligned columns. A missing value becomes n/a, control characters
+/// become spaces.
 std::string tableOf(const Json& rows, const std::vector<Column>& columns);
 
 /// Formats microseconds since 1970 as ISO 8601 in UTC.

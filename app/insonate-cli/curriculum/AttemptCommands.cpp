@@ -70,7 +70,8 @@ Result<Curriculum> curriculumFor(const SignedIn& by, const AddArguments& a) {
       found.push_back(std::move(*curriculum));
   }
   if (found.empty())
-    return fail("No class of yours has a level '" + a.level + "'; 'curriculum levels' names those that are yours.");
+    return fail("No class of yours has a level '" + a.level +
+                "'; 'curriculum levels' lists the levels of your classes.");
   if (found.size() > 1)
     return fail("More than one of your classes has a level '" + a.level + "'; name one with --class.");
   return std::move(found.front());
@@ -98,7 +99,7 @@ Result<Curriculum> curriculumOfFacts(const SignedIn& by, const AttemptFacts& fac
   if (!curriculum || facts.curriculum.empty()) return curriculum;
   if (curriculum->name == facts.curriculum && curriculum->version == facts.curriculumVersion) return curriculum;
   return fail(a.recording + " was recorded for version " + std::to_string(facts.curriculumVersion) + " of '" +
-              facts.curriculum + "', which none of your classes is taught by; ask an instructor.");
+              facts.curriculum + "', but none of your classes uses it. Ask an instructor.");
 }
 
 Result<Answer> addToLevel(const SignedIn& by, AttemptFacts facts, const AddArguments& a, const AttemptProofOf& proven) {
@@ -141,7 +142,7 @@ Result<Answer> add(const SignedIn& by, AddArguments a) {
   } else if (!a.level.empty() && a.level != facts->level) {
     return fail(a.recording + " was recorded " +
                 (facts->level.empty() ? "in free practice" : "for the level '" + facts->level + "'") +
-                " and counts for no other; leave out --level.");
+                " and counts for this level only. Leave out --level.");
   } else {
     a.level = facts->level;
   }
@@ -220,9 +221,9 @@ Result<Answer> listAttempts(const SignedIn& by, const ListArguments& a) {
                               {"proof", "proof"},
                               {"id", "attempt"}};
   if (!isOwn) columns.push_back({"flagged", "needs attention"});
-  return Answer{
-      {{"person", toJson(*person)}, {"attempts", rows}},
-      rows.empty() ? "No attempts yet; 'curriculum attempts add' takes a recording." : tableOf(rows, columns)};
+  return Answer{{{"person", toJson(*person)}, {"attempts", rows}},
+                rows.empty() ? "No attempts yet. Add one from its recording with 'curriculum attempts add'."
+                             : tableOf(rows, columns)};
 }
 
 Result<Answer> voidOne(const SignedIn& by, const ReasonArguments& a) {
@@ -234,17 +235,18 @@ Result<Answer> voidOne(const SignedIn& by, const ReasonArguments& a) {
 Result<Answer> accept(const SignedIn& by, const ReasonArguments& a) {
   if (auto done = AttemptStore(by).accept(a.attempt, a.reason); !done) return tl::unexpected(done.error());
   return Answer{{{"id", a.attempt}, {"proof", wordOf(AttemptProof::Accepted)}},
-                "The attempt counts now, on your word; your name and the reason are in the audit log."};
+                "The attempt counts now. Your name and the reason are in the audit log."};
 }
 
 }  // namespace
 
 void addAttemptCommands(CLI::App& curriculum, Outcome& outcome) {
-  CLI::App& attempts = *curriculum.add_subcommand("attempts", "Attempts of people");
+  CLI::App& attempts = *curriculum.add_subcommand("attempts", "Manage the attempts of users");
   attempts.require_subcommand(1);
   auto added = std::make_shared<AddArguments>();
   CLI::App* adding =
-      addSignedInCommand(attempts, outcome, "add", "Add an attempt of yours from its recording; the store keeps a copy",
+      addSignedInCommand(attempts, outcome, "add",
+                         "Add an attempt of your own from its recording; the store keeps a copy of the recording",
                          [added](const SignedIn& by) { return add(by, *added); });
   adding->add_option("RECORDING", added->recording, "File of an attempt that a person made in the window")
       ->required()
@@ -269,8 +271,9 @@ void addAttemptCommands(CLI::App& curriculum, Outcome& outcome) {
   accepting->add_option("--reason", accepted->reason, "Reason to trust the attempt")->required();
 
   auto voided = std::make_shared<ReasonArguments>();
-  CLI::App* voiding = addSignedInCommand(attempts, outcome, "void", "Takes an attempt out of the count; it is kept",
-                                         [voided](const SignedIn& by) { return voidOne(by, *voided); });
+  CLI::App* voiding =
+      addSignedInCommand(attempts, outcome, "void", "Exclude an attempt from the count; the attempt stays in the list",
+                         [voided](const SignedIn& by) { return voidOne(by, *voided); });
   voiding->add_option("ATTEMPT", voided->attempt, "The attempt's id, from 'attempts list'")->required();
   voiding->add_option("--reason", voided->reason, "Reason, which the trainee can read")->required();
 }

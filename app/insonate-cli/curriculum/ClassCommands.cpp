@@ -32,7 +32,7 @@ Result<Answer> listClasses(const SignedIn& by) {
   if (!cohorts) return tl::unexpected(cohorts.error());
   Json rows = Json::array();
   for (const Cohort& cohort : *cohorts) rows.push_back(classJson(cohort));
-  const std::string none = "You are in no class yet; an administrator makes them with 'curriculum classes add'.";
+  const std::string none = "You are not in a class yet. An administrator adds classes with 'curriculum classes add'.";
   return Answer{
       {{"classes", rows}},
       rows.empty()
@@ -44,7 +44,7 @@ Result<Answer> add(const SignedIn& by, const std::string& name) {
   const auto cohort = CohortStore(by).add(name);
   if (!cohort) return tl::unexpected(cohort.error());
   return Answer{{{"class", classJson(*cohort)}},
-                "The class '" + cohort->name + "' is there; next: 'curriculum classes import' or 'join'."};
+                "The class '" + cohort->name + "' was added. Next: 'curriculum classes import' or 'join'."};
 }
 
 Json rowOf(const Member& member, const std::map<std::string, Standing>& standings) {
@@ -80,7 +80,7 @@ Result<Answer> members(const SignedIn& by, const std::string& name) {
   }
   Json rows = Json::array();
   for (const Member& member : *members) rows.push_back(rowOf(member, standings));
-  const std::string none = "Nobody is in '" + cohort->name + "' yet; next: 'curriculum classes import' or 'join'.";
+  const std::string none = "Nobody is in '" + cohort->name + "' yet. Next: 'curriculum classes import' or 'join'.";
   return Answer{{{"class", classJson(*cohort)}, {"members", rows}},
                 rows.empty() ? none
                              : tableOf(rows, {{"name", "name"},
@@ -127,23 +127,23 @@ void addMemberships(CLI::App& classes, Outcome& outcome) {
     command->add_option("NAME", a->person, "Name of the person")->required();
     return std::pair(command, a);
   };
-  const auto [command, a] = add("join", "Someone joins a class, to learn or to teach", true);
-  command->add_flag("--teaches", a->teaches, "As a teacher of the class");
-  add("leave", "Someone leaves a class", false);
+  const auto [command, a] = add("join", "Add a person to a class, as a trainee or a teacher", true);
+  command->add_flag("--teaches", a->teaches, "Add the person as a teacher");
+  add("leave", "Remove a person from a class", false);
 }
 
 }  // namespace
 
 void addClassCommands(CLI::App& curriculum, Outcome& outcome) {
-  CLI::App& classes = *curriculum.add_subcommand("classes", "Classes and their curricula");
+  CLI::App& classes = *curriculum.add_subcommand("classes", "Manage classes and their curricula");
   classes.require_subcommand(1);
-  addSignedInCommand(classes, outcome, "list", "Classes that you may see", listClasses);
+  addSignedInCommand(classes, outcome, "list", "List the classes that you can see", listClasses);
   auto name = std::make_shared<std::string>();
   addSignedInCommand(classes, outcome, "add", "Add a class", [name](const SignedIn& by) { return add(by, *name); })
       ->add_option("CLASS", *name, "Name")
       ->required();
   auto which = std::make_shared<std::string>();
-  addSignedInCommand(classes, outcome, "members", "People of a class with their standing",
+  addSignedInCommand(classes, outcome, "members", "List the people of a class with their levels",
                      [which](const SignedIn& by) { return members(by, *which); })
       ->add_option("CLASS", *which, "Name of the class")
       ->required();

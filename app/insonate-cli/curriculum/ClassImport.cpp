@@ -39,7 +39,7 @@ Answer toldOf(const std::vector<ClassImportRow>& plan, const ImportArguments& a)
   const auto already = std::ranges::count(plan, AlreadyThere, &ClassImportRow::step);
   std::string text = std::to_string(added.size()) + " added, " + std::to_string(joined.size()) + " joined, " +
                      std::to_string(already) + " there already, " + std::to_string(troubles.size()) + " with errors.";
-  if (!added.empty()) text += " First passwords, to be handed out and deleted: " + a.passwords;
+  if (!added.empty()) text += " First passwords; hand them out, then delete this file: " + a.passwords;
   return {{{"added", added}, {"joined", joined}, {"already_there", already}, {"troubles", troubles}}, text};
 }
 
@@ -48,7 +48,8 @@ Result<void> carryOut(const SignedIn& by, const Cohort& cohort, const std::vecto
                       const std::string& file) {
   const auto passwords = ClassImport::passwordsFor(plan);
   if (!passwords.empty()) {
-    if (file.empty()) return fail("New people need first passwords: name a file for them with --passwords.");
+    if (file.empty())
+      return fail("The list has new people, who need first passwords. Name a file for the passwords with --passwords.");
     if (auto written = writeFirstPasswords(file, passwords); !written) return written;
   }
   const auto done = ClassImport(by).apply(cohort.id, plan, passwords, terminalProgress());
@@ -77,7 +78,7 @@ void addClassImport(CLI::App& classes, Outcome& outcome) {
   CLI::App* command =
       addSignedInCommand(classes, outcome, "import", "Import the people of a class list (CSV, as Moodle exports it)",
                          [a](const SignedIn& by) { return importList(by, *a); });
-  command->add_option("CLASS", a->className, "Class that they join")->required();
+  command->add_option("CLASS", a->className, "Class that the person joins")->required();
   command->add_option("LIST", a->list, "CSV with names, e-mail addresses, user names")->required()->check(notEmpty());
   command->add_option("--passwords", a->passwords, "New file for the first passwords of added people");
 }

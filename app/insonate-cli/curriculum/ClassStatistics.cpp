@@ -90,7 +90,7 @@ Result<Answer> classStatistics(const SignedIn& by, const StatisticsArguments& a)
         persons.push_back(personRow(member, found->second, metrics));
     for (const MetricMeaning& metric : metrics) boxes.push_back(boxRow(metric, mediansOf(people, metric)));
     answer.text += procedure + ", the last " + std::to_string(a.last) +
-                   " attempts of each at levels, without free practice; one median a person\n" +
+                   " attempts of each person at levels, without free practice; each person counts with the median\n" +
                    tableOf(boxes, {{"metric", "metric"},
                                    {"unit", "unit"},
                                    {"n", "people"},
@@ -145,13 +145,13 @@ Result<Answer> comparison(const SignedIn& by, const StatisticsArguments& a) {
   const auto first = attemptsOf(by, a.first, a.last), second = attemptsOf(by, a.second, a.last);
   if (!first) return tl::unexpected(first.error());
   if (!second) return tl::unexpected(second.error());
-  std::string note = "Mann and Whitney's test of one median a person, with " + std::to_string(kFewestCompared) +
-                     " people or more of each class; of the last " + std::to_string(a.last) +
-                     " attempts of each at levels, without free practice. Of so many comparisons one in twenty has p "
-                     "below 0.05 by chance alone.";
+  std::string note = "Mann-Whitney test with one median for each person and " + std::to_string(kFewestCompared) +
+                     " people or more in each class, from the last " + std::to_string(a.last) +
+                     " attempts of each person at levels, without free practice. One in twenty comparisons has p below "
+                     "0.05 by chance alone.";
   const std::size_t both = peopleInBoth(*first, *second);
   if (both > 0)
-    note += " People in both classes, whom the test takes for different ones: " + std::to_string(both) + ".";
+    note += " These people are in both classes, and the test counts them twice: " + std::to_string(both) + ".";
   Answer answer{{{"first", first->cohort.name},
                  {"second", second->cohort.name},
                  {"last", a.last},
@@ -176,7 +176,7 @@ Result<Answer> comparison(const SignedIn& by, const StatisticsArguments& a) {
                                   {"p", "p"}});
     answer.object["procedures"].push_back({{"procedure", procedure}, {"metrics", std::move(rows)}});
   }
-  answer.text = answer.text.empty() ? "There is no procedure of which both classes have attempts that count."
+  answer.text = answer.text.empty() ? "There is no procedure for which both classes have attempts that count."
                                     : answer.text + note;
   return answer;
 }
@@ -191,9 +191,9 @@ void addLast(CLI::App& command, StatisticsArguments& a) {
 
 void addClassStatistics(CLI::App& group, Outcome& outcome) {
   auto a = std::make_shared<StatisticsArguments>();
-  CLI::App* one =
-      addSignedInCommand(group, outcome, "class", "Statistics of a class: box plots of its metrics, and success rates",
-                         [a](const SignedIn& by) { return classStatistics(by, *a); });
+  CLI::App* one = addSignedInCommand(group, outcome, "class",
+                                     "Print statistics of a class: box plots of its metrics, and success rates",
+                                     [a](const SignedIn& by) { return classStatistics(by, *a); });
   one->add_option("CLASS", a->first, "Name of the class")->required();
   addLast(*one, *a);
   auto b = std::make_shared<StatisticsArguments>();

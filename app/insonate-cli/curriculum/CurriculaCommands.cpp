@@ -62,9 +62,9 @@ Result<Answer> publish(const SignedIn& by, const std::string& nameOrPath) {
   if (!curriculum) return tl::unexpected(curriculum.error());
   const auto entry = PublishedCurricula(by).publish(curriculum->name, curriculum->version, curriculumText(*curriculum));
   if (!entry) return tl::unexpected(entry.error());
-  Answer answer = toldOf(*curriculum, versioned(*curriculum) +
-                                          ", is published; a class is taught by it once "
-                                          "'curriculum classes curriculum' says so.");
+  Answer answer =
+      toldOf(*curriculum,
+             versioned(*curriculum) + ", is published. To assign it to a class, use 'curriculum classes curriculum'.");
   answer.object["hash"] = entry->hash;
   return answer;
 }
@@ -79,7 +79,8 @@ Result<Answer> listCurricula(const SignedIn& by) {
                     {"published", timeText(entry.published_us)},
                     {"by", entry.publishedBy},
                     {"hash", entry.hash}});
-  std::string none = "Nothing is published yet; 'curriculum publish' takes a file or one of:";
+  std::string none =
+      "No curriculum is published yet. 'curriculum publish' takes a file or one of these built-in curricula:";
   for (const std::string& name : curriculumPresetNames()) none += " " + name;
   return Answer{
       {{"curricula", rows}},
@@ -110,7 +111,8 @@ void addCurriculaCommands(CLI::App& curriculum, Outcome& outcome) {
       ->add_option("CURRICULUM", *named, "JSON file, or a built-in curriculum")
       ->required();
   addSignedInCommand(curriculum, outcome, "list", "Published curricula", listCurricula);
-  addSignedInCommand(curriculum, outcome, "publish", "Publish a version of a curriculum, which can no longer change",
+  addSignedInCommand(curriculum, outcome, "publish",
+                     "Publish a version of a curriculum, which cannot be changed afterwards",
                      [published](const SignedIn& by) { return publish(by, *published); })
       ->add_option("CURRICULUM", *published, "JSON file, or a built-in curriculum")
       ->required();

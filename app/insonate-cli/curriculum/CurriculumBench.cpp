@@ -151,7 +151,11 @@ ClassList classListOf(const Seats& seats) {
 }
 
 Result<void> askAll(const Seats& seats, Stopwatch& watch) {
-  const auto& [teacher, trainee, administrator, cohort, half, trainees, curriculum, checklist] = seats;
+  const SignedIn &teacher = seats.teacher, &trainee = seats.trainee, &administrator = seats.administrator;
+  const Cohort &cohort = seats.cohort, &half = seats.half;
+  const auto& trainees = seats.trainees;
+  const Curriculum& curriculum = seats.curriculum;
+  const Form& checklist = seats.checklist;
   const auto someone = [&](int round) { return trainees[static_cast<std::size_t>(round) % trainees.size()]; };
   const ClassList list = classListOf(seats);
   const Query levels = [&](int) { return sizeOf(CohortStore(teacher).standings(cohort.id, trainees)); };

@@ -11,7 +11,7 @@
 
 namespace insonate::cli {
 
-/// Timing of one query, made by one screen of the window and repeated many times.
+/// Timing of one database query that a page of the window makes, repeated many times.
 struct CurriculumBenchRow {
   std::string screen, query;
   std::size_t rows = 0;  ///< maximum number of rows that the query returned
@@ -20,18 +20,18 @@ struct CurriculumBenchRow {
 };
 
 struct CurriculumBench {
-  int trainees = 0, attempts = 0;  ///< attempts of each trainee
-  double filled_s = 0;             ///< time for generating and writing the attempts
+  int trainees = 0, attempts = 0;  ///< number of trainees, and of attempts of each trainee
+  double filled_s = 0;             ///< time for generating the class and writing it to the database
   std::vector<CurriculumBenchRow> rows;
   std::vector<std::string> notes;
 };
 
-/// Measures the queries on a made-up class of 200 trainees with 500 attempts each (`quick`: 20 with 50), in a new file
-/// in the temporary folder. Takes minutes, mostly for writing the attempts one by one. Fails when cancelled.
+/// Measures database queries on an invented class of 200 trainees with 500 attempts each (`quick`: 20 with 50), in a
+/// new file in the temporary folder. Takes minutes, mostly for writing the attempts one by one. Fails when cancelled.
 Result<CurriculumBench> runCurriculumBench(bool quick, const Progress& progress);
 
 nlohmann::json toJson(const CurriculumBench& bench);
-/// Writes curriculum.json, curriculum.csv and curriculum.md; on failure none of them.
+/// Writes the results into `folder`: curriculum.json, curriculum.csv and curriculum.md; on failure none of them.
 Result<void> writeCurriculumBench(const CurriculumBench& bench, const std::filesystem::path& folder);
 
 }  // namespace insonate::cli

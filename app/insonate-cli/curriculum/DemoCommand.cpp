@@ -1,16 +1,24 @@
 #include "Answer.h"
-#include "DemoRecordings.h"
 #include "Groups.h"
 
+#include <insonate/cases/Phantom.h>
+#include <insonate/simulator/ScriptedSession.h>
 #include <insonate/teaching/MadeUpClass.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 
 namespace insonate::cli {
 namespace {
+
+constexpr int kDemonstrations = 3;
+/// Built-in scripts: a success, an attempt in two passes, and a puncture of the artery.
+constexpr std::array<const char*, kDemonstrations> kScripts{"clean-success", "two-passes", "carotid-puncture"};
+constexpr std::uint32_t kSeed = 1;  // the neck that the window shows
 
 struct DemoArguments {
   std::string database;
@@ -18,6 +26,29 @@ struct DemoArguments {
   int recorded = kDemonstrations;
   NewPasswordOption password;
 };
+
+/// Records the first `most` of the demonstration attempts at a level's built-in case. The files are named "NAME
+/// SCRIPT.attempt"; the folder is created if it is missing. Takes about ten seconds for each. If cancelled, the
+/// finished recordings stay.
+Result<std::vector<std::filesystem::path>> recordDemonstrations(const Level& level, const std::filesystem::path& folder,
+                                                                const std::string& name, int most,
+                                                                const Progress& progress) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return fail(folder.string() + " cannot be made: " + error.message() + ". Name a database elsewhere.");
+  const auto patient = makePhantom(level.caseName, kSeed, progress);
+  if (!patient) return tl::unexpected(patient.error());
+  std::vector<std::filesystem::path> recordings;
+  for (const char* script : kScripts) {
+    if (static_cast<int>(recordings.size()) == most) break;
+    const auto acts = loadSessionScript(script, *patient);
+    if (!acts) return tl::unexpected(acts.error());
+    recordings.push_back(folder / (name + ' ' + script + ".attempt"));
+    const auto recorded = runSession(*acts, *patient, "insonate " INSONATE_VERSION, recordings.back(), progress);
+    if (!recorded) return tl::unexpected(recorded.error());
+  }
+  return recordings;
+}
 
 /// Folder in which the window looks for recordings of this store's attempts.
 std::filesystem::path recordingsOf(const std::string& database) {
@@ -43,17 +74,18 @@ Result<std::vector<std::filesystem::path>> makeUp(const CurriculumStore& store, 
 Result<Answer> demonstrate(const DemoArguments& a) {
   std::error_code error;
   if (!isServer(a.database) && std::filesystem::exists(a.database, error))
-    return fail(a.database + " is there already; people who are made up do not go among others. Name a new file.");
+    return fail(a.database + " already exists, and made-up people must not be mixed with real ones. Name a new file.");
   const auto curriculum = loadCurriculum("central_line");
   if (!curriculum) return tl::unexpected(curriculum.error());
-  const auto password = a.password.read("A password for all who are made up");
+  const auto password = a.password.read("Password for all made-up people");
   if (!password) return tl::unexpected(password.error());
   const auto store = CurriculumStore::open(a.database);
   if (!store) return tl::unexpected(store.error());
   const auto recordings = makeUp(*store, *curriculum, a, *password);
   if (!recordings) {
     // "Nothing was written" would not be true.
-    if (recordings.error().message == kCancelled) return fail("Cancelled; " + a.database + " holds a part, delete it.");
+    if (recordings.error().message == kCancelled)
+      return fail("Canceled; " + a.database + " contains a part of the data. Delete it.");
     return tl::unexpected(recordings.error());
   }
   Json files = Json::array();
@@ -77,8 +109,9 @@ Result<Answer> demonstrate(const DemoArguments& a) {
 
 void addDemoCommand(CLI::App& curriculum, Outcome& outcome) {
   auto a = std::make_shared<DemoArguments>();
-  CLI::App* command = addAnsweringCommand(
-      curriculum, outcome, "demo", "Make a new store of made-up people and attempts", [a] { return demonstrate(*a); });
+  CLI::App* command =
+      addAnsweringCommand(curriculum, outcome, "demo", "Make a new database of made-up people and attempts",
+                          [a] { return demonstrate(*a); });
   command->add_option("DATABASE", a->database, "New file, or a server without people")->required()->check(notEmpty());
   command->add_option("--trainees", a->plan.trainees, "Maximum number of entries")
       ->check(CLI::Range(1, 999))
@@ -86,10 +119,12 @@ void addDemoCommand(CLI::App& curriculum, Outcome& outcome) {
   command->add_option("--attempts", a->plan.attempts, "Number of attempts of each trainee")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();
-  command->add_option("--seed", a->plan.seed, "Seed; the same seed gives the same attempts")->capture_default_str();
+  command->add_option("--seed", a->plan.seed, "Seed of the random numbers; the same seed gives the same attempts")
+      ->capture_default_str();
   command
-      ->add_option("--recorded", a->recorded,
-                   "How many trainees have a recorded attempt as their newest, to be replayed; ten seconds each")
+      ->add_option(
+          "--recorded", a->recorded,
+          "Number of trainees whose newest attempt gets a recording that can be replayed; each takes ten seconds")
       ->check(CLI::Range(0, kDemonstrations))
       ->capture_default_str();
   a->password.addTo(*command);

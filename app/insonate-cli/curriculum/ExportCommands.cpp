@@ -162,19 +162,19 @@ std::pair<CLI::App*, std::shared_ptr<ExportArguments>> addClassExport(CLI::App& 
 }  // namespace
 
 void addExportCommands(CLI::App& curriculum, Outcome& outcome) {
-  CLI::App& exports = *curriculum.add_subcommand("export", "Stored data, for other programs");
+  CLI::App& exports = *curriculum.add_subcommand("export", "Write stored data for other programs");
   exports.require_subcommand(1);
   auto file = std::make_shared<std::string>();
-  addSignedInCommand(exports, outcome, "json", "Everything but passwords (administrators)",
+  addSignedInCommand(exports, outcome, "json", "All data except passwords (administrators)",
                      [file](const SignedIn& by) { return exportAll(by, *file); })
       ->add_option("FILE", *file, "File to write")
       ->required()
       ->check(notEmpty());
-  addClassExport(exports, outcome, "csv", "A class's attempts with their metrics, a line each", exportCsv);
+  addClassExport(exports, outcome, "csv", "The attempts of a class with their metrics, one in each line", exportCsv);
   const auto [grades, g] = addClassExport(exports, outcome, "grades",
                                           "Share of levels that each person has mastered, for Moodle", exportGrades);
   grades->add_option("--item", g->item, "Name of the graded activity")->capture_default_str();
-  grades->add_option("--by", g->key, "email or name: how Moodle knows people")
+  grades->add_option("--by", g->key, "How Moodle identifies people: email or name")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, GradeKey>{{"email", GradeKey::Email}, {"name", GradeKey::Name}}));
   const auto [xapi, x] =

@@ -24,12 +24,13 @@ FormAnswers::mapped_type answerOf(const FormItem* item, const std::string& text)
 
 Result<void> addRow(const Form& form, const CsvRow& row, std::size_t columns, FormAnswers& answers) {
   const std::string where = "Line " + std::to_string(row.line) + ": ";
-  if (row.fields.size() > columns) return fail(where + "there are more fields than columns; put quotes around commas.");
+  if (row.fields.size() > columns)
+    return fail(where + "there are more fields than columns. Put fields that contain commas into quotes.");
   const auto field = [&](std::size_t at) { return at < row.fields.size() ? row.fields[at] : std::string(); };
   const FormItem* item = form.item(field(0));
-  if (!item) return fail(where + "'" + field(0) + "' is not asked in '" + form.title + "'; leave it out.");
+  if (!item) return fail(where + "'" + field(0) + "' is not an item of '" + form.title + "'; leave it out.");
   if (answers.contains(item->name) || answers.contains(noteKey(*item)))
-    return fail(where + "'" + item->name + "' is answered a second time; leave one answer.");
+    return fail(where + "'" + item->name + "' is answered twice. Leave one answer.");
   if (!field(1).empty()) answers.emplace(item->name, answerOf(item, field(1)));
   if (!field(2).empty()) answers.emplace(noteKey(*item), field(2));
   return {};

@@ -125,7 +125,7 @@ Result<Answer> filled(const SignedIn& by, const std::string& name) {
   Json rows = Json::array();
   for (const KeptForm& one : *forms) rows.push_back(rowOf(one));
   return Answer{{{"person", toJson(*person)}, {"forms", rows}},
-                rows.empty() ? "No forms yet; 'curriculum forms list' names those that can be filled in."
+                rows.empty() ? "No forms yet. 'curriculum forms list' lists the forms that can be filled in."
                              : tableOf(rows, {{"filled", "filled in"},
                                               {"form", "form"},
                                               {"percent", "percent"},
@@ -146,7 +146,7 @@ void addFormCommands(CLI::App& curriculum, Outcome& outcome) {
       ->add_option("FORM", *name, "Name, or JSON file")
       ->required();
   auto a = std::make_shared<FillArguments>();
-  CLI::App* command = addSignedInCommand(forms, outcome, "fill", "Hand in a form, which can no longer change",
+  CLI::App* command = addSignedInCommand(forms, outcome, "fill", "Hand in a form, which cannot be changed afterwards",
                                          [a](const SignedIn& by) { return fill(by, *a); });
   command->add_option("FORM", a->form, "Name")->required();
   command

@@ -64,8 +64,9 @@ Result<Answer> agreement(const SignedIn& by, const AgreementArguments& a) {
   answer.text = std::to_string(found->judged) + " attempts judged by '" + form->name + "', " +
                 std::to_string(found->judgedTwice) + " by two raters or more.\n";
   if (found->otherVersions > 0)
-    answer.text += "Left out, of another version of the form: " + std::to_string(found->otherVersions) + ".\n";
-  if (rows.empty()) answer.text += "There is nothing to compare: two raters must have judged one attempt.\n";
+    answer.text +=
+        "Left out, because they are of another version of the form: " + std::to_string(found->otherVersions) + ".\n";
+  if (rows.empty()) answer.text += "There is nothing to compare, because no attempt was judged by two raters.\n";
   if (!rows.empty())
     answer.text += tableOf(rows, {{"raters", "raters"},
                                   {"item", "item"},
@@ -129,7 +130,7 @@ Result<Answer> compare(const SignedIn& by, const CompareArguments& a) {
     answer.text = "Nobody has filled in '" + form->name + "' about this attempt yet.\n";
   if (withheld > 0)
     answer.text +=
-        "Forms of other raters that you read once you have filled in yours: " + std::to_string(withheld) + ".\n";
+        "You can read these forms of other raters after you have handed in yours: " + std::to_string(withheld) + ".\n";
   if (!items.empty())
     answer.text += tableOf(items, {{"item", "item"}, {"differs", "differs"}, {"text", heads.c_str()}});
   for (const RaterPair& pair : agreementOf(*form, *forms).pairs)
@@ -144,16 +145,17 @@ Result<Answer> compare(const SignedIn& by, const CompareArguments& a) {
 
 void addJudgementCommands(CLI::App& forms, Outcome& outcome) {
   auto a = std::make_shared<AgreementArguments>();
-  CLI::App* one = addSignedInCommand(forms, outcome, "agreement",
-                                     "Agreement of the raters of a class's attempts: in total, and item by item",
-                                     [a](const SignedIn& by) { return agreement(by, *a); });
+  CLI::App* one =
+      addSignedInCommand(forms, outcome, "agreement",
+                         "Compute how well the raters of a class's attempts agree: in total, and for each item",
+                         [a](const SignedIn& by) { return agreement(by, *a); });
   one->add_option("FORM", a->form, "Name")->required();
   one->add_option("CLASS", a->className, "Name of the class")->required();
   one->add_option("--csv", a->csv, "Also write the figures into this file")->check(notEmpty());
   auto c = std::make_shared<CompareArguments>();
-  CLI::App* two =
-      addSignedInCommand(forms, outcome, "compare", "Raters' answers about one attempt, item by item, with their notes",
-                         [c](const SignedIn& by) { return compare(by, *c); });
+  CLI::App* two = addSignedInCommand(forms, outcome, "compare",
+                                     "Print the raters' answers and notes about one attempt for each item",
+                                     [c](const SignedIn& by) { return compare(by, *c); });
   two->add_option("FORM", c->form, "Name")->required();
   two->add_option("ATTEMPT", c->attempt, "Id of the attempt")->required();
 }

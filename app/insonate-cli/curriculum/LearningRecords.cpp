@@ -22,8 +22,8 @@ Result<QUrl> statementsAt(const LearningRecords& records) {
   const bool safe = url.scheme() == QLatin1String("https") || (here && url.scheme() == QLatin1String("http"));
   if (!url.isValid() || url.host().isEmpty() || !safe || !url.userInfo().isEmpty() || url.hasQuery())
     return fail("'" + records.endpoint +
-                "' is no address of a learning record store; it begins with https:// and has neither a name nor a "
-                "password in it: https://lrs.example.org/xapi");
+                "' is not an address of a learning record store. The address begins with https:// and contains no name "
+                "and no password, for example https://lrs.example.org/xapi");
   QString path = url.path();
   while (path.endsWith(QLatin1Char('/'))) path.chop(1);
   url.setPath(path + QStringLiteral("/statements"));
@@ -46,11 +46,11 @@ std::string refusalOf(QNetworkReply& reply, const std::string& endpoint) {
   const int status = reply.attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
   const std::string said = reply.readAll().left(300).simplified().toStdString();
   if (status == 0) return endpoint + " cannot be reached: " + reply.errorString().toStdString() + ".";
-  if (status == 401 || status == 403) return endpoint + " refuses this name and password.";
+  if (status == 401 || status == 403) return endpoint + " does not accept this name and password.";
   if (status == 409)
     return endpoint + " has other statements by the same ids; attempts were sent there by another rule or site. " +
            said;
-  return endpoint + " did not take the statements (HTTP " + std::to_string(status) + "). " + said;
+  return endpoint + " did not accept the statements (HTTP " + std::to_string(status) + "). " + said;
 }
 
 std::string arrayOf(std::span<const std::string> statements) {
@@ -95,7 +95,8 @@ Result<void> sendStatements(const LearningRecords& records, std::span<const std:
     if (done) continue;
     if (sent > 0 && done.error().message != kCancelled)
       done.error().message +=
-          " " + std::to_string(sent) + " statements were sent before; send the file again, nothing is kept twice.";
+          " " + std::to_string(sent) +
+          " statements were sent before this. Send the file again; the store keeps no statement twice.";
     return done;
   }
   return {};

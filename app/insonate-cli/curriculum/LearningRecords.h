@@ -8,16 +8,17 @@
 
 namespace insonate::cli {
 
-/// Connection to a learning record store, which collects records of activity from a site's learning platforms.
+/// Connection to a learning record store: a server that collects Experience API (xAPI) statements from learning
+/// platforms.
 struct LearningRecords {
-  std::string
-      endpoint;  ///< "https://lrs.example.org/xapi"; without TLS on this computer only, since passwords go there
+  /// Address, e.g. "https://lrs.example.org/xapi"; http is allowed only for this computer, since passwords are sent.
+  std::string endpoint;
   std::string user, password;
 };
 
-/// Sends statements, each a JSON object, in batches (Experience API 1.0.3, part three, 2.1.2). A statement that is sent
-/// again is stored once, since the store recognizes its id. Fails with the store's message; batches sent before the
-/// failure stay stored.
+/// Sends xAPI statements, each a JSON object, to a learning record store in batches (Experience API 1.0.3, part
+/// three, 2.1.2). The server recognizes a repeated statement by its id. Fails with the server's message; batches sent
+/// before stay stored.
 Result<void> sendStatements(const LearningRecords& records, std::span<const std::string> statements,
                             const Progress& progress);
 

@@ -12,13 +12,13 @@
 
 namespace insonate::cli {
 
-/// Computes a person's present state in each level from all attempts.
+/// Computes a person's present state in each level of a curriculum, from all attempts of the person.
 Result<std::vector<LevelProgress>> levelPath(const SignedIn& by, const Curriculum& curriculum,
                                              const std::string& person);
-/// Returns the first level of the path that is open or lapsed; null if all are mastered.
+/// Returns the first level of levelPath() that is open or lapsed; null if all are mastered.
 const LevelProgress* levelAt(const std::vector<LevelProgress>& path);
 
-/// Returns "locked", "open", "mastered" or "lapsed".
+/// Returns the name of a level's state: "locked", "open", "mastered" or "lapsed".
 const char* nameOf(LevelState state);
 nlohmann::json toJson(const Curriculum& curriculum, const std::vector<LevelProgress>& path);
 

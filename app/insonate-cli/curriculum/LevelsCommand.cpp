@@ -34,9 +34,9 @@ Result<Answer> levels(const SignedIn& by, const std::string& name) {
                                       {"levels", std::move(rows)}});
   }
   if (answer.text.empty())
-    answer.text =
-        person->name +
-        " learns in no class that has a curriculum; see 'curriculum classes join' and 'curriculum classes curriculum'.";
+    answer.text = person->name +
+                  " is not a trainee of a class with a curriculum. See 'curriculum classes join' and 'curriculum "
+                  "classes curriculum'.";
   return answer;
 }
 
@@ -44,7 +44,8 @@ Result<Answer> levels(const SignedIn& by, const std::string& name) {
 
 void addLevelsCommand(CLI::App& curriculum, Outcome& outcome) {
   auto name = std::make_shared<std::string>();
-  addSignedInCommand(curriculum, outcome, "levels", "A person's levels: open, mastered or locked, with the reason",
+  addSignedInCommand(curriculum, outcome, "levels",
+                     "Print a person's levels: open, mastered, lapsed or locked, with the reason",
                      [name](const SignedIn& by) { return levels(by, *name); })
       ->add_option("NAME", *name, "Name of the person (default: you)");
 }

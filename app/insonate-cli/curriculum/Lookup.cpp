@@ -44,8 +44,8 @@ Result<Person> personNamed(const SignedIn& by, const std::string& nameOrId) {
   if (!people) return tl::unexpected(people.error());
   const auto found = std::ranges::find_if(*people, [&](const Person& p) { return sameName(p.name, nameOrId); });
   if (found == people->end())
-    return fail("There is no '" + nameOrId + "' among those whom " + by.person().name +
-                " sees; 'curriculum people list' and 'curriculum classes members' name them.");
+    return fail("There is no '" + nameOrId + "' among the people that " + by.person().name +
+                " can see. 'curriculum people list' and 'curriculum classes members' list them.");
   return *found;
 }
 
@@ -55,8 +55,8 @@ Result<Cohort> classNamed(const SignedIn& by, const std::string& nameOrId) {
   const auto found = std::ranges::find_if(
       *cohorts, [&](const Cohort& cohort) { return cohort.id == nameOrId || sameName(cohort.name, nameOrId); });
   if (found != cohorts->end()) return *found;
-  return fail("There is no class '" + nameOrId + "' among those that " + by.person().name +
-              " sees; 'curriculum classes list' names them.");
+  return fail("There is no class '" + nameOrId + "' among the classes that " + by.person().name +
+              " can see. 'curriculum classes list' lists them.");
 }
 
 Result<std::vector<Cohort>> classesOf(const SignedIn& by, const Person& person) {
@@ -82,7 +82,7 @@ Result<Curriculum> publishedCurriculum(const SignedIn& by, const std::string& na
     for (const CurriculumEntry& entry : *list)
       if (entry.name == name) version = std::max(version, entry.version);
     if (version == 0)
-      return fail("No curriculum '" + name + "' has been published; 'curriculum list' names those that have.");
+      return fail("No curriculum '" + name + "' has been published. 'curriculum list' lists the published curricula.");
   }
   const auto text = published.text(name, version);
   if (!text) return tl::unexpected(text.error());

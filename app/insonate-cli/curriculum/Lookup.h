@@ -29,7 +29,7 @@ Result<Curriculum> publishedCurriculum(const SignedIn& by, const std::string& na
 /// Returns the curriculum assigned to a class; fails if none is assigned.
 Result<Curriculum> curriculumOf(const SignedIn& by, const Cohort& cohort);
 
-/// Returns the standings of all trainees of a class. The store logs this as one access.
+/// Returns the progress (Standing) of all trainees of a class, by Person::id. The audit log counts this as one access.
 Result<std::map<std::string, Standing>> standingsOf(const SignedIn& by, const Cohort& cohort,
                                                     const std::vector<Member>& members);
 

@@ -19,16 +19,16 @@ using Attempts = std::vector<const AttemptFacts*>;
 /// Groups those attempts that count by their procedure, since values of different procedures are not comparable; the
 /// order within a procedure stays.
 std::map<std::string, Attempts> countedByProcedure(std::span<const AttemptFacts> attempts);
-/// Returns the metrics' meanings, with norms if the procedure is built in.
+/// Returns the properties of all metrics, with published values of novices and experts if the procedure is built in.
 std::vector<MetricMeaning> meaningsFor(const std::string& procedure);
-/// Returns the metric's values, without missing ones.
+/// Returns the values of a metric in these attempts, without missing values.
 std::vector<double> valuesOf(const Attempts& attempts, const MetricMeaning& metric);
-/// Returns one entry per attempt, so that indices match; empty for a missing value.
+/// Returns the value of a metric in each attempt, in the order of attempts; empty if missing.
 std::vector<std::optional<double>> seriesOf(const Attempts& attempts, const MetricMeaning& metric);
 std::optional<Estimate> successOf(const Attempts& attempts);
 
-/// Returns {"value", "low", "high", "by"}, or null for no estimate; low and high are null without an interval. "by" is
-/// Estimate::basis.
+/// Returns an estimate as JSON {"value", "low", "high", "by"}; null without an estimate. low and high are null without
+/// an interval; "by" is Estimate::basis.
 nlohmann::json toJson(const std::optional<Estimate>& estimate);
 
 }  // namespace insonate::cli

@@ -56,8 +56,8 @@ class SilentTerminal {
 Result<std::string> ask(const PasswordSource& source) {
   const SilentTerminal terminal;
   if (!terminal.isThere())
-    return fail("No password is given: put it into the environment variable " + std::string(source.variable) +
-                " or a file (see --help), or work on a terminal.");
+    return fail("No password was given. Put it into the environment variable " + std::string(source.variable) +
+                " or into a file (see --help), or run the command in a terminal, which asks for it.");
   const auto typed = [&](const std::string& prompt) {
     terminal.say(prompt + ": ");
     auto line = terminal.line();
@@ -67,7 +67,7 @@ Result<std::string> ask(const PasswordSource& source) {
   auto password = typed(source.prompt);
   if (!password) return fail(std::string(kCancelled));
   if (source.twice) {
-    const auto again = typed("The same again");
+    const auto again = typed("Repeat the password");
     if (!again) return fail(std::string(kCancelled));
     if (*again != *password) return fail("The two passwords differ; nothing was changed.");
   }

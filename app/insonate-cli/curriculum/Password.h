@@ -6,13 +6,13 @@
 
 namespace insonate::cli {
 
-/// Sources from which a password is read. The command line is none of them, since other users of the computer can read
-/// it.
+/// Sources from which a password is read: file, environment variable, terminal. (Other users of the computer could read
+/// a password on the command line.)
 struct PasswordSource {
   std::string file;      ///< file whose first line is the password; "/dev/fd/3" for a descriptor; "": no file
-  const char* variable;  ///< environment variable, read if no file is named
-  std::string prompt;    ///< asked on the terminal, without echo, if neither file nor variable is given
-  bool twice = false;    ///< ask twice, since typing is not shown
+  const char* variable;  ///< name of the environment variable that contains the password; read if `file` is ""
+  std::string prompt;    ///< prompt on the terminal, which asks without echo if neither file nor variable is given
+  bool twice = false;    ///< true: the terminal asks twice, since typing is not shown
 };
 
 Result<std::string> readPassword(const PasswordSource& source);

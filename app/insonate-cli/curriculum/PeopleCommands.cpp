@@ -68,7 +68,7 @@ Result<Answer> add(const SignedIn& by, const NewPersonArguments& a) {
   const auto person = PeopleStore(by).add(a.person, *password, cohort);
   if (!person) return tl::unexpected(person.error());
   return toldOf(*person, person->name + " is added as " + nameOf(person->role) +
-                             ", and chooses a password when they first sign in.");
+                             ". The person chooses a new password at the first sign-in.");
 }
 
 /// `change` alters the person; `done` ends the sentence that begins with their name.
@@ -87,7 +87,7 @@ Result<Answer> resetPassword(const SignedIn& by, const std::string& name, const 
   const auto password = option.read("A new password for " + person->name);
   if (!password) return tl::unexpected(password.error());
   if (auto done = PeopleStore(by).resetPassword(person->id, *password); !done) return tl::unexpected(done.error());
-  return toldOf(*person, person->name + " can sign in with it at once, and chooses their own then.");
+  return toldOf(*person, person->name + " can sign in with this password now, and then chooses a new one.");
 }
 
 Result<Answer> changeOwnPassword(const StoreOptions& options, const NewPasswordOption& option) {
@@ -105,7 +105,8 @@ Result<Answer> changeOwnPassword(const StoreOptions& options, const NewPasswordO
 
 void addSetUp(CLI::App& curriculum, Outcome& outcome) {
   auto a = std::make_shared<NewPersonArguments>();
-  CLI::App* command = addStoreCommand(curriculum, outcome, "setup", "A new store, and its first administrator",
+  CLI::App* command = addStoreCommand(curriculum, outcome, "setup",
+                                      "Make a new store of people and attempts, with its first administrator",
                                       SigningIn::No, [a](const StoreOptions& options) { return setUp(options, *a); });
   addPersonOptions(*command, *a);
 }
@@ -117,7 +118,7 @@ void addAdd(CLI::App& people, Outcome& outcome) {
   addPersonOptions(*command, *a);
   command->add_option("--role", a->person.role, "trainee (default), instructor or administrator")
       ->transform(CLI::Transformer(kRoles));
-  command->add_option("--class", a->className, "Class that they join");
+  command->add_option("--class", a->className, "Class that the person joins");
 }
 
 void addChanges(CLI::App& people, Outcome& outcome) {
@@ -131,8 +132,9 @@ void addChanges(CLI::App& people, Outcome& outcome) {
         ->add_option("NAME", *name, "Name of the person")
         ->required();
   };
-  add("disable", "No longer signs in; what they did stays", true, " can no longer sign in; what they did stays.");
-  add("enable", "Signs in again", false, " can sign in again.");
+  add("disable", "Prevent a person from signing in; the person's data stay", true,
+      " can no longer sign in. The person's data stay.");
+  add("enable", "Let a disabled person sign in again", false, " can sign in again.");
   struct Arguments {
     std::string name;
     Role role = Role::Trainee;
@@ -168,7 +170,8 @@ void addPasswords(CLI::App& people, Outcome& outcome) {
 
 void addPeopleCommands(CLI::App& curriculum, Outcome& outcome) {
   addSetUp(curriculum, outcome);
-  CLI::App& people = *curriculum.add_subcommand("people", "Accounts of trainees, instructors and administrators");
+  CLI::App& people =
+      *curriculum.add_subcommand("people", "Manage the accounts of trainees, instructors and administrators");
   people.require_subcommand(1);
   addSignedInCommand(people, outcome, "list", "List all people (administrators)", listPeople);
   addAdd(people, outcome);

@@ -161,9 +161,9 @@ Result<Answer> statistics(const SignedIn& by, const PersonArguments& a) {
 
 void addPersonStatistics(CLI::App& group, Outcome& outcome) {
   auto a = std::make_shared<PersonArguments>();
-  CLI::App* command =
-      addSignedInCommand(group, outcome, "person", "A person's metrics with intervals, learning curves and LC-CUSUM",
-                         [a](const SignedIn& by) { return statistics(by, *a); });
+  CLI::App* command = addSignedInCommand(group, outcome, "person",
+                                         "Print a person's metrics with intervals, learning curves and LC-CUSUM",
+                                         [a](const SignedIn& by) { return statistics(by, *a); });
   command->add_option("NAME", a->person, "Name of the person (default: you)");
   std::vector<std::string> ids;
   for (const MetricMeaning& metric : metricMeanings()) ids.push_back(metric.id);

@@ -49,7 +49,7 @@ Result<CheckedRecording> RecordingCheck::check(const std::string& recording) con
   if (*hash != kept->facts.recordingHash)
     return fail(file + " is not the recording of the attempt " + attempt + " of " + timeText(kept->facts.begun_us) +
                 ": it is another file, or was changed since. " + elsewhere +
-                ", or replay it without --attempt, as nobody's.");
+                ", or replay it without --attempt, as the attempt of no person.");
   return CheckedRecording{file, proofIn(attempts, kept->facts, file)};
 }
 

@@ -11,20 +11,20 @@
 
 namespace insonate::cli {
 
-/// A recording to replay, and its proof of origin.
+/// A recording to replay, and the result of checking its origin.
 struct CheckedRecording {
   std::string file;
   RecordingProof proof;
 };
 
-/// Options and checks for replaying the recording of an attempt of the store.
+/// Command-line options for replaying the recording of an attempt in the curriculum database, and its checks.
 struct RecordingCheck {
-  std::string attempt;  ///< id of the attempt; "": the recording is replayed without an attempt
+  std::string attempt;  ///< id of the attempt; "": the recording is not checked against an attempt
   StoreOptions store;
 
   void addTo(CLI::App& command);
-  /// Returns the file to replay and its proof of origin; for a named `attempt` the proof uses the store's key. The file
-  /// is `recording` or, if that is "", the recording that the store keeps of the attempt. Fails if the file is not the
+  /// Returns the file to replay and its proof of origin, which uses the database's key if `attempt` is set. The file is
+  /// `recording` or, if that is "", the database's copy of the attempt's recording. Fails if the file is not the
   /// attempt's recording, or if the signed-in user may not see the attempt.
   Result<CheckedRecording> check(const std::string& recording) const;
 };

@@ -27,7 +27,7 @@ Result<std::vector<std::string>> statementsIn(const std::string& file) {
     return one.is_object() && one.contains("id") && one.contains("verb");
   };
   if (!list.is_array() || !std::ranges::all_of(list, isStatement))
-    return fail(file + " is no list of xAPI statements; write it by 'curriculum export xapi'.");
+    return fail(file + " is not a list of xAPI statements. Write one with 'curriculum export xapi'.");
   std::vector<std::string> statements;
   for (const Json& one : list) statements.push_back(one.dump());
   return statements;
@@ -63,9 +63,10 @@ void addSendCommand(CLI::App& curriculum, Outcome& outcome) {
       ->check(notEmpty());
   command->add_option("--to", a->records.endpoint, "Address of the learning record store: https://lrs.example.org/xapi")
       ->required();
-  command->add_option("--user", a->records.user, "User name there")->required();
+  command->add_option("--user", a->records.user, "User name at the learning record store")->required();
   command->add_option("--password-file", a->passwordFile,
-                      "The password, in the first line; otherwise INSONATE_LRS_PASSWORD, or asked for");
+                      "File with the password in its first line; by default the environment variable "
+                      "INSONATE_LRS_PASSWORD, or else the command asks for it");
 }
 
 }  // namespace insonate::cli

@@ -21,16 +21,17 @@ std::string environment(const char* variable) {
 void addDatabaseOption(CLI::App& command, StoreOptions& options) {
   command
       .add_option("--database", options.database,
-                  "File, or postgresql://USER@HOST/DATABASE (else INSONATE_DATABASE, else the window's own)")
+                  "Database: a file, or postgresql://USER@HOST/DATABASE; by default the environment variable "
+                  "INSONATE_DATABASE, or else the database that the window uses")
       ->check(notEmpty());
 }
 
 void addSignInOptions(CLI::App& command, StoreOptions& options) {
   command.add_option("--as", options.name, "User who signs in")->required()->check(notEmpty());
   command
-      .add_option(
-          "--password-file", options.passwordFile,
-          "Whose first line is the password; /dev/fd/N is a descriptor (else INSONATE_PASSWORD, else asked for)")
+      .add_option("--password-file", options.passwordFile,
+                  "File whose first line is the password (/dev/fd/N for a file descriptor); by default the environment "
+                  "variable INSONATE_PASSWORD, or else the command asks for it")
       ->check(notEmpty());
 }
 
@@ -67,7 +68,7 @@ Result<void> checkThere(const StoreOptions& options) {
   std::error_code error;
   if (isServer(address) || fs::exists(address, error)) return {};
   return fail("There is no store of people and attempts at " + address +
-              " yet; make one with 'insonate-cli curriculum setup', or name another with --database.");
+              ". Make one with 'insonate-cli curriculum setup', or name another one with --database.");
 }
 
 Result<CurriculumStore> openStore(const StoreOptions& options) {
@@ -87,7 +88,8 @@ Result<SignedIn> signIn(const StoreOptions& options) {
   auto by = store->signIn(options.name, *password);
   if (by && by->mustChangePassword())
     return fail(
-        "Someone else has set this password; choose your own first: insonate-cli curriculum people password --as " +
+        "Another user has set this password. Choose your own password first: insonate-cli curriculum people password "
+        "--as " +
         options.name);
   return by;
 }
@@ -95,7 +97,8 @@ Result<SignedIn> signIn(const StoreOptions& options) {
 void NewPasswordOption::addTo(CLI::App& command) {
   command
       .add_option("--new-password-file", file,
-                  "File whose first line is the new password (else INSONATE_NEW_PASSWORD, else asked for)")
+                  "File whose first line is the new password; by default the environment variable "
+                  "INSONATE_NEW_PASSWORD, or else the command asks for it")
       ->check(notEmpty());
 }
 

@@ -10,35 +10,37 @@
 
 namespace insonate::cli {
 
-/// Options that name the store and the user who signs in.
+/// Command-line options that name the curriculum database and the user who signs in.
 struct StoreOptions {
   std::string database, name, passwordFile;
 };
 
-/// Adds --database.
+/// Adds the option --database to a command.
 void addDatabaseOption(CLI::App& command, StoreOptions& options);
-/// Adds --as and --password-file.
+/// Adds the options for signing in, --as and --password-file, to a command.
 void addSignInOptions(CLI::App& command, StoreOptions& options);
 
-/// Path of the user's own store file, in the folder that Qt's AppDataLocation gives the window.
+/// Returns the path of the user's own curriculum database, in the folder QStandardPaths::AppDataLocation of the window.
 std::filesystem::path usualStoreFile();
-/// Address of the store: --database, else INSONATE_DATABASE, else the user's own file, which the window uses too.
+/// Returns the address of the curriculum database: --database, else INSONATE_DATABASE, else usualStoreFile().
 std::string addressOf(const StoreOptions& options);
 bool isServer(const std::string& address);
-/// Returns services that keep recordings of a server's attempts in a folder of the user, as the window does.
+/// Returns the services with which a database is opened; recordings of a server's attempts are kept in a folder of the
+/// user, as by the window.
 StoreServices servicesFor(const std::string& address);
-/// Opens the store; creates it and its folder if it does not exist.
+/// Opens the curriculum database; creates the database and its folder if it does not exist.
 Result<CurriculumStore> openOrMakeStore(const StoreOptions& options);
-/// Fails if the store is a file that does not exist.
+/// Fails if the curriculum database is a file that does not exist.
 Result<void> checkThere(const StoreOptions& options);
-/// Opens the store; fails if it does not exist.
+/// Opens the curriculum database; fails if it does not exist.
 Result<CurriculumStore> openStore(const StoreOptions& options);
 /// Reads the password of the user who signs in.
 Result<std::string> readOwnPassword(const StoreOptions& options);
 /// Signs the user in. Fails also if the user must choose a new password first.
 Result<SignedIn> signIn(const StoreOptions& options);
 
-/// Option for a new password, read from --new-password-file or INSONATE_NEW_PASSWORD, or asked for twice.
+/// Option for a new password, which is read from --new-password-file or INSONATE_NEW_PASSWORD, or asked for twice on
+/// the terminal.
 struct NewPasswordOption {
   std::string file;
 

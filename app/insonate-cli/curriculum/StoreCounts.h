@@ -8,9 +8,10 @@
 
 namespace insonate::cli {
 
-/// Returns {"database", "schema", "people", "classes", "attempts", "forms", "audit_entries", "pending_uploads"}.
+/// Returns the size of a curriculum database as JSON: {"database", "schema", "people", "classes", "attempts", "forms",
+/// "audit_entries", "pending_uploads"}.
 Json countsJson(const StoreFacts& facts);
-/// Returns "6 people, 2 classes, ...".
+/// Returns the size of a curriculum database as text: "6 people, 2 classes, ...".
 std::string countsOf(const StoreFacts& facts);
 
 }  // namespace insonate::cli

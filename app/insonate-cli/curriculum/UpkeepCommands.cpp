@@ -35,18 +35,19 @@ Result<Answer> backup(const SignedIn& by, const std::string& file) {
   if (auto done = StoreUpkeep(by).backup(file, terminalProgress()); !done) return tl::unexpected(done.error());
   return Answer{{{"file", file}},
                 "Wrote " + file + ", and the recordings of its attempts to " + file +
-                    ".recordings; 'curriculum restore' checks it and puts both back."};
+                    ".recordings. 'curriculum restore' checks and restores both."};
 }
 
 Result<Answer> restore(const StoreOptions& options, const std::string& backup) {
   const std::string address = addressOf(options);
   if (isServer(address))
-    return fail("A server's store is restored by its own tools (pg_restore); name a file with --database.");
+    return fail(
+        "A store on a server must be restored with the tools of the server (pg_restore). Name a file with --database.");
   const auto password = readOwnPassword(options);
   if (!password) return tl::unexpected(password.error());
   if (auto done = restoreStore(address, backup, options.name, *password); !done) return tl::unexpected(done.error());
   return Answer{{{"database", address}, {"backup", backup}},
-                address + " is now as in " + backup + "; the former store is beside it."};
+                address + " was restored from " + backup + ". The former store was kept beside it."};
 }
 
 struct AuditArguments {
@@ -97,23 +98,24 @@ Result<Answer> audit(const SignedIn& by, const AuditArguments& a) {
 
 void addUpkeepCommands(CLI::App& curriculum, Outcome& outcome) {
   auto copy = std::make_shared<std::string>(), backedUp = std::make_shared<std::string>();
-  addSignedInCommand(curriculum, outcome, "backup", "Copy a file's store and its recordings, while others work",
+  addSignedInCommand(curriculum, outcome, "backup",
+                     "Copy a store (in a file) and its recordings; other users can work meanwhile",
                      [copy](const SignedIn& by) { return backup(by, *copy); })
       ->add_option("FILE", *copy, "File to write")
       ->required()
       ->check(notEmpty());
   addStoreCommand(curriculum, outcome, "restore",
-                  "Puts a backup in the store's place, for an administrator of that store (of the backup, where the "
-                  "store is missing or damaged)",
+                  "Replace a store by a backup. This needs an administrator of the store, or of the backup if the "
+                  "store is missing or damaged",
                   SigningIn::Yes, [backedUp](const StoreOptions& options) { return restore(options, *backedUp); })
       ->add_option("BACKUP", *backedUp, "File of 'curriculum backup'")
       ->required()
       ->check(notEmpty());
-  addStoreCommand(
-      curriculum, outcome, "migrate",
-      "Brings a store up to date for one of its administrators, after a backup beside it, and tells what it "
-      "holds",
-      SigningIn::Yes, migrate);
+  addStoreCommand(curriculum, outcome, "migrate",
+                  "Upgrade a store to the present version of the program (administrators of the store), after a backup "
+                  "beside it, and tells what it "
+                  "holds",
+                  SigningIn::Yes, migrate);
   addVerifyCommand(curriculum, outcome);
   auto a = std::make_shared<AuditArguments>();
   CLI::App* log = addSignedInCommand(curriculum, outcome, "audit", "Accesses to other people's data, newest first",

@@ -19,7 +19,8 @@ Result<AuditAnchor> anchorOf(const std::string& text) {
   const auto end = text.data() + text.size();
   const auto [rest, trouble] = std::from_chars(text.data(), end, anchor.number);
   if (trouble != std::errc() || rest == end || *rest != ':')
-    return fail("'" + text + "' is no anchor; it is NUMBER:HASH, from an earlier 'curriculum verify'.");
+    return fail("'" + text +
+                "' is not an anchor. Give the anchor NUMBER:HASH that an earlier 'curriculum verify' printed.");
   anchor.hash.assign(rest + 1, end);
   return anchor;
 }
@@ -124,16 +125,16 @@ Result<Answer> verify(const SignedIn& by, const std::string& anchorText) {
   if (!found->differences.empty()) {
     answer.failure = facts->place + " is not as its recordings, its log and its attempts have it: " +
                      std::to_string(found->differences.size()) +
-                     " values differ, and no anchor is given. Someone has written to the database past this program; "
-                     "compare it with a backup.";
+                     " values differ, and no anchor is given. Another program has written to the database. Compare it "
+                     "with a backup.";
     return answer;
   }
   const auto anchor = AuditLog(by).anchor();
   if (!anchor) return tl::unexpected(anchor.error());
   const std::string now = std::to_string(anchor->number) + ":" + anchor->hash;
   answer.object["anchor"] = now;
-  answer.text += facts->place + " is whole: " + countsOf(*facts) +
-                 ".\nKeep this elsewhere, to see later that the log was not written anew: --anchor " + now;
+  answer.text += facts->place + " is intact: " + countsOf(*facts) +
+                 ".\nKeep this anchor in another place. Later it shows whether the log was rewritten: --anchor " + now;
   return answer;
 }
 

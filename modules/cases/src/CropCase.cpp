@@ -100,7 +100,7 @@ void keepInside(CaseManifest& manifest, const VolumeGeometry& grid) {
   const auto drop = [&](const std::string& kind, const std::string& name, Vec3 place_mm) {
     const auto [i, j, k] = nearestVoxel(grid.indexFromPatient() * place_mm);
     if (grid.contains(i, j, k)) return false;
-    manifest.importNotes.push_back("The " + kind + " \"" + name + "\" lay outside the kept part and was dropped.");
+    manifest.importNotes.push_back("The " + kind + " \"" + name + "\" was outside the kept part and was removed.");
     return true;
   };
   std::erase_if(manifest.targets, [&](const Target& one) { return drop("target", one.name, one.position_mm); });
@@ -153,7 +153,7 @@ Result<VolumeGeometry> croppedGrid(const VolumeGeometry& geometry, const CropOpt
   grid.origin_mm = grid.origin_mm + grid.direction * shift;
   constexpr double kMostVoxels = 2e9;
   if (double(grid.size[0]) * grid.size[1] * grid.size[2] > kMostVoxels)
-    return fail("That would be " + text(grid) + ", more than this program can hold. Choose a larger spacing.");
+    return fail("That would be " + text(grid) + ", more than Insonate can handle. Choose a larger spacing.");
   if (auto ok = validate(grid); !ok) return tl::unexpected(ok.error());
   return grid;
 }

@@ -8,7 +8,7 @@ namespace {
 
 /// Minimum of `measure(distance to a piece of the course, radius there)`.
 template <class Measure>
-double leastAlong(const NamedVessel& vessel, Vec3 p_mm, const Measure& measure) noexcept {
+double minAlong(const NamedVessel& vessel, Vec3 p_mm, const Measure& measure) noexcept {
   double least = std::numeric_limits<double>::infinity();
   const auto& course = vessel.course;
   for (std::size_t i = 0; i < course.size(); ++i) {
@@ -25,11 +25,11 @@ double leastAlong(const NamedVessel& vessel, Vec3 p_mm, const Measure& measure) 
 }  // namespace
 
 double distanceToWall_mm(const NamedVessel& vessel, Vec3 patient_mm) noexcept {
-  return leastAlong(vessel, patient_mm, [](double distance_mm, double radius_mm) { return distance_mm - radius_mm; });
+  return minAlong(vessel, patient_mm, [](double distance_mm, double radius_mm) { return distance_mm - radius_mm; });
 }
 
 double distanceToCourse_mm(const NamedVessel& vessel, Vec3 patient_mm) noexcept {
-  return leastAlong(vessel, patient_mm, [](double distance_mm, double) { return distance_mm; });
+  return minAlong(vessel, patient_mm, [](double distance_mm, double) { return distance_mm; });
 }
 
 }  // namespace insonate

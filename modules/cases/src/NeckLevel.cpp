@@ -114,11 +114,11 @@ double hollow_mm(const std::vector<BodyLevel>& levels, int n) {
 
 /// The cross-section of a head is 150 to 300 cm2, that of a trunk twice as large.
 bool hasHeadAbove(const std::vector<BodyLevel>& levels, int n) {
-  constexpr double kReach_mm = 60, kLeast_mm2 = 10000, kMost_mm2 = 35000;
+  constexpr double kReach_mm = 60, kMin_mm2 = 10000, kMax_mm2 = 35000;
   double largest_mm2 = 0;
   for (const BodyLevel& level : levels)
     if (level.z_mm > levels[n].z_mm + kReach_mm) largest_mm2 = std::max(largest_mm2, level.area_mm2);
-  return largest_mm2 > kLeast_mm2 && largest_mm2 < kMost_mm2;
+  return largest_mm2 > kMin_mm2 && largest_mm2 < kMax_mm2;
 }
 
 }  // namespace

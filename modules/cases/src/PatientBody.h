@@ -27,8 +27,8 @@ class PatientBody {
       if (!(index[a] >= -0.5 && index[a] <= patient_.ct.geometry.size[a] - 0.5)) return false;
     return true;
   }
-  /// Minimum width of air outside the patient. It is larger without labels, since the windpipe, up to 25 mm wide, then
-  /// looks like outside air.
+  /// Returns the width above which a gap of air along a ray counts as outside the patient. Without labels the width is
+  /// larger, since the windpipe, up to 25 mm wide, cannot be told from outside air.
   double outsideWidth_mm() const { return labelled_ ? 5 : 30; }
 
  private:

@@ -124,12 +124,13 @@ LabelColour colourOf(const LabelColours& colours, std::uint8_t label) {
 Result<CaseReadResult> readCase(const fs::path& folder) {
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error))
-    return fail(folder.string() + " is a file; name the folder of a case. A CT becomes one with import.");
+    return fail(folder.string() +
+                " is a file, but a case is a folder. Name the folder of a case, or make a case from a CT with import.");
   if (!fs::is_directory(folder, error))
     return fail("There is no case folder " + folder.string() + ". Make one with import or phantom.");
   if (!fs::exists(folder / kCtFile, error))
     return fail("The case " + folder.string() + " has no " + kCtFile +
-                ". Is this a case? A DICOM folder becomes one with import.");
+                ". Check that this is the folder of a case. To make a case from a DICOM folder, use import.");
   CaseReadResult result;
   auto ct = readCt(folder / kCtFile, result.notes);
   if (!ct) return tl::unexpected(ct.error());
@@ -164,7 +165,9 @@ Result<void> checkCaseTarget(const fs::path& folder, bool replace) {
     if (!replace)
       return fail(folder.string() + " already holds a case. Name another folder, or add --replace to overwrite it.");
     if (fs::equivalent(folder, ".", error))
-      return fail(folder.string() + " is the current folder, which cannot be replaced as a whole. Go one folder up.");
+      return fail(
+          folder.string() +
+          " is the current folder, which cannot be replaced. Change to its parent folder and run the command again.");
   }
   return {};
 }

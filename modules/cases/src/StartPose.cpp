@@ -114,7 +114,7 @@ Result<StartPose> proposeStartPose(const CaseView& patient) {
   if (!patient.manifest.targets.empty()) return poseOver(patient, patient.manifest.targets.front());
   const PatientBody body(patient);
   if (auto pose = onFront(body, patient.ct.geometry)) return *pose;
-  return fail("No skin was found at the front of the volume's middle. Mark a start pose.");
+  return fail("No skin was found in front of the middle of the volume. Mark a start pose.");
 }
 
 Result<StartPose> autoStartPose(const CaseView& patient) {

@@ -87,7 +87,8 @@ Result<void> checkFolderTarget(const fs::path& target) {
   const fs::path folder = target.has_filename() ? target : target.parent_path();
   std::error_code error;
   if (fs::is_symlink(folder, error) && !fs::exists(folder, error))
-    return fail(folder.string() + " is a link to nothing; name another folder or remove the link.");
+    return fail(folder.string() +
+                " is a link to a folder that does not exist. Remove the link or name another folder.");
   if (fs::exists(folder, error) && !fs::is_directory(folder, error))
     return fail(folder.string() + " is a file; a folder is needed.");
   if (auto ok = parentExists(folder); !ok) return fail(ok.error().message + " Create it first.");

@@ -8,9 +8,9 @@ namespace insonate {
 /// Returns a hidden path beside a target, with the target's extension, that no other writer uses.
 std::filesystem::path partBeside(const std::filesystem::path& target);
 
-/// A temporary folder that is filled beside its target. A lock tells other programs that it is in use; the system
-/// releases the lock when this process ends, even after a crash. On a file system without locks, removeAbandonedParts()
-/// leaves such folders.
+/// A temporary folder that is filled beside its target and then replaces it. A file lock tells other programs that the
+/// folder is in use; the system releases the lock when this process ends, even after a crash. On a file system without
+/// locks, removeAbandonedParts() does not remove such folders.
 class FolderPart {
  public:
   explicit FolderPart(const std::filesystem::path& target);
@@ -20,7 +20,7 @@ class FolderPart {
   FolderPart& operator=(const FolderPart&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// Error of creating the folder, if any.
+  /// Returns the error that occurred when the folder was created; an empty code if there was none.
   const std::error_code& error() const { return error_; }
 
  private:

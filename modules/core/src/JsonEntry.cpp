@@ -86,8 +86,9 @@ std::string JsonEntry::text(std::string_view key, bool needed) {
   const json* value = find(key, needed);
   if (!value) return {};
   const std::string text = value->is_string() ? value->get<std::string>() : std::string();
-  if (!text.empty() && text.find('\0') == std::string::npos) return text;
-  if (!text.empty())
+  const bool hasZeroByte = text.find('\0') != std::string::npos;
+  if (!hasZeroByte && (!text.empty() || (!needed && value->is_string()))) return text;
+  if (hasZeroByte)
     refuse("holds a zero byte (\\u0000) in its '" + std::string(key) + "'; remove it.");
   else
     refuse("needs a text as '" + std::string(key) + "', not " + shown(*value) + ".");
@@ -212,13 +213,13 @@ void JsonEntry::each(std::string_view key, const std::string& noun, const Reader
   int number = 0;
   for (const json& entry : array(key)) {
     ++number;
-    const bool named = entry.is_object() && entry.contains("name") && entry["name"].is_string();
-    const std::string name = named ? entry["name"].get<std::string>() : "";
-    const std::string where = noun + " " + (named ? "'" + name + "'" : std::to_string(number));
+    const bool isNamed = entry.is_object() && entry.contains("name") && entry["name"].is_string();
+    const std::string name = isNamed ? entry["name"].get<std::string>() : "";
+    const std::string where = noun + " " + (name.empty() ? std::to_string(number) : "'" + name + "'");
     std::string trouble;
     read(entry, where, trouble);
-    if (trouble.empty() && named && namesDiffer && !names.insert(name).second)
-      trouble = where + " is there twice; names tell them apart.";
+    if (trouble.empty() && !name.empty() && namesDiffer && !names.insert(name).second)
+      trouble = where + " occurs twice. Give each a different name.";
     if (!trouble.empty()) return refuse("cannot be used: " + trouble);
   }
 }

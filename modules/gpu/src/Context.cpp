@@ -13,8 +13,8 @@
 namespace insonate::gpu {
 namespace {
 
-constexpr const char* kNone = "There is no OpenGL without a window: ";
-constexpr const char* kNoCard = "There is no graphics card that serves: ";
+constexpr const char* kNone = "OpenGL cannot run without a window here: ";
+constexpr const char* kNoCard = "No suitable graphics card was found: ";
 
 bool isSoftware(std::string_view renderer) {
   for (const char* name : {"llvmpipe", "softpipe", "SWR", "SwiftShader", "Software", "swrast"})
@@ -134,7 +134,7 @@ Result<std::shared_ptr<Context>> Context::make(const Requirements& requirements)
   const std::string none = requirements.hardware ? kNoCard : kNone;
   if (!epoxy_has_egl()) return fail(none + "libEGL is not installed.");
   std::shared_ptr<Context> best;
-  std::string why = requirements.hardware ? "EGL lists none." : "EGL knows no device.";
+  std::string why = requirements.hardware ? "EGL lists no device." : "EGL finds no device.";
   for (const EGLDisplay display : displays(requirements.hardware)) {
     EGLint major = 0, minor = 0;
     if (!eglInitialize(display, &major, &minor)) continue;
@@ -148,7 +148,7 @@ Result<std::shared_ptr<Context>> Context::make(const Requirements& requirements)
     if (handles->context == EGL_NO_CONTEXT) {
       if (!best)
         why = "no driver offers OpenGL " + std::to_string(requirements.major) + "." +
-              std::to_string(requirements.minor) + "; a newer one may.";
+              std::to_string(requirements.minor) + "; a newer driver may do so.";
       continue;
     }
     std::shared_ptr<Context> context(new Context(std::move(handles)));
@@ -174,7 +174,7 @@ Result<Current> Context::use() {
   eglBindAPI(EGL_OPENGL_API);
   if (!eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles_->context)) {
     eglBindAPI(before->api);
-    return fail("OpenGL cannot be used on this thread, which draws with another one.");
+    return fail("OpenGL cannot be used on this thread, because the thread already draws with another OpenGL context.");
   }
   return Current(shared_from_this(), std::move(lock), std::move(before));
 }

@@ -27,8 +27,8 @@ Result<Buffer> Buffer::make(const Current& current, std::size_t bytes) {
   GLint64 most = 0;
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
   if (bytes > std::size_t(most))
-    return fail("The graphics card shows a shader at most " + std::to_string(most >> 20) + " MB at once, and " +
-                std::to_string((bytes >> 20) + 1) + " MB are needed.");
+    return fail("The graphics card gives a shader access to at most " + std::to_string(most >> 20) +
+                " MB at once, and " + std::to_string((bytes >> 20) + 1) + " MB are needed.");
   Buffer buffer(current.context(), bytes, 0);
   glGenBuffers(1, &buffer.id_);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.id_);
@@ -80,7 +80,8 @@ Result<void> PairTexture::write(const Current& current, int columns, int rows, s
   int most = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
   if (std::max(columns, rows) > most)
-    return fail("The graphics card takes textures of at most " + std::to_string(most) + " points a side.");
+    return fail("The graphics card supports textures of at most " + std::to_string(most) +
+                " points in width and height.");
   context_ = current.context();
   if (id_ == 0) glGenTextures(1, &id_);
   glBindTexture(GL_TEXTURE_2D, id_);
@@ -140,7 +141,7 @@ Result<void> ReadBack::finish(const Current& current, std::span<std::byte> into)
     return fail("The graphics card does not answer.");
   glBindBuffer(GL_COPY_WRITE_BUFFER, slot.memory.id_);
   const void* mapped = glMapBufferRange(GL_COPY_WRITE_BUFFER, 0, GLsizeiptr(slot.bytes), GL_MAP_READ_BIT);
-  if (!mapped) return fail("The graphics card does not give its results.");
+  if (!mapped) return fail("The results could not be read from the graphics card.");
   std::memcpy(into.data(), mapped, std::min(into.size(), slot.bytes));
   glUnmapBuffer(GL_COPY_WRITE_BUFFER);
   return {};

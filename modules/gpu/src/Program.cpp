@@ -92,7 +92,8 @@ Result<void> Program::checkBlock(const Current&, std::string_view block, std::sp
                                  std::size_t size) const {
   const unsigned index = glGetProgramResourceIndex(id_, GL_UNIFORM_BLOCK, std::string(block).c_str());
   if (index == GL_INVALID_INDEX) return {};
-  const std::string where = "The shader \"" + name_ + "\" and the program disagree about " + std::string(block);
+  const std::string where =
+      "The shader \"" + name_ + "\" and the program define this differently: " + std::string(block);
   const std::vector<Member> members = membersOf(id_, index);
   for (const Member& member : members) {
     const auto mirror = std::ranges::find(fields, member.name, &Field::name);

@@ -4,8 +4,8 @@
 
 namespace insonate {
 
-/// The two points of a row between which a position lies, for linear interpolation; a position beyond an end is moved
-/// to that end.
+/// The two neighboring grid points on one axis between which a position lies, for linear interpolation; a position
+/// beyond an end of the axis is moved to that end.
 struct Interval {
   int low, high;
   double fraction;  ///< position between the points: 0 at low, 1 at high

@@ -43,7 +43,7 @@ Result<void> validate(const VolumeGeometry& g) {
                   " mm along one axis; it must be above 0.");
     voxels *= g.size[a];
   }
-  if (voxels > kMaxVoxels) return fail("The grid has more voxels than this program can hold.");
+  if (voxels > kMaxVoxels) return fail("The grid has more voxels than Insonate can handle.");
   if (!isFinite(g.origin_mm)) return fail("The position of the first voxel is not a number.");
   for (int a = 0; a < 3; ++a)
     for (int b = a; b < 3; ++b) {
@@ -61,12 +61,12 @@ Result<void> checkVoxelSize(Vec3 spacing_mm) {
     if (size_mm >= kSmallest_mm && size_mm <= kLargest_mm) continue;
     if (!std::isfinite(size_mm))
       return fail("The distance of voxels along axis " + std::to_string(a + 1) +
-                  " is no number. Correct the spacing in the file.");
+                  " is not a number. Correct the spacing in the file.");
     std::array<char, 32> text;
     std::snprintf(text.data(), text.size(), "%.4g mm", size_mm);
     return fail("Voxels are " + std::string(text.data()) + " apart along axis " + std::to_string(a + 1) +
-                (size_mm < kSmallest_mm ? "; no CT is that fine. Values in meters?"
-                                        : "; no CT is that coarse. Values in micrometres?") +
+                (size_mm < kSmallest_mm ? "; no CT has such a small spacing. Are the values in meters?"
+                                        : "; no CT has such a large spacing. Are the values in micrometers?") +
                 " Correct the spacing in the file.");
   }
   return {};

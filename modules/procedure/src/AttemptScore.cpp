@@ -68,9 +68,9 @@ std::string sentenceOf(const AttemptEvent& event, bool firstVein, const Procedur
     case AttemptEventKind::NeedleReplaced:
       return "A new needle is taken.";
     case AttemptEventKind::Frozen:
-      return "The needle is held to look at it.";
+      return "Image and needle are frozen.";
     case AttemptEventKind::Released:
-      return "The needle is free again.";
+      return "Image and needle are released.";
     case AttemptEventKind::Centered:
       return capital(withArticle(event, run)) + " is in the middle of the image.";
     case AttemptEventKind::Compressed:

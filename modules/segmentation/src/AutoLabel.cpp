@@ -35,7 +35,7 @@ void labelBone(LabelMap& labels, const CtVolume& ct, Work& work) {
 void labelFatAndMuscle(LabelMap& labels, const CtVolume& ct, Work& work) {
   Mask lining(ct.geometry);
   work.voxels(ct.geometry, [&](std::size_t v) { lining.voxels[v] = labels.voxels[v] == kAirway; });
-  dilateToNeighbours(lining, work);
+  dilateToNeighbors(lining, work);
 
   Mask fat(ct.geometry);
   work.voxels(ct.geometry, [&](std::size_t v) { fat.voxels[v] = ct.voxels[v] < kFatBelow_HU; });
@@ -74,7 +74,7 @@ void labelSkin(LabelMap& labels, const CtVolume& ct, double blurred_mm, Work& wo
     shell.voxels[v] &= std::uint8_t(rim.voxels[v] || labels.voxels[v] != kFat);
     rim.voxels[v] = labels.voxels[v] == kBackground && ct.voxels[v] > kPaddingBelow_HU;
   });
-  dilateToNeighbours(rim, work);
+  dilateToNeighbors(rim, work);
   work.voxels(ct.geometry, [&](std::size_t v) {
     const std::uint8_t label = labels.voxels[v];
     if (label != kBackground && label != kAirway && (shell.voxels[v] || rim.voxels[v])) labels.voxels[v] = kSkin;
@@ -86,9 +86,9 @@ Result<void> checkHasAir(const CtVolume& ct) {
   constexpr int kAirBelow_HU = -300;
   if (std::ranges::any_of(ct.voxels, [](std::int16_t hu) { return hu < kAirBelow_HU; })) return {};
   return fail(
-      "There is no air in this CT (nothing below -300 HU), so its skin cannot be found: it is probably a label map, "
-      "not in Hounsfield units, or cut out of the middle of a body. Import a series whose air is near -1000 HU, or "
-      "label this one by hand, e.g. with a threshold.");
+      "There is no air in this CT (no value is below -300 HU), so its skin cannot be found. It is probably a label "
+      "map, or not in Hounsfield units, or a part of the inside of a body. Import a series whose air is near -1000 HU, "
+      "or label this CT with the tools, for example with a threshold.");
 }
 
 Result<void> checkIsMixed(const LabelMap& labels) {

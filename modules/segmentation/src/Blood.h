@@ -4,8 +4,8 @@
 
 namespace insonate::segmentation {
 
-/// Voxels of blood whose contrast agent makes it as bright as bone; such blood is wide, even, and bordered by soft
-/// tissue. Empty if there is none, as in a CT without contrast agent.
+/// Voxels of blood that contrast agent makes as bright as bone. Such blood is wide, even, and bordered by soft tissue.
+/// Empty if there is none, as in a CT without contrast agent.
 struct BrightBlood {
   bool present = false;
   Mask mask;

@@ -13,8 +13,8 @@
 namespace insonate::segmentation {
 namespace {
 
-constexpr int kApart = 3;             // voxels along a row, since a scanner's noise is correlated between neighbors
-constexpr int kMostDifference = 512;  // HU; larger differences across edges need no distinction
+constexpr int kApart = 3;            // voxels along a row, since a scanner's noise is correlated between neighbors
+constexpr int kMaxDifference = 512;  // HU; larger differences across edges need no distinction
 constexpr double kSdOfMedian = 1.4826;
 constexpr double kSmall_mm = 0.8;  // about the width of the scanner's blur
 
@@ -27,19 +27,19 @@ void add(const std::int16_t* row, int weight, std::vector<int>& sum) {
 
 double noiseInBody_HU(const CtVolume& ct, const LabelMap& body, Work& work) {
   const auto [ni, nj, nk] = ct.geometry.size;
-  using Counts = std::array<std::size_t, kMostDifference + 1>;
+  using Counts = std::array<std::size_t, kMaxDifference + 1>;
   std::vector<Counts> perSlice(nk);
   work.slices(nk, [&, ni = ni, nj = nj](int k) {
     for (int j = 0; j < nj; ++j)
       for (int i = 0; i + kApart < ni; ++i)
         if (body.at(i, j, k) == kSoftTissue && body.at(i + kApart, j, k) == kSoftTissue)
-          ++perSlice[k][std::min(std::abs(ct.at(i, j, k) - ct.at(i + kApart, j, k)), kMostDifference)];
+          ++perSlice[k][std::min(std::abs(ct.at(i, j, k) - ct.at(i + kApart, j, k)), kMaxDifference)];
   });
   Counts counts{};
   for (const Counts& slice : perSlice) std::ranges::transform(counts, slice, counts.begin(), std::plus<>());
   std::size_t left = std::accumulate(counts.begin(), counts.end(), std::size_t{0}) / 2;
   int median = 0;
-  while (median < kMostDifference && left > counts[median]) left -= counts[median++];
+  while (median < kMaxDifference && left > counts[median]) left -= counts[median++];
   return kSdOfMedian * median / std::sqrt(2);
 }
 

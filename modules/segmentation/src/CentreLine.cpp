@@ -41,14 +41,14 @@ Result<std::vector<CentreLine>> centreLines(const LabelMap& labels, std::uint8_t
 }
 
 std::optional<double> distanceToCentre_mm(std::span<const CentreLine> lines, Vec3 patient_mm) noexcept {
-  std::optional<double> least_mm2;
+  std::optional<double> min_mm2;
   for (const CentreLine& line : lines)
     for (std::size_t i = 1; i < line.size(); ++i) {
       const double mm2 = squaredDistance_mm2(patient_mm, line[i - 1], line[i]);
-      if (!least_mm2 || mm2 < *least_mm2) least_mm2 = mm2;
+      if (!min_mm2 || mm2 < *min_mm2) min_mm2 = mm2;
     }
-  if (least_mm2) least_mm2 = std::sqrt(*least_mm2);
-  return least_mm2;
+  if (min_mm2) min_mm2 = std::sqrt(*min_mm2);
+  return min_mm2;
 }
 
 }  // namespace insonate

@@ -21,9 +21,9 @@ class Components {
 
   Components(const Mask& mask, Reach reach, Work& work);
 
-  /// Ordered by k, then j, then i.
+  /// Returns all runs of set voxels, ordered by k, then j, then i.
   const std::vector<Run>& runs() const { return runs_; }
-  /// Components are numbered 0 .. count() - 1.
+  /// Returns the number of components. Their numbers are 0 .. count() - 1.
   std::uint32_t count() const { return count_; }
   /// Returns the number of voxels of each component.
   std::vector<std::size_t> sizes() const;

@@ -118,7 +118,7 @@ void close(Mask& mask, double radius_mm, Work& work) {
   erode(mask, radius_mm, work);
 }
 
-void dilateToNeighbours(Mask& mask, Work& work) {
+void dilateToNeighbors(Mask& mask, Work& work) {
   const auto [ni, nj, nk] = mask.geometry.size;
   const Mask before = mask;
   work.slices(nk, [&, ni = ni, nj = nj, nk = nk](int k) {

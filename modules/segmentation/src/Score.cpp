@@ -102,7 +102,7 @@ LabelScore scoreOf(const LabelMap& found, const LabelMap& truth, std::uint8_t la
 Result<std::vector<LabelScore>> scoreLabels(const LabelMap& found, const LabelMap& truth,
                                             const std::vector<std::uint8_t>& labels, const Progress& progress) {
   if (!sameGrid(found.geometry, truth.geometry))
-    return fail("The truth is on another grid than the labels; resample it to that of the case.");
+    return fail("The reference labels are on another grid than the case. Resample them to the grid of the case.");
   LabelSet asked;
   for (const std::uint8_t label : labels) asked.set(label);
   if (labels.empty()) {

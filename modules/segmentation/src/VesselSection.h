@@ -8,15 +8,17 @@
 
 namespace insonate::segmentation {
 
-/// The part of a vessel in one plane that is connected to the point at which the plane was placed. Patient space.
+/// A cross-section of a vessel: the part of the vessel in one plane that is connected to the point through which the
+/// plane was laid. Patient space.
 struct VesselSection {
   Vec3 centre_mm;  ///< centroid of the section
   double area_mm2 = 0;
-  double reach_mm = 0;  ///< from the centroid to the farthest point
-  bool cut = false;     ///< the volume's edge cuts the section
+  double reach_mm = 0;  ///< distance from the centroid to the section's farthest point
+  bool cut = false;     ///< true if the volume's edge cuts the section
 };
 
-/// Finds sections of one label by planes. Reuses memory for one plane, so that finding many sections is fast.
+/// Finds cross-sections of the vessels with one label. Reuses memory for one plane, so that finding many sections is
+/// fast.
 class SectionFinder {
  public:
   SectionFinder(const LabelMap& labels, std::uint8_t label);
@@ -32,7 +34,7 @@ class SectionFinder {
   Place placeOf(Vec3 index) const;
 
   static constexpr double kStep_mm = 0.5;
-  static constexpr int kHalf = 40;  ///< 20 mm to each side
+  static constexpr int kHalf = 40;  ///< half width of the sampled square, 20 mm, in steps of kStep_mm
   static constexpr int kWidth = 2 * kHalf + 1;
 
   const LabelMap& labels_;

@@ -10,7 +10,7 @@ namespace {
 constexpr double kStep_mm = 1;
 /// Limits of displacement and growth beyond which a section is that of a confluence; one that has shrunk as much is the
 /// end of the vessel.
-constexpr double kLeastJump_mm = 1.5, kJump = 0.3, kGrowth = 2, kLeastGrowth_mm2 = 10, kShrinking = 0.25;
+constexpr double kMinJump_mm = 1.5, kJump = 0.3, kGrowth = 2, kMinGrowth_mm2 = 10, kShrinking = 0.25;
 /// Weight of a new section in the reference area: a vein may widen, but not within a few millimeters.
 constexpr double kForget = 0.1;
 /// Number of points that determine the direction: with the last point alone it would follow the voxel steps.
@@ -122,13 +122,13 @@ CentreLine VesselTracer::follow(const VesselSection& start, Vec3 axis) {
     // A section cut by the volume's edge has lost area; a section that has grown reaches the edge through another
     // vessel.
     const bool atEdge = section->cut && !start.cut;
-    if (section->area_mm2 > (atEdge ? 1 : kGrowth) * usual_mm2 + kLeastGrowth_mm2) break;
+    if (section->area_mm2 > (atEdge ? 1 : kGrowth) * usual_mm2 + kMinGrowth_mm2) break;
     if (atEdge) {
       followToEdge(line, last, axis);
       break;
     }
     const double jump_mm = norm(section->centre_mm - expected_mm);
-    if (jump_mm > std::max(kLeastJump_mm, kJump * last.reach_mm) || isDone(section->centre_mm) ||
+    if (jump_mm > std::max(kMinJump_mm, kJump * last.reach_mm) || isDone(section->centre_mm) ||
         section->area_mm2 < kShrinking * usual_mm2)
       break;
     usual_mm2 += kForget * (section->area_mm2 - usual_mm2);

@@ -6,18 +6,20 @@
 
 namespace insonate::segmentation {
 
-/// Follows vessels of one label from section to section, and stores which voxels belong to finished lines.
+/// Finds the center lines of vessels of one label by stepping from cross-section to cross-section, and stores which
+/// voxels belong to finished lines.
 class VesselTracer {
  public:
   VesselTracer(const LabelMap& labels, std::uint8_t label);
 
-  /// Tells whether no line has passed this voxel yet.
+  /// Tells whether a line can still start at the voxel with this offset: no traced line has passed it, and its section
+  /// is not deferred.
   bool isOpen(std::size_t offset) const { return voxels_[offset] == kOpen; }
-  /// Returns the line of the vessel at an open voxel, which is then no longer open, like all voxels beside the line.
-  /// Empty if the vessel is too short, or if the volume's edge cuts the section at the voxel and `evenCut` is false;
-  /// that section is then deferred.
+  /// Traces the center line of the vessel at the open voxel (i, j, k) and marks the voxels beside the line as no longer
+  /// open. Returns an empty line if the vessel is too short. With `evenCut` false, also returns an empty line if the
+  /// volume's edge cuts the section at the voxel; that section is then deferred.
   CentreLine trace(int i, int j, int k, bool evenCut);
-  /// Opens the deferred sections again.
+  /// Marks the voxels of deferred sections as open again.
   void reopen();
 
  private:

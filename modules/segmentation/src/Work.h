@@ -12,8 +12,8 @@ namespace insonate::segmentation {
 
 struct Cancelled {};
 
-/// Runs slices in parallel and checks for cancellation between batches. Throws Cancelled, which is caught within this
-/// module.
+/// Runs loops over slices in parallel, reports progress, and checks for cancellation between batches of slices. When
+/// cancelled, throws Cancelled, which is caught within this module.
 class Work {
  public:
   Work(const Progress& progress, double expectedPasses) : progress_(progress), expectedPasses_(expectedPasses) {}
@@ -33,8 +33,8 @@ class Work {
     passes_ += 1;
   }
 
-  /// Runs a part of a pass: calls body(k) for the slices from `begin` to before `end`, of `count` in the pass. They
-  /// must take far less than a second.
+  /// Runs a part of a pass over `count` slices: calls body(k) for the slices from `begin` to before `end`. This part
+  /// must take far less than a second, since cancellation is checked only at its end.
   template <class Body>
   void part(int begin, int end, int count, const Body& body) {
     tbb::parallel_for(begin, end, body);

@@ -161,7 +161,7 @@ Result<void> checkReach(const PatientCase& patient, const ImagingSetup& setup, s
           meets && needed_mm.low_mm[axis] < bounds_mm.high_mm[axis] && needed_mm.high_mm[axis] > bounds_mm.low_mm[axis];
     if (!meets)
       return fail("Pose " + std::to_string(i) + " at " + rounded(path[i].offset) +
-                  " mm sees nothing of the case, whose volume reaches from " + rounded(bounds_mm.low_mm) + " to " +
+                  " mm shows nothing of the case, whose volume extends from " + rounded(bounds_mm.low_mm) + " to " +
                   rounded(bounds_mm.high_mm) + " mm (patient LPS); move it there, or use auto.");
   }
   return {};

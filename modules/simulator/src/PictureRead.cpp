@@ -19,7 +19,7 @@ Error broken(const std::string& name) {
 }
 
 Error tooLarge(const std::string& name) {
-  return {name + " has more than 16384 pixels each way; make it smaller."};
+  return {name + " is larger than 16384 x 16384 pixels. Make it smaller."};
 }
 
 Result<GreyPicture> readPng(const std::string& bytes, const std::string& name) {
@@ -82,10 +82,11 @@ Result<GreyPicture> readPicture(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return fail("There is no image file named " + name + ".");
   const auto size = std::filesystem::file_size(file, error);
-  if (error || size > kMostBytes) return fail(name + " is larger than 256 MB; that is no image of a machine.");
+  if (error || size > kMostBytes)
+    return fail(name + " is larger than 256 MB, so it is not an image of an ultrasound machine. Choose another file.");
   std::ifstream stream(file, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream.good() && !stream.eof()) return fail("Could not read " + name + ": check that you may read it.");
+  if (!stream.good() && !stream.eof()) return fail("Could not read " + name + ". Check its permissions.");
   if (bytes.starts_with("\x89PNG")) return readPng(bytes, name);
   if (!bytes.starts_with("\xff\xd8")) return fail(name + " is neither PNG nor JPEG; save the image as one of them.");
   GreyPicture picture;

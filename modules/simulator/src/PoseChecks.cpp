@@ -8,7 +8,7 @@
 namespace insonate {
 namespace {
 
-constexpr double kDeepest_mm = 15, kFarthest_mm = 30, kMostOutside = 0.25;
+constexpr double kDeepest_mm = 15, kFarthest_mm = 30, kMaxOutside = 0.25;
 constexpr double kStep_mm = 0.5;
 
 std::string millimetres(double value_mm) {
@@ -79,14 +79,15 @@ std::vector<std::string> poseWarnings(const PatientCase& patient, const ImagingS
     const Vec3 face_mm = path[n].offset, axial = path[n].linear.column[2];
     if (labelled && along(places, face_mm, -axial, kDeepest_mm, true)) deep.push_back(n);
     if (labelled && along(places, face_mm, axial, kFarthest_mm, false)) far.push_back(n);
-    if (shareOutside(places, grid, path[n]) > kMostOutside) outside.push_back(n);
+    if (shareOutside(places, grid, path[n]) > kMaxOutside) outside.push_back(n);
   }
   const auto warn = [&](const std::vector<std::size_t>& poses, const std::string& what) {
     if (!poses.empty()) warnings.push_back(subject(poses, path.size()) + " " + what);
   };
   warn(deep, "the probe's face is more than 15 mm inside the body; move it back onto the skin.");
   warn(far, "the probe's face is more than 30 mm off the skin; move it onto the skin.");
-  warn(outside, "more than a quarter of the field of view lies outside the scan, where nothing is known.");
+  warn(outside,
+       "more than a quarter of the field of view lies outside the scan, where there are no data. Move the probe.");
   return warnings;
 }
 

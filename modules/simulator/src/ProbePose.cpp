@@ -57,7 +57,7 @@ Result<PosePath> parsePoses(std::string_view text, const std::string& where) {
   if (!parsed) return tl::unexpected(parsed.error());
   if (parsed->is_array()) return readPath(*parsed, where);
   if (parsed->is_object() && parsed->contains("poses")) {
-    if (parsed->size() > 1) return fail(where + ": no other field may stand beside \"poses\".");
+    if (parsed->size() > 1) return fail(where + ": no other field is allowed beside \"poses\".");
     return readPath(parsed->at("poses"), where);
   }
   PosePath path;
@@ -77,8 +77,8 @@ Result<PosePath> single(const Result<StartPose>& pose) {
 std::string neitherNameNorFile(std::string_view text, const PatientCase& patient) {
   std::vector<std::string_view> names{"auto"};
   for (const StartPose& pose : patient.manifest.startPoses) names.push_back(pose.name);
-  return "'" + std::string(text) + "' is no pose: it is neither a readable JSON file nor one of " + quotedWords(names) +
-         ", nor does it begin with { or [.";
+  return "'" + std::string(text) + "' is not a pose: it is neither a readable JSON file nor one of " +
+         quotedWords(names) + ", nor does it begin with { or [.";
 }
 
 }  // namespace
@@ -88,8 +88,9 @@ Result<Transform> patientFromProbe(Vec3 position_mm, Vec3 axial, Vec3 lateral) {
     return fail("position_mm, axial and lateral must be finite numbers.");
   // Scales first, so that squares of tiny or huge directions do not underflow or overflow.
   const auto largest = [](Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-  if (largest(axial) == 0) return fail("axial must not be zero: it says where the probe looks.");
-  if (largest(lateral) == 0) return fail("lateral must not be zero: it says where the probe's marker points.");
+  if (largest(axial) == 0) return fail("axial must not be zero: it is the direction in which the probe points.");
+  if (largest(lateral) == 0)
+    return fail("lateral must not be zero: it is the direction in which the probe's marker points.");
   const Vec3 z = normalized(axial / largest(axial));
   const Vec3 along = normalized(lateral / largest(lateral));
   const Vec3 across = along - z * dot(along, z);

@@ -151,7 +151,8 @@ void writeObj(const Mesh& mesh, Output& out) {
 }
 
 Result<void> checkMesh(const fs::path& file, const Mesh& mesh) {
-  if (mesh.triangles.empty()) return fail("There is nothing to write to " + file.string() + ": no triangles.");
+  if (mesh.triangles.empty())
+    return fail("The mesh has no triangles, so nothing was written to " + file.string() + ": no triangles.");
   const bool whole = mesh.points_mm.size() % 3 == 0 && mesh.triangles.size() % 3 == 0;
   if (!whole || mesh.normals.size() != mesh.points_mm.size() || std::ranges::max(mesh.triangles) >= mesh.pointCount())
     return fail("The mesh for " + file.string() + " is inconsistent: its points, normals and triangles do not agree.");
@@ -167,7 +168,8 @@ Result<void> writeMesh(const fs::path& file, const Mesh& mesh) {
                                         : extension == ".obj" ? writeObj
                                                               : nullptr;
   if (!write && extension != ".vtp")
-    return fail(file.string() + " is not a kind of mesh file known here; name it .stl, .ply, .obj or .vtp.");
+    return fail(file.string() +
+                " is not a mesh format that Insonate can write. Use a name that ends in .stl, .ply, .obj or .vtp.");
   if (auto ok = checkMesh(file, mesh); !ok) return ok;
   return writeAtomically(file, [&](const fs::path& beside) -> Result<void> {
     bool written = false;

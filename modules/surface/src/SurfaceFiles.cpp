@@ -26,7 +26,8 @@ Result<void> checkSurfaceTarget(const fs::path& folder) {
   if (auto ok = checkFolderTarget(folder); !ok) return ok;
   std::error_code error;
   if (fs::exists(folder, error) && (!fs::is_empty(folder, error) || error))
-    return fail("The folder " + folder.string() + " is not empty; surfaces of two cases would mix. Name another one.");
+    return fail("The folder " + folder.string() +
+                " is not empty, and surfaces of two cases must not mix. Name another folder.");
   return {};
 }
 

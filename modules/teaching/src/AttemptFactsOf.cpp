@@ -60,7 +60,7 @@ Result<Procedure> rulesOf(const std::filesystem::path& file, const AttemptHeader
   auto procedure = loadProcedure(header.procedure);
   if (!procedure)
     return fail(file.string() +
-                " cannot be scored, since its procedure is not known here: " + procedure.error().message);
+                " cannot be scored, since this program does not know its procedure: " + procedure.error().message);
   if (procedure->version < header.procedureVersion)
     return fail(file.string() + " was made by version " + std::to_string(header.procedureVersion) +
                 " of the procedure '" + header.procedure + "', which is at version " +
@@ -110,9 +110,10 @@ Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file, Hands h
   const auto recording = AttemptRecording::open(file);
   if (!recording) return tl::unexpected(recording.error());
   if (recording->header().isScripted && hands == Hands::Person)
-    return fail(file.string() +
-                " was recorded from a script ('session --script'): it is a demonstration and counts for nobody. "
-                "Replay it with 'replay', or choose the recording of an attempt that a person made.");
+    return fail(
+        file.string() +
+        " was recorded from a script ('session --script'): it is a demonstration and does not count for any person. "
+        "Replay it with 'replay', or choose the recording of an attempt that a person made.");
   auto procedure = rulesOf(file, recording->header());
   if (!procedure) return tl::unexpected(procedure.error());
   const int version = procedure->version;

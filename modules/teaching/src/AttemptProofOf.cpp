@@ -35,11 +35,10 @@ Result<AttemptProofOf> proofOfAttempt(const AttemptStore& attempts, const Attemp
   }
   if (whose.person != facts.person)
     return fail(file.string() +
-                " was recorded for another person, and counts for nobody else. Record an attempt of "
-                "your own.");
+                " was recorded for another person and counts only for that person. Record an attempt of your own.");
   return fail(file.string() +
               " was changed after it was recorded: its header names another attempt or level than the one "
-              "that it was begun for. Look for an untouched copy.");
+              "that it was begun for. Look for an unchanged copy.");
 }
 
 }  // namespace insonate

@@ -40,7 +40,7 @@ void refuseFieldsOfOtherKinds(JsonEntry& entry, Mechanics kind) {
   if (kind == Mechanics::Lumen) own = namesOf(kLumenFields, {});
   for (const std::string_view name : namesOf(kLumenFields, namesOf(kSolidFields, {})))
     if (entry.has(name) && std::ranges::find(own, name) == own.end())
-      entry.refuse("has '" + std::string(name) + "', which says nothing of a tissue of kind " +
+      entry.refuse("has '" + std::string(name) + "', which does not apply to a tissue of kind " +
                    std::string(kKinds[static_cast<std::size_t>(kind)]) + "; remove it, or change the kind.");
 }
 

@@ -13,16 +13,17 @@
 /// Reading and writing of tables of properties by label, shared by all kinds of tissue tables, as presets or files.
 namespace insonate::tissuefile {
 
-/// Properties that distinguish one kind of table from another. `Table` has a `name`, and `tissues` by label.
+/// Description of one kind of tissue table (acoustic, mechanical or needle) for the functions that read and write all
+/// kinds. `Table` has a `name`, and `tissues` by label.
 template <class Table>
 struct TableForm {
   using Tissue = typename decltype(Table::tissues)::value_type;
 
-  std::string noun;             ///< e.g. "tissue" for "a tissue table" and "the tissue file"
-  std::vector<Preset> presets;  ///< the default first
+  std::string noun;             ///< word for the kind of table in sentences, e.g. "tissue" in "a tissue table"
+  std::vector<Preset> presets;  ///< compiled-in tables, the default first
 
-  /// Fills `tissue` from an entry of "tissues". With `complete`, a missing number is an error; otherwise it keeps its
-  /// value.
+  /// Fills `tissue` from an entry of "tissues". With `complete`, a missing number is an error; without it, a missing
+  /// number leaves the member of `tissue` unchanged.
   void (*readTissue)(const nlohmann::json& entry, bool complete, const std::string& where, std::string& trouble,
                      Tissue& tissue);
 };
@@ -80,7 +81,7 @@ Result<Table> loadTable(std::string_view nameOrPath, const TableForm<Table>& for
   return table;
 }
 
-/// Writes a complete file for parseTable(). `written` returns the entry of one tissue without its label.
+/// Writes a complete file for parseTable(). `written` makes the JSON entry of one tissue, without the label.
 template <class Table>
 std::string tableText(const Table& table, nlohmann::json (*written)(const typename TableForm<Table>::Tissue&)) {
   nlohmann::json tissues = nlohmann::json::array();

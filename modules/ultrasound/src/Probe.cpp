@@ -37,7 +37,8 @@ nlohmann::json withFormerNames(const nlohmann::json& file, const std::string& wh
   JsonEntry entry(file, where, keysOf(file), trouble);
   for (const char* name : kArrayNames)
     if (has(name))
-      entry.refuse(std::string("has '") + name + "', which describes the array and does not go with widths such as '" +
+      entry.refuse(std::string("has '") + name +
+                   "', which describes the array and cannot be combined with widths such as '" +
                    *std::ranges::find_if(kFormerNames, has) + "'; leave out the widths.");
   const auto width = [&](const char* name) { return entry.number(name, 0.5, 400); };
   const double pulse = width("axialFwhm_wavelengths"), lateral = width("lateralFNumber");

@@ -169,8 +169,9 @@ TEST_F(Guiding, AClickIsNoneWhileTheTableIsShown) {
 
 TEST_F(Guiding, WhatIsTooThinForAVeinIsDoubtful) {
   makeVein(kArtery_x);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return guide_->state(1) == State::Doubtful; }, kPatience_ms));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return guide_->state(1) == State::Warning; }, kPatience_ms));
   EXPECT_THAT(child<QLabel>("guideResult")->text().toStdString(), HasSubstr("a mean diameter of"));
+  EXPECT_TRUE(child<QLabel>("guideResult")->text().startsWith("Warning: ")) << "not by its color alone";
   child<QPushButton>("guideAccept")->click();
   EXPECT_EQ(guide_->state(1), State::Done) << "the author has looked";
 }
@@ -178,7 +179,7 @@ TEST_F(Guiding, WhatIsTooThinForAVeinIsDoubtful) {
 TEST_F(Guiding, OnALowScreenItsWordsAreScrolledAndNeverCut) {
   workspace_->resize(1280, 640);  // what a window of 1280 x 720 leaves
   makeVein(kArtery_x);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return guide_->state(1) == State::Doubtful; }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return guide_->state(1) == State::Warning; }, kPatience_ms));
   auto* page = child<QWidget>("guide");
   const auto whole = [&] {
     const auto labels = page->findChildren<QLabel*>(QRegularExpression("^guide"));
@@ -282,7 +283,7 @@ TEST_F(Guiding, AStepThatFailsLeavesWhatWasThere) {
   choose("vein-right");
   guide_->moveClick(1, guide_->clicks_mm()[0]);
   run();
-  EXPECT_THAT(child<QLabel>("guideTold")->text().toStdString(), HasSubstr("nearly on one point"));
+  EXPECT_THAT(child<QLabel>("guideTold")->text().toStdString(), HasSubstr("almost at the same point"));
   EXPECT_EQ(voxels(), before);
 }
 
@@ -334,7 +335,7 @@ TEST_F(Guiding, ClicksOnTheOtherSideAreDoubted) {
   click({kArtery_x, 12, 6});
   run();
   const int left = guide_->current();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return guide_->state(left) == State::Doubtful; }, kPatience_ms));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return guide_->state(left) == State::Warning; }, kPatience_ms));
   EXPECT_THAT(child<QLabel>("guideResult")->text().toStdString(), HasSubstr("on the patient's right"));
 }
 

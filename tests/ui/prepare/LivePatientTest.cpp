@@ -1,4 +1,4 @@
-#include "live/LivePatient.h"
+#include "model/LivePatient.h"
 
 #include <insonate/tissue/Labels.h>
 

@@ -1,4 +1,4 @@
-#include "check/CaseMeasuring.h"
+#include "model/CaseMeasuring.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/TaskBar.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "SharedModel.h"
-#include "viewing/CaseViews.h"
+#include "layout/CaseViews.h"
 
 #include <insonate/prepare/PrepareWorkspace.h>
 #include <insonate/tissue/Labels.h>

@@ -2,6 +2,8 @@
 
 #include <ui/support/WholeWords.h>
 
+#include <QTabBar>
+
 namespace insonate::prepare {
 namespace {
 
@@ -113,6 +115,44 @@ TEST_F(PrepareWindow, LabelKeysWorkInEverySlice) {
   EXPECT_EQ(shared_->structures.selected(), shared_->structures.labels()[1]);
   QTest::keyClick(table(), Qt::Key_Q);
   EXPECT_EQ(shared_->structures.selected(), shared_->structures.labels()[0]) << "also where the table has the keyboard";
+}
+
+TEST_F(PrepareWindow, EachCommandIsListedAndWaitsForACase) {
+  const auto isAvailable = [this](int key) {
+    return workspace_->commands().key(QKeyEvent(QEvent::KeyPress, key, Qt::NoModifier), false);
+  };
+  for (const ui::Command& one : workspace_->commands().all()) {
+    SCOPED_TRACE(one.id.toStdString());
+    EXPECT_TRUE(one.id.startsWith("prepare."));
+    EXPECT_FALSE(one.listed.isEmpty() || one.does.isEmpty());
+    for (const ui::CommandKey& key : one.keys) EXPECT_FALSE(isAvailable(key.key)) << "there is no case";
+  }
+  for (const ui::ShortcutGroup& section : workspace_->commands().shortcuts()) EXPECT_FALSE(section.place.isEmpty());
+  openCase();
+  for (const int key :
+       {Qt::Key_Q,           Qt::Key_W, Qt::Key_H,    Qt::Key_L,     Qt::Key_S,    Qt::Key_A,     Qt::Key_D,
+        Qt::Key_G,           Qt::Key_C, Qt::Key_Home, Qt::Key_Space, Qt::Key_Plus, Qt::Key_Minus, Qt::Key_BracketRight,
+        Qt::Key_BracketLeft, Qt::Key_1, Qt::Key_2,    Qt::Key_3,     Qt::Key_4,    Qt::Key_5,     Qt::Key_6,
+        Qt::Key_7,           Qt::Key_8, Qt::Key_9,    Qt::Key_0})
+    EXPECT_TRUE(isAvailable(key)) << key;
+  const auto ofTool = {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Escape};
+  for (const int key : ofTool) EXPECT_FALSE(isAvailable(key)) << "without a tool, the key is the window's";
+  key(Qt::Key_3);
+  for (const int key : ofTool) EXPECT_TRUE(isAvailable(key)) << key;
+  EXPECT_FALSE(isAvailable(Qt::Key_Delete)) << "no click yet";
+}
+
+TEST_F(PrepareWindow, CLeadsToTheCheckAndBack) {
+  openCase();
+  auto* pages = child<QTabBar>("rightPages");
+  child<QToolButton>("section-check")->click();
+  key(Qt::Key_C);
+  EXPECT_EQ(pages->currentIndex(), 1);
+  EXPECT_TRUE(child<QToolButton>("section-check")->isChecked()) << "the findings are unfolded";
+  EXPECT_TRUE(pages->tabToolTip(0).endsWith("(C)"));
+  EXPECT_TRUE(child<QPushButton>("toStart")->toolTip().endsWith("(Home)"));
+  key(Qt::Key_C);
+  EXPECT_EQ(pages->currentIndex(), 0);
 }
 
 TEST_F(PrepareWindow, AFindingBringsTheCrosshairToItsPlace) {

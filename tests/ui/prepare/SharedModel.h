@@ -1,20 +1,20 @@
 #pragma once
 
-#include "check/CaseMeasuring.h"
 #include "labels/LabelFollowers.h"
 #include "labels/LabelSession.h"
-#include "live/LivePatient.h"
+#include "model/CaseChanges.h"
+#include "model/CaseMeasuring.h"
+#include "model/Crosshair.h"
+#include "model/LivePatient.h"
 #include "model/Notice.h"
 #include "model/OpenCase.h"
+#include "model/PlacesEditor.h"
 #include "model/PrepareModel.h"
-#include "places/PlacesEditor.h"
-#include "publish/CaseChanges.h"
-#include "structures/StructureAppearance.h"
-#include "structures/StructureList.h"
-#include "structures/TermsEditor.h"
-#include "viewing/Crosshair.h"
-#include "viewing/SliceSettings.h"
-#include "viewing/StatusLine.h"
+#include "model/SliceSettings.h"
+#include "model/StatusLine.h"
+#include "model/StructureAppearance.h"
+#include "model/StructureList.h"
+#include "model/TermsEditor.h"
 
 namespace insonate::prepare {
 

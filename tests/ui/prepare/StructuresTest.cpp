@@ -111,6 +111,34 @@ TEST_F(PrepareWindow, ASurfaceIsMadeWhenItBeginsToBeSeen) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return has(kSoftTissue); }, kPatience_ms));
 }
 
+/// Some users cannot tell the colors of states apart.
+TEST_F(PrepareWindow, EachStateHasASignOfItsOwnShape) {
+  openCase();
+  const auto shapeIn = [&](int column) {
+    const auto icon = table()->model()->index(rowOf(kVein), column).data(Qt::DecorationRole).value<QIcon>();
+    return icon.pixmap(40, 40).toImage().convertToFormat(QImage::Format_Alpha8);
+  };
+  const auto differ = [](const std::vector<QImage>& shapes) {
+    for (std::size_t n = 1; n < shapes.size(); ++n)
+      if (std::find(shapes.begin(), shapes.begin() + std::ptrdiff_t(n), shapes[n]) !=
+          shapes.begin() + std::ptrdiff_t(n))
+        return false;
+    return true;
+  };
+  std::vector<QImage> eyes{shapeIn(kEye)};
+  shared_->appearance.setOpacity(kVein, 0);
+  eyes.push_back(shapeIn(kEye));
+  shared_->appearance.setVisible(kVein, false);
+  eyes.push_back(shapeIn(kEye));
+  EXPECT_TRUE(differ(eyes)) << "shown, transparent, hidden";
+  std::vector<QImage> progress;
+  for (const LabelState state : kLabelStates) {
+    shared_->terms.setState(kVein, state);
+    progress.push_back(shapeIn(kState));
+  }
+  EXPECT_TRUE(differ(progress));
+}
+
 TEST_F(PrepareWindow, TheTitleCanBeChangedAndTakenBack) {
   openCase();
   auto* title = child<QLineEdit>("caseTitle");

@@ -117,7 +117,7 @@ TEST_F(JudgeTest, TwoInstructorsJudgeAReplayBlindlyAndSeeWhereTheyDiffer) {
   handIn();
   EXPECT_TRUE(workspace_->statusText().startsWith("The form is handed in")) << workspace_->statusText().toStdString();
   child<QToolButton>("fillForm")->click();
-  EXPECT_FALSE(child<QPushButton>("handIn")->isEnabled()) << "a form is handed in once";
+  EXPECT_FALSE(child<QPushButton>("handIn")->isEnabled()) << "a form can be handed in only once";
   EXPECT_TRUE(child<QPushButton>("handIn")->toolTip().contains("once"));
   auto& choice = *child<QComboBox>("judgeForm");
   choice.setCurrentIndex(1 - choice.currentIndex());
@@ -202,7 +202,8 @@ TEST_F(JudgeTest, TheTraineeReadsAndFillsInNothing) {
   EXPECT_EQ(table().item(0, 1)->text(), "Not done, or done incorrectly: <img src='x'> %1");
   EXPECT_TRUE(text("judgeWords").contains("Your attempt"));
   change("ben");
-  EXPECT_TRUE(text("judgeWords").startsWith("You may not do this")) << text("judgeWords").toStdString();
+  EXPECT_TRUE(text("judgeWords").startsWith("You do not have the permission for this"))
+      << text("judgeWords").toStdString();
   EXPECT_FALSE(table().isVisible());
 }
 
@@ -210,7 +211,8 @@ TEST_F(JudgeTest, WhoTeachesAnotherClassReadsAndJudgesNothing) {
   judge(school_->ina, attempt_, "not_done", "between us");
   enter("otto");
   openAndJudge();
-  EXPECT_TRUE(text("judgeWords").startsWith("You may not do this")) << text("judgeWords").toStdString();
+  EXPECT_TRUE(text("judgeWords").startsWith("You do not have the permission for this"))
+      << text("judgeWords").toStdString();
   EXPECT_FALSE(isSeen("handIn"));
   EXPECT_FALSE(table().isVisible());
   child<QPushButton>("backToList")->click();

@@ -62,6 +62,65 @@ TEST_F(AccountWindow, TheFirstOneIsTheAdministratorAndStaysSo) {
   EXPECT_TRUE(waitUntil([&] { return account().isSignedIn(); }));
 }
 
+TEST_F(AccountWindow, OnePersonAloneStaysSignedInAndHasLevels) {
+  window->askAtFirstStart();
+  QDialog* dialog = dialogWith("aloneName");
+  ASSERT_TRUE(dialog);
+  go(dialog);
+  ASSERT_TRUE(waitUntil([&] { return !trouble(dialog).isEmpty(); })) << "a name is needed";
+  type(dialog, "aloneName", "Ada Lovelace");
+  go(dialog);
+  ASSERT_TRUE(waitUntil([&] { return account().isSignedIn(); }));
+  EXPECT_EQ(header(), "Ada Lovelace");
+  const auto cohorts = asked<std::vector<Cohort>>([](const SignedIn& by) { return CohortStore(by).cohorts(); });
+  ASSERT_TRUE(cohorts);
+  ASSERT_EQ(cohorts->size(), 1U);
+  EXPECT_FALSE(cohorts->front().curriculum.empty());
+  EXPECT_FALSE(action("accountSignOut").isEnabled()) << "nobody knows the generated password";
+
+  window.reset();
+  const auto kept = QFile::permissions(file() + ".signed-in");
+  EXPECT_EQ(kept & (QFile::ReadGroup | QFile::ReadOther | QFile::WriteOther), QFile::Permissions());
+  open();
+  EXPECT_TRUE(account().isSignedIn());
+  window->askAtFirstStart();
+  EXPECT_FALSE(QApplication::activeModalWidget()) << "asked once";
+}
+
+TEST_F(AccountWindow, OneWhoChoosesAPasswordCanSignOutAndIn) {
+  window->askAtFirstStart();
+  QDialog* dialog = dialogWith("aloneName");
+  type(dialog, "aloneName", "Ada");
+  go(dialog);
+  ASSERT_TRUE(waitUntil([&] { return account().isSignedIn(); }));
+  action("accountPassword").trigger();
+  dialog = dialogWith("passwordNew");
+  EXPECT_FALSE(dialog->findChild<QLineEdit*>("passwordOld")) << "nobody knows the generated one";
+  type(dialog, "passwordNew", kPassword);
+  type(dialog, "passwordAgain", kPassword);
+  go(dialog);
+  ASSERT_TRUE(waitUntil([&] { return !account().hasGeneratedPassword(); }));
+
+  window.reset();
+  open();
+  EXPECT_TRUE(account().isSignedIn()) << "the new password keeps it so";
+  signOut();
+  ASSERT_TRUE(waitUntil([&] { return account().state() == State::Guest; }));
+  window.reset();
+  open();
+  EXPECT_EQ(account().state(), State::Guest);
+  signIn("ada", kPassword);
+  EXPECT_TRUE(waitUntil([&] { return account().isSignedIn(); }));
+}
+
+TEST_F(AccountWindow, AtTheFirstStartAClassIsOfferedToo) {
+  window->askAtFirstStart();
+  QDialog* dialog = dialogWith("aloneName");
+  dialog->findChild<QPushButton*>("entryOther")->click();
+  EXPECT_TRUE(dialogWith("setUpName"));
+  EXPECT_FALSE(QFile::exists(file()));
+}
+
 TEST_F(AccountWindow, AWrongPasswordIsSaidInTheDialogWhichStays) {
   setUp();
   signOut();

@@ -142,7 +142,7 @@ TEST_F(CurriculumWindowTest, KeysMoveALevel) {
 TEST_F(CurriculumWindowTest, WhatIsWrongIsToldWhereItIsAndKeepsItFromBeingPublished) {
   beginDraft();
   part<QListWidget>("levelEditNeeds").item(0)->setCheckState(Qt::Checked);
-  EXPECT_TRUE(troubles().contains("in a circle")) << troubles().toStdString();
+  EXPECT_TRUE(troubles().contains("form a circle")) << troubles().toStdString();
   EXPECT_FALSE(button("curriculumPublish").isEnabled());
   button("curriculumUndo").click();
   EXPECT_TRUE(button("curriculumPublish").isEnabled());

@@ -248,7 +248,7 @@ TEST_F(MainWindow, EscapeCancelsWhatIsBeingDone) {
   QTest::qWait(100);
   QTest::keyClick(&w.window, Qt::Key_Escape);
   EXPECT_FALSE(w.window.tasks().isRunning());
-  EXPECT_EQ(w.window.statusText(), "Cancelled; nothing was changed.");
+  EXPECT_EQ(w.window.statusText(), "Canceled; nothing was changed.");
   EXPECT_TRUE(ui::waitForJobs(std::chrono::milliseconds(1000)));
 }
 

@@ -112,7 +112,7 @@ TEST_F(Roles, ATraineeHasNoneOfTheseWindows) {
   const auto drafts =
       asked<std::vector<std::string>>([](const SignedIn& by) { return PublishedCurricula(by).drafts(); });
   ASSERT_FALSE(drafts);
-  EXPECT_TRUE(QString::fromStdString(drafts.error().message).startsWith("You may not do this"));
+  EXPECT_TRUE(QString::fromStdString(drafts.error().message).startsWith("You do not have the permission for this"));
 }
 
 TEST_F(Roles, AnInstructorImportsIntoTheOwnClassAndTakesNobodyFromAnother) {
@@ -146,7 +146,7 @@ TEST_F(Roles, WhoDoesNotTeachTheClassAnyMoreIsRefusedInTheOpenWindow) {
     ASSERT_TRUE(CohortStore(*ada).leave(one.id, account().person().id));
   }
   dialog->findChild<QPushButton*>("listGo")->click();
-  ASSERT_TRUE(waitUntil([&] { return wordsOf(dialog).contains("You may not do this"); }))
+  ASSERT_TRUE(waitUntil([&] { return wordsOf(dialog).contains("You do not have the permission for this"); }))
       << wordsOf(dialog).toStdString();
   EXPECT_FALSE(dialog->findChild<QPushButton*>("listSave")->isVisible());
   const auto people = PeopleStore(*ada).all();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QString>
 #include <utility>
 
 namespace insonate::train {
@@ -13,15 +14,11 @@ struct Changed {
   int value = 0;
   bool mayChange = true;
 
-  void set(int next, const std::string& key = {}) {
+  void set(int next, const QString& key = {}) {
     history.add(
-        "number " + std::to_string(next),
-        [this, other = std::exchange(value, next)]() mutable {
-          if (!mayChange) return false;
-          std::swap(value, other);
-          return true;
-        },
-        key);
+        QString("number %1").arg(next),
+        [this, other = std::exchange(value, next)]() mutable { std::swap(value, other); }, key,
+        [this] { return mayChange; });
   }
 };
 
@@ -29,12 +26,12 @@ TEST(History, TakesBackAndDoesAgainInOrder) {
   Changed number;
   number.set(1), number.set(2), number.set(3);
   EXPECT_EQ(number.history.undo(), History::Outcome::Done);
-  EXPECT_EQ(number.history.lastWords(), "number 3");
+  EXPECT_EQ(number.history.lastWords().toStdString(), "number 3");
   number.history.undo();
   EXPECT_EQ(number.value, 1);
   number.history.redo();
   EXPECT_EQ(number.value, 2);
-  EXPECT_EQ(number.history.lastWords(), "number 2");
+  EXPECT_EQ(number.history.lastWords().toStdString(), "number 2");
   number.history.undo(), number.history.undo();
   EXPECT_EQ(number.value, 0);
   EXPECT_EQ(number.history.undo(), History::Outcome::Nothing);
@@ -75,11 +72,29 @@ TEST(History, WhatIsRefusedStays) {
   number.mayChange = true;
   EXPECT_EQ(number.history.undo(), History::Outcome::Done);
   EXPECT_EQ(number.value, 0);
+  number.mayChange = false;
+  EXPECT_EQ(number.history.redo(), History::Outcome::Refused);
+  EXPECT_EQ(number.value, 0);
+  number.mayChange = true;
+  EXPECT_EQ(number.history.redo(), History::Outcome::Done);
+  EXPECT_EQ(number.value, 1);
+}
+
+TEST(History, ClearingEndsUndoAndRedo) {
+  Changed number;
+  number.set(1, "slider"), number.set(2, "other");
+  number.history.undo();
+  number.history.clear();
+  EXPECT_EQ(number.history.undo(), History::Outcome::Nothing);
+  EXPECT_EQ(number.history.redo(), History::Outcome::Nothing);
+  number.set(7, "slider");
+  number.history.undo();
+  EXPECT_EQ(number.value, 1);
 }
 
 TEST(History, ForgetsTheOldestOfManySteps) {
   Changed number;
-  for (int i = 1; i <= int(History::kMost) + 5; ++i) number.set(i);
+  for (int i = 1; i <= History::kMost + 5; ++i) number.set(i);
   while (number.history.undo() == History::Outcome::Done) {
   }
   EXPECT_EQ(number.value, 5);

@@ -86,9 +86,10 @@ TEST_F(TrainNeedle, WhereItCannotGoIsSaidAndLeavesIt) {
   // All the way: freezing stops it where it is, and the number follows.
   ASSERT_TRUE(waitFor([&] { return std::abs(held().advance_mm - 15) < 1e-9; }));
   key(Qt::Key_W, Qt::AltModifier);
-  EXPECT_TRUE(workspace_->statusText().contains("withdraw it to 10 mm")) << workspace_->statusText().toStdString();
+  EXPECT_TRUE(workspace_->statusText().contains("Withdraw it to a depth of 10 mm"))
+      << workspace_->statusText().toStdString();
   key(Qt::Key_Left, Qt::AltModifier);
-  EXPECT_TRUE(workspace_->statusText().contains("withdraw it before"));
+  EXPECT_TRUE(workspace_->statusText().contains("Withdraw it before"));
   type("needle_depth", "99");
   EXPECT_NEAR(hands().wantedAdvance_mm(), 15, 1e-9) << "longer than the needle";
   key(Qt::Key_Space);

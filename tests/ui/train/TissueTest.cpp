@@ -146,11 +146,11 @@ TEST_F(TrainTissue, GridAndPressureAreAskedForOnlyWhileTheyAreShown) {
   EXPECT_TRUE(waitFor([&] { return coloured() > 500; }));
   const int grid = coloured();
   key(Qt::Key_P);
-  EXPECT_TRUE(child<QAction>("tissuePressure")->isChecked());
+  EXPECT_TRUE(child<QAction>("train.tissue.pressure")->isChecked());
   EXPECT_TRUE(waitFor([&] { return coloured() > 2 * grid; }));
   key(Qt::Key_P);
   EXPECT_FALSE(now().mesh.nodes.empty());
-  child<QAction>("tissueGrid")->trigger();
+  child<QAction>("train.tissue.grid")->trigger();
   EXPECT_TRUE(waitFor([&] { return now().mesh.nodes.empty(); }));
   EXPECT_TRUE(waitFor([&] { return coloured() < 50; }));
 }
@@ -223,18 +223,19 @@ TEST_F(TrainTissue, ArterialPressureThatCannotBeIsRefused) {
 }
 
 TEST_F(TrainTissue, ChoicesAreRemembered) {
+  openCase();
   TissueChoice choice = model_->imaging.tissue();
   choice.model = "column";
   choice.body.tilt_deg = 15, choice.body.centralVenous_mmHg = 7, choice.body.systolic_mmHg = 140;
   choice.breathing = true;
   model_->imaging.setTissue(choice);
-  child<QAction>("tissuePlot")->trigger();
+  child<QAction>("train.tissue.areas")->trigger();
   QSettings settings;
   workspace_->saveLayout(settings);
   TrainWorkspace other;
   other.restoreLayout(settings);
   EXPECT_EQ(other.findChild<TrainModel*>()->imaging.tissue(), choice);
-  EXPECT_TRUE(other.findChild<QAction*>("tissuePlot")->isChecked());
+  EXPECT_TRUE(other.findChild<QAction*>("train.tissue.areas")->isChecked());
   settings.setValue("tissue/model", "jelly");
   settings.setValue("tissue/systolic_mmHg", 10);
   other.restoreLayout(settings);

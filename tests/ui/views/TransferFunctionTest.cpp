@@ -74,17 +74,27 @@ TEST(TransferFunction, PresetsShowWhatTheyAreCalled) {
     EXPECT_LT(preset.function.opacityAt(-1000), 0.01) << "air, under " << preset.name;
 }
 
+TEST(TransferFunction, SettingsOfEarlierProgramsAreRead) {
+  const auto read = readTransferFunction(
+      R"({"nodes":[{"hu":150.0,"opacity":0.0,"colour":"#8c523d"},{"hu":9000.0,"opacity":7.0,"colour":"#FAF5EB"}]})");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(*read, (TransferFunction{{{150, 0, {140, 82, 61}}, {TransferFunction::kMost_HU, 1, {250, 245, 235}}}}));
+}
+
 TEST(TransferFunction, WhatIsNoFunctionIsRefusedWithAReason) {
   const auto reason = [](std::string_view text) {
     const auto read = readTransferFunction(text);
     return read ? std::string() : read.error().message;
   };
-  EXPECT_THAT(reason("{"), HasSubstr("not JSON"));
-  EXPECT_THAT(reason("[]"), HasSubstr("list of nodes"));
+  EXPECT_THAT(reason("{"), HasSubstr("not valid JSON"));
+  EXPECT_THAT(reason("[]"), HasSubstr("must be an object"));
+  EXPECT_EQ(reason("{}"), "The transfer function has no 'nodes'.");
+  EXPECT_THAT(reason(R"({"nodes": 3})"), HasSubstr("needs a list [ ... ] as 'nodes'"));
   EXPECT_THAT(reason(R"({"nodes": [3]})"), HasSubstr("node 1"));
-  EXPECT_THAT(reason(R"({"nodes": [{"hu": "x", "opacity": 1, "colour": "#000000"}]})"), HasSubstr("\"hu\""));
-  EXPECT_THAT(reason(R"({"nodes": [{"hu": 1, "opacity": 1, "colour": "red"}]})"), HasSubstr("colour"));
-  EXPECT_THAT(reason(R"({"nodes": [{"hu": 1, "opacity": 1, "colour": "#00000g"}]})"), HasSubstr("colour"));
+  EXPECT_THAT(reason(R"({"nodes": [{"hu": "x", "opacity": 1, "colour": "#000000"}]})"), HasSubstr("'hu'"));
+  EXPECT_THAT(reason(R"({"nodes": [{"hu": 1, "colour": "#000000"}]})"), HasSubstr("node 1 has no 'opacity'"));
+  EXPECT_THAT(reason(R"({"nodes": [{"hu": 1, "opacity": 1, "colour": "red"}]})"), HasSubstr("like \"#aa5530\""));
+  EXPECT_THAT(reason(R"({"nodes": [{"hu": 1, "opacity": 1, "colour": "#00000g"}]})"), HasSubstr("'colour'"));
   EXPECT_TRUE(readTransferFunction(R"({"nodes": []})"));
 }
 

@@ -266,7 +266,7 @@ TEST(RealImages, ListsAreReadAndTheirFaultsNamed) {
 
 /// A person turns the gain until an image is neither black nor milky, whatever machine and gray map it has.
 TEST(SimulatedImages, AreExposedAsPeopleDo) {
-  const auto images = simulatedImages({.count = 2, .seed = 4, .cases = {}}, {});
+  const auto images = simulatedImages({.count = 2, .seed = 4}, {});
   ASSERT_TRUE(images) << images.error().message;
   for (const SourceImage& image : *images) {
     std::vector<std::uint8_t> grey = image.image.grey;

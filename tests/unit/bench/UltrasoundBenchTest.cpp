@@ -33,6 +33,7 @@ UltrasoundBenchPlan smallPlan() {
   plan.scanlines = {24, 48}, plan.samples = {200}, plan.elevationPlanes = {1};
   plan.poses = 1, plan.denseScanlines = 96, plan.densePlanes = 5;
   plan.secondsPerRow = plan.secondsForLimits = 0;
+  plan.penetration = false;
   return plan;
 }
 
@@ -210,6 +211,31 @@ TEST(UltrasoundBench, RefusesWhatCannotBeRendered) {
   const auto cancelled = runUltrasoundBench(smallPlan(), [](std::string_view, double) { return false; });
   ASSERT_FALSE(cancelled);
   EXPECT_EQ(cancelled.error().message, kCancelled);
+}
+
+/// Echoes fall by 0.73 dB/cm/MHz beside a constant noise: both depths follow from the noise alone.
+TEST(Penetration, HarmonicImagingLosesTwelveDecibels) {
+  const double kHarmonicLoss_dB = 12;
+  for (const char* name : {"linear", "curvilinear", "phased"}) {
+    const Probe probe = *loadProbe(name);
+    const ImagingSettings settings = settingsFor(probe);
+    const auto row = measurePenetration(probe, settings);
+    ASSERT_TRUE(row) << row.error().message;
+    const double slope_dBpmm = kTgc_dBpcmMHz * settings.frequency_MHz / 10;
+    EXPECT_NEAR(row->expected_mm, 44 / slope_dBpmm, 0.1) << name;
+    EXPECT_NEAR(row->penetration_mm, row->expected_mm, 1.5 / slope_dBpmm) << name;
+    EXPECT_NEAR(row->penetration_mm - row->harmonic_mm, kHarmonicLoss_dB / slope_dBpmm, 2 / slope_dBpmm) << name;
+    EXPECT_NEAR(row->loss_dB, kHarmonicLoss_dB, 0.7) << name;
+  }
+}
+
+TEST(Penetration, LouderNoiseComesNearer) {
+  const Probe probe = *loadProbe("linear");
+  ImagingSettings settings = settingsFor(probe);
+  settings.noise_dB = -34;
+  const auto row = measurePenetration(probe, settings);
+  ASSERT_TRUE(row) << row.error().message;
+  EXPECT_NEAR(row->penetration_mm, 34 / (kTgc_dBpcmMHz * settings.frequency_MHz / 10), 3);
 }
 
 }  // namespace

@@ -170,10 +170,10 @@ TEST(CaseFiles, HostileEntriesOfLabelsAreRefusedOrTidied) {
   };
   EXPECT_EQ(read(R"("name": "a\nb")")->patient.manifest.ownLabels, (OwnLabels{{20, {"a b", kSoftTissue}}}));
   EXPECT_EQ(read(R"("opacity": 0.5)")->patient.manifest.ownLabels, OwnLabels{}) << "of a case of earlier programs";
-  EXPECT_THAT(read(R"("name": 7)").error().message, HasSubstr("structures[0].name must be text"));
-  EXPECT_THAT(read(R"("tissue": "stone")").error().message, HasSubstr("structures[0].tissue must be"));
-  EXPECT_THAT(read(R"("tissue": "background")").error().message, HasSubstr("structures[0].tissue must be"));
-  EXPECT_THAT(read(R"("state": "done")").error().message, HasSubstr("\"completed\""));
+  EXPECT_THAT(read(R"("name": 7)").error().message, HasSubstr("structure 1 needs a text as 'name', not 7"));
+  for (const char* tissue : {R"("tissue": "stone")", R"("tissue": "background")"})
+    EXPECT_THAT(read(tissue).error().message, HasSubstr("structure 1 needs a structure's name as 'tissue'")) << tissue;
+  EXPECT_THAT(read(R"("state": "done")").error().message, HasSubstr("completed"));
 }
 
 TEST(CaseFiles, SameCaseSameBytes) {

@@ -138,21 +138,60 @@ TEST_F(HardCase, ManifestIsValidated) {
   EXPECT_THAT(errorWith("[]"), HasSubstr("object"));
   EXPECT_THAT(errorWith("{}"), HasSubstr("has no \"schema_version\"; add \"schema_version\": 1"));
   EXPECT_THAT(errorWith(R"({"schema_version": 99})"), HasSubstr("newer"));
-  EXPECT_THAT(errorWith(R"({"schema_version": 1, "title": 3})"), HasSubstr("title must be text"));
+  EXPECT_THAT(errorWith(R"({"schema_version": 1, "title": 3})"), HasSubstr("case.json needs a text as 'title', not 3"));
   EXPECT_THAT(errorWith(R"({"schema_version": 1, "structures": [{"label": "vein", "opacity": 2}]})"),
-              HasSubstr("structures[0].opacity must be a number from 0 to 1"));
+              HasSubstr("structure 1 needs a number from 0 to 1 as 'opacity', not 2"));
   EXPECT_THAT(errorWith(R"({"schema_version": 1, "structures": [{"label": "vein", "visible": 1}]})"),
-              HasSubstr("structures[0].visible must be true or false"));
-  EXPECT_THAT(errorWith(R"({"schema_version": 1, "structures": [{"opacity": 1}]})"), HasSubstr("structures[0].label"));
-  EXPECT_THAT(errorWith(R"({"schema_version": 1, "import_notes": [1]})"), HasSubstr("a list of texts"));
-  EXPECT_THAT(errorWith(R"({"schema_version": 1, "import_notes": "one"})"), HasSubstr("a list of texts"));
+              HasSubstr("structure 1 needs true or false as 'visible', not 1"));
+  EXPECT_THAT(errorWith(R"({"schema_version": 1, "structures": [{"opacity": 1}]})"),
+              HasSubstr("structure 1 has no 'label'"));
+  EXPECT_THAT(errorWith(R"({"schema_version": 1, "import_notes": [1]})"),
+              HasSubstr("texts in the list 'import_notes'"));
+  EXPECT_THAT(errorWith(R"({"schema_version": 1, "import_notes": "one"})"),
+              HasSubstr("a list [ ... ] as 'import_notes'"));
   EXPECT_THAT(errorWith(R"({"schema_version": 1, "targets": [{"label": "vein", "position_mm": [1, 2]}]})"),
-              HasSubstr("targets[0].position_mm"));
+              HasSubstr("target 1 needs a list of 3 numbers, [x, y, z], as 'position_mm'"));
   EXPECT_THAT(errorWith(R"({"schema_version": 1, "targets": [{"label": "spleen", "position_mm": [1, 2, 3]}]})"),
-              HasSubstr("targets[0].label"));
+              HasSubstr("target 1 needs the name or number (1 to 255) of a label as 'label'"));
   EXPECT_THAT(errorWith(R"({"schema_version": 1, "start_poses":
                             [{"position_mm": [0,0,0], "axial": [0,0,1], "lateral": [0,0,2]}]})"),
-              HasSubstr("start_poses[0].lateral"));
+              HasSubstr("start pose 1 needs a direction as 'lateral'"));
+}
+
+TEST_F(HardCase, VesselsAndDifficultyAreValidated) {
+  const auto errorWith = [&](const std::string& fields) {
+    test::writeText(path / "case.json", R"({"schema_version": 1, )" + fields + "}");
+    return errorOf();
+  };
+  const auto errorOfVessel = [&](const std::string& course) {
+    return errorWith(R"("vessels": [{"name": "jugular", "label": "vein", "course_mm": )" + course + "}]");
+  };
+  EXPECT_THAT(errorOfVessel("[]"), HasSubstr("vessel 'jugular' needs a list of points"));
+  EXPECT_THAT(errorOfVessel("[[1, 2, 3, 4], [1, 2, 3]]"), HasSubstr("point 2 needs [x, y, z, radius] in mm"));
+  EXPECT_THAT(errorOfVessel("[[1, 2, 3, 101]]"), HasSubstr("a radius from 0 to 100"));
+  EXPECT_THAT(errorWith(R"("vessels": [{"name": "", "label": 9, "course_mm": [[1, 2, 3, 4]]}])"),
+              HasSubstr("vessel 1 needs a text as 'name'"));
+  EXPECT_THAT(errorWith(R"("difficulty": "huge")"), HasSubstr("it is one of easy, moderate"));
+}
+
+TEST_F(HardCase, ManifestOfAnEarlierProgramIsRead) {
+  // Written with empty texts, without vessels and versions, and with fields that no program knows any more.
+  test::writeText(path / "case.json", R"({
+  "description": "", "difficulty": "", "import_notes": [], "landmarks": [{"code": "", "name": "", "position_mm": [1, 2, 3]}],
+  "schema_version": 1, "source": "",
+  "start_poses": [{"axial": [0, 0, 1], "lateral": [1, 0, 0], "name": "", "position_mm": [0, 0, 0]}],
+  "structures": [{"label": "vein", "opacity": 0.5, "visible": false, "color": "red"}, {"label": 20, "name": "", "tissue": "vein"}],
+  "targets": [{"label": "vein", "name": "", "position_mm": [1, 2, 3]}, {"label": 7, "name": "", "position_mm": [4, 5, 6]}],
+  "title": ""})");
+  const auto read = readCase(path);
+  ASSERT_TRUE(read) << read.error().message;
+  const CaseManifest& manifest = read->patient.manifest;
+  EXPECT_EQ(manifest.title, "");
+  EXPECT_EQ(manifest.targets.size(), 2U) << "of one name";
+  EXPECT_EQ(manifest.landmarks.size(), 1U);
+  EXPECT_EQ(manifest.shown.at(kVein), (StructureShown{0.5, false}));
+  EXPECT_EQ(manifest.ownLabels, (OwnLabels{{20, {"", kVein}}}));
+  EXPECT_EQ(manifest.version.number, 0);
 }
 
 TEST_F(HardCase, SlantedPoseIsStraightenedAndSaid) {

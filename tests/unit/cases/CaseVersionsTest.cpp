@@ -252,7 +252,7 @@ TEST_F(CaseVersions, DamagedVersionEntryIsRefusedWithItsPlace) {
   test::writeText(folder_ / "case.json", R"({"schema_version": 1, "version": {"number": "three"}})");
   const auto result = readCase(folder_);
   ASSERT_FALSE(result);
-  EXPECT_THAT(result.error().message, testing::HasSubstr("version.number"));
+  EXPECT_THAT(result.error().message, testing::HasSubstr("case.json, version, needs a number"));
 }
 
 }  // namespace

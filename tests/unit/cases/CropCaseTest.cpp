@@ -100,10 +100,10 @@ TEST(CropCase, TargetsAndLandmarksOutsideAreDroppedAndSaid) {
   ASSERT_TRUE(part);
   ASSERT_EQ(part->manifest.targets.size(), 1U);
   EXPECT_EQ(part->manifest.targets[0].position_mm, (Vec3{-30, -22, 0}));
-  EXPECT_THAT(part->manifest.importNotes, testing::Contains(HasSubstr("\"left vein\" lay outside")));
+  EXPECT_THAT(part->manifest.importNotes, testing::Contains(HasSubstr("\"left vein\" was outside")));
   ASSERT_EQ(part->manifest.landmarks.size(), 1U);
   EXPECT_EQ(part->manifest.landmarks[0].code, "cricoid");
-  EXPECT_THAT(part->manifest.importNotes, testing::Contains(HasSubstr("landmark \"left site\" lay outside")));
+  EXPECT_THAT(part->manifest.importNotes, testing::Contains(HasSubstr("landmark \"left site\" was outside")));
 }
 
 TEST(CropCase, ImpossibleRegionsAndSpacingsAreRefused) {

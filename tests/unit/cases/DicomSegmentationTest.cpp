@@ -67,9 +67,9 @@ TEST_F(DicomSegmentation, ItRefersToTheSeriesOfItsCase) {
   const std::string bytes = test::contentOf(file);
   EXPECT_THAT(bytes, HasSubstr(imported->series.uid));
   patient.manifest.source = imported->source;
-  EXPECT_THAT(read().notes, testing::Each(testing::Not(HasSubstr("another series"))));
+  EXPECT_THAT(read().notes, testing::Each(testing::Not(HasSubstr("another DICOM series"))));
   patient.manifest.source = "Imported; its UID was replaced by 2.25.1.";
-  EXPECT_THAT(read().notes, Contains(HasSubstr("another series")));
+  EXPECT_THAT(read().notes, Contains(HasSubstr("another DICOM series")));
 }
 
 TEST_F(DicomSegmentation, FramesInReverseOrder) {
@@ -149,7 +149,7 @@ TEST_F(DicomSegmentation, NamesWhereTheCodeIsAnotherSchemes) {
   EXPECT_EQ(back.labels.at(2, 3, 1), kVein);
   EXPECT_EQ(back.labels.at(5, 6, 3), kLabelCount);
   EXPECT_EQ(back.own, (OwnLabels{{kLabelCount, {"", kSoftTissue}}})) << "kept apart, without a name that may identify";
-  EXPECT_THAT(back.notes, Contains(HasSubstr("\"Thing\" (number 1) is no structure this program knows")));
+  EXPECT_THAT(back.notes, Contains(HasSubstr("\"Thing\" (number 1) is a structure that Insonate does not know")));
 }
 
 TEST_F(DicomSegmentation, LabelsOfTheAuthorsOwnKeepNameAndTissue) {
@@ -202,7 +202,7 @@ TEST_F(DicomSegmentation, OnAnotherGridEachVoxelTakesThePixelItLiesIn) {
 TEST_F(DicomSegmentation, ThatOfAnotherPlaceIsRefused) {
   write(twoVessels());
   patient.ct.geometry.origin_mm.z += 500;
-  EXPECT_THAT(refusal(), testing::AllOf(HasSubstr("labels.dcm"), HasSubstr("drawn on another one")));
+  EXPECT_THAT(refusal(), testing::AllOf(HasSubstr("labels.dcm"), HasSubstr("drawn on another CT")));
 }
 
 TEST_F(DicomSegmentation, EveryCutIsRefused) {
@@ -221,7 +221,7 @@ TEST_F(DicomSegmentation, ADamagedRepresentationInItsMetaInformationIsRefused) {
   ASSERT_LT(first, 250U);
   bytes[first + 1] = 'D';
   test::writeText(file, bytes);
-  EXPECT_THAT(refusal(), HasSubstr("no whole DICOM file"));
+  EXPECT_THAT(refusal(), HasSubstr("not a complete DICOM file"));
   EXPECT_FALSE(importSeries(file));
 }
 
@@ -252,7 +252,7 @@ TEST_F(DicomSegmentation, WhatItLacksIsNamed) {
   EXPECT_THAT(refusalAfter([&] {
                 edit([](DataSet& d) { test::setText(d, Tag(0x0008, 0x0016), VR::UI, "1.2.840.10008.5.1.4.1.1.2"); });
               }),
-              HasSubstr("is DICOM, but no segmentation of voxels"));
+              HasSubstr("is a DICOM file, but not a segmentation"));
 }
 
 TEST_F(DicomSegmentation, NothingLabelledIsNotWritten) {
@@ -282,7 +282,7 @@ TEST(RealSegmentation, AgreesWithItsTwin) {
   const auto labels = importLabels(patient, test::testData("seg-dicom/liver.dcm"));
   ASSERT_TRUE(labels) << labels.error().message;
   EXPECT_THAT(labels->notes,
-              testing::ElementsAre(HasSubstr("\"Liver\" (number 1) is no structure this program knows")));
+              testing::ElementsAre(HasSubstr("\"Liver\" (number 1) is a structure that Insonate does not know")));
   const auto twin = readLabelValues(test::testData("seg-dicom/liver_seg.nrrd"));
   ASSERT_TRUE(twin) << twin.error().message;
   ASSERT_TRUE(sameGrid(twin->geometry, patient.ct.geometry));

@@ -193,7 +193,7 @@ TEST(TransferSyntaxUnknown, IsNamedAsThat) {
   test::writeText(file, bytes);
   const auto imported = importSeries(folder / "ct");
   ASSERT_FALSE(imported);
-  EXPECT_THAT(imported.error().message, HasSubstr("encoding that is not read here (1.2.840.10008.1.2.8)"));
+  EXPECT_THAT(imported.error().message, HasSubstr("encoding that Insonate cannot read (1.2.840.10008.1.2.8)"));
 }
 
 }  // namespace

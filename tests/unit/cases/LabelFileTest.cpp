@@ -36,7 +36,7 @@ TEST(LabelFile, SlicerSegmentsAreMappedByTerminologyThenName) {
   EXPECT_THAT(read->labels.voxels, testing::ElementsAre(kBackground, kVein, kArtery, kLabelCount, kBackground));
   EXPECT_THAT(read->notes, testing::Contains(HasSubstr("\"Tumour\"")));
   EXPECT_EQ(read->own, (OwnLabels{{kLabelCount, {"Tumour", kSoftTissue}}})) << "kept apart, under its name";
-  EXPECT_THAT(read->notes, testing::Contains(HasSubstr("4 belongs to no segment")));
+  EXPECT_THAT(read->notes, testing::Contains(HasSubstr("4 in the file belongs to no segment")));
 }
 
 TEST(LabelFile, LayersAreFlattened) {

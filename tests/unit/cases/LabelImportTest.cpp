@@ -228,7 +228,7 @@ TEST(LabelImport, WhatIsWrittenComesBack) {
 TEST(LabelImport, OtherFilesGetASentence) {
   test::TemporaryFolder folder;
   test::writeText(folder / "text", "no labels");
-  EXPECT_THAT(importLabels(blankCase(), folder / "text").error().message, HasSubstr("holds no labels"));
+  EXPECT_THAT(importLabels(blankCase(), folder / "text").error().message, HasSubstr("contains no labels"));
   EXPECT_THAT(importLabels(blankCase(), folder / "none").error().message, HasSubstr("There is no file"));
   EXPECT_THAT(importLabels(blankCase(), folder.path()).error().message, HasSubstr("There is no file"));
 }

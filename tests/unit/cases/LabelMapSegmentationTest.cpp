@@ -81,7 +81,7 @@ TEST_F(LabelMapSegmentation, WhatIsNoSegmentInALabelMap) {
   const LabelReadResult back = read();
   EXPECT_EQ(back.labels.voxels, patient.labels.voxels);
   EXPECT_THAT(back.notes, testing::UnorderedElementsAre(HasSubstr("artery"), HasSubstr("vein"),
-                                                        HasSubstr("The number 77 belongs to no segment")));
+                                                        HasSubstr("The number 77 in the file belongs to no segment")));
 }
 
 /// A frame of 64 pixels in DICOM's run lengths (PS3.5 G): one segment, one literal run.

@@ -137,7 +137,7 @@ TEST(NeckVariation, ArteriesAreNearlyRoundAndVeinsAreNot) {
     const auto round = ordersOf(outline_mm(about, centred(about, artery)));
     EXPECT_GT(std::hypot(round[2], round[3], round[4]) / round[0], 0.012) << "a circle";
     EXPECT_LT(std::hypot(round[2], round[3], round[4]) / round[0], 0.12);
-    const Vec3 vein = neck.jugularCentre_mm(Side::kRight, 0);
+    const Vec3 vein = neck.jugularCenter_mm(Side::kRight, 0);
     const auto soft = ordersOf(outline_mm({neck, vein.z, vein, 16, 0.1}, vein));
     veinOrder3.push_back(soft[3] / soft[0]);
   }
@@ -181,7 +181,7 @@ struct Views {
 
 /// The right jugular vein as PhantomTest measures it, on the grid of a case.
 Views viewsOf(const NeckModel& neck) {
-  const Vec3 vein_mm = neck.jugularCentre_mm(Side::kRight, 0),
+  const Vec3 vein_mm = neck.jugularCenter_mm(Side::kRight, 0),
              artery_mm = pointOf(neck, "right common carotid artery", 0);
   const Level level(neck, 0, {-30, 15, 0}, 45, 0.5);
   Views views;

@@ -117,7 +117,7 @@ TEST_F(CaseFromLabelsTest, AMapOfAnotherFileIsRefused) {
         R"({"labels": {"7": "vein"}, "others": "soft tissue"})"}) {
     const auto made = make(map);
     ASSERT_FALSE(made) << map;
-    EXPECT_THAT(made.error().message, testing::HasSubstr("map of another file")) << map;
+    EXPECT_THAT(made.error().message, testing::HasSubstr("map belongs to this file")) << map;
   }
   EXPECT_TRUE(make(R"({"labels": {"9": "bone"}, "others": "soft tissue"})")) << "four fifths of the voxels are bone";
   const auto aFolder = caseFromLabels(folder_ / "labels.nrrd", folder_.path(), {});

@@ -133,14 +133,15 @@ TEST_F(ReaderFuzz, AHeaderAloneGetsNoMemoryAndNoPatience) {
   };
   test::writeText(folder_ / "large.nrrd", instead(nrrd, "sizes: 8 8 5", "sizes: 1500 1500 1500"));
   EXPECT_THAT(asLabels(folder_ / "large.nrrd"),
-              testing::HasSubstr("its header promises 6750000000 bytes, it holds 640"));
+              testing::HasSubstr("its header states 6750000000 bytes, but it contains 640"));
   const std::string meta = test::metaImage(patient_.ct, "1 0 0 0 1 0 0 0 1");
   for (const char* dimensions : {"100000", "-1", "many"}) {
     test::writeText(folder_ / "deep.mha", instead(meta, "NDims = 3", std::string("NDims = ") + dimensions));
     EXPECT_THAT(asCt(folder_ / "deep.mha"), testing::HasSubstr(std::string("'") + dimensions + "' dimensions (NDims)"));
   }
   test::writeText(folder_ / "cut.dcm", written("seg.dcm").substr(0, 900));
-  EXPECT_THAT(asLabels(folder_ / "cut.dcm"), testing::HasSubstr("is no whole DICOM file: it is cut off or damaged"));
+  EXPECT_THAT(asLabels(folder_ / "cut.dcm"),
+              testing::HasSubstr("is not a complete DICOM file: it is cut off or damaged"));
 }
 
 }  // namespace

@@ -99,8 +99,9 @@ TEST(SeriesGroups, SlicesThatAreNotQuiteParallelAreSaid) {
   const auto series = groupSlices(slices);
   ASSERT_EQ(series.size(), 1U);
   // 512 rows of 0.8 mm, a mean of 0.003 beside each: 1.2 mm.
-  EXPECT_THAT(series[0].warnings, testing::Contains(HasSubstr("not quite parallel but were taken as such; corners lie "
-                                                              "up to 2 mm")));
+  EXPECT_THAT(series[0].warnings,
+              testing::Contains(HasSubstr("not quite parallel, but are treated as parallel. Their corners are "
+                                          "up to 2 mm")));
 }
 
 TEST(SeriesGroups, StudiesUnderOneUidAreKeptApart) {
@@ -117,7 +118,7 @@ TEST(SeriesGroups, CopiesAreDroppedAndSaid) {
   const auto series = groupSlices(slices + slices);
   ASSERT_EQ(series.size(), 1U);
   EXPECT_EQ(series[0].slices.size(), 5U);
-  EXPECT_THAT(series[0].warnings, testing::Contains(HasSubstr("5 slices are there twice")));
+  EXPECT_THAT(series[0].warnings, testing::Contains(HasSubstr("5 slices are in the folder twice")));
 }
 
 TEST(SeriesGroups, PhasesUnderOneUidAreSplit) {
@@ -150,7 +151,7 @@ TEST(SeriesGroups, UnexplainedDuplicateIsRefused) {
   slices.back().sopUid = "other";
   const auto series = groupSlices(slices);
   ASSERT_EQ(series.size(), 1U);
-  EXPECT_THAT(series[0].refusal, HasSubstr("1 slice is at the place of another"));
+  EXPECT_THAT(series[0].refusal, HasSubstr("1 slice is at the same position as another"));
 }
 
 TEST(SeriesGroups, IncompleteHeadersAreRefusedWithTheReason) {
@@ -166,7 +167,7 @@ TEST(SeriesGroups, IncompleteHeadersAreRefusedWithTheReason) {
   EXPECT_THAT(refusalOf([](DicomSlice& s) { (*s.orientation)[0] = {}; }), HasSubstr("unit vectors"));
   EXPECT_THAT(refusalOf([](DicomSlice& s) { s.modality = "MR"; }), HasSubstr("MR, not CT"));
   EXPECT_THAT(refusalOf([](DicomSlice& s) { s.cutOff = true; }), HasSubstr("cut off"));
-  EXPECT_THAT(refusalOf([](DicomSlice& s) { s.rows = 0; }), HasSubstr("no size"));
+  EXPECT_THAT(refusalOf([](DicomSlice& s) { s.rows = 0; }), HasSubstr("do not state their size"));
 }
 
 }  // namespace

@@ -186,9 +186,9 @@ TEST(VolumeImport, OfANiftiWhatIsNoVolumeIsRefused) {
     EXPECT_FALSE(imported);
     return imported ? "" : imported.error().message;
   };
-  EXPECT_THAT(refusal([](std::string& b) { b[345] = 'x'; }), HasSubstr("no NIfTI file"));
-  EXPECT_THAT(refusal([](std::string& b) { test::putAt<float>(b, 108, 1e30F); }), HasSubstr("no NIfTI file"));
-  EXPECT_THAT(refusal([](std::string& b) { test::putAt<std::int16_t>(b, 70, 32); }), HasSubstr("of a kind"));
+  EXPECT_THAT(refusal([](std::string& b) { b[345] = 'x'; }), HasSubstr("not a NIfTI file"));
+  EXPECT_THAT(refusal([](std::string& b) { test::putAt<float>(b, 108, 1e30F); }), HasSubstr("not a NIfTI file"));
+  EXPECT_THAT(refusal([](std::string& b) { test::putAt<std::int16_t>(b, 70, 32); }), HasSubstr("number type"));
   EXPECT_THAT(refusal([](std::string& b) { test::putAt<std::int16_t>(b, 70, 128); }), HasSubstr("3 values per voxel"));
   EXPECT_THAT(refusal([](std::string& b) { test::putAt<std::int16_t>(b, 42, -5); }), HasSubstr("-5 voxels"));
   EXPECT_THAT(refusal([](std::string& b) {

@@ -74,7 +74,7 @@ TEST_F(WholeFile, CompressedNifti) {
 TEST_F(WholeFile, ACompressedNiftiOfACutNifti) {
   const std::string whole = test::niftiOf(ct, test::kRas, 1, 0);
   test::writeText(folder / "a.nii.gz", gzip(whole.substr(0, whole.size() - 10)));
-  EXPECT_THAT(importSeries(folder / "a.nii.gz").error().message, HasSubstr("promises"));
+  EXPECT_THAT(importSeries(folder / "a.nii.gz").error().message, HasSubstr("its header states"));
 }
 
 TEST_F(WholeFile, ANiftiThatPromisesMoreThanAnyMachineHolds) {
@@ -92,7 +92,7 @@ TEST_F(WholeFile, OfADamagedNrrdTheInnermostReasonIsTold) {
   test::writeText(folder / "a.nrrd", header + data.substr(0, data.size() / 2));
   const auto cut = importSeries(folder / "a.nrrd");
   ASSERT_FALSE(cut);
-  EXPECT_THAT(cut.error().message, AllOf(HasSubstr("a.nrrd"), HasSubstr("promises 7200 bytes")));
+  EXPECT_THAT(cut.error().message, AllOf(HasSubstr("a.nrrd"), HasSubstr("header states 7200 bytes")));
   test::writeText(folder / "a.nrrd", "NRRD0004\ntype: sort" + header.substr(header.find("\ndim")) + data);
   const auto damaged = importSeries(folder / "a.nrrd");
   ASSERT_FALSE(damaged);

@@ -36,7 +36,29 @@ TEST(JsonEntry, ListsOfTextsAndEntriesKeepTheFirstTrouble) {
     return where + step["name"].get<std::string>();
   });
   EXPECT_THAT(names, testing::ElementsAre("step 'x'x", "step 'y'y", "step 'x'x"));
-  EXPECT_EQ(steps.trouble(), "The file cannot be used: step 'x' is there twice; names tell them apart.");
+  EXPECT_EQ(steps.trouble(), "The file cannot be used: step 'x' occurs twice. Give each a different name.");
+}
+
+TEST(JsonEntry, OnlyAnOptionalTextMayBeEmpty) {
+  const json object = json::parse(R"({"title": "", "number": 3})");
+  const auto refusal = [&](const char* key, bool needed) {
+    JsonEntry entry(object, "The case", {"title", "number"});
+    EXPECT_EQ(entry.text(key, needed), "");
+    return entry.trouble();
+  };
+  EXPECT_EQ(refusal("title", false), "");
+  EXPECT_EQ(refusal("none", false), "");
+  EXPECT_EQ(refusal("title", true), "The case needs a text as 'title', not \"\".");
+  EXPECT_EQ(refusal("number", false), "The case needs a text as 'number', not 3.");
+}
+
+TEST(JsonEntry, EntriesWithoutANameAreNumbered) {
+  const json object = json::parse(R"({"steps": [{"name": ""}, {"name": ""}, {"name": "z"}]})");
+  JsonEntry entry(object, "The file", {"steps"});
+  std::vector<std::string> places;
+  entry.each("steps", "step", [&](const json&, const std::string& where, std::string&) { places.push_back(where); });
+  EXPECT_THAT(places, testing::ElementsAre("step 1", "step 2", "step 'z'"));
+  EXPECT_EQ(entry.trouble(), "");
 }
 
 TEST(JsonEntry, WhatIsNestedAHundredThousandTimesIsRefusedShortly) {

@@ -54,11 +54,11 @@ TEST(ClassList, EachWrongLineIsToldAndCostsItselfAlone) {
   std::vector<std::string> sentences;
   for (const ClassListTrouble& trouble : list.troubles) sentences.push_back(trouble.sentence);
   EXPECT_THAT(sentences,
-              ElementsAre(HasSubstr("Line 2: The name is missing"), HasSubstr("Line 3: 'b at x.org' is no e-mail"),
+              ElementsAre(HasSubstr("Line 2: The name is missing"), HasSubstr("Line 3: 'b at x.org' is not an e-mail"),
                           HasSubstr("Line 4: There is neither user name"), HasSubstr("Line 5: A name to sign in has"),
                           HasSubstr("Line 7: This is the same person as in line 6"),
                           HasSubstr("Line 8: This is the same person as in line 6"),
-                          HasSubstr("Line 9: There are more fields")));
+                          HasSubstr("Line 9: This line has more fields")));
   ASSERT_EQ(list.entries.size(), 2U);
   EXPECT_EQ(list.entries[0].line, 6);
   EXPECT_EQ(list.entries[1].line, 10);
@@ -68,7 +68,7 @@ TEST(ClassList, WhatIsNoClassListIsRefused) {
   EXPECT_THAT(parseClassList("").error().message, HasSubstr("is empty"));
   EXPECT_THAT(parseClassList("email\na@x.org").error().message, HasSubstr("has no names"));
   EXPECT_THAT(parseClassList("First name,email\nA,a@x.org").error().message, HasSubstr("has no names"));
-  EXPECT_THAT(parseClassList("name\nA").error().message, HasSubstr("no way to tell people apart"));
+  EXPECT_THAT(parseClassList("name\nA").error().message, HasSubstr("no column that identifies people"));
   EXPECT_THAT(parseClassList("name,email\n\"A").error().message, HasSubstr("never closed"));
 }
 

@@ -71,7 +71,7 @@ TEST(CurriculumDraft, CirclesNoLevelsAndTwinsAreTold) {
   Curriculum draft = preset();
   draft.levels[0].prerequisites = {draft.levels[1].name};
   ASSERT_EQ(troubles(draft).size(), 1U);
-  EXPECT_THAT(troubles(draft)[0].sentence, HasSubstr("in a circle: 'jugular_first' needs 'jugular_alone'"));
+  EXPECT_THAT(troubles(draft)[0].sentence, HasSubstr("form a circle: 'jugular_first' needs 'jugular_alone'"));
   draft = preset();
   draft.levels.push_back(draft.levels.back());
   EXPECT_EQ(troubles(draft).size(), 1U);

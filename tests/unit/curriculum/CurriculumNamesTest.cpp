@@ -81,7 +81,7 @@ TEST(CurriculumNames, WhatIsMissingIsNamed) {
   EXPECT_THAT(refusal([](Level& l) { l.caseName = "textbok"; }),
               HasSubstr("level 'a' names the unknown case 'textbok'; did you mean 'textbook'?"));
   EXPECT_THAT(refusal([](Level& l) { l.procedure = "heart"; }),
-              HasSubstr("the unknown procedure 'heart'; here are 'line'."));
+              HasSubstr("the unknown procedure 'heart'; known names are 'line'."));
   EXPECT_THAT(refusal([](Level& l) { l.position = "supin"; }), HasSubstr("the unknown position 'supin'; did you mean"));
   EXPECT_EQ(refusal([](Level& l) { l.position = "supine"; }), "");
   EXPECT_THAT(refusal([](Level& l) {

@@ -96,10 +96,10 @@ TEST(Curriculum, BadInputIsToldWhereAndWhatElse) {
            {"[\"first\"]", "[\"frist\"]", "level 'second' has the unknown prerequisite 'frist'; did you mean 'first'?"},
            {"[\"first\"]", "[\"first\", \"first\"]", "level 'second' has the prerequisite 'first' twice."},
            {"[\"first\"]", "[7]", "level 'second' needs texts in the list 'prerequisites', not 7."},
-           {"[\"first\"]", "[\"second\"]", "in a circle: 'second' needs 'second'; take one"},
+           {"[\"first\"]", "[\"second\"]", "form a circle: 'second' needs 'second'; remove one"},
            {"\"prerequisites\": []", "\"prerequisites\": [\"second\"]",
-            "in a circle: 'first' needs 'second', 'second' needs 'first'; take one of these prerequisites out."},
-           {"\"name\": \"second\"", "\"name\": \"first\"", "level 'first' is there twice"},
+            "form a circle: 'first' needs 'second', 'second' needs 'first'; remove one of these prerequisites."},
+           {"\"name\": \"second\"", "\"name\": \"first\"", "level 'first' occurs twice"},
            {"\"pass\": {}", "\"pass\": []", "level 'second', pass, must be an object"},
            {"\"case\"", "\"caes\"", "level 'first' has an unknown 'caes'; did you mean 'case'?"}})
     EXPECT_THAT(refusalOf(courseWith(c.piece, c.other)), HasSubstr(c.sentence)) << c.other;
@@ -131,7 +131,7 @@ TEST(Curriculum, TooManyLevelsAreRefused) {
     levels += (i ? "," : "") + R"({"name": "l)"s + std::to_string(i) + R"(", "title": "T", "about": "A.", "case": "c",
       "procedure": "p", "assistance": "test", "prerequisites": [], "pass": {}, "mastery": {"passesInARow": 1}})";
   EXPECT_THAT(refusalOf(R"({"name": "c", "title": "C", "version": 1, "levels": [)" + levels + "]}"),
-              HasSubstr("has 201 levels; 200 are the most."));
+              HasSubstr("has 201 levels; 200 is the maximum."));
 }
 
 TEST(Curriculum, FilesAndNames) {

@@ -59,9 +59,9 @@ TEST(Form, BadInputIsToldWhereAndWhatElse) {
            {", \"scale\": \"done\"", "", "item 'asepsis' needs one of 'scale' and 'options'."},
            {"\"kind\": \"text\"", "\"kind\": \"prose\"", "item 'comment' has the unknown kind 'prose'"},
            {"\"most\": 60", "\"most\": -1", "item 'years' needs a number from 0"},
-           {"\"artery\"", "\"asepsis\"", "item 'asepsis' is there twice"},
-           {"\"years\"", "\"asepsis\"", "item 'asepsis' is there twice"},
-           {"{\"name\": \"no\"", "{\"name\": \"yes\"", "option 'yes' is there twice"},
+           {"\"artery\"", "\"asepsis\"", "item 'asepsis' occurs twice"},
+           {"\"years\"", "\"asepsis\"", "item 'asepsis' occurs twice"},
+           {"{\"name\": \"no\"", "{\"name\": \"yes\"", "option 'yes' occurs twice"},
            {"\"points\": 5", "\"points\": \"five\"", "needs a number from -1000 to 1000 as 'points'"}}) {
     const auto parsed = parseForm(formWith(c.piece, c.other));
     ASSERT_FALSE(parsed) << c.other;
@@ -80,7 +80,7 @@ TEST(Form, AnswersAreCheckedItemByItem) {
   EXPECT_THAT(items, ElementsAre("asepsis", "artery", "years", "comment", "other"));
   EXPECT_THAT(sentences, ElementsAre("'Disinfects' needs an answer.", "'Spares the artery' needs one of 1, 5.",
                                      "'Years' needs a number from 0 to 60.", "'Comment' needs a text.",
-                                     "'other' is not asked in 'A form'; leave it out."));
+                                     "'other' is not an item of 'A form'; leave it out."));
   EXPECT_EQ(checkAnswers(form(), {{"asepsis", 1.0}}).size(), 1U);
   EXPECT_EQ(checkAnswers(form(), {{"asepsis", "yes"}, {"years", std::numeric_limits<double>::quiet_NaN()}}).size(), 1U);
   EXPECT_EQ(checkAnswers(form(), {{"asepsis", "yes"}, {"comment", std::string(20'000, 'x')}}).size(), 1U);
@@ -106,8 +106,8 @@ TEST(Form, RatersWriteNotesToItems) {
   const auto troubles = checkAnswers(f, answers);
   ASSERT_EQ(troubles.size(), 4U);
   EXPECT_THAT(troubles[0].sentence, HasSubstr("The note 'artery:note' is too long"));
-  EXPECT_THAT(troubles[1].sentence, HasSubstr("'comment:note' is not asked"));
-  EXPECT_THAT(troubles[2].sentence, HasSubstr("'nothing:note' is not asked"));
+  EXPECT_THAT(troubles[1].sentence, HasSubstr("'comment:note' is not an item"));
+  EXPECT_THAT(troubles[2].sentence, HasSubstr("'nothing:note' is not an item"));
   EXPECT_THAT(troubles[3].sentence, HasSubstr("The note 'years:note' needs a text"));
 
   Form asked = f;

@@ -143,7 +143,7 @@ TEST(LcCusum, ImpossibleNumbersAreRefused) {
   EXPECT_THAT(calibratedLimit({0, 0.25}, 0.1).error().message, HasSubstr("between 0 and 1"));
   EXPECT_THAT(calibratedLimit({}, 0).error().message, HasSubstr("share of false signals"));
   EXPECT_THAT(calibratedLimit({}, std::nan("")).error().message, HasSubstr("share of false signals"));
-  EXPECT_THAT(calibratedLimit({}, 0.1, {0, 100, 1}).error().message, HasSubstr("at least one trial"));
+  EXPECT_THAT(calibratedLimit({}, 0.1, {0, 100, 1}).error().message, HasSubstr("at least one attempt"));
 }
 
 TEST(LcCusum, CalibrationTellsHowFarItIsAndStops) {

@@ -79,7 +79,7 @@ TEST(Statistics, WhyThereIsNoIntervalIsSaid) {
   EXPECT_EQ(two->basis, "fewer than 5 values");
   const auto alike = meanOf(std::vector<double>(6, 100.0), ValueKind::Percent);
   EXPECT_FALSE(alike->interval);
-  EXPECT_EQ(alike->basis, "all values alike");
+  EXPECT_EQ(alike->basis, "all values are equal");
 }
 
 TEST(Statistics, IntervalsHoldTheTruthAsOftenAsTheySayAndStayInTheirRange) {

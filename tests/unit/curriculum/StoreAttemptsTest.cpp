@@ -52,15 +52,15 @@ TEST_P(StoreAttempts, AnAttemptIsBegunEndedAndVoidedOnce) {
 
   AttemptFacts other = facts;
   other.level = "second";
-  EXPECT_THAT(refusalOf(anna.begin(other)), HasSubstr("begun otherwise"));
-  EXPECT_THAT(refusalOf(anna.end(endedFacts(other))), HasSubstr("begun otherwise"));
+  EXPECT_THAT(refusalOf(anna.begin(other)), HasSubstr("already begun with another"));
+  EXPECT_THAT(refusalOf(anna.end(endedFacts(other))), HasSubstr("already begun with another"));
 
   facts = endedFacts(facts);
   succeed(anna.end(facts));
   succeed(anna.end(facts));
   other = facts;
   other.points = 100;
-  EXPECT_THAT(refusalOf(anna.end(other)), HasSubstr("has ended already"));
+  EXPECT_THAT(refusalOf(anna.end(other)), HasSubstr("has already ended"));
 
   EXPECT_THAT(refusalOf(ina.voidAttempt(facts.id, "  ")), HasSubstr("type it"));
   succeed(ina.voidAttempt(facts.id, "device failed"));
@@ -104,7 +104,7 @@ TEST_P(StoreAttempts, WhatIsNoFactIsRefused) {
   EXPECT_THAT(ending([](auto& f) { f.length_us = -1; }), HasSubstr("negative"));
   EXPECT_THAT(ending([](auto& f) { f.state = AttemptState::Open; }), HasSubstr("completed or abandoned"));
   EXPECT_THAT(ending([](auto& f) { f.state = AttemptState::Voided; }), HasSubstr("completed or abandoned"));
-  EXPECT_THAT(ending([](auto& f) { f.recording = "../../etc/passwd"; }), HasSubstr("no file name"));
+  EXPECT_THAT(ending([](auto& f) { f.recording = "../../etc/passwd"; }), HasSubstr("not a file name"));
   EXPECT_THAT(ending([](auto& f) { f.recordingHash = "abc"; }), HasSubstr("SHA-256"));
   EXPECT_EQ(valueOf(anna.attempt(begun.id)).facts.state, AttemptState::Open) << "nothing of it was kept";
 }
@@ -253,7 +253,7 @@ TEST_P(StoreAttempts, DatesThatCannotBeAreRefused) {
     return facts;
   };
   const std::int64_t now_us = rig->now_us, minutes_us = 60 * kSecond_us;
-  EXPECT_THAT(refusalOf(anna.begin(at(now_us + 11 * minutes_us))), HasSubstr("lies in the future"));
+  EXPECT_THAT(refusalOf(anna.begin(at(now_us + 11 * minutes_us))), HasSubstr("is in the future"));
   EXPECT_THAT(refusalOf(anna.begin(at(now_us - 11 * minutes_us))),
               HasSubstr("dated 2026-11-21, and its level was published later, on 2026-11-22"));
   AttemptFacts practice = at(now_us - 11 * minutes_us);
@@ -263,7 +263,7 @@ TEST_P(StoreAttempts, DatesThatCannotBeAreRefused) {
   AttemptFacts tooLong = at(now_us);
   valueOf(anna.begin(tooLong));
   tooLong.length_us = 11 * minutes_us;
-  EXPECT_THAT(refusalOf(anna.end(tooLong)), HasSubstr("lies in the future"));
+  EXPECT_THAT(refusalOf(anna.end(tooLong)), HasSubstr("is in the future"));
   rig->pass(11 * minutes_us);
   succeed(anna.end(tooLong));
 }

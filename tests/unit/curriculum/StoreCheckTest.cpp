@@ -73,9 +73,9 @@ TEST_P(StoreCheckOnBoth, AStoreThatOnlyTheProgramWroteAgrees) {
 
 TEST_P(StoreCheckOnBoth, OnlyAnAdministratorLooks) {
   const StoreCheck inas(school->as(school->ina));
-  EXPECT_THAT(refusalOf(inas.attempts(0, 10)), HasSubstr("You may not do this"));
-  EXPECT_THAT(refusalOf(inas.againstLog()), HasSubstr("You may not do this"));
-  EXPECT_THAT(refusalOf(inas.standings()), HasSubstr("You may not do this"));
+  EXPECT_THAT(refusalOf(inas.attempts(0, 10)), HasSubstr("You do not have the permission for this"));
+  EXPECT_THAT(refusalOf(inas.againstLog()), HasSubstr("You do not have the permission for this"));
+  EXPECT_THAT(refusalOf(inas.standings()), HasSubstr("You do not have the permission for this"));
 }
 
 TEST_P(StoreCheckOnBoth, ARowThatTheLogContradictsIsNamed) {
@@ -127,7 +127,8 @@ TEST_P(StoreCheckOnBoth, ValuesOfAnEarlierAttemptOfAnyoneAreFound) {
   keep(0.5, 0), keep(0.5, 0);
   EXPECT_THAT(valueOf(repeatedValues(ina, school->ben.id)), ElementsAre(same));
   EXPECT_THAT(valueOf(repeatedValues(ina, school->anna.id)), IsEmpty()) << "hers was the first";
-  EXPECT_THAT(refusalOf(repeatedValues(school->as(school->otto), school->ben.id)), HasSubstr("You may not do this"));
+  EXPECT_THAT(refusalOf(repeatedValues(school->as(school->otto), school->ben.id)),
+              HasSubstr("You do not have the permission for this"));
 }
 
 TEST_P(StoreCheckOnBoth, AStandingThatWasEditedIsNamed) {

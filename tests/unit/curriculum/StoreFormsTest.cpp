@@ -73,7 +73,7 @@ TEST_P(StoreForms, AFormAboutAnAttemptIsHandedInOnce) {
   FilledForm again{"", judging.form.name, judging.form.version, school.anna.id, judging.attempt.id, "", 0, "{}"};
   const auto second = FormStore(judging.ina).add(again);
   ASSERT_FALSE(second);
-  EXPECT_THAT(second.error().message, HasSubstr("a form is handed in once"));
+  EXPECT_THAT(second.error().message, HasSubstr("a form can be handed in only once"));
   const auto kept = valueOf(FormStore(judging.ina).ofAttempt(judging.attempt.id));
   ASSERT_EQ(kept.size(), 1U);
   EXPECT_EQ(valueOf(FormStore(judging.ina).add(kept[0].filled)), id) << "the same sheet sent again is no error";

@@ -125,7 +125,8 @@ TEST_P(StoreProofs, WhatIsProvenCountsAndNeedsNobody) {
   const SignedIn anna = school.as(school.anna);
   const std::string id = valueOf(AttemptStore(anna).add(pass(AttemptProof::Proven)));
   EXPECT_EQ(school.masteredBy(school.anna), 1);
-  EXPECT_THAT(refusalOf(AttemptStore(school.as(school.ina)).accept(id, "seen")), HasSubstr("need not be accepted"));
+  EXPECT_THAT(refusalOf(AttemptStore(school.as(school.ina)).accept(id, "seen")),
+              HasSubstr("does not need to be accepted"));
   const std::string open = valueOf(AttemptStore(anna).begin(pass(AttemptProof::Proven)));
   EXPECT_THAT(refusalOf(AttemptStore(school.as(school.ina)).accept(open, "seen")), HasSubstr("still open"));
 }

@@ -85,7 +85,7 @@ TEST_F(StoreRecordings, ARecordingIsKeptAfterItsAttemptEnded) {
   succeed(attempts.end(facts));
   EXPECT_EQ(valueOf(attempts.attempt(facts.id)).recordingFile, "");
   EXPECT_THAT(refusalOf(AttemptStore(school.as(school.ben)).keepRecording(facts.id, made)),
-              HasSubstr("You may not do this"));
+              HasSubstr("You do not have the permission for this"));
   succeed(attempts.keepRecording(facts.id, made));
   succeed(attempts.keepRecording(facts.id, made));
   EXPECT_EQ(bytesOf(kept(facts)), kBytes);

@@ -102,7 +102,7 @@ TEST_P(StoreSignIn, AForgottenPasswordIsResetAndChangedAtTheNextSignIn) {
   EXPECT_TRUE(anna.mustChangePassword());
   EXPECT_THAT(refusalOf(AttemptStore(anna).history(school.anna.id)), HasSubstr("password of your own"));
   EXPECT_THAT(refusalOf(PeopleStore(anna).changeOwnPassword("temporary one", "temporary one")),
-              HasSubstr("is the old one"));
+              HasSubstr("is the same as the old one"));
   EXPECT_THAT(refusalOf(PeopleStore(anna).changeOwnPassword("wrong password", kPassword)), HasSubstr("is wrong"));
   succeed(PeopleStore(anna).changeOwnPassword("temporary one", kPassword));
   EXPECT_FALSE(anna.mustChangePassword());

@@ -171,8 +171,8 @@ TEST_P(StoreUpload, WhoWasOnlyHereGoesUpAsADisabledTraineeWithAllTheyDid) {
 
   const UploadReport report = valueOf(SiteUpload(alone, school->store).exchange());
   EXPECT_EQ(report.attempts, 1);
-  EXPECT_THAT(report.troubles, ElementsAre(HasSubstr("has another 'anna'"), HasSubstr("disabled trainee"),
-                                           HasSubstr("another one on the server")));
+  EXPECT_THAT(report.troubles, ElementsAre(HasSubstr("already has another person 'anna'"),
+                                           HasSubstr("disabled trainee"), HasSubstr("differs")));
   EXPECT_EQ(valueOf(AttemptStore(school->admin).attempt(facts.id)).facts.person, boss.person().id);
   Person there = valueOf(PeopleStore(school->admin).person(boss.person().id));
   EXPECT_EQ(there.name, "anna-2");

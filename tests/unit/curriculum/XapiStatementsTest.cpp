@@ -116,7 +116,8 @@ TEST(XapiStatements, WhatIsLeftOutIsToldWithItsReason) {
   ASSERT_EQ(made->leftOut.size(), 6U) << "another person's is not theirs to leave out";
   EXPECT_EQ(made->leftOut[0].attempt, "attempt 1");
   EXPECT_EQ(leftOutSentence(made->leftOut),
-            "Left out: 6 attempts (1 abandoned before the skin; 1 not ended; 1 of the curriculum 'another'; 1 of the "
+            "Left out: 6 attempts (1 abandoned before the skin was punctured; 1 not ended; 1 of the curriculum "
+            "'another'; 1 of the "
             "level 'z', which the curriculum lacks; 2 of version 2 of the curriculum).");
   EXPECT_EQ(leftOutSentence({}), "");
 }
@@ -184,7 +185,7 @@ TEST(XapiStatements, OddFactsStayWithinTheStandard) {
 TEST(XapiStatements, HomePagesAreAddresses) {
   for (const char* page : {"", "training.example.org", "https://", "ftp://x", "https://a b", "https://a\"b", "http:///",
                            "https://a\\b", "https://{a}", "https://a|b", "https://a`b^"})
-    EXPECT_THAT(xapiStatements({page, false}, {}, ada(), {}).error().message, HasSubstr("is no home page")) << page;
+    EXPECT_THAT(xapiStatements({page, false}, {}, ada(), {}).error().message, HasSubstr("is not a home page")) << page;
 }
 
 TEST(XapiStatements, AreWrittenAsOneList) {

@@ -99,7 +99,7 @@ TEST(HandPath, SaysWhichLineIsWrong) {
   EXPECT_THAT(parseHandPath("").error().message, HasSubstr("no points"));
   EXPECT_THAT(parseHandPath("0,1,2,3\n1,2,x,4").error().message, HasSubstr("Line 2: 'x' is not a number."));
   EXPECT_THAT(parseHandPath("0,1,2").error().message, HasSubstr("Line 1 has 3 numbers"));
-  EXPECT_THAT(parseHandPath("1,0,0,0\n1,0,0,0").error().message, HasSubstr("times must grow"));
+  EXPECT_THAT(parseHandPath("1,0,0,0\n1,0,0,0").error().message, HasSubstr("times must increase"));
   EXPECT_THAT(parseHandPath("1,0,0,0,1,0,0,0,1,0,0,0,2").error().message, HasSubstr("not a rotation"));
 }
 

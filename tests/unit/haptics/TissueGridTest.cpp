@@ -74,7 +74,7 @@ TEST(TissueGrid, APartIsAsTheWhole) {
   }
   const auto beyond = TissueGrid::fromLabels(labels, {500, 0, 0}, 14);
   ASSERT_FALSE(beyond);
-  EXPECT_EQ(beyond.error().message, "The label map does not reach to where the needle is.");
+  EXPECT_EQ(beyond.error().message, "The needle is outside the label map. Move it into the scan.");
 }
 
 TEST(TissueGrid, RefusesAGridThatIsTooLarge) {

@@ -149,7 +149,7 @@ TEST(AttemptScore, DrawnOutAfterBloodItIsStillASuccess) {
   EXPECT_TRUE(score.succeeded);
   EXPECT_EQ(score.points, 100);
   EXPECT_THAT(sentences(score), ElementsAre("The skin is punctured.", "The vein is reached.",
-                                            "The needle is held to look at it.", "The needle is out of the skin."));
+                                            "Image and needle are frozen.", "The needle is out of the skin."));
 }
 
 TEST(AttemptScore, MomentsTellEachThingOnce) {

@@ -80,7 +80,7 @@ TEST_F(ProbeWorkTest, ForceWhileItTouches) {
   EXPECT_FALSE(work_.forceMean_N());
   go(1, 0, 0, true, 2), go(1, 0, 0, true, 0), go(1, 0, 0, true, 4);
   EXPECT_DOUBLE_EQ(*work_.forceMean_N(), 3);
-  EXPECT_DOUBLE_EQ(*work_.forceMost_N(), 4);
+  EXPECT_DOUBLE_EQ(*work_.forceMax_N(), 4);
 }
 
 TEST_F(ProbeWorkTest, NeverHeldIsMissing) {

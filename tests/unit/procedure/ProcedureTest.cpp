@@ -103,7 +103,7 @@ TEST(Procedure, BadInputIsToldWhereAndWhatElse) {
   EXPECT_THAT(parseProcedure("[]").error().message, HasSubstr("must be an object"));
   const std::string twice = R"([{"name": "supine", "tilt_deg": 1}, )";
   EXPECT_THAT(parseProcedure(with("\"positions\": [", "\"positions\": " + twice)).error().message,
-              HasSubstr("position 'supine' is there twice"));
+              HasSubstr("position 'supine' occurs twice"));
 }
 
 TEST(Procedure, FilesAndNames) {

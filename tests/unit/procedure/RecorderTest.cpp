@@ -231,7 +231,7 @@ TEST_F(RecorderTest, AFullDisk) {
   setrlimit(RLIMIT_FSIZE, &old);
   std::signal(SIGXFSZ, ignored);
   ASSERT_FALSE(finished);
-  EXPECT_THAT(finished.error().message, HasSubstr("takes no more"));
+  EXPECT_THAT(finished.error().message, HasSubstr("cannot be written any more"));
   EXPECT_THAT(finished.error().message, HasSubstr(part.string()));
   EXPECT_EQ((*recorder)->trouble(), finished.error().message);
   EXPECT_THAT((*recorder)->metrics()[Metric::AttemptTime], testing::Optional(testing::DoubleNear(9, 0.01)));

@@ -127,9 +127,9 @@ TEST_F(DamagedRecording, ABadChangeOfSettingsIsSaid) {
   ASSERT_TRUE(recording);
   EXPECT_EQ(recording->metricsUntil(), metrics);
   EXPECT_EQ(recording->settingsAt(2'999'999), "as it began");
-  EXPECT_THAT(recording->settingsAt(3'000'000).error().message, HasSubstr("how it was set at 3.0 s is not known"));
+  EXPECT_THAT(recording->settingsAt(3'000'000).error().message, HasSubstr("the settings at 3.0 s are not known"));
   ASSERT_EQ(recording->troubles().size(), 1u);
-  EXPECT_THAT(recording->troubles()[0], HasSubstr("how it was set from 3.0 s on is unknown"));
+  EXPECT_THAT(recording->troubles()[0], HasSubstr("the settings from 3.0 s on are unknown"));
   broken.erase(at, size);  // and one that is gone
   EXPECT_FALSE(with(broken)->settingsAt(3'000'000));
   EXPECT_EQ(with(broken)->metricsUntil(), metrics);

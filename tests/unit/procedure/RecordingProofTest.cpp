@@ -161,7 +161,7 @@ TEST_F(RecordingProofTest, AChangedBlockIsNamedByItsTime) {
   EXPECT_EQ(proof.state, ProofState::Broken);
   EXPECT_THAT(proof.why, HasSubstr("was changed or damaged after it was recorded, at 3.0 s"));
   const auto opened = AttemptRecording::open(folder / "changed");
-  EXPECT_THAT(opened->settingsAt(4'000'000).error().message, HasSubstr("is not known"));
+  EXPECT_THAT(opened->settingsAt(4'000'000).error().message, HasSubstr("are not known"));
   EXPECT_EQ(opened->metricsUntil(), *recording->metricsUntil());
 }
 

@@ -130,7 +130,7 @@ TEST_P(FrontsOnGrids, FillingNeedsTwoDrawingsApart) {
   one.mask.at(4, 4, 4) = 1;
   for (const auto& refused : {filledBetween(one, 2), filledBetween(Selection{}, 2), filledBetween(ball({}, 5), 2)}) {
     ASSERT_FALSE(refused);
-    EXPECT_THAT(refused.error().message, HasSubstr("no empty slices between two drawn ones"));
+    EXPECT_THAT(refused.error().message, HasSubstr("no empty slices between the drawn slices"));
   }
 }
 
@@ -203,9 +203,9 @@ TEST_P(ContestsOnGrids, LabelsThatAreNotContestedAreWalls) {
 TEST(Fronts, RefuseWhatTheyCannotStartFrom) {
   const VolumeGeometry g = test::toolGrids()[0].geometry;
   const CtVolume ct(g);
-  EXPECT_THAT(marched(ct, boxOf(g), std::array{Vec3{900, 0, 0}}, {}).error().message, HasSubstr("No seed lies"));
-  EXPECT_THAT(marched(ct, VoxelBox{}, std::array{Vec3{}}, {}).error().message, HasSubstr("No seed lies"));
-  EXPECT_THAT(levelSet(ct, Selection(g, boxOf(g)), {}).error().message, HasSubstr("nothing to start from"));
+  EXPECT_THAT(marched(ct, boxOf(g), std::array{Vec3{900, 0, 0}}, {}).error().message, HasSubstr("No click"));
+  EXPECT_THAT(marched(ct, VoxelBox{}, std::array{Vec3{}}, {}).error().message, HasSubstr("No click"));
+  EXPECT_THAT(levelSet(ct, Selection(g, boxOf(g)), {}).error().message, HasSubstr("so its surface cannot move"));
   LabelMap labels(g, kSoftTissue);
   labels.at(3, 3, 3) = kVein;
   const Seeds one = seedsOf(labels, boxOf(g), LabelSet().set(kVein), LabelSet().set(kSoftTissue));

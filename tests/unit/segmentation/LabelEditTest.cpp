@@ -196,7 +196,7 @@ TEST(LabelEdit, ABoxBeyondTheMapIsRefused) {
   VolumeGeometry larger = grid(40);
   const auto refused = d.edit.apply(block(larger, {{0, 0, 0}, {40, 5, 5}}, kVein), "paint");
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().message, HasSubstr("does not lie in the label map"));
+  EXPECT_THAT(refused.error().message, HasSubstr("lies outside the label map"));
   EXPECT_TRUE(d.edit.apply(Proposal{}, "nothing")) << "an empty region is no mistake";
 }
 

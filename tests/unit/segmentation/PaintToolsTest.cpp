@@ -250,11 +250,11 @@ TEST(Polygon, RefusesWhatIsNoOutline) {
   EXPECT_THAT(line.error().message, HasSubstr("at least three corners"));
   const auto beside = drawn(g, 2, std::array{Vec3{0, 0, 500}, Vec3{5, 5, 0}, Vec3{5, 0, 0}});
   ASSERT_FALSE(beside);
-  EXPECT_THAT(beside.error().message, HasSubstr("beside the CT"));
+  EXPECT_THAT(beside.error().message, HasSubstr("outside the CT"));
   const auto behind =
       scissored(g, boxOf(g), std::array{Vec3{0, 0, -5}, Vec3{5, 5, 5}, Vec3{5, 0, 5}}, {.eye_mm = Vec3{0, 0, 0}});
   ASSERT_FALSE(behind);
-  EXPECT_THAT(behind.error().message, HasSubstr("behind the viewer"));
+  EXPECT_THAT(behind.error().message, HasSubstr("behind the camera"));
 }
 
 TEST(Logical, WorksOnBoxesThatOverlapOnlyInPart) {

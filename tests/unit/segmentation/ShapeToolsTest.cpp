@@ -52,7 +52,7 @@ TEST_P(ShapesOnGrids, IslandAtAPointAndNoneBesideThem) {
   EXPECT_EQ(difference(*small, ball({13, 0, 0}, 5)), 0u);
   const auto none = islandAt(three(), {4, -14, 0});
   ASSERT_FALSE(none);
-  EXPECT_THAT(none.error().message, HasSubstr("no island at this point"));
+  EXPECT_THAT(none.error().message, HasSubstr("No island of the label is at this point"));
   EXPECT_FALSE(islandAt(three(), {1e9, 0, 0}));
   EXPECT_FALSE(islandAt(Selection{}, {0, 0, 0}));
 }
@@ -171,7 +171,7 @@ TEST_P(ShapesOnGrids, MarginsAndWallsHaveTheirThicknessInMillimetres) {
   }
   const auto none = shrunkBy(ball({0, 0, 0}, 3), 9);
   ASSERT_FALSE(none);
-  EXPECT_THAT(none.error().message, HasSubstr("Nothing would be left"));
+  EXPECT_THAT(none.error().message, HasSubstr("Nothing of the label would be left"));
 }
 
 TEST_P(ShapesOnGrids, ConnectedGrowingStaysInItsPiece) {
@@ -187,7 +187,7 @@ TEST_P(ShapesOnGrids, ConnectedGrowingStaysInItsPiece) {
   EXPECT_EQ(difference(*two, *largestIslands(bright, 2)), 0u) << "a seed in the dark does no harm";
   const auto none = connected(ct, boxOf(grid()), std::array{Vec3{0, -15, 0}}, {200, 300});
   ASSERT_FALSE(none);
-  EXPECT_THAT(none.error().message, HasSubstr("No seed lies in the region on a voxel from 200 to 300 HU"));
+  EXPECT_THAT(none.error().message, HasSubstr("No click in the region is on a voxel from 200 to 300 HU"));
 }
 
 TEST_P(ShapesOnGrids, ConfidenceConnectedLearnsTheRange) {
@@ -202,7 +202,7 @@ TEST_P(ShapesOnGrids, ConfidenceConnectedLearnsTheRange) {
   EXPECT_NEAR(0.5 * (used.low + used.high), 180, 4);
   const auto beside = confidenceConnected(ct, boxOf(grid()), std::array{Vec3{500, 0, 0}}, {});
   ASSERT_FALSE(beside);
-  EXPECT_THAT(beside.error().message, HasSubstr("No seed lies in the CT"));
+  EXPECT_THAT(beside.error().message, HasSubstr("No click lies in the CT"));
 }
 
 TEST(Tools, StopWhenAsked) {

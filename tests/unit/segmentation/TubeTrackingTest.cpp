@@ -92,8 +92,8 @@ TEST(TubeTracking, SurvivesAnEvenCtAndClicksAtTheEdge) {
 
 TEST(TubeTracking, RefusesOneClickClicksBesideTheCtAndStopsWhenAsked) {
   const CtVolume ct(test::toolGrids()[0].geometry);
-  EXPECT_THAT(trackTube(ct, std::array{Vec3{}}).error().message, HasSubstr("two clicks or more"));
-  EXPECT_THAT(trackTube(ct, std::array{Vec3{}, Vec3{0, 0, 500}}).error().message, HasSubstr("beside the CT"));
+  EXPECT_THAT(trackTube(ct, std::array{Vec3{}}).error().message, HasSubstr("at least two clicks"));
+  EXPECT_THAT(trackTube(ct, std::array{Vec3{}, Vec3{0, 0, 500}}).error().message, HasSubstr("outside the CT"));
   const auto stopped =
       trackTube(ct, std::array{Vec3{}, Vec3{0, 0, 12}}, {}, [](std::string_view, double) { return false; });
   EXPECT_EQ(stopped.error().message, kCancelled);

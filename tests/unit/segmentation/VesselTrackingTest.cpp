@@ -195,8 +195,8 @@ TEST(VesselTracking, AStentDoesNotNarrowTheVessel) {
 
 TEST(VesselTracking, RefusesOneClickAndClicksBesideTheCt) {
   const CtVolume ct(test::toolGrids()[0].geometry);
-  EXPECT_THAT(trackVessel(ct, std::array{Vec3{}}).error().message, HasSubstr("two clicks or more"));
-  EXPECT_THAT(trackVessel(ct, std::array{Vec3{}, Vec3{0, 0, 500}}).error().message, HasSubstr("beside the CT"));
+  EXPECT_THAT(trackVessel(ct, std::array{Vec3{}}).error().message, HasSubstr("at least two clicks"));
+  EXPECT_THAT(trackVessel(ct, std::array{Vec3{}, Vec3{0, 0, 500}}).error().message, HasSubstr("outside the CT"));
 }
 
 TEST(VesselTracking, TwoClicksOnOnePointAreNoVesselButDoNoHarm) {
@@ -204,7 +204,7 @@ TEST(VesselTracking, TwoClicksOnOnePointAreNoVesselButDoNoHarm) {
   for (std::size_t v = ct.voxels.size() / 2 - 2000; v < ct.voxels.size() / 2 + 2000; ++v) ct.voxels[v] = 300;
   const auto tracked = trackVessel(ct, std::array{Vec3{}, Vec3{}});
   ASSERT_FALSE(tracked);
-  EXPECT_THAT(tracked.error().message, HasSubstr("nearly on one point"));
+  EXPECT_THAT(tracked.error().message, HasSubstr("almost at the same point"));
 }
 
 }  // namespace

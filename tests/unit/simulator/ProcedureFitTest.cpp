@@ -25,14 +25,14 @@ TEST(ProcedureFit, ABuiltInNeckIsForOneProcedureAndSaysWhichForTheOther) {
     const auto other = fits(chest ? "internal_jugular" : "subclavian", *neck);
     ASSERT_FALSE(other);
     EXPECT_THAT(other.error().message,
-                HasSubstr("cannot be done on '" + neck->manifest.title + "': the case is for '"));
+                HasSubstr("does not fit the case '" + neck->manifest.title + "': the case is for '"));
     EXPECT_THAT(other.error().message, HasSubstr(chest ? "Choose 'Subclavian vein with ultrasound'"
                                                        : "Choose 'Internal jugular vein with ultrasound'"));
   }
 }
 
 TEST(ProcedureFit, WhatIsNotLabelledIsNamedWithWhatWouldBeLost) {
-  PatientCase block = test::attemptBlock();  // its target, "vein", tells of no procedure
+  PatientCase block = test::attemptBlock();  // its target, "vein", states no procedure
   for (const char* name : {"internal_jugular", "subclavian"}) EXPECT_TRUE(fits(name, block)) << name;
   const auto without = [&](Label label) {
     PatientCase less = block;

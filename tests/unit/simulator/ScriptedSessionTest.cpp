@@ -217,13 +217,14 @@ TEST_F(ScriptedSession, BadScriptsAreToldWhereAndWhatElse) {
            {R"({"acts": [{"probe": "nowhere"}]})", "act 1 has a probe that cannot be put there: "},
            {R"({"acts": [{"move_probe_mm": [1, 2]}]})",
             "act 1 needs a list of 3 numbers, [x, y, z] in the probe's frame, as 'move_probe_mm'"},
-           {R"({"acts": [{"move_probe_mm": [1, 2, 3]}]})", "act 1 moves a probe, and none is on the patient."},
+           {R"({"acts": [{"move_probe_mm": [1, 2, 3]}]})",
+            "act 1 moves a probe, but no probe is on the patient. Put the probe first."},
            {R"({"acts": [{"needle": {"from_mm": {"in_probe_mm": [0, 0, 1]}, "to": "vein"}}]})",
-            "act 1, needle, has 'from_mm' in the frame of a probe, and none is on the patient."},
+            "act 1, needle, has 'from_mm' in the probe's frame, but no probe is on the patient. Put the probe first."},
            {R"({"acts": [{"needle": [1, 2, 3]}]})", "act 1, needle, must be an object { ... }, not [ ... ]."},
            {R"({"acts": [{"needle": {"from_mm": [0, 0, 0], "to": "artery"}}]})", "targets ('vein') as 'to'."},
            {R"({"acts": [{"needle": {"from_mm": [0, 12, 0], "to": "vein"}}]})", "less than 1 mm apart"},
-           {R"({"acts": [{"freeze": true}, {"withdraw_mm": 3}]})", "act 2 moves a needle that is frozen; let it go"},
+           {R"({"acts": [{"freeze": true}, {"withdraw_mm": 3}]})", "act 2 moves a needle that is frozen. Release it"},
            {R"({"acts": [{"replace_needle": false}]})", "act 1 needs true as 'replace_needle'"}}) {
     const auto script = readSessionScript(c.text, patient);
     ASSERT_FALSE(script) << c.text;

@@ -182,7 +182,7 @@ TEST_F(AttemptFactsOfTest, RulesThatAreNotHereScoreNothing) {
   std::filesystem::remove(file);
   other.procedure = "brain_surgery";
   record(attempt, AttemptStatus::Completed, other);
-  EXPECT_THAT(factsOfRecording(file).error().message, HasSubstr("its procedure is not known here"));
+  EXPECT_THAT(factsOfRecording(file).error().message, HasSubstr("this program does not know its procedure"));
   EXPECT_THAT(factsOfRecording(folder / "none").error().message, HasSubstr("There is no recording"));
 }
 

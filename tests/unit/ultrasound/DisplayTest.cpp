@@ -269,7 +269,9 @@ TEST_F(DisplayTest, PointsLandWhereTheyAre) {
         Place{"curvilinear", 31.4, 40.1, 4}, Place{"phased", 30.3, 70.9, 5}, Place{"phased", -50.7, 90.2, 6}}) {
     const Probe any = *loadProbe(name);
     settings = bareSettings(any);
-    const auto spot = [&](double x, double z) { return 39 - 59 * std::pow(std::hypot(x - x0, z - z0) / radius, 2); };
+    const auto spot = [x = x0, z = z0, r = radius](double lateral_mm, double axial_mm) {
+      return 39 - 59 * std::pow(std::hypot(lateral_mm - x, axial_mm - z) / r, 2);
+    };
     const BModeImage image = display(any, settings, frameOf(any, settings, spot));
     double sum = 0, x = 0, z = 0;
     for (int row = 0; row < image.height; ++row)

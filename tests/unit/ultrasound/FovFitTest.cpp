@@ -79,7 +79,7 @@ TEST(FitFov, SaysWhatItDoubts) {
   const auto fit = fitFov(test::paint(capture));
   ASSERT_TRUE(fit) << fit.error().message;
   EXPECT_GT(fit->confidence, 0.8);
-  EXPECT_THAT(fit->doubts, Contains(HasSubstr("dark on light")));
+  EXPECT_THAT(fit->doubts, Contains(HasSubstr("dark echoes on a light background")));
   EXPECT_THAT(fit->doubts, Contains(HasSubstr("type the depth")));
 }
 

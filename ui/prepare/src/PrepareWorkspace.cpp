@@ -1,122 +1,188 @@
-#include "KeyTable.h"
-#include "PrepareParts.h"
-#include "guide/GuideSession.h"
-#include "model/Notice.h"
+#include "case/CaseFeature.h"
+#include "check/CheckFeature.h"
+#include "editing/EditingFeature.h"
+#include "guide/GuideFeature.h"
+#include "labels/LabelFollowers.h"
+#include "labels/LabelSession.h"
+#include "layout/CaseViews.h"
+#include "layout/LayoutFeature.h"
+#include "layout/PrepareLayout.h"
+#include "live/LiveFeature.h"
+#include "model/CaseChanges.h"
+#include "model/CaseMeasuring.h"
+#include "model/LivePatient.h"
 #include "model/OpenCase.h"
-#include "panel/PathPanel.h"
-#include "publish/CaseChanges.h"
-#include "viewing/CaseViews.h"
-#include "viewing/StatusLine.h"
+#include "model/PrepareModel.h"
+#include "model/StatusLine.h"
+#include "places/PlacesFeature.h"
+#include "publish/PublishFeature.h"
+#include "recipe/RecipeFeature.h"
+#include "structures/StructuresFeature.h"
+#include "tools/ToolsFeature.h"
+#include "viewing/SceneFeature.h"
+#include "viewing/SlicesFeature.h"
 
+#include <insonate/prepare/PrepareBenchmark.h>
 #include <insonate/prepare/PrepareWorkspace.h>
 #include <insonate/ui/EmptyWorkspace.h>
 
 #include <QKeyEvent>
-#include <QSplitter>
+#include <utility>
 
 namespace insonate::prepare {
 
 PrepareWorkspace::PrepareWorkspace(ui::TaskBar& tasks, QWidget* parent)
-    : ui::Workspace(parent), parts_(std::make_unique<Parts>(*this, tasks)) {
+    : ui::Workspace(parent),
+      model_(std::make_unique<PrepareModel>(makePrepareModel(tasks, *this))),
+      layout_(std::make_unique<PrepareLayout>(*this, *model_)) {
   setObjectName(QStringLiteral("prepare"));
+  setTasks(tasks);
+  addFeatures();
+  layout_->assemble();
+  connectModel();
+}
+
+/// The order is that of sections and pages in the columns and of sections in the list of keys; settings are restored in
+/// it, and signals of the model arrive in it.
+void PrepareWorkspace::addFeatures() {
+  case_ = &add<CaseFeature>();
+  add<SlicesFeature>();
+  add<LayoutFeature>();
+  add<RecipeFeature>();
+  auto& scene = add<SceneFeature>();
+  auto& tools = add<ToolsFeature>(scene.histogram());
+  tools_ = &tools.tools();
+  add<GuideFeature>(tools.section());
+  add<StructuresFeature>();
+  add<CheckFeature>();
+  add<PlacesFeature>();
+  add<PublishFeature>();
+  add<EditingFeature>();
+  add<LiveFeature>();
+}
+
+template <class T, class... Parts>
+T& PrepareWorkspace::add(Parts&... parts) {
+  auto* feature = new T(*model_, *layout_, parts...);
+  features_.push_back(feature);
+  return *feature;
+}
+
+void PrepareWorkspace::connectModel() {
+  const auto check = [this] { checkReady(); };
+  connect(&model_->openCase, &OpenCase::caseChanged, this, check);
+  connect(&model_->measuring, &CaseMeasuring::changed, this, check);
+  connect(&model_->live, &LivePatient::stateChanged, this, check);
+  connect(&model_->live, &LivePatient::stateChanged, this, &Workspace::statusChanged);
+  connect(&model_->followers, &LabelFollowers::restChanged, this, check);
+  connect(&model_->labelling, &LabelSession::busyChanged, this, check);
+  layout_->views().setRested(check);
+  connect(&model_->changes, &CaseChanges::changed, this, &Workspace::editsChanged);
+  connect(&model_->statusLine, &StatusLine::changed, this, &Workspace::statusChanged);
 }
 
 PrepareWorkspace::~PrepareWorkspace() {
-  parts_->stop();
-  // The widgets refer to the model and are deleted first.
-  delete parts_->columns;
-  delete parts_->empty;
+  stop();
+  benchmark_ = nullptr;
+  // The widgets refer to the features, and both to the model, which is deleted last.
+  layout_ = nullptr;
+  for (Feature* feature : std::exchange(features_, {})) delete feature;
 }
 
 void PrepareWorkspace::offer(QAction* action) {
-  parts_->empty->offer(action);
+  layout_->empty().offer(action);
 }
 
 void PrepareWorkspace::setCaseActions(QAction* open, QAction* import, QAction* reload) {
-  parts_->path->setCaseActions(open, import, reload);
+  case_->setCaseActions(open, import, reload);
 }
 
 void PrepareWorkspace::setOpening(const QString& what) {
-  parts_->empty->showOpening(what);
+  layout_->empty().showOpening(what);
 }
 
 void PrepareWorkspace::setOrigin(const ui::CaseOrigin& origin) {
-  parts_->shared.openCase.setOrigin(origin);
+  model_->openCase.setOrigin(origin);
 }
 
 void PrepareWorkspace::setCase(std::shared_ptr<const PatientCase> patient) {
-  parts_->shared.openCase.setCase(std::move(patient));
+  model_->openCase.setCase(std::move(patient));
 }
 
 ui::CaseEdit PrepareWorkspace::unsavedEdit() const {
-  return parts_->shared.changes.unsavedEdit();
+  return model_->changes.unsavedEdit();
 }
 
 ui::CaseEdit PrepareWorkspace::quietEdit() const {
-  return parts_->shared.changes.quietEdit();
+  return model_->changes.quietEdit();
 }
 
 void PrepareWorkspace::caseSaved(std::shared_ptr<const PatientCase> patient) {
-  parts_->shared.openCase.replaceCase(std::move(patient));
-  parts_->views->replaceCase();
-  const QString folder = parts_->shared.openCase.origin().folder;
-  if (folder.isEmpty()) return;
-  if (auto ok = parts_->guide.saveRecipe(folder.toStdString()); !ok)
-    parts_->shared.notice.say(tr("The case is saved, but the recipe of its labels is not: %1")
-                                  .arg(QString::fromStdString(ok.error().message)));
+  model_->openCase.replaceCase(std::move(patient));
 }
 
 QString PrepareWorkspace::statusText() const {
-  return parts_->shared.statusLine.text();
+  return model_->statusLine.text();
 }
 
 QString PrepareWorkspace::engineText() const {
-  return parts_->engineText();
+  for (const Feature* feature : features_)
+    if (QString text = feature->engineText(); !text.isEmpty()) return text;
+  return {};
 }
 
 bool PrepareWorkspace::isReady() const {
-  return parts_->ready;
+  return isReady_;
 }
 
-std::vector<ui::Shortcut> PrepareWorkspace::shortcuts() const {
-  std::vector<ui::Shortcut> all;
-  for (const KeyRow& row : keyTable())
-    if (*row.keys) all.push_back({tr(row.keys), tr(row.meaning)});
-  return all;
+void PrepareWorkspace::checkReady() {
+  // The views are being deleted.
+  if (!layout_) return;
+  using State = CaseMeasuring::State;
+  const State state = model_->measuring.state();
+  const bool isReady = model_->openCase.patient() && (state == State::Done || state == State::Stopped) &&
+                       model_->live.isSettled() && layout_->views().isAtRest() && model_->followers.isAtRest() &&
+                       !model_->labelling.isBusy();
+  if (std::exchange(isReady_, isReady) != isReady) Q_EMIT readyChanged();
 }
 
 void PrepareWorkspace::saveLayout(QSettings& settings) const {
-  parts_->saveLayout(settings);
+  for (const Feature* feature : features_) feature->save(settings);
 }
 
 void PrepareWorkspace::restoreLayout(QSettings& settings) {
-  parts_->restoreLayout(settings);
+  for (Feature* feature : features_) feature->restore(settings);
 }
 
-void PrepareWorkspace::measureLabelling(int repeats, std::function<void(std::vector<LabellingTime>)> done) {
-  parts_->measureLabelling(repeats, std::move(done));
+PrepareBenchmark& PrepareWorkspace::benchmark() {
+  if (!benchmark_) benchmark_ = std::make_unique<PrepareBenchmark>(*model_, *tools_, layout_->views());
+  return *benchmark_;
 }
 
 void PrepareWorkspace::stop() {
-  parts_->stop();
+  model_->measuring.setAllowed(false);
+  model_->live.stop();
 }
 
-bool PrepareWorkspace::eventFilter(QObject* watched, QEvent* event) {
-  return parts_->canvasEvent(event) || ui::Workspace::eventFilter(watched, event);
+/// Performs the keys of commands for a canvas (PrepareLayout::offerKeys).
+bool PrepareWorkspace::eventFilter(QObject*, QEvent* event) {
+  return commands().offer(*event);
 }
 
 void PrepareWorkspace::keyPressEvent(QKeyEvent* event) {
-  if (!parts_->key(*event, true)) ui::Workspace::keyPressEvent(event);
+  if (!commands().key(*event, true)) ui::Workspace::keyPressEvent(event);
 }
 
 void PrepareWorkspace::showEvent(QShowEvent* event) {
   ui::Workspace::showEvent(event);
-  parts_->setAwake(true);
+  model_->measuring.setAllowed(true);
+  model_->live.setAwake(true);
 }
 
 void PrepareWorkspace::hideEvent(QHideEvent* event) {
   ui::Workspace::hideEvent(event);
-  parts_->setAwake(false);
+  model_->measuring.setAllowed(false);
+  model_->live.setAwake(false);
 }
 
 }  // namespace insonate::prepare

@@ -48,7 +48,7 @@ void ReviewSession::open(const QString& file, ui::TaskBar& tasks) {
   tasks.run<Digest>(
       tr("Opening %1").arg(QFileInfo(file).fileName()),
       [file](const Progress& progress) { return digestOf(file.toStdString(), progress); },
-      [self, file](Result<Digest> digest) {
+      [self](Result<Digest> digest) {
         if (!self) return;
         self->opening_ = false;
         if (digest) self->take(std::move(*digest));

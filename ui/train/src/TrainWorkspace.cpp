@@ -1,6 +1,5 @@
 #include "attempt/AttemptFeature.h"
 #include "devices/DevicesFeature.h"
-#include "feature/KeyTable.h"
 #include "image/ImageExports.h"
 #include "image/ImageFeature.h"
 #include "layout/LayoutFeature.h"
@@ -15,7 +14,7 @@
 
 #include <insonate/train/TrainBenchmark.h>
 #include <insonate/train/TrainWorkspace.h>
-#include <insonate/ui/KeyOffer.h>
+#include <insonate/ui/CanvasInput.h>
 #include <insonate/ui/ViewWidget.h>
 
 #include <QAbstractSpinBox>
@@ -36,9 +35,7 @@ constexpr int kRoomy_px = 1260;
 TrainWorkspace::TrainWorkspace(QWidget* parent)
     : ui::Workspace(parent), model_(new TrainModel(this)), layout_(std::make_unique<TrainLayout>(*this)) {
   setObjectName("train");
-  const auto watch = [this](ui::ViewWidget* view) { view->focusProxy()->installEventFilter(this); };
-  watch(&layout_->views().imageWidget());
-  connect(&layout_->views(), &SharedViews::added, this, watch);
+  ui::CanvasInput::of(*layout_->views().imageWidget().focusProxy()).add(ui::InputRank::Observer, *this);
   addFeatures();
   layout_->assemble();
   connectModel();
@@ -166,14 +163,6 @@ void TrainWorkspace::reportProblem() {
   Q_EMIT failed(std::exchange(trouble_, {}), tr("Check the case in Prepare, or open another one."), {});
 }
 
-std::vector<ui::Shortcut> TrainWorkspace::shortcuts() const {
-  std::vector<ui::Shortcut> all;
-  for (const KeyRow& row : keyTable())
-    if (*row.keys) all.push_back({tr(row.keys), tr(row.meaning)});
-  for (const MouseRow& row : mouseTable()) all.push_back({tr(row.gesture), tr(row.meaning)});
-  return all;
-}
-
 void TrainWorkspace::saveLayout(QSettings& settings) const {
   for (const Feature* feature : features_) feature->save(settings);
 }
@@ -206,35 +195,18 @@ TrainBenchmark& TrainWorkspace::benchmark() {
   return *benchmark_;
 }
 
-bool TrainWorkspace::key(const QKeyEvent& event, bool isPerformed) {
-  const KeyRow* row = rowFor(event);
-  if (!row) return false;
-  const auto taker = std::ranges::find_if(features_, [row](const Feature* one) { return one->takes(row->command); });
-  if (taker == features_.end()) return false;
-  if (isPerformed) (*taker)->act(*row, {bool(event.modifiers() & Qt::ShiftModifier), event.isAutoRepeat()});
-  return true;
-}
-
-/// Handles keys of the table for the views, and moves the keyboard focus to the image with the mouse.
+/// Gives the image the keyboard focus when the pointer enters it.
 bool TrainWorkspace::eventFilter(QObject* watched, QEvent* event) {
-  // The views are being deleted.
-  if (features_.empty()) return false;
-  if (event->type() == QEvent::Enter) takeKeyboard(watched);
-  const bool isHandled = ui::offerKey(*event, [&](const QKeyEvent& pressed, bool isPerformed) {
-    // The view's own keys stay with the view, and away from the window's shortcuts.
-    if (std::ranges::any_of(features_, [&](const Feature* one) { return one->isViewKey(watched, pressed); }))
-      return !isPerformed;
-    return key(pressed, isPerformed);
-  });
-  return isHandled || ui::Workspace::eventFilter(watched, event);
+  // Without a layout, the views are being deleted.
+  if (event->type() == QEvent::Enter && layout_) takeKeyboard();
+  return ui::Workspace::eventFilter(watched, event);
 }
 
-void TrainWorkspace::takeKeyboard(const QObject* canvas) {
+void TrainWorkspace::takeKeyboard() {
   // A field in which the user types keeps the keyboard focus.
   QWidget* holder = QApplication::focusWidget();
   const bool typing = qobject_cast<QLineEdit*>(holder) || qobject_cast<QAbstractSpinBox*>(holder);
-  ui::ViewWidget& image = layout_->views().imageWidget();
-  if (canvas == image.focusProxy() && isActiveWindow() && !typing) image.setFocus(Qt::MouseFocusReason);
+  if (isActiveWindow() && !typing) layout_->views().imageWidget().setFocus(Qt::MouseFocusReason);
 }
 
 void TrainWorkspace::resizeEvent(QResizeEvent* event) {
@@ -256,7 +228,7 @@ void TrainWorkspace::hideEvent(QHideEvent* event) {
 }
 
 void TrainWorkspace::keyPressEvent(QKeyEvent* event) {
-  if (!key(*event, true)) ui::Workspace::keyPressEvent(event);
+  if (!commands().key(*event, true)) ui::Workspace::keyPressEvent(event);
 }
 
 }  // namespace insonate::train

@@ -1,3 +1,4 @@
+#include <insonate/core/JsonEntry.h>
 #include <insonate/views/TransferFunction.h>
 
 #include <nlohmann/json.hpp>
@@ -49,19 +50,14 @@ std::optional<Colour> fromHex(const std::string& text) {
   return Colour{std::uint8_t(value >> 16), std::uint8_t(value >> 8), std::uint8_t(value)};
 }
 
-constexpr char kWanted[] =
-    "A transfer function is {\"nodes\": [{\"hu\": 150, \"opacity\": 0.2, \"colour\": \"#aa5530\"}]}";
-
-Result<TransferNode> readNode(const nlohmann::json& node, std::size_t number) {
-  const std::string which = "node " + std::to_string(number + 1);
-  if (!node.is_object()) return fail(which + " is not an object. " + kWanted + ".");
-  for (const char* field : {"hu", "opacity"})
-    if (!node.contains(field) || !node[field].is_number())
-      return fail(which + ": \"" + field + "\" must be a number. " + kWanted + ".");
-  const auto colour =
-      node.contains("colour") && node["colour"].is_string() ? fromHex(node["colour"].get<std::string>()) : std::nullopt;
-  if (!colour) return fail(which + ": \"colour\" must be like \"#aa5530\". " + kWanted + ".");
-  return TransferNode{node["hu"].get<double>(), node["opacity"].get<double>(), *colour};
+TransferNode readNode(const nlohmann::json& object, const std::string& where, std::string& trouble) {
+  constexpr double kUnbounded = 1e9;  // tidied() limits both
+  JsonEntry entry(object, where, {"hu", "opacity", "colour"}, trouble);
+  const double hu = entry.number("hu", -kUnbounded, kUnbounded);
+  const double opacity = entry.number("opacity", -kUnbounded, kUnbounded);
+  const auto colour = fromHex(entry.text("colour"));
+  if (!colour) entry.refuse("needs a color like \"#aa5530\" as 'colour'.");
+  return {hu, opacity, colour.value_or(Colour{})};
 }
 
 }  // namespace
@@ -142,17 +138,14 @@ std::span<const TransferPreset> transferPresets() {
 }
 
 Result<TransferFunction> readTransferFunction(std::string_view text) {
-  const auto document = nlohmann::json::parse(text, nullptr, false);
-  if (document.is_discarded()) return fail(std::string("This is not JSON. ") + kWanted + ".");
-  if (!document.is_object() || !document.contains("nodes") || !document["nodes"].is_array())
-    return fail(std::string("There is no list of nodes. ") + kWanted + ".");
-  TransferFunction function;
-  for (const auto& entry : document["nodes"]) {
-    const auto node = readNode(entry, function.nodes.size());
-    if (!node) return tl::unexpected(node.error());
-    function.nodes.push_back(*node);
-  }
-  return tidied(std::move(function));
+  const std::string subject = "The transfer function";
+  const auto document = parsedJson(text, subject);
+  if (!document) return tl::unexpected(document.error());
+  JsonEntry function(*document, subject, {"nodes"});
+  Nodes nodes = function.list("nodes", "node", readNode);
+  if (!function.has("nodes")) function.refuse("has no 'nodes'.");
+  if (!function.trouble().empty()) return fail(function.trouble());
+  return tidied({std::move(nodes)});
 }
 
 std::string writeTransferFunction(const TransferFunction& function) {

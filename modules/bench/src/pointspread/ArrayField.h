@@ -22,12 +22,12 @@ namespace insonate::bench {
 /// lens focuses both at elevationFocus_mm.
 class ArrayField {
  public:
-  /// `end_mm`: distance from the scanline to the nearer end of the array, beyond which elements are missing. The probe
-  /// must be linear.
+  /// Makes the field of a linear probe. `end_mm`: distance from the scanline to the nearer end of the array, beyond
+  /// which there are no elements.
   ArrayField(const Probe& probe, const ImagingSettings& settings, double end_mm);
 
-  /// Complex envelope of a point's echo, by depth relative to `focus_mm`, at which reception is focused: from
-  /// -kReach_mm to kReach_mm in steps of kStep_mm.
+  /// Returns the complex envelope of a point's echo at depths from focus_mm - kReach_mm to focus_mm + kReach_mm in
+  /// steps of kStep_mm; reception is focused at `focus_mm`.
   std::vector<std::complex<double>> echo(Vec3 point_mm, double focus_mm) const;
   static constexpr double kStep_mm = 0.01, kReach_mm = 1.5;
 
@@ -40,8 +40,10 @@ class ArrayField {
 
   Probe probe_;
   double frequency_MHz_, transmitFocus_mm_, end_mm_;
-  std::vector<double> waveNumber_radPmm_, spectrum_;  ///< [frequency]
-  std::vector<double> height_mm_, lens_mm_;  ///< for each piece of an element's height: position, and delay of the lens
+  /// wave number, and spectrum of the pulse; one value for each frequency
+  std::vector<double> waveNumber_radPmm_, spectrum_;
+  /// For each piece of an element's height: its position, and the delay of the lens as a path length.
+  std::vector<double> height_mm_, lens_mm_;
 };
 
 }  // namespace insonate::bench

@@ -1,4 +1,5 @@
 #include "pointspread/ArrayField.h"
+#include "pointspread/Cysts.h"
 #include "pointspread/Spread.h"
 
 #include <insonate/bench/PointSpreadBench.h>
@@ -21,6 +22,7 @@ using bench::Spread;
 constexpr std::array kDepths_mm{5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0};
 constexpr double kAcross_mm = 6, kAlong_mm = 1.5, kSlice_mm = 4;  ///< either way
 constexpr double kFromEnd_mm = 1.2;
+constexpr double kSmall_mm = 4, kLarge_mm = 8, kAnechoic_dB = -150;
 
 Spread emptySpread() {
   Spread spread;
@@ -63,7 +65,7 @@ Spread fieldSpread(const Probe& probe, const ImagingSettings& settings, double d
   return spread;
 }
 
-/// Images of one point by an engine.
+/// Images of one point, or of cysts in speckle, by an engine.
 class Camera {
  public:
   static Result<Camera> make(const Probe& probe, const ImagingSettings& settings, std::string_view engine) {
@@ -95,7 +97,58 @@ class Camera {
     return spread;
   }
 
+  /// Measures cysts of 4 and 8 mm side by side, cylinders perpendicular to the image, at places of independent speckle.
+  Result<void> addCysts(double depth_mm, PointSpreadFigures& figures) {
+    constexpr double kSpeckles = 6, kApart_mm = 6;
+    const Vec3 small{-10, 0, depth_mm}, large{8, 0, depth_mm};
+    AcousticTable table = table_;
+    table.tissues[kVein].echogenicity_dB = kAnechoic_dB;
+    Region region = regionOf(probe_, settings_, {});
+    region.high_mm.y += kSpeckles * kApart_mm;
+    const LabelMap labels = cystLabels(region, small, large);
+    CtVolume ct;
+    ct.geometry = labels.geometry;
+    ct.voxels.assign(ct.geometry.voxelCount(), 0);
+    const auto scene = AcousticScene::make(ct, labels, table, region);
+    if (!scene) return tl::unexpected(scene.error());
+    ImagingSettings settings = settings_;
+    settings.effects.scattering = settings.effects.speckle = true;
+    engine_->prepare(probe_, settings);
+    const BeamGrid grid(probe_, settings);
+    bench::CystEchoes ofSmall, ofLarge;
+    for (int n = 0; n < kSpeckles; ++n) {
+      engine_->render(**scene, {{}, {0, n * kApart_mm, 0}}, {}, nullptr, frame_);
+      addCyst(frame_, grid, small, kSmall_mm, ofSmall);
+      addCyst(frame_, grid, large, kLarge_mm, ofLarge);
+    }
+    engine_->prepare(probe_, settings_);
+    addCystFigures(ofSmall, ofLarge, figures);
+    return {};
+  }
+
  private:
+  static LabelMap cystLabels(const Region& region, Vec3 small, Vec3 large) {
+    const Vec3 spacing_mm{0.4, 3, 0.4};
+    LabelMap labels;
+    for (int a = 0; a < 3; ++a) {
+      labels.geometry.size[a] = int((region.high_mm[a] - region.low_mm[a]) / spacing_mm[a]) + 6;
+      labels.geometry.spacing_mm[a] = spacing_mm[a];
+      labels.geometry.origin_mm[a] = region.low_mm[a] - 2 * spacing_mm[a];
+    }
+    const auto [columns, rows, slices] = labels.geometry.size;
+    labels.voxels.assign(labels.geometry.voxelCount(), kSoftTissue);
+    for (int k = 0; k < slices; ++k)
+      for (int i = 0; i < columns; ++i) {
+        const double x_mm = labels.geometry.origin_mm.x + i * spacing_mm.x;
+        const double z_mm = labels.geometry.origin_mm.z + k * spacing_mm.z;
+        if (std::hypot(x_mm - small.x, z_mm - small.z) > kSmall_mm / 2 &&
+            std::hypot(x_mm - large.x, z_mm - large.z) > kLarge_mm / 2)
+          continue;
+        for (int j = 0; j < rows; ++j) labels.voxels[(std::size_t(k) * rows + j) * columns + i] = kVein;
+      }
+    return labels;
+  }
+
   Camera(const Probe& probe, const ImagingSettings& settings, std::unique_ptr<Engine> engine)
       : probe_(probe), settings_(settings), engine_(std::move(engine)) {
     for (AcousticTissue& tissue : table_.tissues) tissue.attenuation_dBpcmMHz = 0;
@@ -164,7 +217,11 @@ Result<PointSpreadBench> runPointSpreadBench(const Probe& probe, std::string_vie
       return fail(std::string(kCancelled));
     const auto ours = camera->spreadAt(depth_mm);
     if (!ours) return tl::unexpected(ours.error());
-    bench.rows.push_back({depth_mm, bench::figuresOf(*ours), bench::figuresOf(fieldSpread(probe, settings, depth_mm))});
+    const Spread field = fieldSpread(probe, settings, depth_mm);
+    PointSpreadRow row{depth_mm, bench::figuresOf(*ours), bench::figuresOf(field)};
+    if (auto ok = camera->addCysts(depth_mm, row.ours); !ok) return tl::unexpected(ok.error());
+    addCystFigures(bench::cystOf(field, kSmall_mm), bench::cystOf(field, kLarge_mm), row.field);
+    bench.rows.push_back(row);
   }
   return bench;
 }

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -21,26 +22,44 @@ struct FigureColumn {
 };
 constexpr std::array kFigureColumns{
     FigureColumn{"lateral width", "lateral_mm", &PointSpreadFigures::lateral_mm, "mm"},
-    FigureColumn{"lateral width at -20 dB", "lateral20dB_mm", &PointSpreadFigures::lateral20dB_mm, "mm"},
+    FigureColumn{"lateral width at -20 dB, side lobes included", "lateral20dB_mm", &PointSpreadFigures::lateral20dB_mm,
+                 "mm"},
     FigureColumn{"axial width", "axial_mm", &PointSpreadFigures::axial_mm, "mm"},
     FigureColumn{"slice thickness", "slice_mm", &PointSpreadFigures::slice_mm, "mm"},
     FigureColumn{"lateral width 1.2 mm from the array's end", "endLateral_mm", &PointSpreadFigures::endLateral_mm,
                  "mm"},
     FigureColumn{"highest level 2 mm and more aside", "aside_dB", &PointSpreadFigures::aside_dB, "dB"},
+    FigureColumn{"highest side lobe", "sideLobe_dB", &PointSpreadFigures::sideLobe_dB, "dB"},
     FigureColumn{"contrast of a lumen of 4 mm", "lumen4_dB", &PointSpreadFigures::lumen4_dB, "dB"},
     FigureColumn{"contrast of a lumen of 8 mm", "lumen8_dB", &PointSpreadFigures::lumen8_dB, "dB"},
     FigureColumn{"speckle across", "speckleLateral_mm", &PointSpreadFigures::speckleLateral_mm, "mm"},
-    FigureColumn{"speckle along the beam", "speckleAxial_mm", &PointSpreadFigures::speckleAxial_mm, "mm"}};
+    FigureColumn{"speckle along the beam", "speckleAxial_mm", &PointSpreadFigures::speckleAxial_mm, "mm"},
+    FigureColumn{"CNR of a cyst of 4 mm", "cnr4", &PointSpreadFigures::cnr4, "ratio"},
+    FigureColumn{"CNR of a cyst of 8 mm", "cnr8", &PointSpreadFigures::cnr8, "ratio"},
+    FigureColumn{"gCNR of a cyst of 4 mm", "gcnr4", &PointSpreadFigures::gcnr4, "ratio"},
+    FigureColumn{"gCNR of a cyst of 8 mm", "gcnr8", &PointSpreadFigures::gcnr8, "ratio"},
+    FigureColumn{"speckle SNR", "speckleSnr", &PointSpreadFigures::speckleSnr, "ratio"}};
 
-/// Largest difference over the depths: a share of the field's width, or dB.
+constexpr double kNothing_dB = -100;  ///< levels below are those of rounding
+
+bool isLevel(const FigureColumn& column) {
+  return std::string_view(column.unit) == "dB";
+}
+
+std::string cellOf(const FigureColumn& column, const PointSpreadFigures& figures) {
+  const double value = figures.*column.member;
+  return isLevel(column) && value < kNothing_dB ? "none" : bench::fixed(value, 2);
+}
+
+/// Largest difference over the depths at which both are above rounding: a share of the field's figure, or dB.
 std::string worstOf(const PointSpreadBench& bench, const FigureColumn& column) {
-  const bool isLevel = std::string_view(column.unit) == "dB";
-  double worst = 0;
+  double worst = -1;
   for (const PointSpreadRow& row : bench.rows) {
-    const double off = row.ours.*column.member - row.field.*column.member;
-    worst = std::max(worst, std::abs(isLevel ? off : 100 * off / (row.field.*column.member)));
+    const double ours = row.ours.*column.member, field = row.field.*column.member;
+    if (isLevel(column) && std::min(ours, field) < kNothing_dB) continue;
+    worst = std::max(worst, std::abs(isLevel(column) ? ours - field : 100 * (ours - field) / field));
   }
-  return bench::fixed(worst, 2) + (isLevel ? " dB" : " %");
+  return worst < 0 ? "no data" : bench::fixed(worst, 2) + (isLevel(column) ? " dB" : " %");
 }
 
 std::string pointSpreadPage(const PointSpreadBench& bench) {
@@ -49,7 +68,9 @@ std::string pointSpreadPage(const PointSpreadBench& bench) {
                      bench::fixed(bench.settings.focus_mm, 2) + " mm, engine " + bench.engine +
                      ", homogeneous tissue without loss. Each cell: the engine / the array's field, summed over "
                      "elements, their height and frequencies (Garcia 2022). Widths are full widths at half maximum of "
-                     "the amplitude.\n\n| |";
+                     "the amplitude. CNR, gCNR (Rodriguez-Molares 2020) and speckle SNR are measured on "
+                     "speckle with anechoic cysts, without noise; full contrast has a CNR of 1.91 and a gCNR of 1, "
+                     "fully developed speckle an SNR of 1.91. None: below -100 dB.\n\n| |";
   for (const PointSpreadRow& row : bench.rows) text += " " + std::to_string(int(row.depth_mm)) + " mm |";
   text += " largest difference |\n|---|";
   for (std::size_t n = 0; n <= bench.rows.size(); ++n) text += "---|";
@@ -57,10 +78,10 @@ std::string pointSpreadPage(const PointSpreadBench& bench) {
   for (const FigureColumn& column : kFigureColumns) {
     text += "| " + std::string(column.name) + ", " + column.unit + " |";
     for (const PointSpreadRow& row : bench.rows)
-      text += " " + bench::fixed(row.ours.*column.member, 2) + " / " + bench::fixed(row.field.*column.member, 2) + " |";
+      text += " " + cellOf(column, row.ours) + " / " + cellOf(column, row.field) + " |";
     text += " " + worstOf(bench, column) + " |\n";
   }
-  return text + "\nPlots: `widths.svg`, `levels.svg`.\n";
+  return text + "\nPlots: `widths.svg`, `levels.svg`, `ratios.svg`.\n";
 }
 
 std::string figureTable(const PointSpreadBench& bench) {
@@ -78,7 +99,10 @@ std::string figureTable(const PointSpreadBench& bench) {
 
 std::string plot(const PointSpreadBench& bench, const char* unit) {
   LineChart chart;
-  chart.title = std::string_view(unit) == "mm" ? "Widths of a point's image" : "Levels beside a point's image";
+  const std::string_view kind(unit);
+  chart.title = kind == "mm"   ? "Widths of a point's image"
+                : kind == "dB" ? "Levels beside a point's image"
+                               : "Speckle and anechoic cysts";
   chart.subtitle = "lines: engine " + bench.engine + "; dashed: the array's field";
   chart.x.title = "depth, mm", chart.y.title = unit;
   chart.y.fromZero = true;
@@ -105,6 +129,7 @@ Result<void> writePointSpreadBench(const PointSpreadBench& bench, const std::fil
   if (error) return fail("Could not make the folder " + folder.string() + ": " + error.message() + ".");
   if (auto ok = writeAtomically(folder / "widths.svg", plot(bench, "mm")); !ok) return ok;
   if (auto ok = writeAtomically(folder / "levels.svg", plot(bench, "dB")); !ok) return ok;
+  if (auto ok = writeAtomically(folder / "ratios.svg", plot(bench, "ratio")); !ok) return ok;
   if (auto ok = writeAtomically(folder / "pointspread.csv", figureTable(bench)); !ok) return ok;
   return writeAtomically(folder / "index.md", pointSpreadPage(bench));
 }

@@ -7,14 +7,15 @@
 
 namespace insonate::bench {
 
-/// Image of a point: its echo by position across the image and along the beam, and the echo's peak by position across
-/// the slice.
+/// Point spread function: echo of a point by lateral and axial position, and the echo's peak by elevation position
+/// (across the slice).
 struct Spread {
-  double x_mm = 0.05, z_mm = 0.01, y_mm = 0.05;  ///< steps
+  double x_mm = 0.05, z_mm = 0.01, y_mm = 0.05;  ///< sampling steps: lateral, axial, elevation
   int across = 0, along = 0;
-  std::vector<std::complex<double>> echo;  ///< [across][along], with the point in the middle of both
-  std::vector<double> slice;               ///< peak by position across the slice, with the point in the middle
-  std::vector<double> endAcross;           ///< peak by position across the image, near the array's end
+  /// ^Complex echo by position, in the order [lateral][axial]; the point is in the middle of both.
+  std::vector<std::complex<double>> echo;
+  std::vector<double> slice;      ///< peak of the echo by elevation position; the point is in the middle
+  std::vector<double> endAcross;  ///< peak of the echo by lateral position, for a point near the array's end
 
   std::vector<double> peaksAcross() const;
 };

@@ -2,8 +2,8 @@
 
 #include "realism/PictureParts.h"
 
-#include <insonate/bench/LookFeatures.h>
 #include <insonate/core/AtomicFile.h>
+#include <insonate/core/Fingerprint.h>
 #include <insonate/simulator/PictureFiles.h>
 
 #include <jpeglib.h>
@@ -13,61 +13,31 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <set>
+#include <string_view>
+#include <utility>
 
 namespace insonate::bench {
 namespace {
 
-constexpr int kQuality = 85;     ///< of the JPEG compression of both sets
-constexpr double kEnlarged = 2;  ///< enlargement for readers: 20 pixels per mm
+constexpr int kQuality = 85;                          ///< of the JPEG compression of both sets
+constexpr double kEnlarged = 2, kClipEnlarged = 1.5;  ///< enlargement of a linear probe's images for readers
 constexpr int kOnASheet = 12, kColumns = 4;
 constexpr int kCell_px = 340;
 
-constexpr const char* kInstructions =
-    R"(# Which of these ultrasound images are simulated?
+/// Kind by which an image could be recognized if only one of the sets had it.
+using VisibleKind = std::pair<ProbeShape, bool>;
 
-Some of the numbered images are of patients, from several machines, the others are simulated. How many of each is not told.
-
-1. Look at each image once, in the order of the numbers, on the screen and in the light in which you read scans.
-2. Rate each from 1 to 6: 1 surely real, 2 probably real, 3 rather real, 4 rather simulated, 5 probably simulated, 6 surely
-   simulated. Do not go back to change a rating.
-3. Write the ratings into ratings.csv, or open sheet.html, choose them there and save them.
-4. Do not talk about the images with other readers before they are done, and do not rate a set a second time: clues that are
-   known make a second reading better.
-5. Note below the ratings, after a #, what gave images away, and who you are as a reader (e.g. sonographer, 8 years).
-
-All images show the inside of the field of view of a linear probe on a neck, at the same scale, compressed alike.
-)";
-
-std::string numbered(std::size_t n) {
-  const std::string digits = std::to_string(n + 1);
-  return std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
+VisibleKind kindOf(const SourceImage& image) {
+  return {image.probe, image.isClip()};
 }
 
-cv::Mat enlarged(const GreyPicture& picture) {
+/// An image as readers see it: 20 pixels per mm for linear probes, 15 in clips, 5 for fans.
+cv::Mat enlarged(const GreyPicture& picture, const SourceImage& of) {
+  const double factor = of.probe != ProbeShape::Linear ? 1 : of.isClip() ? kClipEnlarged : kEnlarged;
   cv::Mat large;
-  cv::resize(bytesOf(picture), large, {}, kEnlarged, kEnlarged, cv::INTER_CUBIC);
+  cv::resize(bytesOf(picture), large, {}, factor, factor, cv::INTER_CUBIC);
   return large;
-}
-
-std::string sheetHtml(std::size_t count) {
-  std::string html = R"(<!doctype html><html lang="en"><meta charset="utf-8"><title>Blind test</title><style>
-body{background:#111;color:#ccc;font:15px sans-serif;margin:2em}figure{display:inline-block;margin:1em;vertical-align:top}
-img{display:block}button{font:inherit;padding:.5em 1em}</style>
-<h1>Which are simulated?</h1><p>1 surely real ... 6 surely simulated. See instructions.md.</p>
-)";
-  for (std::size_t n = 0; n < count; ++n) {
-    html += "<figure><img src=\"" + numbered(n) + ".jpg\" alt=\"\"><figcaption>" + std::to_string(n + 1);
-    for (int rating = 1; rating <= 6; ++rating)
-      html += " <label><input type=\"radio\" name=\"" + std::to_string(n + 1) + "\" value=\"" + std::to_string(rating) +
-              "\">" + std::to_string(rating) + "</label>";
-    html += "</figcaption></figure>\n";
-  }
-  return html + R"(<p><button>Save Ratings</button></p><script>
-document.querySelector('button').onclick=()=>{let rows=['number,rating'];
-document.querySelectorAll('input:checked').forEach(i=>rows.push(i.name+','+i.value));
-let a=document.createElement('a');a.href=URL.createObjectURL(new Blob([rows.join('\n')+'\n'],{type:'text/csv'}));
-a.download='ratings.csv';a.click();};</script></html>
-)";
 }
 
 Result<void> writeSheet(const std::vector<GreyPicture>& pictures, std::size_t first,
@@ -116,35 +86,81 @@ std::string jpegOf(const GreyPicture& picture, int quality) {
   return file;
 }
 
-std::vector<BlindImage> shuffled(const RealismBench& bench) {
-  std::vector<BlindImage> images;
-  for (const SourceImage& image : bench.real) images.push_back({&image, false});
-  for (const SourceImage& image : bench.simulated) images.push_back({&image, true});
+BlindImages blindImages(const RealismBench& bench) {
+  std::set<VisibleKind> real, made;
+  for (const SourceImage& image : bench.real) real.insert(kindOf(image));
+  for (const SourceImage& image : bench.simulated) made.insert(kindOf(image));
+  BlindImages images;
+  const auto add = [&](const SourceImage& image, bool simulated) {
+    const bool isMatched = real.contains(kindOf(image)) && made.contains(kindOf(image));
+    (isMatched ? images.matched : images.unmatched).push_back({&image, simulated});
+  };
+  for (const SourceImage& image : bench.real) add(image, false);
+  for (const SourceImage& image : bench.simulated) add(image, true);
   std::mt19937 random(bench.seed);
-  for (std::size_t n = images.size(); n > 1; --n)
-    std::swap(images[n - 1], images[std::uniform_int_distribution<std::size_t>(0, n - 1)(random)]);
+  for (std::size_t n = images.matched.size(); n > 1; --n)
+    std::swap(images.matched[n - 1], images.matched[std::uniform_int_distribution<std::size_t>(0, n - 1)(random)]);
   return images;
 }
 
-Result<void> writeBlindSet(const std::vector<BlindImage>& images, const std::filesystem::path& folder) {
-  std::string ratings = "number,rating\n";
-  std::vector<GreyPicture> pictures;
+std::string numbered(std::size_t n) {
+  const std::string digits = std::to_string(n + 1);
+  return std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
+}
+
+SheetItem filesOf(const BlindImage& image, std::size_t n) {
+  if (!image.image->isClip()) return {{numbered(n) + ".jpg"}};
+  SheetItem item;
+  for (std::size_t frame = 0; frame < image.image->frames.size(); ++frame)
+    item.files.push_back(numbered(n) + "/" + numbered(frame) + ".jpg");
+  return item;
+}
+
+Result<std::vector<GreyPicture>> writeImages(const std::vector<BlindImage>& images,
+                                             const std::filesystem::path& folder) {
+  std::vector<GreyPicture> middles;
   for (std::size_t n = 0; n < images.size(); ++n) {
-    const GreyPicture large = pictureOf(enlarged(images[n].image->image));
-    const std::filesystem::path file = folder / (numbered(n) + ".jpg");
-    if (auto ok = writeAtomically(file, jpegOf(large, kQuality)); !ok) return ok;
-    auto compressed = readPicture(file);
+    const SourceImage& image = *images[n].image;
+    const SheetItem item = filesOf(images[n], n);
+    if (image.isClip()) {
+      std::error_code error;
+      std::filesystem::create_directories(folder / numbered(n), error);
+      if (error) return fail("Could not make a folder in " + folder.string() + ": " + error.message() + ".");
+    }
+    for (std::size_t frame = 0; frame < item.files.size(); ++frame) {
+      const GreyPicture large = pictureOf(enlarged(image.isClip() ? image.frames[frame] : image.shown(), image));
+      if (auto ok = writeAtomically(folder / item.files[frame], jpegOf(large, kQuality)); !ok)
+        return tl::unexpected(ok.error());
+    }
+    auto compressed = readPicture(folder / item.files[item.files.size() / 2]);
     if (!compressed) return tl::unexpected(compressed.error());
-    pictures.push_back(std::move(*compressed));
-    ratings += std::to_string(n + 1) + ",\n";
+    middles.push_back(std::move(*compressed));
   }
-  for (std::size_t first = 0; first < pictures.size(); first += kOnASheet)
-    if (auto ok = writeSheet(pictures, first, folder / ("sheet-" + std::to_string(first / kOnASheet + 1) + ".png"));
+  return middles;
+}
+
+Result<void> writeBlindSet(const std::vector<BlindImage>& images, const std::filesystem::path& folder) {
+  const auto pictures = writeImages(images, folder);
+  if (!pictures) return tl::unexpected(pictures.error());
+  std::string ratings = "number,rating\n";
+  std::vector<SheetItem> items;
+  Fingerprint fingerprint;
+  bool hasClips = false;
+  for (std::size_t n = 0; n < images.size(); ++n) {
+    ratings += std::to_string(n + 1) + ",\n";
+    items.push_back(filesOf(images[n], n));
+    const std::vector<std::uint8_t>& grey = (*pictures)[n].grey;
+    fingerprint.add(std::string_view(reinterpret_cast<const char*>(grey.data()), grey.size()));
+    hasClips = hasClips || images[n].image->isClip();
+  }
+  for (std::size_t first = 0; first < pictures->size(); first += kOnASheet)
+    if (auto ok = writeSheet(*pictures, first, folder / ("sheet-" + std::to_string(first / kOnASheet + 1) + ".png"));
         !ok)
       return ok;
-  if (auto ok = writeAtomically(folder / "instructions.md", kInstructions); !ok) return ok;
+  if (auto ok = writeAtomically(folder / "instructions.md", readerInstructions(images.size(), hasClips)); !ok)
+    return ok;
   if (auto ok = writeAtomically(folder / "ratings.csv", ratings); !ok) return ok;
-  return writeAtomically(folder / "sheet.html", sheetHtml(images.size()));
+  return writeAtomically(folder / "sheet.html", sheetHtml(items, fingerprint.text()));
 }
 
 }  // namespace insonate::bench

@@ -1,19 +1,35 @@
 #pragma once
 
+#include "realism/ReaderSheet.h"
+
 #include <insonate/bench/RealismBench.h>
 
 namespace insonate::bench {
 
-/// One image of a blind test.
+/// One image of a blind test in which readers tell real from simulated images.
 struct BlindImage {
   const SourceImage* image = nullptr;
   bool simulated = false;
 };
 
-/// Returns all images of both sets in an order that the seed determines.
-std::vector<BlindImage> shuffled(const RealismBench& bench);
+/// Images of both sets: those of a blind test, in an order that the seed determines, and those that cannot be in it,
+/// since only one of the sets has images of their kind (probe, still or clip).
+struct BlindImages {
+  std::vector<BlindImage> matched, unmatched;
+};
+BlindImages blindImages(const RealismBench& bench);
 
-/// Writes images, sheets and instructions; nothing in them reveals which images are real.
+/// Name of the file, or of the folder of a clip's frames, for image `n` (from 0): "003".
+std::string numbered(std::size_t n);
+/// Names of the files of image `n`, relative to the folder of writeImages().
+SheetItem filesOf(const BlindImage& image, std::size_t n);
+
+/// Writes images as numbered JPEG files, clips as folders of frames. Returns the images as readers see them, of clips
+/// the middle frame.
+Result<std::vector<GreyPicture>> writeImages(const std::vector<BlindImage>& images,
+                                             const std::filesystem::path& folder);
+
+/// Writes the images, sheets and instructions of a blind test; nothing in them reveals which images are real.
 Result<void> writeBlindSet(const std::vector<BlindImage>& images, const std::filesystem::path& folder);
 
 /// Encodes a gray image as JPEG. `quality` 1 to 100.

@@ -1,6 +1,7 @@
 #include "realism/PictureParts.h"
 
 #include <insonate/bench/LookFeatures.h>
+#include <insonate/bench/SourceImage.h>
 
 #include <opencv2/imgproc.hpp>
 
@@ -240,6 +241,38 @@ Result<GreyPicture> atLookScale(const GreyPicture& image, double pixelsPer_mm, d
 
 std::vector<LookFeature> lookFeatures(const GreyPicture& image) {
   return Measuring(image).features();
+}
+
+std::vector<LookFeature> motionFeatures(const std::vector<GreyPicture>& frames) {
+  constexpr int kFar = kClipFrames / 3;
+  std::vector<LookFeature> features{{"motion: correlation of detail after 1/30 s", kUndefined},
+                                    {"motion: correlation of detail after 1/3 s", kUndefined},
+                                    {"motion: change from frame to frame / mean", kUndefined},
+                                    {"motion: flicker of the mean gray", kUndefined}};
+  if (frames.size() <= std::size_t(kFar)) return features;
+  std::vector<cv::Mat> images, details;
+  double mean = 0, square = 0, change = 0, near = 0, far = 0;
+  const double count = double(frames.size());
+  for (const GreyPicture& frame : frames) {
+    cv::Mat image;
+    bench::bytesOf(frame).convertTo(image, CV_32F);
+    const double gray = meanOf(image);
+    mean += gray / count, square += gray * gray / count;
+    details.push_back(image - blurred(image)), images.push_back(std::move(image));
+  }
+  if (mean <= 0) return features;
+  const auto correlation = [&](std::size_t a, std::size_t b) {
+    const double power = std::sqrt(meanOf(details[a].mul(details[a])) * meanOf(details[b].mul(details[b])));
+    return power > 0 ? meanOf(details[a].mul(details[b])) / power : 0;
+  };
+  for (std::size_t n = 1; n < images.size(); ++n) {
+    near += correlation(n - 1, n) / (count - 1);
+    change += meanOf(cv::abs(images[n] - images[n - 1])) / (count - 1);
+    if (n >= std::size_t(kFar)) far += correlation(n - kFar, n) / (count - kFar);
+  }
+  features[0].value = near, features[1].value = far, features[2].value = change / mean;
+  features[3].value = std::sqrt(std::max(0.0, square - mean * mean)) / mean;
+  return features;
 }
 
 }  // namespace insonate

@@ -9,17 +9,18 @@
 
 namespace insonate::bench {
 
-/// Returns the part of an image of `width` columns that a box covers; the box must lie in the image.
+/// Returns the part of a gray image (`grey`, `width` columns) inside a box, which must lie in the image.
 GreyPicture cutOut(const std::vector<std::uint8_t>& grey, int width, const PictureBox& box);
 
-/// Returns the image's own bytes, for reading only; valid as long as the image.
+/// Returns an image as an OpenCV matrix of bytes without copying: for reading only, valid as long as the image.
 inline cv::Mat bytesOf(const GreyPicture& picture) {
   return cv::Mat(picture.height, picture.width, CV_8U, const_cast<std::uint8_t*>(picture.grey.data()));
 }
-/// Copies a matrix of bytes to an image.
+/// Copies an OpenCV matrix of bytes to an image.
 GreyPicture pictureOf(const cv::Mat& bytes);
 
-/// Quantile of values in any order, with linear interpolation between neighbors; NaN without values. `share` 0..1.
+/// Returns a quantile of values in any order, with linear interpolation between neighbors; NaN without values. `share`
+/// 0..1.
 double quantile(std::vector<double> values, double share);
 
 }  // namespace insonate::bench

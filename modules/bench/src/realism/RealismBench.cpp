@@ -3,6 +3,7 @@
 
 #include <insonate/bench/LookFeatures.h>
 #include <insonate/bench/RealismBench.h>
+#include <insonate/ultrasound/SetupText.h>
 
 #include <nlohmann/json.hpp>
 
@@ -32,8 +33,9 @@ double floorOf(const std::vector<FeatureRow>& rows, std::size_t feature) {
   for (const FeatureRow& row : rows)
     if (!row.simulated) ++sources[row.source];
   std::vector<double> areas;
-  for (const auto& [source, count] : sources) {
-    if (count < kLeastOfASource || sources.size() < 2) continue;
+  for (const auto& entry : sources) {
+    if (entry.second < kLeastOfASource || sources.size() < 2) continue;
+    const std::string& source = entry.first;
     const auto own = finite(rows, feature, [&](const FeatureRow& r) { return !r.simulated && r.source == source; });
     const auto others = finite(rows, feature, [&](const FeatureRow& r) { return !r.simulated && r.source != source; });
     if (!own.empty() && !others.empty()) areas.push_back(0.5 + std::abs(rocArea(own, others).area - 0.5));
@@ -43,9 +45,10 @@ double floorOf(const std::vector<FeatureRow>& rows, std::size_t feature) {
 
 /// Holm's correction: the smallest p times the number of tests, the next one times one test fewer, and so on; no value
 /// is below the one before.
-void correctForMany(std::vector<RealismFeature>& features) {
+void correctForMany(std::vector<RealismComparison>& comparisons) {
   std::vector<RealismFeature*> byP;
-  for (RealismFeature& feature : features) byP.push_back(&feature);
+  for (RealismComparison& comparison : comparisons)
+    for (RealismFeature& feature : comparison.features) byP.push_back(&feature);
   std::ranges::sort(byP, {}, &RealismFeature::p);
   double before = 0;
   for (std::size_t n = 0; n < byP.size(); ++n)
@@ -69,10 +72,21 @@ std::vector<RealismFeature> featuresOf(const std::vector<FeatureRow>& rows, cons
                         .floor = floorOf(rows, n),
                         .p = rocP(made, real)});
   }
-  correctForMany(features);
   std::ranges::stable_sort(features, std::greater{},
                            [](const RealismFeature& feature) { return std::abs(feature.told.area - 0.5); });
   return features;
+}
+
+/// A feature that one kind of image never has, such as motion if the real images are stills, would give the kind away.
+void removeOneSided(std::vector<FeatureRow>& rows) {
+  for (std::size_t n = 0; n < rows.front().values.size(); ++n) {
+    const auto isKnown = [&](bool simulated) {
+      return std::ranges::any_of(
+          rows, [&](const FeatureRow& row) { return row.simulated == simulated && std::isfinite(row.values[n]); });
+    };
+    if (isKnown(true) && isKnown(false)) continue;
+    for (FeatureRow& row : rows) row.values[n] = std::numeric_limits<double>::quiet_NaN();
+  }
 }
 
 RocArea classifierArea(const std::vector<FeatureRow>& rows) {
@@ -81,6 +95,27 @@ RocArea classifierArea(const std::vector<FeatureRow>& rows) {
   for (std::size_t n = 0; n < rows.size(); ++n)
     if (std::isfinite(scores[n])) (rows[n].simulated ? made : real).push_back(scores[n]);
   return rocArea(made, real);
+}
+
+RealismComparison compared(const RealismBench& bench, ProbeShape shape) {
+  RealismComparison comparison{.probe = shape, .features = {}, .classifier = {}};
+  std::vector<FeatureRow> rows;
+  std::vector<std::string> names;
+  for (const auto* images : {&bench.real, &bench.simulated})
+    for (const SourceImage& image : *images) {
+      if (image.probe != shape) continue;
+      FeatureRow row{image.source, images == &bench.simulated, {}};
+      names.clear();
+      for (const auto& features : {lookFeatures(image.image), motionFeatures(image.frames)})
+        for (const LookFeature& feature : features) row.values.push_back(feature.value), names.push_back(feature.name);
+      ++(row.simulated ? comparison.simulated : comparison.real);
+      rows.push_back(std::move(row));
+    }
+  if (comparison.real == 0 || comparison.simulated == 0) return comparison;
+  removeOneSided(rows);
+  comparison.features = featuresOf(rows, names);
+  comparison.classifier = classifierArea(rows);
+  return comparison;
 }
 
 }  // namespace
@@ -92,20 +127,11 @@ bool RealismFeature::isBeyondFloor() const {
 Result<RealismBench> runRealismBench(std::vector<SourceImage> real, const SimulatedSet& set, const Progress& progress) {
   auto simulated = simulatedImages(set, real, progress);
   if (!simulated) return tl::unexpected(simulated.error());
-  RealismBench bench{
-      .real = std::move(real), .simulated = std::move(*simulated), .features = {}, .classifier = {}, .seed = set.seed};
-  std::vector<FeatureRow> rows;
-  std::vector<std::string> names;
-  for (const auto* images : {&bench.real, &bench.simulated})
-    for (const SourceImage& image : *images) {
-      FeatureRow row{image.source, images == &bench.simulated, {}};
-      names.clear();
-      for (LookFeature& feature : lookFeatures(image.image))
-        row.values.push_back(feature.value), names.push_back(std::move(feature.name));
-      rows.push_back(std::move(row));
-    }
-  bench.features = featuresOf(rows, names);
-  bench.classifier = classifierArea(rows);
+  RealismBench bench{.real = std::move(real), .simulated = std::move(*simulated), .comparisons = {}, .seed = set.seed};
+  for (const ProbeShape shape : {ProbeShape::Linear, ProbeShape::Curvilinear, ProbeShape::Phased})
+    if (auto comparison = compared(bench, shape); comparison.real > 0 && comparison.simulated > 0)
+      bench.comparisons.push_back(std::move(comparison));
+  correctForMany(bench.comparisons);
   report(progress, "measuring images", 1);
   return bench;
 }
@@ -123,28 +149,42 @@ nlohmann::json toJson(const RocArea& told) {
 }  // namespace
 
 nlohmann::json toJson(const RealismBench& bench) {
-  nlohmann::json features = nlohmann::json::array();
-  for (const RealismFeature& f : bench.features)
-    features.push_back({{"name", f.name},
-                        {"real", {number(f.real), number(f.realLow), number(f.realHigh)}},
-                        {"simulated", {number(f.simulated), number(f.simulatedLow), number(f.simulatedHigh)}},
-                        {"roc", toJson(f.told)},
-                        {"floor", number(f.floor)},
-                        {"p", number(f.p)},
-                        {"beyond_floor", f.isBeyondFloor()}});
+  nlohmann::json comparisons = nlohmann::json::array();
+  for (const RealismComparison& comparison : bench.comparisons) {
+    nlohmann::json features = nlohmann::json::array();
+    for (const RealismFeature& f : comparison.features)
+      features.push_back({{"name", f.name},
+                          {"real", {number(f.real), number(f.realLow), number(f.realHigh)}},
+                          {"simulated", {number(f.simulated), number(f.simulatedLow), number(f.simulatedHigh)}},
+                          {"roc", toJson(f.told)},
+                          {"floor", number(f.floor)},
+                          {"p", number(f.p)},
+                          {"beyond_floor", f.isBeyondFloor()}});
+    comparisons.push_back({{"probe", nameOf(comparison.probe)},
+                           {"real_images", comparison.real},
+                           {"simulated_images", comparison.simulated},
+                           {"classifier", toJson(comparison.classifier)},
+                           {"features", std::move(features)}});
+  }
   return {{"real_images", bench.real.size()},
           {"simulated_images", bench.simulated.size()},
           {"seed", bench.seed},
-          {"classifier", toJson(bench.classifier)},
-          {"features", std::move(features)}};
+          {"comparisons", std::move(comparisons)}};
 }
 
 nlohmann::json toJson(const BlindResult& result) {
+  nlohmann::json groups = nlohmann::json::array();
+  for (const BlindGroup& group : result.groups)
+    groups.push_back({{"name", group.name},
+                      {"real_images", group.real},
+                      {"simulated_images", group.simulated},
+                      {"roc", toJson(group.told)}});
   return {{"readers", result.readers},
           {"images", result.images},
           {"sensitivity", number(result.sensitivity)},
           {"specificity", number(result.specificity)},
-          {"roc", toJson(result.told)}};
+          {"roc", toJson(result.told)},
+          {"groups", std::move(groups)}};
 }
 
 }  // namespace insonate

@@ -1,14 +1,16 @@
-#include "realism/BlindSet.h"
+#include "realism/RealismPage.h"
 #include "report/CellTable.h"
 
 #include <insonate/bench/UltrasoundBench.h>
 #include <insonate/core/AtomicFile.h>
+#include <insonate/ultrasound/SetupText.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <optional>
+#include <sstream>
 
 namespace insonate {
 namespace {
@@ -27,58 +29,77 @@ std::string areaOf(const RocArea& told) {
   return fixedOrNone(told.area, 2) + " (" + fixedOrNone(told.low, 2) + " to " + fixedOrNone(told.high, 2) + ")";
 }
 
+std::string comparisonText(const RealismComparison& comparison) {
+  std::string text =
+      "## " + std::string(nameOf(comparison.probe)) + " probe\n\n" + std::to_string(comparison.real) + " real and " +
+      std::to_string(comparison.simulated) +
+      " simulated images. A linear classifier of all features, cross-validated by leaving out one source "
+      "at a time: ROC area " +
+      areaOf(comparison.classifier) +
+      ".\n\n| feature | real median [p10, p90] | simulated | ROC area | floor | p | beyond "
+      "|\n|---|---|---|---|---|---|---|\n";
+  for (const RealismFeature& f : comparison.features)
+    text += "| " + f.name + " | " + rangeOf(f.real, f.realLow, f.realHigh) + " | " +
+            rangeOf(f.simulated, f.simulatedLow, f.simulatedHigh) + " | " + areaOf(f.told) + " | " +
+            fixedOrNone(f.floor, 2) + " | " + fixedOrNone(f.p, 4) + " | " + (f.isBeyondFloor() ? "yes" : "no") + " |\n";
+  return text + "\n";
+}
+
 std::string page(const RealismBench& bench) {
   std::string text =
       "# Simulated and real images\n\n" + std::to_string(bench.real.size()) + " real and " +
       std::to_string(bench.simulated.size()) +
-      " simulated images at 10 pixels per mm, at most 30 mm deep. ROC area: 0.5 cannot tell them apart, 0 or 1 always "
-      "does; in brackets the 95 % interval. Floor: how far one real source lies from the others. Beyond: told better "
-      "than "
-      "that, with p below 0.05 after Holm's correction for " +
-      std::to_string(bench.features.size()) +
-      " features.\n\n"
-      "A linear classifier of all features, cross-validated by leaving out one source at a time: ROC area " +
-      areaOf(bench.classifier) +
-      ".\n\n"
-      "| feature | real median [p10, p90] | simulated | ROC area | floor | p | beyond "
-      "|\n|---|---|---|---|---|---|---|\n";
-  for (const RealismFeature& f : bench.features)
-    text += "| " + f.name + " | " + rangeOf(f.real, f.realLow, f.realHigh) + " | " +
-            rangeOf(f.simulated, f.simulatedLow, f.simulatedHigh) + " | " + areaOf(f.told) + " | " +
-            fixedOrNone(f.floor, 2) + " | " + fixedOrNone(f.p, 4) + " | " + (f.isBeyondFloor() ? "yes" : "no") + " |\n";
+      " simulated images, measured at 10 pixels per mm, at most 30 mm deep. ROC area: 0.5 cannot distinguish them, 0 "
+      "or "
+      "1 always does; in brackets the 95 % interval. Floor: how far one real source lies from the others. Beyond: "
+      "distinguished better than that, with p below 0.05 after Holm's correction for all features of this page.\n\n";
+  if (bench.comparisons.empty())
+    text += "The list has no real images of the probes that were simulated: there is nothing to compare.\n\n";
+  for (const RealismComparison& comparison : bench.comparisons) text += comparisonText(comparison);
   return text +
-         "\nThe blind test is in `blind/`; give that folder alone to readers. `key.csv` tells which is which; "
-         "`bench realism --out DIR --ratings FILE...` scores what they found.\n";
+         "`index.html` shows the same with the images. The blind test is in `blind/`; give that folder alone to "
+         "readers. "
+         "`key.csv` states which is which; `bench realism --out DIR --ratings FILE...` scores the ratings.\n";
 }
 
 std::string table(const RealismBench& bench) {
   std::string text =
-      "feature,real,real_p10,real_p90,simulated,simulated_p10,simulated_p90,roc,roc_low,roc_high,floor,p,beyond_"
+      "probe,feature,real,real_p10,real_p90,simulated,simulated_p10,simulated_p90,roc,roc_low,roc_high,floor,p,beyond_"
       "floor\n";
-  for (const RealismFeature& f : bench.features) {
-    text += '"' + f.name + '"';
-    for (const double v : {f.real, f.realLow, f.realHigh, f.simulated, f.simulatedLow, f.simulatedHigh, f.told.area,
-                           f.told.low, f.told.high, f.floor, f.p})
-      text += "," + (std::isfinite(v) ? fixedOrNone(v, 5) : "");
-    text += f.isBeyondFloor() ? ",yes\n" : ",no\n";
-  }
+  for (const RealismComparison& comparison : bench.comparisons)
+    for (const RealismFeature& f : comparison.features) {
+      text += std::string(nameOf(comparison.probe)) + ",\"" + f.name + '"';
+      for (const double v : {f.real, f.realLow, f.realHigh, f.simulated, f.simulatedLow, f.simulatedHigh, f.told.area,
+                             f.told.low, f.told.high, f.floor, f.p})
+        text += "," + (std::isfinite(v) ? fixedOrNone(v, 5) : "");
+      text += f.isBeyondFloor() ? ",yes\n" : ",no\n";
+    }
   return text;
 }
 
 std::string keyOf(const std::vector<bench::BlindImage>& images) {
-  std::string text = "number,simulated,source,about\n";
-  for (std::size_t n = 0; n < images.size(); ++n)
-    text += std::to_string(n + 1) + (images[n].simulated ? ",1,\"" : ",0,\"") + images[n].image->source + "\",\"" +
-            images[n].image->about + "\"\n";
+  std::string text = "number,simulated,probe,plane,frames,source,about\n";
+  for (std::size_t n = 0; n < images.size(); ++n) {
+    const SourceImage& image = *images[n].image;
+    text += std::to_string(n + 1) + (images[n].simulated ? ",1," : ",0,") + std::string(nameOf(image.probe)) + "," +
+            std::string(image.plane ? nameOf(*image.plane) : "") + "," +
+            std::to_string(std::max<std::size_t>(1, image.frames.size())) + ",\"" + image.source + "\",\"" +
+            image.about + "\"\n";
+  }
   return text;
 }
 
-/// The first two cells of each line as whole numbers, keyed by the first; comment lines (#) and the heading are
-/// ignored.
-Result<std::map<int, int>> numbersIn(const fs::path& file, int low, int high, const std::string& what) {
+/// A line of a file whose first two cells are whole numbers.
+struct NumberedLine {
+  int value = 0;
+  std::vector<std::string> further;  ///< cells after the second; text in quotes is not recognized as such
+};
+
+/// The lines, keyed by their first cell; comment lines (#) and the heading are ignored.
+Result<std::map<int, NumberedLine>> numbersIn(const fs::path& file, int low, int high, const std::string& what) {
   std::ifstream stream(file);
   if (!stream) return fail("Could not read " + file.string() + ": check that it is there and that you may read it.");
-  std::map<int, int> numbers;
+  std::map<int, NumberedLine> numbers;
   std::string line;
   for (int at = 1; std::getline(stream, line); ++at) {
     if (line.empty() || line == "\r" || line.front() == '#' || line.starts_with("number")) continue;
@@ -90,10 +111,57 @@ Result<std::map<int, int>> numbersIn(const fs::path& file, int low, int high, co
     const std::string place = "Line " + std::to_string(at) + " of " + file.string();
     if (!hasComma || second.ec != std::errc() || value < low || value > high)
       return fail(place + " needs the number of an image and " + what + ".");
-    if (!numbers.emplace(number, value).second)
+    NumberedLine read{value, {}};
+    std::istringstream rest(std::string(second.ptr, end));
+    for (std::string cell; std::getline(rest, cell, ',');) read.further.push_back(std::move(cell));
+    if (!read.further.empty()) read.further.erase(read.further.begin());  // what follows the second number
+    if (!numbers.emplace(number, std::move(read)).second)
       return fail(place + " rates image " + std::to_string(number) + " a second time.");
   }
   return numbers;
+}
+
+/// Names of the groups to which an image of the key belongs: probe, plane, still or clip. Keys from before November
+/// 2026 have none.
+std::vector<std::string> groupsOf(const NumberedLine& image) {
+  if (image.further.size() < 5) return {};
+  std::vector<std::string> groups{image.further[0]};
+  if (!image.further[1].empty()) groups.push_back(image.further[1]);
+  groups.push_back(image.further[2] == "1" ? "stills" : "clips");
+  return groups;
+}
+
+/// Result by group, if the images do not all belong to it.
+std::vector<BlindGroup> groupResults(const std::map<int, NumberedLine>& key,
+                                     const std::vector<std::map<int, NumberedLine>>& ratings) {
+  std::map<std::string, std::vector<int>> members;
+  for (const auto& [number, image] : key)
+    for (const std::string& group : groupsOf(image)) members[group].push_back(number);
+  std::vector<BlindGroup> groups;
+  for (const auto& [name, numbers] : members) {
+    BlindGroup group{.name = name, .told = {}};
+    for (const int number : numbers) ++(key.at(number).value ? group.simulated : group.real);
+    if (numbers.size() == key.size() || group.real == 0 || group.simulated == 0) continue;
+    std::vector<ReaderRatings> readers;
+    for (const auto& rated : ratings) {
+      ReaderRatings& reader = readers.emplace_back();
+      for (const int number : numbers)
+        (key.at(number).value ? reader.positive : reader.negative).push_back(rated.at(number).value);
+    }
+    group.told = readersRocArea(readers);
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+/// Removes images and key of an earlier run if this run has none.
+Result<void> removeFormer(const fs::path& folder, std::initializer_list<const char*> names) {
+  std::error_code error;
+  for (const char* name : names) {
+    fs::remove_all(folder / name, error);
+    if (error) return fail("Could not remove " + (folder / name).string() + ": " + error.message() + ".");
+  }
+  return {};
 }
 
 }  // namespace
@@ -103,11 +171,26 @@ Result<void> writeRealismBench(const RealismBench& bench, const fs::path& folder
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return fail("Could not make the folder " + folder.string() + ": " + error.message() + ".");
-  const std::vector<bench::BlindImage> images = bench::shuffled(bench);
-  const auto blind = [&](const fs::path& beside) { return bench::writeBlindSet(images, beside); };
-  if (auto ok = writeFolderAtomically(folder / "blind", blind); !ok) return ok;
-  if (auto ok = writeAtomically(folder / "key.csv", keyOf(images)); !ok) return ok;
+  const bench::BlindImages images = bench::blindImages(bench);
+  if (!images.matched.empty()) {
+    const auto blind = [&](const fs::path& beside) { return bench::writeBlindSet(images.matched, beside); };
+    if (auto ok = writeFolderAtomically(folder / "blind", blind); !ok) return ok;
+    if (auto ok = writeAtomically(folder / "key.csv", keyOf(images.matched)); !ok) return ok;
+  } else if (auto ok = removeFormer(folder, {"blind", "key.csv"}); !ok) {
+    return ok;
+  }
+  if (!images.unmatched.empty()) {
+    const auto others = [&](const fs::path& beside) -> Result<void> {
+      const auto written = bench::writeImages(images.unmatched, beside);
+      return written ? Result<void>{} : tl::unexpected(written.error());
+    };
+    if (auto ok = writeFolderAtomically(folder / "unmatched", others); !ok) return ok;
+    if (auto ok = writeAtomically(folder / "unmatched.csv", keyOf(images.unmatched)); !ok) return ok;
+  } else if (auto ok = removeFormer(folder, {"unmatched", "unmatched.csv"}); !ok) {
+    return ok;
+  }
   if (auto ok = writeAtomically(folder / "features.csv", table(bench)); !ok) return ok;
+  if (auto ok = writeAtomically(folder / "index.html", bench::realismPage(bench, images)); !ok) return ok;
   return writeAtomically(folder / "index.md", page(bench));
 }
 
@@ -117,18 +200,20 @@ Result<BlindResult> scoreBlindTest(const fs::path& key, const std::vector<fs::pa
   BlindResult result;
   result.readers = int(ratings.size()), result.images = int(which->size());
   std::vector<ReaderRatings> readers;
+  std::vector<std::map<int, NumberedLine>> all;
   for (const fs::path& file : ratings) {
-    const auto rated = numbersIn(file, 1, 6, "a rating from 1 to 6");
+    auto rated = numbersIn(file, 1, 6, "a rating from 1 to 6");
     if (!rated) return tl::unexpected(rated.error());
     ReaderRatings reader;
     double hits = 0, rejections = 0;
-    for (const auto& [number, simulated] : *which) {
+    for (const auto& [number, image] : *which) {
+      const bool simulated = image.value == 1;
       const auto rating = rated->find(number);
       if (rating == rated->end())
         return fail(file.string() + " has no rating of image " + std::to_string(number) + ".");
-      (simulated ? reader.positive : reader.negative).push_back(rating->second);
-      if (simulated) hits += rating->second >= 4;
-      if (!simulated) rejections += rating->second < 4;
+      (simulated ? reader.positive : reader.negative).push_back(rating->second.value);
+      if (simulated) hits += rating->second.value >= 4;
+      if (!simulated) rejections += rating->second.value < 4;
     }
     for (const auto& [number, rating] : *rated)
       if (!which->contains(number))
@@ -138,8 +223,10 @@ Result<BlindResult> scoreBlindTest(const fs::path& key, const std::vector<fs::pa
     result.sensitivity += hits / double(reader.positive.size()) / double(ratings.size());
     result.specificity += rejections / double(reader.negative.size()) / double(ratings.size());
     readers.push_back(std::move(reader));
+    all.push_back(std::move(*rated));
   }
   result.told = readersRocArea(readers);
+  result.groups = groupResults(*which, all);
   return result;
 }
 

@@ -5,12 +5,12 @@
 
 namespace insonate::bench {
 
-/// A row of a table; the first is the header.
+/// A row of a table, as texts; the first row of a table is its header.
 using Cells = std::vector<std::string>;
 
-/// Writes a value with `digits` decimals; empty if it is not finite.
+/// Returns a value as text with `digits` decimals; empty if the value is not finite.
 std::string fixed(double value, int digits);
-/// Writes comma-separated text; cells must not contain commas.
+/// Returns a table as comma-separated text; cells must not contain commas.
 std::string csv(const std::vector<Cells>& rows);
 std::string markdown(const std::vector<Cells>& rows);
 

@@ -7,15 +7,15 @@
 
 namespace insonate::bench {
 
-/// Maps values along one side of a chart to pixels.
+/// Axis of an SVG chart: maps values to pixels.
 class SvgAxis {
  public:
   struct Tick {
     double value;
     std::string label;
   };
-  /// Spans those of the `values` that the axis can show, and ends on round numbers. `lastPixel` may be less than
-  /// `firstPixel`.
+  /// Makes an axis that spans the `values` that it can show (a logarithmic axis: those above 0), and ends on round
+  /// numbers. `lastPixel` may be less than `firstPixel`.
   SvgAxis(const PlotAxis& axis, const std::vector<double>& values, double firstPixel, double lastPixel);
 
   bool shows(double value) const;
@@ -27,7 +27,7 @@ class SvgAxis {
   void spanSteps(double low, double high);
 
   bool logarithmic_;
-  double first_ = 0, last_ = 1;  // ends of the scale, as value or logarithm of the value
+  double first_ = 0, last_ = 1;  // ends of the scale: values, or their logarithms for a logarithmic axis
   double firstPixel_, lastPixel_;
   std::vector<Tick> ticks_;
 };

@@ -5,9 +5,9 @@
 
 namespace insonate::bench {
 
-/// Dice score that a perfect segmentation would reach against `mask`. The perfect lumen contains the voxels, as
-/// fractions, that are brighter than the mean of muscle and the mask's blood. It is scored alone and with each
-/// thickness of wall. Only voxels of `where` count, whose box contains the mask. Fails if cancelled.
+/// Computes the Dice scores that a perfect segmentation of a vessel's lumen would reach against `mask`, alone and with
+/// each wall thickness of kWalls_mm. The perfect lumen consists of the voxels (with fractions) brighter than the mean
+/// of muscle and the blood in the mask. Only voxels of `where` count, whose box contains the mask. Fails if cancelled.
 Result<WallScores> scoreExactLumen(const CtVolume& ct, const Selection& mask, const Selection& where,
                                    const Progress& progress);
 

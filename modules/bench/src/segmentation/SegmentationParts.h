@@ -10,15 +10,16 @@ namespace insonate::bench {
 
 using ScoreRows = std::vector<SegmentationScoreRow>;
 
-/// Scores segmentations in CTs synthesized from a patient whose labels are the truth, without and with contrast, for
-/// each noise level. Scored are structures found automatically and, in contrast CTs, vessels tracked from clicks.
+/// Scores segmentations in synthetic CTs, without and with contrast agent, for each noise level. The CTs are computed
+/// from the labels of `truth`, which are the reference. Scored are structures found automatically and, with contrast
+/// agent, vessels tracked from clicks.
 Result<ScoreRows> scoreTruth(const PatientCase& truth, const std::string& variant, std::span<const double> noises_HU,
                              double resolution_FWHM_mm, const Progress& progress);
 
-/// Scores vessels of an angiogram tracked from clicks, against masks drawn by others.
+/// Scores vessels that are tracked from clicks in a real chest CT angiogram, against masks drawn by others.
 Result<ScoreRows> scoreChestCta(const std::filesystem::path& folder, const Progress& progress);
 
-/// Times the tools on a neck that is resampled to `size` voxels along its axes.
+/// Measures the times of the segmentation tools on a neck that is resampled to `size` voxels.
 Result<void> timeTools(const std::array<int, 3>& size, SegmentationBench& bench, const Progress& progress);
 
 }  // namespace insonate::bench

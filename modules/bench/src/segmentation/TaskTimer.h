@@ -9,7 +9,7 @@
 
 namespace insonate::bench {
 
-/// Times tasks one after the other and adds a row for each.
+/// Measures the times of segmentation tasks one after the other, and adds a row for each to `bench`.
 class TaskTimer {
  public:
   struct Task {
@@ -18,7 +18,7 @@ class TaskTimer {
     std::optional<double> bar_ms;
   };
 
-  /// Both must outlive the timer.
+  /// `bench` and `progress` must outlive the timer.
   TaskTimer(SegmentationBench& bench, const Progress& progress) : bench_(bench), progress_(progress) {}
 
   void time(const Task& task, int repeats, const std::function<void(const Progress&)>& work);
@@ -28,12 +28,12 @@ class TaskTimer {
   const Progress& progress_;
 };
 
-/// Resets the peak memory of the process. peakMemory() returns the peak since then; empty if the system does not
+/// Resets the peak memory of the process. peakMemory_bytes() returns the peak since then; empty if the system does not
 /// report it.
 void forgetPeakMemory();
 std::optional<double> peakMemory_bytes();
 
-/// Returns a note on the number of threads, and on how busy the machine is with other programs.
+/// Returns a sentence on the number of threads, and on the load of the computer by other programs.
 std::string machineNote();
 
 }  // namespace insonate::bench

@@ -74,6 +74,19 @@ std::string realismText(const UltrasoundBench& bench) {
          " measures lie in the range of 15 real pictures of the neck.\n\n" + text;
 }
 
+std::string penetrationText(const UltrasoundBench& bench) {
+  std::string text =
+      "Depth at which echoes are as strong as the noise (IEC 61391-2), in tissue whose attenuation the built-in TGC "
+      "compensates, at each machine's own frequency. Expected: noise over attenuation; 60 cm MHz over the frequency "
+      "for "
+      "-44 dB (Szabo and Lewin 2013). Harmonic imaging receives the same frequency; its echoes are weaker.\n\n" +
+      header({"machine", "probe", "MHz", "expected, mm", "penetration, mm", "harmonic, mm", "harmonic, loss dB"});
+  for (const PenetrationRow& r : bench.penetration)
+    text += csvLine({r.machine, r.probe, fixed(r.frequency_MHz, 1), fixed(r.expected_mm, 0), fixed(r.penetration_mm, 0),
+                     fixed(r.harmonic_mm, 0), fixed(r.loss_dB, 1)});
+  return text;
+}
+
 }  // namespace
 
 namespace bench {
@@ -86,6 +99,7 @@ std::string indexPage(const UltrasoundBench& results) {
   for (const auto& [name, svg] : plotsOf(results)) text += "![" + name + "](" + name + ")\n";
   text += "\n## Stages of W1\n\n" + stagesText(results) + "\n## Realism\n\n" + realismText(results) + "\n";
   for (const BenchPicture& picture : results.pictures) text += "![" + picture.name + "](" + picture.name + ".png)\n";
+  if (!results.penetration.empty()) text += "\n## Penetration\n\n" + penetrationText(results);
   text += "\n## Notes\n\n";
   for (const std::string& note : results.notes) text += "- " + note + "\n";
   return text;
@@ -119,6 +133,7 @@ Result<void> writeUltrasoundBench(const UltrasoundBench& results, const fs::path
   files["ultrasound.csv"] = bench::rowsCsv(results);
   files["stages.csv"] = bench::stagesCsv(results);
   files["realism.csv"] = bench::realismCsv(results);
+  files["penetration.csv"] = bench::penetrationCsv(results);
   files["index.md"] = bench::indexPage(results);
   return writeFolderAtomically(folder, [&](const fs::path& beside) -> Result<void> {
     for (const auto& [name, text] : files)

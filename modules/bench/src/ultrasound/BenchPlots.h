@@ -6,7 +6,7 @@
 
 namespace insonate::bench {
 
-/// Returns SVG files by name.
+/// Returns the plots of the ultrasound benchmark: SVG texts by file name.
 std::map<std::string, std::string> plotsOf(const UltrasoundBench& bench);
 
 }  // namespace insonate::bench

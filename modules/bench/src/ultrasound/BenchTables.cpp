@@ -68,6 +68,16 @@ json jsonOf(const RealismRow& r) {
           {"real_high", r.high},  {"in_range", r.inRange}};
 }
 
+json jsonOf(const PenetrationRow& r) {
+  return {{"machine", r.machine},
+          {"probe", r.probe},
+          {"frequency_MHz", rounded(r.frequency_MHz)},
+          {"expected_mm", rounded(r.expected_mm)},
+          {"penetration_mm", rounded(r.penetration_mm)},
+          {"harmonic_mm", rounded(r.harmonic_mm)},
+          {"loss_dB", rounded(r.loss_dB)}};
+}
+
 json jsonOf(const BenchComputer& machine) {
   json limits = json::array();
   for (const BenchComputer::Limits& l : machine.limits)
@@ -117,8 +127,13 @@ std::string csvOf(const json& rows, const std::vector<std::string>& columns) {
 json toJson(const UltrasoundBench& bench) {
   json plainLoop = json::object();
   addTimes(plainLoop, bench.plainLoop);
-  return {{"rows", arrayOf(bench.rows)},      {"stages", arrayOf(bench.stages)}, {"realism", arrayOf(bench.realism)},
-          {"machine", jsonOf(bench.machine)}, {"plain_loop", plainLoop},         {"notes", bench.notes}};
+  return {{"rows", arrayOf(bench.rows)},
+          {"stages", arrayOf(bench.stages)},
+          {"realism", arrayOf(bench.realism)},
+          {"penetration", arrayOf(bench.penetration)},
+          {"machine", jsonOf(bench.machine)},
+          {"plain_loop", plainLoop},
+          {"notes", bench.notes}};
 }
 
 namespace bench {
@@ -155,6 +170,11 @@ std::string stagesCsv(const UltrasoundBench& results) {
 std::string realismCsv(const UltrasoundBench& results) {
   return csvOf(arrayOf(results.realism), {"variant", "view", "measure", "patch", "box", "value", "real_low",
                                           "real_median", "real_high", "in_range"});
+}
+
+std::string penetrationCsv(const UltrasoundBench& results) {
+  return csvOf(arrayOf(results.penetration),
+               {"machine", "probe", "frequency_MHz", "expected_mm", "penetration_mm", "harmonic_mm", "loss_dB"});
 }
 
 }  // namespace bench

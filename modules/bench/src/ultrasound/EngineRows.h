@@ -8,22 +8,23 @@
 
 namespace insonate::bench {
 
-/// Measures times and errors of every engine over the plan's settings.
+/// Measures times and errors of every ultrasound engine, for all settings of a benchmark plan.
 class EngineRows {
  public:
-  /// The scene must cover the path. Fails if the setup is out of range.
+  /// Makes the measurement for a probe that moves along `path`, which `scene` must cover. Fails if the plan's setup is
+  /// out of range.
   static Result<EngineRows> make(const UltrasoundBenchPlan& plan, const AcousticScene& scene,
                                  std::span<const Transform> path);
 
-  /// Settings to measure, the plan's own first.
+  /// Returns the settings to measure, those of UltrasoundBenchPlan::setup first.
   const std::vector<ImagingSettings>& settings() const { return settings_; }
-  /// Appends the rows of one of these settings: every engine, with one thread and, if the engine uses several, with
-  /// all.
+  /// Measures one of settings() with every engine, with one thread and, if the engine uses several, with all, and
+  /// appends a row for each to `rows`.
   Result<void> measure(const ImagingSettings& settings, std::vector<UltrasoundBenchRow>& rows) const {
     return measure(settings, {}, rows);
   }
-  /// Measures the plan's own settings with compressed tissue (measureDisplaced) and with a needle in the plane
-  /// (measureNeedle).
+  /// Measures the settings of UltrasoundBenchPlan::setup with compressed tissue; measureNeedle() measures them with a
+  /// needle in the image plane.
   Result<void> measureDisplaced(std::vector<UltrasoundBenchRow>& rows) const;
   Result<void> measureNeedle(std::vector<UltrasoundBenchRow>& rows) const;
 

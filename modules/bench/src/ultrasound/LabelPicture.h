@@ -7,24 +7,24 @@
 
 namespace insonate::bench {
 
-/// Selection of pixels of an image.
+/// Mask of selected pixels of an image.
 struct PixelMask {
   int width = 0, height = 0;
-  std::vector<std::uint8_t> chosen;  ///< [row][column], 0 or 1
+  std::vector<std::uint8_t> chosen;  ///< 0 or 1 for each pixel, [row][column]
   bool at(int column, int row) const { return chosen[std::size_t(row) * width + column] != 0; }
 };
 
-/// Label of each pixel of the displayed image.
+/// Map of the tissue label of each pixel of a simulated B-mode image.
 class LabelPicture {
  public:
-  static constexpr std::uint8_t kUnknown = 255;  ///< outside the field of view, or without good contact
+  static constexpr std::uint8_t kUnknown = 255;  ///< pixel outside the field of view, or below poor probe contact
 
-  /// The scene must have the setup's tissues, with marks (see withMarks()).
+  /// Renders the map at a pose. The scene must have the setup's tissues changed by withMarks().
   LabelPicture(const AcousticScene& scene, const ImagingSetup& setup, const Transform& patientFromProbe);
 
   PixelMask maskOf(const std::vector<std::uint8_t>& labels) const;
   double pixel_mm() const { return pixel_mm_; }
-  /// Bounding box of the pixels inside the field of view.
+  /// Returns the bounding box of the pixels inside the field of view.
   PictureBox fieldOfView() const { return fieldOfView_; }
 
  private:
@@ -34,11 +34,11 @@ class LabelPicture {
   std::vector<std::uint8_t> label_;
 };
 
-/// Removes pixels whose square of this half width contains a pixel outside the mask.
+/// Returns the mask eroded by a square with half width `pixels`.
 PixelMask eroded(const PixelMask& mask, int pixels);
-/// Connected components (4 neighbors) of at least this many pixels, largest first.
+/// Returns the connected components (4 neighbors) of a mask with at least `leastPixels` pixels, largest first.
 std::vector<PixelMask> parts(const PixelMask& mask, int leastPixels);
-/// The largest box inside the mask that is no larger than the given size; empty if there is none.
+/// Returns the largest box inside the mask, limited to `mostWidth` x `mostHeight`; empty if there is none.
 PictureBox largestBox(const PixelMask& mask, int mostWidth, int mostHeight);
 
 }  // namespace insonate::bench

@@ -7,17 +7,18 @@
 
 namespace insonate::bench {
 
-/// A straightforward program for comparison with the engines. One scalar loop over planes, scanlines and samples with
-/// nearest-label look-up, attenuation and hashed complex noise per sample; then a separable Gaussian point-spread
-/// function that widens with distance from the focus, magnitude, logarithm, and bilinear scan conversion. It has no
-/// boundaries, layers, textures, shadows, compounding looks, haze or smoothing. One thread.
+/// A simple single-threaded image simulation, whose speed is compared with that of the engines: one scalar loop over
+/// planes, scanlines and samples with nearest-label look-up, attenuation and hashed complex noise per sample; then a
+/// separable Gaussian point-spread function that widens with distance from the focus, magnitude, logarithm, and
+/// bilinear scan conversion. It has no boundaries, layers, textures, shadows, compounding, clutter or smoothing.
 class PlainLoop {
  public:
   PlainLoop(const PatientCase& patient, const ImagingSetup& setup);
   void render(const Transform& patientFromProbe, BModeImage& image);
 
  private:
-  /// A pixel inside the field of view: index of the level before it, and weight of the next level along each axis.
+  /// Bilinear interpolation of one image pixel: index of the pixel (`at`), index in level_ of the first of four samples
+  /// (`level`), and weights of the next samples in lateral (`x`) and axial (`z`) direction.
   struct Pixel {
     std::size_t at, level;
     float x, z;
@@ -31,9 +32,10 @@ class PlainLoop {
   const PatientCase& patient_;
   const ImagingSetup& setup_;
   BeamGrid grid_;
-  std::array<float, kLabelCount> echo_{}, loss_{};  // echo amplitude, and share of the amplitude kept per sample
+  std::array<float, kLabelCount> echo_{},
+      loss_{};  // per label: echo amplitude, and fraction of the amplitude that remains after one sample
   std::vector<float> axialKernel_;
-  std::vector<std::vector<float>> lateralKernel_;  // a kernel for each sample
+  std::vector<std::vector<float>> lateralKernel_;  // lateral blur kernel for each depth sample
   std::vector<Pixel> pixels_;
   std::vector<float> re_, im_, blurredRe_, blurredIm_, level_;  // [sample][scanline]
 };

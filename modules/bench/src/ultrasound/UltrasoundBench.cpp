@@ -231,6 +231,11 @@ Result<UltrasoundBench> runUltrasoundBench(const UltrasoundBenchPlan& plan, cons
     if (!patient) return tl::unexpected(patient.error());
     if (auto ok = addRealism(plan, setup, *patient, variant, 0, bench); !ok) return tl::unexpected(ok.error());
   }
+  if (plan.penetration) {
+    auto penetration = penetrationRows(progress);
+    if (!penetration) return tl::unexpected(penetration.error());
+    bench.penetration = std::move(*penetration);
+  }
   bench.notes = engineNotes();
   for (const char* about : {kAboutTimes, kAboutErrors, kAboutPlainLoop, kAboutStages, kAboutOthers})
     bench.notes.emplace_back(about);

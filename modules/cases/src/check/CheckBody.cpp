@@ -71,9 +71,8 @@ void checkBody(const CaseView& patient, Findings& findings) {
   const double open = surface.faces ? static_cast<double>(surface.open) / static_cast<double>(surface.faces) : 0;
   if (open > 0.01)
     findings.push_back({FindingSeverity::kWarning, "skin_open",
-                        percent(open) +
-                            " of the body's surface is not skin: a probe or needle there meets bare tissue. Close the "
-                            "skin."});
+                        percent(open) + " of the body's surface has no skin. Probe and needle would meet other tissue "
+                                        "there. Label the skin there."});
 
   std::size_t enclosed = 0, last = 0;
   for (std::size_t v = 0; v < outside.size(); ++v) {
@@ -84,7 +83,8 @@ void checkBody(const CaseView& patient, Findings& findings) {
   if (enclosed > 0)
     findings.push_back({enclosed_ml > 1 ? FindingSeverity::kWarning : FindingSeverity::kInfo, "background_inside",
                         std::to_string(enclosed) + " background voxels (" + std::to_string(std::lround(enclosed_ml)) +
-                            " ml) are enclosed by the body; they will look like air. Label them, e.g. soft tissue.",
+                            " ml) are enclosed by the body and will look like air in the image. Label them, for "
+                            "example as soft tissue.",
                         placeOf(labels.geometry, last)});
 
   std::string cut;

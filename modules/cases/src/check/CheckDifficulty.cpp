@@ -28,8 +28,8 @@ void checkDifficulty(const CaseView& patient, Findings& findings) {
   else if (given != estimate->grade)
     findings.push_back(
         {FindingSeverity::kInfo, "difficulty_differs",
-         "The author's grade is " + given + "; estimated from the labels it is another one. " + estimate->sentence,
-         place_mm, label});
+         "The author's grade is " + given + "; the estimate from the labels differs. " + estimate->sentence, place_mm,
+         label});
 }
 
 }  // namespace insonate::check

@@ -48,7 +48,7 @@ void checkGrid(const CaseView& patient, const LabelStatistics& s, Findings& find
   if (s.maxHu - s.minHu < 50)
     findings.push_back({FindingSeverity::kError, "ct_flat",
                         "The CT has values from " + std::to_string(s.minHu) + " to " + std::to_string(s.maxHu) +
-                            " HU only: there is no patient in it."});
+                            " HU only, so it cannot show a patient. Check that this is the right CT."});
 }
 
 }  // namespace insonate::check

@@ -28,7 +28,7 @@ void checkApart(const CaseView& patient, Findings& findings) {
   findings.push_back({FindingSeverity::kWarning, "label_outside",
                       inMillilitres(apart_mm3) + " of labels lie outside the body, most of it " +
                           labelName(first.label) + " at " + placeText(placeOf(patient.labels.geometry, first.first)) +
-                          ". Erase voxels that are no part of the patient.",
+                          ". Erase voxels that do not belong to the patient.",
                       placeOf(patient.labels.geometry, first.first), first.label});
 }
 

@@ -84,7 +84,7 @@ void checkPresence(const LabelStatistics& s, Findings& findings) {
       "an artery cannot be distinguished from the vein, and its puncture is not detected. Label the carotid artery.");
   require(kSkin, FindingSeverity::kError, "no_skin",
           "the probe and the needle meet nothing at the surface. Label the skin.");
-  require(kBone, FindingSeverity::kWarning, "no_bone", "nothing will cast a bone's shadow.");
+  require(kBone, FindingSeverity::kWarning, "no_bone", "the image will have no shadows of bone. Label the bone.");
 }
 
 void checkHu(const LabelStatistics& s, int label, Findings& findings) {

@@ -40,7 +40,8 @@ void checkPose(const CaseView& patient, const StartPose& pose, bool labelled, Fi
   };
   if (labelAt(kIn_mm) == kBackground || labelAt(-kOut_mm) != kBackground)
     findings.push_back({FindingSeverity::kWarning, "pose_off_skin",
-                        what + " is not on the skin looking into the body; the image may start empty.",
+                        what + " is not on the skin, or does not point into the body. The image may be empty at the "
+                               "start. Correct the pose.",
                         pose.position_mm});
 }
 
@@ -68,9 +69,10 @@ Vec3 placeOf(const VolumeGeometry& g, std::size_t offset) {
 void checkNames(const CaseView& patient, Findings& findings) {
   const CaseManifest& m = patient.manifest;
   if (m.vessels.empty() && !m.targets.empty())
-    findings.push_back({FindingSeverity::kInfo, "no_vessel_names",
-                        "The vessels have no names: an attempt distinguishes the target's vein from other veins, but "
-                        "calls each of them another vein. Mark each vessel as a place of the case."});
+    findings.push_back(
+        {FindingSeverity::kInfo, "no_vessel_names",
+         "The vessels have no names. An attempt can distinguish the vein of the target from other veins, but its "
+         "messages call each of these \"another vein\". Name the vessels under Targets and landmarks."});
   for (const Target& target : m.targets) {
     constexpr double kFlat_mm = 4;  // beyond the wall of a round vessel, but still in the lumen of a flat one
     const auto holdsTarget = [&](const NamedVessel& vessel) {
@@ -79,8 +81,8 @@ void checkNames(const CaseView& patient, Findings& findings) {
     if (!m.vessels.empty() && std::ranges::none_of(m.vessels, holdsTarget))
       findings.push_back({FindingSeverity::kInfo, "target_without_vessel",
                           "The target '" + target.name +
-                              "' lies in a vessel without a name: an attempt calls each other vein another vein. Mark "
-                              "the target's vessel as a place of the case.",
+                              "' lies in a vessel without a name. The messages of an attempt then call each other vein "
+                              "\"another vein\". Name this vessel under Targets and landmarks.",
                           target.position_mm});
   }
   const VolumeGeometry& g = patient.labels.geometry;
@@ -106,7 +108,7 @@ void checkPlaces(const CaseView& patient, Findings& findings) {
   const bool labelled = std::ranges::any_of(patient.labels.voxels, [](std::uint8_t v) { return v != 0; });
   if (m.targets.empty())
     findings.push_back({FindingSeverity::kWarning, "no_target",
-                        "No target is named, so a session has nothing to puncture. Mark one in the vein."});
+                        "The case has no target, so an attempt has nothing to puncture. Mark a target in the vein."});
   for (const Target& target : m.targets) checkTarget(patient, target, findings);
   checkNames(patient, findings);
   for (const StartPose& pose : m.startPoses) checkPose(patient, pose, labelled, findings);

@@ -56,13 +56,14 @@ void checkGaps(const std::vector<Part>& parts, std::uint8_t label, Findings& fin
       if (isGap(lower, upper))
         gaps.push_back({FindingSeverity::kWarning, name + "_broken",
                         "The " + name + " ends at " + placeText(lower.highEnd_mm) + " and goes on at " +
-                            placeText(upper.lowEnd_mm) + ". Join the pieces, or it will end in the image.",
+                            placeText(upper.lowEnd_mm) + ". Join the pieces; otherwise the vessel ends in the image.",
                         lower.highEnd_mm, label});
   if (gaps.size() > kMost)
     gaps = {{FindingSeverity::kWarning, name + "_broken",
              "The " + name + " is in " + std::to_string(parts.size()) + " pieces that end near each other, first at " +
                  placeText(*gaps.front().place_mm) +
-                 ". Keep those that are vessels (Islands in Prepare), and join them, or they will end in the image.",
+                 ". Join the pieces that are part of the vessel and remove the others with Islands in Prepare; "
+                 "otherwise the vessel ends in the image.",
              gaps.front().place_mm, label}};
   findings.insert(findings.end(), gaps.begin(), gaps.end());
 }
@@ -104,7 +105,8 @@ void checkWall(const CaseView& patient, Findings& findings) {
   findings.push_back({FindingSeverity::kWarning, "no_wall",
                       "Vein and artery touch over " + std::to_string(faces) + " faces of voxels, first at " +
                           placeText(placeOf(g, first)) +
-                          ": there is no wall between them to see or to feel. Leave a voxel of soft tissue between.",
+                          ": the needle cannot meet a wall between them, and the image cannot show one. Leave a voxel "
+                          "of soft tissue between them.",
                       placeOf(g, first), kVein});
 }
 
@@ -125,16 +127,17 @@ void checkVessel(const CaseView& patient, std::uint8_t label, Findings& findings
   if (crumbs > 0)
     findings.push_back({FindingSeverity::kWarning, name + "_fragments",
                         "The " + name + " has " + std::to_string(crumbs) +
-                            " crumbs apart from the vessels. Erase them, or they will be punctured by mistake.",
+                            " small islands apart from the vessels. Erase them, since a needle could puncture them.",
                         firstCrumb_mm, label});
   const double solid = solidShare(patient.labels, label);
   if (solid < 0.5)
-    findings.push_back({FindingSeverity::kWarning,
-                        name + "_thin",
-                        "Most of the " + name +
-                            " is only one voxel thin; it has no lumen to show or to hit. Label it on a finer grid.",
-                        {},
-                        label});
+    findings.push_back(
+        {FindingSeverity::kWarning,
+         name + "_thin",
+         "Most of the " + name +
+             " is only one voxel thick, so it has no lumen that can be shown or punctured. Label it on a finer grid.",
+         {},
+         label});
   for (const Target& target : patient.manifest.targets)
     if (target.label == label) checkPieceOf(patient, target, findings);
 }

@@ -15,8 +15,9 @@ using Findings = std::vector<Finding>;
 struct LabelStatistics {
   static constexpr int kLowestHu = -1024, kHighestHu = 3071;
   std::array<std::size_t, 256> voxels{};
-  std::array<std::size_t, 256> inAir{};                   ///< number of these voxels below -900 HU
-  std::array<std::vector<std::uint32_t>, 256> histogram;  ///< by HU, kLowestHu to kHighestHu; ends include the rest
+  std::array<std::size_t, 256> inAir{};  ///< number of each label's voxels whose CT value is below -900 HU
+  std::array<std::vector<std::uint32_t>, 256> histogram;  ///< voxels of each label by HU, from kLowestHu to kHighestHu;
+                                                          ///< the first and last entry include all values beyond
   int minHu = 0, maxHu = 0;
 
   bool has(int label) const { return voxels[label] > 0; }
@@ -37,9 +38,10 @@ int headFootAxis(const VolumeGeometry& geometry);
 void checkGrid(const CaseView& patient, const LabelStatistics& statistics, Findings& findings);
 /// Finds missing and unknown labels, implausible HU for a label, and labels in air.
 void checkLabels(const CaseView& patient, const LabelStatistics& statistics, Findings& findings);
-/// Checks that the skin is closed and finds background inside the body and a body cut by the volume's sides.
+/// Checks that the skin is closed; finds background inside the body, and a body that the volume's sides cut.
 void checkBody(const CaseView& patient, Findings& findings);
-/// Checks vein and artery: fragments, thinness, and whether a vessel to be punctured can be followed.
+/// Checks a vessel (the label of vein or artery) for fragments and thin parts, and whether a vessel to be punctured can
+/// be followed.
 void checkVessel(const CaseView& patient, std::uint8_t label, Findings& findings);
 /// Finds vein and artery that touch each other.
 void checkWall(const CaseView& patient, Findings& findings);

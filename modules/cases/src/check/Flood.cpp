@@ -74,9 +74,9 @@ struct Growing {
     Vec3 sum;
     double count = 0;
 
-    void add(int index, const Vec3& sumOfRun, double voxels, bool further) {
+    void add(int index, const Vec3& sumOfRun, double countOfRun, bool further) {
       if (further) at = index, sum = {}, count = 0;
-      if (index == at) sum = sum + sumOfRun, count += voxels;
+      if (index == at) sum = sum + sumOfRun, count += countOfRun;
     }
   };
   int axis;

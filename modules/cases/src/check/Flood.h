@@ -17,7 +17,7 @@ VoxelSet floodFromSides(const LabelMap& labels, std::uint8_t label, int endAxis)
 struct Part {
   std::size_t voxels = 0;
   int low = 0, high = 0;       ///< minimum and maximum index along the axis given to partsOf()
-  Vec3 lowEnd_mm, highEnd_mm;  ///< mean positions, in the patient, of the component's voxels at these two indices
+  Vec3 lowEnd_mm, highEnd_mm;  ///< mean patient positions of the component's voxels at index low and at index high
 };
 
 /// Returns all connected components of a label, largest first.

@@ -44,7 +44,7 @@ DicomLab dicomLabOf(const LabelColour& colour) {
   return {stored((116 * y - 16) / 100), stored((500 * (x - y) + 128) / 255), stored((200 * (y - z) + 128) / 255)};
 }
 
-LabelColour colourOfDicomLab(const DicomLab& lab) {
+LabelColour colorOfDicomLab(const DicomLab& lab) {
   const double y = (lab[0] / 65535.0 * 100 + 16) / 116;
   const double x = y + (lab[1] / 65535.0 * 255 - 128) / 500, z = y - (lab[2] / 65535.0 * 255 - 128) / 200;
   const Vec3 w = white();

@@ -12,6 +12,6 @@ namespace insonate {
 using DicomLab = std::array<std::uint16_t, 3>;
 
 DicomLab dicomLabOf(const LabelColour& colour);
-LabelColour colourOfDicomLab(const DicomLab& lab);
+LabelColour colorOfDicomLab(const DicomLab& lab);
 
 }  // namespace insonate

@@ -117,9 +117,11 @@ Result<LabelReadResult> placeSegments(const DicomSegments& segments, const Volum
   }
   if (std::ranges::none_of(result.labels.voxels, [](std::uint8_t v) { return v != 0; }))
     return fail(
-        "nothing of the segmentation lies in the CT: it was drawn on another one. Choose the segmentation of this CT.");
+        "the segmentation lies completely outside the CT, so it was drawn on another CT. Choose the segmentation of "
+        "this CT.");
   if (overlaps > 0)
-    result.notes.push_back(std::to_string(overlaps) + " voxels belong to several segments; the last one wins.");
+    result.notes.push_back(std::to_string(overlaps) +
+                           " voxels belong to several segments; each gets the label of the last one.");
   const std::size_t lost = placer.lostPixels(grid);
   if (lost > 0 || !placer.fallsOn(grid)) noteOtherGrid(placer.fallsOn(grid), lost, result.notes);
   return result;

@@ -85,7 +85,7 @@ std::optional<LabelColour> colourOf(const DataSet& item) {
   DicomLab lab{};
   if (!bytes || bytes->GetLength() < sizeof lab) return std::nullopt;
   std::memcpy(lab.data(), bytes->GetPointer(), sizeof lab);
-  return colourOfDicomLab(lab);
+  return colorOfDicomLab(lab);
 }
 
 std::uint8_t giveLabel(const DataSet& item, unsigned number, OwnNumbers& numbers, DicomSegments& result) {
@@ -134,7 +134,8 @@ Result<std::vector<std::uint8_t>> pixelBytes(const fs::path& file, const gdcm::F
   const std::size_t count = static_cast<std::size_t>(segments.columns) * segments.rows * segments.frames.size();
   if (bits == 1) {
     const gdcm::ByteValue* bytes = data.GetDataElement(kPixelData).GetByteValue();
-    if (!bytes) return fail(file.string() + " is compressed in a way that is not read here. Save it uncompressed.");
+    if (!bytes)
+      return fail(file.string() + " is compressed with a method that Insonate cannot read. Save it uncompressed.");
     const std::size_t needed = (count + 7) / 8;
     if (bytes->GetLength() < needed) return fail(file.string() + cutOff);
     return std::vector<std::uint8_t>(bytes->GetPointer(), bytes->GetPointer() + needed);
@@ -163,7 +164,8 @@ void numbersToLabels(const std::vector<std::uint8_t>& bytes, unsigned bits, cons
       unknown.insert(number);
   }
   for (const unsigned number : unknown)
-    result.notes.push_back("The number " + std::to_string(number) + " belongs to no segment and was ignored.");
+    result.notes.push_back("The number " + std::to_string(number) +
+                           " in the file belongs to no segment and was ignored.");
 }
 
 Result<void> readPixels(const fs::path& file, const gdcm::File& dicom, const Segments& segments,
@@ -173,7 +175,7 @@ Result<void> readPixels(const fs::path& file, const gdcm::File& dicom, const Seg
   const std::string type = upper(textOf(data, Tag(0x0062, 0x0001)));
   if (!(type == "BINARY" && bits == 1) && !(type == "FRACTIONAL" && bits == 8) &&
       !(result.isLabelMap && (bits == 8 || bits == 16)))
-    return fail(file.string() + " is a segmentation of a kind that is not read here (" + type + ", " +
+    return fail(file.string() + " is a segmentation of a kind that Insonate cannot read (" + type + ", " +
                 std::to_string(bits) + " bits). Save it as a binary segmentation.");
   auto bytes = pixelBytes(file, dicom, bits, result);
   if (!bytes) return tl::unexpected(bytes.error());
@@ -185,7 +187,8 @@ Result<void> readPixels(const fs::path& file, const gdcm::File& dicom, const Seg
   if (bits == 8) {
     const unsigned most = shortOf(data, Tag(0x0062, 0x000e)).value_or(255);
     result.threshold = static_cast<int>(std::clamp((most + 1) / 2, 1U, 255U));
-    result.notes.push_back("The segments are fractions; voxels of which at least half belongs to a segment are in it.");
+    result.notes.push_back(
+        "The segments contain fractions. A voxel belongs to a segment if its fraction is at least one half.");
   }
   return {};
 }
@@ -270,7 +273,8 @@ Result<void> readFrames(const fs::path& file, const gdcm::File& dicom, DicomSegm
   result.spacing_mm = {(*first.pixelSpacing_mm)[1], (*first.pixelSpacing_mm)[0]};
   const auto [i, j] = *first.orientation;
   if (!(std::abs(norm(i) - 1) < 0.01 && std::abs(norm(j) - 1) < 0.01 && std::abs(dot(i, j)) < 0.01))
-    return fail(file.string() + " has rows and columns that are no unit vectors at right angles.");
+    return fail(file.string() +
+                " has directions of rows and columns that are not unit vectors at right angles. Export it again.");
   result.direction = {normalized(i), normalized(j - dot(i, j) * i)};
   result.step_mm = stepOf(data, first, result.frames, cross(result.direction[0], result.direction[1]));
   if (auto ok = checkVoxelSize({result.spacing_mm[0], result.spacing_mm[1], result.step_mm}); !ok)
@@ -288,12 +292,12 @@ bool isSegmentation(const gdcm::Reader& reader) {
 
 Result<DicomSegments> read(const fs::path& file) {
   if (layoutOf(file) != DicomLayout::kWhole)
-    return fail(file.string() + " is no whole DICOM file: it is cut off or damaged. Copy or export it again.");
+    return fail(file.string() + " is not a complete DICOM file: it is cut off or damaged. Copy or export it again.");
   gdcm::Reader reader;
   reader.SetFileName(file.c_str());
   if (!reader.Read()) return fail(file.string() + " could not be read as DICOM. Copy or export it again.");
   if (!isSegmentation(reader))
-    return fail(file.string() + " is DICOM, but no segmentation of voxels. Choose the file of the segmentation.");
+    return fail(file.string() + " is a DICOM file, but not a segmentation. Choose the file of the segmentation.");
   DicomSegments result;
   if (auto ok = readFrames(file, reader.GetFile(), result); !ok) return tl::unexpected(ok.error());
   result.seriesUid = firstCode(reader.GetFile().GetDataSet(), Tag(0x0008, 0x1115), Tag(0x0020, 0x000e));

@@ -20,24 +20,27 @@ inline constexpr const char* kAlgorithm = "Insonate";
 /// label map, a slice of all segments.
 struct DicomSegments {
   struct Frame {
-    Vec3 position_mm;        ///< center of its first pixel, patient LPS
-    std::uint8_t label = 0;  ///< in this program's numbers; not used in a label map, whose pixels hold the labels
-    std::size_t first = 0;   ///< index of its first pixel in `pixels`
+    Vec3 position_mm;  ///< center of the frame's first pixel, patient LPS
+    /// Label of the frame's segment, in this program's numbers; unused in a label map, whose pixels are labels.
+    std::uint8_t label = 0;
+    std::size_t first = 0;  ///< index of the frame's first pixel in `pixels`
   };
-  std::vector<Frame> frames;  ///< ordered by the file's segment numbers
+  std::vector<Frame> frames;  ///< all frames, ordered by the file's segment numbers
   int columns = 0, rows = 0;
-  std::array<Vec3, 2> direction;       ///< directions of i and j, unit, perpendicular
-  std::array<double, 2> spacing_mm{};  ///< along i, along j
-  double step_mm = 0;                  ///< distance of neighboring slices
-  std::vector<std::uint8_t> pixels;    ///< one bit per pixel, lowest bit first, or one byte per pixel
-  bool isLabelMap = false;             ///< pixels are labels, in this program's numbers
-  int threshold = 0;  ///< 0 if pixels are bits; else a byte of at least this value is inside (fractional segmentation)
+  std::array<Vec3, 2> direction;       ///< patient directions of the pixel indices i and j, unit, perpendicular
+  std::array<double, 2> spacing_mm{};  ///< distance between pixels along i and along j
+  double step_mm = 0;                  ///< distance between neighboring slices
+  std::vector<std::uint8_t> pixels;    ///< pixels of all frames, one bit each (lowest bit first) or one byte each
+  bool isLabelMap = false;             ///< true if pixels are labels, in this program's numbers
+  /// 0 if pixels are bits; else the minimum value of a byte inside the segment (fractional segmentation).
+  int threshold = 0;
 
-  std::string seriesUid;  ///< UID of the CT it was drawn on, if stated; identifies the patient and must not be stored
+  std::string seriesUid;  ///< UID of the CT series on which the segmentation was drawn, if stated; identifies the
+                          ///< patient and must not be stored
   std::vector<std::string> notes;
   LabelColours colours;
   OwnLabels own;
-  std::set<std::uint8_t> foreign;  ///< labels of `own` whose names were written by users of another program
+  std::set<std::uint8_t> foreign;  ///< the author's own labels whose names were written by users of another program
 
   /// Returns the label of a frame's pixel, counted from the frame's first pixel; 0 if no segment is there.
   std::uint8_t labelAt(const Frame& frame, std::size_t pixel) const {

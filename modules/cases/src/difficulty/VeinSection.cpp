@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <ranges>
+#include <utility>
 
 namespace insonate {
 namespace {
@@ -99,7 +99,7 @@ Region regionAround(const Section& section, std::uint8_t label, int column, int 
   return region;
 }
 
-Vec3 centreOf(const Region& region) {
+Vec3 centerOf(const Region& region) {
   Vec3 sum;
   for (const auto& [c, r] : region.pixels) sum = sum + Vec3{double(c), double(r), 0};
   return sum / double(region.pixels.size());
@@ -107,7 +107,7 @@ Vec3 centreOf(const Region& region) {
 
 /// Axes of the ellipse with the same second moments: four standard deviations each.
 void measureShape(const Region& vein, VeinMeasures& m) {
-  const Vec3 centre = centreOf(vein);
+  const Vec3 centre = centerOf(vein);
   double xx = 0, yy = 0, xy = 0;
   for (const auto& [c, r] : vein.pixels) {
     const double x = c - centre.x, y = r - centre.y;
@@ -145,9 +145,13 @@ void measureArteries(const Section& section, const Region& vein, Vec3 back, Vein
   m.artery_mm = arteries.front().first;
   if (arteries.size() > 1) m.second_mm = arteries[1].first;
   const auto acrossOf = [&](const std::array<int, 2>& p) { return p[0] * back.y - p[1] * back.x; };
-  const auto [left, right] = std::ranges::minmax(vein.pixels | std::views::transform(acrossOf));
-  const auto [first, last] = std::ranges::minmax(artery.pixels | std::views::transform(acrossOf));
-  const Vec3 to = centreOf(artery) - centreOf(vein);
+  const auto extentOf = [&](const Region& region) {
+    const auto [low, high] = std::ranges::minmax(region.pixels, {}, acrossOf);
+    return std::pair(acrossOf(low), acrossOf(high));
+  };
+  const auto [left, right] = extentOf(vein);
+  const auto [first, last] = extentOf(artery);
+  const Vec3 to = centerOf(artery) - centerOf(vein);
   const double behind = dot(to, back), aside = to.x * back.y - to.y * back.x;
   m.angle_deg = std::abs(std::atan2(aside, behind)) * 180 / std::numbers::pi;
   const double both = std::min(right, last) - std::max(left, first) + 1;
@@ -155,7 +159,7 @@ void measureArteries(const Section& section, const Region& vein, Vec3 back, Vein
 }
 
 void measureLung(const Section& section, const Region& vein, VeinMeasures& m) {
-  const int column = int(std::lround(centreOf(vein).x));
+  const int column = int(std::lround(centerOf(vein).x));
   const auto back = std::ranges::max(vein.pixels, {}, [](const auto& p) { return p[1]; })[1];
   for (int r = back; r < kRows; ++r)
     if (section.at(column, r) == kAirway) {

@@ -68,7 +68,7 @@ Result<std::map<std::int32_t, ItkSnapLabel>> readItkSnapLabels(const std::filesy
     const bool inRange = std::ranges::all_of(colour, [](int part) { return part >= 0 && part <= 255; });
     if (!words || close == open || !inRange)
       return fail("Line " + std::to_string(number) + " of " + file.string() +
-                  " is no label of ITK-SNAP: seven numbers and a name in quotes are expected.");
+                  " is not a label of an ITK-SNAP description: it must have seven numbers and a name in quotes.");
     ItkSnapLabel& label = labels[index];
     label.name = text.substr(open + 1, close - open - 1);
     for (int c = 0; c < 3; ++c) label.colour[c] = static_cast<std::uint8_t>(colour[c]);

@@ -10,8 +10,8 @@
 
 namespace insonate {
 
-/// Shift in voxels, applied to all positions before rounding. Without it, positions exactly between two voxels, as in
-/// grids of twice the spacing, would be rounded sometimes to one voxel and sometimes to the other.
+/// Shift of all positions, in voxels, before rounding to a voxel. Without the shift, positions exactly between two
+/// voxels, as in grids of twice the spacing, would be rounded sometimes to one voxel and sometimes to the other.
 inline constexpr double kOffTheBorder = 1e-4;
 
 /// Tells whether a voxel of another grid at this position, and its neighbors one step away, are centered on voxels of

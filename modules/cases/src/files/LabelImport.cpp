@@ -106,7 +106,8 @@ Result<LabelReadResult> fromDicom(const PatientCase& patient, const fs::path& fi
   if (knowsItsSeries && !segments->seriesUid.empty() &&
       source.find(derivedUid(segments->seriesUid)) == std::string::npos)
     placed->notes.push_back(
-        "The segmentation names another series than the one this case was imported from; check that it fits.");
+        "The segmentation was made for another DICOM series than the one from which this case was imported. Check that "
+        "the labels fit the CT.");
   return placed;
 }
 
@@ -120,7 +121,8 @@ Result<LabelReadResult> importLabels(const PatientCase& patient, const fs::path&
                 " with labels. Name a DICOM segmentation, NRRD, NIfTI or MetaImage.");
   if (!isVolumeFile(file)) {
     if (layoutOf(file) == DicomLayout::kNotDicom)
-      return fail(file.string() + " holds no labels: it is neither a DICOM segmentation nor NRRD, NIfTI or MetaImage.");
+      return fail(file.string() +
+                  " contains no labels: it is neither a DICOM segmentation nor NRRD, NIfTI or MetaImage.");
     auto read = fromDicom(patient, file, progress);
     if (read) forgetForeignNames(*read);
     return read;

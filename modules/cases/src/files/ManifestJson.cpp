@@ -2,14 +2,14 @@
 
 #include "LabelNames.h"
 
-#include <insonate/core/Words.h>
+#include <insonate/core/JsonEntry.h>
 #include <insonate/tissue/Labels.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <limits>
 
 namespace insonate {
 namespace {
@@ -73,107 +73,91 @@ json toJson(const CaseVersion& version) {
           {"author", version.author}};
 }
 
-/// Thrown within this file only: the place in the document, and the expected value.
-struct Wrong {
-  std::string where, expected;
+/// Distance from the origin that no scanner reaches.
+constexpr double kFarthest_mm = 1e6;
+
+/// Entry of a list of case.json. Fields that are not known here are ignored, since newer programs may write them.
+class Entry : public JsonEntry {
+ public:
+  Entry(const json& object, const std::string& where, std::string& trouble)
+      : JsonEntry(object, where, keysOf(object), trouble) {}
+
+  Vec3 vector(std::string_view key) {
+    const auto three = numbers(key, 3, -kFarthest_mm, kFarthest_mm, "[x, y, z]");
+    return {three[0], three[1], three[2]};
+  }
+  /// Returns the label under "label": a name, also of another program, or a number.
+  std::uint8_t label() {
+    const json& given = value("label");
+    if (given.is_string())
+      if (const auto known = labelFromAnyName(given.get<std::string>())) return *known;
+    if (given.is_number_integer() && given >= 1 && given <= 255) return given;
+    refuse("needs the name or number (1 to 255) of a label as 'label'.");
+    return 0;
+  }
 };
-struct Missing {};
 
-std::string textAt(const json& object, const char* key, const std::string& where) {
-  if (!object.contains(key)) return {};
-  if (!object[key].is_string()) throw Wrong{where + key, "text"};
-  return object[key];
+Target targetFrom(const json& object, const std::string& where, std::string& trouble) {
+  Entry entry(object, where, trouble);
+  return {entry.text("name", false), entry.label(), entry.vector("position_mm")};
 }
 
-Vec3 vectorAt(const json& object, const char* key, const std::string& where) {
-  const Wrong wrong{where + key, "three numbers"};
-  if (!object.contains(key) || !object[key].is_array() || object[key].size() != 3) throw wrong;
-  Vec3 v;
-  for (int a = 0; a < 3; ++a) {
-    if (!object[key][a].is_number()) throw wrong;
-    v[a] = object[key][a];
+Landmark landmarkFrom(const json& object, const std::string& where, std::string& trouble) {
+  Entry entry(object, where, trouble);
+  return {entry.text("code", false), entry.text("name", false), entry.vector("position_mm")};
+}
+
+NamedVessel::Point pointFrom(const json& list, const std::string& where, std::string& trouble) {
+  const bool numbers = list.is_array() && list.size() == 4 &&
+                       std::ranges::all_of(list, [](const json& value) { return value.is_number(); });
+  if (numbers) {
+    const NamedVessel::Point point{{list[0], list[1], list[2]}, list[3]};
+    if (isFinite(point.position_mm) && point.radius_mm >= 0 && point.radius_mm <= 100) return point;
   }
-  if (!isFinite(v)) throw wrong;
-  return v;
+  trouble = where + " needs [x, y, z, radius] in mm, with a radius from 0 to 100.";
+  return {};
 }
 
-std::uint8_t labelAt(const json& object, const std::string& where) {
-  const Wrong wrong{where + "label", "the name or number (1 to 255) of a label"};
-  if (!object.contains("label")) throw wrong;
-  const json& label = object["label"];
-  if (label.is_string()) {
-    const auto known = labelFromAnyName(label.get<std::string>());
-    if (!known) throw wrong;
-    return *known;
-  }
-  if (!label.is_number_integer() || label < 1 || label > 255) throw wrong;
-  return label;
-}
-
-Target targetFrom(const json& object, const std::string& where) {
-  return {textAt(object, "name", where), labelAt(object, where), vectorAt(object, "position_mm", where)};
-}
-
-NamedVessel vesselFrom(const json& object, const std::string& where) {
-  NamedVessel vessel{textAt(object, "name", where), labelAt(object, where), {}};
-  if (vessel.name.empty()) throw Wrong{where + "name", "the vessel's name"};
-  const Wrong wrong{where + "course_mm", "a list of [x, y, z, radius], one at least"};
-  if (!object.contains("course_mm") || !object["course_mm"].is_array() || object["course_mm"].empty()) throw wrong;
-  for (const json& entry : object["course_mm"]) {
-    const bool numbers = entry.is_array() && entry.size() == 4 &&
-                         std::ranges::all_of(entry, [](const json& value) { return value.is_number(); });
-    if (!numbers) throw wrong;
-    const NamedVessel::Point point{{entry[0], entry[1], entry[2]}, entry[3]};
-    if (!isFinite(point.position_mm) || !(point.radius_mm >= 0 && point.radius_mm <= 100)) throw wrong;
-    vessel.course.push_back(point);
-  }
+NamedVessel vesselFrom(const json& object, const std::string& where, std::string& trouble) {
+  Entry entry(object, where, trouble);
+  NamedVessel vessel{entry.text("name"), entry.label(), entry.list("course_mm", "point", pointFrom)};
+  if (vessel.course.empty()) entry.refuse("needs a list of points [x, y, z, radius] as 'course_mm', at least one.");
   return vessel;
 }
 
-StructureShown shownFrom(const json& object, const std::string& where) {
-  StructureShown shown;
-  if (object.contains("opacity")) {
-    const json& opacity = object["opacity"];
-    if (!opacity.is_number() || !(opacity >= 0 && opacity <= 1)) throw Wrong{where + "opacity", "a number from 0 to 1"};
-    shown.opacity = opacity;
+void readStructure(const json& object, const std::string& where, std::string& trouble, CaseManifest& m) {
+  Entry entry(object, where, trouble);
+  const std::uint8_t label = entry.label();
+  if (entry.has("opacity") || entry.has("visible")) {
+    StructureShown& shown = m.shown[label];
+    shown.opacity = entry.numberIfThere("opacity", 0, 1).value_or(shown.opacity);
+    if (entry.has("visible")) shown.visible = entry.flag("visible");
   }
-  if (object.contains("visible")) {
-    if (!object["visible"].is_boolean()) throw Wrong{where + "visible", "true or false"};
-    shown.visible = object["visible"];
+  if (isOwnLabel(label) && (entry.has("name") || entry.has("tissue"))) {
+    const auto tissue = entry.has("tissue") ? labelFromName(entry.text("tissue")) : kSoftTissue;
+    if (!tissue || *tissue == kBackground) entry.refuse("needs a structure's name as 'tissue', e.g. \"vein\".");
+    m.ownLabels[label] = {tidyLabelName(entry.text("name", false)), tissue.value_or(kSoftTissue)};
   }
-  return shown;
+  constexpr std::array kStates{LabelState::NotStarted, LabelState::InProgress, LabelState::Completed,
+                               LabelState::Flagged};
+  if (entry.has("state"))
+    m.states[label] =
+        kStates[entry.word("state", {nameOf(kStates[0]), nameOf(kStates[1]), nameOf(kStates[2]), nameOf(kStates[3])})];
 }
 
-OwnLabel ownFrom(const json& object, const std::string& where) {
-  const auto tissue = object.contains("tissue") ? labelFromName(textAt(object, "tissue", where)) : kSoftTissue;
-  if (!tissue || *tissue == kBackground) throw Wrong{where + "tissue", "a structure's name, e.g. \"vein\""};
-  return {tidyLabelName(textAt(object, "name", where)), *tissue};
-}
-
-LabelState stateFrom(const json& object, const std::string& where) {
-  const std::string text = textAt(object, "state", where);
-  for (const LabelState state :
-       {LabelState::NotStarted, LabelState::InProgress, LabelState::Completed, LabelState::Flagged})
-    if (text == nameOf(state)) return state;
-  throw Wrong{where + "state", "\"not started\", \"in progress\", \"completed\" or \"flagged\""};
-}
-
-void readStructure(const json& object, const std::string& where, CaseManifest& m) {
-  const std::uint8_t label = labelAt(object, where);
-  if (object.contains("opacity") || object.contains("visible")) m.shown[label] = shownFrom(object, where);
-  if (isOwnLabel(label) && (object.contains("name") || object.contains("tissue")))
-    m.ownLabels[label] = ownFrom(object, where);
-  if (object.contains("state")) m.states[label] = stateFrom(object, where);
-}
-
-StartPose poseFrom(const json& object, const std::string& where, std::vector<std::string>& notes) {
-  StartPose pose{textAt(object, "name", where), vectorAt(object, "position_mm", where),
-                 vectorAt(object, "axial", where), vectorAt(object, "lateral", where)};
-  if (norm(pose.axial) < 1e-6) throw Wrong{where + "axial", "a direction"};
+StartPose poseFrom(const json& object, const std::string& where, std::string& trouble,
+                   std::vector<std::string>& notes) {
+  Entry entry(object, where, trouble);
+  StartPose pose{entry.text("name", false), entry.vector("position_mm"), entry.vector("axial"),
+                 entry.vector("lateral")};
+  if (norm(pose.axial) < 1e-6) entry.refuse("needs a direction as 'axial', not [0, 0, 0].");
+  if (!trouble.empty()) return pose;
   const Vec3 axial = normalized(pose.axial);
   const Vec3 across = pose.lateral - dot(pose.lateral, axial) * axial;
-  if (norm(across) < 1e-3 * norm(pose.lateral) || norm(across) < 1e-6)
-    throw Wrong{where + "lateral", "a direction that is not along axial"};
+  if (norm(across) < 1e-3 * norm(pose.lateral) || norm(across) < 1e-6) {
+    entry.refuse("needs a direction as 'lateral' that is not along axial.");
+    return pose;
+  }
   const Vec3 lateral = normalized(across);
   if (norm(axial - pose.axial) > 1e-3 || norm(lateral - pose.lateral) > 1e-3)
     notes.push_back("The start pose \"" + pose.name +
@@ -183,72 +167,58 @@ StartPose poseFrom(const json& object, const std::string& where, std::vector<std
   return pose;
 }
 
-CaseVersion versionFrom(const json& document) {
-  if (!document.contains("version")) return {};
-  const json& object = document["version"];
-  if (!object.is_object()) throw Wrong{"version", "an object"};
+CaseVersion versionFrom(const json& object, std::string& trouble) {
+  Entry entry(object, "case.json, version,", trouble);
   CaseVersion version;
-  if (!object.contains("number") || !object["number"].is_number_integer() || object["number"] < 0)
-    throw Wrong{"version.number", "a whole number from 0"};
-  version.number = object["number"];
-  version.content = textAt(object, "content", "version."), version.voxels = textAt(object, "voxels", "version.");
-  version.date = textAt(object, "date", "version."), version.author = textAt(object, "author", "version.");
+  version.number = entry.whole("number", 0, std::numeric_limits<int>::max());
+  version.content = entry.text("content", false), version.voxels = entry.text("voxels", false);
+  version.date = entry.text("date", false), version.author = entry.text("author", false);
   return version;
 }
 
-std::vector<std::string> textsAt(const json& object, const char* key) {
-  std::vector<std::string> texts;
-  if (!object.contains(key)) return texts;
-  const Wrong wrong{key, "a list of texts"};
-  if (!object[key].is_array()) throw wrong;
-  for (const json& text : object[key]) {
-    if (!text.is_string()) throw wrong;
-    texts.push_back(text);
-  }
-  return texts;
+/// Reads the lists of case.json. Two entries of a list may have one name.
+void readLists(JsonEntry& file, CaseManifest& m, std::vector<std::string>& notes) {
+  constexpr bool kNamesDiffer = false;
+  m.targets = file.list("targets", "target", targetFrom, kNamesDiffer);
+  m.vessels = file.list("vessels", "vessel", vesselFrom, kNamesDiffer);
+  m.startPoses = file.list(
+      "start_poses", "start pose",
+      [&](const json& pose, const std::string& where, std::string& trouble) {
+        return poseFrom(pose, where, trouble, notes);
+      },
+      kNamesDiffer);
+  m.landmarks = file.list("landmarks", "landmark", landmarkFrom, kNamesDiffer);
+  file.each(
+      "structures", "structure",
+      [&](const json& structure, const std::string& where, std::string& trouble) {
+        readStructure(structure, where, trouble, m);
+      },
+      kNamesDiffer);
 }
 
-template <class Read>
-void forEach(const json& document, const char* key, const Read& read) {
-  if (!document.contains(key)) return;
-  if (!document[key].is_array()) throw Wrong{key, "a list"};
-  for (std::size_t n = 0; n < document[key].size(); ++n) {
-    const std::string where = std::string(key) + "[" + std::to_string(n) + "].";
-    if (!document[key][n].is_object()) throw Wrong{where, "an object"};
-    read(document[key][n], where);
-  }
-}
-
-CaseManifest manifestFrom(const json& document, std::vector<std::string>& notes) {
-  if (!document.is_object()) throw Wrong{"the document", "an object"};
-  if (!document.contains("schema_version")) throw Missing{};
-  if (!document["schema_version"].is_number_integer()) throw Wrong{"schema_version", "a whole number"};
+Result<CaseManifest> manifestFrom(const json& document, std::vector<std::string>& notes) {
+  JsonEntry file(document, "case.json", keysOf(document));
+  if (file.trouble().empty() && !file.has("schema_version"))
+    file.refuse("has no \"schema_version\"; add \"schema_version\": " + std::to_string(CaseManifest::kSchemaVersion) +
+                " to it.");
   CaseManifest m;
-  m.schemaVersion = document["schema_version"];
-  if (m.schemaVersion < 1) throw Wrong{"schema_version", "1 or above"};
-  if (document.contains("title")) m.title = textAt(document, "title", "");
-  m.description = textAt(document, "description", "");
-  m.difficulty = textAt(document, "difficulty", "");
-  m.source = textAt(document, "source", "");
-  m.importNotes = textsAt(document, "import_notes");
-  constexpr std::array<std::string_view, 4> kDifficulties{"", "easy", "moderate", "hard"};
-  if (std::ranges::find(kDifficulties, m.difficulty) == kDifficulties.end())
-    throw Wrong{"difficulty", "\"easy\", \"moderate\" or \"hard\""};
-  forEach(document, "targets", [&](const json& o, const std::string& w) { m.targets.push_back(targetFrom(o, w)); });
-  forEach(document, "vessels", [&](const json& o, const std::string& w) { m.vessels.push_back(vesselFrom(o, w)); });
-  forEach(document, "start_poses",
-          [&](const json& o, const std::string& w) { m.startPoses.push_back(poseFrom(o, w, notes)); });
-  forEach(document, "landmarks", [&](const json& o, const std::string& w) {
-    m.landmarks.push_back({textAt(o, "code", w), textAt(o, "name", w), vectorAt(o, "position_mm", w)});
-  });
-  m.version = versionFrom(document);
-  forEach(document, "structures", [&](const json& o, const std::string& w) { readStructure(o, w, m); });
+  m.schemaVersion = file.whole("schema_version", 1, CaseManifest::kSchemaVersion);
+  m.title = file.has("title") ? file.text("title", false) : m.title;
+  m.description = file.text("description", false), m.source = file.text("source", false);
+  m.difficulty = file.text("difficulty", false);
+  if (!m.difficulty.empty()) file.word("difficulty", {"easy", "moderate", "hard"});
+  m.importNotes = file.texts("import_notes");
+  readLists(file, m, notes);
+  std::string trouble = file.trouble();
+  if (file.has("version")) m.version = versionFrom(document["version"], trouble);
+  if (!trouble.empty()) return fail(trouble);
   constexpr std::array<std::string_view, 12> kFields{"vessels",      "version",    "schema_version", "title",
                                                      "description",  "difficulty", "source",         "landmarks",
                                                      "import_notes", "targets",    "start_poses",    "structures"};
-  for (const auto& [key, value] : document.items())
+  for (const std::string_view key : keysOf(document))
     if (std::ranges::find(kFields, key) == kFields.end())
-      notes.push_back("case.json has a field \"" + key + "\" that is not known here; it was ignored.");
+      notes.push_back("case.json has a field \"" + std::string(key) +
+                      "\" that Insonate does not know; it was ignored.");
   return m;
 }
 
@@ -277,21 +247,13 @@ std::string manifestToJson(const CaseManifest& m) {
 }
 
 Result<CaseManifest> manifestFromJson(const std::string& text, std::vector<std::string>& notes) {
-  try {
-    const json document = json::parse(text);
-    if (document.is_object() && document.contains("schema_version") && document["schema_version"].is_number_integer() &&
-        document["schema_version"] > CaseManifest::kSchemaVersion)
-      return fail("case.json has schema version " + document["schema_version"].dump() + ", this program knows up to " +
-                  std::to_string(CaseManifest::kSchemaVersion) + ". Use a newer version of the program.");
-    return manifestFrom(document, notes);
-  } catch (const Wrong& wrong) {
-    return fail("case.json: " + wrong.where + " must be " + wrong.expected + ".");
-  } catch (const Missing&) {
-    return fail("case.json has no \"schema_version\"; add \"schema_version\": " +
-                std::to_string(CaseManifest::kSchemaVersion) + " to it.");
-  } catch (const json::exception& e) {
-    return fail("case.json is not valid JSON: " + jsonProblem(e.what()) + ".");
-  }
+  const auto document = parsedJson(text, "case.json");
+  if (!document) return tl::unexpected(document.error());
+  const json schema = document->is_object() ? document->value("schema_version", json()) : json();
+  if (schema.is_number_integer() && schema > CaseManifest::kSchemaVersion)
+    return fail("case.json has schema version " + schema.dump() + ", but this program can read versions up to " +
+                std::to_string(CaseManifest::kSchemaVersion) + ". Use a newer version of the program.");
+  return manifestFrom(*document, notes);
 }
 
 }  // namespace insonate

@@ -143,7 +143,7 @@ Result<RawVolume> describe(const fs::path& file, const HeaderBytes& header, cons
                   " dimensions, e.g. time; export one three-dimensional volume of it.");
     if (n > 3) continue;
     if (size < 1 || size > 100000)
-      return fail(file.string() + " says it has " + std::to_string(static_cast<long long>(size)) +
+      return fail(file.string() + " states that it has " + std::to_string(static_cast<long long>(size)) +
                   " voxels along one axis.");
     raw.size[n - 1] = static_cast<int>(size);
   }
@@ -157,7 +157,7 @@ Result<RawVolume> describe(const fs::path& file, const HeaderBytes& header, cons
 Result<void> readVoxels(const fs::path& file, const HeaderBytes& header, const Datatype& type, RawVolume& raw) {
   constexpr double kMaxValues = 4e9;
   const double count = double(raw.size[0]) * raw.size[1] * raw.size[2] * raw.components;
-  if (count > kMaxValues) return fail(file.string() + " says it holds more voxels than this program can.");
+  if (count > kMaxValues) return fail(file.string() + " states that it has more voxels than Insonate can handle.");
   const double from = std::max(header.offset(), header.headerSize());
   // Checks the sizes before memory is allocated.
   if (auto ok = checkHeld(file, from + count * type.bytesEach, decompressedBytes(file)); !ok) return ok;
@@ -186,9 +186,11 @@ Result<RawVolume> readNifti(const fs::path& file, ReadPart part) {
   const HeaderBytes header(std::move(bytes));
   constexpr double kFarthest = 1e9;
   if (!header.valid() || !(header.offset() < kFarthest))
-    return fail("Could not read " + file.string() + ": it is no NIfTI file. Copy or export it again.");
+    return fail("Could not read " + file.string() + ": it is not a NIfTI file. Copy or export it again.");
   const Datatype type = datatypeOf(header.datatype());
-  if (!type.copy) return fail(file.string() + " holds numbers of a kind that is not supported.");
+  if (!type.copy)
+    return fail(file.string() +
+                " has voxels of a number type that Insonate cannot read. Convert it to 16-bit integers.");
   auto raw = describe(file, header, type);
   if (!raw || part == ReadPart::kHeader) return raw;
   if (auto ok = checkVoxelSize(spacingOf(*raw)); !ok) return fail(file.string() + ": " + ok.error().message);

@@ -6,8 +6,8 @@ namespace insonate {
 
 /// Reads NIfTI-1 or NIfTI-2, compressed or not, in either byte order. ITK 5.2 is not used, because it does not read
 /// NIfTI-2, refuses oblique grids whose directions are rounded to floats, and fills missing voxels with zeros. If sform
-/// and qform differ, the sform is used if it leads to the scanner's frame, else the qform, as in 3D Slicer. Fails like
-/// readVolumeFile().
+/// and qform differ, the sform is used if it leads to the scanner's frame, else the qform, as in 3D Slicer. Fails with
+/// the errors of readVolumeFile().
 Result<RawVolume> readNifti(const std::filesystem::path& file, ReadPart part);
 
 }  // namespace insonate

@@ -20,7 +20,7 @@ Result<void> writeNrrd(const std::filesystem::path& file, const VolumeGeometry& 
                        const std::vector<std::pair<std::string, std::string>>& fields = {},
                        const Progress& progress = {});
 
-/// Returns the shortest decimal that reads back to the same double, in any locale.
+/// Returns the shortest decimal text from which the same double is read back, in any locale.
 std::string exactDecimal(double value);
 
 }  // namespace insonate

@@ -11,7 +11,8 @@ namespace insonate {
 class OwnNumbers {
  public:
   void keep(std::uint8_t label) { taken_.set(label); }
-  /// Reserves and returns `wanted` if it is free, else the first free number; returns kSoftTissue if all are taken.
+  /// Reserves and returns a label number: `wanted` if it is free, else the first free number. Returns kSoftTissue if
+  /// all numbers are taken.
   std::uint8_t take(long wanted) {
     if (wanted < kLabelCount || wanted > kLastOwnLabel || taken_.test(static_cast<std::size_t>(wanted)))
       for (wanted = kLabelCount; wanted <= kLastOwnLabel && taken_.test(static_cast<std::size_t>(wanted));) ++wanted;
@@ -26,9 +27,10 @@ class OwnNumbers {
 
 /// Returns a note to the author about an unknown structure.
 inline std::string unknownStructure(const std::string& what, std::uint8_t label) {
-  return what + " is no structure this program knows and is read as " +
-         (isOwnLabel(label) ? labelName(label) + ", of soft tissue; say in the table of structures what it is."
-                            : "soft tissue, since no number is left for it.");
+  return what + " is a structure that Insonate does not know. It is read as " +
+         (isOwnLabel(label)
+              ? labelName(label) + ", with the tissue soft tissue. Set its name and tissue in the table of structures."
+              : "soft tissue, since all numbers of labels are in use.");
 }
 
 }  // namespace insonate

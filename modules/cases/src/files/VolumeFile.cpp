@@ -81,7 +81,8 @@ Result<RawVolume> headerOf(const Io& io, const fs::path& file) {
   const unsigned axes = std::min(dimensions, 3U);
   for (unsigned a = 0; a < axes; ++a) {
     if (io.GetDimensions(a) < 1 || io.GetDimensions(a) > 100000)
-      return fail(file.string() + " says it has " + std::to_string(io.GetDimensions(a)) + " voxels along one axis.");
+      return fail(file.string() + " states that it has " + std::to_string(io.GetDimensions(a)) +
+                  " voxels along one axis.");
     raw.size[a] = static_cast<int>(io.GetDimensions(a));
     const auto axis = io.GetDirection(a);
     Vec3 direction;
@@ -89,10 +90,10 @@ Result<RawVolume> headerOf(const Io& io, const fs::path& file) {
     raw.patientFromIndex.linear.column[a] = direction * io.GetSpacing(a);
     raw.patientFromIndex.offset[static_cast<int>(a)] = io.GetOrigin(a);
   }
-  constexpr unsigned kMostComponents = 10000;
-  if (io.GetNumberOfComponents() > kMostComponents)
-    return fail(file.string() + " says it has " + std::to_string(io.GetNumberOfComponents()) +
-                " values per voxel; it is damaged, or its axes are in another order than they are called.");
+  constexpr unsigned kMaxComponents = 10000;
+  if (io.GetNumberOfComponents() > kMaxComponents)
+    return fail(file.string() + " states that it has " + std::to_string(io.GetNumberOfComponents()) +
+                " values per voxel. It is damaged, or the order of its axes differs from their names.");
   raw.components = static_cast<int>(io.GetNumberOfComponents());
   raw.eightBit = io.GetComponentSize() == 1;
   for (const std::string& key : io.GetMetaDataDictionary().GetKeys()) {
@@ -161,7 +162,7 @@ Result<void> checkWhole(const RawVolume& raw, const Io& io, const fs::path& file
 Result<void> readValues(Io& io, const fs::path& file, RawVolume& raw) {
   constexpr double kMaxValues = 4e9;
   const double count = double(raw.size[0]) * raw.size[1] * raw.size[2] * raw.components;
-  if (count > kMaxValues) return fail(file.string() + " says it holds more voxels than this program can.");
+  if (count > kMaxValues) return fail(file.string() + " states that it has more voxels than Insonate can handle.");
   itk::ImageIORegion region(io.GetNumberOfDimensions());
   for (unsigned a = 0; a < io.GetNumberOfDimensions(); ++a) region.SetSize(a, io.GetDimensions(a));
   io.SetIORegion(region);
@@ -169,7 +170,8 @@ Result<void> readValues(Io& io, const fs::path& file, RawVolume& raw) {
   io.Read(bytes.data());
   raw.values.resize(static_cast<std::size_t>(count));
   if (!convert(io.GetComponentType(), bytes, raw.values))
-    return fail(file.string() + " holds numbers of a kind that is not supported.");
+    return fail(file.string() +
+                " has voxels of a number type that Insonate cannot read. Convert it to 16-bit integers.");
   return {};
 }
 
@@ -203,7 +205,7 @@ Result<RawVolume> readVolumeFile(const fs::path& file, ReadPart part) {
   } catch (const itk::ExceptionObject& e) {
     return fail(sentence + innermost(e.GetDescription()));
   } catch (const std::bad_alloc&) {
-    return fail("Could not read " + file.string() + ": it needs more memory than there is.");
+    return fail("Could not read " + file.string() + ": there is not enough memory. Close other programs.");
   } catch (const std::exception& e) {
     return fail(sentence + innermost(e.what()));
   }

@@ -15,12 +15,13 @@ namespace insonate {
 /// An image file without conversion: any component type, any affine grid.
 struct RawVolume {
   std::array<int, 3> size{1, 1, 1};
-  Transform patientFromIndex;  ///< LPS mm; columns need not be perpendicular
+  Transform patientFromIndex;  ///< maps a voxel index to patient LPS, mm; columns need not be perpendicular
   int components = 1;
   bool eightBit = false;
-  bool oriented = true;                         ///< false if the file does not state patient directions
+  bool oriented = true;                         ///< true if the file states patient directions
   std::map<std::string, std::string> metadata;  ///< key/value pairs of an NRRD header
-  std::vector<float> values;                    ///< component fastest, then i, j, k; empty if only the header was read
+  /// Values of the voxels: component fastest, then i, j, k; empty if only the header was read.
+  std::vector<float> values;
 };
 
 /// Tells from the file name whether a file is NRRD, NIfTI or MetaImage.

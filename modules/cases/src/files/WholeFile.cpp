@@ -96,8 +96,8 @@ Result<void> checkHeld(const fs::path& file, double promised_bytes, HeldBytes he
   const auto amount = [](double bytes) { return std::to_string(static_cast<unsigned long long>(bytes)) + " bytes"; };
   return fail("Could not read " + file.string() + ": it is cut off or damaged; " +
               (held.count < promised_bytes
-                   ? "its header promises " + amount(promised_bytes) + ", it holds " + amount(held.count)
-                   : std::string("its compressed stream breaks off")) +
+                   ? "its header states " + amount(promised_bytes) + ", but it contains " + amount(held.count)
+                   : std::string("its compressed data end too early")) +
               ". Copy or export it again.");
 }
 

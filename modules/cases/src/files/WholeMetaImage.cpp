@@ -104,13 +104,14 @@ Result<void> checkWholeMetaImage(const fs::path& file, double promised) {
   if (data == "LOCAL" || data == "Local" || data == "local")
     return checkHeld(file, promised, heldBytes(header, file, header.end, promised));
   if (data.find('%') != std::string::npos)
-    return fail(sorry + "its voxels lie in numbered files (" + data + "). Save it as one .mha file.");
+    return fail(sorry + "its voxels are in numbered files (" + data + "). Save it as one .mha file.");
   HeldBytes all;
   for (const std::string& name : header.list.empty() ? std::vector{data} : header.list) {
     const fs::path part = file.parent_path() / name;
     std::error_code error;
     if (!fs::is_regular_file(part, error))
-      return fail(sorry + "there is no file " + part.string() + ", which should hold its voxels. Copy it too.");
+      return fail(sorry + "there is no file " + part.string() +
+                  ", which should contain its voxels. Copy this file, too.");
     const HeldBytes held = heldBytes(header, part, headerSizeOf(header), promised);
     all = {all.count + held.count, all.streamBreaks || held.streamBreaks};
   }

@@ -6,8 +6,8 @@ namespace insonate {
 
 enum class DicomLayout {
   kNotDicom,
-  kCutInHeader,  ///< ends or breaks before its pixels begin
-  kCutInPixels,  ///< the header is readable, but fewer pixels are present than it declares
+  kCutInHeader,  ///< the file ends or is damaged before its pixels begin
+  kCutInPixels,  ///< the header is readable, but the file has fewer pixels than the header declares
   kWhole,
 };
 

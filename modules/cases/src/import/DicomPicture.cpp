@@ -78,7 +78,7 @@ bool areHuffmanTables(std::string_view tables) {
 }
 
 /// Tells whether the header of a JPEG or JPEG-LS stream (ITU-T T.81 B.2, T.87 C.2) describes one image of this size.
-bool isOfSize(std::string_view stream, const std::array<unsigned, 3>& size, unsigned mostBits) {
+bool isOfSize(std::string_view stream, const std::array<unsigned, 3>& size, unsigned maxBits) {
   const auto byte = [&](std::size_t at) { return at < stream.size() ? static_cast<unsigned char>(stream[at]) : 0U; };
   const auto pair = [&](std::size_t at) { return byte(at) << 8 | byte(at + 1); };
   bool fits = false;
@@ -92,17 +92,17 @@ bool isOfSize(std::string_view stream, const std::array<unsigned, 3>& size, unsi
     if (marker == kApplication && otherJfif) return false;
     if (marker == kTables && !areHuffmanTables(stream.substr(at + 4, pair(at + 2) - 2U))) return false;
     if (marker != kJpegLs && (marker < 0xc0 || marker > 0xcf || marker == kTables)) continue;
-    fits = !fits && byte(at + 4) <= mostBits && pair(at + 5) == size[1] && pair(at + 7) == size[0] && byte(at + 9) == 1;
+    fits = !fits && byte(at + 4) <= maxBits && pair(at + 5) == size[1] && pair(at + 7) == size[0] && byte(at + 9) == 1;
     if (!fits) return false;
   }
   return false;
 }
 
 /// GDCM 3.0 decodes the size in the stream into memory of the size in the header, which can overflow.
-bool holdsJpegs(const gdcm::SequenceOfFragments& fragments, const std::array<unsigned, 3>& size, unsigned mostBits) {
+bool holdsJpegs(const gdcm::SequenceOfFragments& fragments, const std::array<unsigned, 3>& size, unsigned maxBits) {
   if (size[2] > 1 && fragments.GetNumberOfFragments() != size[2]) return false;
   for (unsigned f = 0; f < size[2]; ++f)
-    if (!isOfSize(streamOf(fragments, f, size[2] == 1), size, mostBits)) return false;
+    if (!isOfSize(streamOf(fragments, f, size[2] == 1), size, maxBits)) return false;
   return true;
 }
 

@@ -9,7 +9,7 @@
 
 namespace insonate {
 
-/// Returns the stored pixels of a file, decompressed; no value unless all are present. `size` is columns, rows, frames;
+/// Returns the stored pixels of a file, decompressed; no value if pixels are missing. `size` is columns, rows, frames;
 /// one sample per pixel. GDCM's ImageReader is not used: it does not read label maps, and it aborts the program on
 /// unexpected curves, overlays, icons and representations.
 std::optional<std::vector<char>> storedPixels(const gdcm::File& file, const std::array<unsigned, 3>& size,

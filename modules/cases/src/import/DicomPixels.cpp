@@ -49,20 +49,20 @@ Result<gdcm::PixelFormat> formatOf(const std::filesystem::path& file, const gdcm
   const auto number = [&](std::uint16_t element) { return shortOf(data, gdcm::Tag(0x0028, element)).value_or(0); };
   if (shown == "MONOCHROME1")
     return refuseFile(file,
-                      "shows high values dark (MONOCHROME1), as scanners do not; they may have been inverted and be no "
-                      "Hounsfield units. Export the original series.");
+                      "shows high values as dark (MONOCHROME1), which CT scanners do not. Its values may be inverted "
+                      "and not be Hounsfield units. Export the original series.");
   if (number(0x0002) > 1 || (!shown.empty() && shown != "MONOCHROME2"))
-    return refuseFile(file, "is not a plain gray image (MONOCHROME2), as a CT slice is. Export the original series.");
+    return refuseFile(file, "is not a gray image (MONOCHROME2), so it is not a CT slice. Export the original series.");
   const unsigned allocated = number(0x0100), stored = number(0x0101), high = number(0x0102);
   if ((allocated != 8 && allocated != 16 && allocated != 32) || stored < 1 || high + 1 < stored || high >= allocated)
     return refuseFile(file, "has pixels of " + std::to_string(allocated) + " bits, " + std::to_string(stored) +
-                                " of them used, which no CT has.");
+                                " of which are used; a CT never has this. Export the original series.");
   const auto narrow = [](unsigned value) { return static_cast<unsigned short>(value); };
   return gdcm::PixelFormat(1, narrow(allocated), narrow(stored), narrow(high), narrow(number(0x0103) == 1));
 }
 
 Result<StoredPixels> decode(const std::filesystem::path& file) {
-  const std::string cutOff = "holds no complete image: it is cut off or damaged. Copy or export it again.";
+  const std::string cutOff = "contains no complete image: it is cut off or damaged. Copy or export it again.";
   gdcm::Reader reader;
   reader.SetFileName(file.c_str());
   if (!reader.Read()) return refuseFile(file, cutOff);
@@ -133,7 +133,7 @@ Result<std::vector<std::int16_t>> readSlices(const DicomSeries& series, std::vec
     for (const std::size_t n : slices) {
       if (pixels->columns != series.stack.columns || pixels->rows != series.stack.rows ||
           series.slices[n].frame >= pixels->frames)
-        return refuseFile(file, "has an image of another size than its header says.");
+        return refuseFile(file, "has an image whose size differs from the size in its header. Export it again.");
       hu.resize(size);
       toHu(*pixels, series.slices[n], &hu[n * sliceSize], changes);
     }

@@ -32,7 +32,7 @@ std::string notASlice(const std::string& sopClass, const std::string& modality, 
   if (storage("481") || modality.starts_with("RT")) return "a radiotherapy object";
   if (storage("7")) return "a secondary capture (screenshot), not a slice";
   // GDCM terminates the program on some recognition codes.
-  if (data.FindDataElement(Tag(0x0008, 0x0010))) return "an image of ACR-NEMA, which is older than DICOM";
+  if (data.FindDataElement(Tag(0x0008, 0x0010))) return "an image in the ACR-NEMA format, which is older than DICOM";
   if (!hasPixels) return modality == "CT" ? "DICOM that is a CT slice without pixel data" : "DICOM without pixel data";
   const std::string type = upper(textOf(data, Tag(0x0008, 0x0008)));
   for (const char* scout : {"LOCALIZER", "SCOUT", "TOPOGRAM"})
@@ -60,7 +60,7 @@ std::string notDicom(const fs::path& file) {
 std::string whyUnread(const gdcm::FileMetaInformation& header) {
   const std::string syntax = textOf(header, Tag(0x0002, 0x0010));
   if (!syntax.empty() && gdcm::TransferSyntax::GetTSType(syntax.c_str()) == gdcm::TransferSyntax::TS_END)
-    return "DICOM that is in an encoding that is not read here (" + syntax + "); export it uncompressed";
+    return "DICOM with an encoding that Insonate cannot read (" + syntax + "); export it uncompressed";
   return "DICOM that is cut off or damaged in its header";
 }
 
@@ -80,7 +80,7 @@ DicomScan scan(const fs::path& file) {
   std::string sopClass = textOf(data, Tag(0x0008, 0x0016));
   if (sopClass.empty()) sopClass = textOf(reader.GetFile().GetHeader(), Tag(0x0002, 0x0002));
   if (sopClass == "1.2.840.10008.1.3.10")
-    return {{}, "a DICOM directory: an index without images, which lie in the folders beside it", true};
+    return {{}, "a DICOM directory, which is an index without images; the images are in the folders beside it", true};
   if (auto reason = notASlice(sopClass, modality, data, cut || data.FindDataElement(kPixelData)); !reason.empty())
     return {{}, reason};
   DicomScan result{framesOf(file, data), {}, false};

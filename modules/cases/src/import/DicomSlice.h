@@ -17,25 +17,26 @@ struct DicomSlice {
   std::string studyUid, seriesUid, sopUid, frameOfReferenceUid, modality;
   std::optional<int> acquisition, instance;
   int columns = 0, rows = 0;
-  std::optional<Vec3> position_mm;                       ///< center of the first pixel, patient LPS
-  std::optional<std::array<Vec3, 2>> orientation;        ///< patient directions along a row (i) and down a column (j)
-  std::optional<std::array<double, 2>> pixelSpacing_mm;  ///< as in DICOM: between rows, then between columns
+  std::optional<Vec3> position_mm;                 ///< center of the slice's first pixel, patient LPS
+  std::optional<std::array<Vec3, 2>> orientation;  ///< patient directions along a row (i) and down a column (j)
+  /// Pixel spacing as in DICOM: distance between rows, then between columns.
+  std::optional<std::array<double, 2>> pixelSpacing_mm;
   std::optional<double> thickness_mm;
   std::optional<double> slope, intercept;
-  bool lookupTable = false;                   ///< values are converted by a lookup table instead of slope and intercept
-  std::string kernel;                         ///< reconstruction kernel, as the scanner names it
+  bool lookupTable = false;  ///< true if values are converted by a lookup table instead of slope and intercept
+  std::string kernel;        ///< reconstruction kernel, as the scanner names it
   std::optional<std::array<int, 2>> padding;  ///< stored values from..to that mean "no image here"
   bool burnedInText = false;
-  bool lossy = false;      ///< the image has been compressed with loss
-  bool otherUnit = false;  ///< values are in another unit than Hounsfield units, or in an unspecified unit
-  bool cutOff = false;     ///< its pixels are incomplete
+  bool lossy = false;      ///< true if the image has been compressed with loss
+  bool otherUnit = false;  ///< true if values are in another unit than Hounsfield units, or in an unspecified unit
+  bool cutOff = false;     ///< true if the file ends before the slice's last pixel
 };
 
 /// The slices of a file, or the reason why it has none.
 struct DicomScan {
   std::vector<DicomSlice> slices;
   std::string setAside;
-  bool isDirectory = false;  ///< an index of the images in the folders beside it (DICOMDIR)
+  bool isDirectory = false;  ///< true if the file is an index of the images in the folders beside it (DICOMDIR)
 };
 
 /// Reads a file's header. Sets aside scouts, screenshots, segmentations, reports, indexes and files other than DICOM;

@@ -98,7 +98,8 @@ Result<void> checkDicomTarget(const fs::path& folder) {
   if (auto ok = checkFolderTarget(folder); !ok) return ok;
   std::error_code error;
   if (fs::exists(folder, error) && (!fs::is_empty(folder, error) || error))
-    return fail("The folder " + folder.string() + " is not empty; slices of two series would mix. Name another one.");
+    return fail("The folder " + folder.string() +
+                " is not empty, and slices of two series must not mix. Name another folder.");
   return {};
 }
 

@@ -85,7 +85,7 @@ Result<CtVolume> read(const VolumeSeries& series, const SeriesInfo& info, std::v
 
 /// The header of a label map that was stored in 16 bits resembles that of a CT.
 Result<void> checkIsNoLabelMap(const CtVolume& ct) {
-  constexpr std::size_t kFewVoxels = 1000, kMostLabels = 256;
+  constexpr std::size_t kFewVoxels = 1000, kMaxLabels = 256;
   if (ct.voxels.size() < kFewVoxels) return {};
   std::vector<bool> seen(1 << 16);
   std::size_t different = 0;
@@ -93,12 +93,11 @@ Result<void> checkIsNoLabelMap(const CtVolume& ct) {
     if (hu < 0) return {};
     if (seen[hu]) continue;
     seen[hu] = true;
-    if (++different > kMostLabels) return {};
+    if (++different > kMaxLabels) return {};
   }
-  return fail(
-      "it holds only " + std::to_string(different) +
-      " different values, none below 0: it is a label map or an image, not a CT in Hounsfield units. Import the "
-      "CT it was drawn on.");
+  return fail("it holds only " + std::to_string(different) +
+              " different values, none below 0: it is a label map or an image, not a CT in Hounsfield units. Import "
+              "the CT from which it was made.");
 }
 
 void judgeValues(ImportedCt& imported) {
@@ -149,7 +148,7 @@ Result<SeriesListing> listSeries(const fs::path& input, const Progress& progress
   if (!scan) return tl::unexpected(scan.error());
   const SeriesListing listing = listingOf(*scan);
   if (listing.series.empty()) return fail(input.string() + " holds no image series.\n" + describe(listing));
-  report(progress, "Looking at files", 1);
+  report(progress, "Reading the files", 1);
   return listing;
 }
 
@@ -166,7 +165,7 @@ Result<ImportedCt> importSeries(const fs::path& input, const std::string& uid, c
   if (uid.empty() && !scan->unreadable.empty())
     return fail(unreadableText(scan->unreadable) +
                 ". It may be a slice of the series. Make it readable, or choose the series " + found.info.uid +
-                " to import it without.");
+                " to import the series without this file.");
   const DicomSeries* dicom = std::get_if<DicomSeries>(&found.data);
   if (dicom) warnOfDamagedFiles(*scan, warnings);
   auto ct = dicom ? read(*dicom, warnings, progress) : read(std::get<VolumeSeries>(found.data), found.info, warnings);

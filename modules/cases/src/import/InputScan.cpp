@@ -39,9 +39,9 @@ Result<std::vector<fs::path>> filesOf(const fs::path& input, InputScan& scan) {
   if (!fs::is_directory(status)) return fail(input.string() + " is neither a file nor a folder.");
   std::vector<fs::path> files;
   fs::recursive_directory_iterator entry(input, fs::directory_options::skip_permission_denied, error);
-  if (error) return fail("Could not look into " + input.string() + ": " + error.message() + ".");
+  if (error) return fail("Could not read the folder " + input.string() + ": " + error.message() + ".");
   for (; entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-    if (error) return fail("Could not look into " + input.string() + ": " + error.message() + ".");
+    if (error) return fail("Could not read the folder " + input.string() + ": " + error.message() + ".");
     std::error_code ignored;
     const bool file = entry->is_regular_file(ignored);
     const bool lost = entry->is_symlink(ignored) && !entry->exists(ignored);
@@ -166,7 +166,7 @@ Result<void> addSeriesOf(const DicomSlice& chosen, InputScan& scan, std::vector<
       files.push_back(entry->path());
   std::ranges::sort(files);
   for (std::size_t n = 0; n < files.size(); ++n) {
-    if (!report(progress, "Looking for its series", static_cast<double>(n) / static_cast<double>(files.size())))
+    if (!report(progress, "Finding the series", static_cast<double>(n) / static_cast<double>(files.size())))
       return fail(std::string(kCancelled));
     if (isVolumeFile(files[n])) continue;
     if (const std::string why = whyClosed(files[n]); !why.empty()) {
@@ -187,7 +187,7 @@ Result<InputScan> scanInput(const fs::path& input, const Progress& progress) {
   if (!files) return tl::unexpected(files.error());
   std::vector<DicomSlice> slices;
   for (std::size_t n = 0; n < files->size(); ++n) {
-    if (!report(progress, "Looking at files", static_cast<double>(n) / static_cast<double>(files->size())))
+    if (!report(progress, "Reading the files", static_cast<double>(n) / static_cast<double>(files->size())))
       return fail(std::string(kCancelled));
     const fs::path& file = (*files)[n];
     if (isVolumeFile(file)) {

@@ -11,7 +11,8 @@
 
 namespace insonate {
 
-/// A volume file as a series; `stack` is set if its slices must be resampled to an orthogonal grid.
+/// An NRRD, NIfTI or MetaImage file as a series; `stack` is set if the file's slices must be resampled to an orthogonal
+/// grid.
 struct VolumeSeries {
   std::filesystem::path file;
   std::optional<SliceStack> stack;

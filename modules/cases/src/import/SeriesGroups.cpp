@@ -90,7 +90,7 @@ Slices withoutCopies(const Slices& slices, std::vector<std::string>& warnings) {
   const std::size_t copies = slices.size() - unique.size();
   if (copies > 0)
     warnings.push_back(std::to_string(copies) + (copies == 1 ? " slice is" : " slices are") +
-                       " there twice (same SOP Instance UID); the copies were ignored.");
+                       " in the folder twice (same SOP Instance UID); the copies were ignored.");
   return unique;
 }
 
@@ -156,7 +156,7 @@ std::vector<Part> partsOf(const Slices& kind) {
     const std::size_t more = slices.size() - byPlace(slices).size();
     return {{slices, warnings,
              std::to_string(more) + (more == 1 ? " slice is" : " slices are") +
-                 " at the place of another one and nothing tells them apart. Export one series only."}};
+                 " at the same position as another slice, and nothing distinguishes them. Export one series only."}};
   }
   if (split.empty()) return {{slices, warnings, {}}};
   for (Slices& s : split) parts.push_back({std::move(s), warnings, {}});
@@ -167,22 +167,26 @@ std::string whyNot(const DicomSlice& s) {
   if (s.modality != "CT")
     return "It is " + (s.modality.empty() ? std::string("of unknown modality") : s.modality) +
            ", not CT; its values are not Hounsfield units.";
-  if (s.columns < 1 || s.rows < 1) return "Its slices say no size (Rows, Columns).";
+  if (s.columns < 1 || s.rows < 1)
+    return "Its slices do not state their size (Rows, Columns). Export the original series.";
   if (!s.pixelSpacing_mm)
     return "Its slices have no Pixel Spacing, so nothing in them can be measured. Export the original series.";
   if (!((*s.pixelSpacing_mm)[0] > 0 && (*s.pixelSpacing_mm)[1] > 0)) return "Its Pixel Spacing is not above 0.";
   if (!s.position_mm || !s.orientation)
-    return "Its slices do not say where they lie (Image Position and Orientation). Export the original series.";
+    return "Its slices do not state their position (Image Position and Orientation). Export the original series.";
   if (s.cutOff)
-    return "The slice " + s.file.filename().string() + " is cut off: it ends before its image does. Copy it again.";
-  if (s.slope == 0.0) return "Its Rescale Slope is 0: every voxel would have one value. Export the original series.";
+    return "The slice " + s.file.filename().string() +
+           " is cut off: it ends before the end of its image. Copy it again.";
+  if (s.slope == 0.0)
+    return "Its Rescale Slope is 0, so all voxels would have the same value. Export the original series.";
   if (s.lookupTable)
-    return "Its values are Hounsfield units only after a lookup table (Modality LUT), which is not read here. Export "
+    return "Its values become Hounsfield units only by a lookup table (Modality LUT), which Insonate cannot read. "
+           "Export "
            "it "
            "with Rescale Slope and Intercept.";
   const auto& [i, j] = *s.orientation;
   if (!(std::abs(norm(i) - 1) < 0.01 && std::abs(norm(j) - 1) < 0.01))
-    return "The Image Orientation of its slices is no pair of unit vectors.";
+    return "The Image Orientation of its slices is not a pair of unit vectors. Export the original series.";
   return {};
 }
 
@@ -195,7 +199,8 @@ std::string whyNotTogether(const Slices& slices) {
   const auto scaled = static_cast<std::size_t>(std::ranges::count_if(slices, isScaled));
   if (scaled == 0 || scaled == slices.size()) return {};
   return std::to_string(slices.size() - scaled) + " of its " + std::to_string(slices.size()) +
-         " slices lack Rescale Slope or Intercept, which the others have: their values do not compare. Export the "
+         " slices lack Rescale Slope or Intercept, which the other slices have, so their values cannot be compared. "
+         "Export the "
          "original series.";
 }
 
@@ -216,17 +221,19 @@ void addWarnings(DicomSeries& series) {
   if (series.slices.size() > 1 && first.thickness_mm && *first.thickness_mm > 0) {
     const double ratio = *first.thickness_mm / spacing_mm;
     if (ratio < 0.67)
-      series.warnings.push_back("The slices are much thinner than their distance: structures between them are unseen.");
+      series.warnings.push_back(
+          "The slices are much thinner than their distance, so structures between them are not visible.");
     else if (ratio > 2.1)
       series.warnings.push_back(
-          "The slices are much thicker than their distance: fine detail along the stack is blurred.");
+          "The slices are much thicker than their distance, so fine detail along the stack is blurred.");
   }
   if (const double worst_mm = unparallel_mm(series); worst_mm > 0.5 * series.plan.grid.spacing_mm.x)
-    series.warnings.push_back("The slices are not quite parallel but were taken as such; corners lie up to " +
-                              std::to_string(static_cast<int>(std::ceil(worst_mm))) +
-                              " mm beside where their headers put them.");
+    series.warnings.push_back(
+        "The slices are not quite parallel, but are treated as parallel. Their corners are up to " +
+        std::to_string(static_cast<int>(std::ceil(worst_mm))) + " mm away from the positions in their headers.");
   if (splitByKernel(series.slices).size() > 1)
-    series.warnings.push_back("The slices were reconstructed in several ways (kernels): sharpness and noise differ.");
+    series.warnings.push_back(
+        "The slices were reconstructed with several kernels, so their sharpness and noise differ.");
   if (!std::ranges::all_of(series.slices, isScaled))
     series.warnings.push_back("Slices lack Rescale Slope or Intercept; 1 and 0 are used. Air should be near -1000 HU.");
   if (std::ranges::any_of(series.slices, &DicomSlice::otherUnit))

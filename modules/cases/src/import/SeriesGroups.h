@@ -8,14 +8,14 @@
 
 namespace insonate {
 
-/// Slices that make one volume, in the order of the plan if there is one.
+/// DICOM slices that form one volume; in the order of `plan` if they can be stacked.
 struct DicomSeries {
   std::string uid;  ///< Series Instance UID, with "#2" when one UID holds several stacks
   std::string modality;
   std::vector<DicomSlice> slices;
   SliceStack stack;
   StackPlan plan;
-  std::vector<std::string> warnings;  ///< include those of the plan
+  std::vector<std::string> warnings;  ///< warnings about the series, including those of `plan`
   std::string refusal;
 };
 

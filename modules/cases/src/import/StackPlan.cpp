@@ -152,10 +152,9 @@ void planShear(const SliceStack& stack, const Frame& f, StackPlan& plan) {
     jitter_mm = std::max(jitter_mm, std::hypot(p.x - share * last.x, p.y - share * last.y));
   }
   if (shift_mm > tolerance_mm)
-    plan.warnings.push_back("The slices are tilted by " +
-                            decimals(std::atan2(shift_mm, last.z) * kRadiansToDegrees, 1) +
-                            " degrees against the direction of the stack (gantry tilt); they were shifted in their "
-                            "own planes onto an orthogonal grid.");
+    plan.warnings.push_back(
+        "The slices are tilted by " + decimals(std::atan2(shift_mm, last.z) * kRadiansToDegrees, 1) +
+        " degrees relative to the direction of the stack (gantry tilt). They were resampled onto an orthogonal grid.");
   if (jitter_mm > tolerance_mm)
     plan.warnings.push_back("The slices are displaced sideways by up to " + decimals(jitter_mm, 1) +
                             " mm; each was put where its header says.");

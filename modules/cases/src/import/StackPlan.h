@@ -11,18 +11,18 @@ namespace insonate {
 /// Parallel slices of one size, in any order, each at a different position.
 struct SliceStack {
   int columns = 0, rows = 0;
-  std::array<double, 2> spacing_mm{};  ///< along i (between columns), along j (between rows)
-  std::array<Vec3, 2> direction;       ///< directions of i and j; nearly perpendicular
-  std::vector<Vec3> positions_mm;      ///< center of each slice's first pixel, patient LPS
-  double thickness_mm = 0;             ///< 0 when unknown; used as the spacing of a single slice
+  std::array<double, 2> spacing_mm{};  ///< distance between pixels along i (between columns) and along j (between rows)
+  std::array<Vec3, 2> direction;  ///< patient directions of i (along a row) and j (down a column); nearly perpendicular
+  std::vector<Vec3> positions_mm;  ///< center of each slice's first pixel, patient LPS
+  double thickness_mm = 0;         ///< slice thickness, used as the spacing of a single slice; 0 if unknown
 };
 
 /// Grid and order in which a stack becomes a volume.
 struct StackPlan {
-  VolumeGeometry grid;          ///< orthogonal, right-handed
+  VolumeGeometry grid;          ///< grid of the volume: orthogonal, right-handed
   std::vector<int> order;       ///< indices of slices in the stack, by increasing k
   std::vector<Vec3> offset_mm;  ///< offset of each ordered slice's first pixel from the grid's origin, along i, j, k
-  bool resample = false;        ///< false if slice n of the order is slice n of the grid
+  bool resample = false;  ///< true if slices must be interpolated; false if slice n of `order` is slice n of the grid
   std::vector<std::string> warnings;
   std::string refusal;
 };
@@ -33,11 +33,11 @@ inline constexpr double kSamePlace_mm = 0.01;
 /// in a larger gap.
 inline constexpr double kLargestFilledGap_mm = 10;
 
-/// Determines spacing, tilt and gaps from the positions alone. The stack must have at least one slice, and no two at
-/// the same position.
+/// Determines a stack's spacing, tilt and gaps from the positions of its slices alone. The stack must have at least one
+/// slice, and no two at the same position.
 StackPlan planStack(const SliceStack& stack);
 
-/// Tells whether the spacing is even enough that the stack has no gap and needs no resampling along k.
+/// Tells whether the slices are spaced evenly enough: without gaps, and without need for resampling along k.
 bool isRegular(const SliceStack& stack);
 
 /// Resamples the slices of `stack` to the plan's grid. `slices` holds the voxels in the plan's order. Interpolates

@@ -19,15 +19,15 @@ struct Shares {
 };
 
 Shares sharesOf(const CtVolume& ct) {
-  constexpr int kMostAir = 250, kLeastBetween = 400, kLeastSoft = 900, kMostSoft = 1150;
+  constexpr int kMaxAir = 250, kMinBetween = 400, kMinSoft = 900, kMaxSoft = 1150;
   std::size_t all = 0, air = 0, between = 0, soft = 0, bone = 0, below = 0;
   for (const std::int16_t value : ct.voxels) {
     all += value != kAirHu;
     below += value != kAirHu && value < 0;
-    air += value >= 0 && value < kMostAir;
-    between += value >= kLeastBetween && value < kLeastSoft;
-    soft += value >= kLeastSoft && value <= kMostSoft;
-    bone += value > kMostSoft;
+    air += value >= 0 && value < kMaxAir;
+    between += value >= kMinBetween && value < kMinSoft;
+    soft += value >= kMinSoft && value <= kMaxSoft;
+    bone += value > kMaxSoft;
   }
   const auto share = [&](std::size_t count) { return all > 0 ? double(count) / double(all) : 0.0; };
   return {share(air), share(between), share(soft), share(bone), share(below)};
@@ -56,8 +56,8 @@ void shiftValues(ImportedCt& imported, int shift_HU) {
   for (std::int16_t& value : imported.ct.voxels)
     if (value != kAirHu) value = static_cast<std::int16_t>(std::clamp(value + shift_HU, kAirHu, kMostHu));
   imported.likelyShift_HU.reset();
-  imported.series.warnings.push_back("As was asked, " + std::to_string(shift_HU) +
-                                     " was added to every value to make Hounsfield units of it.");
+  imported.series.warnings.push_back("As requested, " + std::to_string(shift_HU) +
+                                     " was added to every value to convert it to Hounsfield units.");
 }
 
 }  // namespace insonate

@@ -6,7 +6,7 @@ namespace insonate::phantom {
 namespace {
 
 Shape lumen() {
-  const auto y = [](double z) { return airwayCentre_mm(z); };
+  const auto y = [](double z) { return airwayCenter_mm(z); };
   return column(Side::kRight,
                 {{{-80, {0, y(-80), 8.2, 7.6, 0}},
                   {-40, {0, y(-40), 8.2, 7.8, 0}},
@@ -28,13 +28,13 @@ double ringLimit_mm(Vec3 p) {
   constexpr double kPitch_mm = 4.4, kHalf_mm = 1.5;
   const double t = (p.z + 0.5 * std::sin(p.x / 6)) / kPitch_mm;
   const double alongAxis = std::abs(t - std::round(t)) * kPitch_mm - kHalf_mm;
-  const double back = p.y - (airwayCentre_mm(p.z) + 4.5);
+  const double back = p.y - (airwayCenter_mm(p.z) + 4.5);
   return std::max({alongAxis, back, p.z + 12.5});
 }
 
 /// Cricoid: a signet ring, low arch in front, tall plate behind.
 double cricoidLimit_mm(Vec3 p) {
-  const double back = std::clamp((p.y - airwayCentre_mm(p.z) + 8) / 16, 0.0, 1.0);
+  const double back = std::clamp((p.y - airwayCenter_mm(p.z) + 8) / 16, 0.0, 1.0);
   const double top = -3 + 13 * back * back, bottom = -9.5 + back;
   return std::max(p.z - top, bottom - p.z);
 }
@@ -62,10 +62,10 @@ void addThyroidCartilage(std::vector<Structure>& into, std::uint32_t seed) {
 
 }  // namespace
 
-double airwayCentre_mm(double z_mm) {
-  static const Curve<1> kCentre{{-80, {40}},   {-64, {34.5}}, {-50, {29.5}}, {-40, {26}}, {-30, {22.5}}, {-20, {19}},
+double airwayCenter_mm(double z_mm) {
+  static const Curve<1> kCenter{{-80, {40}},   {-64, {34.5}}, {-50, {29.5}}, {-40, {26}}, {-30, {22.5}}, {-20, {19}},
                                 {-10, {15.5}}, {0, {12.5}},   {10, {9.5}},   {20, {8.5}}, {34, {9}}};
-  return kCentre(z_mm)[0];
+  return kCenter(z_mm)[0];
 }
 
 void addAirway(std::vector<Structure>& into, std::uint32_t seed) {

@@ -12,7 +12,7 @@ namespace insonate::phantom {
 struct NeckParameters {
   std::uint32_t seed = 1;  ///< seed of the vessels' tortuosity
   double skin_mm = 1.6;
-  double girth_mm = 0;  ///< added to the radius of the investing fascia
+  double girth_mm = 0;  ///< increase of the neck's girth, added to the radius of the investing fascia
   Platysma platysma;
   double fat_mm = 4.2;
   double veinWidth[2] = {1.0, 0.82};  ///< scale of the jugular vein's width
@@ -23,9 +23,9 @@ struct NeckParameters {
   double carotidLateral_mm = 0;
   double bifurcation_z_mm = 31;   ///< level of the carotid bifurcation above the cricoid
   double headTurn_deg = 0;        ///< rotation of the head toward the patient's left, at the top of the model
-  double sternomastoidScale = 1;  ///< scale of the muscle's thickness
+  double sternomastoidScale = 1;  ///< scale of the sternocleidomastoid's thickness
   double thyroidScale = 1;
-  bool chest = false;  ///< add the structures below the clavicles, down to 100 mm below the cricoid
+  bool chest = false;  ///< true: adds the structures below the clavicles, down to 100 mm below the cricoid
 };
 
 /// Kind of a structure, which determines how it meets its neighbors. Organs take their space in the order of the list;
@@ -35,18 +35,18 @@ enum class Kind { kOrgan, kArtery, kVein, kMuscle };
 struct Structure {
   Label label = kSoftTissue;
   Kind kind = Kind::kOrgan;
-  double sheath_mm = 0;  ///< width of the soft tissue that is kept free around it
+  double sheath_mm = 0;  ///< width of the layer around the structure that remains soft tissue
   Shape shape;
 };
 
-/// The neck's structures, in order of precedence.
+/// Returns the neck's structures, in order of precedence.
 std::vector<Structure> makeAnatomy(const NeckParameters& parameters, std::uint32_t seed);
 
 /// Returns the internal jugular vein at a level: lateral and posterior position of its center (mm), half width, half
-/// height, turn (degrees).
+/// height, rotation (degrees).
 std::array<double, 5> jugularVeinAt(const NeckParameters& parameters, Side side, double z_mm);
 
-/// A named vessel, e.g. "left vertebral artery". Model mm.
+/// A named vessel, e.g. "left vertebral artery", with its center line in the model frame, mm.
 struct VesselCourse {
   std::string name;
   Label label = kVein;
@@ -57,11 +57,12 @@ std::vector<VesselCourse> vesselCourses(const NeckParameters& parameters, const 
 /// Returns the front of the vertebral bodies: model y at level z.
 double vertebralFront_mm(double z_mm);
 /// Returns the center of the airway (larynx, then trachea): model y at level z.
-double airwayCentre_mm(double z_mm);
-/// Course of the subclavian vein from its confluence to the axillary vein, below the clavicle; the artery
+double airwayCenter_mm(double z_mm);
+/// Returns the course of the subclavian vein from its confluence to the axillary vein, below the clavicle; the artery
 /// (axillaryArtery) lies behind and above it. Dimensions after Galloway and Bodenham, Br J Anaesth 2003;90:589. Below
 /// the middle of the clavicle, the vein is 12 mm wide and begins 19 mm below the skin; the artery is 3 mm and the rib
-/// cage 10 mm away. 40 mm farther lateral, these are 9, 31, 8 and 20 mm.
+/// cage 10 mm away. 40 mm farther lateral, the vein is 9 mm wide and 31 mm deep, the artery is 8 mm and the rib cage 20
+/// mm away.
 std::vector<Tube::Knot> axillaryVein();
 std::vector<Tube::Knot> axillaryArtery();
 

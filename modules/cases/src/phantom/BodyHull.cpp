@@ -31,8 +31,8 @@ void BodyHull::measure(const LabelMap& m) {
   const double cx = sumX / count * g.spacing_mm.x, cy = sumY / count * g.spacing_mm.y;
   for (int k = 0; k < g.size[2]; ++k) {
     Slice& slice = slices_[k];
-    slice.centreX = cx;
-    slice.centreY = cy;
+    slice.centerX = cx;
+    slice.centerY = cy;
     for (int j = 0; j < g.size[1]; ++j)
       for (int i = 0; i < g.size[0]; ++i) {
         // Only a structure's edge can be on the hull.
@@ -93,7 +93,7 @@ void BodyHull::makeRadii(double grow_mm) {
 
 double BodyHull::depth_mm(double x_mm, double y_mm, int k) const {
   const Slice& here = slices_[k];
-  const double x = x_mm - here.centreX, y = y_mm - here.centreY;
+  const double x = x_mm - here.centerX, y = y_mm - here.centerY;
   double a = std::atan2(y, x) / kFullTurn * kDirections;
   if (a < 0) a += kDirections;
   const int n = static_cast<int>(a);

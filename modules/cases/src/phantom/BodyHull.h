@@ -10,7 +10,8 @@ namespace insonate {
 /// and enlarged. Coordinates within a slice are in mm along the grid's first two axes from voxel (0, 0).
 class BodyHull {
  public:
-  /// Every non-zero label is a structure; at least one voxel must be labeled. `grow_mm` is added on all sides.
+  /// Builds the hull of all voxels whose label is not zero, enlarged by `grow_mm` on all sides. At least one voxel must
+  /// be labeled.
   BodyHull(const LabelMap& structures, double grow_mm);
 
   /// Returns the depth below the body's surface (negative outside), mm, to first order. `k` is a slice of the grid.
@@ -20,9 +21,9 @@ class BodyHull {
   static constexpr int kDirections = 180;
 
   struct Slice {
-    double centreX = 0, centreY = 0;
+    double centerX = 0, centerY = 0;
     std::vector<double> support_mm;  ///< maximum distance of the structures from the center, by direction
-    std::vector<double> radius_mm;   ///< of the hull, by direction
+    std::vector<double> radius_mm;   ///< radius of the hull around the center, by direction
   };
   void measure(const LabelMap& structures);
   void fillGaps();

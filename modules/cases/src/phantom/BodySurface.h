@@ -8,10 +8,11 @@
 
 namespace insonate::phantom {
 
-/// A point in the coordinates that shapes use. Model frame: patient LPS mm, midline x = 0, lower cricoid z = 0.
+/// A point of the neck model in the coordinates by which shapes are defined. Model frame: patient LPS mm, midline x =
+/// 0, lower cricoid z = 0.
 struct Site {
   Vec3 p_mm;                  ///< model position after the warp that makes boundaries irregular
-  double angle = 0;           ///< about the neck's axis, 0 at the front, positive to the patient's right, radians
+  double angle = 0;           ///< angle about the neck's axis, 0 at the front, positive to the patient's right, radians
   double belowFascia_mm = 0;  ///< depth below the investing fascia (negative in the layers above it)
   double belowSkin_mm = 0;    ///< depth below the skin's surface (negative outside the body)
   double skin_mm = 0;         ///< thickness of the skin above the point
@@ -20,15 +21,15 @@ struct Site {
 struct LayerOptions {
   double fat_mm = 4.5;   ///< mean thickness of the subcutaneous fat over the front and sides
   double skin_mm = 1.6;  ///< mean thickness of the skin
-  double girth_mm = 0;   ///< added to the usual radius of the fascia
+  double girth_mm = 0;   ///< increase of the neck's girth, added to the usual radius of the fascia
   std::uint32_t seed = 1;
 };
 
 /// The platysma: a sheet of muscle in the subcutaneous fat.
 struct Platysma {
-  double height = 0.3;  ///< height above the fascia, as a share of the fat's thickness
+  double height = 0.3;  ///< height of the muscle above the fascia, as a share of the fat's thickness
   double halfThickness_mm = 0.55;
-  double first = 0.14, last = 1.7;  ///< angles of its edges from the front, radians
+  double first = 0.14, last = 1.7;  ///< angles of the muscle's edges from the front, radians
   double top_z_mm = 46;
 };
 
@@ -59,7 +60,7 @@ class BodySurface {
   /// Returns the depth of one point below the skin's surface (negative outside), mm.
   double belowSkin_mm(Vec3 p_mm) const;
 
-  static constexpr double kAxisY_mm = 40;  ///< the neck's axis passes through (0, kAxisY_mm)
+  static constexpr double kAxisY_mm = 40;  ///< y of the neck's axis, whose x is 0
 
  private:
   struct Level {

@@ -72,19 +72,21 @@ Result<void> checkMapFits(const Numbers& numbers, const LabelPlan& plan) {
     ++listed;
     mapped += found->second != kBackground;
   }
-  if (labelled == 0) return fail("The label file holds nothing but 0 here: there is no structure in it.");
+  if (labelled == 0)
+    return fail("The label file contains only 0, so it has no structures. Check that it is the right file and region.");
   if (mapped == 0)
     return fail(
-        "\"labels\" finds no structure in the label file: none of its numbers is there, or only as background. "
-        "Is it the map of another file?");
+        "\"labels\" matches no structure in the label file: the file contains none of its numbers, or only as "
+        "background. Check that the map belongs to this file.");
   if (2 * listed < labelled)
     return fail("\"labels\" lists the numbers of only " + std::to_string(100 * listed / labelled) +
-                " % of the labeled voxels; is it the map of another file? List at least half.");
+                " % of the labeled voxels, but at least half is needed. Check that the map belongs to this file, or "
+                "list more numbers.");
   return {};
 }
 
 /// Center of a number's voxels in the slice nearest to a level; empty if there are none.
-std::optional<Vec3> centreOf(const Numbers& numbers, const TargetPlan& target) {
+std::optional<Vec3> centerOf(const Numbers& numbers, const TargetPlan& target) {
   const VolumeGeometry& g = numbers.geometry;
   const Transform patientFromIndex = g.patientFromIndex();
   const double k0 = (target.z_mm - g.origin_mm.z) / (patientFromIndex.linear.column[2].z);
@@ -173,7 +175,7 @@ Result<CaseFromLabelsResult> caseFromLabels(const std::filesystem::path& labelFi
   CaseFromLabelsResult result;
   PatientCase& patient = result.patient;
   for (const TargetPlan& target : plan->targets) {
-    const auto centre = centreOf(*numbers, target);
+    const auto centre = centerOf(*numbers, target);
     const std::uint8_t label = plan->labels.count(target.number) ? plan->labels.at(target.number) : kBackground;
     if (centre)
       patient.manifest.targets.push_back({target.name, label, *centre});
@@ -196,7 +198,7 @@ Result<CaseFromLabelsResult> caseFromLabels(const std::filesystem::path& labelFi
   patient.ct = std::move(*volume);
   patient.labels = std::move(*labels);
   if (!plan->title.empty()) patient.manifest.title = plan->title;
-  patient.manifest.source = "CT synthesised from a label map, seed " + std::to_string(ct.seed);
+  patient.manifest.source = "CT synthesized from a label map, seed " + std::to_string(ct.seed);
   addStartPoses(patient, result.notes);
   return result;
 }

@@ -159,7 +159,7 @@ class SliceNoise {
 
 Result<CtVolume> synthesiseCt(const LabelMap& labels, const CtSynthesisOptions& options, const Progress& progress) {
   if (auto valid = checkOptions(labels, options); !valid) return tl::unexpected(valid.error());
-  constexpr std::string_view kDoing = "Synthesising the CT";
+  constexpr std::string_view kDoing = "Synthesizing the CT";
   if (!report(progress, kDoing, 0)) return fail(std::string(kCancelled));
   Volume<float> hu = tissueHu(labels, options);
   if (!report(progress, kDoing, 0.5)) return fail(std::string(kCancelled));

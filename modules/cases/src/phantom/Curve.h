@@ -19,7 +19,7 @@ class Curve {
   };
 
   Curve(std::initializer_list<Knot> knots) : Curve(std::vector<Knot>(knots)) {}
-  /// Takes at least one knot, in any order, no two at the same position.
+  /// Makes a curve through at least one knot. The knots can be in any order, no two at the same position.
   explicit Curve(std::vector<Knot> knots) : knots_(std::move(knots)) {
     std::sort(knots_.begin(), knots_.end(), [](const Knot& a, const Knot& b) { return a.at < b.at; });
   }

@@ -15,9 +15,9 @@ namespace insonate {
 
 /// Parameters of the body to build around structures; lengths in mm.
 struct CompletionPlan {
-  double skin_mm = 1.8;  ///< 0.5 to 5
-  double fat_mm = 5;     ///< mean, 0 to 60
-  double margin_mm = 2;  ///< between the outermost structures and the fat, 0 to 30
+  double skin_mm = 1.8;  ///< thickness of the skin, 0.5 to 5
+  double fat_mm = 5;     ///< mean thickness of the subcutaneous fat, 0 to 60
+  double margin_mm = 2;  ///< distance between the outermost structures and the fat, 0 to 30
   std::uint32_t seed = 1;
 };
 
@@ -26,7 +26,7 @@ struct TubePlan {
     Vec3 p_mm;
     double radius_mm;
   };
-  std::vector<Knot> knots;  ///< at least two
+  std::vector<Knot> knots;  ///< points of the tube's center line, at least two
   Label label = kAirway;
   Label wall = kCartilage;
   double wall_mm = 0;

@@ -66,13 +66,13 @@ double NeckModel::belowSkin_mm(Vec3 patient_mm) const {
   return surface_.belowSkin_mm(modelFromPatient(patient_mm));
 }
 
-Vec3 NeckModel::jugularCentre_mm(Side side, double z_mm) const {
+Vec3 NeckModel::jugularCenter_mm(Side side, double z_mm) const {
   const auto vein = jugularVeinAt(parameters_, side, z_mm);
   return patientFromModel({patientX(side, vein[0]), vein[1], z_mm});
 }
 
-Vec3 NeckModel::axillaryCentre_mm(Side side, double lateral_mm) const {
-  const auto line = centreLine(axillaryVein());
+Vec3 NeckModel::axillaryCenter_mm(Side side, double lateral_mm) const {
+  const auto line = centerLine(axillaryVein());
   const auto off = [&](const Tube::Knot& knot) { return std::abs(knot.p_mm.x - lateral_mm); };
   const Vec3 at = std::ranges::min(line, {}, off).p_mm;
   return patientFromModel({patientX(side, at.x), at.y, at.z});

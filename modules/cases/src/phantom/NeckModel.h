@@ -10,7 +10,8 @@
 
 namespace insonate::phantom {
 
-/// A whole neck as functions of patient position, which label maps sample. Immutable.
+/// Mathematical model of a whole neck: depth and structure at each patient position, from which label maps are sampled.
+/// Immutable.
 class NeckModel {
  public:
   NeckModel(const NeckParameters& parameters, std::uint32_t seed);
@@ -22,9 +23,9 @@ class NeckModel {
   /// Returns the depth below the skin's surface at a patient position (negative outside), mm, to first order.
   double belowSkin_mm(Vec3 patient_mm) const;
   /// Returns the center of an internal jugular vein at a level, patient mm.
-  Vec3 jugularCentre_mm(Side side, double z_mm) const;
+  Vec3 jugularCenter_mm(Side side, double z_mm) const;
   /// Returns the center of an axillary vein at a distance from the midline, patient mm.
-  Vec3 axillaryCentre_mm(Side side, double lateral_mm) const;
+  Vec3 axillaryCenter_mm(Side side, double lateral_mm) const;
   Vec3 patientFromModel(Vec3 model_mm) const;
   /// Returns all named vessels, patient mm.
   std::vector<NamedVessel> namedVessels() const;

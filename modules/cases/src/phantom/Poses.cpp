@@ -57,11 +57,11 @@ Vec3 orthogonalTo(Vec3 axial, Vec3 direction) {
 }  // namespace
 
 std::vector<Target> axillaryTargets(const NeckModel& neck) {
-  return {{"right subclavian vein", kVein, neck.axillaryCentre_mm(Side::kRight, kAxillary_mm)}};
+  return {{"right subclavian vein", kVein, neck.axillaryCenter_mm(Side::kRight, kAxillary_mm)}};
 }
 
 std::vector<StartPose> axillaryStartPoses(const NeckModel& neck) {
-  const Vec3 vein = neck.axillaryCentre_mm(Side::kRight, kAxillary_mm);
+  const Vec3 vein = neck.axillaryCenter_mm(Side::kRight, kAxillary_mm);
   // Perpendicular to the skin on the line through the vein, so that both images show the vein.
   Vec3 axial{0, 1, 0}, skin;
   for (int n = 0; n < 8; ++n) {
@@ -69,7 +69,7 @@ std::vector<StartPose> axillaryStartPoses(const NeckModel& neck) {
     if (n < 7) axial = inwardNormal(neck, skin, kBelowClavicle_mm);
   }
   const Vec3 towardHeart =
-      neck.axillaryCentre_mm(Side::kRight, kAxillary_mm - 12) - neck.axillaryCentre_mm(Side::kRight, kAxillary_mm + 12);
+      neck.axillaryCenter_mm(Side::kRight, kAxillary_mm - 12) - neck.axillaryCenter_mm(Side::kRight, kAxillary_mm + 12);
   const Vec3 along = orthogonalTo(axial, towardHeart);
   const Vec3 across = cross(axial, along);
   return {{"below the right clavicle, transverse", skin, axial, across.z > 0 ? across : -across},
@@ -77,20 +77,20 @@ std::vector<StartPose> axillaryStartPoses(const NeckModel& neck) {
 }
 
 std::vector<Target> jugularTargets(const NeckModel& neck) {
-  return {{"right internal jugular vein", kVein, neck.jugularCentre_mm(Side::kRight, kTargetLevel_mm)},
-          {"left internal jugular vein", kVein, neck.jugularCentre_mm(Side::kLeft, kTargetLevel_mm)}};
+  return {{"right internal jugular vein", kVein, neck.jugularCenter_mm(Side::kRight, kTargetLevel_mm)},
+          {"left internal jugular vein", kVein, neck.jugularCenter_mm(Side::kLeft, kTargetLevel_mm)}};
 }
 
 std::vector<StartPose> jugularStartPoses(const NeckModel& neck) {
   std::vector<StartPose> poses;
   for (const Side side : {Side::kRight, Side::kLeft}) {
-    const Vec3 vein = neck.jugularCentre_mm(side, kTargetLevel_mm);
+    const Vec3 vein = neck.jugularCenter_mm(side, kTargetLevel_mm);
     const Vec3 outward = towardProbe(neck, vein, side);
     const Vec3 skin = vein + outward * toSkin_mm(neck, vein, outward);
     // The probe lies on the skin and tilts a little toward the vein.
     const Vec3 axial = normalized(inwardNormal(neck, skin, kOverVein_mm) * (1 - kTilt) - outward * kTilt);
     const Vec3 towardFeet =
-        neck.jugularCentre_mm(side, kTargetLevel_mm - 10) - neck.jugularCentre_mm(side, kTargetLevel_mm + 10);
+        neck.jugularCenter_mm(side, kTargetLevel_mm - 10) - neck.jugularCenter_mm(side, kTargetLevel_mm + 10);
     const std::string neckSide = side == Side::kRight ? "right neck" : "left neck";
     poses.push_back({neckSide + ", transverse", skin, axial, orthogonalTo(axial, {1, 0, 0})});
     poses.push_back({neckSide + ", longitudinal", skin, axial, orthogonalTo(axial, towardFeet)});
@@ -103,7 +103,7 @@ std::vector<Landmark> landmarks(const NeckModel& neck, const std::vector<StartPo
   const auto mark = [&](const char* code, Vec3 model_mm) {
     return Landmark{code, std::string(landmarkKind(code)->name), neck.patientFromModel(model_mm)};
   };
-  std::vector<Landmark> marks{mark("cricoid", {0, airwayCentre_mm(kArch_mm) - 10.4, kArch_mm}),
+  std::vector<Landmark> marks{mark("cricoid", {0, airwayCenter_mm(kArch_mm) - 10.4, kArch_mm}),
                               mark("sternal_notch", {0, -2, -54}),
                               mark("clavicle_right", {patientX(Side::kRight, 22), 3.5, -50}),
                               mark("clavicle_left", {patientX(Side::kLeft, 22), 3.5, -51.5})};

@@ -16,8 +16,8 @@ std::vector<StartPose> jugularStartPoses(const NeckModel& neck);
 /// Returns the target in the right subclavian vein below the middle of the clavicle, where it is called axillary.
 std::vector<Target> axillaryTargets(const NeckModel& neck);
 
-/// Returns two poses over the vein: transverse with the marker toward the head, longitudinal with the marker toward the
-/// heart.
+/// Returns two probe poses over the axillary vein: transverse with the marker toward the head, longitudinal with the
+/// marker toward the heart.
 std::vector<StartPose> axillaryStartPoses(const NeckModel& neck);
 
 /// Returns cricoid, sternal notch, both clavicles, and a puncture site for each transverse pose.

@@ -207,7 +207,7 @@ Shape sheet(Side side, Sheet c, std::uint32_t seed) {
   };
 }
 
-std::vector<Tube::Knot> centreLine(const std::vector<Tube::Knot>& knots) {
+std::vector<Tube::Knot> centerLine(const std::vector<Tube::Knot>& knots) {
   std::vector<Curve<4>::Knot> along;
   double length = 0;
   for (std::size_t n = 0; n < knots.size(); ++n) {
@@ -225,7 +225,7 @@ std::vector<Tube::Knot> centreLine(const std::vector<Tube::Knot>& knots) {
 }
 
 Shape tube(Side side, Tube t, std::uint32_t seed) {
-  const auto line = std::make_shared<const std::vector<Tube::Knot>>(centreLine(t.knots));
+  const auto line = std::make_shared<const std::vector<Tube::Knot>>(centerLine(t.knots));
   return [=, flatness = t.flatness, rough = t.irregular_mm, oval = t.oval](const BodySurface::Slice&,
                                                                            double z_mm) -> std::optional<Section> {
     struct Piece {

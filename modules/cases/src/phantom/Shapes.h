@@ -43,27 +43,27 @@ enum class Form {
   kFaceted  ///< soft vein: flat toward its neighbors, indented by the neighbor in direction `facing_deg`
 };
 
-/// An upright organ or muscle: an oval whose center, half axes and turn change smoothly.
+/// An upright organ or muscle: an oval whose center, half axes and rotation change smoothly with the level.
 struct Column {
-  /// Lateral and posterior position of the center, half axes along lateral and posterior (mm), turn (degrees, from
+  /// Lateral and posterior position of the center, half axes along lateral and posterior (mm), rotation (degrees, from
   /// lateral toward posterior).
   Curve<5> course;
-  double taper_mm = 3;        ///< length over which each end is rounded
-  double irregular_mm = 0.5;  ///< amplitude of the boundary's noise
+  double taper_mm = 3;        ///< length over which each end of the column is rounded
+  double irregular_mm = 0.5;  ///< amplitude of random irregularities of the boundary
   Form form = Form::kOval;
   double facing_deg = 0;  ///< kFaceted: direction of the indenting neighbor, from lateral toward posterior
 };
 Shape column(Side side, Column column, std::uint32_t seed);
 
-/// A flat muscle that follows the investing fascia: a lens in the coordinates arc length along the fascia and depth
-/// below it. Its edges lie closer to the fascia than its middle.
+/// A flat muscle that follows the investing fascia. Its cross-section is a lens, whose coordinates are the arc length
+/// along the fascia and the depth below the fascia. The edges of the sheet lie closer to the fascia than its middle.
 struct Sheet {
   /// Angle from the front (degrees), depth of the center below the fascia, half width along the fascia, half thickness
   /// (mm).
   Curve<4> course;
   double taper_mm = 4;
   double irregular_mm = 0.5;
-  Form form = Form::kLens;  ///< or kOval
+  Form form = Form::kLens;  ///< form of the cross-section: kLens or kOval
 };
 Shape sheet(Side side, Sheet sheet, std::uint32_t seed);
 
@@ -76,12 +76,12 @@ struct Tube {
   std::vector<Knot> knots;
   double flatness = 1;  ///< above 1: height from head to foot divided by this factor
   double irregular_mm = 0.15;
-  double oval = 0;  ///< relative deviation of the cross-section from a circle
+  double oval = 0;  ///< oval cross-section: relative deviation from a circle
 };
 Shape tube(Side side, Tube tube, std::uint32_t seed);
 
 /// Returns closely spaced points of a tube's center line with their radii, for structures that follow the tube.
-std::vector<Tube::Knot> centreLine(const std::vector<Tube::Knot>& knots);
+std::vector<Tube::Knot> centerLine(const std::vector<Tube::Knot>& knots);
 
 /// Returns the union of shapes.
 Shape join(std::vector<Shape> shapes);

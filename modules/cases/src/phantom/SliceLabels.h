@@ -23,19 +23,21 @@ class SliceLabels {
  public:
   SliceLabels(std::span<const Structure> structures, BodySurface::Slice body, const Platysma& platysma, SliceGrid grid);
 
-  /// Computes the model position of each voxel.
+  /// Computes the position of each voxel in the model frame.
   void place(const std::function<Vec3(Vec3)>& modelFromPatient);
-  /// Writes width * height labels.
+  /// Writes the labels of the level, width * height values, to `labels`.
   void paint(std::uint8_t* labels);
 
  private:
   struct Voxel {
     Site site;
-    std::uint8_t organ = 0;                                 ///< 0: none yet
-    bool arterial = false, venous = false, walled = false;  ///< within the sheath of an artery, a vein, another organ
+    std::uint8_t organ = 0;  ///< label of the organ at the voxel; 0: none found yet
+    /// True if the voxel lies in the soft tissue around an artery (arterial), a vein (venous) or another organ
+    /// (walled).
+    bool arterial = false, venous = false, walled = false;
     std::uint8_t muscle = 0;
     double muscle_mm = 1e9, nextMuscle_mm = 1e9;  ///< distances to the two nearest muscles
-    double organ_mm = 1e9;                        ///< distance to the nearest organ that fascia wraps
+    double organ_mm = 1e9;                        ///< distance to the nearest organ that is wrapped in fascia
   };
 
   /// A square block of voxels and the bounding box of their model positions, used to skip blocks that a shape does not

@@ -30,10 +30,10 @@ std::span<const VariantModel> variantModels() {
                 n.veinMedial_mm[0] = 2.6;
               }),
       variant({"low-bifurcation", "Low carotid bifurcation", "moderate",
-               "The carotid divides below the cricoid, so that two arteries lie beside the vein."},
+               "The carotid artery divides below the cricoid, so two arteries lie beside the vein."},
               [](NeckParameters& n) { n.bifurcation_z_mm = -8; }),
       variant({"small-vein", "Small jugular vein", "moderate",
-               "The right jugular vein has less than half of its usual area; the left one is the larger."},
+               "The right jugular vein has less than half of its usual area. The left one is larger."},
               [](NeckParameters& n) {
                 n.veinWidth[0] = 0.68;
                 n.veinHeight[0] = 0.68;
@@ -41,7 +41,7 @@ std::span<const VariantModel> variantModels() {
                 n.veinHeight[1] = 0.95;
               }),
       variant({"head-turned", "Head turned to the left", "moderate",
-               "The head is turned 40 degrees to the left: muscle and right vein slide over the carotid."},
+               "The head is turned 40 degrees to the left. The muscle and the right vein lie over the carotid artery."},
               [](NeckParameters& n) {
                 n.headTurn_deg = 40;
                 n.veinMedial_mm[0] = 2.3;  // over half of the carotid: see PhantomTest
@@ -63,7 +63,8 @@ std::span<const VariantModel> variantModels() {
                 }
               }),
       variant({"vein-over-artery", "Vein in front of the carotid", "hard",
-               "Both jugular veins lie in front of the carotid: a needle that passes through meets the artery."},
+               "Both jugular veins lie in front of the carotid artery. A needle that passes through the vein reaches "
+               "the artery."},
               [](NeckParameters& n) {
                 for (int s : {0, 1}) {
                   n.veinMedial_mm[s] = 4.2;

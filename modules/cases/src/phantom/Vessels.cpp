@@ -181,7 +181,7 @@ class Courses {
     into_.push_back(std::move(course));
   }
   void add(const std::vector<NamedTube>& tubes, Label label) {
-    for (const NamedTube& one : tubes) add(one.name, label, centreLine(one.knots));
+    for (const NamedTube& one : tubes) add(one.name, label, centerLine(one.knots));
   }
   void add(const NamedSheet& vein, const BodySurface& body) {
     constexpr double kStep_mm = 4, kRadians = std::numbers::pi / 180;
@@ -242,7 +242,7 @@ std::vector<VesselCourse> vesselCourses(const NeckParameters& n, const BodySurfa
     courses.add("internal jugular vein", kVein, jugular);
     for (const NamedTube& vein : centralVeins(n, side)) {
       // A tributary is drawn from within the jugular vein; its named course begins where that of the jugular vein ends.
-      std::vector<Tube::Knot> line = centreLine(vein.knots);
+      std::vector<Tube::Knot> line = centerLine(vein.knots);
       std::erase_if(line, [](const Tube::Knot& knot) { return knot.p_mm.z > kJugularEnd_mm && knot.p_mm.x < 30; });
       courses.add(vein.name, kVein, line);
     }

@@ -60,7 +60,7 @@ NewPerson personOf(const CsvRow& row, const Columns& columns) {
 /// Error of a line by itself; empty if there is none.
 std::string problemOf(const CsvRow& row, std::size_t columns, const NewPerson& person) {
   if (row.fields.size() > columns)
-    return "There are more fields than in the head line; put what holds commas into quotes.";
+    return "This line has more fields than the header line. Put fields that contain commas into quotes.";
   if (person.fullName.empty()) return "The name is missing; fill it in.";
   if (person.name.empty())
     return "There is neither user name nor ID number nor e-mail address; one is needed to sign in.";
@@ -86,7 +86,8 @@ class Directory {
       match.troubles.push_back({entry.line, sentenceOf(entry.line, why), entry.person});
     };
     const std::string email = nameKey(entry.person.email);
-    if (byEmail_.count(email) > 1) return refuse("Several people have this e-mail address here; correct theirs first.");
+    if (byEmail_.count(email) > 1)
+      return refuse("Several people have this e-mail address already. Correct their addresses first.");
     const auto mail = byEmail_.find(email);
     const auto name = byName_.find(nameKey(entry.person.name));
     const Person* byMail = mail == byEmail_.end() ? nullptr : mail->second;
@@ -120,7 +121,7 @@ Result<ClassList> parseClassList(std::string_view csv) {
         "The class list has no names: its first line needs \"First name\" and \"Last name\", or \"Full name\".");
   if (!columns.email && !columns.userName && !columns.idNumber)
     return fail(
-        "The class list has no way to tell people apart: its first line needs \"Email address\", \"Username\" "
+        "The class list has no column that identifies people. Its first line needs \"Email address\", \"Username\" "
         "or \"ID number\".");
   ClassList list;
   std::map<std::string, int> lines;

@@ -48,7 +48,8 @@ Result<std::string> homeOf(const XapiSite& site) {
   const std::size_t host = home.starts_with("https://") ? 8 : home.starts_with("http://") ? 7 : 0;
   if (host == 0 || home.size() == host || std::any_of(home.begin(), home.end(), isOdd))
     return fail("'" + site.homePage +
-                "' is no home page for xAPI statements; give the site's own address, as https://training.example.org.");
+                "' is not a home page for xAPI statements. Give the address of your site, for example "
+                "https://training.example.org.");
   return home;
 }
 
@@ -179,7 +180,7 @@ class Writer {
 /// Reason why an attempt has no statement; empty if it has one.
 std::string whyLeftOut(const Curriculum& curriculum, const AttemptFacts& attempt) {
   if (attempt.state == AttemptState::Open) return "not ended";
-  if (attempt.state != AttemptState::Voided && !counts(attempt)) return "abandoned before the skin";
+  if (attempt.state != AttemptState::Voided && !counts(attempt)) return "abandoned before the skin was punctured";
   if (attempt.curriculum.empty()) return {};
   if (attempt.curriculum != curriculum.name) return "of the curriculum '" + attempt.curriculum + "'";
   if (attempt.curriculumVersion != curriculum.version)

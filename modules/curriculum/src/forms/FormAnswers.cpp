@@ -32,7 +32,7 @@ std::string troubleOfNumber(const FormItem& item, const FormAnswers::mapped_type
 std::string troubleOfText(const FormAnswers::mapped_type& answer) {
   const auto* text = std::get_if<std::string>(&answer);
   if (!text) return "needs a text.";
-  if (text->find('\0') != std::string::npos) return "holds a zero byte, which cannot be seen; type it anew.";
+  if (text->find('\0') != std::string::npos) return "contains a zero byte, which is invisible. Type the text again.";
   return text->size() <= kLongestText ? "" : "is too long; shorten it to " + std::to_string(kLongestText) + " bytes.";
 }
 
@@ -59,7 +59,7 @@ bool isNote(const Form& form, std::string_view key) {
 }
 
 /// Points of the best option; none for items that are not scored.
-std::optional<double> mostOf(const FormItem& item) {
+std::optional<double> maxOf(const FormItem& item) {
   std::optional<double> most;
   for (const FormOption& option : item.options)
     if (option.points) most = std::max(most.value_or(*option.points), *option.points);
@@ -125,7 +125,7 @@ std::vector<AnswerTrouble> checkAnswers(const Form& form, const FormAnswers& ans
   for (const auto& [name, answer] : answers) {
     if (form.item(name)) continue;
     if (!isNote(form, name))
-      troubles.push_back({name, "'" + name + "' is not asked in '" + form.title + "'; leave it out."});
+      troubles.push_back({name, "'" + name + "' is not an item of '" + form.title + "'; leave it out."});
     else if (const std::string trouble = troubleOfText(answer); !trouble.empty())
       troubles.push_back({name, "The note '" + name + "' " + trouble});
   }
@@ -136,7 +136,7 @@ FormScore formScore(const Form& form, const FormAnswers& answers) {
   FormScore score;
   for (const FormSection& section : form.sections)
     for (const FormItem& item : section.items) {
-      const auto most = mostOf(item);
+      const auto most = maxOf(item);
       if (!most) continue;
       const auto answer = answers.find(item.name);
       const FormOption* option = answer == answers.end() ? nullptr : optionOf(item, answer->second);

@@ -78,7 +78,7 @@ void refuseTwins(JsonEntry& file, const Form& form) {
   for (const FormSection& section : form.sections)
     for (const FormItem& item : section.items)
       if (!names.insert(item.name).second)
-        return file.refuse("cannot be used: item '" + item.name + "' is there twice; names tell them apart.");
+        return file.refuse("cannot be used: item '" + item.name + "' occurs twice. Give each a different name.");
   if (names.empty()) file.refuse("asks nothing; list at least one item in one of its 'sections'.");
 }
 

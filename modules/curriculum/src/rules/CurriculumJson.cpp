@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMostLevels = 200;
+constexpr std::size_t kMaxLevels = 200;
 
 /// In the order of Assistance.
 const std::vector<std::string_view> kAssistances{"guided", "hints", "test"};
@@ -118,9 +118,9 @@ Curriculum Reader::curriculum(JsonEntry& file) const {
   if (!curriculum.name.empty() && !isPlainName(curriculum.name)) file.refuse(kPlainNameSentence);
   curriculum.levels = file.list("levels", "level",
                                 [this](const auto& one, const auto& at, auto& wrong) { return level(one, at, wrong); });
-  if (curriculum.levels.size() > kMostLevels)
-    file.refuse("has " + std::to_string(curriculum.levels.size()) + " levels; " + std::to_string(kMostLevels) +
-                " are the most.");
+  if (curriculum.levels.size() > kMaxLevels)
+    file.refuse("has " + std::to_string(curriculum.levels.size()) + " levels; " + std::to_string(kMaxLevels) +
+                " is the maximum.");
   if (isWhole_ && curriculum.levels.empty()) file.refuse("has no levels; list at least one under 'levels'.");
   return curriculum;
 }

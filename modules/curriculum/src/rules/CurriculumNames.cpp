@@ -15,7 +15,7 @@ tl::unexpected<Error> unknown(const Level& level, const std::string& what, const
   const std::string_view near = nearestWord(name, known);
   return fail(
       "level '" + level.name + "' names the unknown " + what + " '" + name + "'" +
-      (near.empty() ? "; here are " + quotedWords(known) + "." : "; did you mean '" + std::string(near) + "'?"));
+      (near.empty() ? "; known names are " + quotedWords(known) + "." : "; did you mean '" + std::string(near) + "'?"));
 }
 
 Result<void> checkStandard(const Level& level, const MetricStandard& standard,
@@ -30,7 +30,8 @@ Result<void> checkStandard(const Level& level, const MetricStandard& standard,
   const std::string where = "level '" + level.name + "', standard of '" + standard.metric + "', ";
   if (metric->version != standard.version)
     return fail(where + "is of version " + std::to_string(standard.version) + " of the metric's definition; it is " +
-                std::to_string(metric->version) + " now: see whether the limit still holds and put that version in.");
+                std::to_string(metric->version) +
+                " now. Check whether the limit is still right, and enter the present version.");
   if (metric->better == Lower && standard.least)
     return fail(where + "asks for a 'least' value where less is better; use 'most'.");
   if (metric->better == Higher && standard.most)

@@ -69,9 +69,9 @@ Result<double> calibratedLimit(const LcCusum& test, double falseSignals, const C
   if (!(test.acceptable > 0 && test.acceptable < test.unacceptable && test.unacceptable < 1))
     return fail("LC-CUSUM needs rates of failure between 0 and 1, the acceptable one below the unacceptable one.");
   if (!(falseSignals > 0 && falseSignals < 1))
-    return fail("The share of false signals must lie between 0 and 1, as 0.1.");
+    return fail("The share of false signals must be between 0 and 1, for example 0.1.");
   if (trials.trials < 1 || trials.careers < 1)
-    return fail("A limit is calibrated with at least one trial in at least one career.");
+    return fail("Calibrating a limit needs at least one attempt of at least one simulated trainee.");
   std::vector<double> highest = highestScores(test, test.unacceptable, trials, progress);
   if (highest.size() < static_cast<std::size_t>(trials.careers)) return fail(std::string(kCancelled));
   std::ranges::sort(highest, std::greater());

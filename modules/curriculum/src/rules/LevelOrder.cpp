@@ -68,8 +68,8 @@ Result<std::vector<Level>> inOrderOfLearning(std::vector<Level> levels) {
     std::size_t next = 0;
     while (next < levels.size() && !ready(next)) ++next;
     if (next == levels.size())
-      return fail("levels need each other in a circle: " + circleAmong(levels, indices, done) +
-                  "; take one of these prerequisites out.");
+      return fail("the prerequisites of the levels form a circle: " + circleAmong(levels, indices, done) +
+                  "; remove one of these prerequisites.");
     done[next] = true;
     order.push_back(next);
   }

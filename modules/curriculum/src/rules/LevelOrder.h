@@ -7,8 +7,8 @@
 
 namespace insonate {
 
-/// Sorts levels so that each level follows its prerequisites, and otherwise keeps their order. Fails with a sentence
-/// about a prerequisite that is unknown, named twice, or part of a circle.
+/// Sorts levels so that each follows its prerequisites, and otherwise keeps their order. Fails with a sentence about a
+/// prerequisite that is unknown, named twice, or circular.
 Result<std::vector<Level>> inOrderOfLearning(std::vector<Level> levels);
 
 }  // namespace insonate

@@ -12,8 +12,8 @@ namespace insonate {
 
 inline constexpr std::int64_t kDay_us = 86'400'000'000;
 
-/// Result of the attempts at one level, without regard to prerequisites. Add attempts in the order of arrival, with
-/// times that do not decrease.
+/// Computes a trainee's skill at one level from the attempts, without regard to prerequisites. Add attempts in the
+/// order of AttemptStore::history(), with times that do not decrease.
 class LevelRecord {
  public:
   enum class Skill { Never, Mastered, Lapsed };
@@ -21,27 +21,27 @@ class LevelRecord {
 
   explicit LevelRecord(const Level& level) : level_(&level) {}
 
-  /// Adds an attempt at this level that counts; call practised() first.
+  /// Adds an attempt that counts at this level; call practised() with its time first.
   void take(const AttemptFacts& attempt, std::int64_t time_us);
-  /// Adds practice at this level or at a level that builds on it. First the level lapses if too many days have passed;
-  /// then the days are counted from this practice.
+  /// Records practice at this level or at a level that builds on it. If too many days have passed since the last
+  /// practice, mastery lapses first.
   void practised(std::int64_t time_us);
   void lapseByDays(std::int64_t time_us);
 
   const Level& level() const { return *level_; }
   Skill skill() const { return skill_; }
-  Cause cause() const { return cause_; }  ///< cause of the last lapse
+  Cause cause() const { return cause_; }  ///< reason why mastery lapsed last
   std::int64_t skillSince_us() const { return skillSince_us_; }
   std::int64_t firstMastered_us() const { return firstMastered_us_; }
   std::int64_t lastPractice_us() const { return lastPractice_us_; }
-  const AttemptFacts* last() const { return last_; }  ///< the last attempt that counts
+  const AttemptFacts* last() const { return last_; }  ///< last attempt that counts
 
   int attempts() const { return attempts_; }
   int passes() const { return passes_; }
   int passesInARow() const { return passesInARow_; }
   bool lastPassed() const { return lastPassed_; }
   int standardsMet() const { return standardsMet_; }
-  /// Number of failures since mastery, within the last attempts that FailureRule counts.
+  /// Returns the number of failures since mastery, among the last FailureRule::within attempts.
   int failuresSinceMastery() const;
   const std::vector<double>& cusum() const { return cusum_; }
   bool cusumSignalled() const { return cusumSignalled_; }
@@ -60,7 +60,8 @@ class LevelRecord {
   bool lastPassed_ = false;
   std::vector<double> cusum_;
   bool cusumSignalled_ = false;
-  std::deque<bool> sinceMastery_;  ///< passed or failed, for the last FailureRule::within attempts
+  /// for each of the last FailureRule::within attempts since mastery: true if it was passed
+  std::deque<bool> sinceMastery_;
 };
 
 }  // namespace insonate

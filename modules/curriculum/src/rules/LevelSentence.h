@@ -9,13 +9,13 @@
 
 namespace insonate {
 
-/// A prerequisite that is not mastered at present, and whether it was mastered once.
+/// A prerequisite of a level that is not mastered at present; `lapsed`: it was mastered before.
 struct Obstacle {
   const LevelRecord* record = nullptr;
   bool lapsed = false;
 };
 
-/// Writes LevelProgress::why.
+/// Writes LevelProgress::why: a sentence for the trainee on why a level has this state.
 std::string levelSentence(const LevelRecord& record, LevelState state, const std::vector<Obstacle>& obstacles,
                           std::int64_t now_us);
 

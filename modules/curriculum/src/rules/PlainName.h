@@ -5,7 +5,8 @@
 
 namespace insonate {
 
-/// Tells whether a name is valid for a curriculum, level or form, whose names become parts of addresses and file names.
+/// Tells whether a text is a valid name of a curriculum, level or form. These names become parts of web addresses and
+/// file names.
 inline bool isPlainName(std::string_view name) {
   const auto plain = [](unsigned char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||

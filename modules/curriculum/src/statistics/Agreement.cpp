@@ -10,8 +10,8 @@
 namespace insonate {
 namespace {
 
-constexpr int kMostGrades = 1000;
-constexpr double kLeastFreedom = 0.1;
+constexpr int kMaxGrades = 1000;
+constexpr double kMinFreedom = 0.1;
 
 /// Weighted difference of two grades; 0 for equal grades.
 double difference(int a, int b, KappaWeights weights) {
@@ -59,7 +59,7 @@ std::optional<Interval> intervalOf(double icc, const MeanSquares& squares, doubl
   const double a = k * icc * fRaters, b = n * (1 + (k - 1) * icc) - k * icc;
   const double freedom = (k - 1) * (n - 1) * (a + b) * (a + b) / ((n - 1) * a * a + b * b);
   // Far below one degree of freedom, quantiles of F overflow, and an interval has no information.
-  if (!(freedom >= kLeastFreedom) || !std::isfinite(freedom)) return std::nullopt;
+  if (!(freedom >= kMinFreedom) || !std::isfinite(freedom)) return std::nullopt;
   const double share = (1 + confidence) / 2;
   const double upper = boost::math::quantile(boost::math::fisher_f(n - 1, freedom), share);
   const double lower = boost::math::quantile(boost::math::fisher_f(freedom, n - 1), share);
@@ -79,7 +79,7 @@ std::optional<double> agreement(std::span<const int> first, std::span<const int>
 
 std::optional<double> cohenKappa(std::span<const int> first, std::span<const int> second, int grades,
                                  KappaWeights weights) {
-  if (first.empty() || first.size() != second.size() || grades < 1 || grades > kMostGrades) return std::nullopt;
+  if (first.empty() || first.size() != second.size() || grades < 1 || grades > kMaxGrades) return std::nullopt;
   const auto isGrade = [&](int grade) { return grade >= 0 && grade < grades; };
   if (!std::ranges::all_of(first, isGrade) || !std::ranges::all_of(second, isGrade)) return std::nullopt;
   const auto pairs = static_cast<double>(first.size());

@@ -13,7 +13,7 @@
 namespace insonate {
 namespace {
 
-constexpr std::size_t kMostExact = 20;
+constexpr std::size_t kMaxExact = 20;
 
 struct Ranks {
   double first = 0;  ///< sum of the ranks of the first group
@@ -77,7 +77,7 @@ std::optional<RankComparison> compareRanks(std::span<const double> first, std::s
   comparison.u = ranks.first - n * (n + 1) / 2;
   comparison.superiority = comparison.u / (n * m);
   comparison.effect = 2 * comparison.superiority - 1;
-  comparison.exact = first.size() <= kMostExact && second.size() <= kMostExact;
+  comparison.exact = first.size() <= kMaxExact && second.size() <= kMaxExact;
   comparison.p = comparison.exact ? exactChance(ranks.doubled, first.size(), ranks.first)
                                   : normalTail(n, m, comparison.u, ranks.ties);
   return comparison;

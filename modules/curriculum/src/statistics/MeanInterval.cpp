@@ -91,14 +91,14 @@ Interval rangeOf(ValueKind kind) {
 std::optional<Estimate> meanOf(std::span<const double> values, ValueKind kind, double confidence) {
   const auto mean = meanValue(values);
   if (!mean || !(confidence > 0 && confidence < 1)) return std::nullopt;
-  constexpr double kMostCounted = 1e9;
-  if (kind == ValueKind::Count && areWhole(values, kMostCounted))
+  constexpr double kMaxCounted = 1e9;
+  if (kind == ValueKind::Count && areWhole(values, kMaxCounted))
     return Estimate{*mean, poissonInterval(values, confidence), "Poisson"};
   if (kind == ValueKind::YesNo && areWhole(values, 1))
     return proportion(static_cast<int>(std::ranges::count(values, 1.0)), static_cast<int>(values.size()), confidence);
   if (values.size() < kFewestForInterval) return Estimate{*mean, std::nullopt, "fewer than 5 values"};
   const std::vector<double> sorted = sortedOf(values);
-  if (sorted.front() == sorted.back()) return Estimate{*mean, std::nullopt, "all values alike"};
+  if (sorted.front() == sorted.back()) return Estimate{*mean, std::nullopt, "all values are equal"};
   if (const auto interval = tInterval(sorted, *mean, rangeOf(kind), confidence)) return Estimate{*mean, interval, "t"};
   return Estimate{*mean, bootstrapInterval(sorted, confidence), "bootstrap"};
 }

@@ -13,7 +13,8 @@ inline std::vector<double> sortedOf(std::span<const double> values) {
   return sorted;
 }
 
-/// Quantile by type 7. `sorted` is in rising order and has at least one value.
+/// Returns a quantile by type 7 of Hyndman and Fan (see quantile()). `sorted` is in rising order and has at least one
+/// value.
 inline double quantileOfSorted(std::span<const double> sorted, double share) {
   const double place = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(place);

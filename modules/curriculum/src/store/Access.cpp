@@ -20,6 +20,7 @@ constexpr std::array kRules{
     Rule{ChangePerson,      "change person",          None, None,   None,      All, kOnServer},
     Rule{ChangeOwnDetails,  "change own details",     None, Self,   Self,      Self, kOnServer},
     Rule{ChangeOwnPassword, "change own password",    None, Self,   Self,      Self},
+    Rule{StaySignedIn,      "stay signed in",         None, Self,   Self,      Self},
     Rule{ResetPassword,     "reset password",         None, None,   Taught,    All, kNotOneself | kOnlyTrainees | kOnServer},
     Rule{SeeOwnCohorts,     "see cohorts",            None, All,    All,       All, kUnlogged},
     Rule{SeeMembers,        "see members",            None, None,   Taught,    All, kWholeCohort},
@@ -116,7 +117,7 @@ bool isWithin(Transaction& transaction, Reach reach, const Rule& rule, const Act
 
 Error refusalOf(const Rule& rule, const Actor& actor) {
   if (!actor.role) return {"Sign in first: guests can neither store data nor see other people's."};
-  return {"You may not do this (" + std::string(rule.words) +
+  return {"You do not have the permission for this (" + std::string(rule.words) +
           "), or it does not exist. Ask an administrator for the permission."};
 }
 

@@ -11,7 +11,7 @@
 
 namespace insonate::store {
 
-/// All kinds of access to a store.
+/// All kinds of access to the curriculum database.
 enum class Act {
   SeePerson,
   SeeAllPeople,
@@ -20,6 +20,7 @@ enum class Act {
   ChangePerson,
   ChangeOwnDetails,
   ChangeOwnPassword,
+  StaySignedIn,
   ResetPassword,
   SeeOwnCohorts,
   SeeMembers,
@@ -45,28 +46,29 @@ enum class Act {
   LookAfterStore
 };
 
-/// People whom an act may concern.
+/// People whose data a role may access by an act.
 enum class Reach {
   None,
-  Self,    ///< the user's own data
-  Taught,  ///< also data of learners in a cohort that the user teaches; for acts on a cohort: a cohort that the user
-           ///< teaches
+  Self,  ///< the user's own data
+  /// The user's own data, and data of learners in a cohort that the user teaches. For acts on a cohort: a cohort that
+  /// the user teaches.
+  Taught,
   All,
 };
 
-/// Further conditions of an act.
+/// Further conditions of an act: flags of Rule::conditions.
 enum Condition : unsigned {
-  kUnlogged = 1,      ///< discloses nothing about others; is not logged
-  kNotOneself = 2,    ///< forbidden on the user's own data
-  kOnlyTrainees = 4,  ///< instructors may do this to trainees only
-  kOnServer = 8,      ///< done on the server if the store belongs to one
-  kWholeCohort = 16,  ///< discloses data of all learners in a cohort: their number is logged
+  kUnlogged = 1,      ///< the act is not logged, since it discloses nothing about others
+  kNotOneself = 2,    ///< the act is forbidden on the user's own data
+  kOnlyTrainees = 4,  ///< instructors may do the act on trainees only
+  kOnServer = 8,      ///< the act is refused on a workstation that belongs to a server
+  kWholeCohort = 16,  ///< the act discloses data of all learners in a cohort; their number is logged
 };
 
-/// Permission for one act. The table of rules alone states which role may perform which act.
+/// Permission for one act. All permissions are stated by the table rules() alone.
 struct Rule {
   Act act;
-  std::string_view words;  ///< name in the audit log: "see attempts"
+  std::string_view words;  ///< name of the act in the audit log: "see attempts"
   Reach guest, trainee, instructor, administrator;
   unsigned conditions = 0;
 
@@ -76,16 +78,17 @@ struct Rule {
 std::span<const Rule> rules();
 const Rule& ruleOf(Act act);
 
-/// A request to perform an act. If it names an attempt, the permission is checked for the person who made that attempt.
+/// A request to perform an act. If the request names an attempt, permission is checked for the data of the person who
+/// made the attempt.
 struct Request {
   Act act;
   std::string person{}, cohort{}, attempt{};
-  std::string detail{};                   ///< for the audit log
-  std::span<const std::string> people{};  ///< further people concerned; all are named in the audit log
+  std::string detail{};                   ///< further text for the audit log
+  std::span<const std::string> people{};  ///< further people whose data is accessed; all are named in the audit log
 };
 
 struct Actor {
-  std::string id{};  ///< "": a guest
+  std::string id{};  ///< user who makes the request (Person::id); "": a guest
   std::optional<Role> role{};
   std::int64_t passwordVersion = 0;  ///< version of the password with which the session was opened
 };
@@ -93,8 +96,8 @@ struct Actor {
 struct Verdict {
   std::optional<Error> refusal{};
   bool logged = false;
-  std::string person{};                    ///< owner of the data; for an attempt, the person who made it
-  std::optional<std::int64_t> learners{};  ///< number of learners, for a kWholeCohort act
+  std::string person{};                    ///< owner of the accessed data; for an attempt, the person who made it
+  std::optional<std::int64_t> learners{};  ///< number of learners in the cohort; set for acts with kWholeCohort
 };
 
 /// Looks up the actor's present role, decides whether the request is permitted, and finds the owner of the data.

@@ -8,11 +8,11 @@
 
 namespace insonate::store {
 
-/// Tells whether the store, of any schema, has an account. Fails on a file that is not a store.
+/// Tells whether a database, of any schema, has an account. Fails on a file that is no curriculum database.
 Result<bool> hasPeople(Core& core);
 
-/// Verifies a password as provePassword() does, for an administrator who has chosen the password. Works on a store of
-/// any schema.
+/// Verifies name and password of an administrator like provePassword(), on a database of any schema. Fails for a
+/// password that the administrator must still change.
 Result<Person> proveAdministrator(Core& core, const std::string& name, const std::string& password);
 
 }  // namespace insonate::store

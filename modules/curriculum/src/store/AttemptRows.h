@@ -12,49 +12,52 @@
 
 namespace insonate::store {
 
-/// Columns of attempts that keptOf() reads.
+/// Columns of the table `attempts` that keptOf() reads.
 #define INSONATE_ATTEMPT_COLUMNS                                                                                    \
   "arrival, id, person, curriculum, curriculum_version, level, procedure, procedure_version, case_name, begun_us, " \
   "state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us, " INSONATE_PROOF_COLUMN       \
   ", case_hash, workstation, "                                                                                      \
   "recording, recording_hash, void_reason, "                                                                        \
   "COALESCE((SELECT MIN(hash) FROM hands WHERE attempt = attempts.id), '')"
-/// The leading ones of these columns, which history needs.
+/// The first of INSONATE_ATTEMPT_COLUMNS, as factsOf() reads them for AttemptStore::history().
 #define INSONATE_HISTORY_COLUMNS                                                                                    \
   "arrival, id, person, curriculum, curriculum_version, level, procedure, procedure_version, case_name, begun_us, " \
   "state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us, " INSONATE_PROOF_COLUMN
 
 /// SQL condition for attempts that were abandoned before the needle reached the skin. The pattern matches the text that
-/// metricsText() writes for such an attempt. Here and below, `attempts` must be the only table in the query with such
-/// columns.
+/// metricsText() writes for such an attempt. `attempts` must be the only table in the query with such columns.
 #define INSONATE_UNTRIED "state = 'abandoned' AND metrics LIKE '%[\"passes\",_,0.0]%'"
-/// SQL condition for attempts that count, as counts() of Judgement.h defines it.
+/// SQL condition for attempts that count, equal to counts() of Judgement.h. `attempts` must be the only table in the
+/// query with such columns.
 #define INSONATE_COUNTS "state <> 'open' AND voided_us IS NULL AND NOT (" INSONATE_UNTRIED ")"
 
-/// SQL sum that gives Member::changes of the selected attempts.
+/// SQL expression that computes Member::changes (a counter of changes) of the selected attempts.
 #define INSONATE_CHANGES                                         \
   "SUM(CASE WHEN state <> 'open' THEN 2 - crashed ELSE 0 END + " \
   "CASE WHEN voided_us IS NULL THEN 0 ELSE 1 END)"
 
-/// Converts a row of INSONATE_HISTORY_COLUMNS.
+/// Converts a row of INSONATE_HISTORY_COLUMNS to facts.
 AttemptFacts factsOf(const Row& row);
-/// Converts a row of INSONATE_ATTEMPT_COLUMNS.
+/// Converts a row of INSONATE_ATTEMPT_COLUMNS to an attempt.
 KeptAttempt keptOf(const Row& row);
 std::vector<AttemptFacts> allFacts(const std::vector<Row>& rows);
-/// Reads a history as AttemptStore::history() returns it.
+/// Returns all attempts of a person; see AttemptStore::history().
 std::vector<AttemptFacts> historyOf(Transaction& transaction, const std::string& person);
-/// Reads from a row of either kind how the attempt ended, whether or not it was voided.
+/// Returns how an attempt ended (Open, Completed or Abandoned), even if it was voided later. `row`:
+/// INSONATE_HISTORY_COLUMNS or INSONATE_ATTEMPT_COLUMNS.
 AttemptState stateOfEnd(const Row& row);
 std::optional<KeptAttempt> findAttempt(Transaction& transaction, const std::string& id);
 
-/// Checks the facts of a caller before they are stored; fails with a sentence.
+/// Checks the facts of a begun attempt before they are stored, as checkEnded() does for an ended one; fails with a
+/// sentence.
 Result<void> checkBegun(const AttemptFacts& facts);
 Result<void> checkEnded(const AttemptFacts& facts);
-/// Tells whether both attempts have the same beginning, whatever their end.
+/// Tells whether two attempts have the same facts of the beginning; sameEnd() compares those of the end.
 bool sameBeginning(const AttemptFacts& a, const AttemptFacts& b);
 bool sameEnd(const AttemptFacts& a, const AttemptFacts& b);
 
-/// Inserts an attempt at its beginning and determines its arrival.
+/// Inserts a begun attempt and gives it the next KeptAttempt::arrival. `run`: UUID of the opened database
+/// (Core::run()).
 void insertAttempt(Transaction& transaction, const AttemptFacts& facts, const std::string& run);
 void endAttempt(Transaction& transaction, const AttemptFacts& facts, bool crashed);
 

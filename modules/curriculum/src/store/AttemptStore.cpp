@@ -29,8 +29,8 @@ constexpr std::int64_t kClocksDiffer_us = 600'000'000;
 Result<void> refuseImpossibleDates(Transaction& transaction, const AttemptFacts& facts, std::int64_t now_us) {
   const std::int64_t latest_us = now_us + kClocksDiffer_us;
   if (facts.begun_us > latest_us || facts.length_us > latest_us - facts.begun_us)
-    return fail("The attempt is dated " + dayOf(facts.begun_us) + " and lies in the future; today is " + dayOf(now_us) +
-                " by this computer's clock. Check the clock, and add the attempt once it is over.");
+    return fail("The attempt is dated " + dayOf(facts.begun_us) + ", which is in the future: it is now " +
+                dayOf(now_us) + " by the clock of this computer. Check the clock, and add the attempt after its end.");
   if (facts.curriculum.empty()) return {};
   const auto published = transaction.row("SELECT published_us FROM curricula WHERE name = ? AND version = ?",
                                          facts.curriculum, facts.curriculumVersion);
@@ -53,8 +53,8 @@ using store::Transaction;
 
 tl::unexpected<Error> otherwiseBegun(const std::string& id) {
   return fail("The attempt " + id +
-              " was begun otherwise (its person, level, procedure, case or time); an attempt does not change. "
-              "Begin another.");
+              " was already begun with another person, level, procedure, case or time, which cannot be changed. Begin "
+              "another attempt.");
 }
 
 Result<std::string> beginAttempt(Transaction& transaction, const Core& core, const AttemptFacts& facts) {
@@ -80,7 +80,7 @@ Result<void> endKept(Transaction& transaction, const Core& core, const AttemptFa
   if (isVoided) kept->facts.state = facts.state;
   if (kept->facts.state != AttemptState::Open && !kept->crashed) {
     if (store::sameEnd(kept->facts, facts)) return {};
-    return fail("The attempt " + facts.id + " has ended already, and otherwise; an attempt does not change.");
+    return fail("The attempt " + facts.id + " has already ended with another result, which cannot be changed.");
   }
   if (auto ok = store::refuseImpossibleDates(transaction, facts, core.now_us()); !ok) return ok;
   if (auto ok = store::refuseKnownHands(transaction, facts); !ok) return ok;
@@ -115,8 +115,11 @@ Result<void> acceptKept(Transaction& transaction, const Core& core, const std::s
   const AttemptFacts& facts = kept->facts;
   if (facts.proof == AttemptProof::Accepted) return {};
   if (facts.state == AttemptState::Open || facts.state == AttemptState::Voided || kept->crashed)
-    return fail("The attempt is still open, or was voided or broken off; an attempt that has ended can be accepted.");
-  if (facts.proof != AttemptProof::Unproven) return fail("The attempt counts already; it need not be accepted.");
+    return fail(
+        "Only an attempt that has ended can be accepted, but this one is still open, was voided, or its recording "
+        "broke off.");
+  if (facts.proof != AttemptProof::Unproven)
+    return fail("The attempt counts already. It does not need to be accepted.");
   store::acceptAttempt(transaction, id, by);
   // The standings were computed without this attempt.
   transaction.run("DELETE FROM standings WHERE person = ?", facts.person);

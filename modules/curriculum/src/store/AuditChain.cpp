@@ -19,13 +19,13 @@ std::string hashOf(const AuditEntry& entry, const std::string& before) {
 }
 
 tl::unexpected<Error> broken(std::int64_t number, const std::string& what) {
-  return fail("The audit log does not hold together at entry " + std::to_string(number) + ": " + what +
-              ". Someone has written to the database past this program; compare it with a backup.");
+  return fail("The audit log is inconsistent at entry " + std::to_string(number) + ": " + what +
+              ". Another program has written to the database. Compare it with a backup.");
 }
 
 Result<void> checkAgainst(const AuditAnchor& anchor, const AuditEntry& entry) {
   if (entry.number == anchor.number && entry.hash != anchor.hash)
-    return broken(entry.number, "it is another one than when it was noted");
+    return broken(entry.number, "it differs from the noted anchor");
   return {};
 }
 

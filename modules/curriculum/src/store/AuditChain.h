@@ -7,15 +7,15 @@
 
 namespace insonate::store {
 
-/// Adds an entry; the function fills in its number and hash. The transaction must be a writing one.
+/// Adds an entry to the audit log, with its number and hash. `transaction` must be one for writing.
 void appendAudit(Transaction& transaction, AuditEntry entry);
 
 AuditAnchor auditEnd(Transaction& transaction);
 
-/// Verifies the log like AuditLog::verify().
+/// Verifies the audit log; see AuditLog::verify().
 Result<void> verifyAudit(Transaction& transaction, const AuditAnchor& anchor);
 
-/// Shortens a text that a user wrote to the length that a log entry allows.
+/// Shortens a user's text to the length that an entry of the audit log allows.
 std::string forLog(const std::string& text);
 
 AuditEntry auditEntryOf(const Row& row);

@@ -52,8 +52,8 @@ std::vector<ClassImportRow> planned(Transaction& transaction, const Actor& actor
     there.insert(row.text(0));
   for (const auto& [entry, person] : match.known) {
     if (!there.contains(person.id) && actor.role != Role::Administrator)
-      rows.push_back(
-          refused(entry, person.fullName + " already has an account; an administrator adds such people to a class."));
+      rows.push_back(refused(
+          entry, person.fullName + " already has an account. Only an administrator can add this person to a class."));
     else
       rows.push_back({.line = entry.line,
                       .person = entry.person,

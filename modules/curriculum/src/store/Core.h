@@ -14,29 +14,31 @@
 
 namespace insonate::store {
 
-/// An open store: its address, the clocks, and a connection for each calling thread.
+/// An open curriculum database: its address, the clocks, and a connection for each calling thread.
 class Core {
  public:
-  /// Opens a checked store at the newest schema, and marks attempts of dead processes abandoned.
+  /// Opens a database, checks its integrity, upgrades it to the newest schema, and marks attempts of crashed processes
+  /// as abandoned.
   static Result<std::shared_ptr<Core>> open(const std::string& address, const StoreServices& services);
-  /// Opens a checked store at its present schema, for callers that ask the user before changing it.
+  /// Opens a database and checks its integrity, without upgrading its schema; for callers that first check whether the
+  /// user may do that.
   static Result<std::shared_ptr<Core>> reach(const std::string& address, const StoreServices& services);
-  /// Migrates to the newest schema and marks the attempts of dead processes as abandoned.
+  /// Upgrades the database to the newest schema, and marks attempts of crashed processes as abandoned.
   Result<void> bringUpToDate();
   ~Core();
   Core(const Core&) = delete;
   Core& operator=(const Core&) = delete;
 
-  /// Returns the connection of the calling thread; opens a new connection after the connection to the server was lost.
+  /// Returns the calling thread's connection to the database; connects again if the connection to the server was lost.
   Result<Connection*> connection();
 
-  /// Begins a transaction on the calling thread's connection. If the connection to the server was lost, connects again.
+  /// Begins a transaction on the calling thread's connection; connects again if the connection to the server was lost.
   Result<std::unique_ptr<Transaction>> begin(Way way);
 
   const Address& address() const { return address_; }
   const std::string& place() const { return place_; }
   const std::string& workstation() const { return services_.workstation; }
-  /// Folder for recordings of attempts; "": none are kept.
+  /// Returns the folder for recordings of attempts; "": none are kept.
   const std::filesystem::path& recordings() const { return recordings_; }
   PasswordCost passwordCost() const { return services_.passwordCost; }
   const Process& process() const { return process_; }
@@ -44,7 +46,7 @@ class Core {
   std::int64_t now_us() const { return services_.now_us(); }
   Moment moment() const { return {services_.now_us(), services_.upTime_us(), services_.boot}; }
 
-  /// Adds an entry to the audit log, with the present time and workstation; in a writing transaction.
+  /// Adds an entry to the audit log, with the present time and workstation. `transaction` must be one for writing.
   void audit(Transaction& transaction, const std::string& actor, std::string_view act, const std::string& person,
              const std::string& detail, bool allowed = true) const;
 
@@ -56,11 +58,12 @@ class Core {
   const StoreServices services_;
   const std::filesystem::path recordings_;
   const Process process_;
-  const std::string run_;    ///< UUID of this opening of the store
-  const std::uint64_t key_;  ///< identifies this store among the stores that the program has open
+  const std::string run_;    ///< UUID of this opened database, new for each call of open() or reach()
+  const std::uint64_t key_;  ///< identifies this database among those that the program has open
 };
 
-/// Runs `work`, which takes a Transaction and returns a Result, in one transaction, which is undone if `work` fails.
+/// Runs `work`, which takes a Transaction and returns a Result, in one transaction; if `work` fails, all changes are
+/// undone.
 template <class Work>
 auto inTransaction(Core& core, Way way, const Work& work) -> decltype(work(std::declval<Transaction&>())) {
   const auto transaction = core.begin(way);

@@ -8,11 +8,12 @@ namespace insonate::store {
 
 class Core;
 
-/// Stores the identity of this process before its first attempt.
+/// Stores the identity of this process in the database, before its first attempt, so that a crash can be detected
+/// later.
 void keepRun(Transaction& transaction, const Core& core);
 
-/// Marks the open attempts of this workstation's dead processes abandoned. Attempts of running processes, and of other
-/// workstations, stay open.
+/// Marks attempts as abandoned that crashed processes of this workstation left open. Attempts of running processes, and
+/// of other workstations, stay open.
 Result<void> abandonCrashed(Core& core);
 
 }  // namespace insonate::store

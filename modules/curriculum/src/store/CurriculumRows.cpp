@@ -34,9 +34,9 @@ void insertCurriculum(Transaction& transaction, const KeptCurriculum& curriculum
 
 Result<void> checkHash(const KeptCurriculum& curriculum) {
   if (sha256(curriculum.text) == curriculum.entry.hash) return {};
-  return fail("The text of version " + std::to_string(curriculum.entry.version) + " of '" + curriculum.entry.name +
-              "' is not the one that was published. Someone has written to the database past this program; compare it "
-              "with a backup.");
+  return fail(
+      "The text of version " + std::to_string(curriculum.entry.version) + " of '" + curriculum.entry.name +
+      "' is not the one that was published. Another program has written to the database. Compare it with a backup.");
 }
 
 Result<std::string> publishedText(Transaction& transaction, const std::string& name, int version) {

@@ -17,11 +17,11 @@ struct KeptCurriculum {
   std::string text{};
 };
 
-/// Lists curricula by name, newest version first.
+/// Returns all published curricula, sorted by name, newest version first.
 std::vector<CurriculumEntry> listCurricula(Transaction& transaction);
 std::optional<KeptCurriculum> findCurriculum(Transaction& transaction, const std::string& name, int version);
 void insertCurriculum(Transaction& transaction, const KeptCurriculum& curriculum);
-/// Fails if the text differs from the published text.
+/// Fails if the hash shows that the stored text of a curriculum was changed after publication.
 Result<void> checkHash(const KeptCurriculum& curriculum);
 /// Finds a published curriculum, checks its hash and parses it.
 Result<Curriculum> publishedCurriculum(Transaction& transaction, const std::string& name, int version);

@@ -64,6 +64,24 @@ Result<SignedIn> CurriculumStore::signIn(const std::string& name, const std::str
   return SignedIn(std::make_shared<store::Session>(core_, known->person, known->passwordVersion, known->mustChange));
 }
 
+Result<SignedIn> CurriculumStore::signInByToken(const std::string& token) const {
+  const auto session =
+      inTransaction(*core_, Way::Write, [&](Transaction& transaction) -> Result<std::shared_ptr<store::Session>> {
+        const auto row = transaction.row(
+            "SELECT " INSONATE_PERSON_COLUMNS
+            ", credentials.version FROM sign_in_tokens JOIN people ON people.id = sign_in_tokens.person "
+            "JOIN credentials ON credentials.person = people.id WHERE hash = ? AND disabled = 0 AND must_change = 0 "
+            "AND credentials.version = sign_in_tokens.version",
+            store::sha256(token));
+        if (!row) return fail("This computer no longer keeps you signed in. Sign in with your password.");
+        const Person person = store::personOf(*row);
+        core_->audit(transaction, person.id, "sign in", person.id, "token");
+        return std::make_shared<store::Session>(core_, person, row->number(6), false);
+      });
+  if (!session) return tl::unexpected(session.error());
+  return SignedIn(*session);
+}
+
 SignedIn CurriculumStore::guest() const {
   return SignedIn(std::make_shared<store::Session>(core_, Person{}, 0, false));
 }

@@ -26,7 +26,7 @@ Result<void> writeFirstPasswords(const std::filesystem::path& file, std::span<co
   namespace fs = std::filesystem;
   std::error_code error;
   if (fs::exists(file, error))
-    return fail(file.string() + " is there already and may hold passwords of an earlier import; name another file.");
+    return fail(file.string() + " exists and may contain passwords of an earlier import. Name another file.");
   std::vector<std::vector<std::string>> rows{{"name", "full name", "e-mail", "first password"}};
   for (const auto& [person, password] : passwords)
     rows.push_back({person.name, person.fullName, person.email, password});

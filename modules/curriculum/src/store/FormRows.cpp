@@ -38,7 +38,8 @@ Result<std::string> keepForm(Transaction& transaction, const FilledForm& filled)
     FilledForm kept = filledOf(*row);
     kept.filled_us = filled.filled_us;
     if (kept == filled) return filled.id;
-    return fail("The form " + filled.id + " was filled in otherwise, and does not change; fill in another.");
+    return fail("The form " + filled.id +
+                " was already handed in with other answers, which cannot be changed. Fill in another form.");
   }
   const auto attempt = filled.attempt.empty() ? std::nullopt : std::optional(filled.attempt);
   transaction.run("INSERT INTO forms SELECT COALESCE(MAX(arrival), 0) + 1, ?, ?, ?, ?, ?, ?, ?, ? FROM forms",

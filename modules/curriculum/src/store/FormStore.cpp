@@ -17,10 +17,10 @@ using store::Transaction;
 
 Result<void> checkFilled(const FilledForm& filled) {
   if (!store::isUuid(filled.id))
-    return fail("'" + filled.id.substr(0, 100) + "' is no UUID in lower case; a form's id is one.");
+    return fail("'" + filled.id.substr(0, 100) + "' is not a UUID in lower case, but the id of a form must be one.");
   if (auto ok = store::checkTitle("The form's name", filled.form); !ok) return ok;
   if (filled.form.empty() || filled.formVersion < 1)
-    return fail("The form has no name or no version; say which form was filled in.");
+    return fail("The form has no name or no version. State which form was filled in.");
   return store::checkJsonObject("The answers", filled.answers);
 }
 
@@ -32,7 +32,8 @@ Result<void> checkOnce(Transaction& transaction, const FilledForm& filled) {
                          filled.attempt, filled.form, filled.by, filled.id) == 0)
     return {};
   return fail("You have handed in '" + filled.form +
-              "' about this attempt already; a form is handed in once. Read it among the forms of the attempt.");
+              "' about this attempt already, and a form can be handed in only once. You can read it among the forms of "
+              "the attempt.");
 }
 
 Result<std::string> keep(Transaction& transaction, const Core& core, const FilledForm& filled) {
@@ -40,7 +41,7 @@ Result<std::string> keep(Transaction& transaction, const Core& core, const Fille
   if (!filled.attempt.empty()) {
     const auto attempt = store::findAttempt(transaction, filled.attempt);
     if (!attempt || attempt->facts.person != filled.person)
-      return fail("The attempt is not one of the person whom the form is about; choose one of theirs.");
+      return fail("The attempt is not one of the person whom the form is about. Choose an attempt of this person.");
   }
   if (auto ok = checkOnce(transaction, filled); !ok) return tl::unexpected(ok.error());
   auto id = store::keepForm(transaction, filled);

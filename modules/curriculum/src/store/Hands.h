@@ -9,10 +9,10 @@
 
 namespace insonate::store {
 
-/// Fails if another attempt was made with the same motion of the hands, or if a store of an earlier schema kept the
-/// same file for another attempt.
+/// Fails if another attempt has the same recorded motion of probe and needle (AttemptFacts::handsHash) or, stored by an
+/// earlier schema, the same recording.
 Result<void> refuseKnownHands(Transaction& transaction, const AttemptFacts& facts);
-/// Stores the hash of the hands' motion for an attempt, as of `now_us`. Repeating it is no error.
+/// Stores AttemptFacts::handsHash of an attempt with the time `now_us`. Storing it again is no error.
 void keepHands(Transaction& transaction, const AttemptFacts& facts, std::int64_t now_us);
 
 }  // namespace insonate::store

@@ -7,21 +7,21 @@
 
 namespace insonate::store {
 
-/// A moment by the clocks that lock-outs use.
+/// Time by the clocks from which the locking of names after failed sign-ins is computed.
 struct Moment {
   std::int64_t now_us = 0, up_us = 0;
   std::string boot{};
 };
 
-/// Time for which a name is locked after this many consecutive failures: 30 s after the fifth, doubled by each further
-/// one up to an hour.
+/// Returns the time for which a sign-in name is locked after this many consecutive failures: 30 s after the fifth,
+/// doubled by each further one up to an hour.
 std::int64_t lockAfter_us(std::int64_t failures);
 
-/// Returns the seconds until a name may be tried again. 0: the name may be tried now, and the try is counted as a
-/// failure until resetFailures(), so that many simultaneous tries gain nothing.
+/// Returns the seconds until sign-in with a name may be tried again. 0: it may be tried now, and the try counts as a
+/// failure until resetFailures(), so that simultaneous tries gain nothing.
 ///
-/// Until the computer is restarted, time is its up time. After a restart the clock's time is used; if the clock was set
-/// back the wait starts again, so that it never exceeds an hour.
+/// Waiting time is measured by the computer's up time; after a restart, by the wall clock. If the clock was set back,
+/// the wait starts again, so that it never exceeds an hour.
 std::int64_t countTry(Transaction& transaction, const std::string& name, const Moment& moment);
 
 void resetFailures(Transaction& transaction, const std::string& name);

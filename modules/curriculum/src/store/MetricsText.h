@@ -9,7 +9,7 @@ namespace insonate::store {
 
 /// Writes metrics as JSON: [[id, version, value or null], ...].
 std::string metricsText(const std::vector<MetricFact>& metrics);
-/// Inverse of metricsText(); empty for any other text.
+/// Reads metrics from the JSON that metricsText() writes; empty for any other text.
 std::vector<MetricFact> metricsOf(const std::string& text);
 
 }  // namespace insonate::store

@@ -12,14 +12,14 @@ namespace insonate::store {
 /// Number of the newest schema that this program knows.
 int newestSchema();
 
-/// Path of the copy that is made before a migration, beside the store's file.
+/// Returns the path of the backup that is made before a migration, beside the database file.
 std::filesystem::path copyBeforeMigration(const std::filesystem::path& file, int schema);
 
-/// Fails on a file with tables that this program did not make; such a file is not changed.
+/// Fails on a database with tables that this program did not make, so that foreign files are not changed.
 Result<void> refuseForeign(Connection& connection);
 
-/// Brings a store to the newest schema, each step in one transaction. If two programs start at once, only one of them
-/// migrates. A file that is not empty is first copied. Fails if a newer program made the store.
+/// Upgrades a database to the newest schema, each migration in one transaction. If two programs start at once, only one
+/// of them migrates. A file that is not empty is first copied. Fails if a newer program version made the database.
 Result<void> migrate(Connection& connection, const Address& address, std::int64_t now_us);
 
 }  // namespace insonate::store

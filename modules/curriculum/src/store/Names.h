@@ -8,10 +8,11 @@
 
 namespace insonate::store {
 
-/// Name of a role in the tables.
+/// Returns the name of a role in the database tables.
 std::string_view nameOf(Role role);
 Role roleNamed(std::string_view name);
-/// Name of a state in the tables. Voided has no name: being voided is stored in addition to how the attempt ended.
+/// Returns the name of an attempt's state in the database tables. Voided has no name: it is stored in addition to how
+/// the attempt ended.
 std::string_view nameOf(AttemptState state);
 AttemptState stateNamed(std::string_view name);
 

@@ -8,8 +8,9 @@ namespace insonate::store {
 
 class Core;
 
-/// Adds a fact to the outbox, where it waits for the server; in the transaction that stores the fact. A fact that
-/// already waits gets a new number, so that an upload in progress does not take it for sent. A server has no outbox.
+/// Adds an attempt or form (`kind`, `id`) to the outbox, the list of data to be sent to the server; call it in the
+/// transaction that stores the data. Data that already waits gets a new number, so that an upload in progress does not
+/// mark the newer data as sent. Does nothing on a server.
 void putIntoOutbox(Transaction& transaction, const Core& core, const std::string& kind, const std::string& id);
 
 }  // namespace insonate::store

@@ -10,7 +10,7 @@
 
 namespace insonate::store {
 
-/// A person whose password was verified.
+/// A person whose password was verified, with the stored password data.
 struct Known {
   Person person{};
   std::string hashed{};
@@ -18,7 +18,7 @@ struct Known {
   bool mustChange = false;
 };
 
-/// Verifies a password as CurriculumStore::signIn() does: the try is counted before the verification and logged, and
+/// Verifies name and password for CurriculumStore::signIn(): the try is counted before the verification and logged, and
 /// takes the same time for known and unknown names.
 Result<Known> provePassword(Core& core, const std::string& name, const std::string& password);
 

@@ -16,7 +16,9 @@ Result<std::string> hashedPassword(const std::string& password, PasswordCost cos
                                            usual ? crypto_pwhash_MEMLIMIT_INTERACTIVE : crypto_pwhash_MEMLIMIT_MIN,
                                            crypto_pwhash_ALG_ARGON2ID13);
   if (failed)
-    return fail("There are no 64 MB of memory to keep the password with; close another program and try again.");
+    return fail(
+        "The password cannot be stored, since there are less than 64 MB of free memory. Close another program and try "
+        "again.");
   return std::string(hashed.data());
 }
 
@@ -27,6 +29,14 @@ Result<std::string> checkedAndHashed(const std::string& password, PasswordCost c
 
 bool fitsPassword(const std::string& password, const std::string& hashed) {
   return crypto_pwhash_str_verify(hashed.c_str(), password.data(), password.size()) == 0;
+}
+
+std::string randomToken() {
+  if (sodium_init() < 0) return {};
+  std::array<unsigned char, 32> random{};
+  randombytes_buf(random.data(), random.size());
+  std::array<char, 2 * random.size() + 1> digits{};
+  return sodium_bin2hex(digits.data(), digits.size(), random.data(), random.size());
 }
 
 const std::string& hashOfNobody(PasswordCost cost) {

@@ -47,7 +47,7 @@ Result<void> putIntoCohort(Transaction& transaction, const std::string& cohort, 
   if (!transaction.row("SELECT id FROM cohorts WHERE id = ?", cohort))
     return fail("There is no such class; reload the list.");
   if (teaches && person.role == Role::Trainee)
-    return fail(person.name + " is a trainee and cannot teach; make them an instructor first.");
+    return fail(person.name + " is a trainee and cannot teach. Give this person the role of instructor first.");
   transaction.run(
       "INSERT INTO memberships VALUES (?, ?, ?) ON CONFLICT (cohort, person) DO UPDATE SET teaches = excluded.teaches",
       cohort, person.id, teaches);

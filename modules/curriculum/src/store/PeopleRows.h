@@ -11,24 +11,24 @@
 
 namespace insonate::store {
 
-/// Columns of people that personOf() reads.
+/// Columns of the table `people` that personOf() reads.
 #define INSONATE_PERSON_COLUMNS "people.id, people.name, people.full_name, people.email, people.role, people.disabled"
 
 Person personOf(const Row& row, std::size_t first = 0);
 std::optional<Person> findPerson(Transaction& transaction, const std::string& id);
 
 Result<void> checkPerson(const Person& person);
-/// Fails if another person has the name.
+/// Fails if another person has the sign-in name.
 Result<void> checkNameIsFree(Transaction& transaction, const Person& person);
-/// Inserts a person with an already hashed password; checks both names.
+/// Inserts a person with an already hashed password; fails on an invalid sign-in name or full name.
 Result<Person> insertPerson(Transaction& transaction, const NewPerson& person, const std::string& hashed,
                             bool mustChange);
 
-/// Adds a person to a cohort as a learner or teacher; an existing member is changed to the given kind. Trainees do not
-/// teach.
+/// Adds a person to a cohort, as instructor (`teaches`) or learner; an existing member is changed to that. Fails for a
+/// trainee as instructor.
 Result<void> putIntoCohort(Transaction& transaction, const std::string& cohort, const Person& person, bool teaches);
 
-/// Sets a new password, which ends sessions of the old password.
+/// Sets a person's new password; sessions that were opened with the old password end.
 void setPassword(Transaction& transaction, const std::string& person, const std::string& hashed, bool mustChange);
 
 }  // namespace insonate::store

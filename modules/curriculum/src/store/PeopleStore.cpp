@@ -32,7 +32,7 @@ Result<void> changePerson(Transaction& transaction, const Person& person) {
   const bool staysAdministrator = person.role == Role::Administrator && !person.disabled;
   if (before->role == Role::Administrator && !before->disabled && !staysAdministrator &&
       isLastAdministrator(transaction, person.id))
-    return fail(before->name + " is the last administrator; make someone else one first.");
+    return fail(before->name + " is the last administrator. Make another person an administrator first.");
   transaction.run(
       "UPDATE people SET name = ?, name_key = ?, full_name = ?, email = ?, role = ?, disabled = ? WHERE id = ?",
       person.name, store::nameKey(person.name), person.fullName, person.email, store::nameOf(person.role),
@@ -107,7 +107,7 @@ Result<void> PeopleStore::changeOwnPassword(const std::string& old, const std::s
   store::Session& session = *by_.session();
   const std::string& id = by_.person().id;
   if (by_.isGuest()) return fail("Sign in first: a guest has no password.");
-  if (password == old) return fail("The new password is the old one; choose another.");
+  if (password == old) return fail("The new password is the same as the old one. Choose another one.");
   const auto hashed = store::checkedAndHashed(password, session.core().passwordCost());
   if (!hashed) return tl::unexpected(hashed.error());
   // A wrong old password counts toward the lock-out, as at sign-in.
@@ -123,6 +123,28 @@ Result<void> PeopleStore::changeOwnPassword(const std::string& old, const std::s
   if (!version) return tl::unexpected(version.error());
   session.hasPassword(*version);
   return {};
+}
+
+Result<std::string> PeopleStore::staySignedIn() const {
+  store::Session& session = *by_.session();
+  const std::string& id = by_.person().id;
+  const std::string token = store::randomToken();
+  if (token.empty()) return fail("There are no random numbers for a token; restart the program.");
+  return session.write({.act = Act::StaySignedIn, .person = id},
+                       [&](Transaction& transaction, const Actor& actor) -> Result<std::string> {
+                         transaction.run("INSERT INTO sign_in_tokens VALUES (?, ?, ?, ?)", store::sha256(token), id,
+                                         actor.passwordVersion, session.core().now_us());
+                         return token;
+                       });
+}
+
+Result<void> PeopleStore::revokeTokens() const {
+  const std::string& id = by_.person().id;
+  return by_.session()->write({.act = Act::StaySignedIn, .person = id},
+                              [&](Transaction& transaction, const Actor&) -> Result<void> {
+                                transaction.run("DELETE FROM sign_in_tokens WHERE person = ?", id);
+                                return {};
+                              });
 }
 
 Result<void> PeopleStore::resetPassword(const std::string& person, const std::string& password) const {

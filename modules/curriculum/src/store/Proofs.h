@@ -9,17 +9,18 @@
 
 namespace insonate::store {
 
-/// Column of a query on attempts that gives AttemptFacts::proof.
+/// SQL expression that gives AttemptFacts::proof in a query on the table `attempts`.
 #define INSONATE_PROOF_COLUMN "COALESCE((SELECT state FROM proofs WHERE attempt = attempts.id), 'unproven')"
 
-/// Name of a proof in the table.
+/// Returns the name of a proof in the table `proofs`.
 std::string_view nameOf(AttemptProof proof);
 AttemptProof proofNamed(std::string_view name);
 
-/// Stores the proof that a program determined at an attempt's end. `Accepted` and `Earlier` cannot be determined by a
-/// program: for these, an unproven attempt is stored.
+/// Stores the proof (AttemptFacts::proof) that the caller determined at an attempt's end. Accepted and Earlier, which a
+/// caller cannot determine, are stored as Unproven.
 void keepProof(Transaction& transaction, const AttemptFacts& facts);
-/// Merges the proof of an attempt from another store, or the attempt's later acceptance. `acceptedBy` as in the table.
+/// Stores the proof of an attempt that comes from another database, or its later acceptance. `acceptedBy`: id of the
+/// person who accepted the attempt, "" for other proofs.
 void mergeProof(Transaction& transaction, const std::string& attempt, AttemptProof proof,
                 const std::string& acceptedBy);
 void acceptAttempt(Transaction& transaction, const std::string& attempt, const std::string& by);

@@ -14,13 +14,13 @@ using store::Core;
 using store::Row;
 using store::Transaction;
 
-constexpr std::size_t kMostText = 1'000'000;
+constexpr std::size_t kMaxText = 1'000'000;
 
 Result<void> checkPublishable(const std::string& name, int version, const std::string& text) {
   if (auto ok = store::checkTitle("The curriculum's name", name); !ok) return ok;
   if (name.empty()) return fail("The curriculum has no name; give it one.");
   if (version < 1) return fail("The curriculum's version is " + std::to_string(version) + "; versions count from 1.");
-  if (auto ok = store::checkText("The curriculum", text, kMostText); !ok) return ok;
+  if (auto ok = store::checkText("The curriculum", text, kMaxText); !ok) return ok;
   const auto curriculum = parseCurriculum(text);
   if (!curriculum) return tl::unexpected(curriculum.error());
   if (curriculum->name == name && curriculum->version == version) return {};
@@ -33,7 +33,7 @@ Result<CurriculumEntry> publishText(Transaction& transaction, const CurriculumEn
   if (const auto kept = store::findCurriculum(transaction, entry.name, entry.version)) {
     if (kept->entry.hash == entry.hash) return kept->entry;
     return fail("Version " + std::to_string(entry.version) + " of '" + entry.name +
-                "' is published and does not change; publish this as a later version.");
+                "' is already published and cannot be changed. Publish this text as a later version.");
   }
   const auto newest = transaction.number("SELECT MAX(version) FROM curricula WHERE name = ?", entry.name);
   if (entry.version < newest)
@@ -46,7 +46,7 @@ Result<CurriculumEntry> publishText(Transaction& transaction, const CurriculumEn
 Result<void> checkDraft(const std::string& name, const std::string& text) {
   if (auto ok = store::checkTitle("The draft's name", name); !ok) return ok;
   if (name.empty()) return fail("The draft has no name; give it one.");
-  return store::checkText("The draft", text, kMostText);
+  return store::checkText("The draft", text, kMaxText);
 }
 
 /// Checks that the draft has not changed since the caller read it.

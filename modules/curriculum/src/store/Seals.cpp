@@ -61,8 +61,7 @@ class KeyedHash {
 Result<Bytes> secretOf(Transaction& transaction) {
   const auto row = transaction.row("SELECT secret FROM store_secret");
   auto secret = row ? bytesOf(row->text(0), 32) : std::nullopt;
-  if (!secret)
-    return fail(transaction.place() + " has lost its secret, by which recordings are proven. Restore a backup.");
+  if (!secret) return fail(transaction.place() + " has lost the secret that proves recordings. Restore a backup.");
   return std::move(*secret);
 }
 

@@ -9,10 +9,10 @@
 
 namespace insonate::store {
 
-/// Makes the store's secret if it has none.
+/// Makes the database's secret, from which nonces and keys of attempts are derived, if there is none yet.
 Result<void> keepSecret(Core& core);
 
-/// Makes a seal for the id, person, curriculum and level of an attempt.
+/// Makes nonce and key (AttemptSeal) for an attempt with this id, person, curriculum and level.
 Result<AttemptSeal> freshSeal(Transaction& transaction, const AttemptFacts& facts);
 Result<NonceOrigin> originOfNonce(Transaction& transaction, const AttemptFacts& facts, const std::string& nonce);
 

@@ -11,8 +11,8 @@
 
 namespace insonate::store {
 
-/// Session of a signed-in user or guest at a store. Every access of the public classes goes through read() and write(),
-/// which check the permission and log the access.
+/// Session of a signed-in user or guest. All accesses to the database by the module's public classes go through read()
+/// and write(), which check the permission and log the access.
 class Session {
  public:
   Session(std::shared_ptr<Core> core, Person person, std::int64_t passwordVersion, bool mustChange)
@@ -24,14 +24,14 @@ class Session {
   Core& core() const { return *core_; }
   const Person& person() const { return person_; }
   bool mustChangePassword() const { return mustChange_; }
-  /// Continues the session after the user has chosen a new password.
+  /// Continues the session after the user has chosen a new password. `version`: number of the new password.
   void hasPassword(std::int64_t version) {
     passwordVersion_ = version;
     mustChange_ = false;
   }
 
-  /// Runs `work` with a Transaction and the present Actor; `work` returns a Result. Log entries are on the disk before
-  /// any result is returned.
+  /// Checks the permission for `request` and runs `work` with a Transaction and the present Actor; `work` returns a
+  /// Result. Log entries are on the disk before the result is returned.
   template <class Work>
   auto read(const Request& request, const Work& work) {
     auto outcome = attempt(Way::Read, request, work);
@@ -42,11 +42,12 @@ class Session {
   auto write(const Request& request, const Work& work) {
     return *attempt(Way::Write, request, work);
   }
-  /// Performs a further request within a write(); it is authorized and logged like a separate request.
+  /// Checks and logs a further request within the transaction of a write().
   Result<void> also(Transaction& transaction, const Request& request);
 
  private:
-  /// Empty if the access must be logged, which needs a writing transaction.
+  /// Tries a request in a transaction. Empty if the access must be logged but `way` is Read: a transaction for writing
+  /// is needed.
   template <class Work>
   auto attempt(Way way, const Request& request, const Work& work) {
     using Outcome = decltype(work(std::declval<Transaction&>(), std::declval<const Actor&>()));

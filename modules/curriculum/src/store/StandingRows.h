@@ -9,22 +9,24 @@
 
 namespace insonate::store {
 
-/// Columns of standings that standingFrom() reads.
+/// Columns of the table `standings` (progress of trainees) that standingFrom() reads.
 #define INSONATE_STANDING_COLUMNS                                                             \
   "standings.curriculum, standings.curriculum_version, standings.level, standings.mastered, " \
   "standings.concern, standings.sentence, standings.changes, standings.from_us, standings.until_us, standings.rules"
 
-/// Converts INSONATE_STANDING_COLUMNS, of which the first is at `column`.
+/// Converts a row with INSONATE_STANDING_COLUMNS, the first of which is at `column`, to a Standing.
 Standing standingFrom(const Row& row, std::size_t column);
-/// Tells whether computing the standing now would give the same. `changes` is the person's present Member::changes.
+/// Tells whether computing the stored standing in a row now would give the same. `changes`: the person's present
+/// Member::changes.
 bool isCurrent(const Row& row, std::size_t column, std::int64_t changes, std::int64_t now_us);
 
-/// Returns the stored standing if it is current; otherwise computes it from all attempts and stores it.
+/// Returns a person's progress in a curriculum: the stored standing if it is current; otherwise it is computed from all
+/// attempts and stored.
 Standing currentStanding(Transaction& transaction, const std::string& person, const Curriculum& curriculum,
                          std::int64_t now_us);
 
-/// Computes a person's standing in each cohort again after a change of attempts. A curriculum that cannot be read is
-/// skipped here; users who open the cohort see the error.
+/// Computes and stores a person's standing (progress) in each of the person's cohorts, after a change of attempts. A
+/// curriculum that cannot be read is skipped; users who open the cohort see the error.
 void renewStandings(Transaction& transaction, const std::string& person, std::int64_t now_us);
 
 }  // namespace insonate::store

@@ -60,8 +60,9 @@ void compare(const Row& row, const Logged& logged, Differences& differences) {
   expect("person", person, logged.person);
   if (logged.level) expect("level", store::forLog(row.text(3)), *logged.level);
   if (logged.recording) expect("recording hash", row.text(4), *logged.recording);
-  if (logged.recording && !hasEnded) expect("state", row.text(5), "ended, by the audit log");
-  if (!logged.recording && !logged.wasReceived && hasEnded) expect("state", row.text(5), "open, by the audit log");
+  if (logged.recording && !hasEnded) expect("state", row.text(5), "ended, according to the audit log");
+  if (!logged.recording && !logged.wasReceived && hasEnded)
+    expect("state", row.text(5), "open, according to the audit log");
 }
 
 Differences compareWithLog(Transaction& transaction) {
@@ -79,11 +80,11 @@ Differences compareWithLog(Transaction& transaction) {
       logged.erase(found);
     } else if (hasBegun) {
       differences.push_back(
-          {row.text(1), row.text(2), "attempt", "a row", "none: no entry of the audit log tells of it"});
+          {row.text(1), row.text(2), "attempt", "a row", "none: no entry of the audit log mentions it"});
     }
   }
   for (const auto& [id, entry] : logged)
-    differences.push_back({id, entry.person, "attempt", "missing", "a row: the audit log tells of it"});
+    differences.push_back({id, entry.person, "attempt", "missing", "a row: the audit log mentions it"});
   return differences;
 }
 

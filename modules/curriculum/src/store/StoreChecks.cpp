@@ -16,7 +16,9 @@ Result<void> verifyPages(Transaction& transaction) {
   const auto pages = transaction.row("PRAGMA integrity_check(1)");
   if (pages && pages->text(0) != "ok") return tl::unexpected(damaged(transaction.place(), pages->text(0)));
   const auto keys = transaction.row("PRAGMA foreign_key_check");
-  if (keys) return tl::unexpected(damaged(transaction.place(), "a row of " + keys->text(0) + " stands alone"));
+  if (keys)
+    return tl::unexpected(
+        damaged(transaction.place(), "a row of " + keys->text(0) + " refers to a row that is missing"));
   return {};
 }
 

@@ -10,7 +10,7 @@ namespace insonate::store {
 /// server, which checks its own pages.
 Result<void> checkPages(Connection& connection);
 
-/// Checks all pages, keys and hashes, as StoreUpkeep::verify() does.
+/// Checks all pages and keys of the database, the hashes of curricula and the audit log; see StoreUpkeep::verify().
 Result<void> verifyAll(Transaction& transaction);
 
 }  // namespace insonate::store

@@ -14,9 +14,9 @@
 namespace insonate::store {
 namespace {
 
-constexpr std::size_t kMostName = 64, kMostTitle = 200, kMostJson = 1'000'000;
+constexpr std::size_t kMaxName = 64, kMaxTitle = 200, kMaxJson = 1'000'000;
 // NIST SP 800-63B requires at least 8 characters.
-constexpr int kLeastPassword = 8, kMostPassword = 200;
+constexpr int kMinPassword = 8, kMaxPassword = 200;
 
 QString words(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
@@ -43,8 +43,8 @@ bool isForSignIn(uint letter) {
 Result<void> checkText(std::string_view what, std::string_view text, std::size_t bytes) {
   const std::string name(what);
   if (text.size() > bytes)
-    return fail(name + " is " + std::to_string(text.size()) + " bytes long; at most " + std::to_string(bytes) +
-                " are kept. Shorten it.");
+    return fail(name + " is " + std::to_string(text.size()) + " bytes long. The maximum is " + std::to_string(bytes) +
+                ". Shorten it.");
   if (text.find('\0') != std::string_view::npos) return fail(name + " holds a zero byte; remove it.");
   if (words(text).toUtf8() != QByteArray::fromRawData(text.data(), static_cast<int>(text.size())))
     return fail(name + " is not UTF-8; save or type it as Unicode.");
@@ -52,19 +52,19 @@ Result<void> checkText(std::string_view what, std::string_view text, std::size_t
 }
 
 Result<void> checkTitle(std::string_view what, std::string_view text) {
-  if (auto ok = checkText(what, text, 4 * kMostTitle); !ok) return ok;
+  if (auto ok = checkText(what, text, 4 * kMaxTitle); !ok) return ok;
   const QVector<uint> letters = words(text).toUcs4();
-  if (static_cast<std::size_t>(letters.size()) > kMostTitle)
-    return fail(std::string(what) + " is longer than " + std::to_string(kMostTitle) + " letters; shorten it.");
+  if (static_cast<std::size_t>(letters.size()) > kMaxTitle)
+    return fail(std::string(what) + " is longer than " + std::to_string(kMaxTitle) + " letters; shorten it.");
   if (std::any_of(letters.begin(), letters.end(), isUnprintable))
-    return fail(std::string(what) + " holds a line break or another character that cannot be seen; type it anew.");
+    return fail(std::string(what) + " contains a line break or another invisible character. Type it again.");
   return {};
 }
 
 Result<void> checkSignInName(std::string_view name) {
-  if (auto ok = checkText("The name to sign in", name, 4 * kMostName); !ok) return ok;
+  if (auto ok = checkText("The name to sign in", name, 4 * kMaxName); !ok) return ok;
   const QVector<uint> letters = words(name).toUcs4();
-  if (letters.isEmpty() || static_cast<std::size_t>(letters.size()) > kMostName ||
+  if (letters.isEmpty() || static_cast<std::size_t>(letters.size()) > kMaxName ||
       !std::all_of(letters.begin(), letters.end(), isForSignIn))
     return fail("A name to sign in has 1 to 64 letters, digits and . _ - + @, and no spaces; choose another.");
   std::optional<QChar::Script> script;
@@ -73,7 +73,7 @@ Result<void> checkSignInName(std::string_view name) {
     if (own == QChar::Script_Common || own == QChar::Script_Inherited) continue;
     if (script && *script != own)
       return fail(
-          "The name to sign in mixes letters of two alphabets, which look alike; type it with one keyboard layout.");
+          "The name to sign in mixes letters of two alphabets that look alike. Type it with one keyboard layout.");
     script = own;
   }
   return {};
@@ -84,20 +84,20 @@ Result<void> checkEmail(std::string_view email) {
   if (auto ok = checkTitle("The e-mail address", email); !ok) return ok;
   const std::size_t at = email.find('@');
   if (at == 0 || at == std::string_view::npos || at + 1 == email.size() || email.find(' ') != std::string_view::npos)
-    return fail("'" + std::string(email) + "' is no e-mail address; write it as NAME@PLACE, or leave it empty.");
+    return fail("'" + std::string(email) + "' is not an e-mail address. Write it as NAME@DOMAIN, or leave it empty.");
   return {};
 }
 
 Result<void> checkPassword(std::string_view password) {
-  if (auto ok = checkText("The password", password, 4 * kMostPassword); !ok) return ok;
+  if (auto ok = checkText("The password", password, 4 * kMaxPassword); !ok) return ok;
   const auto length = words(password).toUcs4().size();
-  if (length < kLeastPassword || length > kMostPassword)
+  if (length < kMinPassword || length > kMaxPassword)
     return fail("A password has 8 to 200 characters; choose another, a sentence for instance.");
   return {};
 }
 
 Result<void> checkJsonObject(std::string_view what, std::string_view text) {
-  if (auto ok = checkText(what, text, kMostJson); !ok) return ok;
+  if (auto ok = checkText(what, text, kMaxJson); !ok) return ok;
   using nlohmann::json;
   bool hasZero = false;
   const auto look = [&hasZero](int, json::parse_event_t, const json& value) {

@@ -10,10 +10,10 @@ namespace insonate::column {
 
 /// Tissue of one column, from the skin downward.
 struct TissueColumn {
-  bool met = false;       ///< false if the column contains no tissue under the face
+  bool met = false;       ///< true if the column contains tissue under the face
   bool skinFound = true;  ///< false if tissue continues to the upper end of the grid
-  double skin_mm = 0;     ///< z of the skin
-  int first = 0;          ///< row of the first spring
+  double skin_mm = 0;     ///< depth z of the skin
+  int first = 0;          ///< row of the column's first spring
   LengthByLabel length_mm{};
 };
 
@@ -23,7 +23,7 @@ class ColumnGrid {
  public:
   /// Distance above the face within which skin is searched for.
   static constexpr double kReach_mm = 30;
-  /// The columns cover this number of the profile's standard deviations on either side.
+  /// Half width of the grid in standard deviations of the Gaussian indentation profile.
   static constexpr double kCovered = 3.5;
   static constexpr int kMaxSprings = 400000;
 
@@ -33,7 +33,7 @@ class ColumnGrid {
 
   void layOut(double faceWidth_mm, const DeformationSettings& settings);
 
-  /// Samples and measures only the middle column, which decides whether the face touches.
+  /// Samples only the middle column, to decide whether the face touches the tissue.
   void sampleMiddle(const TissuePlane& plane);
   void sampleAll(const TissuePlane& plane);
 
@@ -60,7 +60,7 @@ class ColumnGrid {
 
   int columnCount = 0, rowCount = 0;
   double step = 0, bottom = 0, width = 0;
-  std::vector<PlanePoint> points;  ///< [column][row], centers
+  std::vector<PlanePoint> points;  ///< centers of the springs, [column][row]
   std::vector<PlaneTissue> tissue;
   std::vector<TissueColumn> measured;
   std::vector<double> weights;

@@ -18,9 +18,10 @@ inline constexpr double kArteryLumen_kPa = 200, kVeinLumen_kPa = 23;
 using LengthByLabel = std::array<double, kLabelCount>;
 
 struct ColumnLoad {
-  double pressure_kPa = 0;  ///< the same in all springs of a column
+  double pressure_kPa = 0;  ///< pressure, the same in all springs of a column
   double shortening_mm = 0;
-  bool limited = false;  ///< shortened less than requested, since all springs are rigid or at kMaxShortening
+  bool limited = false;  ///< true if the column was shortened less than requested, since all springs are rigid or at
+                         ///< kMaxShortening
 };
 
 /// Springs in series, by label. The compliance of a label is 1 / E in 1/kPa, which is exactly 0 for an infinite
@@ -29,13 +30,13 @@ class LabelSprings {
  public:
   explicit LabelSprings(const MechanicalTable& tissues);
 
-  /// Equation 3: returns the pressure that shortens the column by `shortening_mm`.
+  /// Equation 3 of the thesis: returns the pressure that shortens the column by `shortening_mm`.
   ColumnLoad loadAtShortening(double shortening_mm, const LengthByLabel& length_mm) const;
 
   /// Returns the maximum by which the column can be shortened.
   double limit_mm(const LengthByLabel& length_mm) const;
 
-  /// Equation 4: returns the relative shortening of a spring.
+  /// Equation 4 of the thesis: returns the relative shortening of a spring.
   double strain(std::uint8_t label, double pressure_kPa) const;
 
  private:

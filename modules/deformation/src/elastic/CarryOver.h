@@ -8,25 +8,26 @@
 
 namespace insonate::elastic {
 
-/// Transfers a solution to the mesh of a moved probe: each node takes the solution at the same position of the patient
-/// in the previous mesh. Tissue that was outside the previous plane takes the solution at its projection onto that
-/// plane.
+/// Transfers a solution to a new mesh after the probe has moved: each new node takes the solution at the same patient
+/// position in the previous mesh. Tissue that was outside the previous plane takes the solution at its projection onto
+/// that plane.
 class CarryOver {
  public:
   /// Stores the present mesh and solution.
   void keep(const Mesh& mesh, const Solver& solver);
 
   bool fits(const Mesh& mesh) const { return mesh.columns() == mesh_.columns() && mesh.rows() == mesh_.rows(); }
-  /// Transfers the stress to a mesh of the same size.
+  /// Transfers the stored stress to the cells of a mesh of the same size; see cellOf().
   void giveStress(const Mesh& mesh, const Materials& materials, const Transform& keptFromNow,
                   Prestress& prestress) const;
   void shareSolution(const Mesh& mesh, const Materials& materials, const Transform& keptFromNow, Solver& solver) const;
 
  private:
   Mesh::Place placeOf(const Mesh& mesh, std::size_t node, const Transform& keptFromNow) const;
-  /// Returns the cell of the stored mesh that corresponds to a cell, where `place` is the place of the cell's first
-  /// corner. A neighbor is returned if its stiffness is closer to `mu`, the cell's present shear modulus: the stress of
-  /// a vessel wall in soft tissue beside it would make that tissue buckle.
+  /// Returns the cell of the stored mesh whose stress a new cell takes; `place` is the position of the new cell's first
+  /// corner in the stored mesh, `mu` its shear modulus. If the cell at that position has a very different shear
+  /// modulus, the neighbor with the most similar one is returned: the stress of a vessel wall, for example, would make
+  /// the soft tissue beside the wall buckle.
   std::size_t cellOf(const Mesh::Place& place, float mu) const;
 
   Mesh mesh_;

@@ -29,13 +29,14 @@ struct Elements {
   static constexpr float kShutBelow = 0.1f;  ///< Jmin: relative area at which a lumen is closed
 
   int columns = 0, rows = 0;
-  std::array<std::vector<float>, 10> m;           ///< upper triangle of m_ab, kPa: 00 01 02 03 11 12 13 22 23 33
-  std::vector<float> area;                        ///< A0, mm2
-  std::vector<float> mu, bulk, hoop, shut, base;  ///< kPa
-  std::vector<float> guarded;                     ///< above 0: allowedShare() limits the step for this cell
-  /// Coefficient of the area's second derivative in the tangent: the cell's pressure, treated as an unknown that
-  /// changes linearly with each step (mixed Newton). With the pressure of the present area instead, steps would
-  /// overshoot.
+  /// Coefficients m_ab of the energy W of each cell, upper triangle, kPa: 00 01 02 03 11 12 13 22 23 33.
+  std::array<std::vector<float>, 10> m;
+  std::vector<float> area;                        ///< undeformed area A0 of each cell, mm2
+  std::vector<float> mu, bulk, hoop, shut, base;  ///< moduli of each cell in the energy W, kPa
+  std::vector<float> guarded;  ///< above 0: allowedShare() limits the Newton step for the sake of this cell
+  /// Pressure of each cell, the factor of the area's second derivative in the tangent. The pressure is treated as an
+  /// unknown that changes linearly with each step (mixed Newton); if it were computed from the present area, steps
+  /// would overshoot.
   std::vector<float> carried;
 
   void resize(int c, int r);
@@ -46,12 +47,14 @@ struct Elements {
 /// modulus.
 void shapeElements(const Nodes& rest, Elements& elements);
 
-/// Adds every cell's tangent to `matrix` and the negative gradient of the energy to `force` ([2 * node + axis]). If
-/// `caution` is above 0, pressures in the tangent are limited to mu, and m is multiplied by 1 + caution. Cells are then
-/// positive semidefinite, so that steps may be large from the beginning, but steps oscillate close to the solution.
+/// Adds each cell's tangent stiffness to `matrix` and the negative gradient of its energy to `force` ([2 * node +
+/// axis]). If `caution` is above 0, pressures in the tangent are limited to mu, and m is multiplied by 1 + caution. The
+/// cells' matrices are then positive semidefinite, which allows large steps from the beginning, but the steps oscillate
+/// close to the solution.
 void assemble(const Elements& elements, const Nodes& at, float caution, GridMatrix& matrix, std::vector<float>& force);
 
-/// Returns the share of `step` ([2 * node + axis]), at most 1, at which a guarded cell has lost 60 % of its area.
+/// Returns the largest share of `step` ([2 * node + axis]), at most 1, by which no guarded cell loses more than 60 % of
+/// its area.
 float allowedShare(const Elements& elements, const Nodes& at, const std::vector<float>& step);
 
 /// Moves the nodes by `share` of the step, and updates the carried pressures.

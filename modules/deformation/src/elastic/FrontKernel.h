@@ -12,11 +12,12 @@ struct FrontWork {
   const GridMatrix& matrix;
   float* panels;
   float* right;  ///< right-hand side, in the order of elimination; forward substitution is done during elimination
-  std::vector<std::vector<float>>* updates;  ///< two sides: [side][depth]
+  /// Buffers for the updates that fronts pass to their parents, [side][depth].
+  std::vector<std::vector<float>>* updates;
 };
 
-/// Assembles and eliminates one front whose children are done. Stores the factor's rows as an upper triangle. Returns
-/// the number of pivots that were not positive.
+/// Assembles and eliminates one front, whose child fronts must have been eliminated. Stores the factor's rows as an
+/// upper triangle. Returns the number of pivots that were not positive.
 int eliminateFront(const FrontWork& work, int front);
 
 /// Solves with the transposed factor. `x` is in the order of elimination; `border` is a buffer.

@@ -13,11 +13,11 @@ class GridFactor {
  public:
   void prepare(int columns, int rows);
 
-  /// Factors the matrix and solves for `x` ([2 * node + axis], in place). Returns false, without a solution, if the
-  /// matrix is not positive definite.
+  /// Factors the matrix and solves the linear system: `x` ([2 * node + axis]) holds the right-hand side, and receives
+  /// the solution. Returns false, without a solution, if the matrix is not positive definite.
   bool factor(const GridMatrix& matrix, std::vector<float>& x);
 
-  /// Solves for another right-hand side with the same factor.
+  /// Solves the system for another right-hand side `x` with the same factor; `x` receives the solution.
   void solve(std::vector<float>& x);
 
   std::size_t factorBytes() const { return panels_.size() * sizeof(float); }
@@ -28,7 +28,7 @@ class GridFactor {
 
   GridOrder order_;
   std::vector<float> panels_;
-  std::vector<std::vector<float>> updates_[2];  ///< [side][depth]
+  std::vector<std::vector<float>> updates_[2];  ///< updates that fronts pass to their parents, [side][depth]
   std::vector<float> ordered_, border_;
 };
 

@@ -10,8 +10,8 @@ namespace insonate::elastic {
 /// over all nodes, so that rows of nodes are processed as SIMD vectors.
 struct GridMatrix {
   enum Block { Self, East, SouthWest, South, SouthEast, kBlocks };
-  /// Returns the first array of a block. Self has the arrays xx, xz, zz; other blocks have xx, xz, zx, zz (this node's
-  /// unknown first).
+  /// Returns the index in `value` of the first array of a block. The block Self has the arrays xx, xz, zz; other blocks
+  /// have xx, xz, zx, zz (this node's unknown first).
   static constexpr int first(int block) { return block == Self ? 0 : 4 * block - 1; }
   static constexpr int kArrays = 19;
   static constexpr int kPadding = 64;  ///< floats beyond the last node, for whole SIMD vectors

@@ -10,18 +10,20 @@ namespace insonate::elastic {
 /// Depends only on the grid's size and is computed once per mesh.
 class GridOrder {
  public:
-  /// A group of unknowns that are eliminated together. Its front contains these own unknowns and the border: unknowns
-  /// of later fronts that are coupled to them, i.e. the nodes around the rectangle that has been eliminated so far.
+  /// A front of the elimination: a group of unknowns that are eliminated together (own unknowns), and its border, the
+  /// unknowns of later fronts that are coupled to the group. The border's nodes surround the rectangle of nodes that
+  /// has been eliminated so far.
   struct Front {
-    int first = 0, own = 0;   ///< own unknowns, in elimination order
+    int first = 0, own = 0;   ///< index of the first own unknown in elimination order, and number of own unknowns
     int border = 0;           ///< number of unknowns in the border
-    int firstBorder = 0;      ///< index of the first one in borderUnknowns()
-    int stride = 0;           ///< row length of the panel and the update, floats
-    std::size_t panel = 0;    ///< offset of the factor's rows, floats
-    int depth = 0, side = 0;  ///< buffer that receives the update
+    int firstBorder = 0;      ///< index of the front's first border unknown in borderUnknowns()
+    int stride = 0;           ///< row length of the front's panel (its part of the factor) and of its update, floats
+    std::size_t panel = 0;    ///< offset of the front's rows in the factor, floats
+    int depth = 0, side = 0;  ///< indices of the buffer that receives the front's update
     int child[2] = {-1, -1};
-    int firstRun = 0, runs = 0;       ///< entries of runs() that place the update in the parent's front
-    int firstEntry = 0, entries = 0;  ///< entries of entries() that assemble the front
+    /// First entry and number of entries of runs() that place the update in the parent's front.
+    int firstRun = 0, runs = 0;
+    int firstEntry = 0, entries = 0;  ///< first index and number of the entries() that assemble the front
   };
   /// Consecutive unknowns of a border, and their positions in the parent's front.
   struct Run {
@@ -29,8 +31,10 @@ class GridOrder {
   };
   /// A coupling of two nodes, and its position in the front.
   struct Entry {
-    std::int32_t node = 0, at = 0;  ///< `at`: position in the panel
-    std::int8_t block = 0;          ///< GridMatrix::Block
+    /// `node`: the node in whose blocks the matrix stores the coupling; `at`: position of the coupling in the front's
+    /// panel.
+    std::int32_t node = 0, at = 0;
+    std::int8_t block = 0;  ///< block of the coupling in the matrix (GridMatrix::Block)
     bool transposed = false;
   };
 
@@ -40,20 +44,21 @@ class GridOrder {
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   int unknowns() const { return 2 * columns_ * rows_; }
-  /// Fronts in the order of elimination; children precede their parent.
+  /// Returns the fronts in the order of elimination; children precede their parent.
   const std::vector<Front>& fronts() const { return fronts_; }
   const std::vector<int>& borderUnknowns() const { return border_; }
   const std::vector<Run>& runs() const { return runs_; }
   const std::vector<Entry>& entries() const { return entries_; }
-  /// First of the two positions of each node's unknowns in the elimination order.
+  /// Returns, for each node, the position of the first of its two unknowns in the elimination order.
   const std::vector<int>& placeOfNode() const { return place_; }
   std::size_t factorSize() const { return factorSize_; }
-  /// Size of the largest update at each depth, floats.
+  /// Returns the size of the largest update at each depth of the dissection, floats.
   const std::vector<std::size_t>& updateSize() const { return updateSize_; }
 
  private:
   struct Rectangle {
-    int left, right, top, bottom;  ///< right and bottom are one past the last node
+    /// Rectangle of nodes: first column and row; right and bottom are one past the last column and row.
+    int left, right, top, bottom;
   };
   int dissect(Rectangle r, int depth, int side);
   void close(int front);
@@ -66,7 +71,8 @@ class GridOrder {
   std::vector<Run> runs_;
   std::vector<Entry> entries_;
   struct Part {
-    Rectangle whole, own;  ///< nodes eliminated up to and including a front; nodes eliminated by this front only
+    /// `whole`: nodes eliminated up to and including a front; `own`: nodes eliminated by this front only.
+    Rectangle whole, own;
   };
   std::vector<Part> parts_;
   std::size_t factorSize_ = 0;

@@ -22,6 +22,10 @@ void fillTriangle(const Corner& a, const Corner& b, const Corner& c, PlaneDispla
   const float step = static_cast<float>(out.step_mm);
   const float left = static_cast<float>(out.left_mm), top = static_cast<float>(out.top_mm);
   constexpr float kTolerance = 1e-4f;
+  // Barycentric coordinates u, v of a point are linear in its place relative to corner a.
+  const float scale = 1 / det;
+  const float uByX = (c.z - a.z) * scale, uByZ = (a.x - c.x) * scale;
+  const float vByX = (a.z - b.z) * scale, vByZ = (b.x - a.x) * scale;
   const int firstRow = std::max(0, static_cast<int>(std::ceil((std::min({a.z, b.z, c.z}) - top) / step - kTolerance)));
   const int lastRow =
       std::min(out.rows - 1, static_cast<int>(std::floor((std::max({a.z, b.z, c.z}) - top) / step + kTolerance)));
@@ -32,7 +36,7 @@ void fillTriangle(const Corner& a, const Corner& b, const Corner& c, PlaneDispla
   for (int r = firstRow; r <= lastRow; ++r)
     for (int k = firstColumn; k <= lastColumn; ++k) {
       const float x = left + k * step - a.x, z = top + r * step - a.z;
-      const float u = (x * (c.z - a.z) - z * (c.x - a.x)) / det, v = (z * (b.x - a.x) - x * (b.z - a.z)) / det;
+      const float u = x * uByX + z * uByZ, v = x * vByX + z * vByZ;
       if (u < -kTolerance || v < -kTolerance || u + v > 1 + kTolerance) continue;
       out.restFromSeen[std::size_t(r) * out.columns + k] = {
           a.shiftX + u * (b.shiftX - a.shiftX) + v * (c.shiftX - a.shiftX),

@@ -8,14 +8,17 @@ namespace insonate::elastic {
 /// Material of each cell of a mesh: a mixture of lumen, wall, loose tissue and the tissue at the cell's corners, by
 /// their shares.
 struct Materials {
-  static constexpr float kGasMu_kPa = 0.02f;  ///< very soft, only to keep cells regular
+  static constexpr float kGasMu_kPa = 0.02f;  ///< shear modulus of gas: very soft, only to keep cells regular
   static constexpr bool isGas(float mu_kPa) { return mu_kPa < 2 * kGasMu_kPa; }
 
-  std::vector<float> mu, bulk;      ///< kPa
-  std::vector<float> hoop;          ///< kPa, added to bulk if a lumen becomes wider; see TubeStiffness.h
-  std::vector<float> artery, vein;  ///< share of a cell's area inside the vessel, for any kind of vessel material, 0..1
-  std::vector<float> arteryBlood, veinBlood;  ///< the same if the vessel is a lumen, else 0
-  std::vector<char> fixed;                    ///< [node]: the node does not move
+  std::vector<float> mu, bulk;  ///< shear modulus mu and area modulus bulk (lambda + mu) of each cell, kPa
+  std::vector<float> hoop;  ///< modulus of each cell that is added to bulk while a lumen is wider than at rest, kPa;
+                            ///< see TubeStiffness.h
+  /// Share of a cell's area inside an artery or a vein, whatever the material of the vessel; 0..1.
+  std::vector<float> artery, vein;
+  /// Share of a cell's area inside an artery or a vein that contains blood (Mechanics::Lumen); else 0.
+  std::vector<float> arteryBlood, veinBlood;
+  std::vector<char> fixed;  ///< [node] true if the node does not move
   bool anyBlood = false;
 
   void fill(const Mesh& mesh, const TissuePlane& plane, const MechanicalTable& tissues);

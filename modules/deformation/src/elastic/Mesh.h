@@ -8,13 +8,14 @@
 
 namespace insonate::elastic {
 
-/// Division of a line into blocks of about a millimeter, some of which have fine cells.
+/// Division of one axis of the mesh into blocks of about a millimeter; blocks marked as fine have small cells.
 struct FineBlocks {
   std::vector<char> fine;
   float first_mm = 0, size_mm = 1;
 
   void mark(float from_mm, float to_mm);
-  /// Tells whether these blocks contain all needed fine blocks without far too many others. `needed` may end earlier.
+  /// Tells whether these blocks contain all fine blocks of `needed` and not far too many others. `needed` may end
+  /// earlier.
   bool serves(const FineBlocks& needed) const;
   float end_mm() const { return first_mm + size_mm * float(fine.size()); }
 };
@@ -30,8 +31,8 @@ struct MeshLines {
 /// onto the outline.
 class Mesh {
  public:
-  static constexpr float kBeyond_mm = 70;    ///< range of the mesh beyond the face on each side
-  static constexpr float kMostSkin_mm = 25;  ///< maximum distance between face and skin that is searched
+  static constexpr float kBeyond_mm = 70;    ///< distance by which the mesh extends beyond each end of the face
+  static constexpr float kMostSkin_mm = 25;  ///< maximum distance from the face at which skin is searched for
 
   /// Builds the mesh; allocates only if it is larger than every earlier mesh.
   void build(const TissuePlane& plane, const ProbeFace& face, const DeformationSettings& settings);
@@ -41,14 +42,15 @@ class Mesh {
   const MeshLines& lines() const { return lines_; }
   const Nodes& rest() const { return rest_; }
   const std::vector<PlaneTissue>& tissue() const { return tissue_; }  ///< tissue at each node
-  const std::vector<PlaneTissue>& middle() const { return middle_; }  ///< at cell middles, indexed by first node
-  const std::vector<float>& skin_mm() const { return skin_; }         ///< z of the skin in each column
+  /// Tissue at the middle of each cell, indexed by the cell's first node.
+  const std::vector<PlaneTissue>& middle() const { return middle_; }
+  const std::vector<float>& skin_mm() const { return skin_; }  ///< depth z of the skin in each column, probe frame
 
   /// Copies lines, skin and rest positions, without the tissue.
   void takeShape(const Mesh& other);
 
   /// Continuous column and row of a point, limited to the mesh. Nodes that were moved onto an outline count at their
-  /// original positions. placeOf() is fast if the point is near the node `guess`.
+  /// original positions. placeOf() is fastest if the point is near the node `guess`.
   struct Place {
     float column = 0, row = 0;
   };

@@ -8,8 +8,8 @@
 
 namespace insonate::elastic {
 
-/// Stress of each cell in the rest geometry, kPa: deviatoric components xx, zz, xz (including their share of the
-/// trace), and `volume`, the coefficient of dA.
+/// Stress of each cell in the undeformed geometry, kPa: xx, zz and xz are the deviatoric components (with their share
+/// of the trace); `volume` is the coefficient of dA, the change of area.
 struct Prestress {
   std::vector<float> xx, zz, xz, volume;
   void resize(std::size_t cells) {
@@ -17,20 +17,22 @@ struct Prestress {
   }
 };
 
-/// Computes the equilibrium of a mesh under a face and blood pressure by mixed Newton steps, each with a new factor.
+/// Computes the equilibrium of a mesh under the probe's face and blood pressure by mixed Newton steps, each with a new
+/// factorization.
 class Solver {
  public:
-  /// Sets a new rest geometry: its stiffness, and the prestress with which it is in equilibrium under the blood
-  /// pressures of the CT. If a `known` prestress is given, a dead load compensates the difference from equilibrium.
+  /// Sets a new undeformed geometry: computes its stiffness, and the prestress that keeps it in equilibrium with the
+  /// blood pressures of the CT. If a `known` prestress is given, a constant load compensates its difference from
+  /// equilibrium.
   void prepare(const Mesh& mesh, const Materials& materials, const MechanicalTable& tissues,
                const Prestress* known = nullptr);
   const Prestress& prestress() const { return prestress_; }
 
   void setPressure(const BloodPressure& pressure);
 
-  /// Resets the solution to rest.
+  /// Resets the solution to the undeformed geometry.
   void start();
-  /// Positions of nodes, from which the next solution starts.
+  /// Positions of the nodes, from which the next solution starts.
   Nodes& at() { return at_; }
   const Nodes& at() const { return at_; }
   std::vector<float>& cellPressure() { return cellPressure_; }
@@ -40,13 +42,14 @@ class Solver {
 
   struct Load {
     float shift_mm = 0;
-    float force_kPa_mm = 0;  ///< if above 0, the solver determines the shift that gives this force
+    /// If above 0, the required contact force per mm of footprint; the solver then determines shift_mm.
+    float force_kPa_mm = 0;
     bool sticking = false;
   };
   struct Patience {
     int mostIterations = 60;
     float tolerance_mm = 0.01f;
-    float enough_mm = 0;  ///< a carried-over solution is accepted at a step shorter than this
+    float enough_mm = 0;  ///< a solution that continues an earlier one is accepted when a step is shorter than this
   };
   struct Outcome {
     int iterations = 0;
@@ -80,12 +83,12 @@ class Solver {
   std::vector<float> force_, dead_, step_, byShift_, response_, cellPressure_, restBase_;
   const Materials* materials_ = nullptr;
   BloodPressure restPressure_;
-  std::vector<char> solid_;  ///< nodes of cells that are not only blood
+  std::vector<char> solid_;  ///< [node] true if a cell at the node contains more than blood
   bool atRestPressure_ = true, carried_ = false;
-  float caution_ = 0;  ///< caution of the next tangents; see assemble()
+  float caution_ = 0;  ///< parameter `caution` of the next assemble()
   int cautiousRounds_ = 0;
-  int rounds_ = 0;  ///< steps since the start of this solution; a live image takes a few at a time
-  float last_ = 0;  ///< longest displacement in the last step
+  int rounds_ = 0;  ///< Newton steps since the start of this solution; live imaging takes a few per image
+  float last_ = 0;  ///< longest displacement of a node in the last step
 };
 
 }  // namespace insonate::elastic

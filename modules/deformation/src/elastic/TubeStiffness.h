@@ -6,11 +6,11 @@
 
 namespace insonate::elastic {
 
-/// Stiffness that a vessel's curved wall adds. In plane strain, a vessel along the plane is a slit whose walls are held
-/// only by the surrounding tissue, and an artery would swell to twice its width with each beat; in the body, its curved
-/// wall holds it. The stiffness is a modulus of the lumen's relative change of area, A/A0 - 1. r is the vessel's
-/// radius, s the share of the outline's curvature that is perpendicular to the plane. s is 0 for a vessel perpendicular
-/// to the plane, which the mesh represents completely.
+/// Stiffness that a vessel's curved wall adds. Without it, in plane strain, a vessel along the plane would be a slit
+/// whose walls are held only by the surrounding tissue, and an artery would swell to twice its width with each beat; in
+/// the body, the tension of the curved wall prevents this. The stiffness is a modulus of the lumen's relative change of
+/// area, A/A0 - 1. r is the vessel's radius, s the share of the outline's curvature that is perpendicular to the plane.
+/// s is 0 for a vessel perpendicular to the plane, which the mesh represents completely.
 ///
 /// wider:    s (E/(1-0.49^2) h/r + 2 mu): a thin tube under pressure in loose tissue; the wall has thickness h and
 ///           Young's modulus E, the loose tissue the shear modulus mu.
@@ -21,12 +21,12 @@ struct TubeStiffness {
   float wider_kPa = 0, narrower_kPa = 0;
 };
 
-/// Returns the stiffness of one vessel under the pressure at which the CT was taken; `bend` is the mean over its
-/// outline.
+/// Returns the stiffness that the curved wall of one vessel adds, under the pressure at which the CT was taken; `bend`
+/// is the mean curvature of the vessel's outline.
 TubeStiffness tubeStiffness(const MechanicalTissue& vessel, const OutlineBend& bend);
 
-/// Finds the stiffness of each cell, numbered as in Mesh::middle(): all cells of a connected part of a vessel in this
-/// plane get the same. `shares` are the shares of the cells' areas that are lumen.
+/// Finds the stiffness that vessel walls add to each cell, numbered as in Mesh::middle(): all cells of a connected part
+/// of a vessel in this plane get the same value. `shares` are the shares of the cells' areas that are lumen.
 class TubeFinder {
  public:
   void find(const Mesh& mesh, const TissuePlane& plane, float PlaneTissue::*outline, const MechanicalTissue& vessel,

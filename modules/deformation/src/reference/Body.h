@@ -13,7 +13,7 @@ namespace insonate::reference {
 
 /// Values by node and axis, [2 * node + axis]: positions x and z, mm in the probe frame, or loads, kPa mm.
 using Vector = Eigen::VectorXd;
-using Matrix = Eigen::SparseMatrix<double>;  ///< only the lower triangle is stored
+using Matrix = Eigen::SparseMatrix<double>;  ///< symmetric matrix; only the lower triangle is stored
 
 /// A four-node cell in plane strain. With the positions x_a of its corners, the area A and J = A/A0, its energy is
 ///
@@ -25,24 +25,24 @@ using Matrix = Eigen::SparseMatrix<double>;  ///< only the lower triangle is sto
 struct Cell {
   static constexpr double kShutBelow = 0.1;
 
-  std::array<int, 4> node{};  ///< in order around the cell
-  double area = 0;            ///< A0, mm2
+  std::array<int, 4> node{};  ///< the cell's corner nodes, in order around the cell
+  double area = 0;            ///< undeformed area A0, mm2
   Eigen::Matrix4d spring = Eigen::Matrix4d::Zero();
-  double mu = 0, bulk = 0, hoop = 0, shut = 0, initial = 0;  ///< kPa
-  double artery = 0, vein = 0;                               ///< shares of the cell's area that are lumen
+  double mu = 0, bulk = 0, hoop = 0, shut = 0, initial = 0;  ///< moduli in the cell's energy W, kPa
+  double artery = 0, vein = 0;  ///< shares of the cell's area inside arterial and venous lumens
 };
 
-/// A spring that pushes two nodes apart along an axis if they are closer than `least_mm`.
+/// A one-sided spring: it pushes two nodes apart along an axis if the nodes are closer than `least_mm`.
 struct Strut {
   int from = 0, to = 0, axis = 0;
   double least_mm = 0, stiffness_kPa = 0;
 };
 
-/// Tissue divided into cells on a grid of nodes.
+/// Tissue divided into cells on a grid of nodes, with the springs between the walls of its lumens.
 struct Body {
   int columns = 0, rows = 0;
-  Vector rest, dead;        ///< rest: positions; dead: constant loads
-  std::vector<char> fixed;  ///< [2 * node + axis]
+  Vector rest, dead;        ///< rest: undeformed positions of the nodes; dead: constant loads on the nodes
+  std::vector<char> fixed;  ///< [2 * node + axis] true if the node does not move along the axis
   std::vector<Cell> cells;
   std::vector<Strut> struts;
 

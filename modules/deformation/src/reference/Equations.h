@@ -7,11 +7,11 @@ namespace insonate::reference {
 /// Loads on a body, other than its own stresses.
 struct Load {
   BloodPressure blood;
-  const FaceProfile* face = nullptr;  ///< null if no face presses
+  const FaceProfile* face = nullptr;  ///< the face that presses; null if none does
   double shift_mm = 0;                ///< shift of the face along z
-  /// Positions whose x determines where nodes meet the face's profile; it is not updated while the nodes move. Nodes
-  /// that followed the profile within one solution would alternately touch the face's edge and come off it. Empty for
-  /// the positions at the beginning of the solution.
+  /// Node positions whose x determines where each node meets the face's profile; they are not updated while the nodes
+  /// move. Nodes that followed the profile within one solution would alternately touch the face's edge and lose
+  /// contact. Empty for the positions at the beginning of the solution.
   Vector meeting = Vector();
   bool sticking = false;
 };
@@ -32,8 +32,8 @@ Tension tensionOf(const Cell& cell, const BloodPressure& blood, double area_mm2)
 /// millimeter of thickness).
 double energyOf(const Body& body, const Vector& at, const Load& load);
 
-/// Returns the derivative of energyOf() with respect to the positions. In equilibrium it is the reaction at fixed
-/// nodes, and zero elsewhere.
+/// Returns the derivative of energyOf() with respect to the positions. In equilibrium the derivative is the reaction
+/// force at fixed nodes, and zero at all others.
 Vector gradientOf(const Body& body, const Vector& at, const Load& load);
 
 /// Returns the force of the face per millimeter of footprint, kPa mm.
@@ -45,8 +45,8 @@ struct Touch {
 };
 Touch touchOf(const Body& body, const Vector& at, const Load& load, int column);
 
-/// Returns the entries of the tangent. `tension` is each cell's tension, treated as an unknown (see Equilibrium).
-/// `most` limits its absolute value to this multiple of the cell's mu.
+/// Returns the entries of the tangent stiffness matrix. `tension` holds each cell's tension, which is treated as an
+/// unknown (see Equilibrium); its absolute value is limited to `most` times the cell's mu.
 std::vector<Eigen::Triplet<double>> tangentOf(const Body& body, const Vector& at, const Load& load,
                                               const std::vector<double>& tension, double most);
 

@@ -7,9 +7,8 @@
 namespace insonate::reference {
 
 /// Equilibrium of a body by Newton steps in double precision. The tension of each cell is an additional unknown, which
-/// is eliminated cell by cell. With it, a tangent that is linear in the positions overshoots less if tissue is nearly
-/// incompressible (mean dilatation as a three-field method: J. C. Simo and R. L. Taylor, Comput. Methods Appl. Mech.
-/// Eng. 85, 1991).
+/// is eliminated cell by cell. With this unknown, a Newton step overshoots less in nearly incompressible tissue (mean
+/// dilatation as a three-field method: J. C. Simo and R. L. Taylor, Comput. Methods Appl. Mech. Eng. 85, 1991).
 class Equilibrium {
  public:
   explicit Equilibrium(const Body& body);
@@ -19,15 +18,16 @@ class Equilibrium {
     std::vector<double> tension;  ///< tension of each cell
     double shift_mm = 0;          ///< shift of the face, determined by solve() if a force is required
   };
-  State state;  ///< starting point of the next solve(); fixed nodes keep their positions in it
+  State state;  ///< starting point of the next solve(); fixed nodes keep their positions of this state
 
   struct Outcome {
-    bool converged = false;  ///< no node moved by more than the tolerance in the last full step
+    bool converged = false;  ///< true if no node moved by more than the tolerance in the last full step
     int iterations = 0;
-    double missed_mm = 0;  ///< maximum error of the face's height at touching nodes that moved along it
+    /// Maximum difference between the assumed and the actual z of the face, at nodes that slid along the face.
+    double missed_mm = 0;
   };
-  /// Solves at load.shift_mm; if force_kPa_mm is above 0, at the shift at which the face presses with that force.
-  /// Stores in `load` the positions at which nodes met the face, and the shift.
+  /// Finds the equilibrium with the face at load.shift_mm or, if force_kPa_mm is above 0, at the shift at which the
+  /// face presses with that force. Stores in `load` the positions at which nodes met the face, and the shift.
   Outcome solve(Load& load, double force_kPa_mm, double tolerance_mm, int mostIterations);
 
   /// Returns the full Newton step from the present state without applying it; zero if the tangent is not positive

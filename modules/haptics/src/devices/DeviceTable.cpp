@@ -76,7 +76,7 @@ ReportField readField(const Json& json, const std::string& where, const ReportLa
   field.count = entry.wholeIfThere("count", 1, 64).value_or(1);
   field.usage = entry.wholeIfThere("usage", 0, 255).value_or(0);
   entry.text("unit", false);
-  if (field.wraps && field.quantity != Quantity::kEncoder) entry.refuse("wraps, but is no encoder.");
+  if (field.wraps && field.quantity != Quantity::kEncoder) entry.refuse("has 'wraps', but is not an encoder.");
   if (field.scale == 0) entry.refuse("has scale 0.");
   if (field.bit + field.bits * field.count > report.bytes * 8) entry.refuse("reaches beyond its report.");
   if (field.quantity == Quantity::kButtons && field.index + field.bits > 32) entry.refuse("has more than 32 buttons.");
@@ -135,7 +135,7 @@ DeviceLimits readLimits(const Json& json, std::string& trouble) {
   limits.mass_kg = zeroOr("mass_kg", 100);
   for (const int axes : {limits.sensedAxes, limits.forceAxes})
     if (axes != 0 && axes != 3 && axes != 6)
-      entry.refuse("tells of " + std::to_string(axes) + " axes; there are 0, 3 or 6.");
+      entry.refuse("states " + std::to_string(axes) + " axes; there are 0, 3 or 6.");
   if (limits.continuousForce_N > limits.maxForce_N) entry.refuse("has a 'continuous_force_N' above its 'max_force_N'.");
   return limits;
 }

@@ -16,8 +16,8 @@ inline std::int64_t monotonic_ns() noexcept {
       .count();
 }
 
-/// Messages of devices for a panel. Any thread except the servo's may use it; the oldest messages are dropped if nobody
-/// reads them.
+/// Queue of messages about devices for the user interface. For use on any thread except the force loop's. The oldest
+/// messages are dropped when kMost is exceeded.
 class EventQueue {
  public:
   void put(DeviceEvent event) {

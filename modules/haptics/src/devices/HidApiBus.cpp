@@ -67,10 +67,11 @@ class HidApiBus final : public HidBus {
 
   Result<std::unique_ptr<HidHandle>> open(const HidFound& found) override {
     if (::access(found.path.c_str(), R_OK | W_OK) != 0 && errno == EACCES)
-      return fail(found.path +
-                  " may not be opened by this user. As root: insonate-cli devices --udev-rules > "
-                  "/etc/udev/rules.d/70-insonate.rules && udevadm control --reload; then unplug the device and plug it "
-                  "in again.");
+      return fail(
+          found.path +
+          " cannot be opened, because this user has no permission. Run as root: insonate-cli devices --udev-rules > "
+          "/etc/udev/rules.d/70-insonate.rules && udevadm control --reload; then unplug the device and plug it "
+          "in again.");
     if (hid_device* device = hid_open_path(found.path.c_str())) return std::make_unique<HidApiHandle>(device);
     return fail(found.path + " cannot be opened: " + utf8(hid_error(nullptr)) + ".");
   }

@@ -12,29 +12,31 @@
 
 namespace insonate::haptics {
 
-/// A HID interface that is plugged in now.
+/// A plugged-in HID interface (USB or Bluetooth).
 struct HidFound {
-  std::string path;  ///< path for opening the interface; it changes each time the device is plugged in
+  std::string path;  ///< system path for opening the interface; it changes each time the device is plugged in
   std::string maker, name, serial;
   std::uint16_t vendor = 0, product = 0, usagePage = 0, usage = 0;
-  std::optional<DeviceLimits> limits = {};  ///< set if the bus knows the limits better than the table
+  std::optional<DeviceLimits> limits = {};  ///< limits of the device, if the bus knows them better than the device
+                                            ///< table; empty: those of the table apply
 };
 
-/// An open interface. One thread reads and writes it.
+/// An open HID interface. For use on one thread.
 class HidHandle {
  public:
   virtual ~HidHandle() = default;
-  /// Waits up to `wait_ms` for the next report. Returns its length, 0 if none arrived, or -1 if the device is gone.
+  /// Waits up to `wait_ms` for the next report. Returns its length, 0 if none arrived, or -1 if the device is
+  /// disconnected.
   virtual int read(std::span<std::uint8_t> report, int wait_ms) noexcept = 0;
-  /// Sends a report, which begins with its id. Returns false if it could not be sent.
+  /// Sends an output report, whose first byte is its id. Returns false if it could not be sent.
   virtual bool write(std::span<const std::uint8_t> report) noexcept = 0;
 };
 
-/// Devices that are plugged in. One thread lists and opens devices.
+/// Lists and opens plugged-in HID devices. For use on one thread.
 class HidBus {
  public:
   virtual ~HidBus() = default;
-  /// Lists one entry for each top-level usage of each interface.
+  /// Lists the plugged-in interfaces, one entry for each top-level HID usage of each.
   virtual std::vector<HidFound> list() = 0;
   /// Opens an interface. Fails with a sentence that says what to do if access rights are missing.
   virtual Result<std::unique_ptr<HidHandle>> open(const HidFound& found) = 0;

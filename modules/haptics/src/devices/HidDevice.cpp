@@ -6,7 +6,7 @@
 namespace insonate::haptics {
 namespace {
 
-constexpr std::size_t kMostReport = 256;
+constexpr std::size_t kMaxReport = 256;
 /// A force device that has sent nothing for this time counts as absent.
 constexpr std::int64_t kSilence_ns = 250'000'000;
 /// Time for which zeros are sent after the last push; then the device's own watchdog takes over.
@@ -116,7 +116,7 @@ void HidDevice::serve() {
 }
 
 bool HidDevice::readAll(std::int64_t& now_ns) {
-  std::array<std::uint8_t, kMostReport> report;
+  std::array<std::uint8_t, kMaxReport> report;
   int bytes = handle_->read(report, wait_msOf(info_.kind));
   now_ns = monotonic_ns();
   bool news = false;
@@ -142,7 +142,7 @@ void HidDevice::receive(std::span<const std::uint8_t> report, std::int64_t now_n
   }
   reports_.fetch_add(1, std::memory_order_relaxed);
   reported_ns_ = now_ns;
-  if (phase() != DevicePhase::kStreaming) enter(DevicePhase::kStreaming, info_.name + " tells where it is.", false);
+  if (phase() != DevicePhase::kStreaming) enter(DevicePhase::kStreaming, info_.name + " sends its position.", false);
 }
 
 void HidDevice::postState(std::int64_t now_ns) noexcept {
@@ -168,7 +168,7 @@ bool HidDevice::sendForce(std::int64_t now_ns) {
 }
 
 bool HidDevice::write(const Force& force) {
-  std::array<std::uint8_t, kMostReport> report;
+  std::array<std::uint8_t, kMaxReport> report;
   DeviceOutput output = maker_.outputFor(force, decoder_.reading());
   output.sequence = ++sequence_;
   const std::size_t bytes = encodeReport(*table_->output, output, report);
@@ -187,7 +187,7 @@ bool HidDevice::write(const Force& force) {
 void HidDevice::checkSilence(std::int64_t now_ns) {
   if (info_.kind != DeviceKind::kForce || phase() != DevicePhase::kStreaming) return;
   if (now_ns - reported_ns_ > kSilence_ns)
-    enter(DevicePhase::kLost, info_.name + " has stopped telling where it is. Check its power and its cable.", true);
+    enter(DevicePhase::kLost, info_.name + " no longer sends its position. Check its power and its cable.", true);
 }
 
 void HidDevice::reportRefused(std::int64_t now_ns) {
@@ -200,13 +200,13 @@ void HidDevice::reportRefused(std::int64_t now_ns) {
   if (info_.kind != DeviceKind::kForce && reports_.load(std::memory_order_relaxed) > 0) return;
   events_->put({0, info_.id, phase(), true,
                 info_.name + ": " + std::to_string(more) + (more == 1 ? " report was" : " reports were") +
-                    " not of the length or kind that its table tells."});
+                    " ignored, because length or kind does not match the device table."});
 }
 
 void HidDevice::watch(std::int64_t now_ns) {
   const std::int64_t since_ns = writing_ns_.load(std::memory_order_acquire);
   if (since_ns == 0 || now_ns - since_ns < kForceLife_ns || phase() != DevicePhase::kStreaming) return;
-  enter(DevicePhase::kLost, info_.name + " does not take forces any more. Unplug it and plug it in again.", true);
+  enter(DevicePhase::kLost, info_.name + " no longer accepts forces. Unplug it and plug it in again.", true);
 }
 
 }  // namespace insonate::haptics

@@ -18,8 +18,9 @@
 
 namespace insonate::haptics {
 
-/// A HID device, described by its table. The object outlives unplugging. Its own thread reads reports, computes states
-/// and writes forces. The thread that scans the bus passes an open interface each time the device appears.
+/// A haptic device or pedal on USB or Bluetooth, described by its device table. The object remains when the device is
+/// unplugged. Its own thread reads reports, computes states and writes forces. The thread that searches for devices
+/// calls attach() with an open interface each time the device is plugged in.
 class HidDevice final : public HapticDevice {
  public:
   HidDevice(DeviceInfo info, std::shared_ptr<const DeviceTable> table, std::shared_ptr<EventQueue> events,
@@ -34,16 +35,15 @@ class HidDevice final : public HapticDevice {
   void push(const Force& force) noexcept override;
   void calibrate() override { calibrate_.store(true, std::memory_order_relaxed); }
 
-  /// Tells whether an interface is held; for the scanning thread.
+  /// Tells whether an open interface is attached; for the thread that searches for devices.
   bool attached() const noexcept { return attached_.load(std::memory_order_acquire); }
   const std::string& path() const { return path_; }
   void opening(const std::string& path);
   void attach(std::unique_ptr<HidHandle> handle);
   void cannotOpen(const std::string& why);
-  /// Reports that the device is not plugged in.
+  /// Sets the device's phase to kAbsent, since a search has not found the device.
   void missing();
-  /// Reports to the user if a force could not be sent for 100 ms: the servo did not wait for it, but the hand did not
-  /// receive it.
+  /// Reports to the user if writing a force to the device has been blocked for 100 ms.
   void watch(std::int64_t now_ns);
   /// Sends a last zero force and releases the device.
   void close();
@@ -71,7 +71,7 @@ class HidDevice final : public HapticDevice {
 
   std::atomic<DevicePhase> phase_{DevicePhase::kAbsent};
   std::atomic<bool> attached_{false}, stop_{false}, calibrate_{false};
-  std::atomic<std::int64_t> writing_ns_{0};  ///< time since which a force is being written; 0: no write is in progress
+  std::atomic<std::int64_t> writing_ns_{0};  ///< time at which the write in progress began; 0: no write is in progress
   std::atomic<std::uint64_t> reports_{0}, forces_{0}, refused_{0}, lateForces_{0};
   Mailbox<DeviceState> states_;
   Mailbox<Pushed> pushed_;
@@ -80,7 +80,7 @@ class HidDevice final : public HapticDevice {
 
   std::string path_;
   std::thread thread_;
-  // Used by the device's thread only.
+  // The following members are used by the device's thread only.
   std::unique_ptr<HidHandle> handle_;
   ReportDecoder decoder_;
   StateMaker maker_;

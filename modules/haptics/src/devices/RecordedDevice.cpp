@@ -69,7 +69,7 @@ Result<std::shared_ptr<HapticDevice>> replayRecording(const std::vector<Recorded
     return fail(device.empty() ? "The recording holds no report of a device."
                                : "The recording holds no report of the device '" + device + "'.");
   const DeviceTable* table = tableNamed(own[0].table);
-  if (!table) return fail("The recorded device '" + own[0].table + "' is not one that a table knows.");
+  if (!table) return fail("The recorded device '" + own[0].table + "' is not in any device table.");
   DeviceInfo info{"recording:" + own[0].device, table->name + " (recorded)", table->kind, table->limits};
   auto replay = std::make_shared<HidDevice>(std::move(info), std::make_shared<const DeviceTable>(*table),
                                             std::make_shared<EventQueue>(), nullptr);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kHeading = "insonate device reports 1";
 /// Some minutes of two devices, in case the disk hangs.
-constexpr std::size_t kMostPending = 32U << 20;
+constexpr std::size_t kMaxPending = 32U << 20;
 
 /// Names are single words in the file.
 std::string word(std::string_view text) {
@@ -45,7 +45,7 @@ Result<void> ReportRecorder::start(const std::filesystem::path& file) {
   file_.open(file, std::ios::trunc);
   if (!file_) {
     file_.clear();
-    return fail("The recording " + file.string() + " cannot be written: check its folder and your rights.");
+    return fail("The recording " + file.string() + " cannot be written. Check its folder and your permissions.");
   }
   file_ << kHeading << '\n';
   begin_ns_ = haptics::monotonic_ns();
@@ -83,7 +83,7 @@ void ReportRecorder::put(const std::string& device, std::string_view table, bool
   char time[32];
   const std::lock_guard lock(mutex_);
   if (!isRunning()) return;
-  if (pending_.size() > kMostPending) {
+  if (pending_.size() > kMaxPending) {
     lost_ = true;
     return;
   }

@@ -6,17 +6,17 @@
 
 namespace insonate::haptics {
 
-/// Rotation of a quaternion w, x, y, z of any length; empty if it is not a rotation.
+/// Converts a quaternion w, x, y, z of any length to a rotation matrix.
 Mat3 rotationOf(const std::array<double, 4>& quaternion) noexcept;
 
-/// Quaternion w, x, y, z of unit length, with w not below 0.
+/// Converts a rotation matrix to a unit quaternion w, x, y, z, with w not below 0.
 std::array<double, 4> quaternionOf(const Mat3& rotation) noexcept;
 
-/// Returns `by` turned about the axis `turn_rad` (in the frame's axes) by an angle equal to its length. The result is
-/// made orthogonal again, so that many turns remain a rotation.
+/// Returns the rotation `by`, then turned about the axis `turn_rad` by an angle equal to its length. The result is made
+/// orthogonal, so that many turns remain a rotation.
 Mat3 turned(const Mat3& by, Vec3 turn_rad) noexcept;
 
-/// Rotation vector of `rotation`: its axis times its angle, at most pi.
+/// Returns the rotation vector of `rotation`: its axis times its angle in radians, at most pi.
 Vec3 turnOf(const Mat3& rotation) noexcept;
 
 }  // namespace insonate::haptics

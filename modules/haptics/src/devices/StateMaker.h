@@ -11,22 +11,22 @@
 
 namespace insonate::haptics {
 
-/// Converts a device's reports to a pose, and forces to motor commands. Allocates nothing.
+/// Converts the decoded reports of a device to the stylus's pose, and forces to motor commands. Allocates nothing.
 class StateMaker {
  public:
-  /// Speeds at full deflection of a cap, and the share of the deflection that has no effect, so that a hand resting on
-  /// the cap causes no drift.
+  /// Speeds of the tool at full deflection of a 3D mouse's cap, and the fraction of the deflection without effect, so
+  /// that a resting hand causes no drift.
   static constexpr double kCapSpeed_mmps = 80, kCapTurn_radps = 1, kCapRest = 0.05;
-  /// Time without reports after which a cap counts as released.
+  /// Time without reports after which a 3D mouse's cap counts as released.
   static constexpr std::int64_t kCapSilence_ns = 250'000'000;
 
   /// `table` must outlive the maker.
   explicit StateMaker(const DeviceTable& table);
 
-  /// Makes the state at `now_ns`, which must not decrease. `reported_ns`: time of the last report.
+  /// Computes the device's state at `now_ns`, which must not decrease. `reported_ns`: time of the last report.
   DeviceState make(const DeviceReading& reading, std::int64_t reported_ns, std::int64_t now_ns) noexcept;
   DeviceOutput outputFor(const Force& force, const DeviceReading& reading) const noexcept;
-  /// Sets the posture of `reading` as the home posture.
+  /// Declares the encoder counts of `reading` as those of the home posture.
   void calibrate(const DeviceReading& reading) noexcept { home_ = reading.encoder; }
   void reset() noexcept;
 

@@ -7,8 +7,9 @@
 
 namespace insonate::haptics {
 
-/// Signed distance in mm from each voxel's center to the surface of the voxels that `inside` accepts: negative inside,
-/// smoothed over about one voxel. 300 everywhere if it accepts no voxel, -300 everywhere if it accepts all.
+/// Computes for each voxel the signed distance in mm from its center to the surface of the voxels whose labels `inside`
+/// accepts: negative inside, smoothed over about one voxel. 300 everywhere if no voxel is accepted, -300 everywhere if
+/// all are.
 std::vector<float> signedDistances(const LabelMap& labels, const std::function<bool(std::uint8_t)>& inside);
 
 }  // namespace insonate::haptics

@@ -66,7 +66,7 @@ Result<std::shared_ptr<const TissueGrid>> TissueGrid::fromLabels(const LabelMap&
   const VolumeGeometry& whole = labels.geometry;
   if (auto ok = validate(whole); !ok) return tl::unexpected(ok.error());
   if (!isFinite(centre_mm) || !(reach_mm > 0))
-    return fail("The middle of a needle's tissue must be a point, its reach above 0.");
+    return fail("The center of the needle's tissue must be a finite point, and its reach must be above 0.");
   const Vec3 centre = whole.indexFromPatient() * centre_mm;
   std::array<int, 3> first{};
   LabelMap part;
@@ -75,7 +75,7 @@ Result<std::shared_ptr<const TissueGrid>> TissueGrid::fromLabels(const LabelMap&
     const double half = reach_mm / whole.spacing_mm[axis], last = whole.size[axis] - 1;
     const double from = std::ceil(std::max(centre[axis] - half, 0.0)),
                  to = std::floor(std::min(centre[axis] + half, last));
-    if (from > to) return fail("The label map does not reach to where the needle is.");
+    if (from > to) return fail("The needle is outside the label map. Move it into the scan.");
     first[axis] = static_cast<int>(from);
     part.geometry.size[axis] = static_cast<int>(to - from) + 1;
   }

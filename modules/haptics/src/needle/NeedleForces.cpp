@@ -14,7 +14,7 @@ constexpr double kLineFrom_mm = 10;
 constexpr double kFulcrumFull_mm = 3;
 constexpr double kFulcrum_Npmm = 0.5;
 /// Tissue that is displaced sideways by more than this moves with the needle.
-constexpr double kMostAside_mm = 8;
+constexpr double kMaxAside_mm = 8;
 constexpr double kFriction_Npmm = 0.5;
 
 Vec3 across(Vec3 v, Vec3 axis) {
@@ -43,8 +43,8 @@ void NeedleMechanics::track(const TissueSample& sample, Vec3 tip, Vec3 axis) {
     state_.track = axis;
   } else {
     const Vec3 aside = across(tip - state_.entry_mm, state_.track);
-    if (const double off_mm = norm(aside); off_mm > kMostAside_mm)
-      state_.entry_mm = state_.entry_mm + aside * (1 - kMostAside_mm / off_mm);
+    if (const double off_mm = norm(aside); off_mm > kMaxAside_mm)
+      state_.entry_mm = state_.entry_mm + aside * (1 - kMaxAside_mm / off_mm);
   }
   state_.depth_mm = std::max(0.0, dot(tip - state_.entry_mm, state_.track));
   shaft_.reach(state_.depth_mm, table_, state_.in);
@@ -70,11 +70,11 @@ Vec3 NeedleMechanics::along(Vec3 axis, double speed_mmps, NeedleForce& force) {
 
 void NeedleMechanics::aside(Vec3 axis, NeedleForce& force) {
   const double s_mm = dot(tip_ - state_.entry_mm, state_.track);
-  const double most_Npmm = 0.5 * steepest_Npmm_;
+  const double max_Npmm = 0.5 * steepest_Npmm_;
   // Fulcrum: the shaft passes through the entry. Potential k(s) |r|^2 / 2 with r from the shaft to the entry.
   const Vec3 toEntry = across(state_.entry_mm - tip_, axis);
   const double hold = std::clamp(s_mm / kFulcrumFull_mm, 0.0, 1.0);
-  const Vec3 fulcrum_N = toEntry * (hold * std::min(kFulcrum_Npmm, most_Npmm));
+  const Vec3 fulcrum_N = toEntry * (hold * std::min(kFulcrum_Npmm, max_Npmm));
   force.force_N = force.force_N + fulcrum_N;
   force.torque_Nmm = force.torque_Nmm + cross(axis * dot(state_.entry_mm - tip_, axis), fulcrum_N);
   if (s_mm <= kLineFrom_mm) return;
@@ -82,8 +82,8 @@ void NeedleMechanics::aside(Vec3 axis, NeedleForce& force) {
   // length in the tissue.
   const Vec3 off = across(tip_ - state_.entry_mm, state_.track);
   const double lateral_Npmm = shaft_.upTo(s_mm, table_).lateral_Npmm - shaft_.upTo(kLineFrom_mm, table_).lateral_Npmm;
-  force.force_N = force.force_N - off * std::clamp(lateral_Npmm, 0.0, most_Npmm);
-  const double slope = lateral_Npmm < most_Npmm ? table_.of(state_.in).lateral_Npmm2 : 0;
+  force.force_N = force.force_N - off * std::clamp(lateral_Npmm, 0.0, max_Npmm);
+  const double slope = lateral_Npmm < max_Npmm ? table_.of(state_.in).lateral_Npmm2 : 0;
   force.force_N = force.force_N - state_.track * (0.5 * slope * dot(off, off));
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kSkinWall = 0;
 constexpr double kSubstep_mm = 0.25;
-constexpr int kMostSubsteps = 64;
+constexpr int kMaxSubsteps = 64;
 constexpr double kJump_mm = 15;
 /// Distance of the tip behind a hole from which the needle counts as withdrawn, so that a trembling hand punctures
 /// once.
@@ -65,7 +65,7 @@ NeedleForce NeedleMechanics::move(const TissueGrid& grid, const Transform& restF
   time_ns_ = time_ns;
   if (!placed_) place(grid, tip, restAxis);
   const Vec3 from = tip_;
-  const int steps = std::clamp(static_cast<int>(std::ceil(way_mm / kSubstep_mm)), 1, kMostSubsteps);
+  const int steps = std::clamp(static_cast<int>(std::ceil(way_mm / kSubstep_mm)), 1, kMaxSubsteps);
   for (int i = 1; i <= steps; ++i) step(grid, from + (tip - from) * (double(i) / steps), restAxis, events);
   // Smoothed over 10 ms: the speed of one tick mostly shows the encoders' steps.
   const double fresh = step_s > 0 ? dot(tip - from, restAxis) / step_s : 0;

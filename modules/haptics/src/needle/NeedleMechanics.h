@@ -11,7 +11,7 @@
 
 namespace insonate::haptics {
 
-/// Events of one tick; events that do not fit are counted as lost.
+/// Needle events (punctures, contacts) of one tick of the force loop; events that do not fit are counted as lost.
 struct NeedleEvents {
   std::array<NeedleEvent, 16> list{};
   int count = 0, lost = 0;
@@ -27,40 +27,41 @@ struct NeedleEvents {
 struct NeedleForce {
   Vec3 force_N;
   Vec3 torque_Nmm;
-  Vec3 viscous_N;  ///< the part of force_N that depends on speed
+  Vec3 viscous_N;  ///< part of force_N that depends on speed (viscous friction)
 };
 
-/// A needle in tissue: punctured walls and resistance. State and force are computed along the path of the tip in steps
-/// of a quarter of a millimeter, so that no wall is missed at high speed or at a thin vessel. Everything is stored in
-/// coordinates of tissue at rest.
+/// Mechanics of a needle in tissue: which walls (surfaces of structures) it has punctured, and the resistance of the
+/// tissue. Both are computed along the path of the tip in steps of a quarter of a millimeter, so that no wall is missed
+/// at high speed or at a thin vessel. Positions are stored in undeformed tissue.
 class NeedleMechanics {
  public:
-  /// `steepest_Npmm`: maximum stiffness that the device can render; each spring stays below its share of it.
+  /// Sets the needle's table of forces. `steepest_Npmm`: maximum stiffness that the haptic device can render; the
+  /// stiffness of each spring is limited to a fraction of it.
   void configure(const NeedleTable& table, double steepest_Npmm);
-  /// Removes the needle, and reports its withdrawal from every wall that it had punctured, as move() does.
+  /// Removes the needle from the tissue, and adds a Withdrawn event for every wall that it had punctured.
   void remove(std::int64_t time_ns, NeedleEvents& events) noexcept;
 
   /// Moves the tip to `tip_mm`; the needle points along the unit vector `axis` (patient space). `step_s`: time since
-  /// the last call. A jump of more than 15 mm cannot be a motion of a hand: the needle is then removed and placed anew.
+  /// the last call. After a jump of more than 15 mm, which no hand makes, the needle is removed and placed anew.
   NeedleForce move(const TissueGrid& grid, const Transform& restFromPatient, Vec3 tip_mm, Vec3 axis, double step_s,
                    std::int64_t time_ns, NeedleEvents& events) noexcept;
 
   const NeedleState& state() const { return state_; }
-  /// Distance by which an image should draw the tip back against the needle's direction, so that no needle is shown
+  /// Returns the distance by which the displayed tip must be drawn back along the needle, so that it is not shown
   /// inside bone.
   double drawnBack_mm() const { return onBone_.active ? onBone_.depth_mm : 0; }
 
  private:
-  /// Contact of the tip with a wall that it has not punctured.
+  /// Contact of the tip with a wall (surface of a structure) that it has not punctured.
   struct Contact {
     bool active = false;
-    bool slides = false;    ///< the angle to the wall is too flat for a puncture
-    bool inwards = true;    ///< true: into the structure; false: out of it
-    Vec3 point, direction;  ///< point of contact with the wall, and direction of pushing
-    Vec3 normal;            ///< normal of the wall, in the direction of the tip's motion
+    bool slides = false;    ///< true: the angle to the wall is too flat for a puncture
+    bool inwards = true;    ///< true: the tip moves into the structure; false: out of it
+    Vec3 point, direction;  ///< first point of contact with the wall, and direction in which the tip pushes
+    Vec3 normal;            ///< unit normal of the wall, on the side toward which the tip moves
     double depth_mm = 0, force_N = 0;
-    Vec3 aside_mm;  ///< displacement of the tip perpendicular to its direction: the tip drags the skin along before it
-                    ///< slips
+    /// Displacement of the tip perpendicular to its direction, by which it drags the skin sideways before it slips.
+    Vec3 aside_mm;
   };
   struct Hole {
     int wall = 0;
@@ -92,7 +93,7 @@ class NeedleMechanics {
   Vec3 patientTip_, patientAxis_;
   std::int64_t time_ns_ = 0;
   TissueSample sample_;
-  Label around_ = kSoftTissue;  ///< last tissue without a wall of its own that the tip was in
+  Label around_ = kSoftTissue;  ///< last tissue without a wall (not in kNeedleWalls) in which the tip was
   std::array<bool, kNeedleWallCount> inside_{};
   std::array<Contact, kNeedleWallCount> contacts_{};
   Contact onBone_;

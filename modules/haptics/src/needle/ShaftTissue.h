@@ -6,8 +6,9 @@
 
 namespace insonate::haptics {
 
-/// Tissue along the shaft, from the entry to the tip, in pieces of half a millimeter, with cumulative sums. Entries are
-/// written as the tip advances; after a withdrawal, the advancing tip overwrites them.
+/// Tissue along the needle's shaft, from the puncture of the skin to the tip, in pieces of half a millimeter, with
+/// cumulative sums of friction and stiffness. Pieces are written as the tip advances; after a withdrawal, the advancing
+/// tip overwrites them.
 class ShaftTissue {
  public:
   struct Sum {
@@ -15,14 +16,14 @@ class ShaftTissue {
   };
 
   void restart() { count_ = 0; }
-  /// Records that the tip is in `label` at depth s >= 0.
+  /// Records that the tip is in tissue `label` at the depth `s_mm` (0 or more).
   void reach(double s_mm, const NeedleTable& table, Label label);
-  /// Sums from the entry to depth s.
+  /// Returns the sums from the puncture of the skin to the depth `s_mm`.
   Sum upTo(double s_mm, const NeedleTable& table) const;
 
  private:
   static constexpr double kPiece_mm = 0.5;
-  static constexpr int kPieces = 400;  // pieces; 200 mm in total, longer than any needle
+  static constexpr int kPieces = 400;  // number of pieces: 200 mm in total, longer than any needle
   std::array<Label, kPieces> label_{};
   std::array<Sum, kPieces + 1> before_{};
   int count_ = 0;

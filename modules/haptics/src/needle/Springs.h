@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-/// Force laws that depend on positions and not on time, so that none of them returns more energy than it received.
+/// Force laws of needle and tissue. They depend on positions and not on time, so that none returns more energy than it
+/// received.
 namespace insonate::haptics {
 
-/// Force k1 d + k2 d^2 of a wall before puncture (Okamura, Simone and O'Leary, IEEE Trans Biomed Eng 2004;51:1707). It
-/// continues linearly from the depth at which its slope reaches the maximum that a device can render.
+/// Force k1 d + k2 d^2 of a wall (surface of a structure) against the needle's tip before puncture (Okamura, Simone and
+/// O'Leary, IEEE Trans Biomed Eng 2004;51:1707). It continues linearly from the depth at which its slope reaches the
+/// maximum that the haptic device can render.
 struct Stiffening {
   double k1_Npmm = 0, k2_Npmm2 = 0, steepest_Npmm = 1e9;
 
@@ -21,15 +23,15 @@ struct Stiffening {
   }
 };
 
-/// Stiffness of a wall that the tip drags sideways.
+/// Stiffness of a wall (e.g. the skin) that the needle's tip drags sideways.
 inline constexpr double kAside_Npmm = 0.2;
 
-/// Resistance of tissue that is cut: tissue before the tip yields like a spring until it is cut, and then stays cut.
-/// Acts in one direction only.
+/// Cutting resistance of tissue: it yields like a spring in front of the needle's tip until it is cut, and stays cut.
+/// Acts against insertion only.
 class CutFront {
  public:
   void restart(double s_mm) { uncut_mm_ = s_mm; }
-  /// Resistance at depth s.
+  /// Returns the resistance when the tip is at depth `s_mm`.
   double force_N(double s_mm, double cutting_N, double stiffness_Npmm) {
     if (stiffness_Npmm <= 0 || cutting_N <= 0) {
       uncut_mm_ = std::max(uncut_mm_, s_mm);
@@ -53,8 +55,8 @@ class StickSlip {
     anchor_mm_ = s_mm;
     sticks_ = true;
   }
-  /// Resistance, positive against growing s. `slides_N` must not exceed `holds_N`; the speed is only compared with the
-  /// band.
+  /// Returns the friction force at depth `s_mm`, positive against insertion. `slides_N`: sliding friction; `holds_N`:
+  /// static friction, at least `slides_N`. The speed only decides whether the needle sticks again.
   double force_N(double s_mm, double speed_mmps, double slides_N, double holds_N, double stiffness_Npmm) {
     if (stiffness_Npmm <= 0 || holds_N <= 0) {
       restart(s_mm);
@@ -71,7 +73,7 @@ class StickSlip {
   bool sticks() const { return sticks_; }
 
  private:
-  static constexpr double kStickSpeed_mmps = 1;  // Karnopp's band of speed
+  static constexpr double kStickSpeed_mmps = 1;  // the needle sticks below this speed: Karnopp's band
   double anchor_mm_ = 0;
   bool sticks_ = true;
 };

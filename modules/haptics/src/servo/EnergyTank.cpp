@@ -38,7 +38,7 @@ void EnergyTank::account(const StylusPlace& place, Vec3 moved_mm, double step_s)
     dragged_mm_ = dragged_mm_ + away * (way_mm / far_mm);
     if (step_s > 0) energy_mJ_ += way_mm * (limits_.friction_N + limits_.damping_Nspmm * way_mm / step_s);
   }
-  energy_mJ_ = std::min(energy_mJ_, limits_.most_J * 1e3);
+  energy_mJ_ = std::min(energy_mJ_, limits_.max_J * 1e3);
 }
 
 Force EnergyTank::pass(const Force& wanted, Vec3 free_N, const StylusPlace& place, double step_s) noexcept {

@@ -20,7 +20,7 @@ using namespace haptics;
 constexpr double kUnknownStiffness_Npmm = 1;
 /// Maximum deflection of a spring: it cannot store more than force times this; energy of the account beyond it was lost
 /// in friction.
-constexpr double kMostSpring_mm = 15;
+constexpr double kMaxSpring_mm = 15;
 
 double steepest_Npmm(const HandSetup& hand) {
   return hand.limits.maxStiffness_Npmm > 0 ? hand.limits.maxStiffness_Npmm : kUnknownStiffness_Npmm;
@@ -30,7 +30,7 @@ double steepest_Npmm(const HandSetup& hand) {
 constexpr double kHoldShare = 0.5;
 
 /// Below the mass of any device at its stylus.
-constexpr double kLeastMass_kg = 0.03;
+constexpr double kMinMass_kg = 0.03;
 
 /// Share of a device's dissipation that its own account may use; the remainder is for the account of the tools'
 /// contact.
@@ -67,11 +67,11 @@ struct HandState {
     limits.torque_Nmm = s.limits.forceAxes >= 6 ? s.limits.maxTorque_Nmm : 0;
     guard.setLimits(limits);
     const DeviceLimits& device = s.limits;
-    tank.setLimits({.most_J = limits.force_N * kMostSpring_mm * 1e-3,
+    tank.setLimits({.max_J = limits.force_N * kMaxSpring_mm * 1e-3,
                     .friction_N = kOwnShare * device.friction_N,
                     .damping_Nspmm = kOwnShare * device.damping_Nspm * 1e-3,
                     .resolution_mm = device.resolution_mm,
-                    .mass_kg = device.mass_kg > 0 ? device.mass_kg : kLeastMass_kg});
+                    .mass_kg = device.mass_kg > 0 ? device.mass_kg : kMinMass_kg});
   }
 };
 
@@ -128,10 +128,10 @@ void HapticServo::State::takeSetup() {
   skinFriction = latest.setup.skinFriction;
   holds = latest.setup.needleHeld;
   const DeviceLimits &a = latest.setup.hands[0].limits, &b = latest.setup.hands[1].limits;
-  between.setLimits({.most_J = 0.05,
+  between.setLimits({.max_J = 0.05,
                      .friction_N = (1 - kOwnShare) * std::min(a.friction_N, b.friction_N),
                      .resolution_mm = a.resolution_mm + b.resolution_mm,
-                     .mass_kg = std::max(kLeastMass_kg, 0.5 * std::min(a.mass_kg, b.mass_kg))});
+                     .mass_kg = std::max(kMinMass_kg, 0.5 * std::min(a.mass_kg, b.mass_kg))});
   needle.configure(latest.setup.needle, steepest_Npmm(hands[kNeedleHand].setup));
 }
 

@@ -11,9 +11,9 @@ struct SkinForce {
   double axial_N = 0, deepest_mm = 0;
 };
 
-/// A probe on skin. Each point of the face has a proxy that stays on its patch of skin (Ruspini, Kolarov and Khatib
-/// 1997); a spring and a damper connect point and proxy. Here the skin is flat before each point, so that the proxy is
-/// the foot of the perpendicular, and lags along the skin due to friction.
+/// Contact of the probe with skin. Each of some points of the face has a proxy that stays on its patch of skin
+/// (Ruspini, Kolarov and Khatib 1997); a spring and a damper connect point and proxy. The skin at each point is a plane
+/// (SkinPatch), so that the proxy is the foot of the perpendicular, and lags along the skin due to friction.
 class ProbeContact {
  public:
   void reset() { *this = {}; }

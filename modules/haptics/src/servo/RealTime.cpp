@@ -49,7 +49,7 @@ RealTimeRights askForRealTime(const void* memory, std::size_t bytes) {
   }
   if (!rights.priority)
     rights.sentence = std::string("The servo runs without real-time priority (") + std::strerror(refused) +
-                      "): forces may stutter while the computer is busy. Give this user the right to it: a line "
+                      "): forces may stutter while the computer is busy. Give this user the permission: add a line "
                       "\"USER - rtprio 80\" in /etc/security/limits.d, then log in again.";
   if (!rights.locked) {
     if (!rights.sentence.empty()) rights.sentence += " ";

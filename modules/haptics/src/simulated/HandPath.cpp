@@ -71,7 +71,7 @@ Result<HandPath> parseHandPath(std::string_view text) {
     const auto point = pointOf(line, number);
     if (!point) return tl::unexpected(point.error());
     if (!path.points.empty() && point->time_s <= path.points.back().time_s)
-      return fail("Line " + std::to_string(number) + ": times must grow from line to line.");
+      return fail("Line " + std::to_string(number) + ": the times must increase from line to line.");
     path.points.push_back(*point);
   }
   if (path.points.empty()) return fail("This path has no points; each line is time_s,x_mm,y_mm,z_mm.");

@@ -29,7 +29,7 @@ bool comesToRest(DeviceLimits device, const Grip& grip, bool account, double sti
   device.maxForce_N = 1e9;  // no limit, which would keep all oscillations small
   SimulatedHand hand(device, grip, {});
   haptics::EnergyTank tank;
-  tank.setLimits({.most_J = 1,
+  tank.setLimits({.max_J = 1,
                   .friction_N = device.friction_N,
                   .damping_Nspmm = device.damping_Nspm * 1e-3,
                   .resolution_mm = device.resolution_mm,

@@ -46,7 +46,7 @@ class TipSight {
   std::int64_t all_us_ = 0, shown_us_ = 0;
 };
 
-void keepLeast(std::optional<double>& least, const std::optional<double>& value) {
+void keepMinimum(std::optional<double>& least, const std::optional<double>& value) {
   if (value) least = least ? std::min(*least, *value) : *value;
 }
 
@@ -97,7 +97,7 @@ struct AttemptMetrics::State {
   std::int64_t rest_us = 0;        ///< since this time
   bool rested = false;             ///< for long enough
   std::optional<Vec3> bone_mm;     ///< the contact with bone, until the tip is clear of it
-  std::optional<double> angle_deg, nearestArtery_mm, nearestLung_mm, veinCentre_mm;
+  std::optional<double> angle_deg, nearestArtery_mm, nearestLung_mm, veinCenter_mm;
 };
 
 metrics::Punctures* AttemptMetrics::State::structure(const AttemptEvent& event) {
@@ -123,8 +123,8 @@ void AttemptMetrics::State::followNeedle(const AttemptSample& sample) {
   const double depth_mm = *sample.needleDepth_mm;
   for (metrics::Punctures* each : structures()) each->follow(depth_mm);
   needle.follow(tip_mm, depth_mm, sample.aspirating);
-  keepLeast(nearestArtery_mm, sample.toArtery_mm);
-  keepLeast(nearestLung_mm, sample.toLung_mm);
+  keepMinimum(nearestArtery_mm, sample.toArtery_mm);
+  keepMinimum(nearestLung_mm, sample.toLung_mm);
   followRest(sample);
   drawBlood(sample);
 }
@@ -135,7 +135,7 @@ void AttemptMetrics::State::followRest(const AttemptSample& sample) {
   const Vec3 tip_mm = sample.patientFromNeedle->offset;
   if (!rest_mm || norm(tip_mm - *rest_mm) > kRest_mm) rest_mm = tip_mm, rest_us = sample.time_us, rested = false;
   const bool rests = sample.time_us - rest_us >= kRest_us;
-  if (!veinCentre_mm || (rests && !rested)) veinCentre_mm = sample.toVeinCentre_mm;
+  if (!veinCenter_mm || (rests && !rested)) veinCenter_mm = sample.toVeinCentre_mm;
   rested = rests;
 }
 
@@ -259,7 +259,7 @@ std::optional<double> AttemptMetrics::State::probeValue(Metric metric) const {
     case Metric::ProbeForceMean:
       return probe.forceMean_N();
     case Metric::ProbeForceMost:
-      return probe.forceMost_N();
+      return probe.forceMax_N();
     default:
       return std::nullopt;
   }
@@ -305,7 +305,7 @@ std::optional<double> AttemptMetrics::value(Metric metric) const {
     case Metric::AspirationWhileAdvancing:
       return s.needle.aspirating_percent();
     case Metric::VeinCentreDistance:
-      return s.veinCentre_mm;
+      return s.veinCenter_mm;
     case Metric::TipInVein:
       return given(pierced, s.vein.inside() || s.drawn ? 1 : 0);
     case Metric::NearestArtery:

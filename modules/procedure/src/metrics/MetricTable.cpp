@@ -8,97 +8,130 @@ constexpr std::string_view kThesis =
     "Line Placement";
 constexpr std::string_view kTrainer = "used by haptic trainers (Pepley et al., J Surg Educ 2017, 74:1066)";
 constexpr std::string_view kPerkTutor =
-    "19 novices before and after practice: shorter ways, less waste (Xia et al., Proc SPIE Medical Imaging 2018, doi "
+    "19 novices before and after practice: the path became shorter and straighter (Xia et al., Proc SPIE Medical "
+    "Imaging 2018, doi "
     "10.1117/12.2293789)";
-constexpr std::string_view kUnnamed =
-    "used by trainers of the field; a study that shows its worth is not named here yet";
+constexpr std::string_view kUnnamed = "used by other trainers; no study that shows its validity is known to us";
 
 using enum Metric;
 using enum Better;
 
 constexpr std::array<MetricDefinition, kMetricCount> kTable{{
     {VeinPunctures, "vein_punctures", 1, "", Neither,
-     "Punctures of the target vein from outside, along the needle. A tip that has not come back to 1 mm before the "
-     "hole "
-     "has not made another.",
+     "Number of times the advancing needle punctured the target vein from outside. The next puncture counts "
+     "only after the tip was withdrawn to more than 1 mm before the last hole.",
      kThesis},
     {ArteryPunctures, "artery_punctures", 1, "", Lower,
-     "Punctures of an artery from outside, along the needle, counted as those of the vein.",
-     "thesis; Auyong et al., Anesthesiology 2015, 123:535: 21 % against 2 % with a guided needle"},
+     "Number of times the advancing needle punctured an artery from outside. Repeated punctures are counted as "
+     "for the vein.",
+     "thesis; Auyong et al., Anesthesiology 2015, 123:535: 21 % without needle guidance, 2 % with it"},
     {DoublePunctures, "double_punctures", 1, "", Lower,
-     "Punctures of the vein's posterior wall, from inside. Counted again once the tip was 1 mm before the hole.",
-     "thesis; Auyong et al., Anesthesiology 2015, 123:535: 49 % against 13 % with a guided needle"},
+     "Number of times the needle punctured the posterior wall of the target vein from inside. The next "
+     "puncture counts only after the tip was withdrawn to more than 1 mm before the last hole.",
+     "thesis; Auyong et al., Anesthesiology 2015, 123:535: 49 % without needle guidance, 13 % with it"},
     {TimeToVein, "time_to_vein_s", 1, "s", Lower,
-     "From the puncture of the skin to that of the vein, within the pass that reached the vein.", kThesis},
+     "Time from the puncture of the skin to the first puncture of the vein, in the pass that first reached the "
+     "vein.",
+     kThesis},
     {UsedNeedleInsertions, "used_needle_insertions", 1, "", Lower,
-     "Passes with a needle that had been out of the skin by 2 mm and was not replaced.", kThesis},
+     "Number of passes with a used needle. A needle is used once it was withdrawn more than 2 mm out of the "
+     "skin; it stays used until it is replaced.",
+     kThesis},
     {TimeToAccess, "time_to_access_s", 1, "s", Lower,
-     "From the first puncture of the skin to access, which is the first puncture of the vein, over all passes.",
-     "Clinkard et al., Acad Emerg Med 2015, 22:212: experts 50 s, others 149 s; alone it can be gamed"},
-    {AttemptTime, "attempt_time_s", 1, "s", Lower, "From the start of the attempt to its end.", kUnnamed},
+     "Time from the first puncture of the skin to access, which is the first puncture of the target vein. All "
+     "passes in between are included.",
+     "Clinkard et al., Acad Emerg Med 2015, 22:212: experts 50 s, residents 149 s; judged alone, it rewards haste"},
+    {AttemptTime, "attempt_time_s", 1, "s", Lower, "Time from the start of the attempt to its end.", kUnnamed},
     {Passes, "passes", 1, "", Lower,
-     "Punctures of the skin. A tip that has not come out of the hole by 2 mm has not made another.", kTrainer},
+     "Number of times the needle punctured the skin. The next pass counts only after the tip was withdrawn "
+     "more than 2 mm out of the hole.",
+     kTrainer},
     {Redirections, "redirections", 1, "", Lower,
-     "Before access, under the skin: the needle is withdrawn by 3 mm, then advanced by 3 mm.",
-     "randomised crossover of 50 novices (PubMed 37548027): fewer with magnetic guidance, p = 0.01"},
-    {LungPunctures, "lung_punctures", 1, "", Lower, "Punctures of lung or airway, counted as those of the vein.",
+     "Number of times the needle was withdrawn by 3 mm or more under the skin and then advanced by 3 mm or "
+     "more. Only the time before access counts.",
+     "randomized crossover of 50 novices (PubMed 37548027): fewer with magnetic guidance, p = 0.01"},
+    {LungPunctures, "lung_punctures", 1, "", Lower,
+     "Number of times the advancing needle punctured lung or airway from outside. Repeated punctures are "
+     "counted as for the vein.",
      kUnnamed},
-    {BoneContacts, "bone_contacts", 1, "", Lower, "Contacts of the tip with bone, 1 mm apart.", kUnnamed},
+    {BoneContacts, "bone_contacts", 1, "", Lower,
+     "Number of times the tip touched bone. The next contact counts only after the tip moved more than 1 mm "
+     "away from the last one.",
+     kUnnamed},
     {NeedlePath, "needle_path_mm", 1, "mm", Lower,
-     "Path length of the tip under the skin over all passes until access, or the end; in steps of at least 0.5 mm, so "
-     "that a turn may lose 1 mm.",
+     "Length of the path of the tip under the skin, over all passes until access. Without access, the path "
+     "ends with the attempt. The path is measured in steps of at least 0.5 mm, so a sharp turn can shorten the "
+     "value by up to 1 mm.",
      kPerkTutor},
     {NeedleInefficiency, "needle_inefficiency_percent", 1, "%", Lower,
-     "100 (L / D - 1): L is the needle path until access, D the distance from skin to vein in the pass that reached "
-     "it.",
+     "Share by which the path of the needle was longer than necessary: 100 (L / D - 1). L is the needle path "
+     "until access. D is the straight distance from the puncture of the skin to the puncture of the vein, in "
+     "the pass that reached the vein.",
      kPerkTutor},
     {PathDeviation, "path_deviation_mm", 1, "mm", Lower,
-     "Root mean square distance of the tip from the straight line from skin to vein, in the pass that reached it, in "
-     "steps of at least 0.5 mm.",
+     "Root mean square distance of the tip from the straight line between the puncture of the skin and the "
+     "puncture of the vein. Only the pass that reached the vein counts. The path is measured in steps of at "
+     "least 0.5 mm.",
      kUnnamed},
     {InsertionAngle, "insertion_angle_deg", 2, "deg", Neither,
-     "Between the needle and the skin where the skin was punctured: 90 is square to the skin. The skin is that of the "
-     "case, without the probe, averaged over about 15 mm. In the pass that reached the vein, else the last.",
-     "30 to 45 degrees are taught (Pepley et al., J Surg Educ 2017, 74:1066); 45 in the thesis"},
+     "Angle between the needle and the skin at the moment when the needle punctured the skin; at 90° the "
+     "needle is perpendicular to the skin. The pass that reached the vein counts; if none did, the last pass. "
+     "The direction of the skin is averaged over about 15 mm and does not include the indentation by the "
+     "probe.",
+     "30 to 45 degrees are taught (Pepley et al., J Surg Educ 2017, 74:1066); 45 degrees in the thesis"},
     {TipInPicture, "tip_in_picture_percent", 2, "%", Higher,
-     "Share of the time from the puncture of the skin to access, or to the end, with the tip under the skin, in which "
-     "the live image shows the tip: within its sector and at most one slice thickness (FWHM at the tip's depth) off "
-     "its plane. Time with the needle frozen does not count.",
-     "Ball et al., Br J Anaesth, doi 10.1093/bja/aer329: 36 % of the time free hand, 90 % with a needle guide"},
+     "Share of the time with the tip under the skin, until access, during which the live image showed the tip. "
+     "Without access, the time until the end counts. The image shows the tip if the tip is within the field of "
+     "view and at most one slice thickness (full width at half maximum at the depth of the tip) from the image "
+     "plane. The time while the needle is frozen does not count.",
+     "Ball et al., Br J Anaesth, doi 10.1093/bja/aer329: 36 % of the time without a needle guide, 90 % with one"},
     {AspirationWhileAdvancing, "aspiration_while_advancing_percent", 1, "%", Higher,
-     "Share of the tip's path forward, until access, on which the syringe aspirates, in steps of 0.5 mm.", kUnnamed},
+     "Share of the forward path of the tip, until access, during which the syringe aspirated. The path is "
+     "measured in steps of 0.5 mm.",
+     kUnnamed},
     {VeinCentreDistance, "vein_centre_distance_mm", 2, "mm", Lower,
-     "From the tip to the center line of the vein where the tip last stood in the vein, within 0.5 mm for half a "
-     "second; where it never did, at the vein's puncture.",
+     "Distance from the tip to the center line of the vein, at the last place in the vein where the tip "
+     "rested. The tip rests if it moves by at most 0.5 mm in half a second. If the tip never rested in the "
+     "vein, the distance at the puncture of the vein counts.",
      kTrainer},
     {TipInVein, "tip_in_vein", 3, "", Higher,
-     "1: the attempt ended with the tip in the vein, or with the needle withdrawn after the syringe had aspirated in "
-     "the vein for 1 s with the tip within 1 mm of one place, no further wall or bone met; 0: it did not.",
-     "Auyong et al., Anesthesiology 2015, 123:535: 76 % against 97 % with a guided needle"},
+     "1 if the attempt ended with the tip in the vein; otherwise 0. It is also 1 if the needle was withdrawn "
+     "after a confirmed position: the syringe aspirated in the vein for 1 s while the tip moved by at most 1 "
+     "mm, and afterwards the needle met no other wall and no bone.",
+     "Auyong et al., Anesthesiology 2015, 123:535: 76 % without needle guidance, 97 % with it"},
     {NearestArtery, "nearest_artery_mm", 1, "mm", Higher,
-     "Minimum distance of the tip from an artery's wall, under the skin; negative inside.", kUnnamed},
+     "Minimum distance between the tip and the wall of an artery, while the tip was under the skin. The value "
+     "is negative if the tip was inside an artery.",
+     kUnnamed},
     {NearestLung, "nearest_lung_mm", 1, "mm", Higher,
-     "Minimum distance of the tip from lung or airway, under the skin; negative inside.", kUnnamed},
+     "Minimum distance between the tip and lung or airway, while the tip was under the skin. The value is "
+     "negative if the tip was inside.",
+     kUnnamed},
     {ProbePath, "probe_path_mm", 1, "mm", Lower,
-     "Path length of the center of the probe's face from the first puncture of the skin until access, in steps of at "
-     "least 1 mm.",
-     "Weinstein et al., J Vasc Interv Radiol 2023, 34:1337: weak, area under the curve 0.61"},
+     "Length of the path of the center of the probe's face, from the first puncture of the skin to access. The "
+     "path is measured in steps of at least 1 mm.",
+     "Weinstein et al., J Vasc Interv Radiol 2023, 34:1337: weak evidence, area under the curve 0.61"},
     {ProbeTranslations, "probe_translations", 1, "", Lower,
-     "Movements of the probe faster than 50 mm/s over 50 ms, 0.2 s apart.",
+     "Number of fast movements of the probe: faster than 50 mm/s, measured over 50 ms. Movements at most 0.2 s "
+     "apart count as one.",
      "Weinstein et al., J Vasc Interv Radiol 2023, 34:1337: area under the curve 0.86"},
     {ProbeRotations, "probe_rotations", 1, "", Lower,
-     "Rotations of the probe faster than 50 degrees/s over 50 ms, 0.2 s apart.",
+     "Number of fast rotations of the probe: faster than 50 degrees/s, measured over 50 ms. Rotations at most "
+     "0.2 s apart count as one.",
      "Weinstein et al., J Vasc Interv Radiol 2023, 34:1337: area under the curve 0.91"},
-    {ProbeForceMean, "probe_force_mean_N", 1, "N", Lower, "Mean force of the probe on the skin while it touches.",
-     kUnnamed},
+    {ProbeForceMean, "probe_force_mean_N", 1, "N", Lower,
+     "Mean force of the probe on the skin, over the time in which the probe touched the skin.", kUnnamed},
     {ProbeForceMost, "probe_force_max_N", 1, "N", Lower, "Maximum force of the probe on the skin.", kUnnamed},
     {OtherVeinPunctures, "other_vein_punctures", 1, "", Lower,
-     "Punctures of a vein that is not the target, counted as those of the target. A case without a target has none.",
+     "Number of times the advancing needle punctured a vein that is not the target vein. Repeated punctures "
+     "are counted as for the target vein. In a case without a target vein the value is 0, since every vein "
+     "then counts as the target.",
      kUnnamed},
     {VeinChecks, "vein_checks", 1, "", Higher,
-     "Before the first puncture of the skin: times the target vein lay in the middle of the live image and the probe "
-     "compressed it there to less than 40 % of its thickness.",
-     "compression tells a vein from an artery before the puncture (Troianos et al., J Am Soc Echocardiogr 2011, "
+     "Number of times the probe compressed the target vein to less than 40 % of its thickness while the vein "
+     "lay in the middle of the live image. Only the time before the first puncture of the skin counts.",
+     "compression distinguishes a vein from an artery before the puncture (Troianos et al., J Am Soc Echocardiogr "
+     "2011, "
      "24:1291)"},
 }};
 

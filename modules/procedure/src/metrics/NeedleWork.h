@@ -6,18 +6,19 @@
 
 namespace insonate::metrics {
 
-/// Path of the tip under the skin until the vein is reached, over all passes.
+/// Measures the path of the needle's tip under the skin until the vein is reached, over all passes.
 class NeedleWork {
  public:
-  static constexpr double kStep_mm = 0.5;  ///< smaller motions are trembling and not counted
-  /// A redirection is a withdrawal by this distance followed by an advance by this distance.
+  /// motions of the tip below this distance count as trembling and are ignored
+  static constexpr double kStep_mm = 0.5;
+  /// Distance of withdrawal, and of the advance that follows, that makes a redirection.
   static constexpr double kRedirect_mm = 3;
 
   void beginPass(Vec3 hole_mm);
   void endPass(Vec3 tip_mm);
-  /// Adds a position of the tip under the skin. `depth_mm`: below the hole, along the needle.
+  /// Adds a position of the tip under the skin. `depth_mm`: depth below the puncture of the skin, along the needle.
   void follow(Vec3 tip_mm, double depth_mm, bool aspirating);
-  /// The vein is reached; later motion is not counted.
+  /// Ends the measurement, since the tip has reached the vein; later motion is not counted.
   void reach(Vec3 tip_mm);
 
   int redirections() const { return redirections_; }
@@ -34,8 +35,8 @@ class NeedleWork {
   bool reached_ = false;
   Vec3 hole_mm_, last_mm_, end_mm_;
   double path_mm_ = 0;
-  // Second moments of the pass's points about its hole. From these the deviation from the straight line is computed
-  // once the line is known, at the end.
+  // Second moments of the tip's positions in this pass about the puncture of the skin. At the end of the pass, when its
+  // straight line is known, the deviation from the line is computed from these.
   double squares_mm2_ = 0;
   Mat3 moments_{{Vec3{}, Vec3{}, Vec3{}}};
   int points_ = 0;

@@ -39,7 +39,7 @@ void ProbeWork::follow(std::int64_t time_us, const std::optional<Transform>& pat
   move({time_us, *patientFromProbe});
   walk(patientFromProbe->offset, counting);
   if (force_N <= 0) return;
-  forceSum_N_ += force_N, forceMost_N_ = std::max(forceMost_N_, force_N);
+  forceSum_N_ += force_N, forceMax_N_ = std::max(forceMax_N_, force_N);
   ++pressed_;
 }
 
@@ -79,8 +79,8 @@ std::optional<int> ProbeWork::rotations() const {
 std::optional<double> ProbeWork::forceMean_N() const {
   return pressed_ ? std::optional(forceSum_N_ / static_cast<double>(pressed_)) : std::nullopt;
 }
-std::optional<double> ProbeWork::forceMost_N() const {
-  return pressed_ ? std::optional(forceMost_N_) : std::nullopt;
+std::optional<double> ProbeWork::forceMax_N() const {
+  return pressed_ ? std::optional(forceMax_N_) : std::nullopt;
 }
 
 }  // namespace insonate::metrics

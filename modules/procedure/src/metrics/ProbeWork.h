@@ -9,8 +9,8 @@
 
 namespace insonate::metrics {
 
-/// Counts fast movements. A movement begins when the speed exceeds the limit, and ends once the speed has stayed below
-/// the limit for 0.2 s.
+/// Counts fast movements of the probe. A movement begins when the speed exceeds `limit`, and ends once the speed has
+/// stayed below for 0.2 s.
 class Movements {
  public:
   explicit Movements(double limit) : limit_(limit) {}
@@ -23,19 +23,22 @@ class Movements {
   int count_ = 0;
 };
 
+/// Computes the metrics of the probe's motion and force.
 class ProbeWork {
  public:
-  static constexpr double kStep_mm = 1;              ///< smaller motions are trembling and not counted
-  static constexpr std::int64_t kSpeed_us = 50'000;  ///< a speed is the difference over this time
+  /// motions of the probe below this distance count as trembling and are ignored
+  static constexpr double kStep_mm = 1;
+  static constexpr std::int64_t kSpeed_us = 50'000;  ///< time over which a speed is computed
 
-  /// Adds a sample. `counting`: the path is counted, from the first puncture of the skin until access.
+  /// Adds a sample. `counting`: the probe's path is counted now (from the first puncture of the skin until that of the
+  /// vein).
   void follow(std::int64_t time_us, const std::optional<Transform>& patientFromProbe, double force_N, bool counting);
 
   std::optional<double> path_mm() const;
   std::optional<int> translations() const;
   std::optional<int> rotations() const;
   std::optional<double> forceMean_N() const;
-  std::optional<double> forceMost_N() const;
+  std::optional<double> forceMax_N() const;
 
  private:
   struct Place {
@@ -49,10 +52,10 @@ class ProbeWork {
   std::optional<Vec3> last_mm_;
   double path_mm_ = 0;
   bool counted_ = false;
-  std::array<Place, 128> recent_;  ///< ring buffer; holds more than kSpeed_us at 1 kHz
+  std::array<Place, 128> recent_;  ///< ring buffer of the last poses; holds more than kSpeed_us at 1 kHz
   std::size_t begin_ = 0, size_ = 0;
-  Movements translations_{50}, rotations_{50};  ///< limits in mm/s and deg/s
-  double forceSum_N_ = 0, forceMost_N_ = 0;
+  Movements translations_{50}, rotations_{50};  ///< movements faster than 50 mm/s and 50 deg/s
+  double forceSum_N_ = 0, forceMax_N_ = 0;
   std::int64_t pressed_ = 0;
 };
 

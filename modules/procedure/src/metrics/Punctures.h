@@ -4,25 +4,25 @@
 
 namespace insonate::metrics {
 
-/// Decides for one structure and one pass which crossings of its wall are new punctures. The d1 logic follows the
-/// thesis: d1 is the depth below the hole in the skin at which the needle entered the structure. If the wall is crossed
-/// again at this depth, the needle leaves by its entry hole; if beyond, it has gone through the posterior wall. Two
-/// changes make this robust. The direction of travel decides, since the walls of a fully compressed vessel are
-/// punctured at the same depth. A tip that trembles in a hole makes no new puncture: for a new one it must first
-/// withdraw by kTolerance_mm.
+/// Counts the punctures of one structure: decides which crossings of its wall by the needle's tip are new punctures.
+/// The d1 logic follows the thesis: d1 is the depth below the puncture of the skin at which the needle entered the
+/// structure. If the wall is crossed again at this depth, the needle leaves by its entry hole; if beyond, it has gone
+/// through the posterior wall. Two changes make this robust. The direction of travel decides, since the walls of a
+/// fully compressed vessel are punctured at the same depth. A trembling tip makes no new puncture: for a new one it
+/// must first withdraw by kTolerance_mm.
 class Punctures {
  public:
   static constexpr double kTolerance_mm = 1;
 
-  /// Begins a new pass through the skin: d1 is reset, the counts stay.
+  /// Begins a new pass (insertion through the skin): d1 is reset, the counts stay.
   void beginPass();
-  /// The wall was crossed from outside while advancing. Returns whether this is a new puncture.
+  /// Reports that the tip crossed the wall from outside while advancing. Returns whether this is a new puncture.
   bool enter(double depth_mm);
-  /// The wall was crossed from inside while advancing.
+  /// Reports that the tip crossed the wall from inside while advancing.
   void leave(double depth_mm);
-  /// The wall was crossed while withdrawing; `inside`: the tip is now inside.
+  /// Reports that the tip crossed the wall while withdrawing; `inside`: the tip is now inside the structure.
   void withdraw(bool inside);
-  /// Passes the depth of the tip below the hole in the skin; call whenever it is known.
+  /// Reports the depth of the tip below the puncture of the skin; call it whenever the depth is known.
   void follow(double depth_mm);
 
   int count() const { return count_; }
@@ -31,8 +31,10 @@ class Punctures {
   bool beyond() const { return back_mm_ && !inside_; }
 
  private:
-  std::optional<double> front_mm_;  ///< d1; empty once the tip has withdrawn from the hole
-  std::optional<double> back_mm_;   ///< depth of the posterior wall's puncture; empty likewise
+  /// d1, depth at which the structure was entered; empty once the tip has withdrawn from there
+  std::optional<double> front_mm_;
+  /// depth at which the posterior wall was punctured; empty once the tip has withdrawn from there
+  std::optional<double> back_mm_;
   bool inside_ = false;
   int count_ = 0, through_ = 0;
 };

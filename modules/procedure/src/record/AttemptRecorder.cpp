@@ -165,7 +165,7 @@ Result<MetricValues> AttemptRecorder::State::finish(AttemptStatus status) {
   if (refused) return fail(trouble);
   std::error_code error;
   if (fs::exists(path, error))
-    return fail(path.string() + " was made by another program meanwhile; the recording is kept as " +
+    return fail(path.string() + " was created by another program meanwhile; the recording was saved as " +
                 partOf(path).string() + ".");
   fs::rename(partOf(path), path, error);
   if (error)
@@ -183,7 +183,7 @@ Result<std::unique_ptr<AttemptRecorder>> AttemptRecorder::start(const fs::path& 
                                                                 const std::optional<RecordKey>& key) {
   std::error_code error;
   if (fs::exists(path, error))
-    return fail(path.string() + " exists; recordings are not written over. Choose another name.");
+    return fail(path.string() + " exists, and recordings are never overwritten. Choose another name.");
   auto file = record::RecordFile::make(partOf(path));
   if (!file) return tl::unexpected(file.error());
   AttemptHeader hashed = header;

@@ -115,11 +115,11 @@ Result<void> AttemptRecording::checkLinks(std::vector<PlacedBlock>& blocks) {
   if (!beginsWithHeader || !blocks.front().agrees)
     return fail(name_ +
                 " was changed or damaged after it was recorded: its header does not agree with the rest of it. " +
-                "Look for an untouched copy.");
+                "Look for an unchanged copy.");
   for (const record::ChainFault& fault : chain.faults) {
     if (fault_.empty())
       fault_ = name_ + " was changed or damaged after it was recorded, at " + seconds(fault.time_us) +
-               ". Look for an untouched copy.";
+               ". Look for an unchanged copy.";
     // A block that does not match may be right if the one before it is missing.
     missing_ |= fault.kind != record::ChainFault::Kind::Link;
   }
@@ -127,8 +127,8 @@ Result<void> AttemptRecording::checkLinks(std::vector<PlacedBlock>& blocks) {
   const bool hasOnlyItsOwn = chain.links.size() == blocks.size() && found == 2 * blocks.size() &&
                              last.payload() + last.head.packedBytes == bytes_.size();
   if (fault_.empty() && blocks.back().head.kind == BlockKind::End && !hasOnlyItsOwn)
-    fault_ = name_ + " was changed after it was recorded: it holds more or less than was recorded. " +
-             "Look for an untouched copy.";
+    fault_ =
+        name_ + " was changed after it was recorded: parts were added or removed. " + "Look for an unchanged copy.";
   return {};
 }
 
@@ -158,8 +158,8 @@ void AttemptRecording::readChange(const BlockHead& head, std::size_t payload, bo
     return;
   }
   unknownFrom_us_ = std::min(unknownFrom_us_.value_or(head.first_us), head.first_us);
-  troubles_.push_back(name_ + " is damaged: how it was set from " + seconds(head.first_us) +
-                      " on is unknown. Images from there on cannot be rendered again.");
+  troubles_.push_back(name_ + " is damaged: the settings from " + seconds(head.first_us) +
+                      " on are unknown. Later images cannot be rendered again.");
 }
 
 void AttemptRecording::checkEnd(const BlockHead& head, std::size_t payload) {
@@ -189,7 +189,7 @@ void AttemptRecording::reportProblems() {
 
 Result<std::string> AttemptRecording::settingsAt(std::int64_t time_us) const {
   if (damaged_ || (unknownFrom_us_ && time_us >= *unknownFrom_us_))
-    return fail(name_ + " is damaged: how it was set at " + seconds(time_us) + " is not known.");
+    return fail(name_ + " is damaged: the settings at " + seconds(time_us) + " are not known.");
   const auto after = std::ranges::upper_bound(changes_, time_us, {}, &SettingsChange::time_us);
   return after == changes_.begin() ? header_.settings : std::prev(after)->settings;
 }

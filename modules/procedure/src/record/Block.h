@@ -5,8 +5,8 @@
 #include <array>
 #include <optional>
 
-/// Blocks of the file. Each block is independent: it begins with a mark, its head and its contents have checksums, and
-/// its contents are packed with zlib. All numbers are little-endian.
+/// Blocks of a recording's file. Each block is independent: it begins with the bytes kMark, head and contents have
+/// checksums, and the contents are compressed with zlib. All numbers are little-endian.
 namespace insonate::record {
 
 inline constexpr std::array<std::uint8_t, 8> kMark{0xD1, 'I', 'N', 'S', 'O', '\r', '\n', 0x1A};
@@ -17,18 +17,18 @@ struct BlockHead {
   static constexpr std::size_t kBytes = 8 + 4 * 4 + 2 * 8 + 4;
   BlockKind kind = BlockKind::Header;
   std::uint32_t packedBytes = 0, rawBytes = 0;
-  std::uint32_t checksum = 0;  ///< CRC-32 of the packed bytes
+  std::uint32_t checksum = 0;  ///< CRC-32 of the compressed contents
   std::int64_t first_us = 0, last_us = 0;
 };
 
-/// Maximum size of a block. The recorder's blocks are much smaller; a larger size in a file indicates damage.
+/// Maximum size of a block in bytes; a larger size in a file indicates damage. Recorded blocks are much smaller.
 inline constexpr std::uint32_t kMostBytes = 64U << 20;
 
-/// Returns a block: head and packed contents.
+/// Makes a block: head and compressed contents. `first_us`, `last_us`: time range of the contents.
 Bytes packed(BlockKind kind, std::int64_t first_us, std::int64_t last_us, std::span<const std::uint8_t> content);
-/// Parses the head at the beginning of these bytes; empty if there is no head or if it is damaged.
+/// Parses the head of a block at the beginning of `bytes`; empty if there is no head or if it is damaged.
 std::optional<BlockHead> headAt(std::span<const std::uint8_t> bytes);
-/// Unpacks a block; empty if checksum or zlib report damage.
+/// Decompresses the contents of a block; empty if checksum or zlib report damage.
 std::optional<Bytes> unpacked(std::span<const std::uint8_t> packedBytes, std::size_t rawBytes, std::uint32_t checksum);
 
 }  // namespace insonate::record

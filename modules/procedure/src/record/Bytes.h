@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-/// Conversion of numbers to bytes and back, little-endian on every machine.
+/// Conversion of numbers to bytes and back, little-endian on every computer.
 namespace insonate::record {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -24,7 +24,7 @@ inline void put(Bytes& bytes, double value) {
   put(bytes, std::bit_cast<std::uint64_t>(value));
 }
 
-/// Reads numbers one after another. Bytes beyond the end read as 0; isWhole() tells at the end whether this happened.
+/// Reads numbers one after another from bytes. Numbers beyond the end read as 0, after which isWhole() is false.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}

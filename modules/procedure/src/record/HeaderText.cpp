@@ -56,7 +56,7 @@ Result<HeaderRead> headerFrom(std::string_view text) {
     const int format = json.at("format");
     if (format < 1 || format > kFormat)
       return fail("it has format " + std::to_string(format) + " and this program reads up to " +
-                  std::to_string(kFormat) + "; use the Insonate that wrote it, " +
+                  std::to_string(kFormat) + "; open it with the program that wrote it, " +
                   json.value("software", "a newer one") + ".");
     const auto& picture = json.at("picture");
     // Before November 2026 the slice thickness increased equally on both sides of the focus.

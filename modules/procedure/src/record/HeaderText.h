@@ -10,12 +10,13 @@ namespace insonate::record {
 
 struct HeaderRead {
   AttemptHeader header{};
-  bool isChained = false;  ///< the file's blocks have links (record/Chain.h)
+  bool isChained = false;  ///< true: the blocks of the recording have digests (record/Chain.h)
 };
 
-/// Writes a header as JSON.
+/// Writes the header of a recording as JSON.
 std::string textOf(const AttemptHeader& header);
-/// Parses a header. Fails with a sentence on other text, and on a format that is newer than this program's.
+/// Parses the header of a recording from JSON. Fails with a sentence on invalid text, and on a format that is newer
+/// than this program's.
 Result<HeaderRead> headerFrom(std::string_view text);
 
 }  // namespace insonate::record

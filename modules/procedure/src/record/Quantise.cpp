@@ -19,7 +19,7 @@ enum Channel {
   kAspirating,
   kToArtery,
   kToLung,
-  kToVeinCentre,
+  kToVeinCenter,
   kTenting
 };
 static_assert(kTenting + 1 == QuantisedSample::kChannels);
@@ -94,7 +94,7 @@ QuantisedSample quantised(const AttemptSample& sample) noexcept {
   channel[kAspirating] = sample.aspirating;
   channel[kToArtery] = stepsOf(sample.toArtery_mm, kDistanceQuantum_mm);
   channel[kToLung] = stepsOf(sample.toLung_mm, kDistanceQuantum_mm);
-  channel[kToVeinCentre] = stepsOf(sample.toVeinCentre_mm, kDistanceQuantum_mm);
+  channel[kToVeinCenter] = stepsOf(sample.toVeinCentre_mm, kDistanceQuantum_mm);
   channel[kTenting] = stepsOf(sample.tenting_mm, kDistanceQuantum_mm);
   return steps;
 }
@@ -111,7 +111,7 @@ AttemptSample restored(const QuantisedSample& steps) noexcept {
   sample.aspirating = channel[kAspirating] != 0;
   sample.toArtery_mm = valueOf(channel[kToArtery], kDistanceQuantum_mm);
   sample.toLung_mm = valueOf(channel[kToLung], kDistanceQuantum_mm);
-  sample.toVeinCentre_mm = valueOf(channel[kToVeinCentre], kDistanceQuantum_mm);
+  sample.toVeinCentre_mm = valueOf(channel[kToVeinCenter], kDistanceQuantum_mm);
   sample.tenting_mm = channel[kTenting] * kDistanceQuantum_mm;
   return sample;
 }

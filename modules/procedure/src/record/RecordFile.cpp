@@ -14,7 +14,7 @@ Result<RecordFile> RecordFile::make(const std::filesystem::path& path) {
   if (file >= 0) return RecordFile(path, file);
   if (errno == EEXIST)
     return fail("The recording " + path.string() + " is in progress, or broke off earlier; rename that file first.");
-  return fail("The recording " + path.string() + " cannot be begun: " + std::strerror(errno) + ".");
+  return fail("The recording " + path.string() + " cannot be started: " + std::strerror(errno) + ".");
 }
 
 RecordFile::RecordFile(RecordFile&& other) noexcept
@@ -33,7 +33,8 @@ Result<void> RecordFile::append(std::span<const std::uint8_t> bytes) {
     done += static_cast<std::size_t>(written);
   }
   if (done == bytes.size() && ::fdatasync(file_) == 0) return {};
-  return fail(path_.string() + " takes no more: " + std::strerror(errno) + ". The recording up to then is kept there.");
+  return fail(path_.string() + " cannot be written any more: " + std::strerror(errno) +
+              ". The recording up to this moment is kept there.");
 }
 
 }  // namespace insonate::record

@@ -9,7 +9,7 @@
 
 namespace insonate::record {
 
-/// A file that only grows. Each piece is on the disk when append() returns.
+/// File to which data is only appended. Appended data is on the disk when append() returns.
 class RecordFile {
  public:
   /// Creates the file. Fails if it exists or cannot be created.
@@ -18,7 +18,7 @@ class RecordFile {
   RecordFile& operator=(RecordFile&&) = delete;
   ~RecordFile();
 
-  /// Appends bytes. Fails with the reason; in that case an incomplete piece may follow the earlier contents.
+  /// Appends bytes. If it fails, a part of them may have been appended.
   Result<void> append(std::span<const std::uint8_t> bytes);
 
  private:

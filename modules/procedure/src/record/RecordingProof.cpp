@@ -26,7 +26,7 @@ RecordingProof AttemptRecording::proof(const std::optional<RecordKey>& key) cons
   };
   if (!std::ranges::all_of(links_, isKeyed))
     return {Broken, name_ + " was changed after it was recorded: its codes are not those of the store that it names. " +
-                        "Look for an untouched copy."};
+                        "Look for an unchanged copy."};
   if (status_ == AttemptStatus::CutShort)
     return {Unproven, name_ + " broke off: the end of the attempt is not proven."};
   return {Proven, ""};

@@ -13,7 +13,8 @@ namespace insonate::record {
 using RingEntry = std::variant<AttemptSample, AttemptEvent>;
 static_assert(std::is_trivially_copyable_v<RingEntry>, "the servo hands it over without memory of its own");
 
-/// Queue from one writer to one reader, in order. If the queue is full, new entries are counted as lost and left out.
+/// Lock-free queue of samples and events from one writer thread to one reader thread. If the queue is full, new entries
+/// are dropped and counted as lost.
 class SampleRing {
  public:
   void put(const RingEntry& entry) noexcept {
@@ -26,12 +27,12 @@ class SampleRing {
     written_.store(at + 1, std::memory_order_release);
   }
 
-  /// Number of further entries that fit; call it on the writer's thread.
+  /// Returns the number of entries that put() can still accept; call it on the writer's thread.
   std::size_t room() const noexcept {
     return entries_.size() - (written_.load(std::memory_order_relaxed) - read_.load(std::memory_order_acquire));
   }
 
-  /// Calls `take` with each waiting entry; call it on the reader's thread.
+  /// Removes all waiting entries and passes each to `take`; call it on the reader's thread.
   template <class Take>
   void drain(const Take& take) {
     std::uint64_t at = read_.load(std::memory_order_relaxed);
@@ -41,7 +42,7 @@ class SampleRing {
     }
   }
 
-  /// Number of lost entries since the last call.
+  /// Returns the number of entries lost since the last call.
   std::uint32_t takeLost() noexcept { return lost_.exchange(0, std::memory_order_relaxed); }
 
  private:

@@ -6,13 +6,15 @@
 
 #include <optional>
 
-/// Encodes a stretch as bytes that zlib packs well. Each channel is stored separately, as differences of the order that
-/// gives the smallest numbers, lowest bytes first. Decoding needs no other stretch.
+/// Encoding of a stretch (about a second of a recording) as bytes that zlib compresses well. Each channel is stored
+/// separately, as differences of the order (first, second, ...) that gives the smallest numbers, lowest bytes first.
+/// Stretches are decoded independently.
 namespace insonate::record {
 
-/// Encodes a stretch. Times of samples must not decrease, and must lie within an hour of each other.
+/// Encodes a stretch of samples and events. Times of samples must not decrease, and must lie within an hour of each
+/// other.
 Bytes encoded(const Stretch& stretch);
-/// Decodes a stretch; empty if the bytes are not a stretch.
+/// Decodes a stretch of samples and events; empty if the bytes are invalid.
 std::optional<Stretch> decoded(std::span<const std::uint8_t> bytes);
 
 }  // namespace insonate::record

@@ -64,7 +64,7 @@ Result<LabelChange> LabelEdit::apply(const Proposal& proposal, std::string name)
 
 Result<void> LabelEdit::check(const Proposal& proposal) const {
   if (intersected(proposal.box, boxOf(labels_.geometry)) != proposal.box && !proposal.box.empty())
-    return fail("The tool's region does not lie in the label map; choose one that does.");
+    return fail("The region of the tool lies outside the label map. Choose a region inside it.");
   const LabelSet fixed = rules.locked | rules.hidden;
   if (fixed.none()) return {};
   LabelSet written;

@@ -8,12 +8,12 @@ namespace insonate::segmentation {
 
 /// Consecutive voxels that an edit changed from one label to another.
 struct ChangedRun {
-  std::size_t begin, length;  ///< in voxels of one slice, numbered j * ni + i
+  std::size_t begin, length;  ///< first voxel and number of voxels; voxels of a slice are numbered j * ni + i
   std::uint8_t before, after;
 };
 
-/// Packs the runs of one slice, by increasing begin, usually into four bytes each: the gap since the previous run and
-/// the length, both with seven bits per byte, then the two labels.
+/// Packs the changed runs of one slice as bytes, in increasing order, usually four bytes per run: the gap since the
+/// previous run and the run's length, both with seven bits per byte, then the labels before and after.
 class RunPacker {
  public:
   void add(std::size_t voxel, std::uint8_t before, std::uint8_t after);
@@ -26,7 +26,7 @@ class RunPacker {
 
   std::vector<std::uint8_t> bytes_;
   ChangedRun run_{0, 0, 0, 0};
-  std::size_t packed_ = 0;  ///< end of the last run in bytes_
+  std::size_t packed_ = 0;  ///< voxel after the last run that is packed in bytes_
 };
 
 /// Unpacks runs: calls `visit(const ChangedRun&)` for each run in order.

@@ -12,10 +12,10 @@
 namespace insonate {
 namespace {
 
-constexpr double kBeside_mm = 2;         // a click within this distance of a structure refers to it
-constexpr double kMostOfSurface = 0.02;  // share of the surface that may touch structures that it should not touch
-constexpr double kAside_mm = 5;          // clicks nearer to the midline have no side
-constexpr double kAround_mm = 25;        // distance from the clicks at which a structure ends that may continue beyond
+constexpr double kBeside_mm = 2;        // a click within this distance of a structure refers to it
+constexpr double kMaxOfSurface = 0.02;  // share of the surface that may touch structures that it should not touch
+constexpr double kAside_mm = 5;         // clicks nearer to the midline have no side
+constexpr double kAround_mm = 25;       // distance from the clicks at which a structure ends that may continue beyond
 
 /// Components of a label in or beside which clicks lie, and the number of clicks beside all of them.
 struct Found {
@@ -126,7 +126,7 @@ std::vector<std::string> findingsAbout(const GuideStep& step, std::span<const Ve
   std::vector<std::string> doubts;
   for (const std::uint8_t label : step.makes)
     if (extentOf(labels, label).empty())
-      doubts.push_back("There is no " + labelName(label) + "; look whether the CT shows any.");
+      doubts.push_back("There is no " + labelName(label) + "; check whether the CT shows any.");
   if (clicks_mm.empty() || step.label == 0) return doubts;
   if (auto doubt = offSide(step, clicks_mm, labels)) doubts.push_back(std::move(*doubt));
   const Found found = foundAt(labels, step.label, clicks_mm);
@@ -147,9 +147,9 @@ std::vector<std::string> findingsAbout(const GuideStep& step, std::span<const Ve
       doubts.push_back(std::move(*doubt));
   if (auto doubt = offRange(step.volume_ml, volume_mm3 / 1000, "a volume", "ml")) doubts.push_back(std::move(*doubt));
   for (const std::uint8_t other : step.apart)
-    if (const double share = shareTouching(found.pieces, labels, other); share > kMostOfSurface)
+    if (const double share = shareTouching(found.pieces, labels, other); share > kMaxOfSurface)
       doubts.push_back(number(100 * share) + " % of its surface touch the " + labelName(other) +
-                       ", from which tissue should part it.");
+                       ". Other tissue should lie between them.");
   return doubts;
 }
 

@@ -54,7 +54,8 @@ GuideStep readGuideStep(const json& object, const std::string& where, std::strin
   if (entry.has("side")) step.side = static_cast<GuideSide>(entry.word("side", {"right", "left"}));
   step.optional = entry.has("optional") && entry.flag("optional");
   step.ways = entry.list("ways", "way", readWay);
-  if (entry.trouble().empty() && step.ways.empty()) entry.refuse("has no way of doing it in its list 'ways'.");
+  if (entry.trouble().empty() && step.ways.empty())
+    entry.refuse("has an empty list 'ways'. Add at least one way to label the structure.");
   step.diameter_mm = rangeOf(entry, object, "diameter_mm");
   step.volume_ml = rangeOf(entry, object, "volume_ml");
   StepReader reader(object, where, known, Points::kLater, trouble);

@@ -46,7 +46,7 @@ Result<GuideWay> wayFor(const GuideStep& step, std::span<const Vec3> clicks_mm, 
   const Transform indexFromPatient = ct.geometry.indexFromPatient();
   for (const Vec3& click_mm : clicks_mm)
     if (const auto [i, j, k] = nearestVoxel(indexFromPatient * click_mm); !ct.geometry.contains(i, j, k))
-      return fail("A click lies beside the CT; click in the structure.");
+      return fail("A click lies outside the CT. Click in the structure.");
   const int brightness_HU = brightnessAt(ct, clicks_mm);
   const auto fits = std::ranges::find_if(
       step.ways, [&](const GuideWay& w) { return !w.clicks_HU || w.clicks_HU->contains(brightness_HU); });

@@ -32,7 +32,7 @@ Result<Selection> marched(const CtVolume& ct, const VoxelBox& box, std::span<con
                           const MarchingFront& front, const Progress& progress) {
   Selection reached(ct.geometry, box);
   const auto nodes = box.empty() ? Marching::NodeContainer::New() : nodesAt(reached.mask.geometry, seeds_mm);
-  if (nodes->Size() == 0) return fail("No seed lies in the region; click on the structure.");
+  if (nodes->Size() == 0) return fail("No click lies in the region. Click on the structure.");
   return segmentation::guarded([&] {
     segmentation::Work work(progress, 4);
     work.start("Finding edges");

@@ -122,7 +122,7 @@ Result<Selection> filledBetween(const Selection& slices, int axis, const Progres
     return whole;
   });
   if (result && !filled)
-    return fail("There are no empty slices between two drawn ones; draw the shape in slices some way apart.");
+    return fail("There are no empty slices between the drawn slices. Draw the shape on slices that are farther apart.");
   return result;
 }
 

@@ -111,15 +111,15 @@ class Proposer {
     const bool mayVanish = s.operation == LogicalOperation::kAdd || s.with == step_.label;
     if (!mayVanish && s.reach_mm == 0)
       return fail(
-          "No voxel has two labels, so there is nothing that both have. Give a reach above 0 mm: what lies so near the "
-          "other label counts as that label.");
+          "No voxel has two labels, so the intersection is empty. Set a reach above 0 mm: voxels within this distance "
+          "of the other label then count as that label.");
     const VoxelBox box = extentOfAll({step_.label, s.with}, s.reach_mm);
     const auto other = grownBy(voxelsOf(labels_, s.with, box), s.reach_mm, progress_);
     if (!other) return tl::unexpected(other.error());
     const Selection before = voxelsOf(labels_, step_.label, box);
     Selection after = combined(before, s.operation, *other, ct_.geometry);
     if (!mayVanish && after.count() == 0 && before.count() > 0)
-      return fail("Nothing would be left of the label. Use another reach, or another label to combine with.");
+      return fail("Nothing of the label would be left. Use another reach, or combine with another label.");
     return reshape(std::move(after));
   }
   Result<Proposal> operator()(const step::FillBetween& s) const {

@@ -12,7 +12,7 @@ namespace insonate::segmentation {
 // come its minimum and maximum, after a list of points its minimum count, after an enumeration its words.
 
 /// Maxima of distances and of HU gradients in recipes.
-inline constexpr double kMostMm = 100, kMostHuPerMm = 2000;
+inline constexpr double kMaxMm = 100, kMaxHuPerMm = 2000;
 using Words = std::vector<std::string_view>;
 
 template <class Io>
@@ -26,7 +26,7 @@ void fields(Io& io, step::Threshold& s) {
 template <class Io>
 void fields(Io& io, step::Paint& s) {
   io("points_mm", s.points_mm, 1);
-  io("radius_mm", s.radius_mm, 0.1, kMostMm);
+  io("radius_mm", s.radius_mm, 0.1, kMaxMm);
   io("slice_axis", s.sliceAxis, 0, 2);
   io("only_HU", s.only_HU);
 }
@@ -62,39 +62,39 @@ void fields(Io& io, step::SplitIslands& s) {
 }
 template <class Io>
 void fields(Io& io, step::Median& s) {
-  io("radius_mm", s.radius_mm, 0.1, kMostMm);
+  io("radius_mm", s.radius_mm, 0.1, kMaxMm);
 }
 template <class Io>
 void fields(Io& io, step::Opening& s) {
-  io("radius_mm", s.radius_mm, 0.1, kMostMm);
+  io("radius_mm", s.radius_mm, 0.1, kMaxMm);
 }
 template <class Io>
 void fields(Io& io, step::Closing& s) {
-  io("radius_mm", s.radius_mm, 0.1, kMostMm);
+  io("radius_mm", s.radius_mm, 0.1, kMaxMm);
 }
 template <class Io>
 void fields(Io& io, step::Gaussian& s) {
-  io("sigma_mm", s.sigma_mm, 0.1, kMostMm);
+  io("sigma_mm", s.sigma_mm, 0.1, kMaxMm);
 }
 template <class Io>
 void fields(Io& io, step::SmoothTogether& s) {
-  io("sigma_mm", s.sigma_mm, 0.1, kMostMm);
+  io("sigma_mm", s.sigma_mm, 0.1, kMaxMm);
   io("labels", s.labels);
 }
 template <class Io>
 void fields(Io& io, step::Margin& s) {
-  io("margin_mm", s.margin_mm, -kMostMm, kMostMm);
+  io("margin_mm", s.margin_mm, -kMaxMm, kMaxMm);
 }
 template <class Io>
 void fields(Io& io, step::Hollow& s) {
-  io("thickness_mm", s.thickness_mm, 0.1, kMostMm);
+  io("thickness_mm", s.thickness_mm, 0.1, kMaxMm);
   io("wall", s.wall, Words{"inside", "middle", "outside"});
 }
 template <class Io>
 void fields(Io& io, step::Logical& s) {
   io("operation", s.operation, Words{"add", "subtract", "intersect"});
   io("with", s.with);
-  io("reach_mm", s.reach_mm, 0, kMostMm);
+  io("reach_mm", s.reach_mm, 0, kMaxMm);
 }
 template <class Io>
 void fields(Io& io, step::FillBetween& s) {
@@ -117,7 +117,7 @@ void fields(Io& io, step::GrowSeeds& s) {
   io("seeds", s.seeds);
   io("into", s.over);
   io("smoothing_mm", s.competition.smoothing_mm, 0, 10);
-  io("per_mm_HU", s.competition.perMm_HU, 0, kMostHuPerMm);
+  io("per_mm_HU", s.competition.perMm_HU, 0, kMaxHuPerMm);
 }
 template <class Io>
 void fields(Io& io, step::Watershed& s) {
@@ -129,12 +129,12 @@ template <class Io>
 void fields(Io& io, step::March& s) {
   io("points_mm", s.points_mm, 1);
   io("reach_mm", s.front.reach_mm, 0.1, 1000);
-  io("edge_HUpmm", s.front.edge_HUpmm, 1, kMostHuPerMm);
+  io("edge_HUpmm", s.front.edge_HUpmm, 1, kMaxHuPerMm);
   io("smoothing_mm", s.front.smoothing_mm, 0, 10);
 }
 template <class Io>
 void fields(Io& io, step::Contour& s) {
-  io("edge_HUpmm", s.levelSet.edge_HUpmm, 1, kMostHuPerMm);
+  io("edge_HUpmm", s.levelSet.edge_HUpmm, 1, kMaxHuPerMm);
   io("smoothing_mm", s.levelSet.smoothing_mm, 0, 10);
   io("propagation", s.levelSet.propagation, -10, 10);
   io("curvature", s.levelSet.curvature, 0, 10);

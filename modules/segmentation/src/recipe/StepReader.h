@@ -8,7 +8,7 @@
 
 namespace insonate::segmentation {
 
-/// Tells whether a step must contain its points, or gets them later from the clicks of a guide.
+/// Source of a step's points: given in the step itself, or taken later from the clicks of a guide.
 enum class Points { kGiven, kLater };
 
 /// Reads a step's fields from its JSON object; the first error is kept as a sentence.

@@ -16,7 +16,7 @@ class StepWriter {
   template <class Number>
   requires std::is_arithmetic_v<Number>
   void operator()(const char* key, Number value, Number, Number) { object_[key] = value; }
-  void operator()(const char* key, double value, int, int) { object_[key] = value; }
+  void operator()(const char* key, double value, double, double) { object_[key] = value; }
   void operator()(const char* key, bool value) { object_[key] = value; }
   void operator()(const char* key, const std::string& value) {
     if (!value.empty()) object_[key] = value;

@@ -16,19 +16,20 @@ using segmentation::Work;
 
 /// Finer than a Hounsfield unit, so that paths of a few millimeters differ.
 constexpr double kStepsPerHu = 4;
-constexpr double kMostPerStep = SeedFront::kBuckets - 1;
+constexpr double kMaxPerStep = SeedFront::kBuckets - 1;
 
 Result<void> checkSeeds(const Seeds& seeds) {
   LabelSet found;
   for (const std::uint8_t label : seeds.painted.labels.voxels) found.set(label);
   found.reset(Proposal::kKeep);
   if (found.count() >= 2) return {};
-  return fail("Seeds of at least two labels are needed in the region, " + std::to_string(found.count()) +
-              " found; paint some of the structure and some of what surrounds it.");
+  return fail(
+      "Seeds of at least two labels are needed in the region, " + std::to_string(found.count()) +
+      " found. Paint a part of the structure with its label, and a part of the surrounding tissue with another label.");
 }
 
 std::uint32_t whole(double cost) {
-  return static_cast<std::uint32_t>(std::clamp(std::lround(cost), 1L, long(kMostPerStep)));
+  return static_cast<std::uint32_t>(std::clamp(std::lround(cost), 1L, long(kMaxPerStep)));
 }
 
 }  // namespace

@@ -66,11 +66,11 @@ Result<Selection> islandsFrom(const Selection& of, double least_mm3, const Progr
 Result<Selection> islandAt(const Selection& of, Vec3 point_mm, const Progress& progress) {
   const Vec3 index = of.box.empty() ? Vec3{-9, -9, -9} : of.mask.geometry.indexFromPatient() * point_mm;
   if (of.box.empty() || sampleNearest(of.mask, index) == 0)
-    return fail("There is no island at this point; click on one.");
-  const auto [i, j, k] = nearestVoxel(index);
+    return fail("No island of the label is at this point. Click on an island.");
+  const auto voxel = nearestVoxel(index);
   return keep(of, progress, [&](const Components& islands) {
     std::vector<bool> chosen(islands.count(), false);
-    chosen[islands.componentAt(i, j, k)] = true;
+    chosen[islands.componentAt(voxel[0], voxel[1], voxel[2])] = true;
     return chosen;
   });
 }

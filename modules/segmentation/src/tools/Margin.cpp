@@ -20,7 +20,9 @@ Result<Selection> changed(const Selection& shape, const Progress& progress, cons
     return other;
   });
   if (result && result->count() == 0 && shape.count() > 0)
-    return fail("Nothing would be left: the shape is thinner than that everywhere. Use a smaller distance.");
+    return fail(
+        "Nothing of the label would be left, since it is thinner than this distance everywhere. Use a smaller "
+        "distance.");
   return result;
 }
 

@@ -86,7 +86,8 @@ Result<Selection> scissored(const VolumeGeometry& geometry, const VoxelBox& box,
                             const ScissorsView& view) {
   if (corners_mm.size() < 3) return fail("An outline needs at least three corners; draw a larger one.");
   const Outline outline(corners_mm, view);
-  if (!outline.allInFront()) return fail("A corner of the outline lies behind the viewer; draw it on visible parts.");
+  if (!outline.allInFront())
+    return fail("A corner of the outline lies behind the camera. Draw the outline on visible parts.");
   Selection chosen(geometry, box);
   if (box.empty()) return chosen;
   const Vec3 surface_mm = view.surface_mm.value_or(corners_mm.front());
@@ -116,7 +117,7 @@ Result<Selection> drawn(const VolumeGeometry& geometry, int sliceAxis, std::span
   const Vec3 index = geometry.indexFromPatient() * corners_mm.front();
   const double slice = std::floor(index[sliceAxis] + 0.5);
   if (!(slice >= 0 && slice < geometry.size[sliceAxis]))
-    return fail("The outline lies beside the CT; draw it on a slice.");
+    return fail("The outline lies outside the CT. Draw it on a slice.");
   VoxelBox box = boxOf(geometry);
   box.first[sliceAxis] = static_cast<int>(slice);
   box.end[sliceAxis] = box.first[sliceAxis] + 1;

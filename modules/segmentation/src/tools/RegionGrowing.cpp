@@ -71,7 +71,7 @@ Result<Selection> connected(const CtVolume& ct, const VoxelBox& box, std::span<c
     return chosen;
   });
   if (grown && grown->count() == 0)
-    return fail("No seed lies in the region on a voxel from " + std::to_string(range.low) + " to " +
+    return fail("No click in the region is on a voxel from " + std::to_string(range.low) + " to " +
                 std::to_string(range.high) + " HU; click on one, or widen the range.");
   return grown;
 }
@@ -82,7 +82,7 @@ Result<Selection> confidenceConnected(const CtVolume& ct, const VoxelBox& box, s
   for (const Vec3& seed_mm : seeds_mm)
     first.add(ct, brushed(ct.geometry, std::array{seed_mm}, {.radius_mm = confidence.seed_mm}));
   Statistics statistics = first.result();
-  if (statistics.voxels == 0) return fail("No seed lies in the CT; click on the structure.");
+  if (statistics.voxels == 0) return fail("No click lies in the CT. Click on the structure.");
   for (int round = 0;; ++round) {
     const HuRange range = rangeOf(statistics, confidence.deviations);
     const Progress part = [&](std::string_view doing, double fraction) {

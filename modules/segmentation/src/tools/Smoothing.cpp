@@ -64,7 +64,7 @@ using segmentation::guarded;
 using segmentation::Work;
 
 Error vanished(const std::string& what) {
-  return {what + " would vanish: it is thinner than the smoothing. Use a smaller radius."};
+  return {what + " would vanish, since it is thinner than the smoothing radius. Use a smaller radius."};
 }
 
 /// Applies `change(mask, work)` in place.

@@ -8,7 +8,7 @@ namespace insonate::segmentation {
 namespace {
 
 /// Cost for each step of deviation from the expected radius, and its maximum, which equals the gain of a clear wall.
-constexpr double kUnexpected = 0.06, kMostUnexpected = 6;
+constexpr double kUnexpected = 0.06, kMaxUnexpected = 6;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ Radii closedWay(RadialCost wall, const std::function<Bend(int)>& bendAt, const R
     for (int n = 0; n < VesselOutline::kRays; ++n)
       for (int r = 0; r < steps; ++r) {
         const double off = (r + 1) - (*expected)[n] / wall.step_mm;
-        wall.at(n, r) += std::min(kUnexpected * off * off, kMostUnexpected);
+        wall.at(n, r) += std::min(kUnexpected * off * off, kMaxUnexpected);
       }
 
   std::vector<Bend> bends;
@@ -49,7 +49,7 @@ Radii closedWay(RadialCost wall, const std::function<Bend(int)>& bendAt, const R
   return radii;
 }
 
-std::vector<Radii> likeNeighbours(const std::vector<VesselOutline>& sections, int reach) {
+std::vector<Radii> likeNeighbors(const std::vector<VesselOutline>& sections, int reach) {
   std::vector<Radii> expected(sections.size());
   const int count = static_cast<int>(sections.size());
   std::vector<double> radii;

@@ -22,18 +22,20 @@ struct RadialCost {
   std::vector<double> cost;
 };
 
-/// Limits of the wall's change of radius from one ray to the next: at most `most` steps; n steps cost stiffness n^2.
+/// Limits of the wall's change of radius from one ray to the next: at most `most` steps; a change of n steps costs
+/// stiffness n^2.
 struct Bend {
   int most = 3;
   double stiffness = 0;
 };
 
 /// Returns the closed outline of minimum cost. `bendAt(r)` limits the change of radius from the previous ray to index
-/// r. If `expected` is given, deviations from it cost more, too. Dynamic programming over two turns; the result is the
-/// middle turn, which does not depend on the start.
+/// r. If `expected` is given, deviations from `expected` cost more, too. Dynamic programming over two turns around the
+/// center; the result is one turn from the middle of these two, which does not depend on the ray at which the search
+/// starts.
 Radii closedWay(RadialCost cost, const std::function<Bend(int)>& bendAt, const Radii* expected);
 
 /// Returns, for each section and ray, the median of the radii of the section and `reach` sections on both sides.
-std::vector<Radii> likeNeighbours(const std::vector<VesselOutline>& sections, int reach);
+std::vector<Radii> likeNeighbors(const std::vector<VesselOutline>& sections, int reach);
 
 }  // namespace insonate::segmentation

@@ -11,11 +11,11 @@ namespace {
 
 /// Between neighboring rays the wall moves at most by this share of its radius, or by this number of steps. A step
 /// costs less in a wider vessel, so that the outline of a flat vein costs the same on any scale.
-constexpr double kMostBend = 0.25, kBend = 0.4;
-constexpr int kLeastBend = 3, kBendRadius = 12;
+constexpr double kMaxBend = 0.25, kBend = 0.4;
+constexpr int kMinBend = 3, kBendRadius = 12;
 /// Number of standard deviations of the blur within which the CT changes to the next tissue behind the wall. A change
 /// below this share of the contrast does not count, and noise reverses the change by at most the other share.
-constexpr double kEdge = 2, kLeastChange = 0.3, kNoise = 0.1;
+constexpr double kEdge = 2, kMinChange = 0.3, kNoise = 0.1;
 constexpr double kFullWidth = 2.355;  // at half maximum, of a Gaussian, by its standard deviation
 constexpr int kAveraged = 2;          // sections on both sides
 constexpr double kScanner_mm = 0.4;   // standard deviation of a CT scanner's blur, which is 0.9 mm in full width at
@@ -78,7 +78,7 @@ double OutlineFit::widening_mm(double seen_mm) const {
 Radii OutlineFit::refined(const std::vector<VesselOutline>& sections, int n, const SectionShape& shape,
                           const BloodLevel& level) const {
   const double contrast_HU = 2 * (level.blood_HU - level.half_HU);
-  const double least_HU = kLeastChange * contrast_HU, noise_HU = kNoise * contrast_HU;
+  const double least_HU = kMinChange * contrast_HU, noise_HU = kNoise * contrast_HU;
   Radii radii = sections[n].radius_mm;
   for (int ray = 0; ray < VesselOutline::kRays; ++ray) {
     const auto [x, y] = shape.along(ray);
@@ -125,7 +125,7 @@ Radii OutlineFit::fitted(const std::vector<VesselOutline>& sections, int n, cons
     }
   }
   const auto bendAt = [](int r) {
-    return Bend{std::max(kLeastBend, static_cast<int>(kMostBend * r)), kBend * kBendRadius / std::max(r, kBendRadius)};
+    return Bend{std::max(kMinBend, static_cast<int>(kMaxBend * r)), kBend * kBendRadius / std::max(r, kBendRadius)};
   };
   return closedWay(std::move(wall), bendAt, expected);
 }

@@ -21,7 +21,8 @@ class OutlineFit {
   Radii fitted(const std::vector<VesselOutline>& sections, int n, const SectionShape& shape, const BloodLevel& level,
                const Radii* expected) const;
 
-  /// Returns the median HU of the CT at up to half the radius on all rays of a section with radii from fitted().
+  /// Returns the CT value of blood in a section whose radii are from fitted(): the median along all rays, from the
+  /// center to half the radius.
   double bloodIn(const VesselOutline& section, const SectionShape& shape) const;
 
   /// Returns the n-th section's radii from fitted(), moved to the position at which the CT is half-way between the
@@ -42,8 +43,8 @@ class OutlineFit {
   const CtVolume& ct_;
   Transform indexFromPatient_;
   int steps_;
-  double blur_mm2_;  ///< variance of the known blur: scanner and voxels
-  int reach_;        ///< maximum number of steps by which refined() searches from a wall
+  double blur_mm2_;  ///< variance of the CT's blur by scanner and voxels
+  int reach_;        ///< maximum distance from a fitted wall at which refined() searches, in steps of kStep_mm
 };
 
 }  // namespace insonate::segmentation

@@ -8,7 +8,7 @@
 namespace insonate::segmentation {
 namespace {
 
-constexpr double kStation_mm = 1, kLeastBetweenClicks_mm = 5;
+constexpr double kStation_mm = 1, kMinBetweenClicks_mm = 5;
 
 }  // namespace
 
@@ -67,14 +67,14 @@ CtVolume blurredPart(const CtVolume& ct, const VoxelBox& box, double sigma_mm) {
 }
 
 Result<void> checkClicks(const CtVolume& ct, std::span<const Vec3> clicks_mm) {
-  if (clicks_mm.size() < 2) return fail("A vessel is tracked between two clicks or more; click along it.");
+  if (clicks_mm.size() < 2) return fail("Tracking a vessel needs at least two clicks. Click along the vessel.");
   for (std::size_t n = 1; n < clicks_mm.size(); ++n)
-    if (norm(clicks_mm[n] - clicks_mm[n - 1]) < kLeastBetweenClicks_mm)
-      return fail("Two clicks lie nearly on one point; click at the ends of the vessel, 5 mm apart or more.");
+    if (norm(clicks_mm[n] - clicks_mm[n - 1]) < kMinBetweenClicks_mm)
+      return fail("Two clicks are almost at the same point. Click at the ends of the vessel, at least 5 mm apart.");
   const Transform indexFromPatient = ct.geometry.indexFromPatient();
   for (const Vec3& click_mm : clicks_mm)
     if (const auto [i, j, k] = nearestVoxel(indexFromPatient * click_mm); !ct.geometry.contains(i, j, k))
-      return fail("A click lies beside the CT; click in the vessel.");
+      return fail("A click lies outside the CT. Click in the vessel.");
   return {};
 }
 

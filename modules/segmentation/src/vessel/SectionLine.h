@@ -6,15 +6,15 @@
 
 namespace insonate::segmentation {
 
-/// Returns moving averages over `reach` points on both sides. Near an end, the number on both sides is reduced equally,
-/// so that the ends do not move.
+/// Returns the line smoothed by a moving average over `reach` points on both sides. Near an end, fewer points are used,
+/// equally many on both sides, so that the ends do not move.
 std::vector<Vec3> smoothed(const std::vector<Vec3>& line, int reach);
 
 /// Returns points a millimeter apart on a polyline.
 std::vector<Vec3> resampled(const std::vector<Vec3>& line);
 
-/// Returns sections perpendicular to a line. Each is rotated as little as possible relative to the previous one, so
-/// that a ray stays on the same side of the vessel.
+/// Returns sections perpendicular to a line. Each section is rotated as little as possible relative to the previous
+/// one, so that the ray with number n stays on the same side of the vessel.
 std::vector<VesselOutline> sectionsAlong(const std::vector<Vec3>& line);
 
 /// Returns a part of the CT, blurred with a Gaussian.

@@ -19,12 +19,12 @@ SectionMoments meanMoments(const std::vector<SectionMoments>& sections, int n, i
 class SectionShape {
  public:
   SectionShape() = default;
-  /// Computes the stretch from an ellipse with these second moments; the axis ratio is limited to 1:4.
+  /// Computes the transform that makes the ellipse with these second moments round; the axis ratio is limited to 1:4.
   explicit SectionShape(const SectionMoments& moments);
 
-  /// Returns the displacement in the section, mm, that corresponds to one millimeter along this ray.
+  /// Returns the vector in the section, mm, that becomes one millimeter along this ray after the transform.
   std::pair<double, double> along(int ray) const;
-  /// Returns the moments of the outline with these radii along the stretched rays.
+  /// Returns the moments of the outline whose radii are measured along the transformed (stretched) rays.
   SectionMoments momentsOf(const Radii& radii) const;
   /// Converts an outline from radii along stretched rays to radii along unstretched rays.
   Radii unstretched(const Radii& radii) const;

@@ -21,7 +21,7 @@ constexpr double kStep_mm = 0.25;
 constexpr int kRounds = 6;
 constexpr int kAveraged = 4, kLineStations = 3, kShapeStations = 5;  // stations on both sides
 constexpr int kMedianStations = 4;                                   // stations whose median is the expected outline
-constexpr double kMostUnlike = 4;
+constexpr double kMaxUnlike = 4;
 constexpr double kClick_mm = 1.5;  // radius of the ball that determines the tissue to follow
 
 /// CT levels of the vessel to follow, from the CT around the clicks.
@@ -30,7 +30,7 @@ struct TubeLevel {
 
   double unlikeness(double hu) const {
     const double off = hu < middle_HU ? (middle_HU - hu) / darker_HU : (hu - middle_HU) / brighter_HU;
-    return std::min(off * off, kMostUnlike);
+    return std::min(off * off, kMaxUnlike);
   }
 };
 
@@ -139,7 +139,7 @@ class TubeFit {
       sections_[n].radius_mm = segmentation::closedWay(walls[n], bendAt, nullptr);
     });
     for (int again = 0; again < 2; ++again) {
-      const auto expected = segmentation::likeNeighbours(sections_, kMedianStations);
+      const auto expected = segmentation::likeNeighbors(sections_, kMedianStations);
       for (std::size_t n = 0; n < sections_.size(); ++n)
         sections_[n].radius_mm = segmentation::closedWay(walls[n], bendAt, &expected[n]);
     }

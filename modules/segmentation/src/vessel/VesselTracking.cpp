@@ -76,11 +76,11 @@ using segmentation::Work;
 
 constexpr int kCentred = 4;  // iterations that lead from the edge of a flat vein to its center
 constexpr int kSmoothPath = 4, kSmoothLine = 3, kSmoothShape = 5;  // stations on both sides
-constexpr int kLikeNeighbours = 4;                                 // stations whose median is the expected outline
+constexpr int kLikeNeighbors = 4;                                  // stations whose median is the expected outline
 constexpr int kCalibre = 15;  // stations whose median is the vessel's usual area here
 constexpr int kEven = 1;      // stations whose median is the refined outline
 constexpr double kOpens = 2;  // times the usual area: the section opens into another vessel
-constexpr double kLeastContrast_HU = 40;
+constexpr double kMinContrast_HU = 40;
 constexpr double kAround_mm = 30;
 
 /// Stations at which sections of a vessel are taken, and the level of its blood there.
@@ -164,11 +164,11 @@ TrackedVessel track(const CtVolume& ct, Stations stations, const VesselTracking&
     for (std::size_t n = 0; n < sections.size(); ++n)
       shapes[n] = SectionShape(segmentation::meanMoments(moments, int(n), kSmoothShape));
   }
-  const auto expected = segmentation::likeNeighbours(fitAll(nullptr), kLikeNeighbours);
+  const auto expected = segmentation::likeNeighbors(fitAll(nullptr), kLikeNeighbors);
   TrackedVessel vessel;
   vessel.outlines = fitAll(&expected);
   forAll(vessel.outlines, [&](int n) { return wall.refined(vessel.outlines, n, shapes[n], stations.levels[n]); });
-  const auto even = segmentation::likeNeighbours(vessel.outlines, kEven);
+  const auto even = segmentation::likeNeighbors(vessel.outlines, kEven);
   for (std::size_t n = 0; n < vessel.outlines.size(); ++n)
     vessel.outlines[n].radius_mm = shapes[n].unstretched(even[n]);
   vessel.line = stations.line;
@@ -191,7 +191,7 @@ Result<TrackedVessel> trackVessel(const CtVolume& ct, std::span<const Vec3> clic
     const CtVolume near = segmentation::blurredPart(ct, around, how.smoothing_mm);
     for (const Vec3& click_mm : clicks_mm) {
       const BloodLevel level = segmentation::bloodAt(near, click_mm, how.largest_mm);
-      if (2 * (level.blood_HU - level.half_HU) < kLeastContrast_HU)
+      if (2 * (level.blood_HU - level.half_HU) < kMinContrast_HU)
         return fail("There is no contrast between vessel and tissue at a click (" +
                     std::to_string(std::lround(level.blood_HU)) +
                     " HU); click in blood with contrast agent, or draw the vessel and fill between slices.");

@@ -18,14 +18,16 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 constexpr HandMove kDone{};
 constexpr HandMove kNoNumber{"The move is not a finite number."};
-constexpr HandMove kVolumeEnds{"The scan ends here; move the probe back, or another way."};
-constexpr HandMove kSkinEnds{"The skin falls away here; move the probe another way, or point to where it is to go."};
-constexpr HandMove kMostTilt{"The probe is tilted or rocked as far as it goes, 60 degrees from square to the skin."};
-constexpr HandMove kMostPressed{"The probe is pressed in as far as it goes, 20 mm."};
-constexpr HandMove kLeastPressed{"The probe only rests on the skin; lift it to take it off."};
-constexpr HandMove kNotRigid{"The pose is not a rotation and a place."};
-constexpr HandMove kAwayFromSkin{"The pose does not look at the skin; the probe is on the nearest skin instead."};
-constexpr HandMove kPoseLimited{"The pose is beyond what a hand holds; the probe is as near to it as can be."};
+constexpr HandMove kVolumeEnds{"The scan ends here. Move the probe back or in another direction."};
+constexpr HandMove kSkinEnds{
+    "The skin ends or turns away here. Move the probe in another direction, or click on the place where it should go."};
+constexpr HandMove kMaxTilt{
+    "The probe is tilted or rocked to its limit, 60 degrees from the perpendicular to the skin."};
+constexpr HandMove kMaxPressed{"The probe compresses the tissue to its limit, 20 mm."};
+constexpr HandMove kMinPressed{"The probe only rests on the skin. Lift it to remove it."};
+constexpr HandMove kNotRigid{"The pose is not a rotation with a position."};
+constexpr HandMove kAwayFromSkin{"The pose does not point at the skin. The probe was put on the nearest skin instead."};
+constexpr HandMove kPoseLimited{"The pose is out of range. The probe is at the nearest possible pose."};
 
 Mat3 aboutX(double degrees) {
   const double c = std::cos(degrees * kDegree), s = std::sin(degrees * kDegree);
@@ -79,7 +81,7 @@ HandMove turned(double& angle_deg, double by_deg) {
   if (!std::isfinite(by_deg)) return kNoNumber;
   const double wanted = angle_deg + by_deg;
   angle_deg = std::clamp(wanted, -ProbeHand::kMostAngle_deg, ProbeHand::kMostAngle_deg);
-  return wanted == angle_deg ? kDone : kMostTilt;
+  return wanted == angle_deg ? kDone : kMaxTilt;
 }
 
 }  // namespace
@@ -117,7 +119,7 @@ HandMove ProbeHand::rotate(double degrees) {
   for (int step = 1; step <= steps; ++step) {
     ProbeHandState next = state_;
     takeRotation(before * aboutZ(degrees * step / steps), next);
-    if (!withinAngles(next)) return kMostTilt;
+    if (!withinAngles(next)) return kMaxTilt;
     state_ = next;
   }
   return kDone;
@@ -136,7 +138,7 @@ HandMove ProbeHand::press(double mm) {
   const double wanted_mm = std::max(state_.press_mm, 0.0) + mm;
   state_.press_mm = std::clamp(wanted_mm, 0.0, kMostPress_mm);
   if (wanted_mm == state_.press_mm) return kDone;
-  return wanted_mm < 0 ? kLeastPressed : kMostPressed;
+  return wanted_mm < 0 ? kMinPressed : kMaxPressed;
 }
 
 void ProbeHand::lift() {

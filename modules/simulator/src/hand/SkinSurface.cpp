@@ -36,7 +36,7 @@ Result<SkinSurface> SkinSurface::make(const LabelMap& labels) {
   const VolumeGeometry& grid = labels.geometry;
   if (auto ok = validate(grid); !ok) return tl::unexpected(ok.error());
   if (labels.voxels.size() != grid.voxelCount())
-    return fail("The label map does not have the voxels that its size promises.");
+    return fail("The number of voxels in the label map does not match its size.");
   SkinSurface skin;
   Transform indexFromNode;
   for (int a = 0; a < 3; ++a) {

@@ -10,26 +10,27 @@
 
 namespace insonate {
 
-/// Skin on which a hand moves. At each place, the share of body is averaged over a neighborhood about 2 mm wide and
-/// stored on a lattice of about 2 mm; the skin is the surface of share one half. Pockets of background inside the body
-/// count as body. Beyond the volume its outermost voxels continue, so that there is no skin at the end of the scan.
-/// Patient LPS, mm. Immutable.
+/// Skin of a patient, on which probe and needle are moved by mouse and keys. The fraction of body (labels other than
+/// background) is averaged over about 2 mm and stored on a grid of about 2 mm; the skin is the surface on which the
+/// fraction is 0.5. Background enclosed by the body counts as body. The volume's outermost voxels continue outside it,
+/// so that there is no skin at the end of the scan. Patient LPS, mm. Immutable.
 class SkinSurface {
  public:
   static Result<SkinSurface> make(const LabelMap& labels);
 
-  /// Share of body, 0..1.
+  /// Returns the fraction of body around a point, 0..1.
   double body(Vec3 patient_mm) const;
 
-  /// Outward normal, averaged over about the footprint of a probe, so that noise, ears and folds do not make it jump.
-  /// If the skin has no clear normal there (thin parts, far away), the normal follows `before`.
+  /// Returns the outward normal of the skin, averaged over about the footprint of a probe, so that noise, ears and
+  /// folds have little effect. Where the skin has no clear normal (thin parts, far away), the previous normal `before`
+  /// is kept.
   Vec3 normal(Vec3 patient_mm, Vec3 before) const;
 
-  /// Intersection of the skin with the line through a point along `outward`. From a point in the body the search goes
-  /// outward, else inward.
+  /// Returns the intersection of the skin with the line through `from_mm` along `outward`, within `reach_mm`. From a
+  /// point in the body the search goes outward, else inward.
   std::optional<Vec3> along(Vec3 from_mm, Vec3 outward, double reach_mm) const;
 
-  /// The point of the skin nearest to any point.
+  /// Returns the point of the skin nearest to a point.
   Vec3 nearest(Vec3 patient_mm) const;
 
   /// Tells whether a point lies within the outermost voxel centers of the volume.
@@ -44,14 +45,16 @@ class SkinSurface {
   double sample(const std::vector<float>& share, Vec3 node) const;
   std::size_t offset(int i, int j, int k) const { return (std::size_t(k) * size_[1] + j) * size_[0] + i; }
 
-  std::array<int, 3> size_{};    ///< number of nodes
-  std::array<int, 3> voxels_{};  ///< number of voxels of the label map
-  std::array<int, 3> parts_{};   ///< voxels per node, along each axis
-  Vec3 spacing_mm_;              ///< distance between nodes
+  std::array<int, 3> size_{};    ///< number of grid nodes along each axis
+  std::array<int, 3> voxels_{};  ///< number of voxels of the label map along each axis
+  std::array<int, 3> parts_{};   ///< number of voxels per grid node, along each axis
+  Vec3 spacing_mm_;              ///< distance between grid nodes
   Transform nodeFromPatient_, patientFromNode_;
-  std::vector<float> body_;       ///< [node] share of body
-  std::vector<float> footprint_;  ///< [node] share of body, averaged over about the footprint of a probe; for normals
-  std::vector<std::array<float, 3>> skin_;  ///< patient positions near the skin, mm
+  std::vector<float> body_;  ///< fraction of body, one value for each grid node
+  /// Fraction of body averaged over about the footprint of a probe, from which normals are computed; one value for each
+  /// grid node.
+  std::vector<float> footprint_;
+  std::vector<std::array<float, 3>> skin_;  ///< points near the skin, patient LPS, mm
 };
 
 }  // namespace insonate

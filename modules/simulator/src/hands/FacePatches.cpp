@@ -9,7 +9,7 @@ namespace {
 /// The face's ends are rounded off.
 constexpr double kShareOfFace = 0.9;
 constexpr double kReach_mm = 30;
-constexpr double kMostHigher_mm = 4;
+constexpr double kMaxHigher_mm = 4;
 /// A smaller indentation does not determine a stiffness.
 constexpr double kLeast_mm = 0.3, kLeast_N = 0.02;
 /// A model that has not converged may give many times the force.
@@ -53,7 +53,7 @@ void FacePatches::learn(const SkinSurface& skin, const ProbeFace& face, const Tr
     along[i] = std::max(-dot(patch.outward, patientFromProbe.linear.column[2]), 0.1);
     deepest_mm = std::max(deepest_mm, depth_mm[i]);
   }
-  higher_mm_ = std::clamp(in_mm - deepest_mm, -kMostHigher_mm, kMostHigher_mm);
+  higher_mm_ = std::clamp(in_mm - deepest_mm, -kMaxHigher_mm, kMaxHigher_mm);
 
   const double moved_mm = in_mm - before_mm_;
   if (before_mm_ > kLeast_mm && std::abs(moved_mm) > kLeast_mm)

@@ -7,31 +7,32 @@
 
 namespace insonate {
 
-/// The skin before a probe's face as the servo feels it: flat patches that follow the probe, with the stiffness of the
-/// tissue's last solution. For one thread; allocates nothing.
+/// Skin in front of a probe's face as the force loop feels it: plane patches (SkinPatch) that follow the probe, with
+/// the stiffness found by the last computed deformation. For one thread; allocates nothing.
 class FacePatches {
  public:
-  static constexpr int kCount = 3;  ///< patches along the face
+  static constexpr int kCount = 3;  ///< number of patches along the probe's face
 
-  /// Discards everything learned, for another patient or other tissue.
+  /// Discards the learned stiffness, for another patient or other tissue.
   void reset() { *this = {}; }
 
-  /// Adds one solution: pose of the face, indentation and force. Solutions that have not converged and exceed a
-  /// plausible force are left out.
+  /// Learns the stiffness from one computed deformation: pose, indentation and force. Deformations that have not
+  /// converged and have an implausibly large force are ignored.
   void learn(const SkinSurface& skin, const ProbeFace& face, const Transform& patientFromProbe, const LivePress& press);
 
-  /// Writes the patches before a face at this pose into `model`.
+  /// Writes the skin patches in front of a face at this pose into `model`.
   void show(const SkinSurface& skin, const ProbeFace& face, const Transform& patientFromProbe, LocalModel& model) const;
 
  private:
   struct Law {
-    double k1_Npmm = 0.06, k2_Npmm2 = 0.008;  ///< force law of each patch; a neck's values until a solution is known
+    /// Force k1 d + k2 d^2 of each patch at indentation d; typical values of a neck until a solution is known.
+    double k1_Npmm = 0.06, k2_Npmm2 = 0.008;
   };
 
   Law law_;
-  double higher_mm_ = 0;  ///< height of first contact above the averaged skin
+  double higher_mm_ = 0;  ///< height of the skin at first contact above the averaged SkinSurface
   double before_mm_ = 0, before_N_ = 0;
-  double steeper_ = 1.5;  ///< ratio of the force's slope to force over depth
+  double steeper_ = 1.5;  ///< ratio of the slope of the force to force over depth
 };
 
 }  // namespace insonate

@@ -13,24 +13,25 @@
 
 namespace insonate {
 
-/// Prepares the tissue around the needle on its own thread, which stops within a tenth of a second.
+/// Computes the grid of tissue that the needle feels (TissueGrid), on its own thread, which stops within a tenth of a
+/// second.
 class GridMaker {
  public:
-  /// Extent of the prepared part, from its center along each axis of the map.
+  /// Extent of the grid from its center to either side, along each axis of the label map.
   static constexpr double kReach_mm = 50;
 
   GridMaker();
   ~GridMaker();
 
   struct Made {
-    std::shared_ptr<const TissueGrid> grid;                ///< null if the map does not reach there
+    std::shared_ptr<const TissueGrid> grid;  ///< tissue grid; null: the label map does not reach the requested point
     std::shared_ptr<const std::vector<CentreLine>> veins;  ///< center lines of the case's veins
     Vec3 centre_mm;
   };
-  /// Requests the grid around this point; a former request is dropped.
+  /// Requests the grid around `centre_mm`; a former request is dropped.
   void want(std::shared_ptr<const LabelMap> labels, Vec3 centre_mm);
   void forget();
-  /// Returns the part that was requested last; empty if it is not ready or was already taken.
+  /// Returns the grid that was requested last; empty if it is not ready or was already returned.
   std::optional<Made> take();
 
  private:
@@ -47,7 +48,7 @@ class GridMaker {
   Wish wish_;
   int begun_ = 0;
   std::optional<Made> made_;
-  // Only the thread uses these two; they are set once for each case.
+  // Center lines of veins, and the label map to which they belong; used only by the thread, set once for each case.
   std::weak_ptr<const LabelMap> veinsOf_;
   std::shared_ptr<const std::vector<CentreLine>> veins_;
   std::jthread thread_;  // last: the thread uses the other members

@@ -141,8 +141,8 @@ void HandsSession::Impl::forgetTissue() {
 }
 
 void HandsSession::Impl::wantTissue(const Transform& patientFromTool) {
-  centre_mm_ = patientFromTool * Vec3{0, 0, kAhead_mm};
-  maker_.want(labels, centre_mm_);
+  center_mm_ = patientFromTool * Vec3{0, 0, kAhead_mm};
+  maker_.want(labels, center_mm_);
   making_ = true;
 }
 
@@ -158,7 +158,7 @@ void HandsSession::Impl::takeTissue(const ServoSnapshot& now) {
   const int tool = now.present[kNeedleHand] ? kNeedleHand : kProbeHand;
   if (!labels || making_ || !now.present[tool] || now.output.needle.inBody) return;
   const Transform& held = now.output.hands[tool].patientFromTool;
-  if (norm(held * Vec3{0, 0, kAhead_mm} - centre_mm_) > kElsewhere_mm) wantTissue(held);
+  if (norm(held * Vec3{0, 0, kAhead_mm} - center_mm_) > kElsewhere_mm) wantTissue(held);
 }
 
 void HandsSession::Impl::shapesOf(const LiveFrame& of) {

@@ -17,8 +17,8 @@
 
 namespace insonate {
 
-/// Implementation of HandsSession. The loop's thread holds the mutex for a step, which takes some tenths of a
-/// millisecond.
+/// Implementation of HandsSession. Its thread runs step() 60 times a second and holds the mutex meanwhile, some tenths
+/// of a millisecond.
 class HandsSession::Impl {
  public:
   explicit Impl(std::shared_ptr<haptics::HidBus> bus);
@@ -29,7 +29,7 @@ class HandsSession::Impl {
   void holdNeedle(bool held);
   void wake();
 
-  // Call these with the mutex held.
+  // The following functions must be called with the mutex locked.
   bool isMouse(Hand hand) const { return devices[hand] && devices[hand] == mice[hand]; }
   SimulatedDevice* simulated(Hand hand) const { return dynamic_cast<SimulatedDevice*>(devices[hand].get()); }
   void moveByMouse(Hand hand, const Transform& patientFromTool);
@@ -42,16 +42,17 @@ class HandsSession::Impl {
 
   DeviceHub hub;
   std::once_flag looking;
-  mutable std::mutex mutex;  ///< guards all members below
+  mutable std::mutex mutex;  ///< guards all members that are declared below it
   std::array<std::shared_ptr<InputHand>, 2> mice;
   std::array<Transform, 2> mouseAt;
-  std::array<Vec3, 2> mousePlace_mm;  ///< center of the mouse device's workspace
+  /// center of the workspace of the device emulated by the mouse, for probe and needle
+  std::array<Vec3, 2> mousePlace_mm;
   std::array<std::shared_ptr<HapticDevice>, 2> devices;
   ServoSetup setup;
   std::shared_ptr<const LabelMap> labels;
   std::shared_ptr<const SkinSurface> skin;
   LiveImaging* imaging = nullptr;
-  std::shared_ptr<const LiveFrame> frame;  ///< the last frame that the patches learned from
+  std::shared_ptr<const LiveFrame> frame;  ///< last live image from which patches_ has taken the tissue's stiffness
   std::shared_ptr<const TissueGrid> grid;
   std::shared_ptr<const std::vector<CentreLine>> veins;
   VesselNames vessels;
@@ -63,7 +64,7 @@ class HandsSession::Impl {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// A test force that the user feels; meanwhile the servo's hand is empty.
+  /// A test force in progress (HandsSession::testForce()); meanwhile the device is detached from the force loop.
   struct Test {
     std::shared_ptr<HapticDevice> device;
     Hand hand = kProbeHand;
@@ -87,11 +88,11 @@ class HandsSession::Impl {
 
   FacePatches patches_;
   GridMaker maker_;
-  Vec3 centre_mm_;  ///< center of the tissue that is ready or being prepared
+  Vec3 center_mm_;  ///< center of the tissue grid that is ready or being computed
   bool making_ = false;
-  std::optional<Needle> needle_;  ///< the needle that the imaging received last
+  std::optional<Needle> needle_;  ///< needle that was passed to the live imaging last
   std::optional<Tenting> tenting_;
-  Transform driven_;  ///< the last pose that the imaging received
+  Transform driven_;  ///< probe pose that was passed to the live imaging last
   std::optional<Test> test_;
   std::condition_variable_any changed_;
   std::jthread thread_;  // last: the thread uses the other members

@@ -14,19 +14,20 @@ constexpr double kSkinReach_mm = 30;
 /// Cosine between normals of planes that count as the same.
 constexpr double kSamePlane = 0.9999;
 /// Sine of the angle to the steepest direction of a plane; slightly beside it, so that the needle keeps its side.
-constexpr double kMostSine = 0.9999;
+constexpr double kMaxSine = 0.9999;
 /// Distance from the housing to a needle beside it.
 constexpr double kBesideFace_mm = 5, kBesideHousing_mm = 12;
 
 constexpr HandMove kDone{};
 constexpr HandMove kNoNumber{"The move is not a finite number."};
-constexpr HandMove kIsIn{"The needle is in the skin; withdraw it before it goes in elsewhere."};
-constexpr HandMove kHeld{"Tissue holds the needle on its way; withdraw it to 10 mm to point it elsewhere."};
-constexpr HandMove kFlat{"The needle lies as flat on the skin as it goes, 5 degrees."};
-constexpr HandMove kSteepest{"In the image plane, the needle cannot be steeper to this skin."};
-constexpr HandMove kSquare{"The needle is square to the skin; turn it to lean it the other way."};
+constexpr HandMove kIsIn{"The needle is in the skin. Withdraw it before you insert it at another place."};
+constexpr HandMove kHeld{
+    "The tissue holds the direction of the needle. Withdraw it to a depth of 10 mm to redirect it."};
+constexpr HandMove kFlat{"The needle is at its smallest angle to the skin, 5 degrees."};
+constexpr HandMove kSteepest{"The needle cannot be steeper to this skin within the image plane."};
+constexpr HandMove kSquare{"The needle is perpendicular to the skin. Change its heading to tilt it the other way."};
 constexpr HandMove kHub{"The needle is in up to its hub, 70 mm."};
-constexpr HandMove kOff{"The needle is 40 mm off the skin; further away it is laid down."};
+constexpr HandMove kOff{"The needle is 40 mm off the skin, which is the limit. Press I to put it away."};
 constexpr HandMove kVolumeEnds{"The scan ends here; the needle stays where it is."};
 
 /// Rotates `v` about the unit vector `axis` (Rodrigues).
@@ -88,7 +89,7 @@ bool NeedleHand::point(double angle_deg, Vec3 toward) {
   if (state_.planeNormal) {
     const Vec3 normal = *state_.planeNormal;
     const Vec3 steepest = state_.inward - normal * dot(state_.inward, normal);
-    const double wanted = std::sin(angle_deg * kDegree) / norm(steepest), sine = std::min(wanted, kMostSine);
+    const double wanted = std::sin(angle_deg * kDegree) / norm(steepest), sine = std::min(wanted, kMaxSine);
     const Vec3 up = normalized(steepest), aside = cross(normal, up) * (dot(cross(normal, up), toward) < 0 ? -1 : 1);
     const Vec3 way = up * sine + aside * std::sqrt(1 - sine * sine);
     state_.heading = along(way, state_.inward, state_.inward);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kHalf_mm = 1.5;
 /// Limits of the map's determinant: tissue keeps its volume except for the part that leaves the plane.
-constexpr double kLeastStretch = 0.2, kMostStretch = 5;
+constexpr double kMinStretch = 0.2, kMaxStretch = 5;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ Transform restNear(const PlaneDisplacement& displacement, const Transform& patie
   const Vec3 acrossZ = (shift(at.x, at.z + kHalf_mm) - shift(at.x, at.z - kHalf_mm)) / (2 * kHalf_mm);
   Transform restFromSeen{{{Vec3{1, 0, 0} + acrossX, Vec3{0, 1, 0}, Vec3{0, 0, 1} + acrossZ}}, {}};
   const double stretch = determinant(restFromSeen.linear);
-  if (!(stretch > kLeastStretch && stretch < kMostStretch)) restFromSeen.linear = {};
+  if (!(stretch > kMinStretch && stretch < kMaxStretch)) restFromSeen.linear = {};
   restFromSeen.offset = at + shift(at.x, at.z) - restFromSeen.linear * at;
   return patientFromProbe * restFromSeen * probeFromPatient;
 }

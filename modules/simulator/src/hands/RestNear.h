@@ -7,17 +7,17 @@
 
 namespace insonate {
 
-/// Distance from the probe's plane up to which tissue moves with the plane, since the housing rests on it; the motion
-/// fades to zero at twice this distance.
+/// Distance from the image plane up to which tissue is displaced like that in the plane, since the probe's housing
+/// rests on it; the displacement decreases to zero at twice this distance.
 inline constexpr double kMovesBeside_mm = 8;
 
-/// Affine map from patient space to the place of the tissue at rest, valid near a point. It is fitted to the plane's
-/// displacement there, over about 3 mm. The identity where nothing moved, far from the plane, and where the
-/// displacement varies too quickly for an affine map.
+/// Returns an affine map from patient space to the undeformed position of the tissue, valid near `patient_mm`. The map
+/// is fitted to the displacement in the image plane over about 3 mm. It is the identity where nothing moved, far from
+/// the plane, and where the displacement varies too quickly for an affine map.
 Transform restNear(const PlaneDisplacement& displacement, const Transform& patientFromProbe, Vec3 patient_mm);
 
-/// Computes LivePress::middleAtRest_mm of an image of this depth. Allocates nothing if `points_mm` already has its
-/// size.
+/// Computes LivePress::middleAtRest_mm (undeformed positions along the image's middle line) for an image depth.
+/// Allocates nothing if `points_mm` already has its size.
 void restAlongMiddle(const PlaneDisplacement& displacement, const Transform& patientFromProbe, double depth_mm,
                      std::vector<Vec3>& points_mm);
 

@@ -8,20 +8,20 @@ std::size_t bytesOf(const LiveFrame& frame) {
          frame.press.mesh.pressure_kPa.capacity() * sizeof(float);
 }
 
-Cine::Cine(std::size_t mostBytes) : mostBytes_(mostBytes), ring_(kMostFrames) {}
+Cine::Cine(std::size_t mostBytes) : mostBytes_(mostBytes), ring_(kMaxFrames) {}
 
 void Cine::dropOldest() {
   bytes_ -= bytesOf(*ring_[first_]);
   ring_[first_].reset();
-  first_ = (first_ + 1) % kMostFrames;
+  first_ = (first_ + 1) % kMaxFrames;
   --count_;
 }
 
 void Cine::push(Frame frame) {
   const std::size_t added = bytesOf(*frame);
-  while (count_ > 0 && (bytes_ + added > mostBytes_ || count_ == kMostFrames)) dropOldest();
+  while (count_ > 0 && (bytes_ + added > mostBytes_ || count_ == kMaxFrames)) dropOldest();
   bytes_ += added;
-  ring_[(first_ + count_++) % kMostFrames] = std::move(frame);
+  ring_[(first_ + count_++) % kMaxFrames] = std::move(frame);
 }
 
 std::vector<Cine::Frame> Cine::last(double seconds) const {

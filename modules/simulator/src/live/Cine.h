@@ -8,23 +8,23 @@
 
 namespace insonate::live {
 
-/// The last frames, as many as fit into a given memory. Not for concurrent use.
+/// Cine memory: the last images, as many as fit into a given memory. Not for concurrent use.
 class Cine {
  public:
   using Frame = std::shared_ptr<const LiveFrame>;
 
   explicit Cine(std::size_t mostBytes);
 
-  /// Adds a frame and drops the oldest frames until all fit; the latest frame stays even if it does not fit.
+  /// Adds an image and drops the oldest ones until all fit; the latest image is kept even if it does not fit.
   void push(Frame frame);
   Frame latest() const { return count_ ? at(count_ - 1) : nullptr; }
-  /// Frames that are at most `seconds` older than the latest frame, oldest first.
+  /// Returns the images that are at most `seconds` older than the latest, oldest first.
   std::vector<Frame> last(double seconds) const;
 
  private:
-  static constexpr std::size_t kMostFrames = 4096;
+  static constexpr std::size_t kMaxFrames = 4096;
 
-  const Frame& at(std::size_t i) const { return ring_[(first_ + i) % kMostFrames]; }
+  const Frame& at(std::size_t i) const { return ring_[(first_ + i) % kMaxFrames]; }
   void dropOldest();
 
   std::size_t mostBytes_, bytes_ = 0;
@@ -32,7 +32,7 @@ class Cine {
   std::vector<Frame> ring_;
 };
 
-/// Memory that a frame occupies, including memory that it keeps for its next use.
+/// Returns the memory that a live image occupies, including reserved capacity of its buffers.
 std::size_t bytesOf(const LiveFrame& frame);
 
 }  // namespace insonate::live

@@ -9,9 +9,9 @@
 
 namespace insonate::live {
 
-/// Pool of frames. A frame is reused when its last holder releases it, together with the memory of its reference
-/// counts, so that a frame allocates nothing. Any thread may release a frame. The pool lives as long as one of its
-/// frames is held.
+/// Pool of LiveFrame objects. A frame and the memory of its reference counts are reused when its last owner releases
+/// it, so that new frames allocate nothing. Any thread may release a frame. The pool lives as long as one of its frames
+/// is in use.
 class FramePool : public std::enable_shared_from_this<FramePool> {
  public:
   static std::shared_ptr<FramePool> make() { return std::shared_ptr<FramePool>(new FramePool); }
@@ -19,7 +19,7 @@ class FramePool : public std::enable_shared_from_this<FramePool> {
   /// Returns an unused frame, which still has its former contents.
   std::shared_ptr<LiveFrame> acquire();
 
-  /// Number of unused frames kept for reuse; further ones are freed.
+  /// Maximum number of unused frames that are kept for reuse; further ones are freed.
   static constexpr std::size_t kSpare = 4;
 
   struct Slot {

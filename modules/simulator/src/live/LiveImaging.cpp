@@ -13,7 +13,7 @@ Result<void> checkVolumes(const CaseVolumes& patient) {
     return fail("There is no case to image; open one first.");
   if (!sameGrid(patient.ct->geometry, patient.labels->geometry) ||
       patient.ct->voxels.size() != patient.labels->voxels.size())
-    return fail("The CT and the label map lie on different grids; resample one to the other.");
+    return fail("The CT and the label map are on different grids. Resample one to the grid of the other.");
   return {};
 }
 
@@ -94,7 +94,8 @@ Result<std::unique_ptr<LiveImaging>> LiveImaging::make(CaseVolumes patient, cons
                                                        const Transform& patientFromProbe, const LiveOptions& options) {
   if (auto ok = checkVolumes(patient); !ok) return tl::unexpected(ok.error());
   if (!isRigid(patientFromProbe))
-    return fail("The probe's pose is not a rotation and a place; take one from patientFromProbe() or a start pose.");
+    return fail(
+        "The probe's pose is not a rotation with a position. Use a pose from patientFromProbe() or a start pose.");
   if (auto ok = checkPhysiology(options.physiology); !ok) return tl::unexpected(ok.error());
   auto imager = Imager::make(setup, CompoundedAngles::InTurn);
   if (!imager) return tl::unexpected(imager.error());

@@ -97,7 +97,7 @@ void LiveImaging::Impl::run() {
         takeScene();
         activateNext();
         followProbe();
-        due_s = makePicture();
+        due_s = makeImage();
       }
     } catch (const std::exception& error) {
       next_.reset();
@@ -199,7 +199,7 @@ bool LiveImaging::Impl::isFrozen() const {
   return frozen_;
 }
 
-double LiveImaging::Impl::makePicture() {
+double LiveImaging::Impl::makeImage() {
   const bool frozen = isFrozen();
   if (std::exchange(frozenSeen_, frozen) != frozen) notify();
   if (frozen) return kNever_s;
@@ -217,12 +217,12 @@ double LiveImaging::Impl::makePicture() {
   }
   begun_s_ = now_s();
   if (outside)
-    blackPicture();
+    blackImage();
   else
-    renderPicture();
+    renderImage();
   if (!publish()) return kNever_s;
   settleLeft_ = changes ? active_.framesToSettle : settleLeft_ - 1;
-  tissueLeft_ = moved ? kMostOfOneSolve : tissueLeft_ - 1;
+  tissueLeft_ = moved ? kMaxOfOneSolve : tissueLeft_ - 1;
   drawn_ = true;
   drawnPose_ = pose_;
   drawnNeedle_ = needle_;
@@ -233,7 +233,7 @@ double LiveImaging::Impl::makePicture() {
   return settleLeft_ > 0 || goesOn() ? 0 : timeToNextPulse_s();
 }
 
-void LiveImaging::Impl::renderPicture() {
+void LiveImaging::Impl::renderImage() {
   press();
   const PlaneDisplacement& pressed = active_.tissue.deformation().displacement;
   const PlaneDisplacement& seen = needle_.tenting ? tented_.with(pressed, pose_, *needle_.tenting) : pressed;
@@ -242,7 +242,7 @@ void LiveImaging::Impl::renderPicture() {
   scratch_.frame_ms += press_.solve_ms;
 }
 
-void LiveImaging::Impl::blackPicture() {
+void LiveImaging::Impl::blackImage() {
   if (active_.black.grey.empty()) Display(active_.setup->probe, active_.setup->settings).process({}, active_.black);
   scratch_.image = active_.black;
   scratch_.envelope.resize(0, 0, 0);

@@ -14,10 +14,10 @@
 
 namespace insonate {
 
-/// Implementation of LiveImaging: first the members shared between threads, then those of the simulation thread alone.
+/// Implementation of LiveImaging. Members shared between threads come first, then those of the imaging thread alone.
 class LiveImaging::Impl {
  public:
-  static constexpr int kIterations = 4;  ///< iterations of the tissue model for each image
+  static constexpr int kIterations = 4;  ///< iterations of the deformation model for each image
 
   Impl(CaseVolumes patient, std::shared_ptr<const ImagingSetup> setup, Imager imager, PressedTissue tissue,
        const Transform& patientFromProbe, const LiveOptions& options);
@@ -40,7 +40,7 @@ class LiveImaging::Impl {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// A setup with the objects that were made for it.
+  /// An imaging setup with the objects that were made for it.
   struct Source {
     Source(std::shared_ptr<const ImagingSetup> setup, Imager imager, PressedTissue tissue,
            const VolumeGeometry& volume);
@@ -48,8 +48,8 @@ class LiveImaging::Impl {
     Imager imager;
     PressedTissue tissue;
     live::SceneNeed need;
-    int framesToSettle;  ///< number of images of a still probe until earlier images no longer show
-    BModeImage black;    ///< black image; made when first needed
+    int framesToSettle;  ///< number of images of a still probe until persistence shows no earlier image
+    BModeImage black;    ///< black image for a probe outside the patient; made when first needed
   };
 
   struct NeedleInTissue {
@@ -59,8 +59,9 @@ class LiveImaging::Impl {
   };
 
   static constexpr double kNever_s = HUGE_VAL;
-  /// Maximum number of images for one solution; later ones are not expected to converge.
-  static constexpr int kMostOfOneSolve = 30;
+  /// Maximum number of images over which one deformation is iterated; if it has not converged then, it is not expected
+  /// to.
+  static constexpr int kMaxOfOneSolve = 30;
 
   void wake();
   void waitFor(double seconds);
@@ -72,11 +73,11 @@ class LiveImaging::Impl {
   void followProbe();
   void activate(Source source);
   bool isFrozen() const;
-  /// Makes an image if one is due. Returns the seconds until the next image is due; infinite if nothing is due until a
-  /// change.
-  double makePicture();
-  void renderPicture();
-  void blackPicture();
+  /// Makes an image if pose, setup or tissue require one. Returns the seconds until the next image; infinite if none is
+  /// needed until something changes.
+  double makeImage();
+  void renderImage();
+  void blackImage();
   void takePhysiology();
   void press();
   bool goesOn() const { return !press_.settled && tissueLeft_ > 0; }
@@ -107,36 +108,36 @@ class LiveImaging::Impl {
   bool frozen_ = false;
   live::Cine cine_;
   LiveStatus status_;
-  /// Times of the last frames, as a ring buffer.
+  /// Times of the last images, as a ring buffer.
   std::vector<double> times_s_ = std::vector<double>(512, -HUGE_VAL);
 
   std::mutex listenerMutex_;
   std::function<void()> listener_;
 
-  // Only the simulation thread uses the following members.
+  // Only the imaging thread uses the following members.
   std::shared_ptr<live::FramePool> pool_ = live::FramePool::make();
   Source active_;
-  std::optional<Source> next_;         ///< waits for its scene
-  live::BuiltScene scene_;             ///< for active_; empty before the first scene
-  std::optional<live::SceneJob> job_;  ///< the job that is being built
-  bool jobFailed_ = false;             ///< the job is not tried again before something changes
+  std::optional<Source> next_;         ///< setup that becomes active when its scene is built
+  live::BuiltScene scene_;             ///< acoustic scene for active_; empty before the first
+  std::optional<live::SceneJob> job_;  ///< acoustic scene that is being built
+  bool jobFailed_ = false;             ///< true: building job_ failed; it is not tried again before something changes
   Transform pose_, drawnPose_;
-  bool drawn_ = false;  ///< active_ has made an image at drawnPose_
+  bool drawn_ = false;  ///< true: an image of active_ at drawnPose_ was made
   NeedleInTissue needle_, drawnNeedle_;
   TentedTissue tented_;
   bool frozenSeen_ = false;
   int settleLeft_ = 0;
   Physiology physiology_;
-  bool pulsatingSeen_ = false;  ///< state at the last image
-  bool bloodChanged_ = false;   ///< blood pressure has changed since the last image
-  int tissueLeft_ = 0;          ///< number of images that may still continue the same solution
+  bool pulsatingSeen_ = false;  ///< value of pulsating_ at the last image
+  bool bloodChanged_ = false;   ///< true: blood pressure has changed since the last image
+  int tissueLeft_ = 0;          ///< number of images that may still continue the iteration of the present deformation
   double begun_s_ = -HUGE_VAL;  ///< time at which the last image was begun
   LivePress press_;
   std::uint64_t number_ = 0;
   ImagingFrame scratch_;
 
   live::SceneBuilder builder_;
-  std::thread thread_;  ///< last: the thread uses the other members
+  std::thread thread_;  ///< declared last, since the thread uses the other members
 };
 
 }  // namespace insonate

@@ -136,7 +136,7 @@ BuiltScene SceneBuilder::build(const SceneJob& job, std::uint64_t ticket) const 
       built.error = scene.error().message;
     }
   } catch (const std::exception& error) {
-    built.error = "There is not enough room for the scene around the probe (" + std::string(error.what()) +
+    built.error = "There is not enough memory for the scene around the probe (" + std::string(error.what()) +
                   "); close other programs, or choose less depth.";
   }
   built.build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

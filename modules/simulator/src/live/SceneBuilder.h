@@ -27,26 +27,26 @@ struct SceneJob {
 
 struct BuiltScene {
   SceneJob job;
-  std::shared_ptr<const AcousticScene> scene;                ///< null if the build failed
-  std::shared_ptr<const std::vector<std::string>> warnings;  ///< null if the build failed
+  std::shared_ptr<const AcousticScene> scene;                ///< the acoustic scene; null if the build failed
+  std::shared_ptr<const std::vector<std::string>> warnings;  ///< sentences about the case; null if the build failed
   std::string error;
   double build_ms = 0;
 };
 
-/// Builds scenes on its own thread, one at a time.
+/// Builds acoustic scenes on its own thread, one at a time.
 class SceneBuilder {
  public:
-  /// `whenDone` is called on the builder's thread each time that take() has a new result.
+  /// `whenDone` is called on the builder's thread each time that a scene is ready for take().
   SceneBuilder(CaseVolumes patient, const LiveOptions& options, std::function<void()> whenDone);
-  /// Cancels the running job and waits for the thread.
+  /// Cancels the scene in progress and waits for the thread.
   ~SceneBuilder();
 
-  /// Begins a job and cancels the running job, whose result is discarded.
+  /// Begins to build a scene; a scene in progress is cancelled and discarded.
   void begin(SceneJob job);
   void cancel();
-  /// Cancels the running job, and releases the source of the scenes until the next job.
+  /// Cancels the scene in progress, and releases the memory of the SceneSource until the next job.
   void rest();
-  /// Tells where later scenes are expected. Their parts are computed in idle time, after the first scene.
+  /// Sets the region in which later scenes are expected; their parts are computed in idle time, after the first scene.
   void expect(const Region& region_mm, double detail_mm);
   std::optional<BuiltScene> take();
 
@@ -63,15 +63,16 @@ class SceneBuilder {
   std::function<void()> whenDone_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::atomic<std::uint64_t> ticket_{0};  ///< number of the requested job; a job with another number is cancelled
+  /// number of the scene requested last; a job in progress with another number is cancelled
+  std::atomic<std::uint64_t> ticket_{0};
   bool stopping_ = false;
-  bool dropping_ = false;  ///< the source is to be released before the next job
+  bool dropping_ = false;  ///< true: source_ is to be released before the next job
   std::optional<SceneJob> next_;
   std::optional<BuiltScene> done_;
   std::unique_ptr<ScenesAhead> ahead_;
-  std::shared_ptr<const SceneSource> source_;  ///< only the builder's thread uses it
+  std::shared_ptr<const SceneSource> source_;  ///< source of scenes; used only by the builder's thread
   std::string sourceError_;
-  std::thread thread_;  ///< last: the thread uses the other members
+  std::thread thread_;  ///< declared last, since the thread uses the other members
 };
 
 }  // namespace insonate::live

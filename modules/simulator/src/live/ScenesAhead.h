@@ -12,14 +12,14 @@
 
 namespace insonate::live {
 
-/// Computes parts of future scenes in advance, on its own thread of low priority.
+/// Computes parts of future acoustic scenes in advance, on its own thread of low priority.
 class ScenesAhead {
  public:
   explicit ScenesAhead(std::shared_ptr<const SceneSource> source);
-  /// Stops the running computation.
+  /// Cancels the computation in progress and waits for the thread.
   ~ScenesAhead();
 
-  /// Requests the surroundings of the probe, nearest parts first. Replaces the former request.
+  /// Requests the parts in the region around the probe, nearest parts first. Replaces the former request.
   void want(const Region& region_mm, double detail_mm);
 
  private:
@@ -33,9 +33,9 @@ class ScenesAhead {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::optional<Wanted> wanted_;
-  std::uint64_t asked_ = 0;  ///< number of requests
+  std::uint64_t asked_ = 0;  ///< number of requests so far
   std::atomic<bool> stopping_{false};
-  std::thread thread_;  ///< last: the thread uses the other members
+  std::thread thread_;  ///< declared last, since the thread uses the other members
 };
 
 }  // namespace insonate::live

@@ -85,8 +85,8 @@ Result<Transform> poseOnSkin(const LabelMap& labels, const ProbeFace& face, cons
   const auto travel = FaceContact(face).find(LabelPlane(labels, patientFromProbe));
   if (!travel)
     return fail(
-        "The probe's face meets no skin within 20 mm behind or 40 mm before it; move the pose onto the skin, or use "
-        "auto.");
+        "The probe's face meets no skin within 20 mm behind it or 40 mm in front of it. Move the pose onto the skin, "
+        "or use auto.");
   return movedIn(patientFromProbe, travel->touch_mm);
 }
 

@@ -8,13 +8,13 @@
 
 namespace insonate::press {
 
-/// Image plane of a pose in a scene, as input of the deformation models. Points beyond the window read the outermost
-/// tissue within the window, so that a result does not depend on how far the scene happens to reach.
+/// Tissue in the image plane of a probe pose, sampled from an acoustic scene; input of the deformation models. Outside
+/// the window, the tissue at the window's edge is continued, so that results do not depend on the extent of the scene.
 class ScenePlane final : public TissuePlane {
  public:
   explicit ScenePlane(const PressWindow& window) : window_(window) {}
 
-  /// Sets scene and pose. The scene must cover the window and outlive all queries.
+  /// Sets scene and probe pose. The scene must cover the window and outlive all calls of sample() and bend().
   void look(const AcousticScene& scene, const Transform& patientFromProbe);
 
   void sample(std::span<const PlanePoint> at, std::span<PlaneTissue> tissue) const override;

@@ -14,7 +14,7 @@ constexpr double kAbove_mm = 22;
 /// Beside the face tissue is displaced; farther away it hardly moves.
 constexpr double kBeside_mm = 8;
 /// Bone and vessels below a shallow image affect the tissue in it.
-constexpr double kLeastDepth_mm = 40;
+constexpr double kMinDepth_mm = 40;
 
 }  // namespace
 
@@ -60,7 +60,7 @@ ProbeFace faceOf(const Probe& probe, const TissueMechanics& mechanics) {
 
 PressWindow pressWindow(const Probe& probe, const ImagingSettings& settings, const TissueMechanics& mechanics) {
   const BeamGrid grid(probe, settings);
-  return {faceOf(probe, mechanics).width_mm / 2 + kBeside_mm, -kAbove_mm, std::max(grid.maxAxial_mm(), kLeastDepth_mm)};
+  return {faceOf(probe, mechanics).width_mm / 2 + kBeside_mm, -kAbove_mm, std::max(grid.maxAxial_mm(), kMinDepth_mm)};
 }
 
 }  // namespace insonate

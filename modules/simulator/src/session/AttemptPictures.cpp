@@ -97,7 +97,7 @@ Result<AttemptPictures> AttemptPictures::make(std::shared_ptr<const AttemptRecor
   if (header.settings.empty()) return fail("The recording has no image settings; its images cannot be rendered again.");
   if (header.caseHash != voxelHashOf(*patient))
     return fail("The recording was made on another case, '" + header.caseName + "', than '" + patient->manifest.title +
-                "', or that one was changed since; open the case as it was.");
+                "', or the case was changed since. Open the unchanged case.");
   CaseVolumes volumes(patient, inTissues(patient->manifest.ownLabels, CaseVolumes(patient).labels));
   auto source = makeSceneSource(CaseView(*patient, *volumes.labels));
   if (!source) return tl::unexpected(source.error());

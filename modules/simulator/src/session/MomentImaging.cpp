@@ -16,7 +16,7 @@ constexpr std::size_t kScenesKept = 4;
 /// Number of places from which a probe counts as moving: the parts that scenes share are then worth their time.
 constexpr int kScenesAlone = 6;
 /// A smaller value is not a dent (see HandsLoop).
-constexpr double kLeastTent_mm = 0.02;
+constexpr double kMinTent_mm = 0.02;
 
 Region onLattice(const Region& region) {
   Region wide = region;
@@ -135,7 +135,7 @@ Result<std::shared_ptr<const LiveFrame>> MomentImaging::picture(const AttemptSam
     return frame;
   }
   const PlaneDisplacement* seen = &deformation().displacement;
-  if (frame->needle && sample.tenting_mm > kLeastTent_mm)
+  if (frame->needle && sample.tenting_mm > kMinTent_mm)
     seen = &tented_.with(*seen, pose, {frame->needle->tip_mm, frame->needle->direction, sample.tenting_mm});
   ImagingFrame made;
   // The noise of this moment, independent of the image shown before.

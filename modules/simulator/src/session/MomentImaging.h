@@ -12,31 +12,35 @@
 
 namespace insonate {
 
-/// Computes tissue and image of one moment of an attempt, from settings and the state of that moment alone: the tissue
-/// is solved from rest, and no image affects the next. Therefore the same moment gives the same bits in any order. Not
-/// for concurrent use; uses the calling thread's TBB arena.
+/// Computes the tissue deformation and the ultrasound image of one moment of an attempt, from the state of that moment
+/// alone: the deformation is solved from the undeformed state, and no image affects the next. The same moment therefore
+/// gives the same bits in any order. Not for concurrent use; uses the calling thread's TBB arena.
 class MomentImaging {
  public:
-  /// `source` is that of a case with this grid; the case's volumes must outlive both.
+  /// `source`: source of acoustic scenes of a case whose volumes have the geometry `grid`; these volumes must outlive
+  /// `source` and this object.
   MomentImaging(const VolumeGeometry& grid, std::shared_ptr<const SceneSource> source);
   ~MomentImaging();
 
   /// Sets the settings that apply from now on. Fails if no image can be made with them.
   Result<void> use(const AttemptSettings& settings);
 
-  /// Solves the tissue under the probe at this pose, unless the last solution was for the same pose and blood pressure.
+  /// Computes the deformation by the probe at this pose and the blood pressure at `time_s`, unless the last deformation
+  /// was computed for the same.
   Result<void> press(const Transform& patientFromProbe, double time_s);
-  /// Result of press(): no force and no displacement if the tissue is not compressed.
+  /// Returns the deformation that press() computed; without force and displacement if the tissue is not compressed.
   const Deformation& deformation() const;
-  /// Map near a point, as LivePress::restFromPatient near the needle's tip.
+  /// Returns an affine map to the undeformed position of tissue, valid near a point (see LivePress::restFromPatient).
   Transform restNear(Vec3 patient_mm) const;
-  /// Result of press(), as in LivePress; empty if no tissue was solved.
+  /// Returns LivePress::middleAtRest_mm of the deformation that press() computed; empty if none was computed.
   const std::vector<Vec3>& middleAtRest_mm() const { return middleAtRest_mm_; }
 
-  /// Region that the scenes of a pose need, for computing them ahead. Call it after use().
+  /// Returns the region that the acoustic scenes for a pose must cover, for computing them in advance. Call it after
+  /// use().
   live::SceneNeed need() const { return *need_; }
 
-  /// Renders the image of a held probe; `number` is left 0, and `time_s` is the recording's.
+  /// Renders the image for a sample with a held probe. LiveFrame::number is 0, LiveFrame::time_s is the time in the
+  /// recording.
   Result<std::shared_ptr<const LiveFrame>> picture(const AttemptSample& sample);
 
  private:
@@ -54,9 +58,9 @@ class MomentImaging {
   std::shared_ptr<const ImagingSetup> setup_;
   std::optional<live::SceneNeed> need_;
   std::optional<Imager> imager_;
-  std::vector<Scene> scenes_;  ///< the last scenes, the latest first
+  std::vector<Scene> scenes_;  ///< the scenes used last, the latest first
   int scenesMade_ = 0;
-  std::optional<PressedTissue> tissue_;  ///< solved for pose_ and blood_; empty: no tissue is solved
+  std::optional<PressedTissue> tissue_;  ///< deformation for pose_ and blood_; empty: tissue is not deformed
   std::optional<Transform> pose_;
   std::vector<Vec3> middleAtRest_mm_;
   BloodPressure blood_;

@@ -24,7 +24,7 @@ std::optional<Procedure> procedureFor(const CaseManifest& manifest) {
 }  // namespace
 
 Result<void> checkFits(const Procedure& procedure, const CaseManifest& manifest, std::span<const std::uint8_t> labels) {
-  const std::string what = "'" + procedure.title + "' cannot be done on '" + manifest.title + "': ";
+  const std::string what = "'" + procedure.title + "' does not fit the case '" + manifest.title + "': ";
   for (const NeededStructure& need : procedure.needs)
     if (std::ranges::find(labels, need.label) == labels.end())
       return fail(what + "nothing is labeled " + std::string(labelTable()[need.label].name) + ", so " + need.why +

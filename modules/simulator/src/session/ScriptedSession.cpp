@@ -46,7 +46,7 @@ class Session {
         settings_(std::move(settings)),
         imaging_(imaging),
         pictures_(pictures),
-        pictureAt_us_(pictures.every_us),
+        imageAt_us_(pictures.every_us),
         recorder_(recorder),
         outcome_(outcome) {}
 
@@ -138,9 +138,9 @@ class Session {
     if (force_N_ > 0 && !frozen_) sight = VeinWatch::sightOf(imaging_.middleAtRest_mm(), *grid_, vessels_, veins_);
     if (const auto event = watch_.look(time_us_, sight, probe_->linear.column[2])) tell(*event);
   }
-  void makePicture(const AttemptSample& sample) {
-    if (!pictures_.take || !trouble_ || time_us_ < pictureAt_us_) return;
-    pictureAt_us_ += pictures_.every_us;
+  void makeImage(const AttemptSample& sample) {
+    if (!pictures_.take || !trouble_ || time_us_ < imageAt_us_) return;
+    imageAt_us_ += pictures_.every_us;
     if (!sample.patientFromProbe) return;
     if (frozen_) {
       if (const auto once = std::exchange(standing_, nullptr)) keep(pictures_.take(*once));
@@ -170,7 +170,7 @@ class Session {
     const AttemptSample kept = restored(quantised(sample));
     outcome_.run.take(kept);
     if (live) seen_ = kept;
-    makePicture(kept);
+    makeImage(kept);
     for (int i = 0; i < output.eventCount; ++i) tell(eventOf(output.events[i], context, &skin_, veins_, vessels_));
   }
   void tell(const AttemptEvent& event) {
@@ -192,7 +192,7 @@ class Session {
   AttemptSettings settings_;
   MomentImaging& imaging_;
   const SessionPictures& pictures_;
-  std::int64_t pictureAt_us_, tissueAt_us_ = 0;  ///< times of the next ones
+  std::int64_t imageAt_us_, tissueAt_us_ = 0;  ///< times of the next ones
   double force_N_ = 0;
   Transform restFromPatient_;
   Result<void> trouble_;

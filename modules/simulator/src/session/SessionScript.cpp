@@ -39,7 +39,7 @@ Vec3 pointIn(JsonEntry& needle, std::string_view key, const Place& place) {
   if (value.is_object() && value.size() == 1 && value.contains("in_probe_mm"))
     if (const auto point_mm = vectorIn(value["in_probe_mm"])) {
       if (place.patientFromProbe) return *place.patientFromProbe * *point_mm;
-      needle.refuse("has '" + name + "' in the frame of a probe, and none is on the patient.");
+      needle.refuse("has '" + name + "' in the probe's frame, but no probe is on the patient. Put the probe first.");
     }
   std::vector<std::string_view> names;
   for (const Target& target : place.patient.manifest.targets) {
@@ -70,7 +70,7 @@ double speedIn(JsonEntry& act) {
 What moveProbeAct(JsonEntry& act, Place& place) {
   const auto by = act.numbers("move_probe_mm", 3, -200, 200, "[x, y, z] in the probe's frame");
   if (!place.patientFromProbe) {
-    act.refuse("moves a probe, and none is on the patient.");
+    act.refuse("moves a probe, but no probe is on the patient. Put the probe first.");
     return {};
   }
   Transform& at = *place.patientFromProbe;
@@ -94,7 +94,7 @@ What whatOf(std::string_view name, JsonEntry& act, Place& place, std::string& tr
   if (name == "probe") return probeAct(act, place);
   if (name == "move_probe_mm") return moveProbeAct(act, place);
   if (place.frozen && (name == "needle" || name == "advance_mm" || name == "withdraw_mm"))
-    act.refuse("moves a needle that is frozen; let it go before, with {\"freeze\": false}.");
+    act.refuse("moves a needle that is frozen. Release it first with {\"freeze\": false}.");
   if (name == "needle") return needleAct(act, place, trouble);
   if (name == "advance_mm") return SessionAct::MoveNeedle{act.number("advance_mm", 0, 200), speedIn(act)};
   if (name == "withdraw_mm") return SessionAct::MoveNeedle{-act.number("withdraw_mm", 0, 200), speedIn(act)};

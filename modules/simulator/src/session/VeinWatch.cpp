@@ -51,11 +51,11 @@ VeinWatch::Sight VeinWatch::sightOf(std::span<const Vec3> middleAtRest_mm, const
 std::optional<AttemptEvent> VeinWatch::look(std::int64_t time_us, const std::optional<Sight>& sight, Vec3 axial) {
   if (!sight || !sight->isCentered) {
     since_us_.reset();
-    most_mm_ = 0, isCompressedTold_ = false;
+    max_mm_ = 0, isCompressedTold_ = false;
     return std::nullopt;
   }
   if (!since_us_) since_us_ = time_us;
-  most_mm_ = std::max(most_mm_, sight->thickness_mm);
+  max_mm_ = std::max(max_mm_, sight->thickness_mm);
   AttemptEvent event{.time_us = time_us,
                      .wall = kVein,
                      .into = kVein,
@@ -67,7 +67,7 @@ std::optional<AttemptEvent> VeinWatch::look(std::int64_t time_us, const std::opt
     event.kind = AttemptEventKind::Centered;
     return event;
   }
-  if (isCompressedTold_ || most_mm_ < kLeast_mm || sight->thickness_mm > kFlat * most_mm_) return std::nullopt;
+  if (isCompressedTold_ || max_mm_ < kLeast_mm || sight->thickness_mm > kFlat * max_mm_) return std::nullopt;
   isCompressedTold_ = true;
   event.kind = AttemptEventKind::Compressed;
   return event;

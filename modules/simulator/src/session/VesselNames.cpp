@@ -45,7 +45,7 @@ bool isIn(const NamedVessel& vessel, Vec3 point_mm, std::span<const CentreLine> 
   return on_mm ? distanceToCourse_mm(vessel, *on_mm) <= kOnCourse_mm : outside_mm <= kFlat_mm;
 }
 
-constexpr std::size_t kMostNames = kUnnamedVessel - 1;
+constexpr std::size_t kMaxNames = kUnnamedVessel - 1;
 
 /// Index of the vessel of this label whose wall is nearest; the number of vessels if there is none.
 std::size_t nearestVessel(std::span<const NamedVessel> vessels, std::uint8_t label, Vec3 point_mm) noexcept {
@@ -69,7 +69,7 @@ VesselNames::VesselNames(const CaseManifest& manifest, const Procedure& procedur
     return std::tuple(!fits, norm(target.position_mm - near_mm));
   };
   std::ranges::stable_sort(targets_, {}, rank);
-  if (targets_.size() > kMostNames) targets_.resize(kMostNames);
+  if (targets_.size() > kMaxNames) targets_.resize(kMaxNames);
   if (targets_.empty()) return;
   const std::size_t target = nearestVessel(manifest.vessels, kVein, targets_.front().position_mm);
   if (target == manifest.vessels.size() ||
@@ -78,7 +78,7 @@ VesselNames::VesselNames(const CaseManifest& manifest, const Procedure& procedur
   vessels_ = manifest.vessels;
   std::rotate(vessels_.begin(), vessels_.begin() + static_cast<std::ptrdiff_t>(target),
               vessels_.begin() + static_cast<std::ptrdiff_t>(target) + 1);
-  if (vessels_.size() > kMostNames) vessels_.resize(kMostNames);
+  if (vessels_.size() > kMaxNames) vessels_.resize(kMaxNames);
 }
 
 std::vector<std::string> VesselNames::names() const {

@@ -13,14 +13,14 @@ struct EngineCandidate {
   double frame_ms = 0;
 };
 
-/// The fastest of the candidates, of which there is at least one, with the reason for the choice.
+/// The engine that fastestOf() chose among the candidates, with the reason for the choice.
 struct EngineChoice {
   std::string name, why;
 };
 EngineChoice fastestOf(std::span<const EngineCandidate> candidates);
 
-/// Makes an engine that chooses, when first prepared, between the processor and a graphics card, by the time that a
-/// small frame takes. A software renderer is never chosen. The measurement is made once per process.
+/// Makes an engine that chooses, when first prepared, between the processor and a graphics card, by measuring the time
+/// that each takes for a small frame. A software renderer is never chosen. The measurement is made once per process.
 std::unique_ptr<Engine> makeAutoEngine();
 
 }  // namespace insonate

@@ -10,7 +10,7 @@ namespace insonate {
 /// one angle per frame, one frame; plus the averaging.
 class CompoundingEngine final : public Engine {
  public:
-  /// `engines` are of the same kind, one for each angle of the settings; see makeEngineFor().
+  /// `engines` must be of the same kind, one for each steering angle of the settings; see makeEngineFor().
   CompoundingEngine(std::vector<std::unique_ptr<Engine>> engines, CompoundedAngles angles);
 
   std::string_view name() const override { return engines_.front()->name(); }
@@ -29,7 +29,7 @@ class CompoundingEngine final : public Engine {
   std::vector<EnvelopeFrame> steered_;  ///< the last frame of each angle; empty before the first frame
   /// For each angle: lateral shift of steered scanlines, in lines per sample of depth.
   std::vector<double> linesPerSample_;
-  std::vector<float> angles_;  ///< number of angles that cover a sample of a look
+  std::vector<float> angles_;  ///< number of steering angles whose scanlines cover a sample of one look
   std::vector<Stage> stages_;
 };
 

@@ -5,21 +5,22 @@
 
 namespace insonate::cpu {
 
-/// Two-way amplitude that remains of the beam at each gate, averaged over the rays of the aperture.
+/// Two-way amplitude that remains of the beam at each gate (point of a scanline at which echoes are computed), averaged
+/// over rays from all parts of the aperture.
 class ApertureTransmission {
  public:
   ApertureTransmission() = default;
   explicit ApertureTransmission(const FramePlan& plan);
 
-  /// Amplitude at the face, for the scanlines from `line` on.
+  /// Returns the array of amplitudes at the face, for the scanlines from `line` on.
   float* contact(int line) { return contact_.get() + kMargin + line; }
-  /// Share of the amplitude that a gate passes, for the scanlines from `line` on.
+  /// Returns the array of the shares of the amplitude that a gate passes, for the scanlines from `line` on.
   float* passed(int gate, int line) { return passed_.get() + at(gate) + line; }
 
-  /// Follows the rays. All members above must have been filled.
+  /// Multiplies the passed shares along each ray. The arrays contact() and passed() must have been filled before.
   void followRays();
-  /// Scales a block's scattering by the amplitude that reaches it through the aperture, to zero if none does, and adds
-  /// the boundaries.
+  /// Scales the scattering of a block of scanlines by the amplitude that reaches it through the aperture (zero if none
+  /// does), and then adds the block's boundary echoes.
   void light(int firstLine, BlockEchoes& echoes) const;
 
  private:
@@ -29,8 +30,9 @@ class ApertureTransmission {
 
   const FramePlan* plan_ = nullptr;
   int width_ = 0, lines_ = 0;
-  AlignedArray<float> contact_, passed_;                       ///< [width], [gate][width]
-  std::array<AlignedArray<float>, ApertureRays::kCount> ray_;  ///< [gate][width], before the loss in the gate itself
+  AlignedArray<float> contact_, passed_;  ///< arrays of contact() and passed(): [width] and [gate][width]
+  /// Amplitude along each ray, [gate][width], before the loss in the gate itself.
+  std::array<AlignedArray<float>, ApertureRays::kCount> ray_;
 };
 
 }  // namespace insonate::cpu

@@ -7,22 +7,24 @@
 
 namespace insonate::cpu {
 
-/// The plan's kernels as floats, with the interpolation from gates to samples.
+/// The point-spread function's kernels of a frame plan as floats, and the weights that interpolate from gates to
+/// samples.
 struct BeamTables {
-  std::vector<float> axialKernel;    ///< [gate][maxAxialRadius + 1], center first
-  std::vector<float> lateralKernel;  ///< [gate][maxLateralRadius + 1]
+  std::vector<float> axialKernel;    ///< half of each gate's axial kernel, [gate][maxAxialRadius + 1], center first
+  std::vector<float> lateralKernel;  ///< half of each gate's lateral kernel, [gate][maxLateralRadius + 1], center first
   struct Upsample {
-    int gateBefore;  ///< index of the preceding gate, relative to sample / stride
+    int gateBefore;  ///< number of the gate before the sample, counted from gate number sample / stride
     float weight[4];
   };
-  std::vector<Upsample> upsample;  ///< [sample % stride]
+  std::vector<Upsample> upsample;  ///< interpolation weights, index [sample % stride]
 
   BeamTables() = default;
   explicit BeamTables(const FramePlan& plan);
 };
 
-/// Echoes after the axial kernel: [component][gate][width]. The scanlines are preceded and followed by maxLateralRadius
-/// zeros (rounded up), so that the lateral kernel needs no special case at the edges.
+/// Echoes of all scanlines after convolution with the axial kernel: [component][gate][width]. The scanlines are
+/// preceded and followed by maxLateralRadius zeros (rounded up), so that the lateral kernel needs no special case at
+/// the edges.
 struct EchoPlane {
   int width = 0, margin = 0;
   AlignedArray<float> values;
@@ -31,17 +33,17 @@ struct EchoPlane {
   }
 };
 
-/// Applies the axial kernel to one block's echoes.
+/// Convolves the echoes of one block of scanlines with the axial kernel.
 void convolveAxially(const FramePlan& plan, const BeamTables& tables, const float* blockEcho, int firstLine,
                      EchoPlane& out);
 
-/// Rows that a thread needs for the lateral convolution: a ring buffer of four gates.
+/// Memory of one thread for the lateral convolution: a ring buffer of the rows of four gates.
 struct LateralBuffers {
-  AlignedArray<float> ring;  ///< [component][gate & 3][width]
+  AlignedArray<float> ring;  ///< rows of the last four gates, [component][gate & 3][width]
 };
 
-/// Applies the lateral kernel and computes the magnitude for samples firstSample .. endSample - 1. `envelope` is
-/// [look][sample][scanline].
+/// Convolves the echoes with the lateral kernel and computes the envelope's magnitude for samples firstSample ..
+/// endSample - 1. `envelope` is [look][sample][scanline].
 void convolveLaterally(const FramePlan& plan, const BeamTables& tables, const EchoPlane& echo, int firstSample,
                        int endSample, LateralBuffers& buffers, float* envelope);
 

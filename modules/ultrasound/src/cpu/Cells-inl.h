@@ -22,10 +22,10 @@ using CellIntTag = hn::Rebind<std::int32_t, CellTag>;
 using FloatVec = hn::Vec<CellTag>;
 using IntVec = hn::Vec<CellIntTag>;
 
-/// Returns bits of the channels that can be nearest or second nearest somewhere in a row of cells. Each channel has a
-/// minimum and a maximum distance in the row. Let the bound be the second smallest of all maximum distances: at every
-/// place two channels are at most that far. A channel whose minimum exceeds the bound is therefore left out. Channels
-/// out of reach all have the same distance; only the first of them is kept.
+/// Returns one bit for each channel (structure) that can be nearest or second nearest somewhere in a row of cells. Each
+/// channel has a minimum and a maximum distance in the row. Let the bound be the second smallest of all maximum
+/// distances: at every place two channels are at most that far. A channel whose minimum exceeds the bound is therefore
+/// left out. Channels out of reach all have the same distance; only the first of them is kept.
 HWY_INLINE std::uint32_t activeChannels(int channels, const TraceBuffers::NodeRow& top,
                                         const TraceBuffers::NodeRow& bottom) {
   float first = 1e30F, second = 1e30F;
@@ -48,7 +48,7 @@ HWY_INLINE std::uint32_t activeChannels(int channels, const TraceBuffers::NodeRo
   return active;
 }
 
-/// Expands one value per cell to one value per scanline.
+/// Expands values from one per lattice cell to one per scanline.
 class Spread {
  public:
   explicit Spread(int cellLines) : cellLines_(cellLines) {
@@ -113,8 +113,8 @@ HWY_INLINE NearestPair nearestPair(std::uint32_t active, const TraceBuffers::Nod
   return {a, b};
 }
 
-/// Signed distance s = (dB - dA) / 2 between the two nearest structures, at the corners of a cell and, in the
-/// neighboring planes, at its first corner.
+/// Signed distance s = (dB - dA) / 2 to the boundary between the two nearest structures A and B, at the corners of a
+/// cell and, in the neighboring planes, at the cell's first corner.
 struct CellDistances {
   FloatVec corner[4], before, after;
 };
@@ -143,7 +143,7 @@ HWY_INLINE CellDistances distancesOf(std::uint32_t active, const NearestPair& pa
   return s;
 }
 
-/// Acoustic constants of each lane's two structures.
+/// Acoustic constants of the two structures nearest to each SIMD lane's cell.
 struct PairConstants {
   FloatVec echo[2], halfway[2], impedance[2];
 };

@@ -37,7 +37,8 @@ HWY_INLINE void startLines(const TraceInput& in, int firstLine, TraceBuffers& b,
   std::fill_n(e.boundaries.get(), std::size_t(plan.gates) * kBlockLines, 0.0F);
 }
 
-/// Points at these ranges on the scanlines from the block's scanline `line` on, in the frame of the arrays.
+/// Returns the points at the given ranges on the scanlines from the block's scanline `line` on, in the frame of the
+/// arrays.
 HWY_INLINE Point pointsOn(const RayArrays& rays, int line, GateVec range) {
   const GateTag d;
   const auto along = [&](const std::vector<float>& origin, const std::vector<float>& direction) {
@@ -51,7 +52,7 @@ HWY_INLINE Point shifted(const Point& p, float x, float y, float z, float by) {
   return {hn::Add(p.x, hn::Set(d, x * by)), hn::Add(p.y, hn::Set(d, y * by)), hn::Add(p.z, hn::Set(d, z * by))};
 }
 
-/// Integral of the quadratic B-spline from minus infinity to x.
+/// Returns the integral of the quadratic B-spline from minus infinity to x.
 HWY_INLINE GateVec splineBefore(GateVec x) {
   const GateTag d;
   const auto a = hn::Min(hn::Abs(x), hn::Set(d, 1.5F)), left = hn::Sub(hn::Set(d, 1.5F), a);
@@ -62,7 +63,7 @@ HWY_INLINE GateVec splineBefore(GateVec x) {
   return hn::IfThenElse(hn::Lt(x, hn::Zero(d)), hn::Sub(hn::Set(d, 1.0F), right), right);
 }
 
-/// Vector version of Impulse.
+/// SIMD version of Impulse: weights by which a boundary's echo is spread over gates.
 struct ImpulseRow {
   int first, count;
   alignas(64) float weight[32];
@@ -84,14 +85,14 @@ struct ImpulseRow {
   }
 };
 
-/// First gate behind a boundary, with the needle's shadow there.
+/// Values at the first gate behind a boundary, including the needle's shadow.
 struct Crossing {
   int channel;
   float s, impedance, shadow_dB, patch;
 };
 
-/// Adds echo and loss of the boundary that one scanline crosses between the previous gate and this one. Crossings are
-/// rare, so the code is scalar.
+/// Adds the echo and the loss of a boundary that scanline `l` crosses between the previous gate and this one. Crossings
+/// are rare, so the code is scalar.
 HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, const Crossing& at, TraceBuffers& b,
                               BlockEchoes& e) {
   const auto& [channel, s, impedance, shadow_dB, patch] = at;
@@ -122,7 +123,7 @@ HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, 
   if (plan.settings.effects.transmission) state.amplitude[l] *= std::max(1 - reflection * reflection, 1e-12F);
 }
 
-/// Vector version of NeedleEchoes::shadow_dB().
+/// SIMD version of NeedleEchoes::shadow_dB(): returns the two-way loss by the needle's shadow at a gate.
 HWY_INLINE GateVec shadowAt(const NeedleEchoes& needle, int plane, int line, int gate) {
   const GateTag d;
   const auto behind =
@@ -131,7 +132,7 @@ HWY_INLINE GateVec shadowAt(const NeedleEchoes& needle, int plane, int line, int
   return hn::Mul(hn::LoadU(d, needle.shadowLosses_dB(plane) + line), share);
 }
 
-/// Finds gas behind tissue in the central plane, at which the reverberation starts.
+/// Finds the first gas behind tissue in the central plane; there reverberation starts.
 HWY_INLINE void findGas(const TraceInput& in, int gate, bool gelPossible, TraceBuffers& b, BlockEchoes& e) {
   const GateTag d;
   const GateIntTag di;

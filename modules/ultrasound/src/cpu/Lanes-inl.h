@@ -33,16 +33,17 @@ struct Point {
 inline constexpr float kToWhole = 12582912.0F;
 inline constexpr std::uint32_t kWholeBits = 0x4B400000U;
 
-/// Returns kWholeBits plus the nearest whole number; the low 22 bits are those of the whole number.
+/// Returns kWholeBits plus the whole number nearest to x; the low 22 bits are those of the whole number.
 HWY_INLINE GateInt wholeBits(GateVec x) {
   const GateTag d;
   return hn::BitCast(GateIntTag(), hn::Add(x, hn::Set(d, kToWhole)));
 }
 
-inline constexpr float kOctavesPerDecibel = 0.16609640474F;  ///< log2(10) / 20, for amplitudes
+/// The factor log2(10) / 20, which converts dB of amplitude to an exponent of 2.
+inline constexpr float kOctavesPerDecibel = 0.16609640474F;
 
-/// 10^(dB / 20), down to 10^-36. It is computed as 2^x, with a Taylor polynomial for the fraction (relative error below
-/// 3e-6 on -0.5..0.5).
+/// Returns 10^(dB / 20), at least 10^-36. Computed as 2^x, with a Taylor polynomial for the fraction of x (relative
+/// error below 3e-6 on -0.5..0.5).
 HWY_INLINE GateVec amplitudeOf(GateVec level_dB) {
   const GateTag d;
   const GateIntTag di;
@@ -58,14 +59,15 @@ HWY_INLINE GateVec amplitudeOf(GateVec level_dB) {
   return hn::BitCast(d, hn::Add(hn::BitCast(di, y), hn::ShiftLeft<23>(hn::BitCast(di, whole))));
 }
 
-/// Loads four consecutive voxels along w, beginning at each position of a tile, one per byte.
+/// Loads four consecutive voxels of a texture tile along its axis w, beginning at each position in `place`; one voxel
+/// per byte of a lane.
 template <class V>
 HWY_INLINE V tileWords(const TextureTile& tile, V place) {
   const hn::DFromV<V> di;
   return hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(tile.value.data()), place);
 }
 
-/// Extracts one byte of a word as a signed number: -127..127.
+/// Extracts byte kByte of each lane as a signed number: -127..127.
 template <int kByte, class V>
 HWY_INLINE V byteOf(V word) {
   return hn::ShiftRight<24>(hn::ShiftLeft<24 - 8 * kByte>(word));

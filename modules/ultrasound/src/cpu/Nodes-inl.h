@@ -20,13 +20,15 @@ HWY_BEFORE_NAMESPACE();
 namespace insonate::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Position of a row's nodes in the field: the low corner of the cell, and the weights of the cell's eight corners.
+/// Positions of a row of lattice nodes in the tissue field: the low corner of the field's cell around each node, and
+/// the weights of the cell's eight corners.
 struct NodePlaces {
   alignas(64) std::int32_t corner[kMaxColumns];
   alignas(64) float weight[8][kMaxColumns];
 };
 
-/// Steps from the low corner of a cell of the field to each corner, in nodes; zero along an axis with a single node.
+/// Index steps from the low corner of a cell of the tissue field to each of its corners; zero along an axis with a
+/// single node.
 struct CornerSteps {
   std::int32_t step[8];
   explicit CornerSteps(const TissueField& field) {
@@ -36,8 +38,8 @@ struct CornerSteps {
   }
 };
 
-/// Clamps a continuous index to the field. Returns the low node and the fraction beyond it. Sets `inside` to zero
-/// outside the field.
+/// Clamps a continuous index along one axis to the tissue field. Returns the low node and, in `fraction`, the distance
+/// from the low node. Sets `inside` to zero outside the field.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, D>> lowNode(D d, V index, int size, V& fraction, V& inside) {
   const hn::Rebind<std::int32_t, D> di;
@@ -50,8 +52,9 @@ HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, D>> lowNode(D d, V index, int size, 
   return low;
 }
 
-/// Stores, from `c` on, the corners of cells, which are given by their low nodes and the points' fractions beyond them.
-/// Returns the corners, and the corners' weights in `weight`.
+/// Stores in `places`, from column `c` on, the low corners of cells and the weights of their eight corners. The cells
+/// are given by their low nodes i, j, k and by the points' fractions from these nodes. Returns the low corners, and the
+/// weights also in `weight`.
 template <class D, class VI, class V = hn::Vec<D>>
 HWY_INLINE VI storeCells(D d, const TissueField& field, VI i, VI j, VI k, V fx, V fy, V fz, int c, NodePlaces& places,
                          V* weight) {
@@ -69,7 +72,8 @@ HWY_INLINE VI storeCells(D d, const TissueField& field, VI i, VI j, VI k, V fx, 
   return corner;
 }
 
-/// Vector version of TextureTile::between() for the patch tile, in units of the tile's SD.
+/// SIMD version of TextureTile::between() for patchTile(), the tile of the variation along boundaries, in units of the
+/// tile's SD.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V patchAt(D d, V x, V y, V z, Vec3 origin_mm, int step) {
   const hn::Rebind<std::int32_t, D> di;
@@ -101,7 +105,7 @@ HWY_INLINE V patchAt(D d, V x, V y, V z, Vec3 origin_mm, int step) {
   return hn::Mul(sum, hn::Set(d, 1.0F / 32));
 }
 
-/// CT deviation: HU above the structures' means.
+/// Returns the interpolated deviation of the CT from the mean of each structure, HU.
 template <class D, class VI>
 HWY_INLINE hn::Vec<D> ctAt(D d, const TissueField& field, const CornerSteps& steps, VI corner,
                            const hn::Vec<D>* weight) {
@@ -117,13 +121,13 @@ HWY_INLINE hn::Vec<D> ctAt(D d, const TissueField& field, const CornerSteps& ste
   return ct;
 }
 
-/// A row of nodes: the columns of the frame, the depth, and the distance from the central plane.
+/// Place of a row of lattice nodes: its first column, its range from the face, and its distance from the central plane.
 struct NodeRowPlace {
   int firstColumn;
   float range_mm, contactDecay, elevation_mm;
 };
 
-/// Processes as many nodes as the tag has lanes, from the block's column c on.
+/// Computes position, texture and CT values of as many nodes as the tag has lanes, from the block's column c on.
 template <class D>
 HWY_INLINE void placeNodes(D d, const TraceInput& in, const CornerSteps& steps, const NodeRowPlace& at, int c,
                            const TraceBuffers::ShiftRow& shifts, NodePlaces& places, TraceBuffers::NodeRow& row) {
@@ -175,7 +179,7 @@ HWY_INLINE void placeNodes(D d, const TraceInput& in, const CornerSteps& steps, 
 
 using NodeTag = hn::CappedTag<float, 16>;
 
-/// Writes the distances of all channels at one node to `out`, [channel], in the field's units.
+/// Writes the distances of all channels at one node to `out`, [channel], in mm.
 HWY_INLINE void lookUpNode(const TissueField& field, const CornerSteps& steps, const NodePlaces& places, int column,
                            float* HWY_RESTRICT out) {
   const NodeTag d;
@@ -216,8 +220,8 @@ HWY_INLINE void storeFourNodes(const float (*nodes)[TissueField::kStride], int c
 #endif
 }
 
-/// Looks up all nodes of a row, four at a time, and the minimum and maximum of each channel. Beyond the last column,
-/// the last column is repeated.
+/// Looks up the distances at all nodes of a row, four nodes at a time, and the minimum and maximum distance of each
+/// channel. Beyond the last column, the last column is repeated.
 HWY_INLINE void lookUpNodes(const TissueField& field, const CornerSteps& steps, const NodePlaces& places, int columns,
                             TraceBuffers::NodeRow& row) {
   const NodeTag d;

@@ -32,7 +32,8 @@ struct Corners {
 };
 inline constexpr std::int32_t kWeightOne = 32767;
 
-/// See tetrahedronAt() for the division of the lattice's cells, and hashNode() for the hash.
+/// Finds the corners of the scatterer lattice around points p. See tetrahedronAt() for the division of the lattice's
+/// cells, and hashNode() for the hash.
 HWY_INLINE Corners cornersAt(std::uint32_t latticeSeed, const Point& p) {
   const GateTag d;
   const GateIntTag di;
@@ -86,10 +87,11 @@ HWY_INLINE GateInt pairProduct(GateInt a, GateInt b) {
 #endif
 }
 
-/// See scattererAmplitudes(): adds amplitude times {re, im} of each look to `sum`; p is in the scatterers' lattice. The
-/// fields have a common mean; its contribution to each component is added to `offset`, and subtracted at the end. Each
-/// half of a hash contains three fields of five bits. The fields are multiplied by the weights without being shifted,
-/// as 16-bit numbers, two corners at once; the scale compensates for the missing shift.
+/// Adds to `sum` the complex scatterer amplitudes {re, im} of each look at p (in the scatterers' lattice), multiplied
+/// by `amplitude`; see scattererAmplitudes(). The random numbers are not centered: the contribution of their common
+/// mean is added to `offset`, and subtracted at the end. Each half of a hash contains three numbers of five bits. The
+/// numbers are multiplied by the weights without being shifted, as 16-bit numbers, two corners at once; the scale
+/// compensates for the missing shift.
 template <int kLooks>
 HWY_INLINE void addScatterers(std::uint32_t latticeSeed, const Point& p, GateVec amplitude, GateVec* sum,
                               GateVec& offset) {

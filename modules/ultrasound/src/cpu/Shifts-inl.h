@@ -24,7 +24,8 @@ struct PlaneShifts {
   V x, z;
 };
 
-/// Low point in the displacement's lattice and the fraction beyond it, along one axis.
+/// Returns, along one axis of the displacement's lattice, the low neighbor of a position and, in `fraction`, the
+/// distance from this neighbor in steps.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, D>> lowPoint(D d, V position_mm, double first_mm, double step_mm,
                                                          int points, V& fraction) {
@@ -37,7 +38,8 @@ HWY_INLINE hn::Vec<hn::Rebind<std::int32_t, D>> lowPoint(D d, V position_mm, dou
   return low;
 }
 
-/// Bilinear interpolation in the displacement's lattice; see shiftAt() of model/PlaneShift.h.
+/// Returns the displacement (rest position minus displayed position) at points of the probe's plane by bilinear
+/// interpolation in its lattice; see shiftAt() of model/PlaneShift.h.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE PlaneShifts<V> latticeShifts(D d, const PlaneDisplacement& displacement, V x_mm, V z_mm) {
   const hn::Rebind<std::int32_t, D> di;
@@ -84,7 +86,8 @@ HWY_INLINE void computeShiftRow(const TraceInput& in, int firstLine, int nodeRow
   spread(row.columnX, row.lineX), spread(row.columnZ, row.lineZ);
 }
 
-/// Shifts on the scanlines from the block's scanline `l` on, at the fraction `down` from one row of nodes to the next.
+/// Returns the displacement on the scanlines from the block's scanline `l` on, at the fraction `down` from one row of
+/// nodes to the next.
 HWY_INLINE PlaneShifts<GateVec> gateShifts(const TraceBuffers& b, int row, int l, GateVec down) {
   const GateTag d;
   const TraceBuffers::ShiftRow &top = b.shift[row & 1], &bottom = b.shift[(row + 1) & 1];
@@ -95,14 +98,15 @@ HWY_INLINE PlaneShifts<GateVec> gateShifts(const TraceBuffers& b, int row, int l
   return {between(top.lineX, bottom.lineX), between(top.lineZ, bottom.lineZ)};
 }
 
-/// Returns a coordinate after a shift; `lateral` and `axial` are the changes of the coordinate per mm of shift.
+/// Returns a coordinate after the displacement `by`; `lateral` and `axial` are the changes of the coordinate per mm of
+/// displacement along the probe's axes.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V carried(D d, V coordinate, const PlaneShifts<V>& by, float lateral, float axial) {
   return hn::MulAdd(by.x, hn::Set(d, lateral), hn::MulAdd(by.z, hn::Set(d, axial), coordinate));
 }
 
-/// Square of the in-plane slope of a distance in tissue at rest, computed from its slopes in displaced tissue; see
-/// TissueLookup::inPlaneSlopeAtRest().
+/// Returns the squared in-plane slope of a signed distance in undeformed tissue, computed from its slopes in displaced
+/// tissue; see TissueLookup::inPlaneSlopeAtRest().
 HWY_INLINE GateVec squaredSlopeAtRest(const TraceInput& in, const TraceBuffers& b, int firstLine, int row, int c,
                                       GateVec axial, GateVec lateral, GateVec perAxial, GateVec perLateral) {
   const GateTag d;

@@ -15,13 +15,14 @@ HWY_BEFORE_NAMESPACE();
 namespace insonate::cpu::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Scattering level, and the share of it that comes from sheets, which echo coherently.
+/// Scattering level, and the share of the scattering that comes from sheets, which echo coherently.
 struct Scattering {
   GateVec echo_dB, sheet;
 };
 
-/// Texture of one structure on one side of the midline, -127..127; the echo of sheets depends on the beam's angle to
-/// them. `line` is the vector's first scanline; `shift`, if not null, gives the tissue's rest position.
+/// Returns the texture of one structure on one side of the midline, -127..127. The echo of sheets depends on the beam's
+/// angle to them. `line` is the vector's first scanline; `shift`, if not null, leads from the displayed points to the
+/// rest positions of their tissue.
 HWY_INLINE GateVec textureOf(const TextureTile& tile, const TextureRays& rays, int line, GateVec range,
                              const PlaneShifts<GateVec>* shift, float elevation_mm) {
   const GateTag d;
@@ -42,8 +43,8 @@ HWY_INLINE GateVec textureOf(const TextureTile& tile, const TextureRays& rays, i
   return hn::IfThenElse(hn::Gt(value, hn::Zero(d)), hn::Mul(value, facing), value);
 }
 
-/// Adds the texture of each structure that occurs in the cells of this row, in the lanes that lie in the structure.
-/// `right` are the lanes right of the patient's midline.
+/// Adds to `here` the texture of each structure that occurs in the cells of this row, in the SIMD lanes that lie in the
+/// structure. `right` marks the lanes right of the patient's midline.
 HWY_INLINE void addTexture(const TraceInput& in, std::uint32_t present, GateInt channel, hn::Mask<GateTag> right,
                            int line, GateVec range, const PlaneShifts<GateVec>* shift, float elevation_mm,
                            Scattering& here) {
@@ -66,7 +67,7 @@ HWY_INLINE void addTexture(const TraceInput& in, std::uint32_t present, GateInt 
   }
 }
 
-/// Adds the connective layers at the boundary, which replace the tissue there.
+/// Adds to `here` the connective layers at a boundary, whose echo replaces that of the tissue.
 HWY_INLINE void addLayers(const TraceInput& in, const TraceBuffers::CellRow& cells, int l, GateVec s, GateVec down,
                           Scattering& here) {
   const GateTag d;

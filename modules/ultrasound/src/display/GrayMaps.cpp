@@ -10,12 +10,13 @@ namespace {
 constexpr std::array kCurves{
     GrayMapCurve{GrayMap::Linear, "linear", "gray in proportion to the level in dB", 1, 0, 0},
     // Passes through (0.34, 0.235), (0.5, 0.4) and (1, 1).
-    GrayMapCurve{GrayMap::Soft, "soft", "a slight S: darks a little darker, brights kept apart", 0.387F, 1.039F,
-                 -0.426F},
-    GrayMapCurve{GrayMap::Contrast, "contrast", "a steep S: dark lumens, bright walls", 0.15F, 2.2F, -1.35F},
-    GrayMapCurve{GrayMap::Bright, "bright", "middle grays lifted, darks kept dark", 0.6F, 1.7F, -1.3F},
-    GrayMapCurve{GrayMap::Dark, "dark", "middle grays lowered", 0.2F, 0.8F, 0},
-    GrayMapCurve{GrayMap::Flat, "flat", "a reversed S: detail in darks and brights, little between", 1.6F, -1.6F, 1},
+    GrayMapCurve{GrayMap::Soft, "soft", "a slight S curve: dark grays a little darker, bright grays distinguishable",
+                 0.387F, 1.039F, -0.426F},
+    GrayMapCurve{GrayMap::Contrast, "contrast", "a steep S curve: dark lumens, bright walls", 0.15F, 2.2F, -1.35F},
+    GrayMapCurve{GrayMap::Bright, "bright", "middle grays brighter, dark grays unchanged", 0.6F, 1.7F, -1.3F},
+    GrayMapCurve{GrayMap::Dark, "dark", "middle grays darker", 0.2F, 0.8F, 0},
+    GrayMapCurve{GrayMap::Flat, "flat", "a reversed S curve: detail in dark and bright grays, little between", 1.6F,
+                 -1.6F, 1},
 };
 
 }  // namespace

@@ -12,13 +12,14 @@ namespace insonate::display {
 /// filtering, 1999), in units of the point-spread function, in which speckle has no preferred direction.
 class InterfaceSmoothing {
  public:
-  /// `strength`: share of the smoothed levels in the output of smooth(), up to 1; the rest are the input levels.
+  /// `strength` is the weight of the smoothed levels in the output of smooth(), 0..1; the rest are the input levels.
   InterfaceSmoothing(const DisplayPlan& plan, double strength);
 
-  /// Finds the interfaces of an image. `blockLevels` are the levels averaged over blocks; both planes have extended
-  /// rows.
+  /// Finds the interfaces of an image from `blockLevels`, the levels averaged over blocks of rows, whose margins must
+  /// be filled (Plane::extendRow()).
   void analyse(const Plane& blockLevels);
-  /// Writes one smoothed row to `out`, which must have room for whole vectors.
+  /// Writes one smoothed row of levels to `out`, which must have room for whole SIMD vectors. The margins of `levels`
+  /// must be filled.
   void smooth(const DisplayPlan& plan, const Plane& levels, int row, float* out) const;
 
  private:

@@ -6,28 +6,31 @@
 /// vector instructions. They use no fused multiply-add, so that every processor gives the same image.
 namespace insonate::display {
 
-/// Computes the level in dB of power plus haze, with offset and shade.
+/// Task of compressRow(): computes for one row the level in dB of power plus haze, and adds gain offsets and streak
+/// losses.
 struct CompressRow {
   const float *power, *hazeBefore, *hazeAfter;
   const float *meanBefore, *meanAfter;  ///< mean power of the blocks from which the haze was computed
-  float hazeGrain;                      ///< share of the haze that is modulated like `power`
+  float hazeGrain;                      ///< share of the haze that is modulated by the speckle of `power`
   float mix;
   float offset_dB, low_dB, high_dB;
-  const float* shade_dB;  ///< [scanline]
-  float shadeShare;       ///< share of the shade that applies to this row
-  const float* line_dB;   ///< [scanline], the same for all rows; may be null
+  const float* shade_dB;  ///< [scanline] loss of streaks below bright places and of the array's ends
+  float shadeShare;       ///< share of shade_dB that applies to this row
+  const float* line_dB;   ///< lateral gain of each scanline, the same for all rows; may be null
   int columns;
   float* level_dB;
-  float* sum;  ///< += level
+  float* sum;  ///< adds each level to this row of sums
 };
 void compressRow(const CompressRow& task);
 
 void scaleRow(float* row, float factor, int columns);
 
-/// Local mean with weights (1 2 1) over blocks and (1 2 3 2 1) over strided scanlines.
+/// Computes a local mean with the weights (1 2 1) over three blocks of rows and (1 2 3 2 1) over scanlines `stride`
+/// apart.
 void meanRow(const float* above, const float* here, const float* below, int stride, int columns, float* mean);
 
-/// Computes the products of the differences between scanlines (x) and along them (z).
+/// Task of tensorRow(): computes the products xx, xz, zz of the level differences between scanlines (x) and along them
+/// (z).
 struct TensorRow {
   const float *above, *here, *below;
   int stride;
@@ -37,11 +40,12 @@ struct TensorRow {
 };
 void tensorRow(const TensorRow& task);
 
-/// Computes from the tensor, averaged over neighbors, the strength of structure (0..1), the strength of an interface
-/// that can be followed (0..1, not more than that of structure), and the interface's slope, which is set for the first
-/// of every 8 scanlines.
+/// Task of orientRow(): computes from the structure tensor, averaged over neighbors, the strength of structure (0..1),
+/// the strength of an interface that can be followed (0..1, not more than that of structure), and the interface's
+/// slope, which is set for the first of every 8 scanlines.
 struct OrientRow {
-  const float *xx[5] = {}, *xz[5] = {}, *zz[5] = {};  ///< two blocks above to two below
+  /// Rows of the tensor's components, from two blocks above to two below.
+  const float *xx[5] = {}, *xz[5] = {}, *zz[5] = {};
   int stride;
   float from, to, maxSlope;
   int columns;
@@ -49,14 +53,14 @@ struct OrientRow {
 };
 void orientRow(const OrientRow& task);
 
-/// Smooths one row of levels: plain speckle in all directions, an interface along itself, and structure that is too
-/// steep to follow along the scanline.
+/// Task of smoothRow(): smooths one row of levels: plain speckle in all directions, an interface along itself, and
+/// structure that is too steep to follow along the scanline.
 struct SmoothRow {
-  const float* axial[5] = {};  ///< rows of the axial taps, with margins
+  const float* axial[5] = {};  ///< rows of levels at the 5 axial taps, with margins
   float axialWeight[3] = {};
   int plainStride = 1;
   float plainWeight[3] = {};
-  const float* origin;  ///< row 0 of the levels
+  const float* origin;  ///< pointer to row 0 of the levels
   int rowStride, rows, row;
   int alongStride = 1;
   float alongWeight[4] = {};
@@ -65,13 +69,14 @@ struct SmoothRow {
   const float *structureBefore, *structureAfter, *edgeBefore, *edgeAfter, *meanBefore, *meanAfter;
   float mix;
   float contrast, contrastBend, contrastReach;
-  float strength;  ///< share of the smoothed levels in the output
+  float strength;  ///< weight of the smoothed levels in the output, 0..1
   int margin, columns;
   float* out;
 };
 void smoothRow(const SmoothRow& task);
 
-/// Adds to a level a share of its difference from the levels above and below; the difference is limited to `reach_dB`.
+/// Task of enhanceRow(): adds to each level a share of its difference from the levels above and below; the difference
+/// is limited to `reach_dB`.
 struct EnhanceRow {
   const float *above, *here, *below;
   float share, reach_dB;
@@ -80,8 +85,8 @@ struct EnhanceRow {
 };
 void enhanceRow(const EnhanceRow& task);
 
-/// Converts levels to gray. If `previous` is given, the levels are first mixed with the previous image, and the mixture
-/// is stored in `previous`.
+/// Task of greyRow(): converts a row of levels to gray. If `previous` is given, the levels are first mixed with the
+/// previous image, and the mixture is stored in `previous`.
 struct GreyRow {
   const float* level_dB;
   float* previous;
@@ -93,12 +98,12 @@ struct GreyRow {
 };
 void greyRow(const GreyRow& task);
 
-/// Writes for each column its value as the low byte, and the value halfway to the next column as the high byte: the
-/// cubic through four columns, (-1 9 9 -1) / 16. Reads one column before the first and two after the last; reads and
-/// writes whole vectors.
+/// Doubles the columns of a gray row: writes for each column its value as the low byte, and the value halfway to the
+/// next column as the high byte, interpolated by the cubic through four columns, (-1 9 9 -1) / 16. Reads one column
+/// before the first and two after the last; reads and writes whole vectors.
 void refineRow(const std::uint8_t* grey, int columns, std::uint16_t* fine);
 
-/// Packs each sample with its right, lower and lower right neighbors, lowest byte first.
+/// Packs each gray value with its right, lower and lower right neighbors into 32 bits, lowest byte first.
 void packRow(const std::uint8_t* here, const std::uint8_t* below, int columns, std::uint32_t* packed);
 
 /// Interpolates bilinearly between the four neighbors in packed[index]; the weights are x and z in 1/256, with x in the

@@ -16,8 +16,8 @@ using F = hn::CappedTag<float, 16>;
 using I = hn::RebindToSigned<F>;
 using U = hn::RebindToUnsigned<F>;
 
-/// Calls body(i) for each vector of a row that may be read and written up to a multiple of 16 columns. All vectors are
-/// computed completely, whatever their width.
+/// Calls body(i) for each vector of a row that may be read and written up to a multiple of 16 columns. Every vector is
+/// computed completely, whatever the vector length of the processor.
 template <class Body>
 HWY_INLINE void overPadded(int columns, const Body& body) {
   const int lanes = static_cast<int>(hn::Lanes(F())), padded = (columns + 15) / 16 * 16;

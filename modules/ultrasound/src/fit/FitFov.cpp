@@ -152,14 +152,15 @@ std::vector<std::string> doubtsOf(const Candidate& candidate) {
     if (seen.visible < kEdgeVisible)
       doubts.push_back(name + " lies outside the image.");
     else if (!isSeen(seen))
-      doubts.push_back(name + " is hardly seen; check it.");
+      doubts.push_back(name + " is hardly visible. Check it.");
     else if (seen.visible < 0.75)
-      doubts.push_back(name + " is cut off by the image's rim.");
+      doubts.push_back(name + " is cut off by the edge of the image.");
   }
   if (candidate.beside != Beside::Nothing)
     doubts.push_back(std::string("Two images lie side by side; this is the ") +
                      (candidate.beside == Beside::Right ? "left" : "right") + " one.");
-  if (candidate.plate->darkOnLight) doubts.emplace_back("The image is dark on light; its grays were turned round.");
+  if (candidate.plate->darkOnLight)
+    doubts.emplace_back("The image shows dark echoes on a light background; its grays were inverted.");
   if (candidate.upsideDown) doubts.emplace_back("The image is upside down.");
   return doubts;
 }
@@ -185,7 +186,7 @@ Result<FovFit> fitFov(const GreyPicture& picture) {
   const int wide = picture.width, high = picture.height;
   if (std::min(wide, high) < kLeastSide || std::max(wide, high) > kMostSide)
     return fail("The image has " + std::to_string(wide) + " x " + std::to_string(high) +
-                " pixels; a fit needs 64 to 16384 each way.");
+                " pixels. A fit needs 64 to 16384 pixels in width and height.");
   if (picture.grey.size() != std::size_t(wide) * high) return fail("The image is not complete.");
   cv::Mat_<uchar> grey(high, wide);
   std::copy(picture.grey.begin(), picture.grey.end(), grey.begin());
@@ -212,8 +213,8 @@ Result<FovFit> fitFov(const GreyPicture& picture) {
   consider(turned, true);
   if (!best)
     return fail(
-        "No field of view was found: no fan or rectangle of echoes stands out from an even ground. Use a "
-        "image that shows all of it, or place it by hand.");
+        "No field of view was found: the image shows no fan or rectangle of echoes on a uniform background. Use an "
+        "image that shows the whole field of view, or place the outline by hand.");
   FovFit fit;
   fit.shape = shapeOf(*best, scale, high);
   fit.confidence = confidenceOf(best->evidence);

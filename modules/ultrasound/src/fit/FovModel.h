@@ -15,14 +15,14 @@ struct FovModel {
   bool fan = true;
   double x = 0, y = 0, turn = 0, half = 0.5, inner = 0, outer = 100;
 
-  /// Signed distances of a point beyond each edge; all are negative if the point is inside.
+  /// Returns the signed distance by which a point lies beyond each edge; all are negative if the point is inside.
   std::array<double, kEdges> beyond(PixelPoint p) const;
-  /// Returns a point of the field of view; `across` is -1..1, `down` is 0..1.
+  /// Returns a point of the field of view; `across` is -1 (left) to 1 (right), `down` is 0 (face) to 1 (far end).
   PixelPoint at(double across, double down) const;
   double area() const;
 };
 
-/// Computes beyond() for many points of one model.
+/// Computes FovModel::beyond() quickly for many points of one model.
 class Beyond {
  public:
   explicit Beyond(const FovModel& model);
@@ -35,14 +35,15 @@ class Beyond {
 };
 
 struct EdgeSample {
-  PixelPoint at, outward;  ///< outward is a unit vector
+  PixelPoint at, outward;  ///< at: point on an edge; outward: unit vector perpendicular to the edge
   Edge edge = kLeft;
 };
 
-/// Points on the outline about `step_px` apart; a face that is a single point has none.
+/// Returns points on the model's outline about `step_px` apart; a face that is a single point has none.
 std::vector<EdgeSample> edgeSamples(const FovModel& model, double step_px);
 
-/// Access to the parameters by index: x, y, turn, half, outer, and, for fans, inner. parameters() returns their number.
+/// parameters() returns the number of parameters of a model, parameter() gives access to them by index: x, y, turn,
+/// half, outer, and, for fans, inner.
 int parameters(const FovModel& model);
 double& parameter(FovModel& model, int index);
 

@@ -11,9 +11,9 @@
 
 namespace insonate::glsl {
 
-/// Renders frames of one probe with one set of settings on the graphics card. Data that depends only on these is
-/// uploaded once, and a scene is uploaded once for all engines (SceneStore.h). In each frame a block of parameters and
-/// the displacement are uploaded.
+/// Renders frames of one probe with one set of settings on the graphics card. Data that depends only on probe and
+/// settings is uploaded once, and a scene is uploaded once for all engines (SceneStore.h). In each frame a block of
+/// parameters and the displacement are uploaded.
 class CardFrame {
  public:
   static Result<std::unique_ptr<CardFrame>> make(std::shared_ptr<const Device> device, const Probe& probe,
@@ -49,9 +49,9 @@ class CardFrame {
   FramePlan plan_;
   NeedleEchoes needle_;
   std::vector<float> needleWords_;
-  std::optional<thesis::ThesisPlan> thesis_;  ///< set if the settings select the rendering style of the thesis
+  std::optional<thesis::ThesisPlan> thesis_;  ///< set only if the settings select the rendering style of the thesis
   PlanTables tables_;
-  std::shared_ptr<const gpu::Buffer> volumes_;  ///< volumes of the last scene
+  std::shared_ptr<const gpu::Buffer> volumes_;  ///< volumes of the last rendered scene, in the card's memory
 
   // Valid as long as the settings.
   gpu::Buffer planTable_, kernels_, repeats_, block_, thesisBlock_;
@@ -60,7 +60,7 @@ class CardFrame {
   gpu::PairTexture displacement_;
   gpu::ReadBack readBack_;
   std::size_t pointCapacity_ = 0;
-  int pointEchoes_ = 0;  ///< number in this frame
+  int pointEchoes_ = 0;  ///< number of point echoes in this frame
   std::vector<Engine::Stage> stages_;
 };
 

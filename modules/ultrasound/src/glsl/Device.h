@@ -13,7 +13,7 @@
 
 namespace insonate::glsl {
 
-/// Stages of a frame; one shader file each.
+/// Stages of computation of a frame on the graphics card; each has its own shader file.
 enum class Stage {
   Contact,
   Nodes,
@@ -38,23 +38,25 @@ enum class Stage {
   kCount
 };
 
-/// One of the project's shader files with changed text.
+/// A shader file of the project with changed text, for tests.
 struct EditedFile {
   std::string name, text;
 };
 
-/// Text of a shader file of the project (by name without extension), either as it is or with included files inserted;
-/// empty if no file has this name.
+/// shaderFile() and shaderText() return the text of a shader file of the project (by name without extension): as it is,
+/// or with included files inserted. Empty if no file has this name.
 std::string_view shaderFile(std::string_view name);
 std::string shaderText(std::string_view name, const EditedFile& edited = {});
-/// Shader text that defines the model's constants, generated from those in C++.
+/// Returns shader text that defines the acoustic model's constants, generated from those in C++.
 std::string constantsText();
 
-/// Resources shared by the engines of one process: a context, the shaders, the texture tiles, and scenes.
+/// Resources on the graphics card that all engines of one process share: a context, the shaders, the texture tiles, and
+/// scenes.
 class Device {
  public:
-  /// Returns the shared device. It is made at the first call, which takes as long as the driver compiles, and made
-  /// again after a loss. Fails with a sentence if no suitable OpenGL is available.
+  /// Returns the shared device. The first call makes the device, which takes as long as the driver compiles the
+  /// shaders; after a loss of the context the next call makes a new one. Fails with a sentence if no suitable OpenGL is
+  /// available.
   static Result<std::shared_ptr<const Device>> shared();
   /// Returns this device with one file edited, for tests: shaders that include the file are compiled again.
   Result<std::shared_ptr<const Device>> with(const EditedFile& edited) const;
@@ -72,12 +74,13 @@ class Device {
   Result<void> fill(const gpu::Current& current);
 
   std::shared_ptr<gpu::Context> context_;
-  std::vector<std::shared_ptr<const gpu::Program>> programs_;  ///< [stage]
+  std::vector<std::shared_ptr<const gpu::Program>> programs_;  ///< compiled shader of each stage
   std::shared_ptr<const gpu::Buffer> tiles_;
   std::shared_ptr<SceneStore> scenes_ = std::make_shared<SceneStore>();
 };
 
-/// Offset of the first byte of each tile in the device's buffer, by Texture; the last is that of patchTile().
+/// Returns the offset of the first byte of each texture tile in the device's buffer, in the order of the enum Texture;
+/// the last is that of patchTile().
 std::array<int, kTiles> tileOffsets();
 
 }  // namespace insonate::glsl

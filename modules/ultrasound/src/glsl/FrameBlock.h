@@ -19,10 +19,11 @@ struct alignas(16) Int4 {
 /// An affine map, row by row: (x, y, z, offset).
 using Rows = std::array<Float4, 3>;
 
-inline constexpr int kTiles = 7;       ///< texture tiles, by Texture, and one tile for the variation along boundaries
-inline constexpr int kMostPlanes = 9;  ///< see ImagingSettings
+/// Number of texture tiles: one per Texture, and one for the variation along boundaries.
+inline constexpr int kTiles = 7;
+inline constexpr int kMostPlanes = 9;  ///< maximum of ImagingSettings::elevationPlanes
 
-/// Bit of each physical effect that a shader tests; the shader uses the same name.
+/// Bits of FrameBlock::effects, one for each physical effect that a shader tests; the shader uses the same names.
 enum EffectBit : std::int32_t {
   kScattering = 1,
   kReflection = 2,
@@ -34,10 +35,10 @@ enum EffectBit : std::int32_t {
   kEdgeShadow = 128,
 };
 
-/// Bits of ChannelBlock::flags.
+/// Bits of ChannelBlock::flags: kSheets: the texture has sheets, which echo coherently; kGas: the channel is gas.
 inline constexpr std::int32_t kSheets = 1, kGas = 2;
 
-/// Channel of shaders/frame.glsl.
+/// Acoustic constants of one channel (structure): mirrors the structure Channel of shaders/frame.glsl.
 struct ChannelBlock {
   float loss_dB, echo_dB, ctEcho_dBperHU, impedance_MRayl;
   float ctImpedancePerHU, textureStrength_dB, roughness_dB, specularExponent;
@@ -48,7 +49,7 @@ struct ChannelBlock {
   std::array<Float4, 2> thinAxis;
 };
 
-/// FrameBlock of shaders/frame.glsl, which describes the fields.
+/// Parameters of a frame: mirrors the uniform block FrameBlock of shaders/frame.glsl, which describes the fields.
 struct FrameBlock {
   std::int32_t lines, gates, samples, looks;
   std::int32_t planes, stride, cellGates, cellLines;
@@ -72,7 +73,7 @@ struct FrameBlock {
   std::array<ChannelBlock, TissueField::kStride> channel;
 };
 
-/// ThesisBlock of shaders/thesis.glsl.
+/// Parameters of the rendering style of the thesis: mirrors the uniform block ThesisBlock of shaders/thesis.glsl.
 struct ThesisBlock {
   std::int32_t mapRows, noiseSeed;
   float row_mm, interface_mm, steepness_mm, lossLength_mm;
@@ -80,10 +81,11 @@ struct ThesisBlock {
   std::array<Float4, TissueField::kStride> medium, perHU;
 };
 
-/// Sizes in bytes of the records of shaders/records.glsl.
+/// Sizes in bytes of the structures of shaders/records.glsl, which one stage of shaders passes to another.
 inline constexpr std::size_t kNodeBytes = 80, kCellBytes = 72, kSampleBytes = 32, kCrossingBytes = 16;
 
-/// Offsets of the fields in C++, with the shaders' names; for Program::checkBlock().
+/// frameFields() and thesisFields() return the byte offsets of the fields of FrameBlock and ThesisBlock in C++, with
+/// the shaders' names; for Program::checkBlock().
 std::vector<gpu::Field> frameFields();
 std::vector<gpu::Field> thesisFields();
 

@@ -43,7 +43,7 @@ class GlslEngine final : public Engine {
 
  private:
   void fallBack(const std::string& why) {
-    note_ = "The cpu engine computes in place of glsl. " + why;
+    note_ = "The cpu engine replaces glsl. " + why;
     frame_.reset();
     cpu_ = makeCpuEngine();
     cpu_->prepare(probe_, settings_);

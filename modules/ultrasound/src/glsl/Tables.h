@@ -16,28 +16,28 @@ namespace insonate::glsl {
 struct PlanTables {
   PlanTables(const FramePlan& plan, bool thesis);
 
-  std::vector<Float4> plan;     ///< scanlines and gates, see shaders/geometry.glsl
-  std::vector<float> kernels;   ///< see shaders/kernels.glsl
-  std::vector<Float4> repeats;  ///< see shaders/reverberate.comp
-  FrameBlock block{};           ///< the fields that are the same in every frame
+  std::vector<Float4> plan;     ///< tables of scanlines and gates, see shaders/geometry.glsl
+  std::vector<float> kernels;   ///< kernels of the point-spread function, see shaders/kernels.glsl
+  std::vector<Float4> repeats;  ///< repeated echoes behind gas, see shaders/reverberate.comp
+  FrameBlock block{};           ///< parameters of a frame; only the fields that are the same in every frame are set
 };
 
-/// sceneWords() returns distances, CT and profiles of a scene as words, see shaders/field.glsl; setScene() sets where
-/// among the words each of them begins.
+/// sceneWords() returns distances, CT deviations and boundary profiles of a scene as 32-bit words, see
+/// shaders/field.glsl; setScene() stores in `block` where each of the three begins among the words.
 std::vector<std::int32_t> sceneWords(const AcousticScene::Impl& scene);
 void setScene(const AcousticScene::Impl& scene, FrameBlock& block);
 
-/// Sets the fields that depend on pose and scene.
+/// Sets the fields of `block` that depend on the probe's pose and the scene.
 void setPose(const FramePlan& plan, const AcousticScene::Impl& scene, const Transform& patientFromProbe,
              FrameBlock& block);
-/// Sets a displacement of at least one point.
+/// Sets the fields of `block` that describe the displacement, which must have at least one point.
 void setDisplacement(const PlaneDisplacement& displacement, FrameBlock& block);
 
-/// Point targets in the form of shaders/points.comp.
+/// Returns the echoes of point targets in the layout of shaders/points.comp.
 std::vector<Float4> pointTable(const FramePlan& plan, const AcousticScene::Impl& scene,
                                const Transform& patientFromProbe, const PlaneDisplacement& displacement);
 
-/// Writes the needle in the form of shaders/needle.glsl to `words`, whose memory is reused.
+/// Writes the needle's echoes and shadow in the layout of shaders/needle.glsl to `words`, whose memory is reused.
 void setNeedle(const FramePlan& plan, const NeedleEchoes& needle, std::vector<float>& words);
 
 ThesisBlock thesisBlock(const FramePlan& plan, const thesis::ThesisPlan& thesis, const AcousticScene::Impl& scene,

@@ -13,29 +13,31 @@ namespace insonate {
 /// Their waves exp(i k (r - delay)) / sqrt(r) are summed by frequency in homogeneous tissue, as Garcia, Comput Methods
 /// Programs Biomed 2022; 218:106726 does in three dimensions. Transmission focuses at focus_mm. Reception focuses at
 /// each depth, with an aperture of depth over receiveFNumber, at most maxAperture_mm. The lens focuses at
-/// elevationFocus_mm. tests/conformance/FieldTest.cpp compares images with that program's results.
+/// elevationFocus_mm. tests/conformance/FieldTest.cpp compares images with the results of Garcia's program.
 class BeamField {
  public:
   BeamField(const Probe& probe, const ImagingSettings& settings);
 
-  /// Field at an offset of either sign; 0 far from the axis. A range outside the image reads as the nearest end of the
-  /// image.
+  /// lateral() and elevation() return the field at an offset (of either sign) from the axis; 0 far from the axis. A
+  /// range outside the image reads as the nearest end of the image.
   double lateral(double off_mm, double range_mm) const { return across(lateral_, off_mm, range_mm); }
   double elevation(double off_mm, double range_mm) const { return across(elevation_, off_mm, range_mm); }
 
-  /// Integral of elevation() over all offsets.
+  /// Returns the integral of elevation() over all offsets at a depth, mm.
   double sliceIntegral_mm(double range_mm) const;
-  /// SD of the Gaussian whose square has the slice's width: sqrt(2) times the RMS offset, weighted by power.
+  /// Returns the SD of the Gaussian whose square is as wide as the squared elevation profile: sqrt(2) times the RMS
+  /// offset, weighted by power.
   double sliceSd_mm(double range_mm) const;
-  /// Offset beyond which elevation() is 0.
+  /// Returns the offset from the imaging plane beyond which elevation() is 0.
   double sliceReach_mm() const;
 
  private:
-  /// Profiles at the depths of the nodes, from the axis outward, in steps that grow with the beam's width.
+  /// Field profiles at several depths (nodes), from the axis outward, in steps that grow with the beam's width: step_mm
+  /// by [node], value by [node][entry].
   struct Profiles {
     int entries = 0;
-    std::vector<double> step_mm;  ///< [node]
-    std::vector<float> value;     ///< [node][entry]
+    std::vector<double> step_mm;  ///< distance between entries of a profile, [node]
+    std::vector<float> value;     ///< relative amplitude of the field, [node][entry]
   };
   struct Place {
     int node;

@@ -2,14 +2,17 @@
 
 namespace insonate {
 
-/// A boundary's echo as weights of gates, spread so that it does not depend on its position between gates.
+/// Spreads a boundary's echo over gates as a list of weights, so that the echo does not depend on the boundary's
+/// position between gates.
 ///
-/// The crossing of one scanline of an elevation plane at one range represents everything within half a line's and half
-/// a plane's distance to its sides. On a sloping boundary, this spreads the echo over a box of width = hypot(lateral
-/// slope * line distance, elevation slope * plane distance). Without this, a slope would appear as separate lines, one
-/// per plane. The box is convolved with a quadratic B-spline, so that slopes do not shimmer.
+/// Each scanline of each elevation plane represents the tissue within half a line's and half a plane's distance to its
+/// sides. On a sloping boundary, the echo is therefore spread along the scanline over a box of width = hypot(lateral
+/// slope * line distance, elevation slope * plane distance). Without this spread, a sloping boundary would appear as
+/// separate lines, one per plane. The box is convolved with a quadratic B-spline, so that sloping boundaries do not
+/// shimmer in motion.
 struct Impulse {
-  /// Narrower boxes are replaced by the spline alone.
+  /// Limits of the box's width: below kNarrowest_gates only the spline is used; wider boxes are limited to
+  /// kWidest_gates.
   static constexpr double kNarrowest_gates = 0.01, kWidest_gates = 12;
   static constexpr int kMost = 17;
 

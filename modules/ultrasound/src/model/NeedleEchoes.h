@@ -18,45 +18,49 @@ namespace insonate {
 namespace steel {
 inline constexpr double kImpedance_MRayl = 45, kTissueImpedance_MRayl = 1.63;
 inline constexpr double kSpeed_mmPerUs = 5.79;
-inline constexpr double kWallShare = 0.17;  ///< share of the outer diameter; 0.22 mm for 18 G
-/// Loss per degree of the beam's tilt from perpendicular. The loss due to the spreading of the echo over a slope is
-/// added.
+/// Thickness of the needle's wall as a share of the outer diameter; 0.22 mm for 18 G.
+inline constexpr double kWallShare = 0.17;
+/// Loss of the shaft's echo per degree between the beam and the perpendicular to the shaft, in addition to the loss by
+/// spreading the echo over a slope.
 inline constexpr double kTiltLoss_dBpdeg = 0.375;
 inline constexpr double kBevel_deg = 20;
-/// Echo of the bevel's edges, which scatter: its gain at the tip, the maximum loss by tilt, and its extent.
+/// Echo of the bevel's edges, which scatter in all directions: gain at the tip, maximum loss by tilt of the beam, and
+/// length along the shaft.
 inline constexpr double kTipGain_dB = 8.5, kTipTiltLoss_dB = 12, kTip_mm = 0.8;
-/// Number of echoes between the near and the far wall. Their levels follow: the first relative to the shaft's echo,
-/// each further one relative to the one before.
+/// Number of rings, echoes that go back and forth between the near and the far wall of the needle. kFirstRing:
+/// amplitude of the first ring relative to the shaft's echo; kNextRing: of each further ring relative to the one
+/// before.
 inline constexpr int kRings = 5;
 inline constexpr double kFirstRing = 0.2, kNextRing = 0.4;
 }  // namespace steel
 
 /// Effect of a needle on a frame, for all engines: the echo of its near side on each scanline, and its shadow. The
-/// echoes are those of a beam that tissue has not attenuated.
+/// echoes do not include the attenuation by tissue.
 ///
-/// If the skin follows the face (see Contact.h), the whole needle is moved by the shift of the tissue at its tip: it
-/// stays straight, and its tip stays in the same tissue.
+/// If the skin follows the face (see Contact.h), the whole needle is moved by the shift of the tissue at its tip: the
+/// needle stays straight, and its tip stays in the same tissue.
 class NeedleEchoes {
  public:
   /// Allocates all memory for frames. `plan` must outlive this object.
   explicit NeedleEchoes(const FramePlan& plan);
 
-  /// Sets the needle for a frame; valid (see validate()), or null for no needle. Allocates nothing.
+  /// Computes echoes and shadow of a needle for a frame. The needle must be valid (see validate()), or null for no
+  /// needle. Allocates nothing.
   void place(const Needle* needle, const TissueField& field, const Transform& patientFromProbe,
              const PlaneDisplacement& displacement);
   /// Tells whether the needle echoes or casts a shadow in this frame.
   bool present() const { return present_; }
 
-  /// Echoes of one scanline.
+  /// Extent of the needle's echoes on one scanline.
   struct Line {
-    int first = 0, end = 0;  ///< range of gates with echoes
-    float ring_gates = 0;    ///< distance between rings, in gates; 0: no rings
+    int first = 0, end = 0;  ///< first gate with an echo, and the gate after the last
+    float ring_gates = 0;    ///< distance between rings (echoes between the needle's walls), in gates; 0: no rings
   };
   const Line& line(int line) const { return lines_[line]; }
   const float* amplitudes(int line) const { return amplitude_.data() + std::size_t(line) * plan_->gates; }
 
-  /// Start of the shadow behind the needle, as a gate, by scanline. The two-way loss is applied over one gate. Vectors
-  /// may read past the last scanline.
+  /// Returns, for each scanline of an elevation plane, the gate (fractional) at which the needle's shadow begins. The
+  /// two-way loss rises to its full value within one gate. SIMD vectors may read past the last scanline.
   const float* shadowOnsets_gate(int plane) const { return onset_gate_.data() + std::size_t(plane) * paddedLines_; }
   const float* shadowLosses_dB(int plane) const { return loss_dB_.data() + std::size_t(plane) * paddedLines_; }
   float shadow_dB(int plane, int line, int gate) const {
@@ -64,8 +68,8 @@ class NeedleEchoes {
     return shadowLosses_dB(plane)[line] * std::clamp(behind, 0.0F, 1.0F);
   }
 
-  /// Calls `add(gate, amplitude)` with the echoes of a scanline, including rings. `level_dB(gate)`: two-way level of
-  /// the beam in the middle of a gate, without the shadow.
+  /// Calls `add(gate, amplitude)` for each echo of the needle on a scanline, including rings. `level_dB(gate)` is the
+  /// two-way level of the beam in the middle of a gate, without the needle's shadow.
   template <class Level, class Add>
   void addTo(int line, const Level& level_dB, const Add& add) const {
     const Line& l = lines_[line];
@@ -85,13 +89,13 @@ class NeedleEchoes {
   }
 
  private:
-  struct Pose;  ///< pose in the probe frame
+  struct Pose;  ///< pose of the needle in the probe frame
 
   static float amplitudeOf(float level_dB) { return std::exp2(level_dB * 0.166096404744F); }
   float echoAt(int line, int gate) const {
     return gate >= lines_[line].first && gate < lines_[line].end ? amplitudes(line)[gate] : 0.0F;
   }
-  /// Interpolates values between gates; constant beyond the last gate.
+  /// Interpolates values linearly between gates; constant beyond the last gate.
   template <class Values>
   float between(float gate, const Values& values) const {
     const float below = std::floor(gate);
@@ -100,8 +104,8 @@ class NeedleEchoes {
     return a + (b - a) * (gate - below);
   }
 
-  /// Shift along the beam of the tissue at the needle's tip; if the tip is far from the plane, at the needle's point
-  /// nearest to the plane.
+  /// Returns the shift along the beam of the tissue at the needle's tip or, if the tip is far from the plane, at the
+  /// needle's point nearest to the plane.
   Vec3 drawn_mm(const Pose& needle, const TissueField& field, const Transform& patientFromProbe,
                 const PlaneDisplacement& displacement) const;
   void echoShaft(const Pose& needle);
@@ -110,10 +114,10 @@ class NeedleEchoes {
   void add(double scanline, double gate, double amplitude, float ring_gates);
 
   const FramePlan* plan_;
-  std::vector<float> amplitude_;  ///< [line][gate]
+  std::vector<float> amplitude_;  ///< amplitude of the needle's echo, [line][gate]
   std::vector<Line> lines_;
   std::size_t paddedLines_;
-  std::vector<float> onset_gate_, loss_dB_;  ///< [plane][padded line]
+  std::vector<float> onset_gate_, loss_dB_;  ///< onset and loss of the needle's shadow, [plane][padded line]
   bool present_ = false;
 };
 

@@ -9,7 +9,7 @@
 
 namespace insonate {
 
-/// Share of a point target's echo on one gate of one scanline, before the beam.
+/// Part of a point target's echo on one gate of one scanline, before convolution with the point-spread function.
 struct PointEcho {
   int gate, line;
   float amplitude;

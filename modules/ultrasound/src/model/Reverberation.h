@@ -7,28 +7,29 @@
 
 namespace insonate {
 
-/// Echoes behind gas. Only two kinds of echoes arrive from there: the tissue above, mirrored, and rings between the gas
-/// and the probe, each of which repeats the surface's own echo. A mucosa is not smooth: the strength of each ring
-/// varies along it independently.
+/// Echoes behind a surface of gas. Only two kinds of echoes arrive from there: the tissue above, mirrored, and rings
+/// (echoes that go back and forth between gas and probe), each of which repeats the surface's own echo. The surface is
+/// a rough mucosa: the strength of each ring varies along the surface independently.
 class Reverberation {
  public:
-  static constexpr int kFirstGate = 2;  ///< gates behind the surface; the surface's own echo is not replaced
+  /// Number of gates behind the gas surface from which on echoes are replaced, so that the surface keeps its own echo.
+  static constexpr int kFirstGate = 2;
 
-  /// The echo of a gate at this distance above the surface is repeated with this share, multiplied by the strength of
-  /// its ring.
+  /// A repeated echo: the echo of the gate `gatesAbove` gates above the gas surface is repeated with the factor `share`
+  /// and the strength of its ring.
   struct Repeat {
     int gatesAbove;
     float share;
-    int ring;  ///< 0: the mirrored tissue
+    int ring;  ///< number of the ring; 0: the mirrored tissue
   };
 
   explicit Reverberation(const FramePlan& plan);
 
-  /// Strength of each ring at a point of the surface; 1 on average.
+  /// Computes the strength of each ring at a point of the gas surface; 1 on average.
   void strengthsAt(Vec3 surface_mm, std::span<float> strength) const;
   int rings() const { return rings_; }
 
-  /// Repeats that arrive at a gate at this distance behind the surface.
+  /// Returns the repeated echoes that arrive at a gate this number of gates behind the gas surface.
   std::span<const Repeat> at(int gatesBehind) const {
     return {repeats_.data() + first_[gatesBehind], repeats_.data() + first_[gatesBehind + 1]};
   }

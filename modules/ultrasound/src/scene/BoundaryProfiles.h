@@ -13,19 +13,19 @@ namespace insonate {
 class BoundaryProfiles {
  public:
   static constexpr int kEntries = 256;
-  /// Deliberately no round number: distances of a round grid would lie exactly on the limits of entries, where rounding
-  /// would decide.
+  /// Step of the table along s, deliberately no round number: distances on a regular grid would otherwise lie exactly
+  /// on the limits of entries, where rounding would decide.
   static constexpr double kStep_mm = 0.0251;
   static constexpr double kReach_mm = kEntries / 2 * kStep_mm;
 
-  /// One entry, packed for a single gather: occupancy (0..255: 0..1), echo (0..255: -32..+31.75 dB), anisotropy and
+  /// Packs one entry of the table into 32 bits: occupancy (0..255: 0..1), echo (0..255: -32..+31.75 dB), anisotropy and
   /// patchiness (0..255: 0..1), from the lowest byte up.
   static std::uint32_t pack(double occupancy, double echo_dB, double anisotropy, double patchiness);
 
   BoundaryProfiles() = default;
   BoundaryProfiles(const AcousticTable& table, std::span<const std::uint8_t> channelLabels);
 
-  /// Index of the first entry of an ordered pair of channels.
+  /// Returns the index of the first table entry for an ordered pair of channels (structures).
   int first(int channelA, int channelB) const { return (channelA * channels_ + channelB) * kEntries; }
   const std::vector<std::uint32_t>& entries() const { return entries_; }
 

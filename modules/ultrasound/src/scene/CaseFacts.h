@@ -14,20 +14,21 @@ namespace insonate {
 
 using LabelMeans = std::array<double, kLabelCount>;
 
-/// Facts about the whole case that scenes need, found once.
+/// Properties of the whole case that scenes need, computed once.
 struct CaseFacts {
-  static constexpr int kBlock = 8;  ///< edge of a block, voxels
+  static constexpr int kBlock = 8;  ///< edge length of a block of labelsNear(), voxels
 
   CaseFacts(const CtVolume& ct, const LabelMap& labels);
 
-  /// One bit for each label in the blocks that a box of voxels touches; unknown labels count as soft tissue.
+  /// Returns one bit for each label that occurs in the blocks of kBlock voxels that a box of voxels touches; unknown
+  /// labels count as soft tissue.
   std::uint32_t labelsNear(const NodeBox& voxels) const;
 
   std::uint32_t patient = 0;          ///< hash of the CT; identifies the patient independent of edits of the labels
-  LabelMeans mean_HU{};               ///< mean of each label; 0 if the label does not occur
-  double midline_mm = 0;              ///< x in the patient frame; textures are mirrored across it
+  LabelMeans mean_HU{};               ///< mean HU of the voxels of each label; 0 if the label does not occur
+  double midline_mm = 0;              ///< x of the patient's midline, across which textures are mirrored
   std::array<Vec3, 2> muscleFibre;    ///< fiber direction of the sternocleidomastoid, right and left; unit, patient LPS
-  std::vector<std::string> warnings;  ///< about unknown labels
+  std::vector<std::string> warnings;  ///< sentences about unknown labels
 
  private:
   std::array<int, 3> blocks_{};

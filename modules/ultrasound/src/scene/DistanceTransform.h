@@ -8,39 +8,41 @@
 
 namespace insonate {
 
-/// The label of each node of a box.
+/// Labels of the lattice nodes of a box.
 struct NodeLabels {
   NodeBox box;
   std::vector<std::uint8_t> label;
 };
 
-/// Signed distances to the structures of a block of nodes, negative inside, with smoothed outlines. Structures are
-/// computed in parallel in the calling thread's arena.
+/// Computes signed distances from the nodes of a block to structures, negative inside, with smoothed outlines.
+/// Structures are computed in parallel in the calling thread's arena.
 class DistanceTransform {
  public:
   struct Result {
-    std::vector<std::uint8_t> labels;    ///< labels of the structures within reach
-    std::vector<std::int16_t> distance;  ///< [structure][node of the block], in units of TissueField
+    std::vector<std::uint8_t> labels;  ///< labels of the structures whose distance is below the limit (within reach)
+    /// Signed distances in 1/256 mm (TissueField::kUnitsPerMm), [structure][node of the block].
+    std::vector<std::int16_t> distance;
   };
 
-  /// `nodes` contains all labels within the block's smoothing and reach margins, except beyond the lattice. The result
-  /// depends on nothing else.
+  /// `nodes` must contain the labels of all nodes up to the block's smoothing and reach margins; nodes beyond the
+  /// lattice do not exist. The result depends on nothing else.
   DistanceTransform(const NodeLattice& lattice, const NodeLabels& nodes, const NodeBox& block, Stopped stopped);
 
-  /// Distances to those candidates (one bit per label) that are within reach. The result is not usable if stopped.
+  /// Returns the distances to those of the candidate labels (one bit per label) that are within reach. The result must
+  /// not be used if the computation was stopped.
   Result distances(std::uint32_t candidates);
 
  private:
   struct Structure {
     std::uint8_t label;
-    NodeBox near;                 ///< nodes that may be within reach of the structure; nodes beyond are out of reach
-    std::vector<float> outside2;  ///< [near] squared distance to the structure; 0 on its own nodes
-    std::vector<std::int16_t> distance;  ///< [near] signed, smoothed
+    NodeBox near;                        ///< nodes that may be within reach of the structure; all others are not
+    std::vector<float> outside2;         ///< [node of `near`] squared distance to the structure; 0 on its own nodes
+    std::vector<std::int16_t> distance;  ///< [node of `near`] signed distance with smoothed outline
   };
   /// Buffers of one thread.
   struct Scratch {
     std::vector<float> rows, planes, run, signed_mm, part_mm, add;
-    std::vector<std::uint8_t> rowNear, planeNear;  ///< rows that contain nodes within reach
+    std::vector<std::uint8_t> rowNear, planeNear;  ///< flags of the rows and planes that contain nodes within reach
     std::vector<const float*> window;
     OutlineSmoothing smoothing;
   };
@@ -60,15 +62,17 @@ class DistanceTransform {
 
   const NodeLattice& lattice_;
   const NodeLabels& nodes_;
-  /// Nodes for which distances are requested, for which they are computed, and for which labels are read.
+  /// Boxes of nodes: block_: distances are requested; smoothed_: distances are computed; read_: labels are read.
   const NodeBox block_, smoothed_, read_;
-  const NodeBox seen_;            ///< the block and its neighbors
-  const float half_mm_;           ///< distance between a node and the boundary behind it
-  const std::vector<float> far_;  ///< a row of values that mean out of reach
+  const NodeBox seen_;            ///< nodes of the block and their neighbors
+  const float half_mm_;           ///< distance from a node to the boundary between it and the next node
+  const std::vector<float> far_;  ///< a row of the value that means "out of reach"
   const Stopped stopped_;
   std::vector<Structure> structures_;
-  std::vector<float> inside2_;    ///< [smoothed_] squared distance to the nearest structure other than the node's own
-  std::vector<float> decisive2_;  ///< [seen_] squared distance within which a structure is one of the two nearest
+  /// [node of smoothed_] squared distance to the nearest structure other than the node's own.
+  std::vector<float> inside2_;
+  /// [node of seen_] squared distance below which a structure is one of the two nearest at the node.
+  std::vector<float> decisive2_;
 };
 
 }  // namespace insonate

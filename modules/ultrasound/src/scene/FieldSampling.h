@@ -7,11 +7,12 @@
 
 namespace insonate {
 
-/// The eight nodes around a continuous node index, and their weights; nodes at the edge are repeated outside.
+/// The eight nodes of the tissue field around a continuous node index, and their interpolation weights; outside the
+/// field, nodes at the edge are repeated.
 struct FieldCell {
   std::size_t offset[8];
   double weight[8];
-  bool inside;  ///< within half a node of the lattice
+  bool inside;  ///< true if the index lies at most half a node outside the field
 };
 
 inline FieldCell cellAt(const TissueField& field, Vec3 node) {
@@ -34,7 +35,7 @@ inline FieldCell cellAt(const TissueField& field, Vec3 node) {
   return cell;
 }
 
-/// Signed distance to one channel's structure at a continuous node index, mm.
+/// Returns the signed distance to one channel's structure at a continuous node index, mm.
 inline double sampleDistance(const TissueField& field, int channel, Vec3 node) {
   const FieldCell cell = cellAt(field, node);
   double d = 0;

@@ -14,7 +14,7 @@ SceneSource::~SceneSource() = default;
 
 Result<std::shared_ptr<const SceneSource>> SceneSource::make(const CtVolume& ct, const LabelMap& labels) {
   if (!sameGrid(ct.geometry, labels.geometry))
-    return fail("The CT and the label map lie on different grids; resample one to the other.");
+    return fail("The CT and the label map are on different grids. Resample one to the grid of the other.");
   return std::shared_ptr<const SceneSource>(new SceneSource(std::make_unique<Impl>(ct, labels)));
 }
 

@@ -22,7 +22,8 @@ struct SceneSource::Impl {
 
  private:
   std::mutex mutex_;
-  std::map<double, std::unique_ptr<TissueTiles>> tiles_;  ///< key: detail_mm
+  /// Tiles for each value of detail_mm, the resolution of a scene.
+  std::map<double, std::unique_ptr<TissueTiles>> tiles_;
 };
 
 }  // namespace insonate

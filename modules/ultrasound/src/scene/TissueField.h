@@ -15,8 +15,8 @@ namespace insonate {
 
 class TissueTiles;
 
-/// Allocator that does not initialize new elements: the caller fills all of them, and zeroing them on one thread first
-/// would take time.
+/// Allocator that leaves new elements uninitialized: the caller fills all of them, and setting them to zero on one
+/// thread first would take time.
 template <class T>
 struct UninitialisedAllocator : std::allocator<T> {
   template <class U>
@@ -36,26 +36,27 @@ template <class T>
 using UninitialisedVector = std::vector<T, UninitialisedAllocator<T>>;
 
 /// Smooth signed distances to every structure on a fine, nearly isotropic lattice, whose nodes divide the voxels of the
-/// label map into equal parts. Boundaries therefore show no steps and need no normals. There is one channel for each
-/// structure present. The channels of a node are adjacent in memory, so that one trilinear look-up fetches all of them.
+/// label map into equal parts, so that boundaries show no steps. There is one channel for each structure present. The
+/// channels of a node are adjacent in memory, so that one trilinear look-up fetches all of them.
 struct TissueField {
   static constexpr int kStride = 16;          ///< maximum number of channels of a node
-  static constexpr double kUnitsPerMm = 256;  ///< unit of the stored distances
-  static constexpr double kReach_mm = 6;      ///< distances are limited to this
-  static constexpr int kPadding = 1;          ///< CT deviations after the last, so that each can be loaded as a word
+  static constexpr double kUnitsPerMm = 256;  ///< stored distances are whole multiples of 1 / kUnitsPerMm
+  static constexpr double kReach_mm = 6;      ///< maximum absolute value of the stored distances
+  /// Extra CT deviations after the last, so that each can be loaded as a 32-bit word.
+  static constexpr int kPadding = 1;
 
-  std::array<int, 3> size{};                  ///< nodes
+  std::array<int, 3> size{};                  ///< number of nodes along each axis
   Transform nodeFromPatient;                  ///< maps a patient point to a continuous node index
-  int channels = 0;                           ///< number of structures present
+  int channels = 0;                           ///< number of channels: structures present in the field
   std::array<std::uint8_t, kStride> label{};  ///< label of each channel
-  int backgroundChannel = -1;                 ///< channel of label 0, or -1
+  int backgroundChannel = -1;                 ///< channel of label 0 (background); -1 if the scene has none
   /// Distances to each channel's structure, negative inside, in 1/256 mm. Aligned, so that no node crosses a cache
   /// line.
   struct alignas(2 * kStride) Distances {
     std::int16_t to[kStride];
   };
-  UninitialisedVector<Distances> distance;        ///< [node]
-  UninitialisedVector<std::int16_t> ctDeviation;  ///< [node], plus padding; HU above the structure's mean
+  UninitialisedVector<Distances> distance;        ///< signed distances, [node]
+  UninitialisedVector<std::int16_t> ctDeviation;  ///< [node], plus padding: CT minus the structure's mean, HU
 
   std::size_t offset(int i, int j, int k) const { return (std::size_t(k) * size[1] + j) * size[0] + i; }
 };

@@ -16,25 +16,26 @@
 
 namespace insonate {
 
-/// Distances and CT deviations of one cube of nodes. They depend only on the case.
+/// Signed distances and CT deviations of one cube of lattice nodes. They depend only on the case.
 struct TissueTile {
   NodeBox box;
-  std::vector<std::uint8_t> labels;       ///< labels of the structures within reach
-  std::vector<std::int16_t> distance;     ///< [structure][node], in units of TissueField
-  std::vector<std::int16_t> ctDeviation;  ///< [node], HU above the structure's mean
+  std::vector<std::uint8_t> labels;    ///< labels of the structures whose distance is below the limit
+  std::vector<std::int16_t> distance;  ///< signed distances in 1/256 mm (TissueField::kUnitsPerMm), [structure][node]
+  std::vector<std::int16_t> ctDeviation;  ///< [node] CT minus the structure's mean, HU
 
   std::size_t bytes() const { return sizeof(TissueTile) + labels.size() + 2 * (distance.size() + ctDeviation.size()); }
 };
 
-/// Tiles of one patient on one lattice. They are divided by a grid of their own, computed ahead of need, and cached
-/// while there is room. Any number of threads may use it.
+/// Tiles (cubes of nodes) of one patient on one lattice. The lattice is divided into tiles by a fixed grid, independent
+/// of regions; tiles are computed ahead of need, and cached while there is room. Any number of threads may use one
+/// object.
 class TissueTiles {
  public:
   static constexpr int kEdge = 128;  ///< edge of a tile in nodes
   static constexpr std::size_t kMostBytes = std::size_t(384) << 20;
   using TilePtr = std::shared_ptr<const TissueTile>;
 
-  /// Volumes and facts must outlive this object.
+  /// `ct`, `labels` and `facts` must outlive this object.
   TissueTiles(const CtVolume& ct, const LabelMap& labels, const CaseFacts& facts, double detail_mm);
 
   const NodeLattice& lattice() const { return lattice_; }
@@ -46,7 +47,7 @@ class TissueTiles {
   bool makeAhead(const NodeBox& box, const Stopped& stopped);
 
  private:
-  /// A tile divided into small cubes, since in each cube only few structures are within reach.
+  /// A cached tile, divided into small cubes, since in each cube only few structures are within reach.
   struct Kept {
     std::vector<TilePtr> cubes;
     std::size_t bytes;

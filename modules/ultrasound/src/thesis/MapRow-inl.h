@@ -30,8 +30,8 @@ HWY_INLINE int columnsOf(const FramePlan& plan) {
   return kBlockLines / plan.cellLines + 1;
 }
 
-/// Corner weights and offsets of the field's cell that contains a continuous node index; nodes at the edge are repeated
-/// outside.
+/// The eight corners of the tissue field's cell that contains a continuous node index: their offsets and interpolation
+/// weights. Outside the field, nodes at the edge are repeated.
 struct FieldCorners {
   std::size_t offset[8];
   float weight[8];
@@ -78,7 +78,8 @@ HWY_INLINE void sampleNode(const TissueField& field, Vec3 patient_mm, int column
   row.beyond[column] = static_cast<float>(beyondLattice(field, node));
 }
 
-/// Rest position minus displayed position of the tissue at a row of nodes, patient frame, mm; the same for all planes.
+/// Computes the rest position minus the displayed position of the tissue at a row of nodes, patient frame, mm; the same
+/// for all planes.
 HWY_INLINE void shiftRow(const KernelInput& in, int firstLine, int nodeRow, Vec3* shifts) {
   const FramePlan& plan = *in.plan;
   const double range_mm = plan.range_mm(nodeRow * plan.cellGates);
@@ -128,11 +129,11 @@ HWY_INLINE Vec clampedToUnit(Vec t) {
   return hn::Min(hn::Max(t, hn::Zero(d)), hn::Set(d, 1.0F));
 }
 
-/// Rows of nodes on which a map row lies, or between which it lies: the row's value is the mean of two rows, its slope
-/// the difference of two rows.
+/// Rows of nodes from which a map row is computed: a map row lies on a row of nodes or midway between two. The value is
+/// the mean of `here` and `next`, the slope the difference of `above` and `below`.
 struct NodeRows {
   const KernelBuffers::NodeRow *here, *next, *above, *below;
-  float perMm;  ///< factor from the difference between above and below to a slope per mm
+  float perMm;  ///< factor that converts the difference between above and below to a slope per mm
 
   HWY_INLINE static Vec mean(const float* a, const float* b) {
     const Tag d;
@@ -150,7 +151,7 @@ struct NodeRows {
   }
 };
 
-/// Mean of the two smallest distances, and its slope.
+/// Mean of the two smallest signed distances at a node, and its slope along the beam.
 struct Middle {
   Vec value, slope;
 };
@@ -171,7 +172,7 @@ HWY_INLINE Middle middleOf(const NodeRows& rows, int column, int channels, int w
   return {hn::Mul(half, hn::Add(first, second)), hn::Mul(half, hn::Add(firstSlope, secondSlope))};
 }
 
-/// The medium at a vector of nodes.
+/// Acoustic properties of the medium at a SIMD vector of nodes.
 struct MediumLanes {
   Vec lnImpedanceSlope, loss_dBpmm, echo_dB;
 };
@@ -246,7 +247,7 @@ HWY_INLINE void mapRow(const KernelInput& in, const NodeRows& rows, double range
   }
 }
 
-/// Expands a row from columns to scanlines.
+/// Expands a map row from node columns to scanlines.
 HWY_INLINE void spreadRow(const FramePlan& plan, const KernelBuffers::MapRow& columns, KernelBuffers::MapRow& lines) {
   const auto spread = [&](const float* from, float* to) {
     if (plan.cellLines == 1) {

@@ -11,12 +11,14 @@
 /// hashes, so that every engine, and a shader, uses the same lattice.
 namespace insonate::thesis {
 
-inline constexpr int kNoiseOctaves = 2;          ///< each octave is twice as fine and half as strong as the one before
-inline constexpr double kSeedPosition_mm = 0.1;  ///< smaller changes of the position do not change the seed
-inline constexpr double kSeedDirection = 0.01;   ///< likewise, for a component of a unit axis
+/// Number of octaves of the noise; each is twice as fine and half as strong as the one before.
+inline constexpr int kNoiseOctaves = 2;
+inline constexpr double kSeedPosition_mm = 0.1;  ///< smaller changes of the probe's position do not change the seed
+/// Smaller changes of a component of the probe's axes do not change the seed.
+inline constexpr double kSeedDirection = 0.01;
 inline constexpr double kSeedTime_s = 0.001;
 
-/// Perlin's quintic step from 0 to 1 ("Improving noise", 2002) and its slope.
+/// fade() is Perlin's quintic step from 0 to 1 ("Improving noise", 2002), fadeSlope() its slope.
 constexpr double fade(double t) {
   return t * t * t * (10 + t * (-15 + 6 * t));
 }
@@ -25,7 +27,7 @@ constexpr double fadeSlope(double t) {
 }
 
 struct NoiseGradient {
-  double x, y;  ///< each uniform in -1..1
+  double x, y;  ///< components of the gradient, each uniform in -1..1
 };
 
 constexpr NoiseGradient gradientAt(std::int32_t column, std::int32_t row, std::uint32_t seed) {
@@ -37,13 +39,13 @@ constexpr std::uint32_t octaveSeed(std::uint32_t seed, int octave) {
   return hash32(seed + 0x9e3779b9U * static_cast<std::uint32_t>(octave + 1));
 }
 
-/// Number of lattice cells of the first octave across the image.
+/// Number of lattice cells of the noise's first octave along the width and the depth of the image.
 struct NoiseCells {
   double across = 1, down = 1;
 };
 
-/// Variance of one octave, over all gradients and positions in a cell: 8/3 times the integral of w^2 times the integral
-/// of w^2 x^2 over a cell, with w = 1 - fade(x).
+/// Returns the variance of one octave of the noise, over all gradients and positions in a cell: 8/3 times the integral
+/// of w^2 times the integral of w^2 x^2 over a cell, with w = 1 - fade(x).
 constexpr double octaveVariance() {
   constexpr int kSteps = 1000;
   double even = 0, arm = 0;
@@ -55,14 +57,15 @@ constexpr double octaveVariance() {
   return 8.0 / 3 * even * arm;
 }
 
-/// Variance of the sum of all octaves, with squared amplitudes 1, 1/4, ...
+/// Returns the variance of the sum of all octaves of the noise, with squared amplitudes 1, 1/4, ...
 constexpr double noiseVariance() {
   double sum = 0, power = octaveVariance();
   for (int o = 0; o < kNoiseOctaves; ++o, power /= 4) sum += power;
   return sum;
 }
 
-/// One octave: the gradients at the four corners, interpolated along x and then along y.
+/// Returns one octave of gradient noise at a point: the contributions of the gradients at the four corners of the
+/// lattice cell, interpolated along x and then along y.
 inline double perlin(double x, double y, std::uint32_t seed) {
   const double i = std::floor(x), j = std::floor(y), dx = x - i, dy = y - j;
   const auto column = static_cast<std::int32_t>(i), row = static_cast<std::int32_t>(j);
@@ -75,7 +78,7 @@ inline double perlin(double x, double y, std::uint32_t seed) {
   return above + fade(dy) * (below - above);
 }
 
-/// Noise with zero mean and unit variance; texture coordinates x, y from 0 to 1.
+/// Returns the thesis's noise at the texture coordinates x, y from 0 to 1, with zero mean and unit variance.
 inline double usnoise2d(double x, double y, const NoiseCells& cells, std::uint32_t seed) {
   double sum = 0, scale = 1;
   for (int o = 0; o < kNoiseOctaves; ++o, scale *= 2)
@@ -83,7 +86,8 @@ inline double usnoise2d(double x, double y, const NoiseCells& cells, std::uint32
   return sum / std::sqrt(noiseVariance());
 }
 
-/// Seed from p, r and t of equation 9.
+/// Returns the seed of the noise from the probe's position p and orientation r and the time t of equation 9 of the
+/// thesis.
 inline std::uint32_t noiseSeed(const Transform& patientFromProbe, double time_s) {
   std::uint32_t seed = 0x75736e32U;
   const auto mixIn = [&seed](double value, double step) {

@@ -38,7 +38,7 @@ class ThesisCpu {
   KernelInput input_;
   EchoRows echo_;
   std::vector<float> lateralKernel_;
-  std::vector<Contact> contacts_;                       ///< [column]
+  std::vector<Contact> contacts_;                       ///< contact with the skin at each node column
   std::vector<std::unique_ptr<Workspace>> workspaces_;  ///< a workspace for each thread of the arena
   std::vector<Engine::Stage> stages_;
 };

@@ -109,7 +109,7 @@ TEST_F(RecordingTest, RefusesWhatIsNoRecording) {
     EXPECT_THAT(readRecording(write(heading + line + "\n")).error().message, HasSubstr("line 3 is not a report"))
         << line;
   EXPECT_THAT(replayRecording({}).error().message, HasSubstr("no report of a device"));
-  EXPECT_THAT(replayRecording({{0, "d", "t", true, {1}}}).error().message, HasSubstr("'t' is not one that a table"));
+  EXPECT_THAT(replayRecording({{0, "d", "t", true, {1}}}).error().message, HasSubstr("'t' is not in any device table"));
   EXPECT_THAT(replayRecording({{0, "d", "t", true, {1}}}, "e").error().message, HasSubstr("device 'e'"));
   EXPECT_THAT(ReportRecorder().start("/nowhere/at.all").error().message, HasSubstr("cannot be written"));
 }

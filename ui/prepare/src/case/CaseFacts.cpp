@@ -1,6 +1,6 @@
 #include "CaseFacts.h"
 
-#include "../check/CaseMeasuring.h"
+#include "../model/CaseMeasuring.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
 

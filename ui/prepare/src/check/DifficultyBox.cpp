@@ -1,9 +1,9 @@
 #include "DifficultyBox.h"
 
+#include "../model/CaseMeasuring.h"
 #include "../model/OpenCase.h"
+#include "../model/PlacesEditor.h"
 #include "../model/PrepareModel.h"
-#include "../places/PlacesEditor.h"
-#include "CaseMeasuring.h"
 
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>

@@ -1,12 +1,13 @@
 #include "FindingsList.h"
 
+#include "../model/CaseMeasuring.h"
+#include "../model/Crosshair.h"
+#include "../model/PlacesEditor.h"
 #include "../model/PrepareModel.h"
-#include "../places/PlacesBox.h"
-#include "../structures/StructureList.h"
-#include "../structures/TermsEditor.h"
-#include "../viewing/Crosshair.h"
-#include "CaseMeasuring.h"
+#include "../model/StructureList.h"
+#include "../model/TermsEditor.h"
 
+#include <insonate/ui/StateColors.h>
 #include <insonate/ui/Theme.h>
 
 #include <QHBoxLayout>
@@ -21,24 +22,21 @@
 namespace insonate::prepare {
 namespace {
 
-namespace theme = views::theme;
-
 struct Sign {
   const char* icon;
-  views::Colour colour;
   QString word, group;
 };
 
 Sign signOf(FindingSeverity severity) {
   switch (severity) {
     case FindingSeverity::kError:
-      return {"close", theme::kDanger, FindingsList::tr("Error"), FindingsList::tr("Errors")};
+      return {"close", FindingsList::tr("Error"), FindingsList::tr("Errors")};
     case FindingSeverity::kWarning:
-      return {"warning", theme::kCaution, FindingsList::tr("Warning"), FindingsList::tr("Warnings")};
+      return {"warning", FindingsList::tr("Warning"), FindingsList::tr("Warnings")};
     case FindingSeverity::kInfo:
       break;
   }
-  return {"help", theme::kQuiet, FindingsList::tr("Note"), FindingsList::tr("Notes")};
+  return {"help", FindingsList::tr("Note"), FindingsList::tr("Notes")};
 }
 
 QString verdict(const std::vector<Finding>& findings) {
@@ -103,7 +101,7 @@ QPushButton* FindingsList::way(const Finding& finding) {
     auto* mark = button(tr("Mark it"), tr("Opens the list of targets, vessels, start poses and landmarks"));
     connect(mark, &QPushButton::clicked, this, [this, finding, kind = missing->second] {
       if (finding.place_mm) shared_.crosshair.moveTo(*finding.place_mm);
-      Q_EMIT placeWanted(kind);
+      shared_.places.requestMark(kind);
     });
     return mark;
   }
@@ -122,7 +120,7 @@ QWidget* FindingsList::row(const Finding& finding) {
   const Sign sign = signOf(finding.severity);
   auto* row = new QWidget;
   auto* mark = new QLabel;
-  mark->setPixmap(ui::icon(QLatin1String(sign.icon), sign.colour).pixmap(16, 16));
+  mark->setPixmap(ui::icon(QLatin1String(sign.icon), ui::colorOf(finding.severity)).pixmap(16, 16));
   mark->setToolTip(sign.word);
   mark->setAlignment(Qt::AlignTop);
   auto* text =

@@ -26,8 +26,6 @@ class FindingsList : public QWidget {
  Q_SIGNALS:
   /// Emitted when the user wants to make a missing structure.
   void labelWanted(int label);
-  /// Emitted when the user wants to mark a missing place; `kind` as in PlacesBox.
-  void placeWanted(const QString& kind);
 
  private:
   void refresh();

@@ -3,6 +3,7 @@
 #include "GuideSession.h"
 
 #include <insonate/ui/PassLetters.h>
+#include <insonate/ui/StateColors.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 #include <insonate/ui/Widgets.h>
@@ -70,7 +71,7 @@ QString stateWord(GuideSession::State state, bool optional) {
       return GuidePage::tr("working");
     case GuideSession::State::Done:
       return GuidePage::tr("done");
-    case GuideSession::State::Doubtful:
+    case GuideSession::State::Warning:
       return GuidePage::tr("warning");
     case GuideSession::State::Skipped:
       return GuidePage::tr("skipped");
@@ -95,19 +96,6 @@ QString clicksWords(const GuideStep& step, int count) {
                       : GuidePage::tr(", enough."))
           << GuidePage::tr("Drag a point to move it; the right button or Delete removes it.");
   return words.join(QLatin1Char(' '));
-}
-
-QColor stateColour(GuideSession::State state) {
-  switch (state) {
-    case GuideSession::State::Done:
-      return ui::colour(views::theme::kGood);
-    case GuideSession::State::Doubtful:
-      return ui::colour(views::theme::kCaution);
-    case GuideSession::State::Working:
-      return ui::colour(views::theme::kAccent);
-    default:
-      return ui::colour(views::theme::kText);
-  }
 }
 
 }  // namespace
@@ -234,7 +222,7 @@ void GuidePage::refreshList() {
     const GuideSession::State state = guide_.state(n);
     QTreeWidgetItem* item = list_->topLevelItem(n);
     item->setText(1, stateWord(state, step.optional));
-    item->setForeground(1, stateColour(state));
+    item->setForeground(1, ui::colour(ui::colorOf(state)));
     item->setData(0, Qt::AccessibleTextRole, item->text(0) + QStringLiteral(", ") + item->text(1));
   }
   list_->setCurrentItem(list_->topLevelItem(guide_.current()));
@@ -242,7 +230,7 @@ void GuidePage::refreshList() {
 
 void GuidePage::refreshButtons() {
   const GuideSession::State state = guide_.state(guide_.current());
-  const bool made = state == GuideSession::State::Done || state == GuideSession::State::Doubtful;
+  const bool made = state == GuideSession::State::Done || state == GuideSession::State::Warning;
   const bool busy = guide_.isBusy();
   const bool working = state == GuideSession::State::Working;
   run_->setText(working ? tr("Cancel") : made ? tr("Again") : tr("Run"));
@@ -267,7 +255,7 @@ void GuidePage::refresh() {
   const GuideStep& step = guide_.step();
   const int index = guide_.current();
   const GuideSession::State state = guide_.state(index);
-  const bool made = state == GuideSession::State::Done || state == GuideSession::State::Doubtful;
+  const bool made = state == GuideSession::State::Done || state == GuideSession::State::Warning;
   refreshList();
   if (title_->text() != QString::fromStdString(step.title)) {
     told_->clear();
@@ -277,14 +265,13 @@ void GuidePage::refresh() {
   say_->setText(QString::fromStdString(made ? step.lookFor : step.say));
   clicks_->setVisible(step.clicks > 0 && !guide_.isCorrecting());
   clicks_->setText(clicksWords(step, int(guide_.clicks_mm().size())));
-  const bool doubtful = state == GuideSession::State::Doubtful;
-  const QStringList remarks = guide_.remarks(index);
-  QString result = remarks.join(QLatin1Char(' '));
-  if (doubtful) result += QLatin1Char(' ') + QString::fromStdString(step.ifWrong);
+  const bool isWarning = state == GuideSession::State::Warning;
+  QString result = guide_.remarks(index).join(QLatin1Char(' '));
+  if (isWarning) result = tr("Warning: %1 %2").arg(result, QString::fromStdString(step.ifWrong));
   result_->setVisible(!result.isEmpty());
   result_->setText(result);
-  result_->setStyleSheet(
-      QStringLiteral("color: %1").arg(ui::colour(doubtful ? views::theme::kCaution : views::theme::kText).name()));
+  const views::Colour color = isWarning ? ui::colorOf(state) : views::theme::kText;
+  result_->setStyleSheet(QStringLiteral("color: %1").arg(ui::colour(color).name()));
   if (state == GuideSession::State::Working) result_->hide();
   told_->setVisible(!told_->text().isEmpty());
   refreshButtons();

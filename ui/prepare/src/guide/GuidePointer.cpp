@@ -2,15 +2,14 @@
 
 #include "../labels/LabelSession.h"
 #include "../model/PrepareModel.h"
-#include "../structures/TermsEditor.h"
+#include "../model/TermsEditor.h"
 #include "GuideSession.h"
 
-#include <insonate/ui/KeyOffer.h>
+#include <insonate/ui/CanvasInput.h>
 #include <insonate/ui/ViewWidget.h>
 #include <insonate/views/MprView.h>
 
 #include <QApplication>
-#include <QKeyEvent>
 #include <QMouseEvent>
 #include <algorithm>
 #include <cmath>
@@ -24,11 +23,13 @@ constexpr double kNear_px = 9;  // distance from a point, in logical pixels
 }  // namespace
 
 GuidePointer::GuidePointer(GuideSession& guide, PrepareModel& shared, QObject* parent)
-    : QObject(parent), guide_(guide), shared_(shared) {}
+    : QObject(parent), guide_(guide), shared_(shared) {
+  addKeys();
+}
 
 void GuidePointer::watch(ui::ViewWidget& widget, views::MprView& slice) {
   watched_.push_back({&widget, &slice});
-  widget.focusProxy()->installEventFilter(this);
+  ui::CanvasInput::of(*widget.focusProxy()).add(ui::InputRank::Guide, *this);
 }
 
 Vec3 GuidePointer::patientAt(const Watched& where, QPoint at) const {
@@ -99,22 +100,21 @@ bool GuidePointer::doubleClick(Qt::MouseButton button) {
   return false;
 }
 
-bool GuidePointer::key(int key, bool act) {
-  const auto& clicks_mm = guide_.clicks_mm();
-  switch (key) {
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-      if (!guide_.isShown() || guide_.isBusy()) return false;
-      if (act) guide_.proceed();
-      return true;
-    case Qt::Key_Delete:
-    case Qt::Key_Backspace:
-      if (!guide_.takesClicks() || clicks_mm.empty()) return false;
-      if (act) guide_.removeClick(clicks_mm.size() - 1);
-      return true;
-    default:
-      return false;
-  }
+void GuidePointer::addKeys() {
+  keys_.add({QStringLiteral("proceed"),
+             {},
+             {},
+             {},
+             {{Qt::Key_Return, {}, {}}, {Qt::Key_Enter, {}, {}}},
+             [this](ui::KeyPress) { guide_.proceed(); },
+             [this] { return guide_.isShown() && !guide_.isBusy(); }});
+  keys_.add({QStringLiteral("removeLast"),
+             {},
+             {},
+             {},
+             {{Qt::Key_Delete, {}, {}}, {Qt::Key_Backspace, {}, {}}},
+             [this](ui::KeyPress) { guide_.removeClick(guide_.clicks_mm().size() - 1); },
+             [this] { return guide_.takesClicks() && !guide_.clicks_mm().empty(); }});
 }
 
 bool GuidePointer::eventFilter(QObject* watched, QEvent* event) {
@@ -132,7 +132,7 @@ bool GuidePointer::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonDblClick:
       return doubleClick(mouse->button());
     default:
-      return ui::offerKey(*event, [this](const QKeyEvent& pressed, bool act) { return key(pressed.key(), act); });
+      return keys_.offer(*event);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <insonate/image/Volume.h>
+#include <insonate/ui/Commands.h>
 
 #include <QObject>
 #include <QPoint>
@@ -40,12 +41,13 @@ class GuidePointer : public QObject {
   bool move(const Watched& where, QPoint at);
   bool release(const Watched& where, QPoint at);
   bool doubleClick(Qt::MouseButton button);
-  bool key(int key, bool act);
+  void addKeys();
   Vec3 patientAt(const Watched& where, QPoint at) const;
   std::optional<std::size_t> clickAt(const Watched& where, QPoint at) const;
 
   GuideSession& guide_;
   PrepareModel& shared_;
+  ui::Commands keys_;  ///< keys on a slice for the current step
   std::vector<Watched> watched_;
   std::optional<std::size_t> dragged_;
   std::optional<QPoint> pressed_;

@@ -1,15 +1,16 @@
 #include "GuideSession.h"
 
-#include "../check/CaseMeasuring.h"
 #include "../labels/LabelSession.h"
+#include "../model/CaseMeasuring.h"
+#include "../model/Notice.h"
 #include "../model/OpenCase.h"
+#include "../model/PlacesEditor.h"
 #include "../model/PrepareModel.h"
-#include "../places/PlacesEditor.h"
-#include "../places/VesselNaming.h"
-#include "../structures/StructureAppearance.h"
-#include "../structures/StructureList.h"
-#include "../structures/TermsEditor.h"
-#include "../viewing/SliceSettings.h"
+#include "../model/SliceSettings.h"
+#include "../model/StructureAppearance.h"
+#include "../model/StructureList.h"
+#include "../model/TermsEditor.h"
+#include "../model/VesselNaming.h"
 
 #include <insonate/core/AtomicFile.h>
 
@@ -17,6 +18,7 @@
 #include <QPointer>
 #include <QtConcurrent/QtConcurrentRun>
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 namespace insonate::prepare {
@@ -57,11 +59,12 @@ GuideSession::GuideSession(PrepareModel& shared, QObject* parent)
     : QObject(parent),
       shared_(shared),
       guide_(neckGuide()),
-      replay_(*new GuideReplay(shared.labelling, shared.openCase.undoStack(), this)),
+      replay_(*new StepReplay(shared.labelling, shared.openCase.undoStack(), this)),
       progress_(guide_.steps.size()) {
   const LabelSession& labels = shared_.labelling;
   connect(&shared_.openCase, &OpenCase::caseChanged, this, [this] { beginCase(); });
   connect(&shared_.openCase, &OpenCase::originChanged, this, [this] { takeUpRecipe(); });
+  connect(&shared_.openCase, &OpenCase::saved, this, [this] { saveRecipe(); });
   connect(&labels, &LabelSession::changed, this, [this] {
     recipe_ = shared_.labelling.recipe();
     Q_EMIT changed();
@@ -144,7 +147,7 @@ bool GuideSession::isThere(int index) const {
 GuideSession::State GuideSession::state(int index) const {
   const StepProgress& p = progress_[std::size_t(index)];
   if (index == working_) return State::Working;
-  if (isMade(index)) return p.doubts.isEmpty() || p.accepted ? State::Done : State::Doubtful;
+  if (isMade(index)) return p.doubts.isEmpty() || p.accepted ? State::Done : State::Warning;
   if (p.restored || isThere(index)) return State::Done;
   return p.skipped ? State::Skipped : State::ToDo;
 }
@@ -281,7 +284,7 @@ void GuideSession::goToNext() {
 }
 
 void GuideSession::accept() {
-  if (const State now = state(current_); now != State::Done && now != State::Doubtful) return;
+  if (const State now = state(current_); now != State::Done && now != State::Warning) return;
   progress_[std::size_t(current_)].accepted = true;
   if (!step().vessel.empty() && isMade(current_))
     nameVesselAt(shared_, clicks_mm(), QString::fromStdString(step().vessel));
@@ -296,7 +299,7 @@ void GuideSession::skip() {
 
 void GuideSession::proceed() {
   const State now = state(current_);
-  if (now == State::Done || now == State::Doubtful) return accept();
+  if (now == State::Done || now == State::Warning) return accept();
   run();
 }
 
@@ -314,15 +317,19 @@ void GuideSession::setCorrecting(bool on) {
   Q_EMIT clicksChanged();
 }
 
-Result<void> GuideSession::saveRecipe(const std::filesystem::path& folder) const {
+void GuideSession::saveRecipe() {
+  const QString folder = shared_.openCase.origin().folder;
   // Queried now, since a stroke has all its points only at its end.
   const Recipe made = shared_.labelling.recipe();
-  if (made.steps.empty()) return {};
+  if (folder.isEmpty() || made.steps.empty()) return;
   Recipe all = before_;
   all.description = "What made the labels of this case out of those that its import gave, in this order.";
   all.labels = shared_.terms.value().own;
   all.steps.insert(all.steps.end(), made.steps.begin(), made.steps.end());
-  return writeAtomically(folder / kRecipeFile, textOf(all));
+  const auto ok = writeAtomically(std::filesystem::path(folder.toStdString()) / kRecipeFile, textOf(all));
+  if (!ok)
+    shared_.notice.say(tr("The case is saved, but the recipe of its labels is not: %1")
+                           .arg(QString::fromStdString(ok.error().message)));
 }
 
 }  // namespace insonate::prepare

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "GuideReplay.h"
+#include "../labels/StepReplay.h"
 
 #include <insonate/segmentation/Guide.h>
+#include <insonate/ui/StateColors.h>
 
 #include <QObject>
 #include <QString>
 #include <QStringList>
-#include <filesystem>
 #include <vector>
 
 namespace insonate::prepare {
@@ -20,7 +20,7 @@ class GuideSession : public QObject {
   Q_OBJECT
 
  public:
-  enum class State { ToDo, Working, Done, Doubtful, Skipped };
+  using State = ui::StepState;
 
   GuideSession(PrepareModel& shared, QObject* parent);
 
@@ -33,7 +33,7 @@ class GuideSession : public QObject {
   State state(int index) const;
   /// Tells whether the author had used the guide when the case was saved and required steps are still to do.
   bool goesOn() const;
-  /// Sentences about a step's state, for example why its result is doubtful.
+  /// Sentences about a step's state, for example why its result may be wrong.
   QStringList remarks(int index) const;
 
   /// Sets whether the guide's page is shown: clicks in slices then belong to the current step.
@@ -68,9 +68,6 @@ class GuideSession : public QObject {
   double brush_mm() const { return brush_mm_; }
   void setBrush(double radius_mm) { brush_mm_ = radius_mm; }
 
-  /// Writes a recipe beside a saved case: all steps that made its labels since the CT was imported, for replay.
-  Result<void> saveRecipe(const std::filesystem::path& folder) const;
-
  Q_SIGNALS:
   void changed();
   void clicksChanged();
@@ -101,10 +98,12 @@ class GuideSession : public QObject {
   void finished(int index, bool well);
   void goToNext();
   void findWarnings(int index);
+  /// Writes a recipe beside the saved case: all steps that made its labels since the CT was imported, for replay.
+  void saveRecipe();
 
   PrepareModel& shared_;
   Guide guide_;
-  GuideReplay& replay_;
+  StepReplay& replay_;
   std::vector<StepProgress> progress_;
   Recipe before_;  ///< recipe that was saved with the case before it was opened
   Recipe recipe_;  ///< recipe of the steps since the case was opened

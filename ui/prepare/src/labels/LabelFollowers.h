@@ -1,7 +1,7 @@
 #pragma once
 
-#include "../check/CaseMeasuring.h"
-#include "../live/LivePatient.h"
+#include "../model/CaseMeasuring.h"
+#include "../model/LivePatient.h"
 #include "LabelSession.h"
 
 #include <QObject>

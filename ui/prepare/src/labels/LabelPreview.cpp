@@ -3,8 +3,10 @@
 #include <QFutureWatcher>
 #include <QtConcurrent/QtConcurrentRun>
 #include <exception>
+#include <mutex>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace insonate::prepare {
 namespace {
@@ -23,8 +25,37 @@ Result<std::shared_ptr<const Proposal>> proposed(const LabelStep& step, const Ct
 
 }  // namespace
 
+/// Unused proposals, for reuse: a proposal for a whole CT takes tens of megabytes, and allocating this memory takes
+/// longer than filling it by a threshold.
+struct LabelPreview::Buffers {
+  std::mutex mutex;
+  std::vector<std::unique_ptr<Proposal>> free;
+};
+
+LabelPreview::LabelPreview(QObject* parent) : QObject(parent), buffers_(std::make_shared<Buffers>()) {}
+
 LabelPreview::~LabelPreview() {
   if (stop_) *stop_ = true;
+}
+
+/// The thread that releases the proposal last returns its memory, or frees it if clear() was called meanwhile.
+std::shared_ptr<Proposal> LabelPreview::takeBuffer() {
+  std::unique_ptr<Proposal> one;
+  {
+    const std::lock_guard lock(buffers_->mutex);
+    if (!buffers_->free.empty()) {
+      one = std::move(buffers_->free.back());
+      buffers_->free.pop_back();
+    }
+  }
+  if (!one) one = std::make_unique<Proposal>();
+  return {one.release(), [buffers = std::weak_ptr(buffers_)](Proposal* back) {
+            std::unique_ptr<Proposal> held(back);
+            const auto there = buffers.lock();
+            if (!there) return;
+            const std::lock_guard lock(there->mutex);
+            there->free.push_back(std::move(held));
+          }};
 }
 
 void LabelPreview::want(LabelStep step, std::shared_ptr<const CtVolume> ct, std::shared_ptr<const LabelMap> labels) {
@@ -40,7 +71,7 @@ void LabelPreview::clear() {
   ++number_;
   next_.reset();
   if (stop_) *stop_ = true;
-  store_.forget();
+  buffers_ = std::make_shared<Buffers>();
   setComputing(false);
   if (!std::exchange(proposal_, nullptr)) return;
   Q_EMIT changed();
@@ -57,7 +88,7 @@ void LabelPreview::begin(Wish wish) {
     watcher->deleteLater();
     take(number, label, watcher->result());
   });
-  watcher->setFuture(QtConcurrent::run([wish = std::move(wish), into = store_.take(), stop = stop_] {
+  watcher->setFuture(QtConcurrent::run([wish = std::move(wish), into = takeBuffer(), stop = stop_] {
     return proposed(wish.step, *wish.ct, *wish.labels, into, *stop);
   }));
 }

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "ProposalStore.h"
-
 #include <insonate/core/Result.h>
 #include <insonate/segmentation/LabelStep.h>
+#include <insonate/segmentation/Region.h>
 
 #include <QObject>
 #include <atomic>
@@ -19,7 +18,7 @@ class LabelPreview : public QObject {
   Q_OBJECT
 
  public:
-  using QObject::QObject;
+  explicit LabelPreview(QObject* parent);
   ~LabelPreview() override;
 
   /// Requests the preview of a step. CT and labels must not change during the computation.
@@ -41,6 +40,7 @@ class LabelPreview : public QObject {
   void failed(const QString& sentence);
 
  private:
+  struct Buffers;
   using Made = Result<std::shared_ptr<const Proposal>>;
   struct Wish {
     LabelStep step;
@@ -49,9 +49,11 @@ class LabelPreview : public QObject {
   };
   void begin(Wish wish);
   void setComputing(bool computing);
+  /// Returns a proposal to be filled; it still has former contents.
+  std::shared_ptr<Proposal> takeBuffer();
   void take(int number, std::uint8_t label, const Made& made);
 
-  ProposalStore store_;
+  std::shared_ptr<Buffers> buffers_;
   std::shared_ptr<const Proposal> proposal_;
   std::shared_ptr<std::atomic<bool>> stop_;  ///< stops the running computation; null if none is running
   std::optional<Wish> next_;

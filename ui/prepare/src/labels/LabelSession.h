@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../structures/Structures.h"
+#include "../model/Structures.h"
 #include "LabelPreview.h"
 #include "LabelRules.h"
 #include "LabelSnapshots.h"

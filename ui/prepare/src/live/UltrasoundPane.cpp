@@ -1,13 +1,14 @@
 #include "UltrasoundPane.h"
 
+#include "../model/Crosshair.h"
+#include "../model/LivePatient.h"
 #include "../model/OpenCase.h"
+#include "../model/PlacesEditor.h"
 #include "../model/PrepareModel.h"
-#include "../places/PlacesEditor.h"
-#include "../structures/Structures.h"
-#include "../viewing/Crosshair.h"
-#include "LivePatient.h"
+#include "../model/Structures.h"
 
 #include <insonate/ui/AreaWords.h>
+#include <insonate/ui/Commands.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 #include <insonate/ui/ViewWidget.h>
@@ -25,9 +26,8 @@ constexpr int kLeastHeight_px = 150;
 
 }  // namespace
 
-UltrasoundPane::UltrasoundPane(PrepareModel& shared, QWidget* parent)
-    : QWidget(parent),
-      shared_(shared),
+UltrasoundPane::UltrasoundPane(PrepareModel& shared, const ui::Commands& commands)
+    : shared_(shared),
       view_(std::make_shared<views::UltrasoundView>()),
       widget_(new ui::ViewWidget(view_, tr("Ultrasound of this label map"), this)),
       press_(new ui::ValueSlider(tr("indentation"), tr("mm"), {0, 15, 0, 0.5, 1},
@@ -45,7 +45,7 @@ UltrasoundPane::UltrasoundPane(PrepareModel& shared, QWidget* parent)
   ui::setRole(title, "heading");
   title->setToolTip(tr("Ultrasound of these labels: the probe stands on the skin nearest to the crosshair"));
   start_->setObjectName(QStringLiteral("toStart"));
-  start_->setToolTip(tr("Moves crosshair and probe to the case's start pose (Home)"));
+  start_->setToolTip(commands.toolTip(QStringLiteral("prepare.live.start")));
   ui::setRole(state_, "quiet");
   state_->setObjectName(QStringLiteral("ultrasoundState"));
   state_->setWordWrap(true);

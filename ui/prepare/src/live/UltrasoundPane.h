@@ -9,6 +9,7 @@ class QLabel;
 class QPushButton;
 
 namespace insonate::ui {
+class Commands;
 class ValueSlider;
 class ViewWidget;
 }  // namespace insonate::ui
@@ -20,7 +21,8 @@ struct PrepareModel;
 /// The small ultrasound image computed from the labels, always visible.
 class UltrasoundPane : public QWidget {
  public:
-  explicit UltrasoundPane(PrepareModel& shared, QWidget* parent = nullptr);
+  /// `commands` have the keys that tooltips name.
+  UltrasoundPane(PrepareModel& shared, const ui::Commands& commands);
 
   ui::ViewWidget& widget() { return *widget_; }
 

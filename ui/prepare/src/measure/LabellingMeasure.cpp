@@ -1,13 +1,13 @@
 #include "LabellingMeasure.h"
 
 #include "../labels/LabelSession.h"
-#include "../live/LivePatient.h"
+#include "../layout/CaseViews.h"
+#include "../model/Crosshair.h"
+#include "../model/LivePatient.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
-#include "../structures/StructureList.h"
+#include "../model/StructureList.h"
 #include "../tools/ToolSession.h"
-#include "../viewing/CaseViews.h"
-#include "../viewing/Crosshair.h"
 
 #include <insonate/core/ProcessorTime.h>
 #include <insonate/tissue/Labels.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <insonate/prepare/LabellingTime.h>
+#include <insonate/prepare/PrepareBenchmark.h>
 #include <insonate/segmentation/LabelStep.h>
 
 #include <QElapsedTimer>

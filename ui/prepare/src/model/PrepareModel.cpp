@@ -1,23 +1,44 @@
 #include "PrepareModel.h"
 
-#include "../check/CaseMeasuring.h"
-#include "../check/MeasuringUpdates.h"
 #include "../labels/LabelFollowers.h"
 #include "../labels/LabelSession.h"
-#include "../live/LivePatient.h"
-#include "../live/LiveUpdates.h"
-#include "../places/PlacesEditor.h"
-#include "../publish/CaseChanges.h"
-#include "../structures/StructureAppearance.h"
-#include "../structures/StructureList.h"
-#include "../structures/TermsEditor.h"
-#include "../viewing/Crosshair.h"
-#include "../viewing/SliceSettings.h"
-#include "../viewing/StatusLine.h"
+#include "CaseChanges.h"
+#include "CaseMeasuring.h"
+#include "Crosshair.h"
+#include "LivePatient.h"
+#include "LiveUpdates.h"
 #include "Notice.h"
 #include "OpenCase.h"
+#include "PlacesEditor.h"
+#include "SliceSettings.h"
+#include "StatusLine.h"
+#include "StructureAppearance.h"
+#include "StructureList.h"
+#include "TermsEditor.h"
+
+#include <QTimer>
 
 namespace insonate::prepare {
+namespace {
+
+/// Passes the open case to the check, and has it checked again after edits of places and tissues.
+void keepChecked(CaseMeasuring& measuring, OpenCase& openCase, const PlacesEditor& places, const TermsEditor& terms) {
+  constexpr int kRecheck_ms = 700;  // after the last of several edits
+  auto* recheck = new QTimer(&measuring);
+  recheck->setSingleShot(true);
+  recheck->setInterval(kRecheck_ms);
+  QObject::connect(&openCase, &OpenCase::opened, &measuring, [recheck, &openCase, &measuring] {
+    recheck->stop();
+    measuring.setCase(openCase.patient());
+  });
+  QObject::connect(&places, &PlacesEditor::edited, recheck, qOverload<>(&QTimer::start));
+  QObject::connect(&terms, &TermsEditor::ownLabelsEdited, recheck, qOverload<>(&QTimer::start));
+  QObject::connect(recheck, &QTimer::timeout, &measuring, [&openCase, &places, &terms, &measuring] {
+    if (openCase.patient()) measuring.setWords(places.value(), terms.value());
+  });
+}
+
+}  // namespace
 
 /// Parts receive another case in the order of their construction, and all parts before the panels.
 PrepareModel makePrepareModel(ui::TaskBar& tasks, QObject& parent) {
@@ -45,7 +66,7 @@ PrepareModel makePrepareModel(ui::TaskBar& tasks, QObject& parent) {
   });
   QObject::connect(&openCase, &OpenCase::saved, &labelling,
                    [&openCase, &labelling] { labelling.replaceCase(openCase.patient()); });
-  new MeasuringUpdates(openCase, places, terms, measuring, &parent);
+  keepChecked(measuring, openCase, places, terms);
   auto& changes = *new CaseChanges({openCase, structures, appearance, terms, places, labelling}, &parent);
   return {openCase,   notice,     measuring, live,      labelling, followers,  terms,
           structures, appearance, places,    crosshair, slices,    statusLine, changes};

@@ -1,15 +1,15 @@
 #include "PlacesBox.h"
 
 #include "../labels/LabelSession.h"
-#include "../live/LivePatient.h"
+#include "../model/Crosshair.h"
+#include "../model/LivePatient.h"
 #include "../model/Notice.h"
 #include "../model/OpenCase.h"
+#include "../model/PlacesEditor.h"
 #include "../model/PrepareModel.h"
-#include "../structures/StructureList.h"
-#include "../structures/TermsEditor.h"
-#include "../viewing/Crosshair.h"
-#include "PlacesEditor.h"
-#include "VesselNaming.h"
+#include "../model/StructureList.h"
+#include "../model/TermsEditor.h"
+#include "../model/VesselNaming.h"
 
 #include <insonate/cases/Landmarks.h>
 #include <insonate/simulator/ProbePose.h>
@@ -55,7 +55,7 @@ PlacesBox::PlacesBox(PrepareModel& shared, QWidget* parent)
                             tr("Splits the selected vessel at the crosshair, to give its parts different names"))),
       remove_(ui::pushButton("placeRemove", tr("Remove"), tr("Removes the selected place"))) {
   arrange();
-  connect(kind_, qOverload<int>(&QComboBox::activated), this, &PlacesBox::markingBegun);
+  connect(kind_, qOverload<int>(&QComboBox::activated), this, [this] { shared_.places.beginMarking(); });
   connect(add_, &QPushButton::clicked, this, [this] { add(); });
   connect(show_, &QPushButton::clicked, this, [this] { show(); });
   connect(put_, &QPushButton::clicked, this, [this] { moveHere(); });
@@ -118,7 +118,7 @@ void PlacesBox::arrange() {
 void PlacesBox::offer(const QString& kind) {
   kind_->setCurrentIndex(std::max(0, kind_->findData(kind)));
   kind_->setFocus();
-  Q_EMIT markingBegun();
+  shared_.places.beginMarking();
 }
 
 void PlacesBox::refresh() {

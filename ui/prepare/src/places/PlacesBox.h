@@ -1,6 +1,6 @@
 #pragma once
 
-#include "CasePlaces.h"
+#include "../model/CasePlaces.h"
 
 #include <QString>
 #include <QWidget>
@@ -15,23 +15,13 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// Kinds that PlacesBox can mark in addition to landmarks; the kind of a landmark is its code.
-inline const QString kTargetKind = QStringLiteral("target"), kStartPoseKind = QStringLiteral("start pose"),
-                     kVesselKind = QStringLiteral("vessel");
-
 /// Lists the targets, vessel names, landmarks and start poses of the case. They can be placed at the crosshair or the
 /// probe, shown, renamed, moved and removed. The first start pose is the one where the case begins.
 class PlacesBox : public QWidget {
-  Q_OBJECT
-
  public:
   explicit PlacesBox(PrepareModel& shared, QWidget* parent = nullptr);
-  /// Selects the kind to be marked next.
+  /// Selects the kind to be marked next: the code of a landmark, or one of the kinds of PlacesEditor.h.
   void offer(const QString& kind);
-
- Q_SIGNALS:
-  /// Emitted when the user has chosen what to mark; the next click sets its position.
-  void markingBegun();
 
  private:
   enum class Kind { Target, Vessel, Landmark, StartPose };

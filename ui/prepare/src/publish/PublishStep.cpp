@@ -1,15 +1,15 @@
 #include "PublishStep.h"
 
-#include "../check/CaseMeasuring.h"
+#include "../layout/PathColumn.h"
+#include "../model/CaseChanges.h"
+#include "../model/CaseMeasuring.h"
 #include "../model/Notice.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
-#include "CaseChanges.h"
 
 #include <insonate/cases/CaseVersions.h>
 #include <insonate/ui/TaskBar.h>
 
-#include <QLabel>
 #include <QPointer>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -17,8 +17,8 @@
 
 namespace insonate::prepare {
 
-PublishStep::PublishStep(PrepareModel& shared, ui::TaskBar& tasks, QLabel& mark, QWidget* parent)
-    : QWidget(parent), shared_(shared), tasks_(tasks), mark_(mark), publish_(new QPushButton(tr("Publish"))) {
+PublishStep::PublishStep(PrepareModel& shared, ui::TaskBar& tasks, PathStep& step)
+    : shared_(shared), tasks_(tasks), step_(step), publish_(new QPushButton(tr("Publish"))) {
   publish_->setObjectName(QStringLiteral("publish"));
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
@@ -52,9 +52,9 @@ void PublishStep::refresh() {
   const QString why = obstacle();
   publish_->setEnabled(why.isEmpty());
   publish_->setToolTip(why.isEmpty() ? tr("Trainees get the case as it is now, until you publish again") : why);
-  if (published_ == 0) return mark_.setText(shared_.openCase.origin().builtIn ? tr("built in") : tr("not yet"));
+  if (published_ == 0) return step_.setMark(shared_.openCase.origin().builtIn ? tr("built in") : tr("not yet"));
   const bool latest = isLatest_ && !shared_.changes.isUnsaved();
-  mark_.setText(latest ? tr("version %1").arg(published_) : tr("version %1, not the latest").arg(published_));
+  step_.setMark(latest ? tr("version %1").arg(published_) : tr("version %1, not the latest").arg(published_));
 }
 
 void PublishStep::readVersions() {

@@ -2,7 +2,6 @@
 
 #include <QWidget>
 
-class QLabel;
 class QPushButton;
 
 namespace insonate::ui {
@@ -11,14 +10,15 @@ class TaskBar;
 
 namespace insonate::prepare {
 
+class PathStep;
 struct PrepareModel;
 
 /// The last step of preparing a case: publishes the saved case, if it is fit for training. Trainees get this version
 /// until another is published.
 class PublishStep : public QWidget {
  public:
-  /// `mark` shows the published version.
-  PublishStep(PrepareModel& shared, ui::TaskBar& tasks, QLabel& mark, QWidget* parent = nullptr);
+  /// `step` shows the published version as its mark.
+  PublishStep(PrepareModel& shared, ui::TaskBar& tasks, PathStep& step);
 
  private:
   QString obstacle() const;
@@ -28,7 +28,7 @@ class PublishStep : public QWidget {
 
   PrepareModel& shared_;
   ui::TaskBar& tasks_;
-  QLabel& mark_;
+  PathStep& step_;
   QPushButton* publish_;
   int published_ = 0;  ///< number of the published version; 0: none
   bool isLatest_ = false;

@@ -4,7 +4,7 @@
 #include "../model/Notice.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
-#include "../structures/TermsEditor.h"
+#include "../model/TermsEditor.h"
 
 #include <insonate/core/AtomicFile.h>
 #include <insonate/segmentation/Recipe.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../guide/GuideReplay.h"
+#include "../labels/StepReplay.h"
 
 #include <QWidget>
 
@@ -26,7 +26,7 @@ class RecipeBox : public QWidget {
   void replay(const QString& file);
 
   PrepareModel& shared_;
-  GuideReplay replay_;
+  StepReplay replay_;
   QLabel* none_;
   QListWidget* steps_;
   QPushButton *save_, *load_;

@@ -1,11 +1,10 @@
 #include "LabelDetails.h"
 
-#include "../check/CaseMeasuring.h"
+#include "../model/CaseMeasuring.h"
 #include "../model/PrepareModel.h"
-#include "StructureList.h"
-#include "Structures.h"
-#include "Swatch.h"
-#include "TermsEditor.h"
+#include "../model/StructureList.h"
+#include "../model/Structures.h"
+#include "../model/TermsEditor.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/QuietWheel.h>

@@ -1,12 +1,12 @@
 #include "StructureModel.h"
 
-#include "../check/CaseMeasuring.h"
 #include "../labels/LabelSession.h"
+#include "../model/CaseMeasuring.h"
 #include "../model/PrepareModel.h"
-#include "StructureAppearance.h"
-#include "StructureList.h"
-#include "Swatch.h"
-#include "TermsEditor.h"
+#include "../model/StructureAppearance.h"
+#include "../model/StructureList.h"
+#include "../model/Structures.h"
+#include "../model/TermsEditor.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/Theme.h>
@@ -21,7 +21,7 @@ StructureModel::StructureModel(PrepareModel& shared, QObject* parent)
       locked_(ui::icon(QStringLiteral("lock"))),
       unlocked_(ui::icon(QStringLiteral("unlock"), views::theme::kQuiet)),
       shown_(ui::icon(QStringLiteral("eye"))),
-      unseen_(ui::icon(QStringLiteral("eye"), views::theme::kQuiet)),
+      unseen_(ui::icon(QStringLiteral("eye-clear"), views::theme::kQuiet)),
       hidden_(ui::icon(QStringLiteral("eye-off"), views::theme::kQuiet)) {
   for (const LabelState state : kLabelStates) states_[std::size_t(state)] = stateIcon(state);
   connect(&shared_.structures, &StructureList::changed, this, [this] {

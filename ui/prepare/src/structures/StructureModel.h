@@ -1,6 +1,6 @@
 #pragma once
 
-#include "LabelTerms.h"
+#include "../model/LabelTerms.h"
 
 #include <QAbstractTableModel>
 #include <QIcon>

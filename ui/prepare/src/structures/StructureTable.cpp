@@ -3,13 +3,14 @@
 #include "../labels/LabelSession.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
+#include "../model/StructureAppearance.h"
+#include "../model/StructureList.h"
+#include "../model/TermsEditor.h"
 #include "LabelDetails.h"
-#include "StructureAppearance.h"
-#include "StructureList.h"
 #include "StructureModel.h"
-#include "TermsEditor.h"
 
 #include <insonate/tissue/OwnLabels.h>
+#include <insonate/ui/Commands.h>
 #include <insonate/ui/PassLetters.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
@@ -34,9 +35,9 @@ constexpr double kPercent = 100;
 
 }  // namespace
 
-StructureTable::StructureTable(PrepareModel& shared, QWidget* parent)
-    : QWidget(parent),
-      shared_(shared),
+StructureTable::StructureTable(PrepareModel& shared, const ui::Commands& commands)
+    : shared_(shared),
+      commands_(commands),
       model_(new StructureModel(shared, this)),
       table_(new QTableView),
       opacity_(new ui::ValueSlider(tr("in 3D"), QStringLiteral("%"), {0, kPercent, kPercent, 5, 0},
@@ -229,13 +230,15 @@ void StructureTable::showSelected() {
 
 bool StructureTable::eventFilter(QObject* watched, QEvent* event) {
   if (watched != table_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
-  const int key = static_cast<QKeyEvent*>(event)->key();
+  const auto& pressed = *static_cast<QKeyEvent*>(event);
+  const int key = pressed.key();
   const std::uint8_t label = shared_.structures.selected();
   if (key == Qt::Key_Space) {
     shared_.appearance.setVisible(label, !shared_.appearance.look(label).visible);
     return true;
   }
-  if ((key == Qt::Key_Return || key == Qt::Key_Enter) && !toolInHand_) {
+  // A tool in hand takes Enter: an author may select a label in the table just before applying the tool.
+  if ((key == Qt::Key_Return || key == Qt::Key_Enter) && !commands_.key(pressed, false)) {
     chooseColour();
     return true;
   }

@@ -7,8 +7,9 @@ class QPushButton;
 class QTableView;
 
 namespace insonate::ui {
+class Commands;
 class ValueSlider;
-}
+}  // namespace insonate::ui
 
 namespace insonate::prepare {
 
@@ -20,13 +21,10 @@ class StructureModel;
 /// voxels.
 class StructureTable : public QWidget {
  public:
-  explicit StructureTable(PrepareModel& shared, QWidget* parent = nullptr);
+  StructureTable(PrepareModel& shared, const ui::Commands& commands);
 
   /// Lets the user choose a color for the selected structure.
   void chooseColour();
-  /// Sets whether a tool is selected. Enter then applies the tool instead of choosing a color, since an author may
-  /// select a label in the table just before applying the tool.
-  void setToolInHand(bool inHand) { toolInHand_ = inHand; }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -43,11 +41,12 @@ class StructureTable : public QWidget {
   void showSelected();
 
   PrepareModel& shared_;
+  const ui::Commands& commands_;
   StructureModel* model_;
   QTableView* table_;
   ui::ValueSlider *opacity_, *onSlices_;
   QPushButton *only_ = nullptr, *all_ = nullptr, *remove_ = nullptr;
-  bool showing_ = false, toolInHand_ = false;
+  bool showing_ = false;
 };
 
 }  // namespace insonate::prepare

@@ -1,10 +1,10 @@
 #include "LabelBox.h"
 
 #include "../model/PrepareModel.h"
-#include "../structures/StructureAppearance.h"
-#include "../structures/StructureList.h"
-#include "../structures/Swatch.h"
-#include "../structures/TermsEditor.h"
+#include "../model/StructureAppearance.h"
+#include "../model/StructureList.h"
+#include "../model/Structures.h"
+#include "../model/TermsEditor.h"
 
 #include <insonate/ui/QuietWheel.h>
 

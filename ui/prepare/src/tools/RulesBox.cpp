@@ -2,7 +2,7 @@
 
 #include "../labels/LabelSession.h"
 #include "../model/PrepareModel.h"
-#include "../structures/StructureList.h"
+#include "../model/StructureList.h"
 #include "LabelBox.h"
 #include "RangeField.h"
 

@@ -1,8 +1,9 @@
 #include "SceneTools.h"
 
-#include "../viewing/CaseViews.h"
+#include "../layout/CaseViews.h"
 #include "ToolSession.h"
 
+#include <insonate/ui/CanvasInput.h>
 #include <insonate/ui/ViewWidget.h>
 
 #include <QMouseEvent>
@@ -15,9 +16,8 @@ constexpr double kCorner_px = 3;
 
 }  // namespace
 
-SceneTools::SceneTools(CaseViews& views, ToolSession& tools, QObject* parent)
-    : QObject(parent), views_(views), tools_(tools) {
-  views_.widgets()[CaseViews::kSlices]->focusProxy()->installEventFilter(this);
+SceneTools::SceneTools(CaseViews& views, ToolSession& tools) : QObject(&views), views_(views), tools_(tools) {
+  ui::CanvasInput::of(*views_.widgets()[CaseViews::kSlices]->focusProxy()).add(ui::InputRank::Tool, *this);
   connect(&tools_, &ToolSession::pointsChanged, this, [this] { showLine(); });
 }
 

@@ -14,7 +14,8 @@ class ToolSession;
 /// Ctrl or Shift, a drag turns or shifts the view as usual.
 class SceneTools : public QObject {
  public:
-  SceneTools(CaseViews& views, ToolSession& tools, QObject* parent);
+  /// Belongs to `views`.
+  SceneTools(CaseViews& views, ToolSession& tools);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,22 +1,21 @@
 #include "SliceTools.h"
 
 #include "../labels/LabelSession.h"
+#include "../layout/CaseViews.h"
+#include "../model/Crosshair.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
-#include "../viewing/CaseViews.h"
-#include "../viewing/Crosshair.h"
-#include "../viewing/StatusLine.h"
+#include "../model/StatusLine.h"
 
+#include <insonate/ui/CanvasInput.h>
+#include <insonate/ui/Commands.h>
 #include <insonate/ui/ViewWidget.h>
 
-#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
 namespace insonate::prepare {
 namespace {
-
-constexpr double kBrushStep = 1.15;
 
 bool isPlain(const QMouseEvent& event) {
   return !(event.modifiers() & (Qt::ControlModifier | Qt::ShiftModifier));
@@ -24,10 +23,15 @@ bool isPlain(const QMouseEvent& event) {
 
 }  // namespace
 
-SliceTools::SliceTools(CaseViews& views, ToolSession& tools, PrepareModel& shared, QObject* parent)
-    : QObject(parent), views_(views), tools_(tools), shared_(shared), preview_(shared.labelling.preview()) {
+SliceTools::SliceTools(CaseViews& views, ToolSession& tools, PrepareModel& shared, const ui::Commands& commands)
+    : QObject(&views),
+      views_(views),
+      tools_(tools),
+      shared_(shared),
+      commands_(commands),
+      preview_(shared.labelling.preview()) {
   for (int slice = 0; slice < CaseViews::kSlices; ++slice)
-    views_.widgets()[std::size_t(slice)]->focusProxy()->installEventFilter(this);
+    ui::CanvasInput::of(*views_.widgets()[std::size_t(slice)]->focusProxy()).add(ui::InputRank::Tool, *this);
   connect(&tools_, &ToolSession::toolChanged, this, [this] { pointAt(tools_.tool() ? pointer_ : std::nullopt); });
   // Another slice is now under the pointer.
   connect(&shared_.crosshair, &Crosshair::moved, this, [this] { pointAt(pointer_); });
@@ -61,17 +65,12 @@ bool SliceTools::eventFilter(QObject* watched, QEvent* event) {
       return released(*static_cast<QMouseEvent*>(event));
     case QEvent::Wheel:
       return wheel(*static_cast<QWheelEvent*>(event));
-    case QEvent::ShortcutOverride:
-      if (!key(static_cast<QKeyEvent*>(event)->key(), false)) return false;
-      event->accept();
-      return true;
-    case QEvent::KeyPress:
-      return key(static_cast<QKeyEvent*>(event)->key(), true);
     case QEvent::Leave:
       pointAt({});
       return false;
     default:
-      return false;
+      // The guide uses some of these keys, too.
+      return commands_.offer(*event);
   }
 }
 
@@ -120,27 +119,10 @@ bool SliceTools::released(const QMouseEvent& event) {
   return true;
 }
 
-/// Keys that the guide also uses belong to a selected tool.
-bool SliceTools::key(int key, bool act) {
-  switch (key) {
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-      if (act) tools_.apply();
-      return true;
-    case Qt::Key_Delete:
-    case Qt::Key_Backspace:
-      if (tools_.points().empty()) return false;
-      if (act) tools_.removeNearest(tools_.points().back());
-      return true;
-    default:
-      return false;
-  }
-}
-
 bool SliceTools::wheel(const QWheelEvent& event) {
   if (!(event.modifiers() & Qt::ShiftModifier) || tools_.tool()->input != ToolInput::Brush) return false;
   const QPoint turned = event.angleDelta();
-  tools_.scaleBrush(turned.y() + turned.x() > 0 ? kBrushStep : 1 / kBrushStep);
+  tools_.scaleBrush(turned.y() + turned.x() > 0 ? ToolSession::kBrushStep : 1 / ToolSession::kBrushStep);
   return true;
 }
 

@@ -8,17 +8,22 @@
 class QMouseEvent;
 class QWheelEvent;
 
+namespace insonate::ui {
+class Commands;
+}
+
 namespace insonate::prepare {
 
 class CaseViews;
 class LabelPreview;
 
-/// Applies the selected tool to the slices. It takes mouse input before the slices and the guide, if the tool uses the
+/// Applies the selected tool to the slices. It takes mouse input before the guide and the slices, if the tool uses the
 /// mouse; input with Ctrl or Shift still goes to the slice. Shows points, outline, brush and preview over all three
 /// slices. The status line describes the voxel under the tool.
 class SliceTools : public QObject {
  public:
-  SliceTools(CaseViews& views, ToolSession& tools, PrepareModel& shared, QObject* parent);
+  /// Belongs to `views`. `commands` have the keys of tools, which on a slice come before those of the guide.
+  SliceTools(CaseViews& views, ToolSession& tools, PrepareModel& shared, const ui::Commands& commands);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -30,7 +35,6 @@ class SliceTools : public QObject {
   bool moved(int slice, const QMouseEvent& event);
   bool released(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
-  bool key(int key, bool act);
   /// Sets the position of the pointer; empty: the pointer is over no slice.
   void pointAt(std::optional<QPointF> at);
   void showMarks();
@@ -39,6 +43,7 @@ class SliceTools : public QObject {
   CaseViews& views_;
   ToolSession& tools_;
   PrepareModel& shared_;
+  const ui::Commands& commands_;
   const LabelPreview& preview_;
   std::optional<QPointF> pointer_;
   std::optional<Vec3> pointer_mm_;

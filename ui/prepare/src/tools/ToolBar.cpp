@@ -2,6 +2,7 @@
 
 #include "ToolSession.h"
 
+#include <insonate/ui/Commands.h>
 #include <insonate/ui/Theme.h>
 
 #include <QAction>
@@ -13,12 +14,14 @@
 
 namespace insonate::prepare {
 
-ToolBar::ToolBar(ToolSession& tools, QWidget* parent) : QWidget(parent), tools_(tools) {
+ToolBar::ToolBar(ToolSession& tools, const ui::Commands& commands) : tools_(tools) {
   setObjectName(QStringLiteral("toolBar"));
   auto* box = new QHBoxLayout(this);
   box->setContentsMargins(ui::kSmallGap, ui::kSmallGap, ui::kSmallGap, ui::kSmallGap);
   box->setSpacing(0);
-  QToolButton* look = add({}, tr("Look"), tr("No tool: the left button moves the crosshair (Esc)"));
+  QToolButton* look = add({}, tr("Look"),
+                          tr("No tool: the left button moves the crosshair (%1)")
+                              .arg(commands.find(QStringLiteral("prepare.tools.leave"))->listed));
   connect(look, &QToolButton::clicked, this, [this] { tools_.choose({}); });
   entries_.push_back({look, {}});
   for (const Tool& tool : toolTable()) {

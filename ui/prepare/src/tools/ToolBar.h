@@ -5,6 +5,10 @@
 
 class QToolButton;
 
+namespace insonate::ui {
+class Commands;
+}
+
 namespace insonate::prepare {
 
 class ToolSession;
@@ -13,7 +17,8 @@ class ToolSession;
 /// marked. If there is not enough space for all names, only icons are shown.
 class ToolBar : public QWidget {
  public:
-  explicit ToolBar(ToolSession& tools, QWidget* parent = nullptr);
+  /// `commands` have the keys that tooltips name.
+  ToolBar(ToolSession& tools, const ui::Commands& commands);
   /// Names are hidden first, so that the palette does not take space from the views.
   QSize minimumSizeHint() const override { return {0, QWidget::minimumSizeHint().height()}; }
 

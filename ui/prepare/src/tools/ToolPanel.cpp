@@ -2,14 +2,15 @@
 
 #include "../labels/LabelSession.h"
 #include "../model/PrepareModel.h"
-#include "../structures/StructureAppearance.h"
-#include "../structures/StructureList.h"
+#include "../model/StructureAppearance.h"
+#include "../model/StructureList.h"
 #include "LabelBox.h"
 #include "RangeField.h"
 #include "RulesBox.h"
 #include "ToolSession.h"
 
 #include <insonate/tissue/Labels.h>
+#include <insonate/ui/Commands.h>
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
@@ -28,10 +29,11 @@ constexpr int kSlow_ms = 400;
 
 }  // namespace
 
-ToolPanel::ToolPanel(PrepareModel& shared, ToolSession& tools, QWidget* parent)
-    : QWidget(parent),
-      shared_(shared),
+ToolPanel::ToolPanel(PrepareModel& shared, ToolSession& tools, const ui::Commands& commands)
+    : shared_(shared),
       tools_(tools),
+      applies_(tr("%1; Ctrl+Z undoes it").arg(commands.toolTip(QStringLiteral("prepare.tools.apply")))),
+      leaves_(commands.toolTip(QStringLiteral("prepare.tools.leave"))),
       name_(new QLabel),
       advice_(new QLabel),
       told_(ui::paragraph("toolTold", "problem")),
@@ -40,7 +42,7 @@ ToolPanel::ToolPanel(PrepareModel& shared, ToolSession& tools, QWidget* parent)
       histogram_(std::make_unique<views::HuHistogram>()),
       preview_(ui::pushButton("toolPreview", tr("Preview"),
                               tr("Shows the result on the slices and in 3D without writing it"))),
-      apply_(ui::pushButton("toolApply", tr("Apply"), tr("Writes the result to the labels (Enter); Ctrl+Z undoes it"))),
+      apply_(ui::pushButton("toolApply", tr("Apply"), {})),
       leave_(ui::pushButton("toolLeave", tr("Cancel"), {})),
       box_(new QVBoxLayout(this)) {
   name_->setObjectName(QStringLiteral("toolLabel"));
@@ -190,14 +192,12 @@ void ToolPanel::refresh() {
                              : tool->advice);
   const bool brush = tool->input == ToolInput::Brush;
   leave_->setText(brush ? tr("Done") : tr("Cancel"));
-  leave_->setToolTip(brush ? tr("Deselects the tool (Esc)")
-                           : tr("Stops, clears the clicks, or deselects the tool (Esc)"));
+  leave_->setToolTip(leaves_);
   preview_->setVisible(!brush);
   apply_->setVisible(!brush);
   preview_->setEnabled(tools_.isComplete());
   apply_->setEnabled(tools_.isComplete());
-  apply_->setToolTip(missing > 0 ? tr("Click %1 more points on the slices first").arg(missing)
-                                 : tr("Writes the result to the labels (Enter); Ctrl+Z undoes it"));
+  apply_->setToolTip(missing > 0 ? tr("Click %1 more points on the slices first").arg(missing) : applies_);
 }
 
 }  // namespace insonate::prepare

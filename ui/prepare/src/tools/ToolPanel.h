@@ -10,6 +10,9 @@ class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
+namespace insonate::ui {
+class Commands;
+}
 namespace insonate::views {
 struct HuHistogram;
 }
@@ -27,7 +30,8 @@ struct ToolNumber;
 /// Shows the selected tool: instructions, its parameters, preview and apply.
 class ToolPanel : public QWidget {
  public:
-  ToolPanel(PrepareModel& shared, ToolSession& tools, QWidget* parent = nullptr);
+  /// `commands` have the keys that tooltips name.
+  ToolPanel(PrepareModel& shared, ToolSession& tools, const ui::Commands& commands);
   ~ToolPanel() override;
 
   /// Sets the histogram of the case's CT.
@@ -45,6 +49,7 @@ class ToolPanel : public QWidget {
 
   PrepareModel& shared_;
   ToolSession& tools_;
+  const QString applies_, leaves_;  ///< tooltips of the buttons
   QLabel *name_, *advice_;
   /// Reason why a step had no result; shown here in full, since the status bar shares its space with jobs.
   QLabel* told_;

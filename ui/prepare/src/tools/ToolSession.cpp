@@ -4,8 +4,8 @@
 #include "../model/Notice.h"
 #include "../model/OpenCase.h"
 #include "../model/PrepareModel.h"
-#include "../structures/StructureList.h"
-#include "../structures/TermsEditor.h"
+#include "../model/StructureList.h"
+#include "../model/TermsEditor.h"
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/views/SlicePlane.h>

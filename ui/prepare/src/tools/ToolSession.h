@@ -51,6 +51,8 @@ class ToolSession : public QObject {
   void endStroke();
   double brushRadius_mm() const;
   bool brushIsFlat() const;
+  /// Factor of one step of a key or the wheel, for scaleBrush().
+  static constexpr double kBrushStep = 1.15;
   void scaleBrush(double factor);
 
   /// Tells whether enough points were clicked and no other tool is running.

@@ -1,8 +1,9 @@
 #include "SliceControls.h"
 
 #include "../model/PrepareModel.h"
-#include "SliceSettings.h"
+#include "../model/SliceSettings.h"
 
+#include <insonate/ui/Commands.h>
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
@@ -39,16 +40,16 @@ const std::array<Style, 3>& styles() {
 
 }  // namespace
 
-SliceControls::SliceControls(PrepareModel& shared, QWidget* parent)
-    : QWidget(parent),
-      shared_(shared),
+SliceControls::SliceControls(PrepareModel& shared, const ui::Commands& commands)
+    : shared_(shared),
       preset_(new QComboBox),
       window_(new ui::ValueSlider(tr("window"), tr("HU"), {1, 3000, 350, 10, 0},
                                   tr("range of Hounsfield units from black to white; right drag across a slice"))),
       level_(new ui::ValueSlider(tr("level"), tr("HU"), {-1000, 1500, 50, 10, 0},
                                  tr("Hounsfield units that are mid gray; right drag along a slice"))),
       opacity_(new ui::ValueSlider(tr("label opacity"), QStringLiteral("%"), {0, kPercent, 25, 5, 0},
-                                   tr("opacity of labels on the slices (A, D)"))),
+                                   tr("opacity of labels on the slices (%1)")
+                                       .arg(commands.find(QStringLiteral("prepare.slices.opacity"))->listed))),
       style_(new QComboBox),
       width_(new ui::ValueSlider(tr("outline"), tr("px"), {1, 6, 1, 1, 0}, tr("thickness of label outlines"))),
       labels_(new QCheckBox(tr("labels on slices"))),
@@ -71,7 +72,7 @@ SliceControls::SliceControls(PrepareModel& shared, QWidget* parent)
   places_->setObjectName(QStringLiteral("placesShown"));
   places_->setToolTip(tr("Marks targets, landmarks and start poses on the slices and in 3D"));
   labels_->setObjectName(QStringLiteral("labelsShown"));
-  labels_->setToolTip(tr("Show or hide the labels over the slices (G)"));
+  labels_->setToolTip(commands.toolTip(QStringLiteral("prepare.slices.labels")));
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kSmallGap);

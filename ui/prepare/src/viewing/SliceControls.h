@@ -6,8 +6,9 @@ class QCheckBox;
 class QComboBox;
 
 namespace insonate::ui {
+class Commands;
 class ValueSlider;
-}
+}  // namespace insonate::ui
 
 namespace insonate::prepare {
 
@@ -16,7 +17,8 @@ struct PrepareModel;
 /// Controls for the display of slices: window and level of the CT, and the labels over it.
 class SliceControls : public QWidget {
  public:
-  explicit SliceControls(PrepareModel& shared, QWidget* parent = nullptr);
+  /// `commands` have the keys that tooltips name.
+  SliceControls(PrepareModel& shared, const ui::Commands& commands);
 
  private:
   void refresh();

@@ -1,3 +1,7 @@
+#include "KeptSignIn.h"
+
+#include <insonate/curriculum/FirstPassword.h>
+#include <insonate/curriculum/OwnTraining.h>
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/ui/Account.h>
 #include <insonate/ui/Attempts.h>
@@ -74,7 +78,21 @@ void Account::deliver(std::function<void()> news) {
 void Account::reopen() {
   if (!isServer(address_) && !QFileInfo::exists(address_)) return take(State::NobodyYet, std::nullopt, {});
   take(State::Opening, std::nullopt, {});
-  open([](const CurriculumStore& store) -> Result<SignedIn> { return store.guest(); }, {});
+  const KeptSignIn kept = readKeptSignIn(keptFile());
+  generatedPassword_ = kept.password;
+  open(
+      [file = keptFile(), token = kept.token](const CurriculumStore& store) -> Result<SignedIn> {
+        if (token.empty()) return store.guest();
+        if (auto session = store.signInByToken(token)) return session;
+        removeKeptSignIn(file);
+        return store.guest();
+      },
+      {});
+}
+
+/// Empty if nobody is kept signed in at this store: on a server, the token would open it from any computer.
+std::filesystem::path Account::keptFile() const {
+  return isServer(address_) ? std::filesystem::path() : std::filesystem::path((address_ + ".signed-in").toStdString());
 }
 
 void Account::setUp(const NewPerson& administrator, const QString& password, Done done) {
@@ -84,6 +102,26 @@ void Account::setUp(const NewPerson& administrator, const QString& password, Don
        std::move(done));
 }
 
+void Account::setUpAlone(const QString& fullName, const QString& password, Done done) {
+  if (!isServer(address_)) QDir().mkpath(QFileInfo(address_).absolutePath());
+  const bool isGenerated = password.isEmpty();
+  const std::string chosen = isGenerated ? firstPassword() : password.toStdString();
+  open(
+      [file = keptFile(), chosen, isGenerated,
+       name = fullName.trimmed().toStdString()](const CurriculumStore& store) -> Result<SignedIn> {
+        auto me = setUpOwnTraining(store, name, chosen);
+        if (!me) return me;
+        if (auto kept = keepSignedIn(file, *me, isGenerated ? chosen : std::string()); !kept)
+          return tl::unexpected(kept.error());
+        return me;
+      },
+      [this, chosen, isGenerated, done = std::move(done)](const Result<void>& result) {
+        if (result && isGenerated) generatedPassword_ = chosen;
+        done(result);
+        if (result) Q_EMIT changed();
+      });
+}
+
 void Account::signIn(const QString& name, const QString& password, Done done) {
   open([name = name.toStdString(),
         password = password.toStdString()](const CurriculumStore& store) { return store.signIn(name, password); },
@@ -91,17 +129,23 @@ void Account::signIn(const QString& name, const QString& password, Done done) {
 }
 
 void Account::signOut() {
-  if (!isSignedIn()) return;
+  if (!isSignedIn() || hasGeneratedPassword()) return;
+  if (!keptFile().empty() && removeKeptSignIn(keptFile()))
+    ask<void>(this, [](const SignedIn& by) { return PeopleStore(by).revokeTokens(); }, {});
   reopen();
 }
 
 void Account::changePassword(const QString& old, const QString& password, Done done) {
+  const std::string known = hasGeneratedPassword() ? generatedPassword_ : old.toStdString();
   ask<void>(
       this,
-      [old = old.toStdString(), password = password.toStdString()](const SignedIn& by) {
-        return PeopleStore(by).changeOwnPassword(old, password);
+      [known, password = password.toStdString(), file = keptFile()](const SignedIn& by) -> Result<void> {
+        if (auto changed = PeopleStore(by).changeOwnPassword(known, password); !changed) return changed;
+        // The former token ended with the former password.
+        return removeKeptSignIn(file) ? keepSignedIn(file, by, {}) : Result<void>();
       },
       [this, done = std::move(done)](const Result<void>& result) {
+        if (result) generatedPassword_.clear();
         done(result);
         if (result) Q_EMIT changed();
       });

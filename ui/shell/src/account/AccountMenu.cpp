@@ -14,13 +14,16 @@
 #include <QAction>
 #include <QSettings>
 #include <QUrl>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace insonate::ui {
 namespace {
 
-const QString kLastName = QStringLiteral("account/name");
+const QString kLastName = QStringLiteral("account/name"), kAsked = QStringLiteral("account/asked");
 
-Result<void> same(const QString& password, const QString& again) {
+Result<void> bothEqual(const QString& password, const QString& again) {
   if (password == again) return {};
   return fail(AccountMenu::tr("The two passwords differ; type the new one twice.").toStdString());
 }
@@ -40,6 +43,8 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, Commands& command
   who_ = addAction(QString());
   who_->setEnabled(false);
   addSeparator();
+  alone_ = add("accountAlone", tr("Just me ..."), tr("Sets up levels, results and learning curves for you alone"),
+               [this] { askAlone(); });
   setUp_ = add("accountSetUp", tr("Set up people and levels ..."),
                tr("Sets up the store of people and attempts, with you as administrator"), [this] { askSetUp(); });
   signIn_ = add("accountSignIn", tr("Sign in ..."), {}, [this] { askSignIn(); });
@@ -84,13 +89,17 @@ QString AccountMenu::shortText() const {
 void AccountMenu::refresh() {
   using State = Account::State;
   const State state = account_.state();
-  setUp_->setVisible(state == State::NobodyYet);
+  for (QAction* first : {alone_, setUp_}) first->setVisible(state == State::NobodyYet);
   signIn_->setVisible(state == State::Guest);
   again_->setVisible(state == State::Unreachable);
   server_->setVisible(state == State::SignedIn && account_.person().role == Role::Administrator);
   people_->setVisible(state == State::SignedIn && account_.person().role != Role::Trainee);
   levels_->setVisible(people_->isVisible());
   for (QAction* own : {details_, password_, signOut_}) own->setVisible(state == State::SignedIn);
+  password_->setText(account_.hasGeneratedPassword() ? tr("Choose a password ...") : tr("Change password ..."));
+  signOut_->setEnabled(!account_.hasGeneratedPassword());
+  signOut_->setToolTip(account_.hasGeneratedPassword() ? tr("Choose a password first; without one, you stay signed in")
+                                                       : tr("Signs out, so that the next user can sign in"));
   QString words = tr("Guest: attempts are recorded, but do not count");
   if (state == State::SignedIn)
     words = tr("%1, %2").arg(QString::fromStdString(account_.person().fullName), wordOf(account_.person().role));
@@ -120,9 +129,46 @@ void AccountMenu::showCurricula() {
   curricula->show();
 }
 
+void AccountMenu::askAtFirstStart() {
+  if (account_.state() == Account::State::Opening) {
+    const auto once = std::make_shared<QMetaObject::Connection>();
+    *once = connect(&account_, &Account::changed, this, [this, once] {
+      disconnect(*once);
+      askAtFirstStart();
+    });
+    return;
+  }
+  if (account_.state() != Account::State::NobodyYet || QSettings().value(kAsked).toBool()) return;
+  QSettings().setValue(kAsked, true);
+  askAlone();
+}
+
+void AccountMenu::askAlone() {
+  const auto act = [this](const QStringList& texts, const Account::Done& done) {
+    if (const auto equal = bothEqual(texts[1], texts[2]); !equal) return done(equal);
+    account_.setUpAlone(texts[0], texts[1], [this, done](const Result<void>& result) {
+      done(result);
+      if (result) welcome();
+    });
+  };
+  auto* dialog = new EntryDialog(
+      tr("Who trains on this computer?"),
+      tr("Just me: you get the levels of the built-in curriculum, and see your results and learning curves. You stay "
+         "signed "
+         "in on this computer. A class can be added later; your attempts are kept.\n\nA class: an administrator adds "
+         "instructors and trainees, who sign in with a password.\n\nCancel to look around first; the button at the top "
+         "right offers both later."),
+      {{"aloneName", tr("Your name"), tr("Shown with your results")},
+       {"alonePassword", tr("Password (optional)"), tr("At least 8 characters"), {}, true},
+       {"aloneAgain", tr("Password again"), tr("Repeat the password, if you chose one"), {}, true}},
+      tr("Just me"), act, window_);
+  dialog->offer(tr("A class ..."), tr("Sets up people, classes and levels"), [this] { askSetUp(); });
+  dialog->open();
+}
+
 void AccountMenu::askSetUp() {
   const auto act = [this](const QStringList& texts, const Account::Done& done) {
-    if (const auto equal = same(texts[3], texts[4]); !equal) return done(equal);
+    if (const auto equal = bothEqual(texts[3], texts[4]); !equal) return done(equal);
     const NewPerson administrator{.name = texts[0].toStdString(),
                                   .fullName = texts[1].toStdString(),
                                   .email = texts[2].toStdString(),
@@ -162,20 +208,25 @@ void AccountMenu::askSignIn() {
 
 void AccountMenu::askPassword() {
   const auto act = [this](const QStringList& texts, const Account::Done& done) {
-    if (const auto equal = same(texts[1], texts[2]); !equal) return done(equal);
-    account_.changePassword(texts[0], texts[1], [this, done](const Result<void>& result) {
+    const int last = int(texts.size()) - 1;
+    if (const auto equal = bothEqual(texts[last - 1], texts[last]); !equal) return done(equal);
+    account_.changePassword(texts[0], texts[last], [this, done](const Result<void>& result) {
       done(result);
       if (result) Q_EMIT said(tr("Your password is changed."));
     });
   };
-  (new EntryDialog(tr("Change password"),
+  std::vector<EntryDialog::Entry> entries{
+      {"passwordNew", tr("New password"), tr("At least 8 characters"), {}, true},
+      {"passwordAgain", tr("New password again"), tr("Repeat the password"), {}, true}};
+  if (!account_.hasGeneratedPassword())
+    entries.insert(entries.begin(),
+                   {"passwordOld", tr("Current password"), tr("The one you signed in with"), {}, true});
+  const QString title = account_.hasGeneratedPassword() ? tr("Choose a password") : tr("Change password");
+  (new EntryDialog(title,
                    account_.mustChangePassword()
                        ? tr("Another user has set your password. Choose your own before you continue.")
                        : tr("At least 8 characters; a sentence is easy to remember."),
-                   {{"passwordOld", tr("Current password"), tr("The one you signed in with"), {}, true},
-                    {"passwordNew", tr("New password"), tr("At least 8 characters"), {}, true},
-                    {"passwordAgain", tr("New password again"), tr("Repeat the password"), {}, true}},
-                   tr("Change"), act, window_))
+                   entries, title.section(QLatin1Char(' '), 0, 0), act, window_))
       ->open();
 }
 

@@ -24,6 +24,9 @@ class AccountMenu : public QMenu {
 
   void showPeople();
   void showCurricula();
+  /// Asks at the first start who trains on this computer, once the store is known to have no people.
+  void askAtFirstStart();
+  void askAlone();
   void askSetUp();
   void askSignIn();
   void askPassword();
@@ -41,7 +44,7 @@ class AccountMenu : public QMenu {
   Account& account_;
   SiteExchange& site_;
   QWidget* window_;
-  QAction *who_, *setUp_, *signIn_, *password_, *details_, *people_, *levels_, *server_, *again_, *signOut_;
+  QAction *who_, *alone_, *setUp_, *signIn_, *password_, *details_, *people_, *levels_, *server_, *again_, *signOut_;
 };
 
 }  // namespace insonate::ui

@@ -28,7 +28,11 @@ QLabel* wideParagraph(const QString& text) {
 
 EntryDialog::EntryDialog(const QString& title, const QString& explanation, const std::vector<Entry>& entries,
                          const QString& button, Action action, QWidget* parent)
-    : QDialog(parent), trouble_(wideParagraph({})), go_(new QPushButton(button)), action_(std::move(action)) {
+    : QDialog(parent),
+      trouble_(wideParagraph({})),
+      go_(new QPushButton(button)),
+      buttons_(new QHBoxLayout),
+      action_(std::move(action)) {
   setWindowTitle(title);
   setAttribute(Qt::WA_DeleteOnClose);
   auto* heading = new QLabel(title);
@@ -53,11 +57,10 @@ EntryDialog::EntryDialog(const QString& title, const QString& explanation, const
   connect(go_, &QPushButton::clicked, this, &EntryDialog::act);
   connect(leave, &QPushButton::clicked, this, &QDialog::reject);
 
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(kGap);
-  buttons->addStretch();
-  buttons->addWidget(leave);
-  buttons->addWidget(go_);
+  buttons_->setSpacing(kGap);
+  buttons_->addStretch();
+  buttons_->addWidget(leave);
+  buttons_->addWidget(go_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(kLargeGap, kLargeGap, kLargeGap, kLargeGap);
   column->setSpacing(kLargeGap);
@@ -65,13 +68,25 @@ EntryDialog::EntryDialog(const QString& title, const QString& explanation, const
   column->addWidget(about);
   column->addLayout(form);
   column->addWidget(trouble_);
-  column->addLayout(buttons);
+  column->addLayout(buttons_);
   // Gives the focus to the first empty field.
   for (QWidget* field : fields_)
     if (auto* line = qobject_cast<QLineEdit*>(field); line && line->text().isEmpty()) {
       line->setFocus();
       break;
     }
+}
+
+void EntryDialog::offer(const QString& text, const QString& tip, std::function<void()> instead) {
+  auto* other = new QPushButton(text);
+  other->setObjectName(QStringLiteral("entryOther"));
+  other->setToolTip(tip);
+  other->setAutoDefault(false);
+  buttons_->insertWidget(0, other);
+  connect(other, &QPushButton::clicked, this, [this, instead = std::move(instead)] {
+    reject();
+    instead();
+  });
 }
 
 QWidget* EntryDialog::fieldOf(const Entry& entry) {

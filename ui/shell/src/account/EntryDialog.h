@@ -8,6 +8,7 @@
 #include <functional>
 #include <vector>
 
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 
@@ -32,6 +33,9 @@ class EntryDialog : public QDialog {
   EntryDialog(const QString& title, const QString& explanation, const std::vector<Entry>& entries,
               const QString& button, Action action, QWidget* parent);
 
+  /// Adds a button that closes the dialog and does something else instead.
+  void offer(const QString& text, const QString& tip, std::function<void()> instead);
+
  private:
   QWidget* fieldOf(const Entry& entry);
   void act();
@@ -40,6 +44,7 @@ class EntryDialog : public QDialog {
   std::vector<QWidget*> fields_;  ///< a QLineEdit, or a QComboBox if the entry has choices
   QLabel* trouble_;
   QPushButton* go_;
+  QHBoxLayout* buttons_;
   Action action_;
 };
 

@@ -27,7 +27,7 @@ bool holdsCase(const QDir& folder) {
           (folder.exists(QStringLiteral("labels.seg.nrrd")) || folder.exists(QStringLiteral("labels.nrrd"))));
 }
 
-QStringList qt(const std::vector<std::string>& sentences) {
+QStringList listOf(const std::vector<std::string>& sentences) {
   QStringList list;
   for (const std::string& sentence : sentences) list << QString::fromStdString(sentence);
   return list;
@@ -63,7 +63,7 @@ Result<LoadedCase> importCase(const fs::path& input, const ImportChoice& choice,
       patient->manifest.importNotes.push_back("Nothing could be labeled: " + labels.error().message);
     }
   }
-  result.notes = qt(patient->manifest.importNotes);
+  result.notes = listOf(patient->manifest.importNotes);
   result.patient = std::move(patient);
   return result;
 }
@@ -118,7 +118,7 @@ void CaseLoader::readFolder(const QString& folder) {
         report(progress, "reading CT and labels", 0);
         auto read = readCase(folder.toStdString());
         if (!read) return tl::unexpected(read.error());
-        LoadedCase result{std::make_shared<PatientCase>(std::move(read->patient)), folder, qt(read->notes)};
+        LoadedCase result{std::make_shared<PatientCase>(std::move(read->patient)), folder, listOf(read->notes)};
         result.content = result.patient->manifest.version.content;
         // A version never changes.
         if (const auto whole = caseOfVersion(folder.toStdString()))

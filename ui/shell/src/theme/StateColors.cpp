@@ -40,4 +40,36 @@ views::Colour colorOf(CheckState state) {
   return theme::kQuiet;
 }
 
+views::Colour colorOf(FindingSeverity severity) {
+  return severity == FindingSeverity::kError     ? theme::kDanger
+         : severity == FindingSeverity::kWarning ? theme::kCaution
+                                                 : theme::kQuiet;
+}
+
+views::Colour colorOf(LabelState state) {
+  switch (state) {
+    case LabelState::InProgress:
+      return theme::kText;
+    case LabelState::Completed:
+      return theme::kGood;
+    case LabelState::Flagged:
+      return theme::kCaution;
+    default:
+      return theme::kQuiet;
+  }
+}
+
+views::Colour colorOf(StepState state) {
+  switch (state) {
+    case StepState::Working:
+      return theme::kAccent;
+    case StepState::Done:
+      return theme::kGood;
+    case StepState::Warning:
+      return theme::kCaution;
+    default:
+      return theme::kText;
+  }
+}
+
 }  // namespace insonate::ui

@@ -231,6 +231,10 @@ QString MainWindow::caseTitle() const {
   return header_->caseTitle();
 }
 
+void MainWindow::askAtFirstStart() {
+  accountMenu_->askAtFirstStart();
+}
+
 void MainWindow::restoreLayout() {
   QSettings settings;
   restoreGeometry(settings.value(kGeometry).toByteArray());

@@ -20,12 +20,12 @@ constexpr const char* kAttemptGroup = "attempt";
 }  // namespace
 
 AttemptFeature::AttemptFeature(TrainModel& model, TrainLayout& layout)
-    : Feature(model, layout, {Command::Attempt, Command::Draw, Command::NewNeedle}),
-      control_(new AttemptControl(model, {}, this)),
-      panel_(new AttemptPanel(model.disclosure, model.patientCase, model.imaging, model.live, *control_)) {
+    : Feature(model, layout), control_(new AttemptControl(model, {}, this)) {
+  addCommands();
+  panel_ = new AttemptPanel(model.disclosure, model.patientCase, model.imaging, model.live, *control_, commands());
   layout.left().setHead(panel_, [this](int maximum_px) { panel_->setMostHeight(maximum_px); });
-  layout.image().add(ImageColumn::Line,
-                     new AttemptStrip(model.disclosure, model.hands, model.patientCase, *control_, &layout.image()));
+  layout.image().add(ImageColumn::Line, new AttemptStrip(model.disclosure, model.hands, model.patientCase, *control_,
+                                                         commands(), &layout.image()));
   connect(control_, &AttemptControl::stateChanged, this, [this] {
     showNeedle();
     // Not from within the change itself: the case goes with what belongs to it.
@@ -42,11 +42,26 @@ AttemptFeature::~AttemptFeature() {
   delete control_;
 }
 
-void AttemptFeature::act(const KeyRow& row, KeyPress press) {
-  if (press.repeated) return;
-  if (row.command == Command::Attempt) return control_->isRunning() ? control_->finish() : control_->start();
-  if (row.command == Command::Draw) return control_->setAspirating(!control_->isAspirating());
-  control_->replaceNeedle();
+void AttemptFeature::addCommands() {
+  beginSection(KeySection::Attempts);
+  addCommand({.id = "train.attempt.startOrFinish",
+              .text = {},
+              .does = tr("starts an attempt, or finishes it"),
+              .listed = tr("Ctrl+Return"),
+              .keys = keys({Qt::Key_Return, Qt::Key_Enter}, Qt::ControlModifier),
+              .perform = once([this] { control_->isRunning() ? control_->finish() : control_->start(); })});
+  addCommand({.id = "train.attempt.aspirate",
+              .text = {},
+              .does = tr("aspirates with the syringe, or stops"),
+              .listed = tr("B"),
+              .keys = keys({Qt::Key_B}),
+              .perform = once([this] { control_->setAspirating(!control_->isAspirating()); })});
+  addCommand({.id = "train.attempt.newNeedle",
+              .text = {},
+              .does = tr("takes a new needle from the tray once the old one is out of the skin"),
+              .listed = tr("U"),
+              .keys = keys({Qt::Key_U}),
+              .perform = once([this] { control_->replaceNeedle(); })});
 }
 
 void AttemptFeature::showNeedle() {

@@ -20,7 +20,6 @@ class AttemptFeature final : public Feature {
   AttemptControl& control() { return *control_; }
   AttemptPanel& panel() { return *panel_; }
 
-  void act(const KeyRow& row, KeyPress press) override;
   void save(QSettings& settings) const override;
   void restore(QSettings& settings) override;
   QString endsWithTheCase() const override;
@@ -29,10 +28,11 @@ class AttemptFeature final : public Feature {
   void stop() override;
 
  private:
+  void addCommands();
   void showNeedle();
 
   AttemptControl* control_;
-  AttemptPanel* panel_;
+  AttemptPanel* panel_ = nullptr;
 };
 
 }  // namespace insonate::train

@@ -1,5 +1,6 @@
 #include "AttemptPanel.h"
 
+#include "../feature/CommandWords.h"
 #include "../model/CaseModel.h"
 #include "../model/Disclosure.h"
 #include "../model/ImagingModel.h"
@@ -46,13 +47,14 @@ QComboBox* attemptChoice(const char* object, const QString& name, const QString&
 }  // namespace
 
 AttemptPanel::AttemptPanel(DisclosureModel& disclosure, CaseModel& patientCase, ImagingModel& imaging, LiveModel& live,
-                           AttemptControl& attempt, QWidget* parent)
+                           AttemptControl& attempt, const ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
       disclosure_(disclosure),
       patientCase_(patientCase),
       imaging_(imaging),
       live_(live),
-      attempt_(attempt) {
+      attempt_(attempt),
+      commands_(commands) {
   setObjectName("attemptPanel");
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(12, 8, 12, 8);
@@ -93,7 +95,9 @@ QWidget* AttemptPanel::buildBegin() {
                        "nor anatomy until the end"));
   for (const Assistance one : {Assistance::Guided, Assistance::Hints, Assistance::Test})
     assistance_->addItem(wordOf(one), int(one));
-  start_ = button("attemptStart", tr("Start"), tr("Begins an attempt, which is recorded and scored (Ctrl+Return)"));
+  start_ =
+      button("attemptStart", tr("Start"),
+             withKeys(tr("Begins an attempt, which is recorded and scored"), commands_, "train.attempt.startOrFinish"));
   ui::setRole(start_, "primary");
   auto* row = new QHBoxLayout;
   row->setSpacing(ui::kSmallGap);
@@ -118,10 +122,9 @@ QWidget* AttemptPanel::buildHands() {
   grid->setSpacing(ui::kSmallGap);
   position_ = attemptChoice("attemptPosition", tr("The patient's position"),
                             tr("Tilt of the table in degrees; above 0 the head is down"));
-  draw_ = button("attemptDraw", tr("Aspirate"), tr("Aspirates with the syringe, or stops (B)"));
+  draw_ = button("attemptDraw", tr("Aspirate"), commands_.toolTip("train.attempt.aspirate"));
   draw_->setCheckable(true);
-  auto* fresh =
-      button("attemptNewNeedle", tr("New needle"), tr("Takes a new needle from the tray once the old one is out (U)"));
+  auto* fresh = button("attemptNewNeedle", tr("New needle"), commands_.toolTip("train.attempt.newNeedle"));
   grid->addWidget(position_, 0, 0, 1, 2);
   grid->addWidget(draw_, 1, 0);
   grid->addWidget(fresh, 1, 1);
@@ -137,7 +140,7 @@ QWidget* AttemptPanel::buildRunning() {
   auto* box = pageColumn(page);
   auto* inner = new QWidget;
   auto* told = pageColumn(inner);
-  steps_ = new StepList;
+  steps_ = new StepList(keysOf(commands_, "train.attempt.startOrFinish"));
   numbers_ = ui::paragraph("attemptNumbers", "");
   numbers_->setTextFormat(Qt::RichText);
   numbers_->setToolTip(tr("Further metrics of the attempt so far"));
@@ -153,7 +156,9 @@ QWidget* AttemptPanel::buildRunning() {
   box->addWidget(buildHands());
   auto* row = new QHBoxLayout;
   row->setSpacing(ui::kSmallGap);
-  auto* finish = button("attemptFinish", tr("Finish"), tr("Ends the attempt and shows its result (Ctrl+Return)"));
+  auto* finish =
+      button("attemptFinish", tr("Finish"),
+             withKeys(tr("Ends the attempt and shows its result"), commands_, "train.attempt.startOrFinish"));
   ui::setRole(finish, "primary");
   auto* again = button("attemptAgain", tr("Again"), tr("Abandons this attempt and starts another"));
   auto* abandon = button("attemptAbandon", tr("Abandon"), tr("Ends the attempt and saves it as abandoned"));

@@ -9,6 +9,10 @@ class QPushButton;
 class QScrollArea;
 class QVBoxLayout;
 
+namespace insonate::ui {
+class Commands;
+}
+
 namespace insonate::train {
 
 class AttemptControl;
@@ -25,7 +29,7 @@ class AttemptPanel final : public QWidget {
 
  public:
   AttemptPanel(DisclosureModel& disclosure, CaseModel& patientCase, ImagingModel& imaging, LiveModel& live,
-               AttemptControl& attempt, QWidget* parent = nullptr);
+               AttemptControl& attempt, const ui::Commands& commands, QWidget* parent = nullptr);
 
   /// Adds a card above the choice of the procedure.
   void addCard(QWidget* card);
@@ -62,6 +66,7 @@ class AttemptPanel final : public QWidget {
   ImagingModel& imaging_;
   LiveModel& live_;
   AttemptControl& attempt_;
+  const ui::Commands& commands_;
   bool isProcedureFixed_ = false;
   int most_px_ = 400;
   QWidget *begin_ = nullptr, *running_ = nullptr, *result_ = nullptr;

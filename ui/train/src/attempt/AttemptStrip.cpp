@@ -1,5 +1,6 @@
 #include "AttemptStrip.h"
 
+#include "../feature/CommandWords.h"
 #include "../model/CaseModel.h"
 #include "../model/Disclosure.h"
 #include "../model/HandsControl.h"
@@ -23,12 +24,13 @@ constexpr int kWithTime_px = 640, kWithWords_px = 800, kWithVessel_px = 1000;
 }  // namespace
 
 AttemptStrip::AttemptStrip(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase,
-                           AttemptControl& attempt, QWidget* parent)
+                           AttemptControl& attempt, const ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
       disclosure_(disclosure),
       hands_(hands),
       patientCase_(patientCase),
       attempt_(attempt),
+      commands_(commands),
       row_(new QHBoxLayout(this)) {
   setObjectName("attemptStrip");
   row_->setContentsMargins(8, 4, 8, 0);
@@ -43,8 +45,8 @@ AttemptStrip::AttemptStrip(DisclosureModel& disclosure, HandsControl& hands, Cas
   row_->addStretch(1);
   needle_ = number("attemptNeedle", QStringLiteral("▲ wrong place"), {});
   needle_->setTextFormat(Qt::RichText);
-  drawn_ = number("attemptDrawn", {}, tr("Content of the syringe (B)"));
-  syringe_ = new SyringeView(disclosure_, hands_, patientCase_, attempt, this);
+  drawn_ = number("attemptDrawn", {}, withKeys(tr("Content of the syringe"), commands_, "train.attempt.aspirate"));
+  syringe_ = new SyringeView(disclosure_, hands_, patientCase_, attempt, commands_, this);
   row_->addWidget(syringe_);
   // The wide one must not keep its column wide.
   setMinimumWidth(200);
@@ -99,9 +101,10 @@ void AttemptStrip::refreshNeedle() {
   const ui::PlaceWords named = ui::wordsOf(disclosed(place, told), vessel);
   const ui::PlaceWords words = width() >= kWithVessel_px ? named : ui::wordsOf(disclosed(place, told));
   needle_->setToolTip(
-      told.anatomy
-          ? tr("Place of the needle: green in the vein, red in a wrong place, yellow once used (U takes a new one)")
-          : tr("Whether the needle is new, inserted or used (U takes a new one)"));
+      (told.anatomy
+           ? tr("Place of the needle: green in the vein, red in a wrong place, yellow once used (%1 takes a new one)")
+           : tr("Whether the needle is new, inserted or used (%1 takes a new one)"))
+          .arg(keysOf(commands_, "train.attempt.newNeedle")));
   // The sign has the color: words of that color would be hard to read.
   needle_->setText(QStringLiteral("<span style='color:%1'>%2</span> %3")
                        .arg(ui::colour(ui::colorOf(disclosed(place, told))).name(), words.sign, words.words));

@@ -5,6 +5,10 @@
 class QHBoxLayout;
 class QLabel;
 
+namespace insonate::ui {
+class Commands;
+}
+
 namespace insonate::train {
 
 class AttemptControl;
@@ -18,7 +22,7 @@ class HandsControl;
 class AttemptStrip final : public QWidget {
  public:
   AttemptStrip(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase, AttemptControl& attempt,
-               QWidget* parent = nullptr);
+               const ui::Commands& commands, QWidget* parent = nullptr);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -32,6 +36,7 @@ class AttemptStrip final : public QWidget {
   HandsControl& hands_;
   CaseModel& patientCase_;
   AttemptControl& attempt_;
+  const ui::Commands& commands_;
   QHBoxLayout* row_;
   QLabel *time_, *vein_, *artery_, *double_, *toVein_, *used_, *needle_, *drawn_;
   SyringeView* syringe_;

@@ -51,7 +51,7 @@ bool write(QLabel& label, const QString& text) {
 
 }  // namespace
 
-StepList::StepList(QWidget* parent) : QWidget(parent) {
+StepList::StepList(const QString& finishKeys, QWidget* parent) : QWidget(parent), finishKeys_(finishKeys) {
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kSmallGap);
@@ -65,7 +65,7 @@ StepList::StepList(QWidget* parent) : QWidget(parent) {
 
 bool StepList::show(const Procedure& procedure, const AttemptView& view, bool withSteps) {
   QStringList before, after;
-  QString due = QObject::tr("<b>All steps are done.</b> Finish the attempt (Ctrl+Return).");
+  QString due = QObject::tr("<b>All steps are done.</b> Finish the attempt (%1).").arg(finishKeys_);
   for (std::size_t i = 0; i < view.steps.size(); ++i) {
     const ProcedureStep& step = procedure.steps[i];
     if (view.due == i)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QString>
 #include <QWidget>
 
 class QLabel;
@@ -14,12 +15,14 @@ namespace insonate::train {
 /// Lists the steps of a procedure: done steps, due steps with instructions, and errors, the latest first.
 class StepList final : public QWidget {
  public:
-  explicit StepList(QWidget* parent = nullptr);
+  /// `finishKeys`: keys of the command that finishes an attempt.
+  explicit StepList(const QString& finishKeys, QWidget* parent = nullptr);
 
   /// Shows an attempt; if not `withSteps`, only its errors. Returns whether the list needs another height than before.
   bool show(const Procedure& procedure, const AttemptView& view, bool withSteps);
 
  private:
+  QString finishKeys_;
   QLabel *steps_, *say_, *later_, *findings_;
 };
 

@@ -1,5 +1,6 @@
 #include "SyringeView.h"
 
+#include "../feature/CommandWords.h"
 #include "../model/CaseModel.h"
 #include "../model/Disclosure.h"
 #include "../model/HandsControl.h"
@@ -49,8 +50,13 @@ SyringeView::Content drawnFrom(Label tissue) {
 }
 
 SyringeView::SyringeView(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase,
-                         AttemptControl& attempt, QWidget* parent)
-    : QWidget(parent), disclosure_(disclosure), hands_(hands), patientCase_(patientCase), attempt_(attempt) {
+                         AttemptControl& attempt, const ui::Commands& commands, QWidget* parent)
+    : QWidget(parent),
+      disclosure_(disclosure),
+      hands_(hands),
+      patientCase_(patientCase),
+      attempt_(attempt),
+      commands_(commands) {
   setObjectName("syringe");
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   timer_.setInterval(kFrame_ms);
@@ -91,9 +97,12 @@ void SyringeView::draw() {
 }
 
 void SyringeView::tell() {
-  setToolTip(disclosure_.current().anatomy ? tr("Content of the syringe (B): dark red, non-pulsatile blood is venous, "
-                                                "bright red, pulsatile blood arterial, air comes from lung or airway")
-                                           : tr("Content of the syringe (B)"));
+  QString tip = withKeys(tr("Content of the syringe"), commands_, "train.attempt.aspirate");
+  if (disclosure_.current().anatomy)
+    tip +=
+        tr(": dark red, non-pulsatile blood is venous, bright red, pulsatile blood arterial, air comes from lung or "
+           "airway");
+  setToolTip(tip);
   setAccessibleName(tr("Syringe: %1").arg(words()));
   update();
   Q_EMIT changed();

@@ -8,6 +8,10 @@
 
 class QPaintEvent;
 
+namespace insonate::ui {
+class Commands;
+}
+
 namespace insonate::train {
 
 class AttemptControl;
@@ -25,7 +29,7 @@ class SyringeView final : public QWidget {
   enum class Content { Nothing, DarkBlood, BrightBlood, Air };
 
   SyringeView(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase, AttemptControl& attempt,
-              QWidget* parent = nullptr);
+              const ui::Commands& commands, QWidget* parent = nullptr);
 
   Content content() const { return content_; }
   double level() const { return level_; }  ///< fill level, 0 to 1
@@ -48,6 +52,7 @@ class SyringeView final : public QWidget {
   HandsControl& hands_;
   CaseModel& patientCase_;
   AttemptControl& attempt_;
+  const ui::Commands& commands_;
   Content content_ = Content::Nothing;
   double level_ = 0, beat_ = 0;
   QTimer timer_;

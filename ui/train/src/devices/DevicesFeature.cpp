@@ -16,11 +16,16 @@ constexpr const char* kHandsGroup = "hands";
 
 }  // namespace
 
-DevicesFeature::DevicesFeature(TrainModel& model, TrainLayout& layout)
-    : Feature(model, layout),
-      panelAction_(layout.addAction(
-          tr("Devices ..."), tr("Haptic devices and pedals: which are connected, and what each one controls"), false)) {
-  connect(panelAction_, &QAction::triggered, this, [this] { showPanel(); });
+DevicesFeature::DevicesFeature(TrainModel& model, TrainLayout& layout) : Feature(model, layout) {
+  addCommand({.id = "train.devices.show",
+              .text = tr("Devices ..."),
+              .does = tr("shows haptic devices and pedals: which are connected, and what each one controls"),
+              .listed = {},
+              .keys = {},
+              .perform = [this](ui::KeyPress) { showPanel(); },
+              .isAvailable = [] { return true; }});
+  panelAction_ = commands().action("train.devices.show");
+  layout.addToViewMenu(*panelAction_);
 }
 
 DevicesFeature::~DevicesFeature() {

@@ -26,7 +26,7 @@ class DevicesFeature final : public Feature {
  private:
   void showPanel();
 
-  QAction* panelAction_;
+  QAction* panelAction_ = nullptr;
   QPointer<DevicePanel> panel_;  ///< null until the panel is first shown
 };
 

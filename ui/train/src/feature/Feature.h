@@ -1,11 +1,13 @@
 #pragma once
 
-#include "KeyTable.h"
+#include <insonate/ui/Commands.h>
 
 #include <QObject>
+#include <functional>
 #include <initializer_list>
 #include <vector>
 
+class QAction;
 class QSettings;
 
 namespace insonate::ui {
@@ -17,28 +19,17 @@ namespace insonate::train {
 class TrainLayout;
 struct TrainModel;
 
-/// Modifiers of a key press.
-struct KeyPress {
-  bool wide = false;      ///< Shift was held
-  bool repeated = false;  ///< sent repeatedly by a key that is held down
-};
+/// Sections of the list of keys, in the order in which the list shows them: the first ones are needed first.
+enum class KeySection { Probe, Needle, Image, Attempts, Measurements, Patient, Tissue, Undo };
 
-/// One feature of the workspace. The constructor adds the feature's widgets to the layout and connects them with the
-/// model. The feature handles its own keys and saves its own settings. TrainWorkspace.cpp lists the features; they are
-/// deleted in that order, before the widgets and the model.
+/// One feature of the workspace. The constructor adds the feature's commands to the workspace's and its widgets to the
+/// layout, and connects them with the model. The feature saves its own settings. TrainWorkspace.cpp lists the features;
+/// they are deleted in that order, before the widgets and the model.
 class Feature : public QObject {
   Q_OBJECT
 
  public:
-  /// `commands`: commands of the key table that this feature handles.
-  Feature(TrainModel& model, TrainLayout& layout, std::initializer_list<Command> commands = {});
-
-  /// Tells whether act() handles this command now.
-  bool takes(Command command) const;
-  /// Performs a command for which takes() is true.
-  virtual void act(const KeyRow& /*row*/, KeyPress /*press*/) {}
-  /// Tells whether a view handles a key itself although the key table contains it.
-  virtual bool isViewKey(const QObject* /*canvas*/, const QKeyEvent& /*event*/) const { return false; }
+  Feature(TrainModel& model, TrainLayout& layout);
 
   virtual void save(QSettings& /*settings*/) const {}
   virtual void restore(QSettings& /*settings*/) {}
@@ -63,14 +54,27 @@ class Feature : public QObject {
   void caseReleased();
 
  protected:
-  /// Tells whether a command of this feature is available; by default if the image of a patient is shown.
-  virtual bool isAvailable(Command command) const;
+  using Perform = std::function<void(ui::KeyPress)>;
+
+  /// The workspace's commands. They are used only while the features exist.
+  ui::Commands& commands() const;
+  /// Begins a section of the list of keys: commands and gestures that are added next belong to it.
+  void beginSection(KeySection section);
+  /// Adds a command. If it does not say when it is available, it is while isPatientShown().
+  void addCommand(ui::Command command);
+  /// Adds a command that switches something on and off to the View menu, with a check mark while `isOn`. The feature
+  /// sets the mark when something else switches it.
+  QAction* addSwitch(const QString& id, std::function<bool()> isOn);
+  /// Tells whether a patient is open and no page covers image and controls.
+  bool isPatientShown() const;
+
+  /// Keys that do all the same.
+  static std::vector<ui::CommandKey> keys(std::initializer_list<int> pressed, Qt::KeyboardModifiers modifiers = {});
+  /// Returns a function that performs once, however long the key is held down.
+  static Perform once(std::function<void()> perform);
 
   TrainModel& model_;
   TrainLayout& layout_;
-
- private:
-  std::vector<Command> commands_;
 };
 
 }  // namespace insonate::train

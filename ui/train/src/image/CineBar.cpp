@@ -1,5 +1,6 @@
 #include "CineBar.h"
 
+#include "../feature/CommandWords.h"
 #include "../model/CaseModel.h"
 #include "../model/LiveModel.h"
 
@@ -19,17 +20,12 @@ namespace {
 
 constexpr int kSlider_px = 96, kShortSlider_px = 48;
 
-struct Measure {
-  const char* name;
-  const char* says;
-};
-constexpr Measure kMeasures[] = {{"Distance\tL", "Two points, in mm"},
-                                 {"Ellipse\tO", "One axis, then the width, in mm and mm²"},
-                                 {"Angle\tV", "Arm, corner, arm, in degrees"}};
+/// In the order of views::CalliperKind.
+constexpr const char* kMeasures[] = {"train.measure.distance", "train.measure.ellipse", "train.measure.angle"};
 
 }  // namespace
 
-CineBar::CineBar(CaseModel& patientCase, LiveModel& live, QWidget* parent)
+CineBar::CineBar(CaseModel& patientCase, LiveModel& live, ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
       patientCase_(patientCase),
       live_(live),
@@ -43,7 +39,7 @@ CineBar::CineBar(CaseModel& patientCase, LiveModel& live, QWidget* parent)
   row->setSpacing(8);
   slider_->setObjectName("cine");
   slider_->setAccessibleName(tr("Image of the last seconds"));
-  slider_->setToolTip(tr("The last seconds of a frozen image (comma and period step)"));
+  slider_->setToolTip(withKeys(tr("The last seconds of a frozen image"), commands, "train.image.step"));
   slider_->setFocusPolicy(Qt::TabFocus);
   slider_->setMinimumWidth(kSlider_px);
   time_->setMinimumWidth(time_->fontMetrics().horizontalAdvance("-00.00 s"));
@@ -53,18 +49,18 @@ CineBar::CineBar(CaseModel& patientCase, LiveModel& live, QWidget* parent)
   measure_->setObjectName("measure");
   measure_->setToolTip(tr("Measure on the image or the CT, in mm and degrees"));
   measure_->setFocusPolicy(Qt::TabFocus);
-  measure_->setMenu(buildMeasures());
+  measure_->setMenu(buildMeasures(commands));
   row->addWidget(measure_);
   beside_->setObjectName("ctBesideButton");
   beside_->setAccessibleName(tr("CT beside the image"));
-  beside_->setToolTip(tr("The CT of the same plane at the same scale, beside the image (C)"));
+  beside_->setToolTip(commands.toolTip("train.image.ctBeside"));
   beside_->setCheckable(true);
   beside_->setFocusPolicy(Qt::TabFocus);
   row->addWidget(beside_);
   connect(beside_, &QPushButton::clicked, this, &CineBar::ctBesideChosen);
-  save_->setToolTip(tr("Save the image (Ctrl+P), or the last seconds"));
+  save_->setToolTip(tr("Save the image (%1), or the last seconds").arg(keysOf(commands, "train.image.save")));
   save_->setObjectName("save");
-  save_->setMenu(buildSaving());
+  save_->setMenu(buildSaving(commands));
   save_->setFocusPolicy(Qt::TabFocus);
   row->addWidget(save_);
 
@@ -75,26 +71,26 @@ CineBar::CineBar(CaseModel& patientCase, LiveModel& live, QWidget* parent)
   refresh();
 }
 
-QMenu* CineBar::buildMeasures() {
+QMenu* CineBar::buildMeasures(ui::Commands& commands) {
   auto* menu = new QMenu(measure_);
   menu->setToolTipsVisible(true);
-  for (int i = 0; i < 3; ++i) {
-    measures_[i] = menu->addAction(tr(kMeasures[i].name));
-    measures_[i]->setToolTip(tr(kMeasures[i].says));
-    measures_[i]->setCheckable(true);
-    connect(measures_[i], &QAction::triggered, this, [this, i](bool on) { Q_EMIT calliperChosen(on ? i : -1); });
+  for (std::size_t kind = 0; kind < measures_.size(); ++kind) {
+    QAction* action = measures_[kind] = commands.action(kMeasures[kind]);
+    measureNames_[kind] = commands.find(kMeasures[kind])->text;
+    action->setCheckable(true);
+    menu->addAction(action);
+    // Qt changes the mark before the command is performed.
+    connect(action, &QAction::triggered, this, [this] { setCalliper(calliper_); });
   }
   menu->addSeparator();
-  auto* clear = menu->addAction(tr("Remove all\tDelete"));
-  connect(clear, &QAction::triggered, this, &CineBar::clearCallipers);
+  menu->addAction(commands.action("train.measure.clear"));
   return menu;
 }
 
-QMenu* CineBar::buildSaving() {
+QMenu* CineBar::buildSaving(ui::Commands& commands) {
   auto* menu = new QMenu(save_);
   menu->setToolTipsVisible(true);
-  menu->addAction(tr("Image ...\tCtrl+P"), this, &CineBar::savePicture)
-      ->setToolTip(tr("Saves the image at its own resolution, with its depth scale in mm"));
+  menu->addAction(commands.action("train.image.save"));
   menu->addAction(tr("As on the screen ..."), this, &CineBar::saveScreen)
       ->setToolTip(tr("Saves the image with its overlays, and the CT beside it"));
   menu->addAction(tr("Clip ..."), this, &CineBar::saveClip)
@@ -113,8 +109,9 @@ bool CineBar::savesMeasurements() const {
 }
 
 void CineBar::setCalliper(int kind) {
-  for (int i = 0; i < 3; ++i) measures_[i]->setChecked(i == kind);
-  measure_->setText(kind < 0 ? tr("Measure") : tr(kMeasures[kind].name).section('\t', 0, 0));
+  calliper_ = kind;
+  for (int i = 0; i < int(measures_.size()); ++i) measures_[std::size_t(i)]->setChecked(i == kind);
+  measure_->setText(kind < 0 ? tr("Measure") : measureNames_[std::size_t(kind)]);
   ui::setRole(measure_, kind < 0 ? "" : "on");
   measure_->style()->unpolish(measure_);
   measure_->style()->polish(measure_);

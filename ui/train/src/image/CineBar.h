@@ -1,12 +1,18 @@
 #pragma once
 
+#include <QString>
 #include <QWidget>
+#include <array>
 
 class QAction;
 class QLabel;
 class QMenu;
 class QPushButton;
 class QSlider;
+
+namespace insonate::ui {
+class Commands;
+}
 
 namespace insonate::train {
 
@@ -18,7 +24,8 @@ class CineBar : public QWidget {
   Q_OBJECT
 
  public:
-  CineBar(CaseModel& patientCase, LiveModel& live, QWidget* parent = nullptr);
+  /// `commands`: those of measuring, saving and the CT beside the image, for menus and tooltips.
+  CineBar(CaseModel& patientCase, LiveModel& live, ui::Commands& commands, QWidget* parent = nullptr);
 
   /// Selects a caliper (views::CalliperKind); -1: no caliper.
   void setCalliper(int kind);
@@ -30,17 +37,14 @@ class CineBar : public QWidget {
   bool savesMeasurements() const;
 
  Q_SIGNALS:
-  void calliperChosen(int kind);
-  void clearCallipers();
   void ctBesideChosen(bool shown);
-  void savePicture();
   /// Emitted when the user wants to save the image as on the screen, with overlays and the CT beside it.
   void saveScreen();
   void saveClip();
 
  private:
-  QMenu* buildMeasures();
-  QMenu* buildSaving();
+  QMenu* buildMeasures(ui::Commands& commands);
+  QMenu* buildSaving(ui::Commands& commands);
   void refresh();
   void refreshTime();
 
@@ -48,7 +52,9 @@ class CineBar : public QWidget {
   LiveModel& live_;
   QSlider* slider_;
   QLabel* time_;
-  QAction* measures_[3];
+  std::array<QAction*, 3> measures_{};  ///< in the order of views::CalliperKind
+  std::array<QString, 3> measureNames_;
+  int calliper_ = -1;  ///< the selected caliper
   QAction* withMeasurements_ = nullptr;
   bool compact_ = false;
   QPushButton *measure_, *beside_, *save_;

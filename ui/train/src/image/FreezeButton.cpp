@@ -5,12 +5,12 @@
 
 namespace insonate::train {
 
-FreezeButton::FreezeButton(CaseModel& patientCase, LiveModel& live, QWidget* parent)
+FreezeButton::FreezeButton(CaseModel& patientCase, LiveModel& live, const QString& toolTip, QWidget* parent)
     : QPushButton(tr("Freeze"), parent), live_(live) {
   setObjectName("freeze");
   setCheckable(true);
   setFocusPolicy(Qt::TabFocus);
-  setToolTip(tr("Freezes the image, or makes it live again (Space)"));
+  setToolTip(toolTip);
   setMinimumHeight(36);
   connect(this, &QPushButton::clicked, &live_, &LiveModel::setFrozen);
   connect(&live_, &LiveModel::frozenChanged, this, [this] { refresh(); });

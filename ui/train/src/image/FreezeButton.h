@@ -10,7 +10,7 @@ class LiveModel;
 /// Button that freezes the image and makes it live again.
 class FreezeButton final : public QPushButton {
  public:
-  FreezeButton(CaseModel& patientCase, LiveModel& live, QWidget* parent = nullptr);
+  FreezeButton(CaseModel& patientCase, LiveModel& live, const QString& toolTip, QWidget* parent = nullptr);
 
  private:
   void refresh();

@@ -21,7 +21,6 @@ namespace insonate::train {
 
 ImageExports::ImageExports(const Sources& sources, ui::Workspace& workspace, QObject* parent)
     : QObject(parent), sources_(sources), workspace_(workspace) {
-  connect(&sources_.cine, &CineBar::savePicture, this, [this] { askPicture(); });
   connect(&sources_.cine, &CineBar::saveScreen, this, [this] { askScreen(); });
   connect(&sources_.cine, &CineBar::saveClip, this, [this] { askClip(); });
 }

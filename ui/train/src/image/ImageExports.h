@@ -45,6 +45,7 @@ class ImageExports : public QObject {
   void savePicture(const std::filesystem::path& file);
   void saveScreen(const std::filesystem::path& file);
   void saveClip(const std::filesystem::path& folder);
+  /// Asks the user for a file and saves the image on display.
   void askPicture();
 
   void save(QSettings& settings) const;

@@ -28,16 +28,14 @@
 
 namespace insonate::train {
 
-ImageFeature::ImageFeature(TrainModel& model, TrainLayout& layout, QWidget& probeChooser)
-    : Feature(model, layout,
-              {Command::Freeze, Command::EarlierPicture, Command::LaterPicture, Command::SavePicture,
-               Command::MeasureDistance, Command::MeasureEllipse, Command::MeasureAngle, Command::StopMeasuring,
-               Command::ClearMeasures, Command::NextEffect, Command::WholePicture, Command::CtBeside}),
-      panel_(new ImagePanel(model.disclosure, model.imaging, probeChooser)),
-      // The key table has the key; the menu only names it.
-      besideAction_(layout.addAction(tr("CT beside the image\tC"), tr("The same plane of the CT at the same scale"))) {
+ImageFeature::ImageFeature(TrainModel& model, TrainLayout& layout, QWidget& probeChooser) : Feature(model, layout) {
+  addCommands();
+  addMeasuring();
+  addGestures();
+  besideAction_ = addSwitch("train.image.ctBeside", [this] { return beside_->isShown(); });
+  panel_ = new ImagePanel(model.disclosure, model.imaging, probeChooser, commands());
   layout.controls().addSection(panel_);
-  layout.controls().setFoot(new FreezeButton(model.patientCase, model.live));
+  layout.controls().setFoot(new FreezeButton(model.patientCase, model.live, commands().toolTip("train.image.freeze")));
   buildColumn();
   buildInput();
   connectModel();
@@ -61,7 +59,7 @@ void ImageFeature::buildColumn() {
   vesselNote_->setWordWrap(true);
   vesselNote_->setContentsMargins(12, ui::kSmallGap, 12, ui::kSmallGap);
   ui::setRole(vesselNote_, "quiet");
-  cine_ = new CineBar(model_.patientCase, model_.live, &column);
+  cine_ = new CineBar(model_.patientCase, model_.live, commands(), &column);
   column.add(ImageColumn::Image, empty_);
   column.add(ImageColumn::Image, panes_);
   column.add(ImageColumn::Note, vesselNote_);
@@ -94,7 +92,7 @@ void ImageFeature::connectModel() {
   connect(&model_.imaging, &ImagingModel::setupChanged, this, [this] { showNotice(); });
   connect(&model_.disclosure, &DisclosureModel::changed, this, [this] {
     const bool anatomy = model_.disclosure.current().anatomy;
-    if (!anatomy) besideAction_->setChecked(false);
+    if (!anatomy && beside_->isShown()) setCtBeside(false);
     cine_->setCtBesideOffered(anatomy);
     besideAction_->setEnabled(anatomy);
   });
@@ -105,42 +103,96 @@ void ImageFeature::connectModel() {
   connect(&views, &SharedViews::windowLevelChanged, this,
           [this](views::WindowLevel value) { beside_->view().setWindowLevel(value); });
   connect(cine_, &CineBar::ctBesideChosen, this, [this](bool on) { setCtBeside(on); });
-  connect(besideAction_, &QAction::toggled, this, [this](bool on) { setCtBeside(on); });
 }
 
-void ImageFeature::act(const KeyRow& row, KeyPress press) {
-  switch (row.command) {
-    case Command::Freeze:
-      return press.repeated ? void() : model_.live.setFrozen(!model_.live.isFrozen());
-    case Command::EarlierPicture:
-      return model_.live.showCine(model_.live.cineIndex() - 1);
-    case Command::LaterPicture:
-      return model_.live.showCine(model_.live.cineIndex() + 1);
-    case Command::SavePicture:
-      return exports_->askPicture();
-    case Command::MeasureDistance:
-      return measurements_->choose(int(views::CalliperKind::Distance));
-    case Command::MeasureEllipse:
-      return measurements_->choose(int(views::CalliperKind::Ellipse));
-    case Command::MeasureAngle:
-      return measurements_->choose(int(views::CalliperKind::Angle));
-    case Command::StopMeasuring:
-      return measurements_->choose(-1);
-    case Command::ClearMeasures:
-      return measurements_->clear();
-    case Command::NextEffect:
-      return model_.imaging.stepEffect(press.wide ? -1 : 1);
-    case Command::WholePicture:
-      return model_.imaging.setEffect(ImagingModel::kWholeModel);
-    case Command::CtBeside:
-      return setCtBeside(!besideAction_->isChecked());
-    default:
-      return;
-  }
+void ImageFeature::addCommands() {
+  beginSection(KeySection::Image);
+  addCommand({.id = "train.image.freeze",
+              .text = {},
+              .does = tr("freezes the image, or makes it live again"),
+              .listed = tr("Space, F"),
+              .keys = keys({Qt::Key_Space, Qt::Key_F}),
+              .perform = once([this] { model_.live.setFrozen(!model_.live.isFrozen()); })});
+  const auto step = [this](int key, int by) -> ui::CommandKey {
+    return {key, {}, [this, by](ui::KeyPress) { model_.live.showCine(model_.live.cineIndex() + by); }};
+  };
+  addCommand({.id = "train.image.step",
+              .text = {},
+              .does = tr("shows the previous or next image of the last seconds, while frozen"),
+              .listed = tr("Comma, Period"),
+              .keys = {step(Qt::Key_Comma, -1), step(Qt::Key_Period, 1)},
+              .perform = {}});
+  addCommand({.id = "train.image.save",
+              .text = tr("Image ..."),
+              .does = tr("saves the image at its own resolution, with its depth scale in mm"),
+              .listed = tr("Ctrl+P"),
+              .keys = keys({Qt::Key_P}, Qt::ControlModifier),
+              .perform = [this](ui::KeyPress) { exports_->askPicture(); }});
+  addCommand({.id = "train.image.ctBeside",
+              .text = tr("CT beside the image"),
+              .does = tr("shows the CT of the same plane at the same scale beside the image, or hides it"),
+              .listed = tr("C"),
+              .keys = keys({Qt::Key_C}),
+              .perform = [this](ui::KeyPress) { setCtBeside(!beside_->isShown()); }});
+  addCommand({.id = "train.image.nextEffect",
+              .text = {},
+              .does = tr("shows one effect of the model by itself: the next, or the previous"),
+              .listed = tr("N, Shift+N"),
+              .keys = keys({Qt::Key_N}),
+              .perform = [this](ui::KeyPress press) { model_.imaging.stepEffect(press.wide ? -1 : 1); }});
+  addCommand({.id = "train.image.wholeImage",
+              .text = {},
+              .does = tr("shows the whole image again"),
+              .listed = tr("0"),
+              .keys = keys({Qt::Key_0}),
+              .perform = [this](ui::KeyPress) { model_.imaging.setEffect(ImagingModel::kWholeModel); }});
 }
 
-bool ImageFeature::isAvailable(Command command) const {
-  return Feature::isAvailable(command) && (command != Command::StopMeasuring || measurements_->isMeasuring());
+void ImageFeature::addMeasuring() {
+  const auto choose = [this](views::CalliperKind kind) -> Perform {
+    return [this, kind](ui::KeyPress) { measurements_->choose(int(kind)); };
+  };
+  beginSection(KeySection::Measurements);
+  addCommand({.id = "train.measure.distance",
+              .text = tr("Distance"),
+              .does = tr("measures a distance: two points, in mm"),
+              .listed = tr("L"),
+              .keys = keys({Qt::Key_L}),
+              .perform = choose(views::CalliperKind::Distance)});
+  addCommand({.id = "train.measure.ellipse",
+              .text = tr("Ellipse"),
+              .does = tr("measures an ellipse: one axis, then the width, in mm and mm²"),
+              .listed = tr("O"),
+              .keys = keys({Qt::Key_O}),
+              .perform = choose(views::CalliperKind::Ellipse)});
+  addCommand({.id = "train.measure.angle",
+              .text = tr("Angle"),
+              .does = tr("measures an angle: arm, corner, arm, in degrees"),
+              .listed = tr("V"),
+              .keys = keys({Qt::Key_V}),
+              .perform = choose(views::CalliperKind::Angle)});
+  addCommand({.id = "train.measure.end",
+              .text = {},
+              .does = tr("ends measuring"),
+              .listed = tr("Esc"),
+              .keys = keys({Qt::Key_Escape}),
+              .perform = [this](ui::KeyPress) { measurements_->choose(-1); },
+              .isAvailable = [this] { return isPatientShown() && measurements_->isMeasuring(); }});
+  addCommand({.id = "train.measure.clear",
+              .text = tr("Remove all"),
+              .does = tr("removes the measurements"),
+              .listed = tr("Delete"),
+              .keys = keys({Qt::Key_Delete}),
+              .perform = [this](ui::KeyPress) { measurements_->clear(); }});
+}
+
+void ImageFeature::addGestures() {
+  beginSection(KeySection::Probe);
+  commands().addListed(tr("Left drag on the image"), tr("slides the probe"));
+  commands().addListed(tr("Right drag on the image"), tr("rotates the probe; with Shift tilts and rocks it"));
+  commands().addListed(tr("Wheel on the image"), tr("compresses or releases; with Ctrl changes the depth"));
+  beginSection(KeySection::Image);
+  commands().addListed(tr("Pointing at image or CT"), tr("marks the same place in the other"));
 }
 
 void ImageFeature::showCase() {
@@ -214,7 +266,7 @@ void ImageFeature::showFrozen() {
 }
 
 void ImageFeature::setCtBeside(bool isShown) {
-  if (isShown && !model_.disclosure.mayShowAnatomy()) return besideAction_->setChecked(false);
+  if (isShown && !model_.disclosure.mayShowAnatomy()) return;
   besideAction_->setChecked(isShown);
   // Leaving the full size of a view would show what was visible before.
   layout_.views().restoreSizes();
@@ -223,7 +275,7 @@ void ImageFeature::setCtBeside(bool isShown) {
 }
 
 void ImageFeature::save(QSettings& settings) const {
-  settings.setValue("ctBeside", besideAction_->isChecked());
+  settings.setValue("ctBeside", beside_->isShown());
   exports_->save(settings);
   panel_->save(settings);
 }

@@ -31,16 +31,15 @@ class ImageFeature final : public Feature {
 
   ImageExports& exports() { return *exports_; }
 
-  void act(const KeyRow& row, KeyPress press) override;
   void save(QSettings& settings) const override;
   void restore(QSettings& settings) override;
   void setOpening(const QString& what) override;
   void setCompact(bool isCompact) override;
 
- protected:
-  bool isAvailable(Command command) const override;
-
  private:
+  void addCommands();
+  void addMeasuring();
+  void addGestures();
   void buildColumn();
   void buildInput();
   void connectModel();
@@ -51,8 +50,8 @@ class ImageFeature final : public Feature {
   void showFrozen();
   void setCtBeside(bool isShown);
 
-  ImagePanel* panel_;
-  QAction* besideAction_;
+  ImagePanel* panel_ = nullptr;
+  QAction* besideAction_ = nullptr;
   QLabel *empty_ = nullptr, *vesselNote_ = nullptr;
   EqualPanes* panes_ = nullptr;  ///< contains the image and the CT beside it
   CtBeside* beside_ = nullptr;

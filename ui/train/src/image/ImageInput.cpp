@@ -1,9 +1,10 @@
 #include "ImageInput.h"
 
-#include "../feature/KeyTable.h"
 #include "../model/ImagingModel.h"
 #include "../model/NeedleMotion.h"
 #include "../model/ProbeMotion.h"
+
+#include <insonate/ui/CanvasInput.h>
 
 #include <QDateTime>
 #include <QMouseEvent>
@@ -13,7 +14,8 @@
 namespace insonate::train {
 namespace {
 
-constexpr double kNotch = 120;              // in eighths of a degree, as Qt counts
+constexpr double kNotch = 120;  // in eighths of a degree, as Qt counts
+constexpr double kWheelPress_mm = 0.5, kWheelDepth_mm = 5;
 constexpr qint64 kOneTurnOfWheel_ms = 600;  // notches closer than this are undone together
 
 }  // namespace
@@ -21,7 +23,7 @@ constexpr qint64 kOneTurnOfWheel_ms = 600;  // notches closer than this are undo
 ImageInput::ImageInput(ImagingModel& imaging, ProbeMotion& motion, NeedleMotion& needle, views::UltrasoundView& view,
                        QWidget& canvas, QObject* parent)
     : QObject(parent), imaging_(imaging), motion_(motion), needle_(needle), view_(view), canvas_(canvas) {
-  canvas.installEventFilter(this);
+  ui::CanvasInput::of(canvas).add(ui::InputRank::Pointer, *this);
 }
 
 bool ImageInput::eventFilter(QObject* watched, QEvent* event) {
@@ -80,10 +82,10 @@ bool ImageInput::moved(const QMouseEvent& event) {
   if (held_ == Qt::LeftButton) {
     motion_.slide(by.x() * mmPerPx, by.y() * mmPerPx);
   } else if (held_ == Qt::RightButton && shift) {
-    if (by.x() != 0) motion_.move(HandAxis::Rock, by.x() * kDrag_degPerPx);
-    if (by.y() != 0) motion_.move(HandAxis::Tilt, -by.y() * kDrag_degPerPx);
+    if (by.x() != 0) motion_.move(HandAxis::Rock, by.x() * ProbeMotion::kDrag_degPerPx);
+    if (by.y() != 0) motion_.move(HandAxis::Tilt, -by.y() * ProbeMotion::kDrag_degPerPx);
   } else if (held_ == Qt::RightButton && by.x() != 0) {
-    motion_.move(HandAxis::Rotation, by.x() * kDrag_degPerPx);
+    motion_.move(HandAxis::Rotation, by.x() * ProbeMotion::kDrag_degPerPx);
   }
   return true;
 }
@@ -103,7 +105,7 @@ bool ImageInput::wheel(const QWheelEvent& event) {
   const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / kNotch;
   if (notches == 0) return true;
   if (event.modifiers() & Qt::ShiftModifier) {
-    needle_.move(NeedleAxis::Advance, -notches * kWheelNeedle_mm);
+    needle_.move(NeedleAxis::Advance, -notches * NeedleMotion::kWheel_mm);
     return true;
   }
   if (event.modifiers() & Qt::ControlModifier) {

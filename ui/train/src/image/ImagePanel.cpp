@@ -1,5 +1,6 @@
 #include "ImagePanel.h"
 
+#include "../feature/CommandWords.h"
 #include "../model/Disclosure.h"
 #include "../model/ImagingModel.h"
 #include "EffectWords.h"
@@ -92,7 +93,8 @@ constexpr CountKey kCounts[] = {{"looks", &Settings::looks},
 
 }  // namespace
 
-ImagePanel::ImagePanel(DisclosureModel& disclosure, ImagingModel& imaging, QWidget& probeChooser, QWidget* parent)
+ImagePanel::ImagePanel(DisclosureModel& disclosure, ImagingModel& imaging, QWidget& probeChooser,
+                       const ui::Commands& commands, QWidget* parent)
     : QWidget(parent), imaging_(imaging) {
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
@@ -101,7 +103,7 @@ ImagePanel::ImagePanel(DisclosureModel& disclosure, ImagingModel& imaging, QWidg
   box->addWidget(labelled(tr("probe"), &probeChooser));
   box->addWidget(labelled(tr("machine"), new MachineChooser(imaging_)));
   buildProcessing(*box);
-  buildModel(*box);
+  buildModel(*box, commands);
   QWidget* effects = labelled(tr("show"), effect_);
   box->addWidget(effects);
   connect(&disclosure, &DisclosureModel::changed, effects,
@@ -137,7 +139,7 @@ QWidget* ImagePanel::labelled(const QString& name, QWidget* widget) {
   return row;
 }
 
-void ImagePanel::buildModel(QVBoxLayout& box) {
+void ImagePanel::buildModel(QVBoxLayout& box, const ui::Commands& commands) {
   look_ = new QComboBox;
   look_->setObjectName("look");
   look_->addItem(tr("natural"), int(Look::Coherent));
@@ -147,7 +149,8 @@ void ImagePanel::buildModel(QVBoxLayout& box) {
   box.addWidget(labelled(tr("look"), look_));
   effect_ = new QComboBox;
   effect_->setObjectName("effect");
-  effect_->setToolTip(tr("The whole image, or one effect of the model by itself (N, Shift+N; 0 for the whole)"));
+  effect_->setToolTip(tr("The whole image, or one effect of the model by itself (%1; %2 for the whole)")
+                          .arg(keysOf(commands, "train.image.nextEffect"), keysOf(commands, "train.image.wholeImage")));
   for (QComboBox* combo : {grayMap_, compounding_, look_, effect_}) {
     new ui::QuietWheel(combo);
     combo->setFocusPolicy(Qt::TabFocus);

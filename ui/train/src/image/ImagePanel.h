@@ -13,8 +13,9 @@ namespace insonate {
 struct ImagingSettings;
 }
 namespace insonate::ui {
+class Commands;
 class ValueSlider;
-}
+}  // namespace insonate::ui
 
 namespace insonate::train {
 
@@ -26,7 +27,8 @@ class ImagingModel;
 class ImagePanel final : public QWidget {
  public:
   /// `probeChooser` is shown first.
-  ImagePanel(DisclosureModel& disclosure, ImagingModel& imaging, QWidget& probeChooser, QWidget* parent = nullptr);
+  ImagePanel(DisclosureModel& disclosure, ImagingModel& imaging, QWidget& probeChooser, const ui::Commands& commands,
+             QWidget* parent = nullptr);
 
   void save(QSettings& settings) const;
   void restore(QSettings& settings);
@@ -38,7 +40,7 @@ class ImagePanel final : public QWidget {
   };
   void buildProcessing(QVBoxLayout& box);
   GainSliders* gains(std::array<double, 8> ImagingSettings::*field, GainSliders* sliders);
-  void buildModel(QVBoxLayout& box);
+  void buildModel(QVBoxLayout& box, const ui::Commands& commands);
   void addSliders(QVBoxLayout& box, std::size_t first, std::size_t last);
   QWidget* labelled(const QString& name, QWidget* widget);
   void refresh();

@@ -1,5 +1,7 @@
 #include "LinkedPointer.h"
 
+#include <insonate/ui/CanvasInput.h>
+
 #include <QMouseEvent>
 #include <cmath>
 
@@ -14,13 +16,13 @@ constexpr double kNear_mm = 1;
 LinkedPointer::LinkedPointer(CaseModel& patientCase, LiveModel& live, views::UltrasoundView& picture, QWidget& canvas,
                              QObject* parent)
     : QObject(parent), patientCase_(patientCase), live_(live), picture_(picture), canvas_(canvas) {
-  canvas.installEventFilter(this);
+  ui::CanvasInput::of(canvas).add(ui::InputRank::Observer, *this);
   connect(&patientCase_, &CaseModel::caseChanged, this, [this] { mark(nullptr, std::nullopt); });
 }
 
 void LinkedPointer::addSlice(views::MprView& slice, QWidget& canvas) {
   slices_.push_back({&slice, &canvas});
-  canvas.installEventFilter(this);
+  ui::CanvasInput::of(canvas).add(ui::InputRank::Observer, *this);
 }
 
 bool LinkedPointer::eventFilter(QObject* watched, QEvent* event) {

@@ -18,8 +18,6 @@ Measurements::Measurements(StatusLine& status, History& history, SharedViews& vi
     : QObject(parent), status_(status), history_(history), views_(views), input_(input), cine_(cine) {
   for (const SharedViews::Slice& slice : views_.slices()) addSlice(slice);
   connect(&views_, &SharedViews::sliceAdded, this, [this](const SharedViews::Slice& slice) { addSlice(slice); });
-  connect(&cine_, &CineBar::calliperChosen, this, [this](int kind) { choose(kind); });
-  connect(&cine_, &CineBar::clearCallipers, this, [this] { clear(); });
   input_.setMeasured([this] { show(); });
 }
 
@@ -64,13 +62,12 @@ void Measurements::clear() {
     }
     other = std::move(now);
     show();
-    return true;
   };
   const bool any = !input_.callipers().done().empty() ||
                    std::ranges::any_of(slices_, [](const auto* slice) { return !slice->callipers().empty(); });
   History::Exchange clear = exchange;
   clear();
-  if (any) history_.add(tr("removal of the measurements").toStdString(), std::move(clear));
+  if (any) history_.add(tr("removal of the measurements"), std::move(clear));
 }
 
 void Measurements::clearImage() {

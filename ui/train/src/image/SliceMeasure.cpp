@@ -1,5 +1,7 @@
 #include "SliceMeasure.h"
 
+#include <insonate/ui/CanvasInput.h>
+
 #include <QMouseEvent>
 #include <utility>
 
@@ -7,7 +9,7 @@ namespace insonate::train {
 
 SliceMeasure::SliceMeasure(views::MprView& slice, QWidget& canvas, QObject* parent)
     : QObject(parent), slice_(slice), canvas_(canvas) {
-  canvas.installEventFilter(this);
+  ui::CanvasInput::of(canvas).add(ui::InputRank::Tool, *this);
 }
 
 void SliceMeasure::setKind(std::optional<views::CalliperKind> kind) {

@@ -17,7 +17,10 @@ class LayoutFeature final : public Feature {
   void restore(QSettings& settings) override;
 
  private:
-  QAction* leftHanded_;
+  void setLeftHanded(bool isLeftHanded);
+
+  bool isLeftHanded_ = false;
+  QAction* leftHandedAction_ = nullptr;
 };
 
 }  // namespace insonate::train

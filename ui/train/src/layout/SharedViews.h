@@ -9,11 +9,13 @@
 #include <optional>
 #include <vector>
 
+class QKeyEvent;
 class QWidget;
 
 namespace insonate::ui {
+class Commands;
 class ViewWidget;
-}
+}  // namespace insonate::ui
 
 namespace insonate::train {
 
@@ -22,8 +24,12 @@ class SharedViews : public QObject {
   Q_OBJECT
 
  public:
-  /// The image's widget becomes a child of `parent`; a layout can move it.
-  explicit SharedViews(QWidget& parent);
+  /// Tells whether a view uses a key itself, although a command may have it.
+  using OwnKeys = std::function<bool(const QKeyEvent& event)>;
+
+  /// The image's widget becomes a child of `parent`; a layout can move it. Keys in all views go to `commands`, which
+  /// must outlive the views.
+  SharedViews(const ui::Commands& commands, QWidget& parent);
 
   views::UltrasoundView& image() { return *image_; }
   ui::ViewWidget& imageWidget() { return *imageWidget_; }
@@ -34,10 +40,10 @@ class SharedViews : public QObject {
     ui::ViewWidget* widget = nullptr;
   };
   /// Registers a slice, for the features that measure and point on slices.
-  void addSlice(const Slice& slice);
+  void addSlice(const Slice& slice, OwnKeys ownKeys = {});
   const std::vector<Slice>& slices() const { return slices_; }
-  /// Registers another view.
-  void add(ui::ViewWidget& widget);
+  /// Registers another view. Its keys go to the commands, except `ownKeys`.
+  void add(ui::ViewWidget& widget, OwnKeys ownKeys = {});
   /// Ends the maximized state of any view.
   void restoreSizes();
 
@@ -49,7 +55,6 @@ class SharedViews : public QObject {
   std::optional<views::PictureBounds> boundsFor(const views::PictureBounds& fieldOfView) const;
 
  Q_SIGNALS:
-  void added(insonate::ui::ViewWidget* widget);
   void sliceAdded(const insonate::train::SharedViews::Slice& slice);
   /// Emitted when the user changes window or level of a slice.
   void windowLevelChanged(insonate::views::WindowLevel value);
@@ -57,6 +62,7 @@ class SharedViews : public QObject {
   void boundsChanged();
 
  private:
+  const ui::Commands& commands_;
   std::shared_ptr<views::UltrasoundView> image_;
   ui::ViewWidget* imageWidget_;
   std::vector<Slice> slices_;

@@ -22,7 +22,7 @@ TrainLayout::TrainLayout(ui::Workspace& workspace)
       image_(new ImageColumn),
       columns_(new Columns(&workspace)) {
   leftPages_->addWidget(controls_);
-  views_ = new SharedViews(*image_);
+  views_ = new SharedViews(workspace.commands(), *image_);
   auto* box = new QVBoxLayout(&workspace);
   box->setContentsMargins(0, 0, 0, 0);
   box->addWidget(columns_);
@@ -58,13 +58,9 @@ bool TrainLayout::isPageShown() const {
   return page_ && page_->isVisibleTo(&workspace_);
 }
 
-QAction* TrainLayout::addAction(const QString& text, const QString& tip, bool isCheckable) {
-  auto* action = new QAction(text, &workspace_);
-  action->setCheckable(isCheckable);
-  action->setToolTip(tip);
+void TrainLayout::addToViewMenu(QAction& action) {
   const QList<QAction*> others = workspace_.actions();
-  workspace_.insertAction(others.isEmpty() ? nullptr : others.front(), action);
-  return action;
+  workspace_.insertAction(others.isEmpty() ? nullptr : others.front(), &action);
 }
 
 }  // namespace insonate::train

@@ -3,8 +3,6 @@
 #include "ImageColumn.h"
 #include "SharedViews.h"
 
-#include <QString>
-
 class QAction;
 class QStackedWidget;
 
@@ -46,8 +44,8 @@ class TrainLayout {
   void showPage(QWidget* page);
   bool isPageShown() const;
 
-  /// Adds an action at the top of the View menu.
-  QAction* addAction(const QString& text, const QString& tip, bool isCheckable = true);
+  /// Adds an entry at the top of the View menu.
+  void addToViewMenu(QAction& action);
 
  private:
   ui::Workspace& workspace_;

@@ -17,7 +17,8 @@
 
 namespace insonate::train {
 
-CoursePage::CoursePage(Course& course, LevelControl& levels, ui::Account* account, QWidget* parent)
+CoursePage::CoursePage(Course& course, LevelControl& levels, ui::Account* account, const QString& leavingKeys,
+                       QWidget* parent)
     : QWidget(parent), tabs_(new QButtonGroup(this)), pages_(new QStackedWidget) {
   setObjectName(QStringLiteral("course"));
   auto* path = new PathPage(course, levels);
@@ -28,7 +29,7 @@ CoursePage::CoursePage(Course& course, LevelControl& levels, ui::Account* accoun
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(ui::kLargeGap, ui::kGap, ui::kLargeGap, ui::kGap);
   box->setSpacing(ui::kGap);
-  box->addWidget(buildHead());
+  box->addWidget(buildHead(leavingKeys));
   box->addWidget(pages_, 1);
   connect(path, &PathPage::chosen, this, &CoursePage::left);
   connect(history, &HistoryPage::attemptWanted, this, &CoursePage::attemptWanted);
@@ -39,7 +40,7 @@ CoursePage::CoursePage(Course& course, LevelControl& levels, ui::Account* accoun
   showTab(Levels);
 }
 
-QWidget* CoursePage::buildHead() {
+QWidget* CoursePage::buildHead(const QString& leavingKeys) {
   auto* head = new QWidget;
   auto* row = new QHBoxLayout(head);
   row->setContentsMargins(0, 0, 0, 0);
@@ -60,7 +61,7 @@ QWidget* CoursePage::buildHead() {
   add(Questionnaire, "courseQuestionnaire", tr("Questionnaire"), tr("Your opinion of the simulator"));
   auto* back = new QPushButton(tr("Back to the image"));
   back->setObjectName(QStringLiteral("courseBack"));
-  back->setToolTip(tr("Probe, image and patient (J, Esc)"));
+  back->setToolTip(tr("Returns to probe, image and patient (%1, Esc)").arg(leavingKeys));
   row->addStretch(1);
   row->addWidget(back);
   connect(tabs_, &QButtonGroup::idClicked, this, [this](int tab) {
@@ -82,8 +83,7 @@ void CoursePage::takeKeyboard() {
 }
 
 void CoursePage::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape || (event->key() == Qt::Key_J && event->modifiers() == Qt::NoModifier))
-    return Q_EMIT left();
+  if (event->key() == Qt::Key_Escape) return Q_EMIT left();
   QWidget::keyPressEvent(event);
 }
 

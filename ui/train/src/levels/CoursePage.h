@@ -22,7 +22,9 @@ class CoursePage final : public QWidget {
  public:
   enum Tab { Levels, Attempts, Questionnaire };
 
-  CoursePage(Course& course, LevelControl& levels, ui::Account* account, QWidget* parent = nullptr);
+  /// `leavingKeys`: keys of the command that returns to the image, besides Esc.
+  CoursePage(Course& course, LevelControl& levels, ui::Account* account, const QString& leavingKeys,
+             QWidget* parent = nullptr);
 
   void showTab(Tab tab);
   /// Gives the keyboard focus to the list of the current tab.
@@ -40,7 +42,7 @@ class CoursePage final : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  QWidget* buildHead();
+  QWidget* buildHead(const QString& leavingKeys);
 
   QButtonGroup* tabs_;
   QStackedWidget* pages_;

@@ -21,13 +21,12 @@ QPushButton* levelButton(const char* object, const QString& text, const QString&
 
 }  // namespace
 
-LevelCard::LevelCard(LevelControl& levels, QWidget* parent)
+LevelCard::LevelCard(LevelControl& levels, const QString& showLevels, QWidget* parent)
     : QWidget(parent),
       levels_(levels),
       title_(ui::paragraph("levelTitle", "heading")),
       rule_(ui::paragraph("levelRule", "quiet")) {
-  auto* course =
-      levelButton("levelsOpen", tr("Levels"), tr("Levels, your attempts and their curve, the questionnaire (J)"));
+  auto* course = levelButton("levelsOpen", tr("Levels"), showLevels);
   open_ = levelButton("levelOpenCase", tr("Open its case"), tr("Opens the level's case in place of the present one"));
   free_ = levelButton("levelLeave", tr("Free practice"), tr("Leaves the level: any case, procedure and assistance"));
   auto* row = new QHBoxLayout;

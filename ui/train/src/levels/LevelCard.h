@@ -14,7 +14,7 @@ class LevelCard final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit LevelCard(LevelControl& levels, QWidget* parent = nullptr);
+  explicit LevelCard(LevelControl& levels, const QString& showLevels, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   void courseWanted();

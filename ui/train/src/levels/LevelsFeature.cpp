@@ -2,6 +2,7 @@
 
 #include "../attempt/AttemptControl.h"
 #include "../attempt/AttemptPanel.h"
+#include "../feature/CommandWords.h"
 #include "../layout/TrainLayout.h"
 #include "../model/TrainModel.h"
 #include "AttemptKeeper.h"
@@ -20,15 +21,21 @@
 #include <QPushButton>
 
 namespace insonate::train {
+namespace {
+
+const QString kShowLevels = QStringLiteral("train.levels.show");
+
+}  // namespace
 
 LevelsFeature::LevelsFeature(TrainModel& model, TrainLayout& layout, AttemptControl& attempt, AttemptPanel& panel)
-    : Feature(model, layout, {Command::ShowCourse}),
+    : Feature(model, layout),
       attempt_(attempt),
       panel_(panel),
-      pageAction_(layout.addAction(tr("Levels and attempts\tJ"), tr("Levels, your progress and your attempts"))),
       course_(new Course(unsentFolder(), this)),
       levels_(new LevelControl(model.status, model.patientCase, model.imaging, model.motion, attempt, *course_, this)),
       keeper_(new AttemptKeeper(attempt, unsentFolder(), this)) {
+  addCommands();
+  pageAction_ = addSwitch(kShowLevels, [this] { return layout_.isPageShown(); });
   fillPanel();
   connectParts();
 }
@@ -38,10 +45,9 @@ LevelsFeature::~LevelsFeature() {
 }
 
 void LevelsFeature::fillPanel() {
-  auto* card = new LevelCard(*levels_);
+  auto* card = new LevelCard(*levels_, commands().toolTip(kShowLevels));
   verdict_ = new VerdictView;
-  auto* toLevels =
-      ui::pushButton("attemptLevels", tr("Levels"), tr("Levels, your attempts and their curve (J)"), Qt::TabFocus);
+  auto* toLevels = ui::pushButton("attemptLevels", tr("Levels"), commands().toolTip(kShowLevels), Qt::TabFocus);
   panel_.addCard(card);
   panel_.addToResult(verdict_, toLevels);
   connect(card, &LevelCard::courseWanted, this, [this] { showPage(true); });
@@ -64,7 +70,6 @@ void LevelsFeature::connectParts() {
                        ? tr("Free practice: the attempt is listed, but counts for no level.")
                        : tr("You are a guest: the attempt is recorded, but does not count at any level."));
   });
-  connect(pageAction_, &QAction::triggered, this, [this](bool on) { showPage(on); });
 }
 
 void LevelsFeature::setAccount(ui::Account& account) {
@@ -82,8 +87,16 @@ void LevelsFeature::judge(const AttemptFacts& facts) {
   if (level) verdict_->show(verdictOf(*curriculum, *level, facts, before, course_->progress()));
 }
 
-void LevelsFeature::act(const KeyRow&, KeyPress press) {
-  if (!press.repeated) showPage(!layout_.isPageShown());
+void LevelsFeature::addCommands() {
+  beginSection(KeySection::Attempts);
+  // The page needs no patient.
+  addCommand({.id = kShowLevels,
+              .text = tr("Levels and attempts"),
+              .does = tr("shows levels, your attempts and the questionnaire, or returns to the image"),
+              .listed = tr("J"),
+              .keys = keys({Qt::Key_J}),
+              .perform = once([this] { showPage(!layout_.isPageShown()); }),
+              .isAvailable = [] { return true; }});
 }
 
 bool LevelsFeature::holdsCase() const {
@@ -92,7 +105,7 @@ bool LevelsFeature::holdsCase() const {
 
 void LevelsFeature::makePage() {
   ui::Workspace& workspace = layout_.workspace();
-  page_ = new CoursePage(*course_, *levels_, account_, &workspace);
+  page_ = new CoursePage(*course_, *levels_, account_, keysOf(commands(), kShowLevels), &workspace);
   connect(page_, &CoursePage::left, this, [this] { showPage(false); });
   connect(page_, &CoursePage::attemptWanted, &workspace, &ui::Workspace::attemptWanted);
   connect(page_, &CoursePage::said, &model_.status, &StatusLine::say);
@@ -108,7 +121,9 @@ void LevelsFeature::showPage(bool isShown) {
   pageAction_->setChecked(isShown);
   model_.live.setWatched(!isShown);
   isShown ? page_->takeKeyboard() : layout_.workspace().setFocus();
-  model_.status.setHint(isShown ? tr("Enter starts the marked level. J returns to the image.") : QString());
+  model_.status.setHint(
+      isShown ? tr("Enter starts the marked level. %1 returns to the image.").arg(keysOf(commands(), kShowLevels))
+              : QString());
 }
 
 }  // namespace insonate::train

@@ -27,15 +27,11 @@ class LevelsFeature final : public Feature {
   LevelsFeature(TrainModel& model, TrainLayout& layout, AttemptControl& attempt, AttemptPanel& panel);
   ~LevelsFeature() override;
 
-  void act(const KeyRow& row, KeyPress press) override;
   void setAccount(ui::Account& account) override;
   bool holdsCase() const override;
 
- protected:
-  /// The page is also available without a patient.
-  bool isAvailable(Command /*command*/) const override { return true; }
-
  private:
+  void addCommands();
   void fillPanel();
   void connectParts();
   void judge(const AttemptFacts& facts);
@@ -44,7 +40,7 @@ class LevelsFeature final : public Feature {
 
   AttemptControl& attempt_;
   AttemptPanel& panel_;
-  QAction* pageAction_;
+  QAction* pageAction_ = nullptr;
   Course* course_;
   LevelControl* levels_;
   AttemptKeeper* keeper_;

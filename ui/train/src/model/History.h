@@ -1,46 +1,48 @@
 #pragma once
 
+#include <QString>
+#include <QUndoStack>
 #include <chrono>
 #include <functional>
-#include <string>
-#include <vector>
 
 namespace insonate::train {
 
 class StatusLine;
 
-/// The user's undoable steps of all kinds, in one order. A step exchanges the present state with the former one, so
-/// that the same step serves undo and redo. For one thread.
+/// The user's undoable steps of all kinds, in one order, on a QUndoStack. A step exchanges the present state with the
+/// former one, so that the same function serves undo and redo. For one thread.
 class History {
  public:
-  static constexpr std::size_t kMost = 200;
+  static constexpr int kMost = 200;
   /// Consecutive steps with the same key are joined if they follow within this time, e.g. those of a dragged slider.
   static constexpr std::chrono::milliseconds kOneStep{1000};
 
-  /// Exchanges the states. Returns false, without a change, if that is impossible now.
-  using Exchange = std::function<bool()>;
+  /// Exchanges the states.
+  using Exchange = std::function<void()>;
+  /// Tells whether a step can be undone or redone now; if not, shows the reason. QUndoStack knows no refusal, so this
+  /// is called before.
+  using Check = std::function<bool()>;
 
-  /// Adds a step; `what` is shown after "Undone: ". Steps that could be redone are dropped.
-  void add(std::string what, Exchange exchange, std::string key = {});
+  History();
+
+  /// Adds a step that was made already; `what` is shown after "Undone: ". Steps that could be redone are dropped.
+  void add(const QString& what, Exchange exchange, const QString& key = {}, Check check = {});
   /// Prevents the next step from being joined with the last one.
   void close() { open_ = false; }
   void clear();
 
   enum class Outcome { Done, Nothing, Refused };
-  Outcome undo() { return go(past_, future_); }
-  Outcome redo() { return go(future_, past_); }
+  Outcome undo();
+  Outcome redo();
   /// Name of the step that undo() or redo() has applied last.
-  const std::string& lastWords() const { return lastWords_; }
+  const QString& lastWords() const { return lastWords_; }
 
  private:
-  struct Step {
-    std::string what, key;
-    Exchange exchange;
-  };
-  Outcome go(std::vector<Step>& from, std::vector<Step>& to);
+  class Step;
+  Outcome apply(int index, void (QUndoStack::*act)());
 
-  std::vector<Step> past_, future_;
-  std::string lastWords_;
+  QUndoStack steps_;
+  QString lastWords_;
   bool open_ = false;  ///< the next step may be joined with the last one
   std::chrono::steady_clock::time_point lastAdded_;
 };

@@ -160,9 +160,8 @@ void ImagingModel::rememberSetup() {
     probe_ = other.probe, settings_ = other.settings, effect_ = other.effect;
     other = now;
     announceSetup();
-    return true;
   };
-  history_.add(what.toStdString(), exchange, sameProbe ? "settings" : editKind_);
+  history_.add(what, exchange, sameProbe ? QStringLiteral("settings") : QString::fromStdString(editKind_));
 }
 
 void ImagingModel::setTissue(const TissueChoice& choice) {
@@ -175,9 +174,8 @@ void ImagingModel::setTissue(const TissueChoice& choice) {
   const auto exchange = [this, other = tissue_]() mutable {
     const TissueChoice now = tissue_;
     useTissue(std::exchange(other, now));
-    return true;
   };
-  history_.add(tr("setting of the tissue").toStdString(), exchange, "tissue");
+  history_.add(tr("setting of the tissue"), exchange, QStringLiteral("tissue"));
   useTissue(choice);
 }
 

@@ -9,6 +9,8 @@ class LiveModel;
 /// Moves the needle by mouse, keys and numbers. Refused while the image is frozen.
 class NeedleMotion {
  public:
+  static constexpr double kWheel_mm = 1;  ///< advance of a notch of the wheel
+
   NeedleMotion(HandsControl& hands, LiveModel& live) : hands_(hands), live_(live) {}
 
   void take(NeedlePlane plane);

@@ -172,13 +172,12 @@ std::optional<ProbeHand> ProbeMotion::handAtStart() const {
 }
 
 void ProbeMotion::rememberMove(const ProbeHandState& before) {
-  models_.history.add(tr("move of the probe").toStdString(), [this, other = before]() mutable {
-    if (!mayMove()) return false;
+  const auto exchange = [this, other = before]() mutable {
     const ProbeHandState now = state();
     control_.restore(std::exchange(other, now));
     moved({});
-    return true;
-  });
+  };
+  models_.history.add(tr("move of the probe"), exchange, {}, [this] { return mayMove(); });
 }
 
 void ProbeMotion::placeOnSkin() {

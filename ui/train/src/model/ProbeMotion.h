@@ -20,6 +20,8 @@ class ProbeMotion : public QObject {
   Q_OBJECT
 
  public:
+  static constexpr double kDrag_degPerPx = 0.25;  ///< rotation by a drag of the mouse
+
   struct Models {
     CaseModel& patientCase;
     ImagingModel& imaging;

@@ -1,5 +1,6 @@
 #include "NeedleControls.h"
 
+#include "../feature/CommandWords.h"
 #include "../layout/NumberField.h"
 #include "../model/Disclosure.h"
 #include "../model/HandsControl.h"
@@ -11,6 +12,7 @@
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
+#include <QAction>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -26,17 +28,19 @@ struct NeedleRow {
   const char* unit;
   double low, high, step;
   const char* says;
+  const char* command;  ///< command whose keys change the number
 };
 /// The longer names in one column: the panel is narrow.
 constexpr NeedleRow kNeedleRows[] = {
     {NeedleAxis::Angle, "angle", "angle", "°", NeedleHand::kLeastAngle_deg, NeedleHand::kMostAngle_deg, 1,
-     "Between needle and skin, in degrees; 90: square to it (Alt+W, Alt+S)"},
+     "Between needle and skin, in degrees; 90: square to it", "train.needle.angle"},
     {NeedleAxis::Heading, "heading", "heading", "°", -180, 180, 2,
-     "Direction of the needle along the skin, in degrees; 0: to the patient's head, 90: to the left (Alt+Q, Alt+E)"},
+     "Direction of the needle along the skin, in degrees; 0: to the patient's head, 90: to the left",
+     "train.needle.heading"},
     {NeedleAxis::Bevel, "bevel", "bevel", "°", -180, 180, 10,
-     "Turn of the needle about itself, in degrees; 0: the bevel looks up (Alt+A, Alt+D)"},
+     "Turn of the needle about itself, in degrees; 0: the bevel looks up", "train.needle.bevel"},
     {NeedleAxis::Advance, "depth", "advance", " mm", -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm, 1,
-     "How far the hand has advanced the needle from the skin, in mm; below 0: off it (Page Down, Page Up)"},
+     "How far the hand has advanced the needle from the skin, in mm; below 0: off it", "train.needle.advance"},
 };
 
 QPushButton* planeButton(const char* object, const QString& text, const QString& says) {
@@ -48,32 +52,37 @@ QPushButton* planeButton(const char* object, const QString& text, const QString&
 }  // namespace
 
 NeedleControls::NeedleControls(StatusLine& status, DisclosureModel& disclosure, HandsControl& hands,
-                               ProbeMotion& motion, NeedleMotion& needle, QWidget* parent)
-    : QWidget(parent), status_(status), disclosure_(disclosure), hands_(hands), motion_(motion), needle_(needle) {
+                               ProbeMotion& motion, NeedleMotion& needle, const ui::Commands& commands, QWidget* parent)
+    : QWidget(parent),
+      status_(status),
+      disclosure_(disclosure),
+      hands_(hands),
+      motion_(motion),
+      needle_(needle),
+      devices_(new QPushButton(tr("Devices"))) {
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(4);
   auto* head = new QHBoxLayout;
   auto* heading = new QLabel(tr("Needle"), this);
   ui::setRole(heading, "heading");
-  auto* devices = new QPushButton(tr("Devices"));
-  devices->setObjectName("showDevices");
-  devices->setToolTip(tr("Haptic devices and pedals: which are connected, and what each one controls"));
-  devices->setFocusPolicy(Qt::TabFocus);
-  connect(devices, &QPushButton::clicked, this, &NeedleControls::devicesWanted);
+  devices_->setObjectName("showDevices");
+  devices_->setFocusPolicy(Qt::TabFocus);
   head->addWidget(heading, 1);
-  head->addWidget(devices);
+  head->addWidget(devices_);
   box->addLayout(head);
   along_ = planeButton("needleAlong", tr("in-plane"),
-                       tr("Takes an 18 G needle of 70 mm in-plane, beside the probe's end, or puts it away (I)"));
+                       withKeys(tr("Takes an 18 G needle of 70 mm in-plane, beside the probe's end, or puts it away"),
+                                commands, "train.needle.take"));
   across_ = planeButton("needleAcross", tr("out-of-plane"),
-                        tr("Takes an 18 G needle of 70 mm out-of-plane, before the probe, or puts it away (I)"));
+                        withKeys(tr("Takes an 18 G needle of 70 mm out-of-plane, before the probe, or puts it away"),
+                                 commands, "train.needle.take"));
   auto* take = new QHBoxLayout;
   take->setSpacing(4);
   take->addWidget(along_, 1);
   take->addWidget(across_, 1);
   box->addLayout(take);
-  numbers_ = buildNumbers();
+  numbers_ = buildNumbers(commands);
   box->addWidget(numbers_);
   words_ = new QLabel(this);
   words_->setObjectName("needleWords");
@@ -94,7 +103,12 @@ NeedleControls::NeedleControls(StatusLine& status, DisclosureModel& disclosure, 
   refresh();
 }
 
-QWidget* NeedleControls::buildNumbers() {
+void NeedleControls::setShowDevices(QAction& action) {
+  devices_->setToolTip(action.toolTip());
+  connect(devices_, &QPushButton::clicked, &action, &QAction::trigger);
+}
+
+QWidget* NeedleControls::buildNumbers(const ui::Commands& commands) {
   auto* all = new QWidget(this);
   auto* grid = new QGridLayout(all);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -108,7 +122,7 @@ QWidget* NeedleControls::buildNumbers() {
         new NumberField(QLatin1String(row.name), QString::fromUtf8(row.unit), {row.low, row.high, row.step}, all);
     field->setObjectName(QStringLiteral("needle_") + QLatin1String(row.object));
     field->setAccessibleName(tr("Needle, %1").arg(tr(row.name)));
-    field->setToolTip(QString::fromUtf8(row.says) + tr("\nEnter applies, arrows and wheel step."));
+    field->setToolTip(withKeys(tr(row.says), commands, row.command) + tr("\nEnter applies, arrows and wheel step."));
     field->setTyped([this, axis = row.axis](double value) { needle_.set(axis, value); });
     field->setRefused([this](const QString& sentence) { status_.say(sentence); });
     fields_[i] = field;

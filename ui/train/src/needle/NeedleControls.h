@@ -5,8 +5,13 @@
 #include <QWidget>
 #include <array>
 
+class QAction;
 class QLabel;
 class QPushButton;
+
+namespace insonate::ui {
+class Commands;
+}
 
 namespace insonate::train {
 
@@ -24,13 +29,13 @@ class NeedleControls final : public QWidget {
 
  public:
   NeedleControls(StatusLine& status, DisclosureModel& disclosure, HandsControl& hands, ProbeMotion& motion,
-                 NeedleMotion& needle, QWidget* parent = nullptr);
+                 NeedleMotion& needle, const ui::Commands& commands, QWidget* parent = nullptr);
 
- Q_SIGNALS:
-  void devicesWanted();
+  /// Sets the action of the button beside the heading.
+  void setShowDevices(QAction& action);
 
  private:
-  QWidget* buildNumbers();
+  QWidget* buildNumbers(const ui::Commands& commands);
   void refresh();
   QString wordsNow(const NeedleShown& needle) const;
 
@@ -39,7 +44,7 @@ class NeedleControls final : public QWidget {
   HandsControl& hands_;
   ProbeMotion& motion_;
   NeedleMotion& needle_;
-  QPushButton *along_ = nullptr, *across_ = nullptr;
+  QPushButton *devices_, *along_ = nullptr, *across_ = nullptr;
   QWidget* numbers_ = nullptr;
   std::array<NumberField*, 4> fields_{};
   QLabel* words_ = nullptr;

@@ -9,16 +9,70 @@
 
 namespace insonate::train {
 
-NeedleFeature::NeedleFeature(TrainModel& model, TrainLayout& layout, QAction& showDevices)
-    : Feature(model, layout, {Command::TakeNeedle, Command::MoveNeedle}) {
-  auto* controls = new NeedleControls(model.status, model.disclosure, model.hands, model.motion, model.needle);
+NeedleFeature::NeedleFeature(TrainModel& model, TrainLayout& layout, QAction& showDevices) : Feature(model, layout) {
+  addCommands();
+  auto* controls =
+      new NeedleControls(model.status, model.disclosure, model.hands, model.motion, model.needle, commands());
+  controls->setShowDevices(showDevices);
   layout.controls().addSection(controls);
-  connect(controls, &NeedleControls::devicesWanted, &showDevices, &QAction::trigger);
 }
 
-void NeedleFeature::act(const KeyRow& row, KeyPress press) {
-  if (row.command == Command::MoveNeedle) return model_.needle.move(row.needle, press.wide ? row.wide : row.step);
-  if (!press.repeated) model_.needle.toggle();
+void NeedleFeature::addCommands() {
+  beginSection(KeySection::Needle);
+  addCommand({.id = "train.needle.take",
+              .text = {},
+              .does = tr("takes up the needle beside the probe, or puts it away"),
+              .listed = tr("I"),
+              .keys = keys({Qt::Key_I}),
+              .perform = once([this] { model_.needle.toggle(); })});
+  addMoves();
+  commands().addListed(tr("Shift+wheel on image or 3D"), tr("advances the needle, or withdraws it"));
+}
+
+void NeedleFeature::addMoves() {
+  using enum NeedleAxis;
+  addCommand({.id = "train.needle.advance",
+              .text = {},
+              .does = tr("advances the needle 1 mm, or withdraws it (Shift 5 mm)"),
+              .listed = tr("Page Down, Page Up"),
+              .keys = {moveKey(Qt::Key_PageDown, Advance, 1, 5, {}), moveKey(Qt::Key_PageUp, Advance, -1, -5, {})},
+              .perform = {}});
+  // Alt with the probe's keys moves the needle.
+  const auto alt = [this](int key, NeedleAxis axis, double step, double wide) {
+    return moveKey(key, axis, step, wide, Qt::AltModifier);
+  };
+  addCommand({.id = "train.needle.entry",
+              .text = {},
+              .does = tr("slides the needle's entry over the skin 1 mm (Shift 5 mm)"),
+              .listed = tr("Alt+arrows"),
+              .keys = {alt(Qt::Key_Left, Lateral, -1, -5), alt(Qt::Key_Right, Lateral, 1, 5),
+                       alt(Qt::Key_Up, Elevation, -1, -5), alt(Qt::Key_Down, Elevation, 1, 5)},
+              .perform = {}});
+  addCommand({.id = "train.needle.heading",
+              .text = {},
+              .does = tr("turns the needle over the skin 2 degrees (Shift 10)"),
+              .listed = tr("Alt+Q, Alt+E"),
+              .keys = {alt(Qt::Key_Q, Heading, -2, -10), alt(Qt::Key_E, Heading, 2, 10)},
+              .perform = {}});
+  addCommand({.id = "train.needle.angle",
+              .text = {},
+              .does = tr("makes the needle steeper or flatter by 1 degree (Shift 5)"),
+              .listed = tr("Alt+W, Alt+S"),
+              .keys = {alt(Qt::Key_W, Angle, 1, 5), alt(Qt::Key_S, Angle, -1, -5)},
+              .perform = {}});
+  addCommand({.id = "train.needle.bevel",
+              .text = {},
+              .does = tr("rotates the needle's bevel 10 degrees (Shift 90)"),
+              .listed = tr("Alt+A, Alt+D"),
+              .keys = {alt(Qt::Key_A, Bevel, -10, -90), alt(Qt::Key_D, Bevel, 10, 90)},
+              .perform = {}});
+}
+
+/// Key that moves the needle in mm or degrees.
+ui::CommandKey NeedleFeature::moveKey(int key, NeedleAxis axis, double step, double wide,
+                                      Qt::KeyboardModifiers modifiers) const {
+  return {key, modifiers,
+          [this, axis, step, wide](ui::KeyPress press) { model_.needle.move(axis, press.wide ? wide : step); }};
 }
 
 }  // namespace insonate::train

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../feature/Feature.h"
+#include "../model/HandsControl.h"
 
 class QAction;
 
@@ -14,7 +15,10 @@ class NeedleFeature final : public Feature {
   /// `showDevices`: action of the button beside the section's heading.
   NeedleFeature(TrainModel& model, TrainLayout& layout, QAction& showDevices);
 
-  void act(const KeyRow& row, KeyPress press) override;
+ private:
+  void addCommands();
+  void addMoves();
+  ui::CommandKey moveKey(int key, NeedleAxis axis, double step, double wide, Qt::KeyboardModifiers modifiers) const;
 };
 
 }  // namespace insonate::train

@@ -9,6 +9,7 @@
 
 #include <insonate/ui/ScenePanel.h>
 #include <insonate/ui/StateColors.h>
+#include <insonate/ui/Text.h>
 #include <insonate/ui/ViewWidget.h>
 
 #include <QKeyEvent>
@@ -16,18 +17,47 @@
 #include <QSplitter>
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace insonate::train {
+namespace {
 
-Patient3dFeature::Patient3dFeature(TrainModel& model, TrainLayout& layout)
-    : Feature(model, layout, {Command::AllSlices, Command::SliceWindow, Command::CutAtNeedle}),
-      patient_(new PatientViews(model)) {
+/// Keys that a CT slice uses itself: structures, fit, other slices.
+SharedViews::OwnKeys keysOfSlice(const views::MprView& slice) {
+  return [&slice](const QKeyEvent& event) {
+    if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) return false;
+    switch (event.key()) {
+      case Qt::Key_A:
+      case Qt::Key_D:
+      case Qt::Key_G:
+      case Qt::Key_R:
+        return true;
+      // The probe's plane has no neighbors: there the arrows move the probe.
+      case Qt::Key_Up:
+      case Qt::Key_Down:
+      case Qt::Key_Left:
+      case Qt::Key_Right:
+      case Qt::Key_PageUp:
+      case Qt::Key_PageDown:
+        return slice.kind() != views::SliceKind::Oblique;
+      default:
+        return false;
+    }
+  };
+}
+
+}  // namespace
+
+Patient3dFeature::Patient3dFeature(TrainModel& model, TrainLayout& layout) : Feature(model, layout) {
+  addCommands();
+  patient_ = new PatientViews(model, commands());
   layout.setPatient(patient_);
   SharedViews& views = layout.views();
   views.add(patient_->sceneWidget());
-  views.addSlice({&patient_->mpr(), &patient_->mprWidget()});
+  views.addSlice({&patient_->mpr(), &patient_->mprWidget()}, keysOfSlice(patient_->mpr()));
   FourSlices& four = patient_->allSlices();
-  for (std::size_t n = 0; n < FourSlices::kCount; ++n) views.addSlice({&four.slice(n), &four.widget(n)});
+  for (std::size_t n = 0; n < FourSlices::kCount; ++n)
+    views.addSlice({&four.slice(n), &four.widget(n)}, keysOfSlice(four.slice(n)));
   patient_->setWindowChanged([&views](views::WindowLevel value) { Q_EMIT views.windowLevelChanged(value); });
   patient_->setRoomWanted([this](bool more) { layout_.columns().expandPatient(more); });
   connectNeedle();
@@ -51,34 +81,54 @@ void Patient3dFeature::connectNeedle() {
           [this](double across_deg, double up_deg) { patient_->turn(across_deg, up_deg); });
 }
 
-void Patient3dFeature::act(const KeyRow& row, KeyPress press) {
-  if (row.command == Command::SliceWindow) return patient_->setSliceWindow(row.place);
-  if (row.command == Command::CutAtNeedle && press.repeated) return;
-  if (!model_.disclosure.mayShowAnatomy()) return;
-  row.command == Command::AllSlices ? patient_->setAllSlices(!patient_->showsAllSlices())
-                                    : patient_->needle().toggleCut();
+void Patient3dFeature::addCommands() {
+  beginSection(KeySection::Patient);
+  addCommand({.id = "train.patient3d.cut",
+              .text = {},
+              .does = tr("opens the patient in 3D along the needle, or closes the cut"),
+              .listed = tr("H"),
+              .keys = keys({Qt::Key_H}),
+              .perform = once([this] {
+                if (model_.disclosure.mayShowAnatomy()) patient_->needle().toggleCut();
+              })});
+  addCommand(
+      {.id = "train.patient3d.allSlices",
+       .text = {},
+       .does = tr("shows the probe's plane, axial, coronal and sagittal slices with one crosshair, or one slice"),
+       .listed = tr("X"),
+       .keys = keys({Qt::Key_X}),
+       .perform = [this](ui::KeyPress) {
+         if (model_.disclosure.mayShowAnatomy()) patient_->setAllSlices(!patient_->showsAllSlices());
+       }});
+  addWindows();
+  const std::pair<QString, QString> gestures[] = {
+      {tr("Left drag on the skin"), tr("moves the probe there; with Ctrl the needle's entry")},
+      {tr("Wheel on a CT slice"), tr("shows other slices; zooms with Ctrl, and in the probe's plane")},
+      {tr("Right drag on a CT slice"), tr("changes window and level")},
+      {tr("Left drag on a CT slice"), tr("moves the crosshair")},
+      {tr("Middle drag on a CT slice"), tr("shifts the slice")},
+      {tr("Arrows, Page keys in a CT slice"), tr("shows other slices")},
+      {tr("G, A, D in a CT slice"), tr("shows or hides the structures, makes them fainter, stronger")},
+      {tr("R in a CT slice"), tr("fits the slice again")},
+  };
+  for (const auto& [gesture, does] : gestures) commands().addListed(gesture, does);
 }
 
-bool Patient3dFeature::isViewKey(const QObject* canvas, const QKeyEvent& event) const {
-  const views::MprView* slice = patient_->sliceOf(canvas);
-  if (!slice || event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) return false;
-  switch (event.key()) {
-    case Qt::Key_A:
-    case Qt::Key_D:
-    case Qt::Key_G:
-    case Qt::Key_R:
-      return true;
-    // The probe's plane has no neighbors: there the arrows are the probe's.
-    case Qt::Key_Up:
-    case Qt::Key_Down:
-    case Qt::Key_Left:
-    case Qt::Key_Right:
-    case Qt::Key_PageUp:
-    case Qt::Key_PageDown:
-      return slice->kind() != views::SliceKind::Oblique;
-    default:
-      return false;
+void Patient3dFeature::addWindows() {
+  std::vector<ui::CommandKey> numbers;
+  QStringList names;
+  for (const views::WindowLevelPreset& preset : views::windowLevelPresets()) {
+    const int index = int(numbers.size());
+    numbers.push_back(
+        {Qt::Key_1 + index, Qt::AltModifier, [this, index](ui::KeyPress) { patient_->setSliceWindow(index); }});
+    names << ui::qt(preset.name);
   }
+  addCommand({.id = "train.patient3d.window",
+              .text = {},
+              .does = tr("sets window and level of the CT: %1").arg(names.join(QStringLiteral(", "))),
+              .listed = tr("Alt+1 to Alt+%1").arg(names.size()),
+              .keys = std::move(numbers),
+              .perform = {}});
 }
 
 void Patient3dFeature::setCompact(bool isCompact) {

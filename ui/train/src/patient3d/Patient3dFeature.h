@@ -15,16 +15,16 @@ class Patient3dFeature final : public Feature {
 
   PatientViews& patientViews() { return *patient_; }
 
-  void act(const KeyRow& row, KeyPress press) override;
-  bool isViewKey(const QObject* canvas, const QKeyEvent& event) const override;
   void save(QSettings& settings) const override;
   void restore(QSettings& settings) override;
   void setCompact(bool isCompact) override;
 
  private:
+  void addCommands();
+  void addWindows();
   void connectNeedle();
 
-  PatientViews* patient_;
+  PatientViews* patient_ = nullptr;
   bool touchesTray_ = false;  ///< the used needle, held in a hand, touches the tray
 };
 

@@ -7,6 +7,7 @@
 #include "SliceMenu.h"
 
 #include <insonate/tissue/Labels.h>
+#include <insonate/ui/Commands.h>
 #include <insonate/ui/HistogramEditor.h>
 #include <insonate/ui/ScenePanel.h>
 #include <insonate/ui/Theme.h>
@@ -55,7 +56,7 @@ constexpr SliceEntry kSliceEntries[] = {
 
 }  // namespace
 
-PatientViews::PatientViews(TrainModel& model, QWidget* parent)
+PatientViews::PatientViews(TrainModel& model, const ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
       model_(model),
       scene_(std::make_shared<views::SceneView>()),
@@ -68,7 +69,7 @@ PatientViews::PatientViews(TrainModel& model, QWidget* parent)
   splitter_->setObjectName(QStringLiteral("patientSplitter"));
   splitter_->addWidget(sceneWidget_);
   below_ = new QStackedWidget(splitter_);
-  below_->addWidget(buildMpr());
+  below_->addWidget(buildMpr(commands));
   below_->addWidget(buildSilence());
   splitter_->setSizes({500, 500});
   splitter_->setChildrenCollapsible(false);
@@ -98,7 +99,7 @@ PatientViews::PatientViews(TrainModel& model, QWidget* parent)
 
 PatientViews::~PatientViews() = default;
 
-QWidget* PatientViews::buildMpr() {
+QWidget* PatientViews::buildMpr(const ui::Commands& commands) {
   auto* pane = new QWidget(this);
   auto* box = new QVBoxLayout(pane);
   box->setContentsMargins(0, 0, 0, 0);
@@ -122,13 +123,13 @@ QWidget* PatientViews::buildMpr() {
   for (const SliceEntry& kind : kSliceEntries)
     addTab(int(kind.kind), tr(kind.name), tr("%1 slice").arg(tr(kind.name)), tr(kind.says));
   kinds_->button(int(views::SliceKind::Oblique))->setChecked(true);
-  addTab(kAllSlices, tr("All"), tr("All slices"), tr("Shows all four views with one crosshair (X)"))
+  addTab(kAllSlices, tr("All"), tr("All slices"), commands.toolTip("train.patient3d.allSlices"))
       ->setObjectName(QStringLiteral("allSlicesTab"));
   row->addStretch();
   addTab(kScenePanel, tr("3D"), tr("Contents of the 3D view"),
          tr("Contents of the 3D view above: skin, structures, CT volume, clipping plane, stereo"))
       ->setObjectName(QStringLiteral("sceneTab"));
-  sliceMenu_ = new SliceMenu(*mpr_, pane);
+  sliceMenu_ = new SliceMenu(*mpr_, commands, pane);
   auto* how = howSliced_ = new QToolButton(pane);
   how->setObjectName(QStringLiteral("sliceMenu"));
   how->setIcon(ui::icon(QStringLiteral("view")));
@@ -218,13 +219,6 @@ void PatientViews::setAllSlices(bool on) {
   four_->setLabelOpacity(mpr_->labelOpacity());
   showBelow(four_);
   want();
-}
-
-views::MprView* PatientViews::sliceOf(const QObject* canvas) {
-  if (canvas == mprWidget_->focusProxy()) return mpr_.get();
-  for (std::size_t n = 0; n < FourSlices::kCount; ++n)
-    if (canvas == four_->widget(n).focusProxy()) return &four_->slice(n);
-  return nullptr;
 }
 
 void PatientViews::setSliceKind(views::SliceKind kind) {

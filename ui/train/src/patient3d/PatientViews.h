@@ -21,6 +21,7 @@ class QStackedWidget;
 class QToolButton;
 
 namespace insonate::ui {
+class Commands;
 class ScenePanel;
 class ViewWidget;
 }  // namespace insonate::ui
@@ -37,7 +38,8 @@ struct TrainModel;
 /// the ultrasound image.
 class PatientViews : public QWidget {
  public:
-  explicit PatientViews(TrainModel& model, QWidget* parent = nullptr);
+  /// `commands`: those of this column, for tooltips and menus.
+  PatientViews(TrainModel& model, const ui::Commands& commands, QWidget* parent = nullptr);
   ~PatientViews() override;
 
   views::SceneView& scene() { return *scene_; }
@@ -57,8 +59,6 @@ class PatientViews : public QWidget {
   /// false afterwards.
   void setRoomWanted(std::function<void(bool more)> listener) { roomWanted_ = std::move(listener); }
   FourSlices& allSlices() { return *four_; }
-  /// Returns the slice that a canvas shows; null if it shows none.
-  views::MprView* sliceOf(const QObject* canvas);
   /// Applies a preset of views::windowLevelPresets().
   void setSliceWindow(int preset);
   /// Sets a listener that is called when the user changes window or level of a slice.
@@ -75,7 +75,7 @@ class PatientViews : public QWidget {
   void setFollowing(bool following);
 
  private:
-  QWidget* buildMpr();
+  QWidget* buildMpr(const ui::Commands& commands);
   QWidget* buildSilence();
   QWidget* buildScenePanel(QWidget* parent);
   /// Shows the single slice, the four slices or the 3D settings below the 3D view.

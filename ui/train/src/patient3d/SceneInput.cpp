@@ -1,9 +1,10 @@
 #include "SceneInput.h"
 
-#include "../feature/KeyTable.h"
 #include "../model/HandsControl.h"
 #include "../model/NeedleMotion.h"
 #include "../model/ProbeMotion.h"
+
+#include <insonate/ui/CanvasInput.h>
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -15,7 +16,7 @@ namespace insonate::train {
 SceneInput::SceneInput(HandsControl& hands, ProbeMotion& motion, NeedleMotion& needle, views::SceneView& view,
                        QWidget& canvas, QObject* parent)
     : QObject(parent), hands_(hands), motion_(motion), needle_(needle), view_(view), canvas_(canvas) {
-  canvas.installEventFilter(this);
+  ui::CanvasInput::of(canvas).add(ui::InputRank::Pointer, *this);
 }
 
 bool SceneInput::eventFilter(QObject* watched, QEvent* event) {
@@ -99,7 +100,7 @@ bool SceneInput::moved(const QMouseEvent& event) {
   const QPointF by = event.localPos() - last_;
   last_ = event.localPos();
   if (drag_ == Drag::Rotate) {
-    motion_.move(HandAxis::Rotation, by.x() * kDrag_degPerPx);
+    motion_.move(HandAxis::Rotation, by.x() * ProbeMotion::kDrag_degPerPx);
   } else if (drag_ == Drag::Needle) {
     if (const auto picked = view_.pick(pointer(event).at)) hands_.needleTo(picked->position_mm);
   } else if (const auto picked = view_.pick(pointer(event).at)) {
@@ -112,7 +113,7 @@ bool SceneInput::wheel(const QWheelEvent& event) {
   if (!event.modifiers().testFlag(Qt::ShiftModifier)) return false;
   constexpr double kNotch = 120;  // in eighths of a degree, as Qt counts
   const QPoint turned = event.angleDelta();
-  needle_.move(NeedleAxis::Advance, -(turned.y() != 0 ? turned.y() : turned.x()) / kNotch * kWheelNeedle_mm);
+  needle_.move(NeedleAxis::Advance, -(turned.y() != 0 ? turned.y() : turned.x()) / kNotch * NeedleMotion::kWheel_mm);
   return true;
 }
 

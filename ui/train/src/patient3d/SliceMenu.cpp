@@ -1,5 +1,7 @@
 #include "SliceMenu.h"
 
+#include "../feature/CommandWords.h"
+
 #include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
@@ -19,13 +21,13 @@ QString words(const views::WindowLevelPreset& preset) {
 
 }  // namespace
 
-SliceMenu::SliceMenu(views::MprView& slice, QWidget* parent)
+SliceMenu::SliceMenu(views::MprView& slice, const ui::Commands& commands, QWidget* parent)
     : QMenu(parent), slice_(slice), presets_(new QActionGroup(this)) {
   setToolTipsVisible(true);
   int number = 0;
   for (const views::WindowLevelPreset& preset : views::windowLevelPresets()) {
-    // The key is the workspace's; it is only told here.
-    QAction* action = addAction(tr("%1\tAlt+%2").arg(words(preset)).arg(number + 1));
+    QAction* action = addAction(
+        QStringLiteral("%1\t%2").arg(words(preset), keyText(commands, "train.patient3d.window", std::size_t(number))));
     action->setToolTip(tr("Window %1 HU, level %2 HU").arg(preset.value.window_HU).arg(preset.value.level_HU));
     action->setCheckable(true);
     presets_->addAction(action);

@@ -9,15 +9,16 @@
 class QActionGroup;
 
 namespace insonate::ui {
+class Commands;
 class ValueSlider;
-}
+}  // namespace insonate::ui
 
 namespace insonate::train {
 
 /// Menu for the display of a CT slice: window and level, overlaid structures, fit.
 class SliceMenu : public QMenu {
  public:
-  SliceMenu(views::MprView& slice, QWidget* parent);
+  SliceMenu(views::MprView& slice, const ui::Commands& commands, QWidget* parent);
 
   /// Adds a slice that gets the same display settings.
   void addSlice(views::MprView& slice) { others_.push_back(&slice); }

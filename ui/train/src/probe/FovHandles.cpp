@@ -4,6 +4,7 @@
 #include "../model/ImagingModel.h"
 #include "../model/StatusLine.h"
 
+#include <insonate/ui/CanvasInput.h>
 #include <insonate/ui/KeyOffer.h>
 
 #include <QKeyEvent>
@@ -48,14 +49,12 @@ std::string number(double value, const char* unit) {
 FovHandles::FovHandles(StatusLine& status, History& history, ImagingModel& imaging, views::UltrasoundView& view,
                        QWidget& canvas, QObject* parent)
     : QObject(parent), status_(status), history_(history), imaging_(imaging), view_(view), canvas_(canvas) {
-  canvas.installEventFilter(this);
+  ui::CanvasInput::of(canvas).add(ui::InputRank::Handle, *this);
   connect(&imaging_, &ImagingModel::setupChanged, this, &FovHandles::refresh);
 }
 
 void FovHandles::setActive(bool active) {
   active_ = active;
-  // Asked before other filters of the image, whose keys and mouse it has while it is active.
-  if (active) canvas_.installEventFilter(this);
   held_ = false;
   chosen_ = Handle::None;
   if (!active) {

@@ -169,11 +169,10 @@ void Positions::change(Own next, const QString& what, int current) {
   const auto exchange = [this, key, other = std::move(next)]() mutable {
     std::swap(own_[key], other);
     refresh();
-    return true;
   };
   History::Exchange now = exchange;
   now();
-  history_.add(what.toStdString(), std::move(now));
+  history_.add(what, std::move(now));
   if (current < list_->count()) list_->setCurrentRow(current);
 }
 

@@ -21,14 +21,17 @@
 #include <QSettings>
 #include <QVBoxLayout>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace insonate::train {
 
 ProbeFeature::ProbeFeature(TrainModel& model, TrainLayout& layout)
-    : Feature(model, layout, {Command::Move, Command::Home, Command::Recall}),
+    : Feature(model, layout),
       library_(new ProbeLibrary({}, this)),
       chooser_(new ProbeChooser(model.imaging, *library_)),
       heldPress_(new HeldPress(model.motion, this)) {
+  addCommands();
   layout.controls().addSection(buildPositionSection());
   layout.image().add(ImageColumn::Image, new PlaceOffer(model.patientCase, model.motion));
   buildEditor();
@@ -81,12 +84,74 @@ void ProbeFeature::buildEditor() {
   connect(editor_, &ProbeEditor::fitWanted, this, [this] { fitToImage(); });
 }
 
-void ProbeFeature::act(const KeyRow& row, KeyPress press) {
-  if (row.command == Command::Home) return model_.motion.home();
-  if (row.command == Command::Recall) return positions_->recall(row.place);
-  if (row.axis == HandAxis::Press) return press.repeated ? void() : heldPress_->begin(row.step);
-  if (!press.repeated) model_.motion.beginGesture();
-  model_.motion.move(row.axis, press.wide ? row.wide : row.step);
+void ProbeFeature::addCommands() {
+  beginSection(KeySection::Probe);
+  addMoves();
+  const auto press = [this](int key, double step_mm) -> ui::CommandKey {
+    return {key, {}, once([this, step_mm] { heldPress_->begin(step_mm); })};
+  };
+  // On many keyboards plus needs Shift: there are no wide steps here.
+  addCommand({.id = "train.probe.press",
+              .text = {},
+              .does = tr("compresses or releases the tissue by 0.5 mm; smoothly while the key is held"),
+              .listed = tr("+, -"),
+              .keys = {press(Qt::Key_Plus, 0.5), press(Qt::Key_Equal, 0.5), press(Qt::Key_Minus, -0.5)},
+              .perform = {}});
+  addCommand({.id = "train.probe.home",
+              .text = {},
+              .does = tr("returns the probe to its start position"),
+              .listed = tr("Home"),
+              .keys = keys({Qt::Key_Home}),
+              .perform = [this](ui::KeyPress) { model_.motion.home(); }});
+  constexpr int kNumberKeys = 9;
+  std::vector<ui::CommandKey> numbers;
+  for (int place = 0; place < kNumberKeys; ++place)
+    numbers.push_back({Qt::Key_1 + place, {}, [this, place](ui::KeyPress) { positions_->recall(place); }});
+  addCommand({.id = "train.probe.recall",
+              .text = {},
+              .does = tr("moves the probe to a position of the list"),
+              .listed = tr("1 to 9"),
+              .keys = std::move(numbers),
+              .perform = {}});
+  commands().addListed(tr("G, Ctrl+arrows"),
+                       tr("selects the next handle of the field of view, and moves it by 1 (Shift 5), in Edit probe"));
+}
+
+void ProbeFeature::addMoves() {
+  using enum HandAxis;
+  addCommand({.id = "train.probe.slide",
+              .text = {},
+              .does = tr("slides the probe 1 mm (Shift 5 mm)"),
+              .listed = tr("Arrows"),
+              .keys = {moveKey(Qt::Key_Left, Lateral, -1, -5), moveKey(Qt::Key_Right, Lateral, 1, 5),
+                       moveKey(Qt::Key_Up, Elevation, -1, -5), moveKey(Qt::Key_Down, Elevation, 1, 5)},
+              .perform = {}});
+  addCommand({.id = "train.probe.rotate",
+              .text = {},
+              .does = tr("rotates the probe 2 degrees (Shift 10)"),
+              .listed = tr("Q, E"),
+              .keys = {moveKey(Qt::Key_Q, Rotation, -2, -10), moveKey(Qt::Key_E, Rotation, 2, 10)},
+              .perform = {}});
+  addCommand({.id = "train.probe.tilt",
+              .text = {},
+              .does = tr("tilts the probe 1 degree (Shift 5)"),
+              .listed = tr("W, S"),
+              .keys = {moveKey(Qt::Key_W, Tilt, 1, 5), moveKey(Qt::Key_S, Tilt, -1, -5)},
+              .perform = {}});
+  addCommand({.id = "train.probe.rock",
+              .text = {},
+              .does = tr("rocks the probe 1 degree (Shift 5)"),
+              .listed = tr("A, D"),
+              .keys = {moveKey(Qt::Key_A, Rock, -1, -5), moveKey(Qt::Key_D, Rock, 1, 5)},
+              .perform = {}});
+}
+
+/// Key that moves the probe in mm or degrees. While it is held down, its moves are one gesture.
+ui::CommandKey ProbeFeature::moveKey(int key, HandAxis axis, double step, double wide) const {
+  return {key, {}, [this, axis, step, wide](ui::KeyPress press) {
+            if (!press.repeated) model_.motion.beginGesture();
+            model_.motion.move(axis, press.wide ? wide : step);
+          }};
 }
 
 void ProbeFeature::edit(bool isEdited) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../feature/Feature.h"
+#include "../model/ProbeControl.h"
 
 namespace insonate::train {
 
@@ -21,11 +22,13 @@ class ProbeFeature final : public Feature {
   /// The list of probes, for the section of image settings.
   QWidget& chooser();
 
-  void act(const KeyRow& row, KeyPress press) override;
   void save(QSettings& settings) const override;
   void restore(QSettings& settings) override;
 
  private:
+  void addCommands();
+  void addMoves();
+  ui::CommandKey moveKey(int key, HandAxis axis, double step, double wide) const;
   QWidget* buildPositionSection();
   void buildEditor();
   void edit(bool isEdited);

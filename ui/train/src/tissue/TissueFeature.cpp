@@ -16,10 +16,10 @@ constexpr const char* kTissueGroup = "tissue";
 
 }  // namespace
 
-TissueFeature::TissueFeature(TrainModel& model, TrainLayout& layout)
-    : Feature(model, layout, {Command::ShowTissue}),
-      shown_(new TissueShown(model.status, model.disclosure, model.patientCase, model.live, layout.views().image(),
-                             &layout.image())) {
+TissueFeature::TissueFeature(TrainModel& model, TrainLayout& layout) : Feature(model, layout) {
+  addCommands();
+  shown_ = new TissueShown(model.status, model.disclosure, model.patientCase, model.live, layout.views().image(),
+                           commands(), &layout.image());
   layout.image().add(ImageColumn::Curve, &shown_->curve());
   layout.image().add(ImageColumn::Line, &shown_->strip());
   auto* controls = new TissueControls(model.status, model.imaging);
@@ -28,8 +28,31 @@ TissueFeature::TissueFeature(TrainModel& model, TrainLayout& layout)
           [this, controls] { controls->setVisible(model_.disclosure.current().anatomy); });
 }
 
-void TissueFeature::act(const KeyRow& row, KeyPress) {
-  if (model_.disclosure.mayShowAnatomy()) shown_->toggle(row.place);
+void TissueFeature::addCommands() {
+  const auto toggle = [this](int what) -> Perform {
+    return [this, what](ui::KeyPress) {
+      if (model_.disclosure.mayShowAnatomy()) shown_->toggle(what);
+    };
+  };
+  beginSection(KeySection::Tissue);
+  addCommand({.id = "train.tissue.grid",
+              .text = tr("Displaced grid"),
+              .does = tr("shows the mesh of the displaced tissue over the image, or hides it"),
+              .listed = tr("T"),
+              .keys = keys({Qt::Key_T}),
+              .perform = toggle(TissueStrip::kGrid)});
+  addCommand({.id = "train.tissue.pressure",
+              .text = tr("Pressure in the tissue"),
+              .does = tr("shows the pressure in the tissue, in kPa, in colors over the image, or hides it"),
+              .listed = tr("P"),
+              .keys = keys({Qt::Key_P}),
+              .perform = toggle(TissueStrip::kPressure)});
+  addCommand({.id = "train.tissue.areas",
+              .text = tr("Areas against force"),
+              .does = tr("shows the curve of the areas of vein and artery against the probe's force, or hides it"),
+              .listed = tr("K"),
+              .keys = keys({Qt::Key_K}),
+              .perform = toggle(TissueStrip::kPlot)});
 }
 
 void TissueFeature::save(QSettings& settings) const {

@@ -14,12 +14,13 @@ class TissueFeature final : public Feature {
  public:
   TissueFeature(TrainModel& model, TrainLayout& layout);
 
-  void act(const KeyRow& row, KeyPress press) override;
   void save(QSettings& settings) const override;
   void restore(QSettings& settings) override;
 
  private:
-  TissueShown* shown_;
+  void addCommands();
+
+  TissueShown* shown_ = nullptr;
 };
 
 }  // namespace insonate::train

@@ -21,14 +21,14 @@ constexpr const char* kShownKeys[TissueStrip::kShows] = {"tissueGrid", "tissuePr
 }  // namespace
 
 TissueShown::TissueShown(StatusLine& status, DisclosureModel& disclosure, CaseModel& patientCase, LiveModel& live,
-                         views::UltrasoundView& image, QWidget* column)
+                         views::UltrasoundView& image, ui::Commands& commands, QWidget* column)
     : QObject(column),
       status_(status),
       disclosure_(disclosure),
       patientCase_(patientCase),
       live_(live),
       image_(image),
-      strip_(new TissueStrip(disclosure_, patientCase_, live_, column)) {
+      strip_(new TissueStrip(disclosure_, patientCase_, live_, commands, column)) {
   curve_ = buildCurve(column);
   connect(strip_, &TissueStrip::shownChanged, this, [this] { choose(); });
   connect(&live_, &LiveModel::pictureShown, this, [this] { showPicture(); });

@@ -7,6 +7,10 @@
 class QSettings;
 class QWidget;
 
+namespace insonate::ui {
+class Commands;
+}
+
 namespace insonate::train {
 
 class AreaPlot;
@@ -22,7 +26,7 @@ class TissueShown final : public QObject {
  public:
   /// The widgets become children of `column`; a layout can move them.
   TissueShown(StatusLine& status, DisclosureModel& disclosure, CaseModel& patientCase, LiveModel& live,
-              views::UltrasoundView& image, QWidget* column);
+              views::UltrasoundView& image, ui::Commands& commands, QWidget* column);
 
   TissueStrip& strip() { return *strip_; }
   QWidget& curve() { return *curve_; }

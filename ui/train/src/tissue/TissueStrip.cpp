@@ -1,5 +1,6 @@
 #include "TissueStrip.h"
 
+#include "../feature/CommandWords.h"
 #include "../model/CaseModel.h"
 #include "../model/Disclosure.h"
 #include "../model/LiveModel.h"
@@ -12,6 +13,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <utility>
 
 namespace insonate::train {
 namespace {
@@ -22,17 +24,8 @@ constexpr int kReadable_ms = 150;
 constexpr int kSpace = 12, kSmallSpace = 4;
 const QString kShort = QStringLiteral("...");
 
-struct OverlayRow {
-  const char* object;
-  const char* text;
-  const char* says;
-};
-constexpr OverlayRow kOverlayRows[] = {
-    {"tissueGrid", "Displaced grid\tT", "Lines of the tissue's mesh over the image, as it lies now"},
-    {"tissuePressure", "Pressure in the tissue\tP",
-     "How hard the tissue is squeezed, in kPa, in colors over the image"},
-    {"tissuePlot", "Areas against force\tK", "Curve of the areas of vein and artery against the probe's force"},
-};
+/// In the order of TissueStrip::Show.
+constexpr const char* kOverlays[] = {"train.tissue.grid", "train.tissue.pressure", "train.tissue.areas"};
 
 QLabel* numberLabel(const char* object, const QString& says, QWidget* parent) {
   auto* label = new QLabel(parent);
@@ -43,7 +36,8 @@ QLabel* numberLabel(const char* object, const QString& says, QWidget* parent) {
 
 }  // namespace
 
-TissueStrip::TissueStrip(DisclosureModel& disclosure, CaseModel& patientCase, LiveModel& live, QWidget* parent)
+TissueStrip::TissueStrip(DisclosureModel& disclosure, CaseModel& patientCase, LiveModel& live, ui::Commands& commands,
+                         QWidget* parent)
     : QWidget(parent),
       disclosure_(disclosure),
       patientCase_(patientCase),
@@ -65,7 +59,7 @@ TissueStrip::TissueStrip(DisclosureModel& disclosure, CaseModel& patientCase, Li
   for (QLabel* label : {force_, indentation_, vein_, artery_}) row->addWidget(label);
   row->addStretch(1);
   row->addWidget(menu_);
-  buildMenu();
+  buildMenu(commands);
   for (const auto& [label, vessel] : {std::pair{vein_, kVein}, {artery_, kArtery}})
     label->setStyleSheet(QStringLiteral("color: %1").arg(vesselColour(vessel).name()));
   soon_.setSingleShot(true);
@@ -78,30 +72,28 @@ TissueStrip::TissueStrip(DisclosureModel& disclosure, CaseModel& patientCase, Li
   refresh();
 }
 
-void TissueStrip::buildMenu() {
+void TissueStrip::buildMenu(ui::Commands& commands) {
   menu_->setObjectName("tissueMenu");
   menu_->setAccessibleName(tr("Tissue overlays"));
-  menu_->setToolTip(tr("Show the displaced grid (T), the pressure in the tissue (P), areas against force (K)"));
+  menu_->setToolTip(tr("Show the displaced grid (%1), the pressure in the tissue (%2), areas against force (%3)")
+                        .arg(keysOf(commands, kOverlays[kGrid]), keysOf(commands, kOverlays[kPressure]),
+                             keysOf(commands, kOverlays[kPlot])));
   menu_->setFocusPolicy(Qt::TabFocus);
   auto* menu = new QMenu(menu_);
   menu->setToolTipsVisible(true);
-  for (int k = 0; k < kShows; ++k) {
-    auto* action = menu->addAction(tr(kOverlayRows[k].text));
-    action->setObjectName(QLatin1String(kOverlayRows[k].object));
-    action->setToolTip(tr(kOverlayRows[k].says));
+  for (int what = 0; what < kShows; ++what) {
+    QAction* action = actions_[what] = commands.action(kOverlays[what]);
     action->setCheckable(true);
-    connect(action, &QAction::toggled, this, &TissueStrip::shownChanged);
-    shows_[k] = action;
+    menu->addAction(action);
+    // Qt changes the mark before the command is performed.
+    connect(action, &QAction::triggered, this, [this, what] { actions_[what]->setChecked(isShown_[what]); });
   }
   menu_->setMenu(menu);
 }
 
-bool TissueStrip::shows(Show what) const {
-  return shows_[what]->isChecked();
-}
-
 void TissueStrip::setShown(Show what, bool on) {
-  shows_[what]->setChecked(on);
+  actions_[what]->setChecked(on);
+  if (std::exchange(isShown_[what], on) != on) Q_EMIT shownChanged();
 }
 
 /// Room for the widest numbers, so that the next one does not move when digits come and go; and for less of them where

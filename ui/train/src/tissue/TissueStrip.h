@@ -13,6 +13,9 @@ class QPushButton;
 namespace insonate {
 struct LivePress;
 }
+namespace insonate::ui {
+class Commands;
+}
 
 namespace insonate::train {
 
@@ -28,9 +31,11 @@ class TissueStrip final : public QWidget {
  public:
   enum Show { kGrid, kPressure, kPlot, kShows };
 
-  TissueStrip(DisclosureModel& disclosure, CaseModel& patientCase, LiveModel& live, QWidget* parent = nullptr);
+  /// `commands`: those that show or hide overlays, for the menu.
+  TissueStrip(DisclosureModel& disclosure, CaseModel& patientCase, LiveModel& live, ui::Commands& commands,
+              QWidget* parent = nullptr);
 
-  bool shows(Show what) const;
+  bool shows(Show what) const { return isShown_[what]; }
   void setShown(Show what, bool on);
 
  Q_SIGNALS:
@@ -40,7 +45,7 @@ class TissueStrip final : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void buildMenu();
+  void buildMenu(ui::Commands& commands);
   void reserve();
   void follow();
   void refresh();
@@ -52,7 +57,8 @@ class TissueStrip final : public QWidget {
   QTimer soon_;
   QLabel *force_, *indentation_, *vein_, *artery_;
   QPushButton* menu_;
-  QAction* shows_[kShows] = {};
+  QAction* actions_[kShows] = {};
+  bool isShown_[kShows] = {};
   bool tight_ = false;  ///< narrow layout, without the indentation, which the panel shows too
   ui::AreaForm form_ = ui::AreaForm::Full;
 };

@@ -5,15 +5,23 @@
 
 namespace insonate::train {
 
-UndoFeature::UndoFeature(TrainModel& model, TrainLayout& layout)
-    : Feature(model, layout, {Command::Undo, Command::Redo}) {}
-
-void UndoFeature::act(const KeyRow& row, KeyPress) {
-  row.command == Command::Undo ? undoStep(model_.history, model_.status) : redoStep(model_.history, model_.status);
-}
-
-bool UndoFeature::isAvailable(Command) const {
-  return !layout_.isPageShown();
+UndoFeature::UndoFeature(TrainModel& model, TrainLayout& layout) : Feature(model, layout) {
+  const auto isAvailable = [this] { return !layout_.isPageShown(); };
+  beginSection(KeySection::Undo);
+  addCommand({.id = "train.undo.undo",
+              .text = {},
+              .does = tr("undoes a move, a setting or a deletion"),
+              .listed = tr("Ctrl+Z, Z"),
+              .keys = {{Qt::Key_Z, Qt::ControlModifier, {}}, {Qt::Key_Z, {}, {}}},
+              .perform = [this](ui::KeyPress) { undoStep(model_.history, model_.status); },
+              .isAvailable = isAvailable});
+  addCommand({.id = "train.undo.redo",
+              .text = {},
+              .does = tr("redoes what was undone"),
+              .listed = tr("Ctrl+Y, Y"),
+              .keys = {{Qt::Key_Y, Qt::ControlModifier, {}}, {Qt::Key_Y, {}, {}}},
+              .perform = [this](ui::KeyPress) { redoStep(model_.history, model_.status); },
+              .isAvailable = isAvailable});
 }
 
 }  // namespace insonate::train

@@ -11,11 +11,6 @@ class UndoFeature final : public Feature {
 
  public:
   UndoFeature(TrainModel& model, TrainLayout& layout);
-
-  void act(const KeyRow& row, KeyPress press) override;
-
- protected:
-  bool isAvailable(Command command) const override;
 };
 
 }  // namespace insonate::train

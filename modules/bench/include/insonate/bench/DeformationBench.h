@@ -11,28 +11,30 @@
 
 namespace insonate {
 
-/// Measurements of one model with one mesh, on the built-in neck under the linear probe, compressed by about 4 mm.
+/// Measurements of one tissue deformation model with one mesh, on the built-in neck, which the linear probe compresses
+/// by about 4 mm.
 struct DeformationBenchRow {
   std::string model;
-  double mesh_mm = 0;  ///< size of the cells near vessels and face
+  double mesh_mm = 0;  ///< size of the mesh cells near vessels and the probe's face
   int unknowns = 0;
   int threads = 1;  ///< maximum number of threads
-  /// Motion between frames. `cold`: solved from rest until converged. `warm`: the compression changes by 0.25 mm per
-  /// frame. `moving`: as `warm`, while the probe also slides by 0.3 mm per frame. `static`: the same input again.
-  /// `untouched`: the face is off the skin.
+  /// Change of the input between frames. `cold`: solved from undeformed tissue until converged. `warm`: the compression
+  /// changes by 0.25 mm per frame. `moving`: as `warm`, while the probe also slides by 0.3 mm per frame. `static`: the
+  /// same input again. `untouched`: the face is off the skin.
   std::string state;
   int frames = 0;
   /// Time of a whole frame: tissue look-up, solution, and inversion of the displacement.
   double median_ms = 0, p95_ms = 0, min_ms = 0;
-  double iterations = 0;  ///< mean
-  /// Difference from `reference` at the same pose, over tissue in the image outside vessels. NaN if not compared.
+  double iterations = 0;  ///< mean number of iterations per frame
+  /// RMS and maximum difference from the model `reference` at the same pose, over the tissue in the image outside
+  /// vessels. NaN if not compared.
   double displacementRms_mm = 0, displacementMax_mm = 0;
   double forceError_percent = 0;
-  double lumenAreaError = 0;  ///< error of the vein's area, as a share of its area at rest
-  double memory_MB = 0;       ///< memory that the model holds after a frame
+  double lumenAreaError = 0;  ///< error of the vein's cross-sectional area, as a fraction of its undeformed area
+  double memory_MB = 0;       ///< memory that the model occupies after a frame
 };
 
-/// Areas of the vessels during compression, as shares of their areas at rest.
+/// Cross-sectional areas of vein and artery during compression, as fractions of their undeformed areas.
 struct CompressionCurve {
   double venousPressure_mmHg = 0;
   struct Point {
@@ -47,14 +49,14 @@ struct DeformationBench {
   std::vector<std::string> notes;
 };
 
-/// Runs the benchmark, which takes minutes; `quick`: one mesh, one curve. Fails if cancelled.
+/// Runs the deformation benchmark, which takes minutes; `quick`: one mesh and one curve only. Fails if cancelled.
 Result<DeformationBench> runDeformationBench(bool quick, const Progress& progress = {});
 
 /// Returns rows, curves and notes as JSON. Values that are not finite are null.
 nlohmann::json toJson(const DeformationBench& bench);
 
-/// Writes deformation.json, deformation.csv, compression.csv, plots as SVG and deformation.md; either all of them or
-/// none.
+/// Writes the results into `folder`: deformation.json, deformation.csv, compression.csv, plots as SVG and
+/// deformation.md; either all of them or none.
 Result<void> writeDeformationBench(const DeformationBench& bench, const std::filesystem::path& folder);
 
 }  // namespace insonate

@@ -12,23 +12,29 @@
 
 namespace insonate {
 
-/// Timing of the servo's thread with two simulated hands that press and puncture, in real time.
+/// Timing of the haptic force loop in real time, while simulated hands press the probe and puncture with the needle.
 struct HapticsBenchRow {
-  std::string scenario;  ///< `idle`, or `rendering`: the cpu engine makes images without pause
+  /// load during the measurement: `idle`, or `rendering` (the cpu engine makes images without pause)
+  std::string scenario;
   std::uint64_t ticks = 0, lateTicks = 0;
-  double p50_us = 0, p99_us = 0, p999_us = 0, max_us = 0;  ///< working time of a tick
-  double wakeP99_us = 0, wakeMax_us = 0;                   ///< delay from a tick's due time to its beginning
-  int pictures = 0;                                        ///< number of images made meanwhile
-  double passivityMin_J = 0;  ///< minimum, over all moments of a contact, of the energy that a hand had put in
+  /// percentiles and maximum of the computing time of a tick (1 ms)
+  double p50_us = 0, p99_us = 0, p999_us = 0, max_us = 0;
+  /// 99th percentile and maximum of the delay from a tick's due time to its beginning
+  double wakeP99_us = 0, wakeMax_us = 0;
+  int pictures = 0;  ///< number of ultrasound images made during the measurement
+  /// minimum over time of the net energy that a hand has put into the force loop since a contact began; below 0: not
+  /// passive
+  double passivityMin_J = 0;
 };
 
-/// Maximum stable stiffness of a wall, N/mm, for one device in a hand.
+/// Maximum stable stiffness of a virtual wall, N/mm, for one haptic device held by a hand.
 struct StiffnessRow {
   std::string device;
-  double maker = 0;         ///< maximum stiffness that the device renders, according to its manufacturer
-  double bound = 0;         ///< stiffness up to which device and wall are passive by themselves, at 100 mm/s
-  double found = 0;         ///< stiffness up to which the device was stable in a simulated hand (at most 20)
-  double foundAccount = 0;  ///< like `found`, with the servo's energy account
+  double maker = 0;  ///< maximum stiffness according to the manufacturer
+  double bound = 0;  ///< stiffness up to which device and wall are passive (passiveStiffness_Npmm() at 100 mm/s)
+  double found = 0;  ///< stiffness up to which the device was stable in a simulated hand; at most 20
+  /// like `found`, with passivity control (the force loop returns no more energy than it received)
+  double foundAccount = 0;
 };
 
 struct ForceDepthCurve {
@@ -39,18 +45,20 @@ struct ForceDepthCurve {
 struct HapticsBench {
   std::vector<HapticsBenchRow> rows;
   std::vector<StiffnessRow> stiffness;
-  StiffnessRow colgate;  ///< row of a free device of 0.2 kg with 0.2 N s/m and no other mechanics
+  StiffnessRow colgate;  ///< result for a device of 0.2 kg and 0.2 N s/m, not held and without friction, for comparison
+                         ///< with Colgate's bound
   std::vector<ForceDepthCurve> curves;
   std::vector<std::string> notes;
 };
 
-/// Runs the benchmark, which takes a minute of real time plus some computation; `quick`: seconds. Fails if cancelled.
+/// Runs the haptics benchmark, which takes a minute of real time plus some computation; with `quick` seconds. Fails if
+/// cancelled.
 Result<HapticsBench> runHapticsBench(bool quick, const Progress& progress = {});
 
 nlohmann::json toJson(const HapticsBench& bench);
 
-/// Writes haptics.json, haptics.csv, stiffness.csv, force-depth.csv, force-depth.svg and haptics.md; either all of them
-/// or none.
+/// Writes the results into `folder`: haptics.json, haptics.csv, stiffness.csv, force-depth.csv, force-depth.svg and
+/// haptics.md; either all of them or none.
 Result<void> writeHapticsBench(const HapticsBench& bench, const std::filesystem::path& folder);
 
 }  // namespace insonate

@@ -14,39 +14,42 @@ struct PictureBox {
 /// empty.
 struct GreyShares {
   double p25 = 0, p50 = 0, p75 = 0, p95 = 0, p99 = 0, mean = 0;
-  double black = 0, blackUpper60 = 0;  ///< shares of gray <= 5: in the whole box, and in its upper 60 %
-  double bright = 0, saturated = 0;    ///< shares of gray >= 200, >= 250
-  double deepOverShallow = 0;          ///< mean of the deepest quarter over the mean of the second and third eighths
+  double black = 0, blackUpper60 = 0;  ///< fractions of pixels with gray <= 5: in the whole box, and in its upper 60 %
+  double bright = 0, saturated = 0;    ///< fractions of pixels with gray >= 200 (bright) and >= 250 (saturated)
+  /// mean gray of the deepest quarter over that of the second and third eighths of the depth
+  double deepOverShallow = 0;
 };
 GreyShares greyShares(const BModeImage& image, const PictureBox& fieldOfView);
 
-/// Speckle in a patch of even tissue. A quadratic surface is subtracted first, since slow shading is not speckle.
+/// Properties of speckle in a patch of homogeneous tissue, after subtraction of a quadratic surface (slow shading).
 struct Grain {
-  double axial_mm = 0,
-         lateral_mm = 0;  ///< full width at half maximum of the autocorrelation; NaN if it stays above half
+  /// Speckle size: axial and lateral full width at half maximum of the autocorrelation; NaN if it stays above half.
+  double axial_mm = 0, lateral_mm = 0;
   double mean = 0, sd = 0, skewness = 0;
 };
 /// Measures the speckle of a patch, which must have at least 8 x 8 pixels.
 Grain grainOf(const BModeImage& image, const PictureBox& patch);
 
-/// Gray levels of a vessel's lumen, from a box well inside the lumen. A box more than 2.5 times as wide as tall is a
-/// long-axis view: its surroundings are the bands above and below, and the enhancement behind it is not measured.
+/// Gray levels in and around a vessel's lumen, measured from a box well inside the lumen. A box more than 2.5 times as
+/// wide as tall is a long-axis view: its surroundings are the bands above and below, and the enhancement behind it is
+/// not measured.
 struct Lumen {
   double mean = 0, sd = 0;
-  /// Compared with a ring of 1.7 to 2.4 times the box's half axes; NaN if the ring is not in the image.
+  /// Mean gray of the lumen over that of a ring around it, at 1.7 to 2.4 times the box's half axes; NaN if the ring is
+  /// not in the image.
   double overSurroundings = 0;
-  double nearMinusFar = 0;  ///< mean of the top fifth minus mean of the bottom fifth
-  /// Region 0.4 to 1 box heights below the box, compared with its sides; NaN in long-axis views.
+  double nearMinusFar = 0;  ///< mean gray of the box's top fifth minus that of its bottom fifth
+  /// Enhancement: mean gray 0.4 to 1 box heights below the box over that beside this region; NaN in long-axis views.
   double belowOverSides = 0;
 };
 Lumen lumenOf(const BModeImage& image, const PictureBox& box);
 
-/// Returns the median, over a box's columns, of each column's brightest pixel.
+/// Returns the gray of a bright line (bone, pleura) in a box: the median over columns of each column's brightest pixel.
 double lineGrey(const BModeImage& image, const PictureBox& box);
 double meanGrey(const BModeImage& image, const PictureBox& box);
 
-/// Mean structural similarity of two images of equal size (Wang, Bovik, Sheikh, Simoncelli, IEEE Trans. Image Process.
-/// 13(4), 2004), over 8 x 8 windows every 4 pixels; 1 for equal images.
+/// Returns the mean structural similarity of two images of equal size (Wang, Bovik, Sheikh, Simoncelli, IEEE Trans.
+/// Image Process. 13(4), 2004), over 8 x 8 windows every 4 pixels; 1 for equal images.
 double structuralSimilarity(const BModeImage& a, const BModeImage& b);
 
 }  // namespace insonate

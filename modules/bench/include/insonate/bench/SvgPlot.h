@@ -9,21 +9,22 @@ namespace insonate {
 struct PlotAxis {
   std::string title;
   bool logarithmic = false;
-  bool fromZero = false;  ///< a linear axis begins at 0 even if no value is near 0
+  bool fromZero = false;  ///< true: a linear axis begins at 0 even if no value is near 0
 };
 
 struct PlotPoint {
   double x = 0, y = 0;
-  std::string label;  ///< text beside the mark; may be empty
+  std::string label;  ///< text beside the point's mark, or empty
 };
 
-/// Marks of one color, joined in their order. Points that are not finite are left out.
+/// Data series of a chart: points drawn as marks of one color, joined by lines in their order. Points that are not
+/// finite are left out.
 struct PlotSeries {
   std::string name;
   std::vector<PlotPoint> points;
   bool joined = true;
   bool dashed = false;
-  bool marked = true;  ///< draw marks, unless they are so close that the line suffices
+  bool marked = true;  ///< true: marks are drawn, unless they are very close together
 };
 
 /// A horizontal line across the chart, such as a limit.
@@ -39,19 +40,20 @@ struct LineChart {
   std::vector<PlotLevel> levels;
 };
 
-/// Horizontal bars, each the sum of its segments.
+/// Chart of horizontal stacked bars.
 struct StackedBars {
   struct Part {
     std::string name;
-    std::vector<double> values;  ///< one value per bar; values that are missing, not finite or below 0 count as 0
+    /// length of this part in each bar; values that are missing, not finite or below 0 count as 0
+    std::vector<double> values;
   };
   std::string title, subtitle, valueTitle;
   std::vector<std::string> bars;
   std::vector<Part> parts;
 };
 
-/// Returns a complete SVG file: dark text on white, all text escaped. A chart without points keeps its frame and says
-/// that it has no data.
+/// Returns a chart as a complete SVG file: dark text on white, all text escaped. A chart without points says that it
+/// has no data.
 std::string svgOf(const LineChart& chart);
 std::string svgOf(const StackedBars& chart);
 

@@ -15,11 +15,11 @@ enum class FindingSeverity { kError, kWarning, kInfo };
 /// Returns "error", "warning" or "info".
 std::string_view nameOf(FindingSeverity severity);
 
-/// One reason why a case is fit or unfit for training.
+/// A result of checkCase(): one error, warning or remark about a case.
 struct Finding {
   FindingSeverity severity;
-  std::string code;                ///< stable, for scripts, e.g. "no_vein"
-  std::string text;                ///< a sentence: what is wrong, where, and what to do
+  std::string code;                ///< stable identifier of the finding, for scripts, e.g. "no_vein"
+  std::string text;                ///< sentence that says what is wrong, where, and what to do
   std::optional<Vec3> place_mm{};  ///< patient LPS, if the finding has a single position; may lie outside the volume
   std::uint8_t label = 0;          ///< the structure that the finding concerns; 0 for none
 };
@@ -28,7 +28,7 @@ struct Finding {
 /// Fails only when cancelled.
 Result<std::vector<Finding>> checkCase(const CaseView& patient, const Progress& progress = {});
 
-/// Tells whether there are no errors; warnings do not count.
+/// Tells whether the case is fit for training: none of the findings is an error. Warnings do not count.
 bool isFit(const std::vector<Finding>& findings);
 
 }  // namespace insonate

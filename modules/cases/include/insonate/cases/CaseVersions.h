@@ -11,15 +11,16 @@
 
 namespace insonate {
 
-/// Returns a fingerprint of everything from which an attempt on this case is computed: grid, tissues (see
-/// cases/TissueLabels.h) and CT. Recorded attempts store it. Takes some tenths of a second for a large CT.
+/// Returns a fingerprint of the data from which a trainee's attempt (one recorded puncture) is computed: grid, tissues
+/// (see cases/TissueLabels.h) and CT. Recorded attempts store the fingerprint. Takes some tenths of a second for a
+/// large CT.
 std::string voxelHashOf(const PatientCase& patient);
 
-/// Returns a fingerprint of everything that matters to a trainee: voxels, targets and start poses. Titles, colors and
+/// Returns a fingerprint of a case's voxels, targets and start poses: all data that trainees notice. Titles, colors and
 /// display settings do not affect it.
 std::string contentHashOf(const PatientCase& patient);
 
-/// Returns today's local date, for a version: "2026-11-22".
+/// Returns today's local date in the form that a version stores: "2026-11-22".
 std::string today();
 
 /// Writes a case to its folder, like writeCase(), and returns its version. If the folder holds a case with different
@@ -31,10 +32,11 @@ Result<CaseVersion> saveCaseVersion(const PatientCase& patient, const std::files
                                     const std::string& date, const std::string& author, const Progress& progress = {});
 
 /// Searches a case and its earlier versions for the CT and labels with this voxelHashOf(). Returns the folder, for
-/// readCase(); no value if that version is not kept here.
+/// readCase(); no value if no kept version has this hash.
 std::optional<std::filesystem::path> findVersion(const std::filesystem::path& folder, const std::string& voxelHash);
 
-/// Returns the versions that are kept, the latest first; empty if there are none. Does not read volumes.
+/// Returns the versions of a case that are kept in its folder, the latest first; empty if there are none. Does not read
+/// volumes.
 std::vector<CaseVersion> versionsOf(const std::filesystem::path& folder);
 
 /// Publishes the case of a folder as a fixed version under `versions/NUMBER`. Trainees get this version, independent of

@@ -11,7 +11,7 @@ namespace insonate {
 
 /// Header entries of a written series. All UIDs are derived from `seed`: the same seed gives the same bytes.
 struct DicomSeriesIdentity {
-  std::string seed;  ///< e.g. the phantom's variant and random seed
+  std::string seed;  ///< text from which all UIDs are derived, e.g. the phantom's variant and random seed
   std::string patientName = "PHANTOM^NECK";
   std::string patientId = "PHANTOM";
   std::string description = {};  ///< Series Description, at most 64 characters of ASCII

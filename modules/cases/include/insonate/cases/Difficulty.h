@@ -13,39 +13,40 @@ namespace insonate {
 /// target shows it.
 struct VeinMeasures {
   std::string target;
-  double depth_mm = 0;                    ///< from the skin to the front wall
-  double area_mm2 = 0;                    ///< of the lumen
-  double width_mm = 0, height_mm = 0;     ///< axes of the ellipse with the lumen's second moments
-  std::optional<double> overlap_percent;  ///< share of the artery's width behind the vein; no value: no artery
-  std::optional<double> angle_deg;        ///< angle at the vein from the beam to the artery; 0: straight behind
-  std::optional<double> artery_mm;        ///< distance from the vein's wall to the artery's wall
-  std::optional<double> second_mm;        ///< distance to the wall of a second artery within the probe's reach
-  std::optional<double> lung_mm;          ///< distance along the beam from the vein's back wall to air
+  double depth_mm = 0;                 ///< depth of the vein's front wall below the skin
+  double area_mm2 = 0;                 ///< area of the vein's lumen
+  double width_mm = 0, height_mm = 0;  ///< axes of an ellipse with the same second moments as the vein's lumen
+  /// Share of the artery's width that lies behind the vein; no value: no artery.
+  std::optional<double> overlap_percent;
+  std::optional<double> angle_deg;  ///< angle at the vein between the beam and the artery; 0: artery straight behind
+  std::optional<double> artery_mm;  ///< distance from the vein's wall to the artery's wall
+  std::optional<double> second_mm;  ///< distance to the wall of a second artery within the probe's reach
+  std::optional<double> lung_mm;    ///< distance along the beam from the vein's back wall to air
 };
 
 /// Contribution of one property to the difficulty.
 struct DifficultyShare {
   std::string what;    ///< name of the property, e.g. "height of the vein"
   std::string value;   ///< value of the property, with its unit
-  double points = 0;   ///< 0 easy .. 1 hard
-  std::string reason;  ///< as a clause: "the vein is only 4 mm high"
+  double points = 0;   ///< contribution to the difficulty: 0 for easy, 1 for hard, more beyond
+  std::string reason;  ///< reason for the contribution, as a clause: "the vein is only 4 mm high"
 };
 
 /// Difficulty estimated from the labels; modules/cases/README.md states the formula and its basis.
 struct DifficultyEstimate {
-  static constexpr int kVersion = 1;  ///< version of the formula
-  std::string_view grade;             ///< "easy", "moderate" or "hard"
-  double points = 0;                  ///< sum of the shares
+  static constexpr int kVersion = 1;  ///< version of the formula for the difficulty
+  std::string_view grade;             ///< the difficulty in words: "easy", "moderate" or "hard"
+  double points = 0;                  ///< total difficulty: sum of the points of all shares
   VeinMeasures measures;
-  std::vector<DifficultyShare> shares;  ///< the largest first
-  std::string sentence;                 ///< the grade and the reasons for it
+  std::vector<DifficultyShare> shares;  ///< contributions of the single properties, the largest first
+  std::string sentence;                 ///< sentence with the grade and the reasons for the grade
 };
 
 /// Estimates the difficulty of the first target, to which the procedure applies. Fails, with the reason, if there is no
 /// target, if the target is not in its vessel, or if there is no skin in front of it.
 Result<DifficultyEstimate> estimateDifficulty(const CaseView& patient);
 
-/// Measures the vessel's cross-section at a target. Fails like estimateDifficulty().
+/// Measures the vessel's cross-section at a target. Fails with the errors of estimateDifficulty().
 Result<VeinMeasures> measureVein(const CaseView& patient, const Target& target);
 
 /// Returns the author's grade, else the estimated one; empty if neither is known.

@@ -15,12 +15,12 @@ namespace insonate {
 struct SeriesInfo {
   std::string uid;  ///< identifies the series for importSeries(): DICOM Series Instance UID, with "#2" if one UID holds
                     ///< several stacks; file name for NRRD, NIfTI and MetaImage
-  std::string modality;  ///< as in DICOM ("CT", "MR", ...); empty if the file does not specify it
+  std::string modality;  ///< imaging modality as in DICOM ("CT", "MR", ...); empty if the file does not specify it
   std::string kernel;  ///< reconstruction kernel, as the scanner names it; never stored in a case; empty if missing or
                        ///< different between slices
   VolumeGeometry geometry;            ///< the orthogonal grid that an import produces, patient LPS mm
   bool geometryKnown = true;          ///< false if a refused series lacks its geometry; only the size is valid then
-  std::vector<std::string> warnings;  ///< one sentence each, without file names
+  std::vector<std::string> warnings;  ///< warnings about the series, one sentence each, without file names
   std::string refusal;                ///< reason why the series cannot be imported; empty if it can
 };
 
@@ -35,11 +35,13 @@ struct SeriesListing {
   std::vector<SetAside> setAside;
 };
 
-/// Result of an import. `ct` is int16 HU; padding and everything below -1024 are set to -1024.
+/// Result of an import. `ct` is int16 HU, in which padding and all values below -1024 are set to -1024.
 struct ImportedCt {
   CtVolume ct;
-  SeriesInfo series;   ///< its warnings list all changes made during the import, for CaseManifest::importNotes
-  std::string source;  ///< for CaseManifest::source; contains a one-way hash of the UID, no names, dates or file names
+  SeriesInfo series;   ///< the imported series; its warnings list all changes made during the import, for
+                       ///< CaseManifest::importNotes
+  std::string source;  ///< origin of the CT, for CaseManifest::source; contains a one-way hash of the UID, no names,
+                       ///< dates or file names
   /// Offset for shiftValues() that the conversion to HU seems to lack: -1024 if air lies at 0 and soft tissue above
   /// 1000. Only applied on request. No value if the HU look right or match no known pattern.
   std::optional<int> likelyShift_HU{};

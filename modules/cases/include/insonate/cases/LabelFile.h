@@ -18,8 +18,8 @@ struct LabelReadResult {
   std::vector<std::string> notes;    ///< structures that were mapped, flattened or ignored, one sentence each
   LabelColours colours{};            ///< colors of the file's structures that differ from the label table's
   OwnLabels own{};                   ///< structures unknown to this program, under label numbers of their own
-  std::set<std::uint8_t> foreign{};  ///< labels of `own` whose names were written by users of another program
-  LabelStates states{};              ///< progress on structures, if the file states it
+  std::set<std::uint8_t> foreign{};  ///< the author's own labels whose names were written by users of another program
+  LabelStates states{};              ///< the author's progress on each structure, if the file states it
 };
 
 /// Reads a label map file (NRRD, NIfTI, MetaImage; 3-D, whole numbers) and returns the file's numbers unchanged.

@@ -9,9 +9,9 @@ namespace insonate {
 
 /// An anatomical landmark of the neck to which instructions for trainees refer.
 struct LandmarkKind {
-  std::string_view code;  ///< as in case.json, e.g. "cricoid"
+  std::string_view code;  ///< code of the landmark in case.json, e.g. "cricoid"
   std::string_view name;
-  bool onSkin;  ///< lies on the skin, not below it
+  bool onSkin;  ///< true if the landmark lies on the skin, false if below the skin
 };
 
 /// Returns the kinds of landmarks, in the order in which forms list them.

@@ -19,8 +19,8 @@ namespace insonate {
 struct StartPose {
   std::string name;
   Vec3 position_mm;  ///< center of the probe face
-  Vec3 axial;        ///< into the body, unit
-  Vec3 lateral;      ///< toward the probe's marker, unit, perpendicular to axial
+  Vec3 axial;        ///< direction into the body, unit
+  Vec3 lateral;      ///< direction toward the probe's marker, unit, perpendicular to axial
 };
 
 /// A structure to which the procedure applies, e.g. the right internal jugular vein at the puncture level.
@@ -37,7 +37,7 @@ struct NamedVessel {
     double radius_mm = 0;
     bool operator==(const Point&) const = default;
   };
-  std::string name;  ///< e.g. "right internal jugular vein"
+  std::string name;  ///< name of the vessel, e.g. "right internal jugular vein"
   std::uint8_t label = 0;
   std::vector<Point> course;  ///< center line from one end to the other, at least one point
 
@@ -53,23 +53,23 @@ double distanceToCourse_mm(const NamedVessel& vessel, Vec3 patient_mm) noexcept;
 /// A landmark to which instructions refer, e.g. the cricoid. Codes are those of cases/Landmarks.h; unknown codes are
 /// kept.
 struct Landmark {
-  std::string code;  ///< for programs, e.g. "clavicle_right"; empty for a landmark that the author defined
+  std::string code;  ///< code for programs, e.g. "clavicle_right"; empty for a landmark that the author defined
   std::string name;
   Vec3 position_mm;
 };
 
 /// Identity of a case at the time it was saved (see cases/CaseVersions.h).
 struct CaseVersion {
-  int number = 0;       ///< 1 for the first; 0 for a case that has never been saved as a version
+  int number = 0;       ///< number of the version: 1 for the first; 0 for a case that has never been saved as a version
   std::string content;  ///< contentHashOf() of the case when it was saved
   std::string voxels;   ///< voxelHashOf() of the case when it was saved
   std::string date;     ///< the day on which it was saved, e.g. "2026-11-22"
-  std::string author;   ///< may be empty
+  std::string author;   ///< person who saved the version; may be empty
 };
 
 /// Display settings of a structure's surface in 3D.
 struct StructureShown {
-  double opacity = 1;  ///< 0..1
+  double opacity = 1;  ///< opacity of the surface, 0..1
   bool visible = true;
   bool operator==(const StructureShown&) const = default;
 };
@@ -80,7 +80,7 @@ enum class LabelState : std::uint8_t { NotStarted, InProgress, Completed, Flagge
 /// Returns "not started", "in progress", "completed" or "flagged".
 std::string_view nameOf(LabelState state);
 
-/// Progress by label.
+/// The author's progress on each structure, by label.
 using LabelStates = std::map<std::uint8_t, LabelState>;
 
 /// Returns the state that the author set; else InProgress if the label has voxels, NotStarted if not.
@@ -95,19 +95,19 @@ struct CaseManifest {
   std::string description;
   std::string difficulty;  ///< the author's grade: "easy", "moderate", "hard" or empty (see cases/Difficulty.h)
   std::vector<Target> targets;
-  std::vector<NamedVessel> vessels;   ///< distinguish vessels that share a label
-  std::vector<StartPose> startPoses;  ///< training begins at the first pose
+  std::vector<NamedVessel> vessels;   ///< named vessels, so that vessels that share a label can be distinguished
+  std::vector<StartPose> startPoses;  ///< poses of the probe; training begins at the first one
   std::vector<Landmark> landmarks;
   CaseVersion version;
   std::map<std::uint8_t, StructureShown> shown;  ///< display settings by label, if the author set them
-  OwnLabels ownLabels;                           ///< structures of labels that the label table does not know
-  LabelStates states;                            ///< progress on structures, if the author set it
-  std::string source;                            ///< origin of the case, without anything that identifies a patient
-  std::vector<std::string> importNotes;          ///< changes and doubtful points of the import, one sentence each
+  OwnLabels ownLabels;                   ///< the author's own structures, which the label table does not contain
+  LabelStates states;                    ///< the author's progress on each structure, if set
+  std::string source;                    ///< origin of the case, without anything that identifies a patient
+  std::vector<std::string> importNotes;  ///< changes that the import made, and points to check, one sentence each
 };
 
-using LabelColour = std::array<std::uint8_t, 3>;  ///< sRGB
-/// Colors by label.
+using LabelColour = std::array<std::uint8_t, 3>;  ///< color of a label, sRGB
+/// Colors of structures, by label.
 using LabelColours = std::map<std::uint8_t, LabelColour>;
 
 /// A patient: CT and labels on one grid, and the manifest. Owns its volumes.

@@ -14,8 +14,8 @@ namespace insonate {
 /// One of the built-in necks.
 struct PhantomVariant {
   std::string_view name;        ///< name for the command line, e.g. "small-vein"
-  std::string_view title;       ///< one line for a list
-  std::string_view difficulty;  ///< "easy", "moderate" or "hard"
+  std::string_view title;       ///< title of the neck for a list, one line
+  std::string_view difficulty;  ///< difficulty of the puncture: "easy", "moderate" or "hard"
   std::string_view description;
 };
 

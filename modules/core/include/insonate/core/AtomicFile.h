@@ -16,27 +16,28 @@ namespace insonate {
 Result<void> writeAtomically(const std::filesystem::path& target,
                              const std::function<Result<void>(const std::filesystem::path& beside)>& write);
 
-/// Writes a text or byte string to `target` in the same atomic way.
+/// Writes a text or byte string to `target` through a temporary file that then replaces `target`. On failure `target`
+/// is unchanged.
 Result<void> writeAtomically(const std::filesystem::path& target, std::string_view bytes);
 
 /// Checks, before any work, whether a folder can be written as `target`. Refuses an empty name, a file or a dangling
 /// link in its place, a missing parent folder, and missing permissions.
 Result<void> checkFolderTarget(const std::filesystem::path& target);
 
-/// Writes a folder in the same way: `write` fills a new folder beside `target`. `target` is created if it is missing;
-/// its other files are kept. If files are replaced, the two folders are exchanged in one step, after the old folder's
-/// other files were linked or copied into the new one: every reader finds either all old or all new files, even if the
-/// program is killed. `superseded` names files of the old folder that are not kept. If the file system cannot exchange
-/// folders, the replacement takes two steps; between them `target` is missing and both folders lie beside it. If
-/// `target` is the current folder, which must keep its identity, the new files are moved into it one by one.
+/// Writes the folder `target` atomically: `write` fills a new folder beside it, which then takes its place. A missing
+/// `target` is created. Other files of an existing `target` are kept, except those named in `superseded`. If files are
+/// replaced, the two folders are exchanged in one step, so that every reader finds either all old or all new files,
+/// even if the program is killed. If the file system cannot exchange folders, the replacement takes two steps; between
+/// them `target` is missing and both folders lie beside it. If `target` is the current working folder, the new files
+/// are moved into it one by one, because the folder itself must stay.
 Result<void> writeFolderAtomically(const std::filesystem::path& target,
                                    const std::function<Result<void>(const std::filesystem::path& beside)>& write,
                                    const std::vector<std::string_view>& superseded = {});
 
-/// Removes the hidden folders that writeFolderAtomically() was filling in `parent` when its program was killed: those
-/// of `target`, or of all targets if it is empty. writeFolderAtomically() calls this for its own target. Folders that a
-/// running program is still writing are kept, and so are both folders of a target whose two-step replacement was
-/// interrupted.
+/// Removes from `parent` the hidden, unfinished folders that writeFolderAtomically() left when its program was killed:
+/// those for `target`, or those for any target if `target` is empty. writeFolderAtomically() calls this function for
+/// its own target. Folders that a running program is still writing are kept, and so are both folders of a target whose
+/// two-step replacement was interrupted.
 void removeAbandonedParts(const std::filesystem::path& parent, const std::string& target = {});
 
 }  // namespace insonate

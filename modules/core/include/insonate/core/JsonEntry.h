@@ -33,12 +33,14 @@ class JsonEntry {
   JsonEntry(const JsonEntry&) = delete;
   JsonEntry& operator=(const JsonEntry&) = delete;
 
+  /// Returns a text. A needed text is there and not empty.
   std::string text(std::string_view key, bool needed = true);
   double number(std::string_view key, double low, double high);
   std::optional<double> numberIfThere(std::string_view key, double low, double high);
-  /// Reads a number, or an object with the "value", its "range" [low, high] and its "source".
+  /// Reads an optional number, written either as a number or as an object with "value", "range" [low, high] and
+  /// "source". With `orInfinity`, the word "infinity" is also accepted.
   std::optional<double> sourcedIfThere(std::string_view key, double low, double high, bool orInfinity = false);
-  /// Returns a whole number.
+  /// Returns the whole number under the key, which must be there and lie within low to high.
   int whole(std::string_view key, int low, int high);
   std::optional<int> wholeIfThere(std::string_view key, int low, int high);
   /// Returns `count` numbers; zeros after an error. `order` describes the list in the error sentence: "[x, y, z]".
@@ -66,6 +68,10 @@ class JsonEntry {
     return all;
   }
 
+  using Reader = std::function<void(const nlohmann::json& entry, const std::string& where, std::string& trouble)>;
+  /// Reads the entries of a list as list() does; `read` keeps what it reads.
+  void each(std::string_view key, const std::string& noun, const Reader& read, bool namesDiffer = true);
+
   bool has(std::string_view key) const;
   void refuse(const std::string& sentence);
   const std::string& where() const { return where_; }
@@ -73,13 +79,10 @@ class JsonEntry {
   const std::string& trouble() const { return trouble_; }
 
  private:
-  using Reader = std::function<void(const nlohmann::json& entry, const std::string& where, std::string& trouble)>;
-
   const nlohmann::json* find(std::string_view key, bool needed);
   const nlohmann::json& array(std::string_view key);
   std::optional<double> boundedNumber(std::string_view key, double low, double high, bool orInfinity);
   void checkStatedRange(double value);
-  void each(std::string_view key, const std::string& noun, const Reader& read, bool namesDiffer);
 
   const nlohmann::json& object_;
   std::string where_, ownTrouble_;

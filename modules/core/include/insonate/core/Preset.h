@@ -15,7 +15,7 @@ struct Preset {
   std::string_view name, text;
 };
 
-/// Returns the files that insonate_embed() compiled in as presets.
+/// Converts the files that the CMake function insonate_embed() compiled into the program to presets.
 template <class Files>
 std::vector<Preset> presetsOf(const Files& files) {
   std::vector<Preset> presets;
@@ -33,8 +33,8 @@ struct PresetText {
   std::string where;  ///< prefix for an error sentence about the text: "" for a preset, "PATH: " for a file
 };
 
-/// Returns the text of the preset with this name, else of the file with this path. `what` names the expected kind: "a
-/// procedure".
+/// Returns the text of the preset with this name, else of the file with this path. `what` names the expected kind of
+/// file in the error sentence, e.g. "a procedure".
 Result<PresetText> presetOrFile(std::string_view what, std::string_view nameOrPath, const std::vector<Preset>& presets);
 
 /// Parses the text of a preset or file with `parse`, a function from text to a Result. An error in a file begins with

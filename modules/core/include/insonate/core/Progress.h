@@ -5,8 +5,8 @@
 
 namespace insonate {
 
-/// Callback by which long work reports the present task and the completed share (0..1), on the working thread. If it
-/// returns false, the work fails with kCancelled within a second. An empty function is allowed.
+/// Callback by which long work reports the present task and the completed share (0..1), on the working thread. If the
+/// callback returns false, the work fails with kCancelled within a second. An empty function is allowed.
 using Progress = std::function<bool(std::string_view doing, double fraction)>;
 
 inline constexpr std::string_view kCancelled = "Cancelled.";

@@ -6,30 +6,31 @@
 
 namespace insonate {
 
-/// Secret key of the links of a recording (procedure/RecordingProof.h); only the recorder may have it.
+/// Secret key with which the blocks of a recording are authenticated (procedure/RecordingProof.h); only the recorder
+/// may have it.
 using AttemptKey = std::array<std::uint8_t, 32>;
 
-/// Nonce and key that a store issues to an attempt at its beginning, so that the recording can prove to which attempt
-/// it belongs. s is the store's secret, r are 16 random bytes, and H(k, ...) is BLAKE2b-256 with key k over texts, each
-/// preceded by its length:
+/// Nonce and key that the curriculum store (database) issues for an attempt at its beginning, so that the recording can
+/// prove to which attempt it belongs. With the store's secret s, 16 random bytes r, and H(k, ...) = BLAKE2b-256 with
+/// key k over texts, each preceded by its length:
 ///   tag = the first 16 bytes of H(s, "store"), code = H(s, "nonce", r, id, person, curriculum, version, level),
 ///   nonce = r tag code, key = H(s, "key", nonce).
 /// The store keeps none of these values: it computes code and key again from the nonce.
 struct AttemptSeal {
-  std::string nonce{};  ///< for the recording's header, 128 hexadecimal digits
+  std::string nonce{};  ///< nonce for the recording's header, 128 hexadecimal digits
   AttemptKey key{};
 };
 
-/// A store's answer about the nonce of a recording.
+/// Result of checking whether a curriculum store (database) has issued the nonce of a recording.
 struct NonceOrigin {
   enum class Kind {
-    Given,      ///< issued by this store to this attempt, with `key`
-    Elsewhere,  ///< issued by another store
-    Forged,  ///< issued by no store: the nonce has this store's tag, but was not issued to this attempt of this person
-             ///< and level
+    Given,      ///< this store issued the nonce to this attempt, with NonceOrigin::key
+    Elsewhere,  ///< another store issued the nonce
+    /// Forged nonce: it has this store's tag, but was not issued to this attempt of this person and level.
+    Forged,
   };
   Kind kind = Kind::Elsewhere;
-  AttemptKey key{};  ///< if kind is Given
+  AttemptKey key{};  ///< key of the recording; set only if `kind` is Given
 };
 
 }  // namespace insonate

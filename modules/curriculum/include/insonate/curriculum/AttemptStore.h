@@ -13,71 +13,76 @@
 
 namespace insonate {
 
-/// An attempt with the data that the store adds to it.
+/// An attempt as stored in the database, with the data that the database adds.
 struct KeptAttempt {
   AttemptFacts facts{};
-  /// Number of attempts begun in the store up to this one; orders attempts independently of clocks.
+  /// Running number of the attempt in the database, from 1, by the order of beginnings; independent of clocks.
   std::int64_t arrival = 0;
-  bool crashed = false;  ///< marked abandoned since its process died; the real end may still arrive
+  /// true: the attempt was marked abandoned since the program crashed; its real end may still be reported
+  bool crashed = false;
   std::string voidReason{};
-  /// File of the recording in the store; empty if the store keeps none. The file is not compared with
+  /// The database's copy of the recording; empty if there is none. The file has not been compared with
   /// facts.recordingHash.
   std::filesystem::path recordingFile{};
 
   bool operator==(const KeptAttempt&) const = default;
 };
 
-/// Stores attempts: their facts are begun, ended and possibly voided, but neither changed nor deleted. Trainees see and
-/// make their own attempts; instructors also see and void those of learners in their cohorts; administrators see and
-/// void all. Guests have no access.
+/// Access to the attempts in the database, with the permissions of a signed-in user. Attempts can be added and voided,
+/// but neither changed nor deleted. Trainees see and make their own attempts; instructors also see and void those of
+/// learners in their cohorts (classes); administrators see and void all. Guests have no access.
 class AttemptStore {
  public:
   explicit AttemptStore(SignedIn by) : by_(std::move(by)) {}
 
-  /// Stores that an attempt has begun, with the members of `facts` up to `begun_us`. Person and workstation are taken
-  /// from the session; a missing id is made. Returns the id. Storing the same facts again is no error. Fails if the
-  /// attempt begins in the future or before its curriculum was published; clocks may differ by ten minutes.
+  /// Stores that an attempt has begun, with the members of `facts` up to `begun_us`, and returns its id, which is made
+  /// if missing. Person and workstation are those of the signed-in user. Storing the same facts again is no error.
+  /// Fails if the attempt begins in the future or before its curriculum was published; clocks may differ by ten
+  /// minutes.
   Result<std::string> begin(const AttemptFacts& facts) const;
-  /// Ends an attempt as Completed or Abandoned, with its metrics; values must be finite. Only the person who began it
-  /// may end it. Ending it again with the same facts is no error, and an attempt that was marked abandoned after a
-  /// crash accepts its real end later. Fails if another attempt of the store, of any person, has the same handsHash: a
-  /// recording counts once. `facts.proof` is stored if it is Proven or Demonstration, as determined by the caller;
+  /// Ends an attempt as Completed or Abandoned, with its metrics; values must be finite. Only the person who began the
+  /// attempt may end it. Ending it again with the same facts is no error, and an attempt that was marked abandoned
+  /// after a crash accepts its real end later. Fails if another stored attempt, of any person, has the same handsHash:
+  /// a recording counts once. `facts.proof` is stored if it is Proven or Demonstration, as determined by the caller;
   /// otherwise the attempt is unproven.
   Result<void> end(const AttemptFacts& facts) const;
-  /// Stores a finished attempt: begin() and end() in one transaction. Returns the id. With `recording`, the file of
-  /// facts.recordingHash is copied to the store's recordings; if that fails, nothing is added.
+  /// Stores a finished attempt: begin() and end() in one transaction. Returns the id. If `recording` (the file with
+  /// hash facts.recordingHash) is given, it is copied to the database's folder of recordings; if that fails, nothing is
+  /// added.
   Result<std::string> add(const AttemptFacts& facts, const std::filesystem::path& recording = {}) const;
-  /// Copies the recording of an ended attempt to the store's recordings. Only the person who made the attempt may call
-  /// this. Copying again is no error; a store that keeps no recordings does nothing. Fails, with nothing changed, if
-  /// the file does not have the attempt's recordingHash, or if it cannot be copied.
+  /// Copies the recording of an ended attempt to the database's folder of recordings. Only the person who made the
+  /// attempt may call this. Copying again is no error. Without such a folder nothing is done. Fails, with nothing
+  /// changed, if the file does not have the attempt's recordingHash, or if it cannot be copied.
   Result<void> keepRecording(const std::string& attempt, const std::filesystem::path& recording) const;
-  /// Issues the seal for the recording of a new attempt: for its id, curriculum and level, and for the signed-in user.
+  /// Issues nonce and key for the recording of a new attempt of the signed-in user, from the attempt's id, curriculum
+  /// and level.
   Result<AttemptSeal> seal(const AttemptFacts& facts) const;
-  /// Tells whether this store issued the nonce to an attempt with this id, person, curriculum and level.
+  /// Tells whether this database issued `nonce` to the attempt with the id, person, curriculum and level of `facts`.
   Result<NonceOrigin> originOf(const AttemptFacts& facts, const std::string& nonce) const;
-  /// Accepts an unproven, ended attempt, so that it counts. The audit log stores the signed-in user's name and reason.
-  /// For instructors and administrators, not for their own attempts. Accepting again is no error.
+  /// Accepts an ended attempt without proof of origin, so that it counts. The audit log stores the signed-in user's
+  /// name and reason. Allowed to instructors and administrators, not for their own attempts. Accepting again is no
+  /// error.
   Result<void> accept(const std::string& attempt, const std::string& reason) const;
-  /// Excludes an ended attempt from the count; for instructors and administrators, not for their own attempts.
+  /// Excludes an ended attempt from all counts. Allowed to instructors and administrators, not for their own attempts.
   Result<void> voidAttempt(const std::string& attempt, const std::string& reason) const;
 
   Result<KeptAttempt> attempt(const std::string& id) const;
-  /// Returns the newest attempts of a person first: at most `count` (1..1000) of those that arrived before `before`; 0:
-  /// the newest of all.
+  /// Returns attempts of a person, newest first: at most `count` (1..1000) of those with KeptAttempt::arrival below
+  /// `before`; `before` 0: no limit.
   Result<std::vector<KeptAttempt>> page(const std::string& person, int count, std::int64_t before = 0) const;
-  /// Returns all attempts of a person in the order of arrival, for unlocking and statistics, without caseHash,
-  /// workstation, recording, recordingHash and handsHash.
+  /// Returns all attempts of a person in the order in which they were begun, for unlocking levels and for statistics;
+  /// caseHash, workstation, recording, recordingHash and handsHash stay empty.
   Result<std::vector<AttemptFacts>> history(const std::string& person) const;
-  /// Returns the last `count` attempts (1..1000) at levels that count (Judgement.h) of each learner in a cohort,
-  /// without free practice; grouped by person, each in the order of arrival, like history().
+  /// Returns, for each learner in a cohort, the last `count` (1..1000) attempts that count (Judgement.h), without free
+  /// practice; grouped by person, each group in the order of history().
   Result<std::vector<AttemptFacts>> lastOfCohort(const std::string& cohort, int count) const;
 
-  /// Returns the id of the attempt whose recording has this hash. If there is none, returns the id of an attempt made
-  /// on this workstation whose recording has this name; otherwise "". All other facts come from attempt(), which checks
-  /// permissions.
+  /// Returns the id of the attempt whose recording has this hash; if there is none, of an attempt on this workstation
+  /// whose recording has this file name; else "". Call attempt(), which checks permissions, for the other facts.
   Result<std::string> ofRecording(const std::string& name, const std::string& hash) const;
 
-  /// Returns Member::changes of a person. Call it before reading the history from which a Standing is computed.
+  /// Returns Member::changes of a person: a counter of changes to the person's attempts. Read it before the history
+  /// from which a Standing is computed.
   Result<std::int64_t> changes(const std::string& person) const;
 
  private:

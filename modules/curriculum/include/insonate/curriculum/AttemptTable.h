@@ -9,16 +9,17 @@
 /// Columns that every table of attempts shares (CSV; Csv.h).
 namespace insonate {
 
-/// Name of a proof in tables: "proven", "accepted", "earlier", "demonstration", "not proven".
+/// Returns the word for an attempt's proof of origin in tables: "proven", "accepted", "earlier", "demonstration", "not
+/// proven".
 const char* wordOf(AttemptProof proof);
 
-/// Column names: "id", "begun (UTC)", ..., "assistance", "state", "broke off", "voided", "succeeded", "passed", ...,
-/// "proof".
+/// Returns the column names of a table of attempts: "id", "begun (UTC)", ..., "assistance", "state", "broke off",
+/// "voided", "succeeded", "passed", ..., "proof".
 std::vector<std::string> attemptColumns();
 
-/// Values of attemptColumns(). "broke off" is hasBrokenOff(); "succeeded": the procedure's aim was reached; "passed":
-/// the level's rule in this curriculum was met, "" if there is nothing to pass (Judgement.h). "assistance" is that of
-/// the level in this curriculum, "" in free practice, in which the trainee chooses it. `curriculum` may be null.
+/// Returns the values of an attempt for attemptColumns(). "broke off": hasBrokenOff(); "succeeded": the procedure's aim
+/// was reached; "passed": the level's rule in this curriculum was met, "" if the attempt has no level or does not count
+/// (Judgement.h); "assistance": that of the level in this curriculum, "" in free practice. `curriculum` may be null.
 std::vector<std::string> attemptRow(const AttemptFacts& attempt, const Curriculum* curriculum);
 
 }  // namespace insonate

@@ -10,14 +10,14 @@
 
 namespace insonate {
 
-/// One logged access to others' data, change or refusal.
+/// One entry of the audit log: an access to another person's data, a change, or a refused request.
 struct AuditEntry {
-  std::int64_t number = 0;  ///< 1, 2, 3, ...
+  std::int64_t number = 0;  ///< running number of the entry, from 1
   std::int64_t time_us = 0;
-  std::string actor{};  ///< Person::id; "": no user was signed in
+  std::string actor{};  ///< user who acted (Person::id); "": no user was signed in
   std::string workstation{};
-  std::string act{};     ///< "see attempts", "void attempt", "sign in", ...
-  std::string person{};  ///< person whose data it concerns; "": no particular person
+  std::string act{};     ///< kind of access: "see attempts", "void attempt", "sign in", ...
+  std::string person{};  ///< person whose data the entry concerns; "": no particular person
   std::string detail{};
   bool allowed = true;
   std::string hash{};  ///< SHA-256 of this entry and the previous entry's hash
@@ -25,7 +25,8 @@ struct AuditEntry {
   bool operator==(const AuditEntry&) const = default;
 };
 
-/// The end of a log at one time. A copy stored elsewhere shows later whether the log was shortened or rewritten.
+/// Number and hash of the audit log's last entry at one time. A copy stored elsewhere shows later whether the log was
+/// shortened or rewritten.
 struct AuditAnchor {
   std::int64_t number = 0;
   std::string hash{};
@@ -33,19 +34,19 @@ struct AuditAnchor {
   bool operator==(const AuditAnchor&) const = default;
 };
 
-/// Log of all accesses to others' data and changes of it. Administrators only.
+/// Reads the audit log of all accesses to others' data and all changes. For administrators only.
 class AuditLog {
  public:
   explicit AuditLog(SignedIn by) : by_(std::move(by)) {}
 
-  /// Returns the newest entries first: at most `count` (1..1000) with numbers below `before`; 0: the newest of all.
+  /// Returns log entries, newest first: at most `count` (1..1000) with numbers below `before`; `before` 0: no limit.
   /// `person`: only entries by or about this person, including accesses to several people that name the person; "":
   /// all.
   Result<std::vector<AuditEntry>> page(int count, std::int64_t before = 0, const std::string& person = "") const;
   Result<AuditAnchor> anchor() const;
-  /// Fails with the first inconsistent entry: an entry was changed, deleted or moved, the end is cut off, or the log
-  /// differs from the anchor. A person who can write the database and knows how the hashes are made can rewrite the
-  /// log; only an anchor kept elsewhere reveals that, and only up to its number.
+  /// Checks the log; fails with the first inconsistent entry: an entry was changed, deleted or moved, the end is cut
+  /// off, or the log differs from `anchor`. A person who can write the database and knows how the hashes are made can
+  /// rewrite the log; only an anchor kept elsewhere reveals that, and only for entries up to its number.
   Result<void> verify(const AuditAnchor& anchor = {}) const;
 
  private:

@@ -13,35 +13,35 @@
 
 namespace insonate {
 
-/// The planned outcome of one line of a class list.
+/// Planned outcome of importing one line of a class list.
 struct ClassImportRow {
   enum class Step {
     Add,           ///< the person gets an account and joins the class
     Join,          ///< the person has an account and joins the class
-    AlreadyThere,  ///< the person already learns in the class
-    Refuse,        ///< the line is not imported; see `why`
+    AlreadyThere,  ///< the person is already a learner in the class
+    Refuse,        ///< the line is not imported; ClassImportRow::why says why
   };
   int line = 0;
   NewPerson person{};
   Step step = Step::Refuse;
-  std::string why{};  ///< if refused: a sentence that begins with the line number
+  std::string why{};  ///< reason for Step::Refuse: a sentence that begins with the line number
   std::string id{};   ///< Person::id, if the person has an account
 };
 
-/// Imports a class list into a class: first as a plan, then all lines or none. For the class's instructors and for
-/// administrators; only administrators add people who already have an account. On a workstation that belongs to a
-/// server, people are changed on the server.
+/// Imports a class list into a class: plan() computes the outcome of each line, apply() imports all lines or none. For
+/// the class's instructors and for administrators; only administrators add people who already have an account. On a
+/// workstation that belongs to a server, people are changed on the server.
 class ClassImport {
  public:
   explicit ClassImport(SignedIn by) : by_(std::move(by)) {}
 
-  /// Returns the planned rows in the order of lines. Changes nothing.
+  /// Returns the planned outcome of each line of `list`, in the order of lines. Changes nothing.
   Result<std::vector<ClassImportRow>> plan(const std::string& cohort, const ClassList& list) const;
 
-  /// Makes new passwords for all people that a plan adds, in the plan's order.
+  /// Makes random first passwords for all people that a plan adds, in the plan's order.
   static std::vector<FirstPassword> passwordsFor(std::span<const ClassImportRow> plan);
-  /// Adds people and lets them join as planned, in one transaction. Fails with nothing changed if the plan is no longer
-  /// possible (the error names the line), or if cancelled. Takes 0.1 s for each new password.
+  /// Adds people and puts them into the class as planned, in one transaction. Fails with nothing changed if the plan is
+  /// no longer possible (the error names the line), or if cancelled. Takes 0.1 s for each new password.
   Result<void> apply(const std::string& cohort, std::span<const ClassImportRow> plan,
                      std::span<const FirstPassword> passwords, const Progress& progress = {}) const;
 

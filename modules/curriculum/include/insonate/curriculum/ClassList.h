@@ -14,27 +14,29 @@ namespace insonate {
 /// One person on a class list.
 struct ClassListEntry {
   int line = 0;
-  /// A trainee; `name` is from the column of user names, else of ID numbers, else of e-mail addresses.
+  /// Trainee on this line; the sign-in name is from the column of user names, else of ID numbers, else of e-mail
+  /// addresses.
   NewPerson person{};
 };
 
 struct ClassListTrouble {
   int line = 0;
   std::string sentence{};  ///< explains the error and what to do
-  NewPerson person{};      ///< the fields that could be read from the line
+  NewPerson person{};      ///< data of the person that could be read from the line in spite of the error
 };
 
 struct ClassList {
-  std::vector<ClassListEntry> entries{};  ///< lines without errors
+  std::vector<ClassListEntry> entries{};  ///< people on the lines without errors
   std::vector<ClassListTrouble> troubles{};
 };
 
-/// Parses CSV with a header line, as Moodle and other systems export participants: "First name" and "Last name" (or
-/// "Surname"), or "Full name"; "Email address"; "Username", "ID number". Case is ignored, and so are other columns.
-/// Fails if the text is no class list at all; a wrong line becomes an error of that line alone.
+/// Parses a class list: CSV with a header line, as Moodle and other systems export participants, with the columns
+/// "First name" and "Last name" (or "Surname"), or "Full name"; "Email address"; "Username", "ID number". Case and
+/// other columns are ignored. Fails if the text is no class list at all; an invalid line becomes an entry in
+/// ClassList::troubles.
 Result<ClassList> parseClassList(std::string_view csv);
 
-/// A class list compared with the existing people.
+/// A class list compared with the people who already have accounts.
 struct ClassListMatch {
   struct Known {
     ClassListEntry entry{};
@@ -42,10 +44,10 @@ struct ClassListMatch {
   };
   std::vector<ClassListEntry> added{};  ///< people who have no account yet
   std::vector<Known> known{};
-  std::vector<ClassListTrouble> troubles{};  ///< errors of the list, and lines that match two people
+  std::vector<ClassListTrouble> troubles{};  ///< lines with errors, and lines that match two people
 };
 
-/// Matches people by e-mail address, else by name, ignoring case.
+/// Compares a class list with existing people: they match by e-mail address, else by name, ignoring case.
 ClassListMatch matchClassList(const ClassList& list, std::span<const Person> people);
 
 }  // namespace insonate

@@ -15,49 +15,53 @@
 
 namespace insonate {
 
-/// A row of a cohort's list.
+/// A member of a cohort (class), with a summary of the member's progress.
 struct Member {
   Person person{};
-  bool teaches = false;  ///< an instructor of this cohort; for instructors, the fields on attempts stay empty
-  int attempts = 0;      ///< number of attempts that count (Judgement.h), including free practice
-  /// Number that grows with each attempt that is ended or voided, to detect an outdated Standing.
+  /// true: an instructor of this cohort, whose fields about attempts stay empty; false: a learner
+  bool teaches = false;
+  int attempts = 0;  ///< number of the member's attempts that count (Judgement.h), including free practice
+  /// Counter that grows with each attempt of the member that is ended or voided; detects an outdated Standing.
   std::int64_t changes = 0;
   std::optional<std::int64_t> lastAttempt_us{};  ///< time at which the newest attempt was begun
-  std::string lastLevel{};                       ///< AttemptFacts::level of the newest attempt
-  /// Empty: never computed, or computed for another curriculum version than the cohort's.
+  std::string lastLevel{};                       ///< level of the newest attempt (AttemptFacts::level)
+  /// Stored progress of the member; empty: never computed, or computed for another curriculum version than the
+  /// cohort's.
   std::optional<Standing> standing{};
-  bool standingIsCurrent = false;  ///< computing the standing now would give the same
+  bool standingIsCurrent = false;  ///< true: computing `standing` now would give the same
 };
 
-/// Cohorts and their members. Visible to their instructors and to administrators; a trainee sees the trainee's own
-/// cohorts without their members. On a workstation that belongs to a server, cohorts are changed on the server.
+/// Access to cohorts (classes) and their members, with the permissions of a signed-in user. Instructors see their own
+/// cohorts, administrators all; trainees see their own cohorts without the other members. On a workstation that belongs
+/// to a server, cohorts are changed on the server.
 class CohortStore {
  public:
   explicit CohortStore(SignedIn by) : by_(std::move(by)) {}
 
-  /// Returns the cohorts that the user may see, by name.
+  /// Returns the cohorts that the signed-in user may see, sorted by name.
   Result<std::vector<Cohort>> cohorts() const;
-  /// Returns the instructors first; within each group by full name, or by name if there is no full name.
+  /// Returns the members of a cohort: instructors, then learners, each sorted by full name, or by sign-in name if there
+  /// is no full name.
   Result<std::vector<Member>> members(const std::string& cohort) const;
 
   /// Adds a cohort. The name has 1..200 characters and is unique, ignoring case. Administrators only.
   Result<Cohort> add(const std::string& name) const;
   Result<void> rename(const std::string& cohort, const std::string& name) const;
-  /// Adds a person as learner or teacher; an existing member is changed to the given kind. Administrators only, since
-  /// membership opens a person's attempts to the cohort's instructors. Trainees do not teach.
+  /// Adds a person to a cohort, as instructor (`teaches`) or learner; an existing member is changed to that.
+  /// Administrators only, since membership opens a person's attempts to the cohort's instructors. Trainees cannot be
+  /// instructors.
   Result<void> join(const std::string& cohort, const std::string& person, bool teaches) const;
-  /// Removes a person. For administrators, and for the cohort's instructors if the person learns in it.
+  /// Removes a person from a cohort. For administrators; for the cohort's instructors if the person is a learner.
   Result<void> leave(const std::string& cohort, const std::string& person) const;
 
   /// Sets the published curriculum version by which the cohort is taught. For the cohort's instructors and for
   /// administrators.
   Result<void> setCurriculum(const std::string& cohort, const std::string& curriculum, int version) const;
 
-  /// Returns the standings of a cohort's learners under its curriculum, by Person::id. A stored standing is used if it
-  /// is current; otherwise it is computed from all attempts of the person and stored. Ending or voiding an attempt
-  /// updates the standing at once; this function also takes into account the passage of days, a changed curriculum and
-  /// new members. People who left the cohort are not included. The call counts as one access and makes one entry in the
-  /// log, which names all people.
+  /// Returns the progress (Standing) of a cohort's learners in the cohort's curriculum, by Person::id. A stored
+  /// standing is returned if it is current; otherwise it is computed from all attempts of the person and stored.
+  /// Standings become outdated by the passage of days, a changed curriculum and new members. People who left the cohort
+  /// are not included. The call makes one entry in the audit log, which names all people.
   Result<std::map<std::string, Standing>> standings(const std::string& cohort,
                                                     std::span<const std::string> people) const;
 

@@ -9,20 +9,22 @@ namespace insonate {
 struct RankComparison {
   double u = 0;  ///< Mann-Whitney U of the first group: number of pairs in which the first group's value is greater,
                  ///< ties counted half
-  /// U / (n m): probability that a value of the first group exceeds a value of the second, ties counted half.
+  /// U / (n m), with n and m the sizes of the groups: probability that a value of the first group exceeds a value of
+  /// the second, ties counted half.
   double superiority = 0;
-  double effect = 0;   ///< rank-biserial correlation (Cliff's delta), 2 superiority - 1; -1 to 1
-  double p = 1;        ///< two-sided
-  bool exact = false;  ///< p is computed from all arrangements of the values, else from the normal approximation
+  double effect = 0;  ///< rank-biserial correlation (Cliff's delta), 2 superiority - 1; -1 to 1
+  double p = 1;       ///< two-sided p-value of the Mann-Whitney test
+  /// true: p is computed from all arrangements of the values; false: from the normal approximation
+  bool exact = false;
 };
 
-/// Minimum number of values per group: with 3 against 3, no difference has p below 0.1.
+/// Minimum number of values per group for a comparison: with 3 against 3, no difference has p below 0.1.
 inline constexpr std::size_t kFewestCompared = 4;
 
-/// Mann-Whitney test (Ann Math Stat 1947, 18:50). Up to 20 values per group p is exact: the share of all arrangements
-/// (ties with their mean ranks) whose U is at least as far from nm / 2. For more values p is from the normal
-/// approximation with correction for ties and continuity. No value if a group has fewer than kFewestCompared values or
-/// a value that is not finite.
+/// Compares two groups by the Mann-Whitney test (Ann Math Stat 1947, 18:50). Up to 20 values per group p is exact: the
+/// share of all arrangements (ties with their mean ranks) whose U is at least as far from nm / 2. For more values p is
+/// from the normal approximation with correction for ties and continuity. No value if a group has fewer than
+/// kFewestCompared values or a value that is not finite.
 std::optional<RankComparison> compareRanks(std::span<const double> first, std::span<const double> second);
 
 }  // namespace insonate

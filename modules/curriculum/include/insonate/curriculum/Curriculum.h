@@ -12,46 +12,48 @@ namespace insonate {
 
 /// Amount of help that a level gives during an attempt.
 enum class Assistance {
-  Guided,  ///< each step is announced; hints and CT are shown
+  Guided,  ///< each step of the procedure is announced; hints and CT are shown
   Hints,   ///< hints are shown only if something goes wrong
   Test,    ///< neither hints nor CT are shown
 };
-/// Name in files: "guided", "hints", "test".
+/// Returns the name of an assistance in files: "guided", "hints", "test".
 std::string_view nameOf(Assistance assistance);
 
-/// The limit that a metric has to meet in one attempt. A missing value, or a value measured by another version of the
-/// metric's definition, does not meet it.
+/// Limit that a metric has to meet in one attempt. A missing value, or a value measured by another version of the
+/// metric's definition, does not meet the limit.
 struct MetricStandard {
-  std::string metric{};  ///< MetricFact::id
+  std::string metric{};  ///< id of the metric: MetricFact::id
   int version = 1;
-  std::optional<double> least{}, most{};  ///< minimum or maximum; exactly one is set
-  std::string otherwise{};                ///< text shown if the standard is not met: "the artery was punctured"
+  std::optional<double> least{}, most{};  ///< minimum (`least`) or maximum (`most`); exactly one is set
+  std::string otherwise{};                ///< text shown if the limit is not met: "the artery was punctured"
   std::string source{};                   ///< justification of the limit
-  bool critical = false;  ///< an attempt that misses this standard fails, whatever share of standards it meets
+  bool critical = false;  ///< true: an attempt that misses this standard fails, even if it meets enough others
 
   bool operator==(const MetricStandard&) const = default;
 };
 
-/// Conditions for passing one attempt. The attempt must be completed and successful, without a critical error, and meet
-/// these:
+/// Conditions for passing one attempt at a level. The attempt must also be completed and successful, without a critical
+/// error.
 struct PassRule {
-  std::optional<double> leastPoints{};  ///< minimum of AttemptFacts::points
+  std::optional<double> leastPoints{};  ///< minimum score (AttemptFacts::points); empty: none
   std::vector<MetricStandard> standards{};
-  double mastery_percent = 100;  ///< minimum share of standards met; critical standards must all be met
+  double mastery_percent = 100;  ///< minimum share of `standards` that are met; critical standards must all be met
 
   bool operator==(const PassRule&) const = default;
 };
 
-/// Rule for the learning curve test LC-CUSUM (LcCusum.h): a level is mastered only after the test has signaled.
+/// Parameters of the learning curve test LC-CUSUM (LcCusum.h); a level with this rule is mastered only after the test
+/// has signaled.
 struct CusumRule {
-  double acceptable = 0.1, unacceptable = 0.25;  ///< rates of failure
-  /// Threshold h: score that signals; 8.9 % of trainees who are not able reach it falsely within 50 attempts.
+  double acceptable = 0.1, unacceptable = 0.25;  ///< failure rates of a trainee who is able, and of one who is not
+  /// Threshold h of the score at which the test signals; 8.9 % of trainees who are not able reach 3.1 within 50
+  /// attempts.
   double limit = 3.1;
 
   bool operator==(const CusumRule&) const = default;
 };
 
-/// Rule by which a mastered level lapses: this many failures within the last attempts.
+/// Rule by which mastery of a level lapses: `failures` failed attempts among the last `within`.
 struct FailureRule {
   int failures = 2, within = 3;
 
@@ -61,7 +63,8 @@ struct FailureRule {
 struct MasteryRule {
   int passesInARow = 1;
   std::optional<CusumRule> cusum{};
-  std::optional<int> lapsesAfter_days{};  ///< days without an attempt at this level or at one that builds on it
+  std::optional<int> lapsesAfter_days{};  ///< mastery lapses after this many days without an attempt at this level or
+                                          ///< at one that builds on it; empty: never
   std::optional<FailureRule> lapsesAfter{};
   std::string source{};
 
@@ -70,20 +73,20 @@ struct MasteryRule {
 
 struct Level {
   std::string name{}, title{};
-  std::string about{};     ///< subject of the level, one or two sentences
-  std::string caseName{};  ///< name in the case library, or a variant of the built-in neck
+  std::string about{};     ///< description of the level, one or two sentences
+  std::string caseName{};  ///< name of a case in the case library, or of a variant of the built-in neck
   std::string procedure{};
-  std::string position{};  ///< a position of the procedure; "": the trainee chooses
+  std::string position{};  ///< name of a patient position of the procedure; "": the trainee chooses
   Assistance assistance = Assistance::Guided;
-  std::vector<std::string> prerequisites{};  ///< levels that must be mastered first
+  std::vector<std::string> prerequisites{};  ///< names of levels that must be mastered first
   PassRule pass{};
   MasteryRule mastery{};
 
   bool operator==(const Level&) const = default;
 };
 
-/// Levels, their order and their passing standards, as data. A level depends on earlier levels only: `levels` is a
-/// valid learning order.
+/// A curriculum as data: levels, their order and their passing standards. `levels` is in a learning order: each level
+/// depends on earlier ones only.
 struct Curriculum {
   std::string name{}, title{}, about{};
   int version = 1;
@@ -93,18 +96,18 @@ struct Curriculum {
   bool operator==(const Curriculum&) const = default;
 };
 
-/// Names of the presets of resources/curricula.
+/// Returns the names of the built-in curricula, those in resources/curricula.
 std::vector<std::string> curriculumPresetNames();
-/// Loads a preset by name, or a JSON file of the same form. Fails with a sentence that names the place, the error and
-/// the possible values.
+/// Loads a built-in curriculum by name, or a JSON file of the same format. Fails with a sentence that names the place,
+/// the error and the possible values.
 Result<Curriculum> loadCurriculum(std::string_view nameOrPath);
-/// Reads a curriculum. Levels may be written in any order; they are returned in an order in which they can be learned.
-/// Fails on circular prerequisites and on more than 200 levels.
+/// Reads a curriculum from JSON. Levels may be written in any order; they are returned in an order in which they can be
+/// learned. Fails on circular prerequisites and on more than 200 levels.
 Result<Curriculum> parseCurriculum(std::string_view json);
-/// Writes a curriculum; inverse of parseCurriculum().
+/// Writes a curriculum as JSON; inverse of parseCurriculum().
 std::string curriculumText(const Curriculum& curriculum);
 
-/// Names that a curriculum may refer to in this installation.
+/// Names of cases, procedures and metrics that a curriculum may refer to in this installation.
 struct TeachingNames {
   struct Procedure {
     std::string name{};
@@ -115,8 +118,8 @@ struct TeachingNames {
   std::vector<MetricMeaning> metrics{};
 };
 
-/// Checks that every name in the curriculum exists. Also checks that a standard sets a minimum only if higher values of
-/// its metric are better, and a maximum only if lower values are better. Fails with the first violation.
+/// Checks that every case, procedure and metric that a curriculum names exists, and that a standard sets a minimum only
+/// if higher values of its metric are better, a maximum only if lower values are. Fails with the first violation.
 Result<void> checkNames(const Curriculum& curriculum, const TeachingNames& known);
 
 }  // namespace insonate

@@ -13,15 +13,15 @@ namespace insonate {
 /// be circular; levels are returned in the order in which they are written.
 Result<Curriculum> parseDraft(std::string_view json);
 
-/// A reason why a draft cannot be published.
+/// Reason why an unfinished curriculum cannot be published.
 struct DraftTrouble {
-  std::string level{};  ///< Level::name; "": the curriculum as a whole
+  std::string level{};  ///< level concerned (Level::name); "": the curriculum as a whole
   std::string sentence{};
 
   bool operator==(const DraftTrouble&) const = default;
 };
-/// Returns at most one problem for each level, then the problems of the whole curriculum. Empty if parseCurriculum()
-/// and checkNames() accept the draft.
+/// Returns why a draft cannot be published: at most one problem for each level, then those of the whole curriculum.
+/// Empty if parseCurriculum() and checkNames() accept the draft.
 std::vector<DraftTrouble> problemsOf(const Curriculum& draft, const TeachingNames& known);
 
 }  // namespace insonate

@@ -7,23 +7,23 @@ namespace insonate {
 
 /// A filled-in questionnaire, checklist or rating.
 struct FilledForm {
-  std::string id{};  ///< UUID; made when missing
+  std::string id{};  ///< UUID of the filled form; made by the database if empty
   std::string form{};
   int formVersion = 0;
-  std::string person{};   ///< the person whom the form is about
-  std::string attempt{};  ///< the person's attempt that the form is about; "": no particular attempt
-  std::string by{};       ///< Person::id of the author; set by the store
+  std::string person{};   ///< person whom the form is about (Person::id)
+  std::string attempt{};  ///< attempt of that person that the form is about; "": no particular attempt
+  std::string by{};       ///< author of the answers (Person::id); set by the database
   std::int64_t filled_us = 0;
-  std::string answers{};  ///< JSON object, at most 1 MB, stored byte for byte
+  std::string answers{};  ///< answers as a JSON object of at most 1 MB, stored byte for byte
 
   bool operator==(const FilledForm&) const = default;
 };
 
-/// A form with the data that the store adds to it.
+/// A filled form as read from the database, with the data that the database adds.
 struct KeptForm {
   FilledForm filled{};
-  std::string rater{};  ///< full name of the author, or name if there is no full name
-  /// True if the answers are another rater's and are withheld: the reader must first submit the same form.
+  std::string rater{};  ///< full name of the author, or sign-in name if there is no full name
+  /// true: the answers are another rater's and are left out until the reader has submitted the same form.
   bool withheld = false;
 
   bool operator==(const KeptForm&) const = default;

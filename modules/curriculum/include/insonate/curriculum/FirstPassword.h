@@ -9,18 +9,18 @@
 
 namespace insonate {
 
-/// Makes a random password to hand over: 12 of 31 letters and digits that cannot be confused with each other, 59 bits,
-/// in groups of four.
+/// Makes a random password for a new account: 12 characters out of 31 letters and digits that are not easily confused
+/// (59 bits), in groups of four.
 std::string firstPassword();
 
-/// A person with the password to hand over.
+/// A new person with the password to be given to that person.
 struct FirstPassword {
   NewPerson person{};
   std::string password{};
 };
 
-/// Writes CSV with one line for each password, to a new file that only its owner can read. Fails if the file exists,
-/// since it may hold passwords of an earlier import.
+/// Writes people and passwords as CSV to a new file that only its owner can read. Fails if the file exists, since it
+/// may contain passwords of an earlier import.
 Result<void> writeFirstPasswords(const std::filesystem::path& file, std::span<const FirstPassword> passwords);
 
 }  // namespace insonate

@@ -11,26 +11,27 @@
 
 namespace insonate {
 
+/// One option of a multiple-choice question of a form.
 struct FormOption {
   std::string name{};              ///< name under which the answer is stored
   std::string title{};             ///< text shown to the user
-  std::optional<double> points{};  ///< empty: the option is not scored, e.g. "not seen"
+  std::optional<double> points{};  ///< points of the option; empty: not scored, e.g. "not seen"
 
   bool operator==(const FormOption&) const = default;
 };
 
-/// A question of a form.
+/// A question of a form (questionnaire, checklist or rating scale).
 struct FormItem {
   enum class Kind { Choice, Number, Text };
 
-  std::string name{};  ///< unique within the form
+  std::string name{};  ///< id of the question, unique within the form
   std::string title{};
-  std::string about{};  ///< hint for the rater; may be empty
+  std::string about{};  ///< hint for the rater, or empty
   Kind kind = Kind::Choice;
   bool needed = false;
-  /// Options of a choice, in order; on a scale the points rise or fall in this order.
+  /// Options of a Choice question, in the order shown; on a scale the points rise or fall in this order.
   std::vector<FormOption> options{};
-  double least = 0, most = 0;  ///< limits of a number
+  double least = 0, most = 0;  ///< minimum and maximum of the answer to a Number question
 
   bool operator==(const FormItem&) const = default;
 };
@@ -57,7 +58,7 @@ struct Form {
   std::vector<FormSection> sections{};
 
   const FormItem* item(std::string_view itemName) const;
-  /// Tells whether a rater may write a note on this item: in checklists and ratings, unless the answer is itself a
+  /// Tells whether a rater may write a note on a question: in checklists and ratings, unless the answer is itself a
   /// text.
   bool takesNote(const FormItem& item) const {
     return purpose != Purpose::Questionnaire && item.kind != FormItem::Kind::Text;
@@ -65,43 +66,48 @@ struct Form {
   bool operator==(const Form&) const = default;
 };
 
-/// Names of the presets of resources/forms.
+/// Returns the names of the built-in forms, those in resources/forms.
 std::vector<std::string> formPresetNames();
-/// Loads a preset by name, or a JSON file of the same form. Fails with a sentence that names the place and the error.
+/// Loads a built-in form by name, or a JSON file of the same format. Fails with a sentence that names the place and the
+/// error.
 Result<Form> loadForm(std::string_view nameOrPath);
 Result<Form> parseForm(std::string_view json);
 
-/// Answers by FormItem::name (an option's name, a text or a number) and by noteKey() (a text). Unanswered items are
-/// missing.
+/// Answers to a form. Key: FormItem::name for an answer (an option's name, a text or a number), noteKey() for a note (a
+/// text). Unanswered questions are missing.
 using FormAnswers = std::map<std::string, std::variant<std::string, double>>;
 
-/// Key under which a rater's note on an item is stored; no item has such a name.
+/// Returns the key of FormAnswers under which a rater's note on a question is stored; it differs from all
+/// FormItem::name.
 std::string noteKey(const FormItem& item);
-/// An answer as readers see it: an option's title, a number or a text; "" without an answer.
+/// Returns an answer as shown to readers: an option's title, a number or a text; "" without an answer.
 std::string answerText(const FormItem& item, const FormAnswers& answers);
 std::string noteText(const FormItem& item, const FormAnswers& answers);
 
-/// Reads answers from a JSON object as in FilledForm::answers.
+/// Reads answers from the JSON object in FilledForm::answers.
 Result<FormAnswers> parseAnswers(std::string_view json);
 std::string answersText(const FormAnswers& answers);
 
 struct AnswerTrouble {
-  std::string item{};      ///< FormItem::name, or the name of an answer to which no item belongs
+  std::string item{};      ///< question concerned (FormItem::name), or key of an answer to no question of the form
   std::string sentence{};  ///< explains the error and what to do
 };
 
-/// Returns every reason why these answers cannot be stored, in the form's order; empty if they are valid.
+/// Returns all errors in answers to a form, in the form's order; empty if the answers can be stored.
 std::vector<AnswerTrouble> checkAnswers(const Form& form, const FormAnswers& answers);
 
+/// Score of a filled form.
 struct FormScore {
-  double points = 0, most = 0;      ///< sums over items that were answered with an option that has points
-  std::optional<double> percent{};  ///< 100 points / most; empty if nothing is scored
-  int scored = 0;                   ///< number of scored items
-  /// Number of items with points that were not answered, or were answered with an option without points.
+  /// points and maximum points, summed over questions that were answered with an option that has points
+  double points = 0, most = 0;
+  std::optional<double> percent{};  ///< 100 points / most; empty if no question is scored
+  int scored = 0;                   ///< number of questions answered with an option that has points
+  /// Number of questions with points that were not answered, or were answered with an option without points.
   int unscored = 0;
 };
 
-/// Computes the score. Invalid answers are left out. `most` counts the points of each item's best option.
+/// Computes the score of a filled form; invalid answers are left out. FormScore::most sums the points of each
+/// question's best option.
 FormScore formScore(const Form& form, const FormAnswers& answers);
 
 }  // namespace insonate

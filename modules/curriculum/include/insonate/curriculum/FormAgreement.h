@@ -10,7 +10,7 @@
 
 namespace insonate {
 
-/// Two raters, by name, with their agreement on the attempts that both judged.
+/// Two raters (names) and their agreement on the attempts that both judged.
 struct RaterPair {
   std::string first{}, second{};
   int attempts = 0;
@@ -20,19 +20,20 @@ struct RaterPair {
 /// Agreement of raters who judged attempts by one form. Cohen's kappa compares two raters; three or more are compared
 /// in pairs.
 struct FormAgreement {
-  int judged = 0;                  ///< attempts judged by at least one rater
-  int judgedTwice = 0;             ///< attempts judged by at least two raters
-  int otherVersions = 0;           ///< forms that are left out since they belong to another version of the form
-  std::vector<RaterPair> pairs{};  ///< sorted by the raters' names
+  int judged = 0;       ///< number of attempts judged by at least one rater
+  int judgedTwice = 0;  ///< number of attempts judged by at least two raters
+  /// number of filled forms left out, since they were filled in for another version of the form
+  int otherVersions = 0;
+  std::vector<RaterPair> pairs{};  ///< agreement of each pair of raters, sorted by their names
 };
 
-/// Agreement of the raters; `forms` in the order of arrival. Only the first form of a rater about an attempt counts: a
-/// form is submitted once, and a second form, which older programs stored, was filled in when the others' answers were
-/// known. Leaves out forms that are about no attempt, that the person concerned wrote, or that are withheld.
+/// Computes the agreement of raters from `forms`, in the order in which they were submitted. Only the first form of a
+/// rater about an attempt counts: a second one (older program versions stored it) was filled in with the others'
+/// answers known. Forms about no attempt, by the person concerned, or with withheld answers are left out.
 FormAgreement agreementOf(const Form& form, std::span<const KeptForm> forms);
 
-/// CSV with a line for each pair of raters and item, preceded by a line for all items ("total"). Missing values are
-/// empty.
+/// Writes the agreement as CSV: for each pair of raters one line for all questions ("total"), then one for each
+/// question. Missing values are empty.
 std::string agreementCsv(const Form& form, const FormAgreement& agreement);
 
 }  // namespace insonate

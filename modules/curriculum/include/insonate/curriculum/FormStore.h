@@ -10,23 +10,24 @@
 
 namespace insonate {
 
-/// Stores filled-in forms, which are neither changed nor deleted. People fill in forms about themselves, and
-/// instructors about learners in their cohorts. Visible to the person concerned and to those who may see the person's
-/// attempts. Raters, whatever their role, see another rater's answers about an attempt only after submitting the same
-/// form about it themselves.
+/// Access to filled forms in the database, with the permissions of a signed-in user. Forms can be added, but neither
+/// changed nor deleted. People fill in forms about themselves, and instructors about learners in their cohorts
+/// (classes). A form can be read by the person concerned and by all who may see the person's attempts. Raters see
+/// another rater's answers about an attempt only after submitting the same form themselves.
 class FormStore {
  public:
   explicit FormStore(SignedIn by) : by_(std::move(by)) {}
 
-  /// Adds a form and returns its id. Adding the same form again is no error; another form of the same kind by the same
-  /// rater about the same attempt is refused.
+  /// Adds a filled form and returns its id. Adding the same form again is no error; another form of the same kind by
+  /// the same rater about the same attempt is refused.
   Result<std::string> add(const FilledForm& filled) const;
-  /// Returns the forms about a person, in the order of arrival.
+  /// Returns the filled forms about a person, in the order in which they were submitted.
   Result<std::vector<KeptForm>> ofPerson(const std::string& person) const;
   Result<std::vector<KeptForm>> ofAttempt(const std::string& attempt) const;
-  /// Returns the forms of one kind about all learners of a cohort, in the order of arrival.
+  /// Returns the filled forms with the name `form` about all learners of a cohort, in the order in which they were
+  /// submitted.
   Result<std::vector<KeptForm>> ofCohort(const std::string& cohort, const std::string& form) const;
-  /// Returns the agreement of the raters over all attempts of a cohort. The figures disclose no rater's answers.
+  /// Returns the agreement of raters on `form` over all attempts of a cohort. The numbers disclose no rater's answers.
   Result<FormAgreement> agreement(const std::string& cohort, const Form& form) const;
 
  private:

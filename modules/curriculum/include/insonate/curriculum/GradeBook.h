@@ -9,18 +9,22 @@
 
 namespace insonate {
 
+/// Grade of one person, for export to a learning management system.
 struct Grade {
   Person person{};
-  std::optional<double> percent{};  ///< empty: not graded yet
+  std::optional<double> percent{};  ///< grade, 0 to 100; empty: not graded yet
   std::string feedback{};
 };
 
-enum class GradeKey { Email, Name };  ///< key by which a learning management system identifies people
+enum class GradeKey {
+  Email,
+  Name
+};  ///< identifies people in a learning management system: by e-mail address or by name
 
-/// A person who is left out of the grades.
+/// A person who is left out of exported grades.
 struct UngradedPerson {
   std::string fullName{};
-  std::string why{};  ///< "no grade yet", "no e-mail address", "no name"
+  std::string why{};  ///< reason: "no grade yet", "no e-mail address", "no name"
 };
 
 struct GradeBook {
@@ -28,9 +32,9 @@ struct GradeBook {
   std::vector<UngradedPerson> leftOut{};
 };
 
-/// Grades for Moodle's import: a column "Email address" or "ID number", a column `item`, and a column of feedback if
-/// anyone has feedback. People without a grade are left out, with their feedback: Moodle would import the empty grade
-/// next to the feedback and overwrite an existing grade.
+/// Writes grades as CSV for Moodle's import: a column "Email address" or "ID number", a column with the title `item`,
+/// and a column of feedback if any person has feedback. People without a grade are left out, with their feedback:
+/// Moodle would overwrite an existing grade by the empty one.
 GradeBook gradeBook(const std::string& item, GradeKey key, std::span<const Grade> grades);
 
 }  // namespace insonate

@@ -11,34 +11,33 @@ namespace insonate {
 /// Curve fitted to a metric over a person's attempts; the first attempt is number 1.
 struct LearningCurve {
   enum class Shape {
-    Power,        ///< plateau + gain n^-rate
-    Exponential,  ///< plateau + gain exp(-rate (n - 1))
+    Power,        ///< power law of the attempt number n: plateau + gain n^-rate
+    Exponential,  ///< exponential in the attempt number n: plateau + gain exp(-rate (n - 1))
   };
 
   Shape shape = Shape::Power;
   Estimate plateau{};   ///< value that the curve approaches with practice
-  Estimate gain{};      ///< difference of the first attempt from the plateau; positive if values fall
-  double rate = 0;      ///< per attempt (exponential), or the exponent (power); above 0
+  Estimate gain{};      ///< value at the first attempt minus plateau; positive if values fall with practice
+  double rate = 0;      ///< learning rate per attempt (exponential), or exponent (power); above 0
   double residual = 0;  ///< standard deviation of the values about the curve
   int attempts = 0;     ///< number of attempts to which the curve was fitted
-  /// Permitted range of the metric; curve, plateau's interval and band stay within it.
+  /// Permitted range of the metric; the curve and its confidence intervals stay within it.
   Interval range = rangeOf(ValueKind::Any);
-  std::array<double, 9> spread{};  ///< covariance of plateau, gain and rate, row by row
+  std::array<double, 9> spread{};  ///< covariance matrix of plateau, gain and rate, row by row
 
-  /// Value of the curve at an attempt; the first attempt is 1.
+  /// Returns the curve's value at an attempt; the first attempt is 1.
   double at(double attempt) const;
-  /// Confidence interval of the curve at an attempt (delta method, t with attempts - 3 degrees of freedom).
+  /// Returns the confidence interval of the curve at an attempt (delta method, t with attempts - 3 degrees of freedom).
   Interval bandAt(double attempt, double confidence = 0.95) const;
 };
 
 /// Fits a curve by least squares to the values of attempts 1, 2, 3 and so on; an attempt without a value keeps its
-/// number. Empty if the data cannot distinguish the curve from no learning or from endless learning. This is so for
-/// fewer than 6 values, a non-finite value, a rate at the limit of what that many attempts can show, a sum of squares
-/// that an F test at 5 % does not distinguish from the sum of squares about the mean, or a plateau outside the kind's
-/// range.
+/// number. Empty if the data do not determine a learning curve: fewer than 6 values, a non-finite value, a rate at the
+/// limit of what that many attempts can show, a fit that an F test at 5 % does not find better than the mean, or a
+/// plateau outside the range of `kind`.
 std::optional<LearningCurve> fitLearningCurve(LearningCurve::Shape shape, std::span<const std::optional<double>> values,
                                               ValueKind kind = ValueKind::Any);
-/// Fits both shapes and returns the better fit.
+/// Fits a power law and an exponential, and returns the better fit.
 std::optional<LearningCurve> fitLearningCurve(std::span<const std::optional<double>> values,
                                               ValueKind kind = ValueKind::Any);
 

@@ -8,22 +8,23 @@
 
 namespace insonate {
 
-/// A situation in the course of a level, with the sentence that the trainee then reads.
+/// A situation of a trainee at a level, with the sentence that the trainee then reads.
 struct StoryTurn {
   enum class When {
-    Beginning,     ///< no attempt at any level yet
+    Beginning,     ///< before the first attempt at any level
     Reached,       ///< all prerequisites are mastered
-    AfterFailure,  ///< the first attempt at this level failed
-    AfterPass,     ///< an attempt passed, but more passes are needed for mastery
+    AfterFailure,  ///< after a first, failed attempt at this level
+    AfterPass,     ///< after a passed attempt, when mastery requires more passes
     Mastered,
-    Lapsed,  ///< lapsed after too long without practice
+    Lapsed,  ///< mastery has lapsed after too many days without practice
   };
   When when = When::Beginning;
-  std::string sentence{};  ///< LevelProgress::why
+  std::string sentence{};  ///< sentence for the trainee: LevelProgress::why
 };
 
-/// Returns the course of a trainee who first fails and then always passes. Situations that cannot occur under the
-/// level's rule are left out. `curriculum` comes from parseCurriculum() and contains the level.
+/// Returns the situations of a trainee who first fails at a level and then always passes, as a preview for its author.
+/// Situations that cannot occur by the level's rule are left out. `curriculum` comes from parseCurriculum() and
+/// contains the level.
 std::vector<StoryTurn> levelStory(const Curriculum& curriculum, std::string_view level);
 
 }  // namespace insonate

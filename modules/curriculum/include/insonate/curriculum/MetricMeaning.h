@@ -12,17 +12,19 @@ namespace insonate {
 struct MetricMeaning {
   enum class Better { Lower, Higher, Neither };
 
-  std::string id{};     ///< as in MetricFact
+  std::string id{};     ///< id of the metric: MetricFact::id
   int version = 1;      ///< version of the metric's definition
-  std::string title{};  ///< "Punctures of the artery"
-  std::string unit{};   ///< "", "s", "mm", "%"
+  std::string title{};  ///< name shown to users: "Punctures of the artery"
+  std::string unit{};   ///< unit of the values: "", "s", "mm", "%"
   Better better = Better::Neither;
-  std::optional<double> novice{}, expert{};  ///< typical values, in `unit`; the expert's is the better value
+  /// published typical values of novices and experts, in `unit`; the expert's is the better one
+  std::optional<double> novice{}, expert{};
   ValueKind kind = ValueKind::Any;
 
-  /// Position of a value between the novice norm (0) and the expert norm (100), clamped; empty if a norm is missing.
+  /// Returns the position of a value on the scale from the novice value (0) to the expert value (100), clamped; empty
+  /// if one of these is missing.
   std::optional<double> share(double value) const;
-  /// Tells whether a value lies in the expert band.
+  /// Tells whether a value is at least as good as the expert value.
   bool inExpertBand(double value) const;
 };
 

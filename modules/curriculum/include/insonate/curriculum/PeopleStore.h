@@ -11,31 +11,36 @@
 
 namespace insonate {
 
-/// Accounts and their passwords. Trainees see themselves; instructors also see the people in their cohorts;
-/// administrators see everyone. Passwords have 8 to 200 characters. On a workstation that belongs to a server, people
-/// are changed on the server.
+/// Access to accounts and passwords in the database, with the permissions of a signed-in user. Trainees see themselves;
+/// instructors also see the people in their cohorts; administrators see everyone. Passwords have 8 to 200 characters.
+/// On a workstation that belongs to a server, people are changed on the server.
 class PeopleStore {
  public:
   explicit PeopleStore(SignedIn by) : by_(std::move(by)) {}
 
   /// Returns the signed-in user, or a person whom the user may see.
   Result<Person> person(const std::string& id) const;
-  /// Returns all people by name; administrators only.
+  /// Returns all people, sorted by name; administrators only.
   Result<std::vector<Person>> all() const;
 
   /// Adds a person, who must change `password` at the first sign-in. An administrator may add anyone; an instructor may
-  /// add trainees to `cohort`, which must be the instructor's own. An empty `cohort` means no cohort, and is for
-  /// administrators only.
+  /// add trainees to `cohort`, which must be the instructor's own. With an empty `cohort`, which only administrators
+  /// may pass, the person joins no cohort.
   Result<Person> add(const NewPerson& person, const std::string& password, const std::string& cohort = "") const;
-  /// Changes a person's name, full name, e-mail, role and disabled state; administrators only. The last administrator
-  /// who can sign in must remain one.
+  /// Changes a person's name, full name, e-mail, role and disabled state; administrators only. Fails if no
+  /// administrator who can sign in would remain.
   Result<void> change(const Person& person) const;
   /// Changes full name and e-mail of the signed-in user.
   Result<void> changeOwnDetails(const std::string& fullName, const std::string& email) const;
 
   Result<void> changeOwnPassword(const std::string& old, const std::string& password) const;
-  /// Sets a password for another person, who must change it at the next sign-in; also unlocks the person's name.
-  /// Instructors may do so for trainees of their cohorts.
+  /// Makes a token that signs the user in without a password, for a computer that only this user can open. Keep it in a
+  /// file that only its owner can read: the store keeps its hash. A new password revokes it.
+  Result<std::string> staySignedIn() const;
+  /// Revokes all tokens of the signed-in user.
+  Result<void> revokeTokens() const;
+  /// Sets a password for another person, who must change it at the next sign-in; also ends a lock after failed
+  /// sign-ins. Allowed to administrators, and to instructors for trainees of their cohorts.
   Result<void> resetPassword(const std::string& person, const std::string& password) const;
 
  private:

@@ -6,23 +6,23 @@ namespace insonate {
 
 enum class Role { Trainee, Instructor, Administrator };
 
-/// A user with an account. An instructor sees the instructor's own cohorts only.
+/// A user with an account.
 struct Person {
-  std::string id{};        ///< UUID
+  std::string id{};        ///< UUID of the person
   std::string name{};      ///< name for signing in; unique, ignoring case
   std::string fullName{};  ///< name shown to others
-  std::string email{};     ///< may be empty
+  std::string email{};     ///< e-mail address, or empty
   Role role = Role::Trainee;
-  bool disabled = false;  ///< cannot sign in; the person's data is kept
+  bool disabled = false;  ///< true: the person cannot sign in; all data is kept
 
   bool operator==(const Person&) const = default;
 };
 
-/// People who are taught together, by one version of one curriculum.
+/// A class: people who are taught together, by one version of one curriculum.
 struct Cohort {
-  std::string id{};  ///< UUID
+  std::string id{};  ///< UUID of the cohort
   std::string name{};
-  std::string curriculum{};  ///< Curriculum::name; "": no curriculum yet
+  std::string curriculum{};  ///< name of the curriculum (Curriculum::name); "": none yet
   int curriculumVersion = 0;
 
   bool operator==(const Cohort&) const = default;

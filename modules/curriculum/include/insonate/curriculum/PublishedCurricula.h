@@ -10,8 +10,9 @@
 
 namespace insonate {
 
+/// A published version of a curriculum, without its text.
 struct CurriculumEntry {
-  std::string name{};  ///< as in the curriculum's text
+  std::string name{};  ///< name of the curriculum (Curriculum::name)
   int version = 0;
   std::string hash{};  ///< SHA-256 of the curriculum's text, hexadecimal
   std::int64_t published_us = 0;
@@ -20,24 +21,27 @@ struct CurriculumEntry {
   bool operator==(const CurriculumEntry&) const = default;
 };
 
-/// Curricula as JSON texts. A published version is fixed; a change is another version, made from a draft. Everyone
-/// reads published versions; instructors and administrators see drafts and publish. On a workstation that belongs to a
-/// server, curricula are published on the server.
+/// Access to curricula (JSON texts) in the database, with the permissions of a signed-in user. A published version
+/// never changes; a changed draft is published as the next version. Everyone reads published versions; instructors and
+/// administrators see drafts and publish. On a workstation that belongs to a server, curricula are published on the
+/// server.
 class PublishedCurricula {
  public:
   explicit PublishedCurricula(SignedIn by) : by_(std::move(by)) {}
 
-  /// Returns all curricula by name, newest version first.
+  /// Returns all published versions, sorted by name, newest version first.
   Result<std::vector<CurriculumEntry>> list() const;
-  /// Returns the text of a version. Also fails if the text differs from the published text.
+  /// Returns the JSON text of a published version. Fails if there is none, or if its hash shows that the stored text
+  /// was changed.
   Result<std::string> text(const std::string& name, int version) const;
-  /// Publishes a version. `text` is valid for parseCurriculum(), has this name and version and at most 1 MB; it is
-  /// stored byte for byte. Version numbers must rise; publishing the same text again is no error.
+  /// Publishes a version of a curriculum. `text` must be accepted by parseCurriculum(), contain this name and version
+  /// and have at most 1 MB; it is stored byte for byte. Version numbers must rise; publishing the same text again is no
+  /// error.
   Result<CurriculumEntry> publish(const std::string& name, int version, const std::string& text) const;
 
-  /// Saves the draft of this name. There is one draft for each name, shared by instructors; it may be any text of at
-  /// most 1 MB. `before` is the draft as the caller last read it, "" if there was none. Fails if another user has saved
-  /// a different draft since, so that it is not overwritten unseen.
+  /// Saves the draft of a curriculum: any text of at most 1 MB. Each name has one draft, shared by all instructors.
+  /// `before`: the draft as the caller last read it, "" if there was none; fails if another user has saved a different
+  /// draft since.
   Result<void> saveDraft(const std::string& name, const std::string& text, const std::string& before) const;
   Result<std::vector<std::string>> drafts() const;
   Result<std::string> draft(const std::string& name) const;

@@ -15,29 +15,29 @@ struct RatedTwice {
   FormAnswers first{}, second{};
 };
 
-/// Agreement of two raters on one item, computed from the item's own grades.
+/// Agreement of two raters on one question of a form.
 struct ItemAgreement {
-  std::string item{};  ///< FormItem::name
+  std::string item{};  ///< question: FormItem::name
   int pairs = 0;
   std::optional<double> agreement{};
   std::optional<double> kappa{};
-  std::optional<Estimate> points{};  ///< ICC(2,1)
+  std::optional<Estimate> points{};  ///< ICC(2,1) of the points
 };
 
 /// Agreement of two raters on a form. Missing values are treated as in Agreement.h.
 struct RaterComparison {
   int pairs = 0;                      ///< number of items that both raters answered with points, over all attempts
-  std::optional<double> agreement{};  ///< share of pairs with equal answers
+  std::optional<double> agreement{};  ///< share of `pairs` with equal answers
   std::optional<double> kappa{};      ///< Cohen's kappa; with quadratic weights if there are more than two grades
   std::optional<Estimate> scores{};   ///< ICC(2,1) of FormScore::percent over the attempts
-  /// FormItem::name of the items on which the raters differed, the most frequent first, as topics for discussion.
+  /// Questions on which the raters differed (FormItem::name), the most frequent first, as topics for discussion.
   std::vector<std::string> differing{};
-  std::vector<ItemAgreement> items{};  ///< items that have points, in the form's order
+  std::vector<ItemAgreement> items{};  ///< agreement on each question that has points, in the form's order
 };
 
-/// Compares two raters. Grades are an item's options that have points, in the order of rising points. The overall
-/// values leave out items with fewer grades than the form's other items, since the grades of such items have another
-/// meaning.
+/// Compares the answers of two raters. The grades of a question are its options that have points, in the order of
+/// rising points. The overall values leave out questions with fewer grades than the form's other questions, since such
+/// grades have another meaning.
 RaterComparison compareRaters(const Form& form, std::span<const RatedTwice> attempts);
 
 }  // namespace insonate

@@ -8,9 +8,9 @@
 
 namespace insonate {
 
-/// Returns the ids of a person's attempts whose metrics equal those of an earlier attempt of any person, to the last
-/// digit (Implausible::SameValues). Attempts without a needle pass are ignored. The owner of the earlier attempt is
-/// not disclosed. For users who may call AttemptStore::history() for the person.
+/// Returns the ids of a person's attempts whose metrics are exactly equal to those of an earlier attempt of any person
+/// (Implausible::SameValues). Attempts in which the needle did not reach the skin are ignored. The owner of the earlier
+/// attempt is not disclosed. For users who may call AttemptStore::history() for the person.
 Result<std::set<std::string>> repeatedValues(const SignedIn& by, const std::string& person);
 
 }  // namespace insonate

@@ -9,18 +9,19 @@ namespace store {
 class Session;
 }
 
-/// A signed-in user of a store, on whose behalf data is read and written. Copies are handles of the same session. The
-/// session keeps the store open and ends with the last copy. Permissions are read at each call: a user who is disabled,
-/// or whose password was reset by others, is refused from then on. Any thread may use it.
+/// Session of a user who has signed in to the database of people and attempts; every read and write is made with this
+/// user's permissions. Copies are handles of the same session, which keeps the database open and ends with the last
+/// copy. Permissions are checked at each call: a user who is disabled, or whose password was reset by others, is
+/// refused from then on. For use on any thread.
 class SignedIn {
  public:
   bool isGuest() const;
-  /// The user's data at sign-in; all empty for a guest.
+  /// Returns the user's data at sign-in; all empty for a guest.
   const Person& person() const;
   /// Tells whether the user must first call PeopleStore::changeOwnPassword(); nothing else is allowed until then.
   bool mustChangePassword() const;
 
-  /// Used by the stores of this module.
+  /// Used only by the classes of this module, such as AttemptStore.
   explicit SignedIn(std::shared_ptr<store::Session> session);
   const std::shared_ptr<store::Session>& session() const { return session_; }
 

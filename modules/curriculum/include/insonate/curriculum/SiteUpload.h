@@ -11,41 +11,45 @@
 
 namespace insonate {
 
+/// An attempt or form that waits to be sent to the server.
 struct PendingUpload {
   std::int64_t number = 0;
-  std::string kind{};  ///< "attempt", "form"
+  std::string kind{};  ///< kind of the data: "attempt" or "form"
   std::string id{};    ///< id of the attempt or form
   std::int64_t since_us = 0;
 };
 
+/// Result of an exchange of data between a workstation and its server.
 struct UploadReport {
-  int attempts = 0, forms = 0;                 ///< number that the server accepted
-  int people = 0, cohorts = 0, curricula = 0;  ///< number that came from the server and was new or different here
-  /// Sentences that name each fact that could not be sent and say what to do: a name that belongs to another person on
-  /// the server, a curriculum that differs on the server. Everything else was sent.
+  int attempts = 0, forms = 0;                 ///< numbers of attempts and forms that the server accepted
+  int people = 0, cohorts = 0, curricula = 0;  ///< numbers of people, cohorts and curricula that came from the server
+                                               ///< and were new or different on this workstation
+  /// Sentences about data that could not be sent, with what to do: a name that belongs to another person on the server,
+  /// a curriculum that differs on the server. Everything else was sent.
   std::vector<std::string> troubles{};
 };
 
-/// Exchanges facts between a workstation's store and its server's: people, roles, cohorts and curricula are
-/// downloaded, attempts and forms are uploaded. Needs no signed-in user, since it discloses nothing. A fact is sent
-/// until the server confirms it; a fact sent twice is stored once. After the first exchange the workstation's people,
-/// cohorts and curricula are the server's; a person known only here is uploaded as a disabled trainee, for the
-/// server's administrator to decide.
+/// Exchanges data between a workstation's database and a server's: people, roles, cohorts and curricula are downloaded,
+/// attempts and forms are uploaded. Needs no signed-in user, since nothing is disclosed. Data is sent until the server
+/// confirms it; data that arrives twice is stored once. After the first exchange the workstation's people, cohorts and
+/// curricula are the server's. A person known only to the workstation is uploaded as a disabled trainee, whom the
+/// server's administrator may enable.
 class SiteUpload {
  public:
   SiteUpload(CurriculumStore here, CurriculumStore server) : here_(std::move(here)), server_(std::move(server)) {}
 
-  /// Exchanges facts in batches, each a transaction; batches before a failure or a cancellation stay done. Fails if
-  /// the server cannot be reached (everything stays pending) or has no people yet.
+  /// Exchanges data in batches, each a transaction; batches before a failure or a cancellation stay done. Fails if the
+  /// server cannot be reached or has no people yet.
   Result<UploadReport> exchange(const Progress& progress = {}) const;
-  /// Number of facts that wait for the server. Every workstation has them; without a server they stay.
+  /// Returns the number of attempts and forms that wait to be sent. Without a server they wait indefinitely.
   Result<std::int64_t> pending() const;
 
  private:
   CurriculumStore here_, server_;
 };
 
-/// Returns the waiting facts, oldest first, at most `count` (1..1000). For administrators and instructors.
+/// Returns attempts and forms that wait to be sent to the server, oldest first, at most `count` (1..1000). For
+/// administrators and instructors.
 Result<std::vector<PendingUpload>> pendingUploads(const SignedIn& by, int count);
 
 }  // namespace insonate

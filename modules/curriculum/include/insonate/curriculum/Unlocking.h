@@ -13,42 +13,43 @@
 namespace insonate {
 
 enum class LevelState {
-  Locked,    ///< a prerequisite is not mastered
-  Open,      ///< can be learned now
-  Mastered,  ///< mastered; may still be practiced
-  Lapsed,    ///< was mastered, and must be renewed now
+  Locked,    ///< a prerequisite of the level is not mastered
+  Open,      ///< the level can be learned now
+  Mastered,  ///< the level is mastered, and may still be practiced
+  Lapsed,    ///< the level was mastered, and must be passed again
 };
 
 inline constexpr std::int64_t kForever_us = std::numeric_limits<std::int64_t>::max();
 
-/// State of one level for one person, with the reason.
+/// State of one level for one trainee, with the reason.
 struct LevelProgress {
   std::string level{};
   LevelState state = LevelState::Locked;
-  std::string why{};  ///< a sentence for the trainee
-  /// Time at which this state began; empty if it has held from the start or the level is locked.
+  std::string why{};  ///< reason for the state, a sentence for the trainee
+  /// Time at which the state began; empty if the level is locked, or has been in this state from the start.
   std::optional<std::int64_t> since_us{};
-  int attempts = 0;      ///< number of attempts that count (Judgement.h)
-  int passes = 0;        ///< number of passed attempts among these
-  int passesInARow = 0;  ///< consecutive passes up to the last attempt, since the last lapse
+  int attempts = 0;      ///< number of attempts at the level that count (Judgement.h)
+  int passes = 0;        ///< number of passed attempts among `attempts`
+  int passesInARow = 0;  ///< number of consecutive passes up to the last attempt, since mastery last lapsed
   bool lastPassed = false;
   int standardsMet = 0;         ///< number of standards met in the last attempt that counts
   std::vector<double> cusum{};  ///< LC-CUSUM score after each attempt; empty if the level has no such rule
   bool cusumSignalled = false;
-  /// Time until which the state stays the same without practice. Until then the sentence stays the same, too, unless
-  /// the level is mastered.
+  /// Time until which the state stays the same without practice; until then `why` also stays the same, unless the level
+  /// is mastered.
   std::int64_t until_us = kForever_us;
 };
 
-/// Minimum number of attempts to master a level: all attempts pass, and LC-CUSUM signals if it is required.
+/// Returns the minimum number of attempts with which a level can be mastered, all of them passed.
 int fewestAttempts(const MasteryRule& rule);
 
-/// Returns a person's state in each level, in the curriculum's order. The same input always gives the same output.
+/// Returns a trainee's state in each level, in the curriculum's order. The same input always gives the same output.
 ///
-/// An attempt counts (Judgement.h) for the level of its name, in any version of the curriculum, if its procedure is the
-/// level's. It is judged by this curriculum's rules. `history` is in the order of arrival; the times of attempts only
-/// count days without practice. Clocks jump: a time later than `now_us` or before 1970 is ignored, and no time is taken
-/// to be earlier than those before it. An attempt that has not ended is ignored, and so is its time.
+/// An attempt that counts (Judgement.h) belongs to the level with its AttemptFacts::level, in any version of the
+/// curriculum, if its procedure is the level's, and is judged by this curriculum's rules. `history` is in the order of
+/// AttemptStore::history(); times are only used to count days without practice. Since clocks jump, a time later than
+/// `now_us` or before 1970 is ignored, and a time earlier than that of a previous attempt is replaced by it. An attempt
+/// that has not ended is ignored.
 ///
 /// A level is mastered once the consecutive passes are reached and, where required, LC-CUSUM has signalled at some
 /// time. After a lapse the consecutive passes are required again, but no new signal; failures that lead to a lapse are

@@ -12,16 +12,17 @@
 
 namespace insonate {
 
-/// Identity of a site in xAPI statements.
+/// Identity of a training site in Experience API (xAPI) statements.
 struct XapiSite {
-  std::string homePage{};  ///< IRI of the site, for accounts and activities: "https://training.example.org"
-  bool byMail = false;     ///< identify actors by e-mail address if they have one, else by account
+  std::string homePage{};  ///< IRI of the site, from which ids of accounts and activities are made:
+                           ///< "https://training.example.org"
+  bool byMail = false;     ///< true: people are identified by e-mail address if they have one; otherwise by account
 };
 
-/// An attempt for which no statement is written.
+/// An attempt for which no xAPI statement is written.
 struct LeftOutAttempt {
-  std::string attempt{};  ///< AttemptFacts::id
-  std::string why{};      ///< "has not ended", "was abandoned before the skin"
+  std::string attempt{};  ///< id of the attempt: AttemptFacts::id
+  std::string why{};      ///< reason: "has not ended", "was abandoned before the skin was punctured"
 };
 
 struct XapiExport {
@@ -29,17 +30,18 @@ struct XapiExport {
   std::vector<LeftOutAttempt> leftOut{};
 };
 
-/// Writes Experience API 1.0.3 statements, one JSON text each, ready to be sent.
+/// Makes Experience API 1.0.3 statements about a person's attempts, one JSON text each, ready to be sent to a learning
+/// record store.
 ///
 /// The verb is "passed" or "failed" for an ended attempt at a level, "completed" in free practice, and "abandoned" for
 /// an abandoned attempt; a voided attempt voids its statement. Left out, with the reason, are attempts that do not
 /// count (Judgement.h) and those of other curricula or versions, since a statement must not change once it is sent. A
-/// level's assistance is part of its activity's definition, which stores do not compare. Ids are UUIDs of version 5
-/// made from the attempt's id, so that a repeated statement is recognized. Nothing is null: missing values are left
-/// out, as are times outside the years 1 to 9999. Fails if the home page is no absolute http address.
+/// level's assistance is part of its activity's definition, which learning record stores do not compare. Ids are UUIDs
+/// of version 5 made from the attempt's id, so that a repeated statement is recognized. Nothing is null: missing values
+/// are left out, as are times outside the years 1 to 9999. Fails if the home page is no absolute http address.
 Result<XapiExport> xapiStatements(const XapiSite& site, const Curriculum& curriculum, const Person& person,
                                   std::span<const AttemptFacts> attempts);
-/// Summary for the user: "Left out: 3 attempts (2 that have not ended, ...)."; "" if no attempt is left out.
+/// Returns a summary for the user: "Left out: 3 attempts (2 that have not ended, ...)."; "" if no attempt is left out.
 std::string leftOutSentence(std::span<const LeftOutAttempt> leftOut);
 
 /// Writes the statements to a file as a JSON array.

@@ -7,7 +7,8 @@
 
 namespace insonate::store {
 
-/// Copies people, passwords, cohorts, curricula and voided attempts from the server to this store.
+/// Copies people, passwords, cohorts, curricula and voids of attempts from the server's database to the workstation's
+/// (`here`).
 Result<void> fetchFromServer(Core& here, Core& server, UploadReport& report);
 
 }  // namespace insonate::store

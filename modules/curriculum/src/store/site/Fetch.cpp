@@ -121,13 +121,14 @@ int takeCurricula(Transaction& here, const std::vector<KeptCurriculum>& server, 
     const std::string name = "Version " + std::to_string(theirs.entry.version) + " of '" + theirs.entry.name + "'";
     const auto own = findCurriculum(here, theirs.entry.name, theirs.entry.version);
     if (!checkHash(theirs)) {
-      troubles.push_back(name + " is damaged on the server and was not taken; publish it there as a later version.");
+      troubles.push_back(name + " is damaged on the server and was not copied. Publish it there as a later version.");
     } else if (!own) {
       insertCurriculum(here, theirs);
       ++taken;
     } else if (own->entry.hash != theirs.entry.hash) {
-      troubles.push_back(name +
-                         " is another one on the server than here; publish the right one there as a later version.");
+      troubles.push_back(
+          name +
+          " differs between the server and this computer. Publish the right one on the server as a later version.");
     }
   }
   return taken;

@@ -85,7 +85,7 @@ Result<Batch> readBatch(Core& here, std::int64_t after) {
 Result<void> mergeAttempt(Transaction& server, const SentAttempt& sent, std::int64_t now_us) {
   const AttemptFacts& facts = sent.ended;
   const auto another = [&] {
-    return fail("The attempt " + facts.id + " is another one on the server and stays here; look at both.");
+    return fail("The attempt " + facts.id + " differs from the one on the server and was not sent. Compare the two.");
   };
   // Checks before anything is written, so that the others of the batch are stored all the same.
   if (auto ok = refuseKnownHands(server, facts); !ok)

@@ -44,11 +44,11 @@ void insert(Transaction& server, const Core& here, const Core& core, const Sent&
              sent.version);
   core.audit(server, "", "add person of workstation", sent.person.id, name + " of " + here.workstation());
   if (name != sent.person.name)
-    report.troubles.push_back("The server has another '" + sent.person.name + "': this one is '" + name +
+    report.troubles.push_back("The server already has another person '" + sent.person.name + "': this one is '" + name +
                               "' there and here from now on. An administrator can rename them on the server.");
-  report.troubles.push_back("'" + name +
-                            "' was known only here and is a disabled trainee on the server now; an administrator "
-                            "decides there.");
+  report.troubles.push_back(
+      "'" + name +
+      "' existed only on this computer, and is now a disabled trainee on the server. An administrator decides there.");
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ using store::Way;
 
 Result<void> checkServer(Core& here, Core& server) {
   if (here.address().isServer)
-    return fail(here.place() + " is a server itself; a workstation's file is uploaded to it.");
+    return fail(here.place() + " is a server. Name the file of a workstation, which is uploaded to a server.");
   if (here.place() == server.place())
     return fail(here.place() + " cannot be its own server; name the server's address.");
   const auto people = inTransaction(server, Way::Read, [](Transaction& transaction) -> Result<bool> {
@@ -34,7 +34,7 @@ Result<void> joinServer(Core& here, const std::string& server) {
     const auto site = transaction.row("SELECT server FROM site");
     if (!site || site->text(0) == server) return {};
     if (!site->text(0).empty())
-      return fail(here.place() + " belongs to " + site->text(0) + "; a workstation has one server.");
+      return fail(here.place() + " belongs to " + site->text(0) + ". A workstation can have only one server.");
     transaction.run("UPDATE site SET server = ?", server);
     here.audit(transaction, "", "join server", "", server);
     return {};

@@ -8,11 +8,12 @@
 
 namespace insonate::store {
 
-/// Sends people whom the server does not know yet, as disabled trainees; under another name if a person's name is
+/// Sends people whom the server does not know yet, as disabled trainees; with another sign-in name if the name is
 /// taken.
 Result<void> sendPeople(Core& here, Core& server, UploadReport& report);
 
-/// Sends all waiting facts in batches. Facts that the server has stored are removed from the outbox.
+/// Sends all waiting attempts and forms to the server in batches. What the server has stored is removed from the
+/// outbox.
 Result<void> sendFacts(Core& here, Core& server, UploadReport& report, const Progress& progress);
 
 }  // namespace insonate::store

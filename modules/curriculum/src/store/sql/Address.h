@@ -7,15 +7,15 @@
 
 namespace insonate::store {
 
-/// Address of a store: a file, or a database on a PostgreSQL server.
+/// Address of a curriculum database: an SQLite file, or a database on a PostgreSQL server.
 struct Address {
   bool isServer = false;
-  QString file{};                                  ///< for SQLite
-  QString host{}, database{}, user{}, password{};  ///< for PostgreSQL
+  QString file{};                                  ///< file of an SQLite database
+  QString host{}, database{}, user{}, password{};  ///< address and account of a PostgreSQL database
   int port = 5432;
 
   static Result<Address> parse(const std::string& text);
-  /// Address for messages, without the password.
+  /// Returns the address for messages, without the password.
   std::string place() const;
 };
 

@@ -26,8 +26,8 @@ QString latin(std::string_view text) {
 /// Retries every 2 ms for 10 s. SQLite's own handler sleeps up to 100 ms and rarely finds the gap between two
 /// transactions of a busy writer.
 int waitForOthers(void*, int tries) {
-  constexpr int kMostTries = 5000;
-  if (tries >= kMostTries) return 0;
+  constexpr int kMaxTries = 5000;
+  if (tries >= kMaxTries) return 0;
   std::this_thread::sleep_for(std::chrono::milliseconds(2));
   return 1;
 }

@@ -19,10 +19,10 @@ struct sqlite3;
 
 namespace insonate::store {
 
-/// One connection to a store, for use by one thread.
+/// One connection to a curriculum database, for use by one thread.
 class Connection {
  public:
-  /// Opens a connection; a missing file is created.
+  /// Opens a connection; a missing SQLite file is created.
   static Result<std::unique_ptr<Connection>> open(const Address& address);
   ~Connection();
   Connection(const Connection&) = delete;
@@ -31,14 +31,14 @@ class Connection {
   const Dialect& dialect() const { return dialect_; }
   const std::string& place() const { return place_; }
   bool isLost() const { return lost_; }
-  /// Handle of SQLite; null for PostgreSQL.
+  /// Returns the handle of SQLite's C interface; null for PostgreSQL.
   sqlite3* handle() const;
 
-  /// Runs a prepared statement, which is kept for the next call, and returns its rows.
+  /// Runs an SQL query and returns its rows; the prepared statement is kept for the next call.
   Result<std::vector<Row>> rows(std::string_view sql, const std::vector<QVariant>& values);
-  /// Runs a statement and returns the number of changed rows.
+  /// Runs an SQL statement and returns the number of changed rows.
   Result<std::int64_t> run(std::string_view sql, const std::vector<QVariant>& values);
-  /// Runs any number of statements without values.
+  /// Runs any number of SQL statements without bound values.
   Result<void> script(const std::string& sql);
 
  private:

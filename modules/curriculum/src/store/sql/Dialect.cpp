@@ -73,7 +73,8 @@ Error sqliteSentence(int code, const std::string& words, const std::string& plac
     case SQLITE_FULL:
       return {"The disk with " + place + " is full. Nothing was stored; free space and try again."};
     case SQLITE_READONLY:
-      return {place + " cannot be written. Give yourself the right to write the file and its folder."};
+      return {place +
+              " cannot be written. Change the permissions of the file and its folder so that you can write them."};
     case SQLITE_CANTOPEN:
       return {place + " cannot be opened. Check that its folder exists and that you may read and write it."};
     case SQLITE_CORRUPT:
@@ -93,7 +94,7 @@ Error serverSentence(const QString& code, const std::string& words, const std::s
     return {"The disk of " + place + " is full. Nothing was stored; ask the server's administrator."};
   if (code == "55P03")
     return {place + " has been in use by another workstation for longer than 10 s. Nothing was changed; try again."};
-  if (code == "42501") return {place + " does not give this user the rights for this: " + words};
+  if (code == "42501") return {place + " does not give this user the permission for this: " + words};
   return {place + " refused this: " + words + " Nothing was changed."};
 }
 

@@ -10,29 +10,29 @@ namespace insonate::store {
 
 enum class Way { Read, Write };
 
-/// Differences between SQLite and PostgreSQL; all other SQL is the same for both.
+/// Differences between the SQL of SQLite and PostgreSQL; all other statements are the same for both.
 struct Dialect {
-  std::string_view name;          ///< name in migration files
-  std::string_view driver;        ///< Qt's name of the driver
-  std::string_view options;       ///< options of Qt's connection
-  std::string_view setUp;         ///< statements that set up each connection
-  std::string_view beginReading;  ///< begins a transaction that reads one consistent snapshot
-  /// Begins a transaction as the only writer in the whole store, so that a new number is the last number plus one and
+  std::string_view name;          ///< name of the dialect in the file names of migrations
+  std::string_view driver;        ///< name of Qt's database driver
+  std::string_view options;       ///< options of a Qt connection (QSqlDatabase)
+  std::string_view setUp;         ///< SQL statements that set up each new connection
+  std::string_view beginReading;  ///< SQL statement that begins a transaction on one consistent snapshot, for reading
+  /// SQL statement that begins a transaction as the only writer in the whole database, so that numbers have no gaps and
   /// no transaction must be retried.
   std::string_view beginWriting;
-  std::string_view integer, real, text,
-      strict;  ///< text that replaces {INTEGER}, {REAL}, {TEXT} and {STRICT} in migrations
+  /// SQL texts that replace {INTEGER}, {REAL}, {TEXT} and {STRICT} in migrations.
+  std::string_view integer, real, text, strict;
 
   static const Dialect& sqlite();
   static const Dialect& postgresql();
 
-  /// A migration's text for this dialect.
+  /// Returns a migration's text in this dialect.
   std::string spelled(std::string_view migration) const;
 };
 
-/// Converts a driver's error to a sentence that says what to do. `place` names the store.
+/// Converts an error of the database driver to a sentence that says what to do. `place` names the database.
 Error sentenceOf(const QSqlError& error, const std::string& place);
-/// Tells whether an error means that the connection can no longer be used.
+/// Tells whether an error of the database driver means that the connection is lost.
 bool isLost(const QSqlError& error);
 
 }  // namespace insonate::store

@@ -13,7 +13,7 @@
 namespace insonate::store {
 namespace {
 
-constexpr int kPagesAStep = 1000, kMostWaits = 500;
+constexpr int kPagesAStep = 1000, kMaxWaits = 500;
 
 /// Another writer between two steps makes SQLite start the copy again; it gives up after 10 s without progress.
 int copyPages(sqlite3_backup* backup, int pagesAStep) {
@@ -21,7 +21,7 @@ int copyPages(sqlite3_backup* backup, int pagesAStep) {
   for (;;) {
     const int code = sqlite3_backup_step(backup, pagesAStep);
     if (code == SQLITE_OK) continue;
-    if ((code != SQLITE_BUSY && code != SQLITE_LOCKED) || ++waits > kMostWaits) return code;
+    if ((code != SQLITE_BUSY && code != SQLITE_LOCKED) || ++waits > kMaxWaits) return code;
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
 }

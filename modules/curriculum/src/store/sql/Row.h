@@ -11,7 +11,8 @@
 
 namespace insonate::store {
 
-/// Values as they are bound to a statement: truth values are 0 or 1, and an empty optional is SQL's NULL.
+/// Converts a value to the form in which it is bound to an SQL statement: truth values are 0 or 1, an empty optional is
+/// NULL.
 inline QVariant bound(std::string_view text) {
   if (text.empty()) return QVariant(QString(""));  // an empty text is not NULL
   // Texts to be stored were checked before; a zero byte in a search text would end the statement on its way to a
@@ -44,7 +45,7 @@ inline QVariant bound(const std::optional<std::string>& text) {
   return text ? bound(*text) : QVariant(QVariant::String);
 }
 
-/// One row of a statement's result; values are accessed by column number.
+/// One row of the result of an SQL statement; values are accessed by column number.
 class Row {
  public:
   explicit Row(std::vector<QVariant> values) : values_(std::move(values)) {}

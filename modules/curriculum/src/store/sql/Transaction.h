@@ -8,8 +8,9 @@
 
 namespace insonate::store {
 
-/// A transaction: all changes or none. After a failure it does nothing more, returns no rows, and keeps the first
-/// error, so that only its end must be checked. Without commit() all changes are undone.
+/// A database transaction: all changes are made or none. After a failed statement it executes nothing more, returns no
+/// rows, and keeps the first error, so that callers need to check only commit(). Without commit() all changes are
+/// undone.
 class Transaction {
  public:
   Transaction(Connection& connection, Way way);
@@ -26,18 +27,18 @@ class Transaction {
     std::vector<Row> found = asked(sql, {bound(values)...});
     return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
   }
-  /// Returns the number in the first column of the first row; 0 if there is no row.
+  /// Runs a query and returns the number in the first column of the first row; 0 if there is no row.
   template <class... Values>
   std::int64_t number(std::string_view sql, const Values&... values) {
     const auto found = row(sql, values...);
     return found ? found->number(0) : 0;
   }
-  /// Returns the number of changed rows.
+  /// Runs a statement and returns the number of changed rows.
   template <class... Values>
   std::int64_t run(std::string_view sql, const Values&... values) {
     return told(sql, {bound(values)...});
   }
-  /// Runs statements from outside the program's code, once.
+  /// Runs SQL statements from a file, such as a migration.
   void script(const std::string& sql);
 
   const std::optional<Error>& error() const { return error_; }

@@ -17,10 +17,11 @@ namespace insonate {
 /// The probe's face in the image plane. The middle of the face is at z = 0, with the tissue at larger z; the ends of
 /// the face are rounded.
 struct ProbeFace {
-  double width_mm = 38;      ///< along the chord of a curved face
-  double radius_mm = 0;      ///< of a curved face; 0 is flat
-  double footprint_mm = 10;  ///< width of the housing across the image plane; a force in N is spread over it
-  bool sticking = false;     ///< tissue under the face does not slide along it
+  double width_mm = 38;  ///< width of the face; along the chord if the face is curved
+  double radius_mm = 0;  ///< radius of a curved face; 0 for a flat face
+  /// Width of the probe's housing perpendicular to the image plane; a force in N is spread over this width.
+  double footprint_mm = 10;
+  bool sticking = false;  ///< true if tissue under the face does not slide along the face
 };
 
 /// Present blood pressure, kPa above atmospheric. The CT shows the vessels under MechanicalTissue::pressure_kPa.
@@ -28,51 +29,57 @@ struct BloodPressure {
   double artery_kPa = 0, vein_kPa = 0;
 };
 
-/// Input of one solution: tissue, face and pressures.
+/// Input of DeformationModel::solve(): tissue, face of the probe and blood pressures.
 struct DeformationInput {
   const TissuePlane* plane = nullptr;
   ProbeFace face;
   BloodPressure pressure;
-  /// Pose of the tissue plane in the patient. The model uses it to start from the last solution after the probe has
-  /// moved. Without it, every solution starts from rest.
+  /// Pose of the tissue plane in the patient. With a pose, the model starts from the last solution even after the probe
+  /// has moved; without a pose, every solution starts from undeformed tissue.
   std::optional<Transform> patientFromProbe;
-  /// Force of the face. If above 0, the face is moved along z until it presses with this force; else it stays at z = 0.
+  /// Required contact force. If above 0, the face is moved along z until it presses with this force; else the face
+  /// stays at z = 0.
   double force_N = 0;
 };
 
 struct LumenArea {
   std::uint8_t label = 0;
-  double area_mm2 = 0, rest_mm2 = 0;  ///< area in the plane, now and in the CT
+  /// Area of the vessel's lumen in the plane: area_mm2 under the probe, rest_mm2 in the CT.
+  double area_mm2 = 0, rest_mm2 = 0;
 };
 
-/// A node of the model's mesh, for display.
+/// A node of the model's mesh, for display: its undeformed position (restX_mm, restZ_mm) and its present position in
+/// the probe frame.
 struct MeshNode {
   float restX_mm = 0, restZ_mm = 0, x_mm = 0, z_mm = 0;
 };
 
-/// Result of one solution.
+/// Result of DeformationModel::solve(): displacement, force, lumens and mesh.
 struct Deformation {
   PlaneDisplacement displacement;
-  double force_N = 0;             ///< force of the tissue on the face
+  double force_N = 0;             ///< contact force of the tissue on the face
   double faceShift_mm = 0;        ///< distance by which the face was moved along z to reach the required force
-  std::vector<LumenArea> lumens;  ///< one for each vessel label in the plane
-  int iterations = 0;             ///< iterations of the solver
-  bool converged = true;          ///< the solution is within the model's tolerance
-  bool moved = false;             ///< false if nothing was solved: no contact, blood pressure as in the CT
+  std::vector<LumenArea> lumens;  ///< areas of lumens, one entry for each vessel label in the plane
+  int iterations = 0;             ///< number of iterations of the solver
+  bool converged = true;          ///< true if the solution is within the model's tolerance
+  bool moved = false;             ///< false if nothing had to be solved: no contact, and blood pressure as in the CT
 
   int meshColumns = 0, meshRows = 0;
-  std::vector<MeshNode> mesh;       ///< [row][column]
-  std::vector<float> pressure_kPa;  ///< of each cell of the mesh, (columns-1) x (rows-1); above 0 under compression
+  std::vector<MeshNode> mesh;  ///< nodes of the mesh, index [row][column]
+  /// Pressure in each cell of the mesh, (columns-1) x (rows-1) values; above 0 under compression.
+  std::vector<float> pressure_kPa;
 };
 
 /// Resolution of a model, and depth of the part of the plane that it covers.
 struct DeformationSettings {
-  double mesh_mm = 0.5;     ///< edge of the cells near vessels and face; 0.1..4
+  double mesh_mm = 0.5;     ///< edge of the mesh's cells near vessels and face; 0.1..4
   double depth_mm = 50;     ///< depth below the face at which tissue does not move; 10..200
-  int mostIterations = 60;  ///< maximum per solution; live images use few, and the next image continues
-  double tolerance_mm = 0;  ///< 0 for the model's default
-  /// If above 0: while the probe moves, a solution is accepted once its step is shorter than this; the next image
-  /// continues from it.
+  int mostIterations = 60;  ///< maximum number of iterations per solution; live imaging sets it low, and the next image
+                            ///< continues the solution
+  /// Longest node movement in the last step of a converged solution; 0 for the model's default.
+  double tolerance_mm = 0;
+  /// If above 0: while the probe moves, a solution is accepted once its last step moves no node by more than this; the
+  /// next image continues from the accepted solution.
   double enough_mm = 0;
 };
 
@@ -82,8 +89,8 @@ class DeformationModel {
   virtual ~DeformationModel() = default;
   virtual std::string_view name() const = 0;
 
-  /// Computes a solution. Allocates nothing once `answer` has its sizes and the mesh is not larger than before. The
-  /// result is always finite and one-to-one; `converged` tells whether it is within tolerance.
+  /// Computes a solution. Allocates nothing if the vectors of `answer` are large enough and the mesh is not larger than
+  /// before. The result is always finite and one-to-one; `converged` tells whether it is within tolerance.
   virtual void solve(const DeformationInput& input, Deformation& answer) = 0;
 
   /// Discards the last solution, so that the next solution starts from rest.

@@ -13,7 +13,7 @@ class FaceProfile {
   explicit FaceProfile(const ProbeFace& face);
 
   struct Point {
-    bool under = false;  ///< false beside the face
+    bool under = false;  ///< true if x lies within the outline; false beside the face
     float z_mm = 0;
   };
   Point at(float x_mm) const;

@@ -11,17 +11,18 @@ inline constexpr double kPascalPermmHg = 133.322;
 /// atmospheric, the clinical unit. The defaults are a healthy adult at rest, supine; their means are the pressures at
 /// which a CT was taken according to the preset `measured` of MechanicalTable. Sources: modules/deformation/README.md.
 struct Physiology {
-  double centralVenous_mmHg = 4;  ///< at the heart, mean over a breath, -5..30
-  double systolic_mmHg = 120;     ///< at the heart; 40..260, above diastolic
-  double diastolic_mmHg = 80;     ///< 20..180
-  double heartRate_perMin = 70;   ///< 20..250; 0 for no pulse: always mean pressure
-  double breathing_perMin = 14;   ///< 2..60; 0 for no respiration
+  double centralVenous_mmHg = 4;  ///< venous pressure at the heart, mean over a breath; -5..30
+  double systolic_mmHg = 120;     ///< maximum arterial pressure of a heartbeat, at the heart; 40..260, above diastolic
+  double diastolic_mmHg = 80;     ///< minimum arterial pressure of a heartbeat, at the heart; 20..180
+  double heartRate_perMin = 70;   ///< heart rate, 20..250; 0 for no pulse (constant mean pressure)
+  double breathing_perMin = 14;   ///< respiratory rate, 2..60; 0 for no respiration
   /// Peak-to-peak change of the neck's venous pressure; 0..20 for a minimum at the end of inspiration. Negative, down
   /// to -20, for a minimum at the end of expiration, as under mechanical ventilation.
   double breathingSwing_mmHg = 2.5;
   double tilt_deg = 0;                   ///< tilt of the table, -45..45; above 0 head down (Trendelenburg)
-  double neckAboveHeart_mm = 150;        ///< along the body, from the heart to the probe; 50..300
-  double indifferenceFromHeart_mm = 70;  ///< caudal distance to where tilt does not change venous pressure; 0..200
+  double neckAboveHeart_mm = 150;        ///< distance along the body from the heart to the probe; 50..300
+  double indifferenceFromHeart_mm = 70;  ///< distance from the heart, toward the feet, of the point whose venous
+                                         ///< pressure does not change with tilt; 0..200
 };
 
 /// Fails with a sentence that names field, value and allowed range.

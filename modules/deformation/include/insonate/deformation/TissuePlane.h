@@ -8,13 +8,13 @@
 
 namespace insonate {
 
-/// Undeformed tissue at a point.
+/// Undeformed tissue at a point of the image plane.
 struct PlaneTissue {
-  static constexpr float kFar_mm = 6;  ///< maximum absolute distance that is reported
+  static constexpr float kFar_mm = 6;  ///< maximum absolute value of the distances below
 
   std::uint8_t label = 0;  ///< label of insonate/tissue/Labels.h; 0 outside the body
   float artery_mm = kFar_mm, vein_mm = kFar_mm,
-        bone_mm = kFar_mm;   ///< distance to the structure, negative inside it
+        bone_mm = kFar_mm;   ///< distances to artery, vein and bone, negative inside the structure
   float skin_mm = -kFar_mm;  ///< distance to the skin, negative inside the body
 };
 
@@ -25,15 +25,15 @@ struct OutlineBend {
   float within_permm = 0, across_permm = 0;
 };
 
-/// Undeformed tissue in the image plane, as models query it. The plane belongs to a pose of the probe; the face may lie
-/// inside the undeformed tissue, and its depth there is the indentation.
+/// Undeformed tissue in the image plane, in the form in which deformation models query it. The plane belongs to a pose
+/// of the probe; the face may lie inside the undeformed tissue, and its depth there is the indentation.
 class TissuePlane {
  public:
   virtual ~TissuePlane() = default;
   /// Samples the tissue at any number of points; `tissue` must be as long as `at`. Called on one thread at a time.
   virtual void sample(std::span<const PlanePoint> at, std::span<PlaneTissue> tissue) const = 0;
-  /// Returns the curvature of the artery's or the vein's outline. The default, for planes that do not know the tissue
-  /// beside them, treats all vessels as perpendicular to the plane.
+  /// Returns the curvature of the artery's or the vein's outline. The default implementation, for planes without data
+  /// on the tissue to either side, treats all vessels as perpendicular to the plane.
   virtual void bend(std::span<const PlanePoint> at, float PlaneTissue::*outline, std::span<OutlineBend> bends) const {
     static_cast<void>(outline);
     std::ranges::fill(bends.first(at.size()), OutlineBend{});

@@ -15,21 +15,23 @@ struct Requirements {
   int major = 4, minor = 3;  ///< OpenGL version, core profile
   int storageBuffers = 8;    ///< storage buffers that one compute shader can access
   int workgroupThreads = 256;
-  bool hardware = false;  ///< a software renderer is refused, and not even loaded if EGL identifies it
+  bool hardware = false;  ///< true: software renderers are refused; those that EGL identifies are not even loaded
 };
 
 struct DeviceInfo {
   std::string renderer, vendor, version;
-  bool software = false;  ///< the processor does the rendering: Mesa's llvmpipe, SwiftShader and the like
+  bool software = false;  ///< the CPU renders (Mesa's llvmpipe, SwiftShader and the like)
 };
 
 class Current;
 
-/// An OpenGL context on the first hardware device that meets the requirements, else on a software renderer. Objects
-/// made with it keep it alive. Any thread may use it, but only one at a time (see Current).
+/// An OpenGL context on the first hardware device that meets the requirements, else on a software renderer. Buffers and
+/// programs that were made with a context keep the context alive. Any thread may use a context, but only one thread at
+/// a time (see Current).
 class Context : public std::enable_shared_from_this<Context> {
  public:
-  /// Fails if there is no EGL, no device, or no driver that meets the requirements; the sentence says which.
+  /// Makes a context. Fails if there is no EGL, no device, or no driver that meets the requirements; the error says
+  /// which is missing.
   static Result<std::shared_ptr<Context>> make(const Requirements& requirements = {});
   ~Context();
 
@@ -39,7 +41,8 @@ class Context : public std::enable_shared_from_this<Context> {
   /// or if the thread has another current OpenGL context that cannot be set aside (GLX).
   Result<Current> use();
 
-  /// Tells whether use() or Current::check() found the context lost, with all its contents.
+  /// Tells whether use() or Current::check() has found that the context, with all its contents, was lost, e.g. by a
+  /// reset of the card.
   bool lost() const { return lost_; }
   /// Simulates a reset of the card, for tests: use() fails from now on.
   void simulateLoss() { lost_ = true; }

@@ -24,12 +24,14 @@ class Buffer {
   Buffer& operator=(Buffer&& other) noexcept;
 
   std::size_t bytes() const { return bytes_; }
-  /// Replaces the contents from the beginning, at most bytes(); work that is already running still sees the old
-  /// contents.
+  /// Writes `contents`, at most bytes() long, to the beginning of the buffer. Work that is already running on the card
+  /// still reads the old contents.
   void write(const Current& current, std::span<const std::byte> contents) const;
-  /// Waits for running work, then reads; for tests. ReadBack reads without stopping the card.
+  /// Waits for the card's running work, then copies the buffer into `contents`. Only for tests, since the card stops
+  /// working meanwhile; ReadBack reads without stopping the card.
   void read(const Current& current, std::span<std::byte> contents) const;
-  /// Binds the buffer as `layout(binding = slot) buffer`, or as `layout(binding = slot) uniform` up to 16 KB.
+  /// bindStorage() binds the buffer to a shader's `layout(binding = slot) buffer`, bindUniform() to a `layout(binding =
+  /// slot) uniform` block of up to 16 KB.
   void bindStorage(const Current& current, unsigned slot) const;
   void bindUniform(const Current& current, unsigned slot) const;
 
@@ -42,7 +44,8 @@ class Buffer {
   unsigned id_ = 0;
 };
 
-/// A table of pairs of floats with integer indices: `layout(binding = slot) uniform sampler2D`, texelFetch().
+/// A two-dimensional table of pairs of floats in the card's memory. Shaders declare it as `layout(binding = slot)
+/// uniform sampler2D` and read it by integer indices with texelFetch().
 class PairTexture {
  public:
   PairTexture() = default;
@@ -50,8 +53,8 @@ class PairTexture {
   PairTexture(PairTexture&& other) noexcept;
   PairTexture& operator=(PairTexture&& other) noexcept;
 
-  /// `pairs` holds 2 * columns * rows floats, row by row. Fails if the table exceeds the card's maximum texture size.
-  /// Allocates only if the size changes.
+  /// Replaces the table: `pairs` holds 2 * columns * rows floats, row by row. Fails if the table exceeds the card's
+  /// maximum texture size. Allocates only if the size changes.
   Result<void> write(const Current& current, int columns, int rows, std::span<const float> pairs);
   void bind(const Current& current, unsigned slot) const;
 
@@ -61,8 +64,8 @@ class PairTexture {
   int columns_ = 0, rows_ = 0;
 };
 
-/// Fetches results while the card continues to work. Up to two transfers are in progress, each into its own memory
-/// behind a fence.
+/// Copies results from the card to the processor's memory while the card continues to work. Up to two transfers are in
+/// progress, each into its own memory; a fence tells when a transfer is finished.
 class ReadBack {
  public:
   ReadBack() = default;

@@ -19,7 +19,8 @@ struct Field {
 /// A compute shader.
 class Program {
  public:
-  /// Compiles the concatenated `parts` after a line with the GLSL version. Fails with the compiler's log.
+  /// Compiles the shader text in `parts`, concatenated in this order, after a line with the GLSL version. Fails with
+  /// the compiler's log.
   static Result<Program> make(const Current& current, std::string name, std::span<const std::string_view> parts);
   ~Program();
   Program(Program&& other) noexcept;
@@ -27,9 +28,9 @@ class Program {
 
   const std::string& name() const { return name_; }
 
-  /// Compares a uniform block with its mirror in C++: names, offsets, number of fields, size. Arrays are represented
-  /// by their first element, arrays of structures by the fields of the first. Fails with the first difference. A
-  /// program that does not use the block passes.
+  /// Compares a shader's uniform block with the C++ structure of the same layout: names, offsets, number of fields,
+  /// size. Arrays are represented by their first element, arrays of structures by the fields of the first. Fails with
+  /// the first difference. A program that does not use the block passes.
   Result<void> checkBlock(const Current& current, std::string_view block, std::span<const Field> fields,
                           std::size_t size) const;
 

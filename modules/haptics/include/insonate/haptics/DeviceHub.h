@@ -21,7 +21,7 @@ class HidDevice;
 struct HidFound;
 }  // namespace haptics
 
-/// Returns the bus of the devices on USB and Bluetooth, accessed through hidapi.
+/// Returns a bus that lists and opens the USB and Bluetooth devices, through hidapi.
 std::shared_ptr<haptics::HidBus> usbDevices();
 
 struct HubOptions {
@@ -29,35 +29,37 @@ struct HubOptions {
   std::vector<DeviceTable> tables = builtInDeviceTables();
 };
 
-/// All devices of this session: devices on the bus that match a table, and devices that are added by the program. A
-/// device on the bus is opened when it is plugged in, and again each time it returns. All functions may be called from
-/// any thread except the servo's, which uses the devices directly.
+/// Finds and owns all haptic devices and pedals: USB and Bluetooth devices that match a device table, and devices that
+/// the program adds. A matching device is opened when it is plugged in, and again each time it is reconnected. All
+/// functions may be called from any thread except that of the servo (the force loop), which uses the devices directly.
 class DeviceHub {
  public:
   explicit DeviceHub(std::shared_ptr<haptics::HidBus> bus, HubOptions options = {});
-  /// Releases all devices, after a last zero force. A device that another object still holds becomes absent.
+  /// Sends each device a last zero force and releases it. A device that another object still owns gets the phase
+  /// kAbsent.
   ~DeviceHub();
   DeviceHub(const DeviceHub&) = delete;
   DeviceHub& operator=(const DeviceHub&) = delete;
 
-  /// Starts searching the bus, now and after each `rescan`, on its own thread. Returns at once.
+  /// Starts a thread that searches for plugged-in devices now and after each interval HubOptions::rescan. Returns at
+  /// once.
   void start();
   /// Searches for devices once, on the calling thread. Do not call this while start() is in effect.
   void scanOnce();
 
-  /// Adds a device that is not on the bus: simulated, replayed or of a vendor's kit.
+  /// Adds a device that is not found by searching USB and Bluetooth: simulated, replayed or of a vendor's SDK.
   void add(std::shared_ptr<HapticDevice> device);
   /// All devices seen since the start, including devices that are no longer present, in the order in which they
   /// appeared.
   std::vector<std::shared_ptr<HapticDevice>> devices() const;
-  /// Returns the events since the last call, oldest first, at most 1000.
+  /// Returns the device events (connected, lost, failed) since the last call, oldest first, at most 1000.
   std::vector<DeviceEvent> takeEvents();
-  /// Recorder of the raw reports of all devices on the bus.
+  /// Recorder of the raw input and output reports of all USB and Bluetooth devices.
   ReportRecorder& recorder() { return *recorder_; }
 
  private:
   struct Slot {
-    std::string kind;  ///< vendor, product and serial number
+    std::string kind;  ///< identifies a device across reconnections: vendor, product and serial number
     std::shared_ptr<haptics::HidDevice> device;
   };
 

@@ -10,9 +10,9 @@ namespace insonate {
 /// right, y up, z toward the user; mm. The stylus's frame has its origin at the point at which the device pushes; -z
 /// points along the stylus, away from the hand.
 struct DeviceState {
-  Transform deviceFromStylus;  ///< rigid
+  Transform deviceFromStylus;  ///< rigid pose of the stylus in the device's frame
   Vec3 velocity_mmps;          ///< velocity of the stylus's origin; 0 if the device does not report it
-  Vec3 angularVelocity_radps;  ///< device frame; 0 if the device does not report it
+  Vec3 angularVelocity_radps;  ///< angular velocity of the stylus, device frame; 0 if the device does not report it
   std::uint32_t buttons = 0;   ///< one bit per button, the first button is bit 0; 1: pressed
   std::int64_t time_ns = 0;    ///< time of the state, CLOCK_MONOTONIC; 0: no state yet
 };

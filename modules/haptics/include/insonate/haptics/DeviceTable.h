@@ -13,73 +13,82 @@
 
 namespace insonate {
 
-/// Purpose of a device.
+/// Purpose of an input device.
 enum class DeviceKind : std::uint8_t {
-  kForce,   ///< tool for a hand, with force feedback
-  kMotion,  ///< tool for a hand, without force feedback
-  kPedal,   ///< buttons only
+  kForce,   ///< hand-held stylus with force feedback
+  kMotion,  ///< hand-held controller without force feedback
+  kPedal,   ///< pedal, which has only buttons
 };
 
 std::string_view nameOf(DeviceKind kind);
 
-/// Meaning of a field of a report. The unit is that of the raw value times the field's scale.
+/// Quantity that a field of a HID report contains. The unit applies to the raw value times the field's scale.
 enum class Quantity : std::uint8_t {
-  kEncoder,     ///< counts; index 0..5
-  kPosition,    ///< mm in the device's frame; index 0..2
-  kQuaternion,  ///< w, x, y, z
-  kDeflection,  ///< deflection of a spring-loaded cap, -1..1; index 0..2: along x, y, z; 3..5: about them
-  kButtons,     ///< one bit per button; index is the number of the first button
-  kKey,         ///< a button, pressed if one of `count` fields equals `usage`; index is the button's number
-  kStatus,      ///< device-specific bits
-  kSequence,    ///< number of the report
-  kTime,        ///< s, on the device's clock
-  kForce,       ///< output: N in the device's frame; index 0..2
-  kTorque,      ///< output: N mm; index 0..2
-  kCurrent,     ///< output: mA of a motor; index 0..2
+  kEncoder,     ///< encoder counts; index 0..5 selects the joint
+  kPosition,    ///< position, mm, device frame; index 0..2: x, y, z
+  kQuaternion,  ///< attitude as a quaternion; index 0..3: w, x, y, z
+  kDeflection,  ///< deflection of a 3D mouse's spring-loaded cap, -1..1; index 0..2: along x, y, z; 3..5: about x, y, z
+  kButtons,     ///< one bit per button; index: number of the button in the lowest bit
+  kKey,  ///< a single button, pressed if one of ReportField::count consecutive fields equals ReportField::usage; index:
+         ///< number of the button
+  kStatus,    ///< status bits whose meaning is specific to the device
+  kSequence,  ///< running number of the report
+  kTime,      ///< time in s on the device's own clock
+  kForce,     ///< output: force in N, device frame; index 0..2: x, y, z
+  kTorque,    ///< output: torque in N mm, device frame; index 0..2: about x, y, z
+  kCurrent,   ///< output: motor current in mA; index 0..2 selects the motor
 };
 
-/// Bits of a report, least significant first, as HID packs them. Bit 0 is the first bit after the report's id.
+/// One field of a HID report: a run of bits, least significant first, and its meaning. Bit 0 is the first bit after the
+/// report's id.
 struct ReportField {
   Quantity quantity = Quantity::kStatus;
   int index = 0;
-  int bit = 0, bits = 8;     ///< 1..32 bits wide
-  bool isSigned = false;     ///< two's complement
-  bool wraps = false;        ///< a counter that overflows: its value is the change since the first report
-  double scale = 1;          ///< unit for one count
-  int count = 1, usage = 0;  ///< for kKey
+  int bit = 0, bits = 8;  ///< first bit of the field, and its width in bits (1..32)
+  bool isSigned = false;  ///< the raw value is a two's complement number
+  /// the raw value is a counter that overflows; it is decoded as the change since the first report
+  bool wraps = false;
+  double scale = 1;          ///< factor from the raw value to the unit of `quantity`
+  int count = 1, usage = 0;  ///< only for Quantity::kKey: number of consecutive fields, and the HID usage code that one
+                             ///< of them has if the button is pressed
 };
 
+/// Layout of one kind of HID report: its id, length and fields.
 struct ReportLayout {
-  int id = 0;          ///< 0: the device does not number its reports, and they have no byte for the id
-  int bytes = 0;       ///< minimum length after the id
-  bool exact = false;  ///< longer reports are rejected
+  int id = 0;          ///< HID report id; 0: the device does not number its reports, and they have no id byte
+  int bytes = 0;       ///< minimum report length in bytes, without the id byte
+  bool exact = false;  ///< true: reports longer than `bytes` are rejected
   std::vector<ReportField> fields;
 };
 
-/// USB or Bluetooth devices that a table describes. Fields that are not set match every device.
+/// Criterion for the USB or Bluetooth devices that a device table describes. Optional or empty fields match every
+/// device.
 struct DeviceMatch {
   std::uint16_t vendor = 0, product = 0;
   std::optional<std::uint16_t> usagePage, usage;
-  std::string name;  ///< part of the device's USB product string, ignoring case; for controllers that share an id
+  /// text that the USB product string must contain, ignoring case; distinguishes devices with equal USB ids
+  std::string name;
 };
 
-/// Arm with three motors and three bodies: a turret, and on it two bars, whose angles are each measured from the
-/// vertical.
+/// Geometry and motors of a three-axis haptic arm: a turret that carries two bars. Each bar's angle is measured from
+/// the vertical.
 struct ArmTable {
-  std::array<double, 3> length_mm{};              ///< height of the turret, upper bar, lower bar
-  std::array<double, 3> countsPerTurn{};          ///< for each motor
-  std::array<double, 3> bodyTurnsPerMotorTurn{};  ///< gear ratio of the cable drive, with sign
-  std::array<double, 3> torque_NmmPermA{};        ///< for each motor
-  std::array<double, 3> homeAngle_deg{};          ///< angles of the bodies in the home posture
-  Vec3 centre_mm;                                 ///< center of the workspace, in the arm's own frame
-  double mostCurrent_mA = 0;                      ///< maximum current of each motor
+  std::array<double, 3> length_mm{};              ///< lengths: height of the turret, upper bar, lower bar
+  std::array<double, 3> countsPerTurn{};          ///< encoder counts per turn of each motor
+  std::array<double, 3> bodyTurnsPerMotorTurn{};  ///< gear ratio of each cable drive, with sign: turns of the turret or
+                                                  ///< bar per turn of its motor
+  std::array<double, 3> torque_NmmPermA{};        ///< torque per current of each motor
+  /// angles of turret, upper and lower bar in the home posture, from which the encoders count
+  std::array<double, 3> homeAngle_deg{};
+  Vec3 centre_mm;             ///< center of the workspace, in the arm's frame
+  double mostCurrent_mA = 0;  ///< maximum current of each motor
 };
 
-/// A kind of device, as data: how it is recognized and what its reports mean.
+/// Description of one device model as data: how it is recognized, what its reports mean, and its limits.
 struct DeviceTable {
   std::string name;
   DeviceKind kind = DeviceKind::kMotion;
-  std::string source;  ///< source of the report layout
+  std::string source;  ///< publication or driver from which the report layout was taken
   std::vector<DeviceMatch> matches;
   std::vector<ReportLayout> input;
   std::optional<ReportLayout> output;
@@ -87,11 +96,11 @@ struct DeviceTable {
   DeviceLimits limits;
 };
 
-/// Parses a table. Fails, with the field's name, on unknown or missing fields, numbers out of range, fields that extend
-/// beyond the end of their report, and forces without an output report.
+/// Parses a device table. Fails, naming the field, on unknown or missing fields, numbers out of range, report fields
+/// beyond the end of their report, and a force device without an output report.
 Result<DeviceTable> parseDeviceTable(std::string_view json);
 
-/// Returns the tables of resources/haptics/devices.
+/// Returns the built-in device tables, those of resources/haptics/devices.
 const std::vector<DeviceTable>& builtInDeviceTables();
 
 }  // namespace insonate

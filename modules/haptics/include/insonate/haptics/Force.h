@@ -4,11 +4,11 @@
 
 namespace insonate {
 
-/// Force and torque of a device on its stylus, about the stylus's origin. The frame is that of the pose to which the
-/// force belongs: for a driver the device's frame, for a virtual tool the patient's.
+/// Force and torque (about the stylus's origin) that a haptic device exerts on its stylus. In a device driver both are
+/// in the device's frame; for a virtual tool (probe or needle) they are in patient space.
 struct Force {
   Vec3 force_N;
-  Vec3 torque_Nmm;  ///< for devices with six force axes
+  Vec3 torque_Nmm;  ///< used only by devices with six force axes
 };
 
 }  // namespace insonate

@@ -11,73 +11,76 @@
 
 namespace insonate {
 
-/// Phase of a device's life. A device may pass all phases repeatedly without a restart.
+/// Connection state of a device. A device may go through all phases repeatedly while the program runs.
 enum class DevicePhase : std::uint8_t {
-  kAbsent,     ///< known, but not connected or not yet in use
-  kOpening,    ///< found; being opened
+  kAbsent,     ///< known to the program, but not connected or not yet used
+  kOpening,    ///< plugged in; being opened
   kReady,      ///< open; no report received yet
   kStreaming,  ///< states are arriving
   kLost,       ///< was connected, but is now unplugged or silent; reconnected automatically when possible
-  kFailed,     ///< cannot be used; trouble() says why and what to do
+  kFailed,     ///< cannot be used; HapticDevice::trouble() says why and what to do
 };
 
 std::string_view nameOf(DevicePhase phase);
 
 /// Identity and limits of a device; constant.
 struct DeviceInfo {
-  /// The same each time this device is plugged in, if the device can be identified; for storing assignments.
+  /// Identifier under which the assignment of the device to a hand is stored; the same each time the device is plugged
+  /// in, if it has a serial number.
   std::string id;
-  std::string name;  ///< shown to the user
+  std::string name;  ///< device name shown to the user
   DeviceKind kind = DeviceKind::kMotion;
   DeviceLimits limits;
 };
 
-/// Counts of reports and forces since the start.
+/// Numbers of reports and forces since the device was first opened.
 struct DeviceCounters {
-  std::uint64_t reports = 0, forces = 0;  ///< received, sent
-  std::uint64_t refused = 0;              ///< reports that were too short, too long or unknown
-  std::uint64_t lateForces = 0;           ///< forces that took longer than two periods to send
+  std::uint64_t reports = 0, forces = 0;  ///< reports received from the device, forces sent to it
+  std::uint64_t refused = 0;              ///< reports that were rejected as too short, too long or of unknown id
+  std::uint64_t lateForces = 0;           ///< forces whose sending took longer than two periods of the device's rate
 };
 
 /// A message to the user about a device, shown once.
 struct DeviceEvent {
-  std::int64_t time_ns = 0;  ///< CLOCK_MONOTONIC
-  std::string device;        ///< DeviceInfo::id
+  std::int64_t time_ns = 0;  ///< time of the event, CLOCK_MONOTONIC
+  std::string device;        ///< device concerned: DeviceInfo::id
   DevicePhase phase = DevicePhase::kAbsent;
-  bool trouble = false;  ///< true: a fault; false: information
-  std::string text;      ///< message, one sentence
+  bool trouble = false;  ///< true: the message reports a fault; false: it only informs
+  std::string text;      ///< message for the user, one sentence
 };
 
-/// A tool or pedal of any kind: on USB, of a vendor's kit, mouse and keys, a recording, or simulated. The device's own
-/// thread receives states and sends forces; take() and push() never wait, lock or allocate.
+/// Interface of every hand-held device and pedal: connected by USB, through a vendor's SDK, emulated by mouse and keys,
+/// replayed from a recording, or simulated. The device's own thread receives states and sends forces; take() and push()
+/// only exchange values with it and never wait, lock or allocate.
 class HapticDevice {
  public:
   virtual ~HapticDevice() = default;
 
   virtual const DeviceInfo& info() const noexcept = 0;
   virtual DevicePhase phase() const noexcept = 0;
-  /// Says why the device is lost or failed, and what to do; else empty. Do not call it on the servo's thread.
+  /// Says why the device is lost or has failed, and what to do; empty if it works. Do not call it on the force loop's
+  /// thread.
   virtual std::string trouble() const = 0;
   virtual DeviceCounters counters() const noexcept = 0;
 
-  /// Gets the latest state; false if there is no new state since the last call. Call it on one thread only, the
-  /// servo's.
+  /// Copies the device's latest state into `state`; returns false if no new state has arrived since the last call. Call
+  /// it only on the force loop's thread.
   virtual bool take(DeviceState& state) noexcept = 0;
-  /// Sets the force from now on, in the device's frame; call it on the thread that calls take(). The force is limited
-  /// to the device's maximum; it becomes zero if push() is not called for 100 ms. A device receives nothing before the
-  /// first push().
+  /// Sets the force that the device exerts from now on, in the device's frame. Call it on the thread that calls take().
+  /// The force is limited to the device's maximum and becomes zero if push() is not called for 100 ms. Nothing is sent
+  /// to the device before the first push().
   virtual void push(const Force& force) noexcept = 0;
 
-  /// Tells the device that it is in its home posture now, from which its encoders count. No effect on devices without
+  /// Declares that the device is in its home posture now, the zero of its encoders. No effect on devices without
   /// encoders.
   virtual void calibrate() {}
 };
 
-/// Age from which a force is no longer applied.
+/// Time after the last push() at which a device's force is set to zero.
 inline constexpr std::int64_t kForceLife_ns = 100'000'000;
 
-/// Returns `force` within `limits`: magnitudes clamped, zero on axes that are not driven, and zero for values that are
-/// not finite.
+/// Returns `force` reduced to what a device can exert: magnitudes clamped to `limits`, axes without a motor and
+/// non-finite values set to zero.
 Force heldWithin(const DeviceLimits& limits, const Force& force) noexcept;
 
 }  // namespace insonate

@@ -7,28 +7,29 @@
 #include <memory>
 #include <vector>
 
-/// Measurements of the servo, for tests and benchmarks.
+/// Measurements of the force loop (HapticServo), for tests and benchmarks.
 namespace insonate {
 
-/// Makes layers perpendicular to z, which points into the body from the skin at 0: skin, fat from 2 mm, muscle from 10
-/// mm, a vein from 18 to 28 mm, muscle, bone from 40 mm.
+/// Makes a tissue phantom of plane layers. z points into the body: skin at 0, fat from 2 mm, muscle from 10 mm, a vein
+/// from 18 to 28 mm, muscle, bone from 40 mm.
 std::shared_ptr<const TissueGrid> benchLayers();
 
+/// One point of a force-depth curve of needle insertion.
 struct ForceDepthPoint {
-  double depth_mm = 0;  ///< depth of the tip below the skin at rest
-  double force_N = 0;   ///< resistance along the needle
+  double depth_mm = 0;  ///< depth of the needle's tip below the undeformed skin
+  double force_N = 0;   ///< axial resistance of the tissue to the needle
   Label in = kBackground;
 };
 
-/// Computes the force on a needle that is driven perpendicularly through benchLayers() and back at constant speed, by a
-/// machine that does not yield. `steepest_Npmm`: maximum stiffness that the device can render.
+/// Computes the force on a needle that a rigid testing machine drives perpendicularly through benchLayers() to
+/// `deepest_mm` and back at constant speed. `steepest_Npmm`: maximum stiffness that the haptic device can render.
 std::vector<ForceDepthPoint> forceDepth(const NeedleTable& table, double speed_mmps, double steepest_Npmm,
                                         double deepest_mm);
 
-/// Returns the maximum stiffness of a wall, N/mm, at which a device held by a hand is stable, searched in steps of 7 %
-/// up to 20 N/mm. The device is hit with 50 mm/s. It is stable if it moves more slowly in the last of two seconds than
-/// in the first, or by less than a quarter of its encoder's step per tick. `account`: the servo's energy account is
-/// used.
+/// Returns the maximum stiffness (N/mm) of a virtual wall at which a hand-held device is stable, searched in steps of 7
+/// % up to 20 N/mm. The device hits the wall at 50 mm/s. It counts as stable if it moves more slowly in the second
+/// second than in the first, or by less than a quarter of an encoder step per tick. `account`: the servo limits the
+/// energy that it returns to the hand (passivity control).
 double greatestStableStiffness_Npmm(const DeviceLimits& device, const Grip& grip, bool account);
 
 }  // namespace insonate

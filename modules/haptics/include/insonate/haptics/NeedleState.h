@@ -7,34 +7,36 @@
 
 namespace insonate {
 
+/// Kind of contact of the needle's tip with a wall (surface of a structure, NeedleEvent::wall).
 enum class NeedleEventKind : std::uint8_t {
-  Entered,    ///< punctured `wall` from outside
-  Left,       ///< punctured `wall` from inside: the posterior wall of a vessel
-  Withdrawn,  ///< pulled back through the hole of an earlier puncture, entered or left
-  Struck,     ///< met bone
+  Entered,    ///< the tip punctured the wall from outside
+  Left,       ///< the tip punctured the wall from inside, as at the posterior wall of a vessel
+  Withdrawn,  ///< the tip was pulled back through the hole of an earlier puncture (Entered or Left)
+  Struck,     ///< the tip met bone
 };
 
 /// An event of the needle; each puncture of each wall is reported once.
 struct NeedleEvent {
   std::int64_t time_ns = 0;
   NeedleEventKind kind = NeedleEventKind::Entered;
-  Label wall = kSkin;        ///< one of kNeedleWalls
+  Label wall = kSkin;        ///< structure whose surface the tip met: one of kNeedleWalls
   Label into = kBackground;  ///< tissue or structure in which the tip is after the event
   Vec3 tip_mm, axis;         ///< tip and direction of the needle, patient space
-  double depth_mm = 0;       ///< depth of the hole below the hole in the skin, along the needle
+  double depth_mm = 0;       ///< depth of the puncture below the puncture of the skin, along the needle
 };
 
+/// State of the needle in the tissue at one tick of the force loop.
 struct NeedleState {
   bool inBody = false;
-  Label in = kBackground;  ///< tissue at the tip; tissue counts as entered once its wall is punctured
-  double depth_mm = 0;     ///< depth of the tip below the entry, along the needle's track
-  /// Place of the skin's puncture, and direction of the track; at rest, patient space.
+  Label in = kBackground;  ///< tissue at the tip; a structure counts only once its wall is punctured
+  double depth_mm = 0;     ///< depth of the tip below the puncture of the skin, along the needle's track
+  /// Puncture of the skin, and unit direction of the needle's track; in undeformed tissue, patient space.
   Vec3 entry_mm, track{0, 0, 1};
-  bool tenting = false;  ///< the tip indents a wall that it has not punctured
-  Label tented = kSkin;  ///< the wall that is indented
-  double tent_mm = 0;    ///< depth of the indentation
+  bool tenting = false;  ///< true: the tip indents a wall that it has not punctured
+  Label tented = kSkin;  ///< structure whose wall the tip indents
+  double tent_mm = 0;    ///< depth of the indentation by the tip
   bool onBone = false;
-  double axial_N = 0;  ///< resistance along the needle
+  double axial_N = 0;  ///< axial resistance of the tissue to the needle
 };
 
 }  // namespace insonate

@@ -10,36 +10,36 @@
 
 namespace insonate {
 
-/// State from all reports received so far: if a device splits its axes over several reports, a report changes only its
-/// own axes.
+/// Values decoded from all reports of a device so far. If a device splits its axes over several reports, each report
+/// changes only the axes that it contains.
 struct DeviceReading {
-  std::array<double, 6> encoder{};               ///< counts; counters that overflow: since the first report
-  std::optional<Vec3> position_mm;               ///< device frame (DeviceState.h)
-  std::array<double, 4> quaternion{1, 0, 0, 0};  ///< w, x, y, z as reported, not normalized
-  std::array<double, 6> deflection{};            ///< -1..1: along x, y, z, then about them
+  std::array<double, 6> encoder{};  ///< encoder counts; of counters that overflow, the counts since the first report
+  std::optional<Vec3> position_mm;  ///< position of the stylus, device frame (DeviceState.h)
+  std::array<double, 4> quaternion{1, 0, 0, 0};  ///< attitude w, x, y, z as reported, not normalized
+  std::array<double, 6> deflection{};  ///< deflection of a 3D mouse's cap, -1..1: along x, y, z, then about x, y, z
   std::uint32_t buttons = 0;
   std::uint32_t status = 0;
   std::uint32_t sequence = 0;
-  double time_s = 0;  ///< on the device's clock
+  double time_s = 0;  ///< time on the device's own clock
 };
 
 /// Outcome of decoding one report.
 enum class ReportFate : std::uint8_t {
   kTaken,
-  kShort,    ///< fewer bytes than any layout of its id
-  kLong,     ///< more than an exact layout allows
-  kUnknown,  ///< an id without a layout, or an empty report
+  kShort,    ///< rejected: shorter than every layout with the report's id
+  kLong,     ///< rejected: longer than a layout with ReportLayout::exact allows
+  kUnknown,  ///< rejected: no layout has the report's id, or the report is empty
 };
 
-/// Decodes reports by a table. Neither allocates nor throws. For one device and one thread.
+/// Decodes the HID reports of one device by its device table. Neither allocates nor throws. For one thread.
 class ReportDecoder {
  public:
   /// `table` must outlive the decoder.
   explicit ReportDecoder(const DeviceTable& table);
 
-  /// Decodes a report as hidapi reads it: the report begins with its id only if the device numbers its reports. Of
-  /// several layouts with this id, the longest that fits is used; further bytes are padding. A report that is rejected
-  /// changes nothing.
+  /// Decodes a report as hidapi returns it: the first byte is the report id if the device numbers its reports. Of
+  /// several layouts with this id, the longest that fits is used; further bytes are padding. A rejected report changes
+  /// nothing.
   ReportFate take(std::span<const std::uint8_t> report) noexcept;
   const DeviceReading& reading() const noexcept { return reading_; }
   /// Resets the decoder after the device was plugged in again: counters start at zero, and no button is pressed.
@@ -62,21 +62,22 @@ class ReportDecoder {
   std::array<Counter, 6> counters_{};
 };
 
-/// Returns `bits` bits, beginning at `bit`, least significant first; bits beyond the end of `bytes` are 0.
+/// Returns the unsigned number in `bits` bits from bit `bit` on, least significant first; bits beyond the end of
+/// `bytes` are 0.
 std::uint32_t bitsAt(std::span<const std::uint8_t> bytes, int bit, int bits) noexcept;
 /// Reads the lower `bits` bits as a two's complement number.
 std::int32_t signedValue(std::uint32_t raw, int bits) noexcept;
 
-/// Output to a device.
+/// Values for an output report to a device: force and torque, or motor currents.
 struct DeviceOutput {
-  Vec3 force_N, torque_Nmm;            ///< device frame
-  std::array<double, 3> current_mA{};  ///< for each motor
+  Vec3 force_N, torque_Nmm;            ///< force and torque in the device frame
+  std::array<double, 3> current_mA{};  ///< current for each motor
   std::uint32_t sequence = 0;
 };
 
-/// Writes `output` by `layout` into `report`, the id first, as hidapi expects it (0 if reports have none). Numbers are
-/// rounded to the nearest count and clamped to the field's range; numbers that are not finite become 0. Returns the
-/// bytes used, 0 if `report` is too small.
+/// Encodes `output` by `layout` into `report`. The first byte is the report id (0 if reports have none), as hidapi
+/// expects. Numbers are rounded to the nearest count and clamped to the field's range; non-finite numbers become 0.
+/// Returns the number of bytes used, 0 if `report` is too small.
 std::size_t encodeReport(const ReportLayout& layout, const DeviceOutput& output,
                          std::span<std::uint8_t> report) noexcept;
 

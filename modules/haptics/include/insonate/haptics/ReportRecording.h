@@ -17,9 +17,9 @@
 
 namespace insonate {
 
-/// Records raw input and output reports, for bug reports and replays. The file is text with one line per report:
-/// seconds, the device's id, its table, `in` or `out`, bytes in hex. The recorder's own thread writes to the disk, so
-/// that put() may be called on a thread that computes forces, even if the disk stalls.
+/// Records raw input and output reports of devices in a file, for bug reports and replays. The file is text with one
+/// line per report: seconds, device id, name of the device table, `in` or `out`, bytes in hex. The recorder's own
+/// thread writes to the disk, so that put() may be called on the force loop's thread even if the disk stalls.
 class ReportRecorder {
  public:
   ReportRecorder() = default;
@@ -27,13 +27,13 @@ class ReportRecorder {
   ReportRecorder(const ReportRecorder&) = delete;
   ReportRecorder& operator=(const ReportRecorder&) = delete;
 
-  /// Starts a file and overwrites an older one; fails if the file cannot be written. Recording continues until stop().
-  /// Start and stop it on the same thread.
+  /// Starts recording into `file`, which is overwritten; fails if it cannot be written. Recording continues until
+  /// stop(), which must be called on the same thread.
   Result<void> start(const std::filesystem::path& file);
   /// Stops recording. Fails if some reports could not be written.
   Result<void> stop();
   bool isRunning() const noexcept { return running_.load(std::memory_order_acquire); }
-  /// Adds a report. Any thread may call.
+  /// Records one report; `in`: received from the device, else sent to it. May be called from any thread.
   void put(const std::string& device, std::string_view table, bool in, std::span<const std::uint8_t> report);
 
  private:
@@ -41,29 +41,30 @@ class ReportRecorder {
 
   std::atomic<bool> running_{false};
   std::mutex mutex_;
-  std::string pending_;  ///< lines that are not yet written
-  bool lost_ = false;    ///< so many lines were waiting that some were left out
+  std::string pending_;  ///< lines of the file that are not yet written
+  bool lost_ = false;    ///< true: lines were dropped, since too many waited to be written
   std::int64_t begin_ns_ = 0;
-  // Used by the recorder's thread while it runs.
+  // The following members are used by the recorder's thread while it runs.
   std::filesystem::path path_;
   std::ofstream file_;
   std::jthread writer_;
 };
 
-/// One report of a recording.
+/// One input or output report of a device, as read from a recording by readRecording().
 struct RecordedReport {
-  double time_s = 0;  ///< since the recording began
+  double time_s = 0;  ///< time since the recording began
   std::string device, table;
   bool in = true;
   std::vector<std::uint8_t> bytes;
 };
 
-/// Reads a recording. Fails with the line that cannot be read.
+/// Reads a file that ReportRecorder wrote. Fails, naming the line that cannot be read.
 Result<std::vector<RecordedReport>> readRecording(const std::filesystem::path& file);
 
-/// Replays a recording as a device: its reports arrive at their recorded times, through the same decoder. Forces are
-/// accepted without effect. The replay starts at once; with `again`, it repeats. `device` selects the device by id;
-/// empty: the device of the first report. Fails if the recording has no report of a device that matches a table.
+/// Makes a device that replays recorded reports: they arrive at their recorded times and are decoded as from the real
+/// device. Forces are accepted without effect. The replay starts at once; with `again`, it repeats. `device` selects
+/// the recorded device by id; empty: the device of the first report. Fails if the recording has no report of a device
+/// with a built-in table.
 Result<std::shared_ptr<HapticDevice>> replayRecording(const std::vector<RecordedReport>& reports,
                                                       const std::string& device = {}, bool again = false);
 

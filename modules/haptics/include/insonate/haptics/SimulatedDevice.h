@@ -9,17 +9,18 @@
 
 namespace insonate {
 
-/// A simulated device in a simulated hand: the servo's force acts on mass, friction and grip, which determine the
-/// stylus's motion. The simulation advances in take(), up to the present time.
+/// A simulated haptic device in a simulated hand: the stylus moves as the force loop's force, the device's mass and
+/// friction and the hand's grip (spring and damper) determine. The simulation advances in take(), up to the present
+/// time.
 class SimulatedDevice : public HapticDevice {
  public:
   SimulatedDevice(std::string id, const DeviceProfile& profile, const Grip& grip, const HandPath::Point& start);
 
-  /// Sets the place to which the hand moves. Call it on one thread. Mouse and keyboard use this.
+  /// Sets the pose to which the simulated hand moves, as mouse and keys request. Call it on one thread.
   void want(const HandPath::Point& point);
-  /// Lets the hand follow a path instead, repeatedly; times count from this call.
+  /// Lets the simulated hand follow a path, repeatedly, instead of a pose set by want(); times count from this call.
   void follow(HandPath path);
-  /// Simulates plugging the device in, or unplugging it.
+  /// Simulates plugging the device in (true) or unplugging it (false).
   void plug(bool in) { phase_ = in ? DevicePhase::kStreaming : DevicePhase::kLost; }
 
   const DeviceInfo& info() const noexcept override { return info_; }
@@ -29,8 +30,8 @@ class SimulatedDevice : public HapticDevice {
   bool take(DeviceState& state) noexcept override;
   void push(const Force& force) noexcept override;
 
-  /// Minimum, over all moments of a contact, of the energy that the hand had put into device and servo; 0 or above if
-  /// the loop is passive.
+  /// Minimum over time of the energy that the hand has put into device and force loop since a contact began; 0 or above
+  /// if the loop is passive, negative if it returned more energy than it received.
   double leastEnergy_J() const { return least_J_; }
 
  private:

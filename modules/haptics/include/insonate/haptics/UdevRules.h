@@ -4,7 +4,7 @@
 
 namespace insonate {
 
-/// Rules for udev that give the user at the computer access to the devices of all built-in tables: the contents of
+/// Returns udev rules that let the logged-in user access the devices of all built-in device tables: the contents of
 /// packaging/70-insonate.rules.
 std::string udevRules();
 

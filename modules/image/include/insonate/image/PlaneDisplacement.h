@@ -12,20 +12,20 @@ namespace insonate {
 /// no tissue appears twice. Points without tissue hold the displacement of the nearest tissue. Elevation planes within
 /// the slice thickness move like the central plane.
 struct PlaneDisplacement {
-  double left_mm = 0, top_mm = 0;  ///< x and z of the first point
-  double step_mm = 1;              ///< distance of neighboring points along x and along z; above 0
-  int columns = 0, rows = 0;       ///< number of points; 0 if nothing has moved
+  double left_mm = 0, top_mm = 0;  ///< x and z of the first lattice point, probe frame
+  double step_mm = 1;              ///< distance between neighboring lattice points, the same along x and z; above 0
+  int columns = 0, rows = 0;       ///< number of lattice points along x and along z; 0 if no tissue is displaced
 
   struct Shift {
-    float x_mm = 0, z_mm = 0;  ///< undeformed position minus position in the image
+    float x_mm = 0, z_mm = 0;  ///< undeformed position minus displayed position of the tissue
   };
-  std::vector<Shift> restFromSeen;  ///< [row][column]
+  std::vector<Shift> restFromSeen;  ///< displacement of the tissue displayed at each lattice point, index [row][column]
 
   bool empty() const { return columns == 0 || rows == 0; }
 };
 
-/// Returns the undeformed position minus the given position in the image, both in the probe's plane (y = 0); zero if
-/// nothing has moved.
+/// Returns the undeformed position minus the given position in the image, both in the probe's plane (y = 0); zero if no
+/// tissue is displaced.
 Vec3 shiftAt(const PlaneDisplacement& displacement, double x_mm, double z_mm);
 
 }  // namespace insonate

@@ -22,11 +22,11 @@ struct Volume {
 
 /// CT in Hounsfield units.
 using CtVolume = Volume<std::int16_t>;
-/// Structure numbers of insonate/tissue/Labels.h; 0 is outside the patient.
+/// Label of each voxel: a number of insonate/tissue/Labels.h; 0 is outside the patient.
 using LabelMap = Volume<std::uint8_t>;
 
-/// Interpolates trilinearly at a continuous index (voxel centers at integers); takes the nearest edge voxel outside the
-/// grid.
+/// Interpolates trilinearly at a continuous index (voxel centers at integers); outside the grid, takes the nearest edge
+/// voxel.
 double sampleLinear(const CtVolume& volume, Vec3 index);
 /// Returns the value of the nearest voxel; `outside` if the index is more than half a voxel beyond the grid.
 std::uint8_t sampleNearest(const LabelMap& labels, Vec3 index, std::uint8_t outside = 0);

@@ -10,8 +10,8 @@ namespace insonate {
 
 /// Position of a voxel grid in patient space (LPS, millimeters, as in DICOM).
 struct VolumeGeometry {
-  std::array<int, 3> size{1, 1, 1};  ///< voxels along i, j, k; each at least 1
-  Vec3 spacing_mm{1, 1, 1};          ///< distance of voxel centers; each above 0
+  std::array<int, 3> size{1, 1, 1};  ///< number of voxels along i, j, k; each at least 1
+  Vec3 spacing_mm{1, 1, 1};          ///< distance between neighboring voxel centers along i, j, k; each above 0
   Vec3 origin_mm{};                  ///< patient position of the center of voxel (0, 0, 0)
   Mat3 direction;                    ///< columns: patient directions of i, j, k; orthonormal (either handedness)
 
@@ -28,15 +28,15 @@ struct VolumeGeometry {
   Vec3 centre_mm() const;
 };
 
-/// Tells whether two grids are equal within a tolerance that covers rounding in file formats: their origins and far
-/// corners agree within a tenth of a voxel.
+/// Tells whether two grids are equal within the rounding of file formats: their origins and far corners agree within a
+/// tenth of a voxel.
 bool sameGrid(const VolumeGeometry& a, const VolumeGeometry& b);
 
-/// Fails with a sentence when sizes, spacings or directions cannot describe a grid.
+/// Fails with a sentence if sizes, spacings or directions cannot describe a grid.
 Result<void> validate(const VolumeGeometry& geometry);
 
-/// Fails if voxels are smaller than 0.05 mm or larger than 25 mm along an axis: no patient's CT has such voxels, but a
-/// file in meters or micrometers seems to.
+/// Fails if voxels are smaller than 0.05 mm or larger than 25 mm along an axis, which suggests a file in meters or
+/// micrometers.
 Result<void> checkVoxelSize(Vec3 spacing_mm);
 
 }  // namespace insonate

@@ -7,8 +7,8 @@
 
 namespace insonate {
 
-/// A block of a grid's voxels: indices from `first` up to, but not including, `end` along i, j, k. Empty unless every
-/// end is above its first.
+/// A block of a grid's voxels: indices from `first` up to, but not including, `end` along i, j, k. Empty if `end` is
+/// not above `first` on every axis.
 struct VoxelBox {
   std::array<int, 3> first{}, end{};
 

@@ -8,11 +8,12 @@
 
 namespace insonate {
 
-/// The attempt of a store to which a recording belongs; all empty if the recording belongs to no store. The store
-/// issues the nonce when the attempt begins, for this person, level and id (curriculum/AttemptSeal.h).
+/// Identifies the attempt in a curriculum store (database of people and attempts) to which a recording belongs; all
+/// empty if it belongs to none. The store issues the nonce when the attempt begins, for this person, level and id
+/// (curriculum/AttemptSeal.h).
 struct RecordedFor {
-  std::string attempt{}, person{};  ///< AttemptFacts::id, Person::id
-  std::string curriculum{};         ///< "": free practice
+  std::string attempt{}, person{};  ///< ids of attempt and person: AttemptFacts::id, Person::id
+  std::string curriculum{};         ///< name of the curriculum; "": free practice
   int curriculumVersion = 0;
   std::string level{};
   std::string nonce{};
@@ -20,16 +21,16 @@ struct RecordedFor {
   bool operator==(const RecordedFor&) const = default;
 };
 
-/// Case, devices and settings of an attempt. They allow a replay under the same conditions, or tell that it is not
-/// possible.
+/// Header of a recording: procedure, case and settings of the attempt. With it, a replay has the same conditions, or
+/// fails if they are not available.
 struct AttemptHeader {
-  std::string software{};   ///< "insonate 0.1.0"
-  std::string begun{};      ///< ISO 8601, UTC
+  std::string software{};   ///< name and version of the program that made the recording: "insonate 0.1.0"
+  std::string begun{};      ///< time at which the attempt began: ISO 8601, UTC
   std::string procedure{};  ///< id of the procedure
   int procedureVersion = 0;
   std::string caseName{}, caseHash{};
   std::string settingsHash{};  ///< hash of `settings`; the recorder fills it in
-  std::string engine{};        ///< engine that made the images
+  std::string engine{};        ///< name of the ultrasound engine that made the images
   PictureField picture{};
   /// Names of the case's vessels, the target of this attempt first. Empty: the case has no target in a vein, and each
   /// vein counts as the target.
@@ -37,16 +38,17 @@ struct AttemptHeader {
   /// Settings of probe, image, tissue and blood at the beginning of the attempt, JSON (simulator/AttemptSettings.h);
   /// empty: unknown.
   std::string settings{};
-  bool isScripted = false;  ///< a script moved the hands: the recording is a demonstration, not a person's attempt
+  /// true: a script moved probe and needle; the recording is a demonstration, not a person's attempt
+  bool isScripted = false;
   RecordedFor recordedFor{};
 
   bool operator==(const AttemptHeader&) const = default;
 };
 
-/// Settings that replace the settings of the header, or of the previous change.
+/// Change of settings during an attempt: the new settings replace those of the header, or of the previous change.
 struct SettingsChange {
-  std::int64_t time_us = 0;  ///< since the recording began
-  std::string settings;      ///< all settings, as in AttemptHeader
+  std::int64_t time_us = 0;  ///< time of the change since the recording began
+  std::string settings;      ///< all settings, in the form of AttemptHeader::settings
 
   bool operator==(const SettingsChange&) const = default;
 };
@@ -54,7 +56,7 @@ struct SettingsChange {
 enum class AttemptStatus : std::uint8_t {
   Completed = 0,
   Abandoned = 1,
-  CutShort = 2,  ///< the program or the disk ended the recording; never written
+  CutShort = 2,  ///< the recording has no end, since the program or the disk failed; this value is never stored
 };
 
 }  // namespace insonate

@@ -13,8 +13,9 @@
 
 namespace insonate {
 
-/// Metrics, in the order of metricTable(). "The vein" is the target (AttemptHeader::vessels). "Access" is the first
-/// puncture of the vein in an attempt; a "pass" lasts from a puncture of the skin until the needle is out again.
+/// Metrics of an attempt, in the order of metricTable(), which defines them. "Vein" alone means the target vein
+/// (AttemptHeader::vessels). "Access" is the first puncture of that vein; a "pass" lasts from a puncture of the skin
+/// until the needle is out again.
 enum class Metric {
   VeinPunctures,
   ArteryPunctures,
@@ -51,11 +52,11 @@ enum class Better { Lower, Higher, Neither };
 
 struct MetricDefinition {
   Metric metric;
-  std::string_view id;    ///< as in files and JSON: "vein_punctures"
-  int version;            ///< version of the definition: raised whenever the definition may give another value
-  std::string_view unit;  ///< "", "s", "mm", "%", "deg", "N"
+  std::string_view id;    ///< name of the metric in files and JSON: "vein_punctures"
+  int version;            ///< version of the definition: raised with each change that may give other values
+  std::string_view unit;  ///< unit of the values: "", "s", "mm", "%", "deg", "N"
   Better better;
-  std::string_view definition;  ///< quantity that is counted or measured, with its thresholds
+  std::string_view definition;  ///< text that says what is counted or measured, with thresholds
   std::string_view evidence;    ///< study that showed the metric to be meaningful, or origin of the metric
 };
 
@@ -64,7 +65,7 @@ inline const MetricDefinition& definitionOf(Metric metric) {
   return metricTable()[static_cast<std::size_t>(metric)];
 }
 
-/// One value for each metric. A value that does not follow from the attempt is missing, not 0.
+/// One value for each metric. A value that the attempt does not determine is missing, not 0.
 struct MetricValues {
   std::array<std::optional<double>, kMetricCount> values;
 
@@ -73,20 +74,21 @@ struct MetricValues {
   bool operator==(const MetricValues&) const = default;
 };
 
-/// Place of the needle. The thesis shows these places in color: no color, no color, green, red, yellow.
+/// Place of the needle's tip. The thesis colors the needle by place, in this order: no color, no color, green, red,
+/// yellow.
 enum class NeedlePlace {
   Clean,     ///< new needle that has not been in the skin
-  Underway,  ///< under the skin
+  Underway,  ///< under the skin, but neither Vein nor WrongPlace
   Vein,
   WrongPlace,  ///< artery, another vein, lung or airway, behind the posterior wall of the vein, or on bone
   Used,        ///< withdrawn from the skin and not yet replaced
 };
 
-/// Computes the metrics while it receives the samples and events of an attempt once, in the order of the recording. The
-/// same sequence gives exactly the same values, live and replayed.
+/// Computes the metrics of an attempt from its samples and events, passed once in the order of the recording. The same
+/// sequence gives exactly the same values, live and replayed.
 class AttemptMetrics {
  public:
-  /// `hasTarget`: only vessel 1 of the events is the vein; otherwise each vein is.
+  /// `hasTarget`: the target is the vein with AttemptEvent::vessel 1; otherwise each vein counts as the target.
   explicit AttemptMetrics(const PictureField& picture, bool hasTarget = false);
   ~AttemptMetrics();
   AttemptMetrics(AttemptMetrics&&) noexcept;
@@ -94,12 +96,12 @@ class AttemptMetrics {
 
   void take(const AttemptSample& sample);
   void take(const AttemptEvent& event);
-  /// values() returns all present values; value() returns one, for callers that ask at each sample.
+  /// Returns all values so far; value() returns a single one, for callers that ask at each sample.
   MetricValues values() const;
   std::optional<double> value(Metric metric) const;
   NeedlePlace needle() const;
-  /// Time since which the syringe has drawn venous blood with the tip in one place, as tip_in_vein defines it. Empty
-  /// while it draws none.
+  /// Returns the time of the recording since which the syringe has aspirated venous blood with the tip in one place
+  /// (see the definition of the metric tip_in_vein). Empty while no blood is aspirated.
   std::optional<std::int64_t> drawingBlood_us() const;
 
  private:

@@ -23,61 +23,64 @@ struct BlockHead;
 struct PlacedBlock;
 }  // namespace record
 
-/// Samples and events of about a second of an attempt.
+/// Samples and events of about one second of an attempt: one block of a recording.
 struct Stretch {
   using Entry = std::variant<AttemptSample, AttemptEvent>;
   struct Happened {
-    std::uint32_t afterSamples = 0;  ///< number of samples of this stretch before the entry
+    std::uint32_t afterSamples = 0;  ///< number of samples of this stretch that precede the event
     AttemptEvent event;
   };
   std::vector<QuantisedSample> samples;
   std::vector<Happened> events;
-  /// Samples left out in this stretch or just before, since the recorder's queue was full.
+  /// Number of samples lost in this stretch or just before it, since the recorder's queue was full.
   std::uint32_t samplesLost = 0;
 
-  /// Passes samples and events up to this time to `take`, in their order.
+  /// Passes the samples and events up to `until_us` to `take`, in their order.
   void play(std::int64_t until_us, const std::function<void(const Entry&)>& take) const;
 };
 
-/// Tells whether a file begins like a recording, regardless of the rest. False if the file cannot be read.
+/// Tells whether a file begins with the signature of a recording; the rest is not checked. False if the file cannot be
+/// read.
 bool beginsAsRecording(const std::filesystem::path& file);
 
-/// A recorded attempt, complete or truncated. Parts that do not match the file's digests (format 4) are reported and
-/// not read. Constant once opened: any number of threads may read it.
+/// Reads a recorded attempt, complete or truncated. Blocks that do not match the file's digests (format 4) are reported
+/// and not read. Constant once opened: any number of threads may use it.
 class AttemptRecording {
  public:
-  /// Opens a file and finds its blocks, without unpacking them; takes milliseconds for an attempt of ten minutes. Fails
-  /// if the file is no recording, if its header cannot be read or was changed, or if a newer program wrote it.
+  /// Opens a recording and finds its blocks, without decompressing them; takes milliseconds for an attempt of ten
+  /// minutes. Fails if the file is no recording, if its header cannot be read or was changed, or if a newer program
+  /// wrote it.
   static Result<AttemptRecording> open(const std::filesystem::path& file);
 
   const AttemptHeader& header() const { return header_; }
   AttemptStatus status() const { return status_; }
-  /// Sentences about missing parts: a truncated file, damaged blocks.
+  /// Returns sentences about missing parts: a truncated file, damaged blocks.
   const std::vector<std::string>& troubles() const { return troubles_; }
-  /// Tells whether all blocks were found. Their contents are checked when they are unpacked.
+  /// Tells whether all blocks were found. Their contents are checked only when they are decompressed.
   bool isWhole() const { return !damaged_; }
 
-  /// Checks the recording with the key of its nonce. Empty `key`: the key is unknown, or the recording has no nonce.
+  /// Checks with the key that the store issued with the recording's nonce whether the recording is unchanged. Empty
+  /// `key`: it is unknown, or the recording has no nonce.
   RecordingProof proof(const std::optional<RecordKey>& key) const;
 
-  /// The settings in use at a time, as in AttemptHeader::settings; "" if the recording has none. Fails if an earlier
-  /// change is damaged, or may have been lost.
+  /// Returns the settings in use at a time, in the form of AttemptHeader::settings; "" if the recording has none. Fails
+  /// if an earlier change of settings is damaged, or may have been lost.
   Result<std::string> settingsAt(std::int64_t time_us) const;
-  /// All readable changes, in the order of their times.
+  /// Returns all readable changes of settings, in the order of their times.
   const std::vector<SettingsChange>& settingsChanges() const { return changes_; }
 
   std::int64_t end_us() const;  ///< time of the last sample or event; 0: the recording has none
   std::size_t stretches() const { return blocks_.size(); }
-  /// Index of the last stretch that begins at or before this time; of the first stretch if none does. stretches() must
-  /// be above 0.
+  /// Returns the index of the last stretch that begins at or before this time; 0 if none does. stretches() must be
+  /// above 0.
   std::size_t stretchAt(std::int64_t time_us) const;
-  /// Returns a stretch; fails if its block is damaged.
+  /// Decompresses and returns a stretch (about one second); fails if its block is damaged.
   Result<Stretch> stretch(std::size_t index) const;
 
-  /// Passes all entries up to this time to `take`, in order, as AttemptMetrics and ProcedureRun received them live.
-  /// Fails if an earlier part is damaged, since results without it would be wrong.
+  /// Passes all samples and events up to `until_us` to `take`, in the order in which AttemptMetrics and ProcedureRun
+  /// received them live. Fails if a part before `until_us` is damaged, since results without it would be wrong.
   Result<void> play(std::int64_t until_us, const std::function<void(const Stretch::Entry&)>& take) const;
-  /// Metrics of all entries up to this time; exactly the same as live. Fails as play() does.
+  /// Computes the metrics of all samples and events up to this time; exactly the same as live. Fails as play() does.
   Result<MetricValues> metricsUntil(std::int64_t time_us = std::numeric_limits<std::int64_t>::max()) const;
 
  private:
@@ -85,7 +88,7 @@ class AttemptRecording {
     std::int64_t first_us = 0, last_us = 0;
     std::size_t payload = 0, packedBytes = 0, rawBytes = 0;
     std::uint32_t checksum = 0;
-    bool agrees = true;  ///< the block agrees with the file's digests
+    bool agrees = true;  ///< true: the block agrees with the file's digests
   };
   struct Link {
     std::array<std::uint8_t, 32> digest{};
@@ -93,7 +96,7 @@ class AttemptRecording {
   };
   std::vector<record::PlacedBlock> findBlocks();
   Result<void> readHeader(const std::vector<record::PlacedBlock>& blocks);
-  /// Checks the blocks against the links; removes blocks that were not written completely.
+  /// Checks the blocks against the digests in links_; removes blocks that were not written completely.
   Result<void> checkLinks(std::vector<record::PlacedBlock>& blocks);
   void readBlock(const record::PlacedBlock& block);
   void readChange(const record::BlockHead& head, std::size_t payload, bool agrees);
@@ -103,16 +106,17 @@ class AttemptRecording {
   std::string name_;
   std::vector<std::uint8_t> bytes_;
   bool isChained_ = false, damaged_ = false;
-  bool missing_ = false;     ///< according to the links, a block may be missing
-  std::string fault_;        ///< a sentence that names the place at which links and blocks disagree; "": they agree
-  std::vector<Link> links_;  ///< same order as the blocks
+  bool missing_ = false;  ///< true: according to the digests, a block may be missing
+  std::string fault_;  ///< a sentence that names the first place at which digests and blocks disagree; "": they agree
+  std::vector<Link> links_;  ///< digests of the blocks, in the order of the blocks
   AttemptHeader header_;
   AttemptStatus status_ = AttemptStatus::CutShort;
   std::vector<std::string> troubles_;
   std::vector<Block> blocks_;
   std::vector<SettingsChange> changes_;
-  std::optional<std::int64_t> unknownFrom_us_;  ///< time from which the settings are unknown, since a damaged part may
-                                                ///< contain a change; empty: none
+  /// Time from which the settings are unknown, since a damaged part may contain a change of settings; empty: always
+  /// known.
+  std::optional<std::int64_t> unknownFrom_us_;
 };
 
 }  // namespace insonate

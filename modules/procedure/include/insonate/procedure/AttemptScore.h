@@ -9,21 +9,21 @@
 
 namespace insonate {
 
-/// One metric of an attempt with the published values for comparison.
+/// Value of one metric of an attempt, with the published values for comparison.
 struct MetricScore {
   Metric metric = Metric::VeinPunctures;
-  std::optional<double> value;     ///< empty: it does not follow from the attempt
-  std::optional<MetricNorm> norm;  ///< empty: no published values are known
-  /// Position of the value between the novice's (0) and the expert's value (100), clamped to 0..100. Empty if value or
-  /// norm is missing.
+  std::optional<double> value;     ///< measured value; empty: the attempt does not determine it
+  std::optional<MetricNorm> norm;  ///< published values of novices and experts; empty: none are known
+  /// Position of the value on the scale from the published novice value (0) to the expert value (100), clamped to
+  /// 0..100. Empty if value or norm is missing.
   std::optional<double> share;
 };
 
-/// A moment of the attempt to review.
+/// A moment of an attempt that is worth reviewing.
 struct AttemptMoment {
   std::int64_t time_us = 0;
-  std::string say;                   ///< one or more sentences
-  std::optional<Severity> severity;  ///< empty: no error
+  std::string say;                   ///< description of the moment, one or more sentences
+  std::optional<Severity> severity;  ///< severity of the error; empty: the moment is no error
 };
 
 /// Result of an attempt.
@@ -33,28 +33,29 @@ struct AttemptMoment {
 /// each counted as often as it occurred. All metrics have equal weight in the mean. The numbers 5, 20 and 50 are a
 /// choice, not the result of a study; all parts are stored here, so that another weighting can be computed.
 struct AttemptScore {
-  std::optional<double> points;  ///< 0..100; empty: the skin was not punctured, or no share is known
+  std::optional<double> points;  ///< points, 0..100; empty: the skin was not punctured, or no metric has a share
   bool succeeded = false;
-  std::vector<MetricScore> metrics;           ///< all metrics, in the order of metricTable()
-  std::vector<AttemptMoment> criticalErrors;  ///< the critical ones of `moments`
-  std::vector<AttemptMoment> moments;         ///< milestones and findings, in the order of their times
-  /// One sentence on what to do better. It is taken from the first of these that exists: the earliest critical finding,
-  /// a major finding, the step in which the attempt ended, a minor finding, the metric with the smallest share below
-  /// 100.
+  std::vector<MetricScore> metrics;           ///< scores of all metrics, in the order of metricTable()
+  std::vector<AttemptMoment> criticalErrors;  ///< the moments with critical severity
+  std::vector<AttemptMoment> moments;         ///< milestones and findings (errors), in the order of their times
+  /// Advice for the next attempt, one sentence. It is taken from the first of these that exists: the earliest critical
+  /// finding, a major finding, the step in which the attempt ended, a minor finding, the metric with the smallest share
+  /// below 100.
   std::string advice;
 };
 
 inline constexpr double kMinorCost = 5, kMajorCost = 20, kMostWithoutSuccess = 50;
 
-/// Name of the vessel whose wall an event concerns: "right internal jugular vein"; "another vein" for an unnamed vein;
-/// empty if the wall is not a vessel's or the vessel is unknown. `vessels` as in AttemptHeader.
+/// Returns the name of the vessel whose wall an event concerns: "right internal jugular vein"; "another vein" for an
+/// unnamed vein; empty if the wall is not a vessel's or the vessel is unknown. `vessels`: AttemptHeader::vessels.
 std::string vesselName(const AttemptEvent& event, const std::vector<std::string>& vessels);
 
-/// Describes a finding and says what to do; begins with the name of the punctured vessel, if any.
+/// Returns text that describes a finding (broken rule) and says what to do; begins with the name of the punctured
+/// vessel, if any.
 std::string sentenceOf(const ProcedureRule& rule, const ProcedureRun::Finding& finding);
 
-/// Score of an attempt that ended with this status; before the end, the score so far. Only a completed attempt can
-/// succeed.
+/// Computes the score of an attempt that ended with this status; before its end, the score so far. Only a completed
+/// attempt can succeed.
 AttemptScore scoreOf(const ProcedureRun& run, AttemptStatus status = AttemptStatus::Completed);
 
 }  // namespace insonate

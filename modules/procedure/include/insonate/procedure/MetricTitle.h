@@ -6,8 +6,8 @@
 
 namespace insonate {
 
-/// Name of a metric in the user interface: "posterior wall punctures". The unit is shown beside the value. The help's
-/// glossary defines the name.
+/// Returns the name of a metric in the user interface, without its unit: "posterior wall punctures". The glossary in
+/// resources/help defines these names.
 std::string_view metricTitle(Metric metric);
 
 }  // namespace insonate

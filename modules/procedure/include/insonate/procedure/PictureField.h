@@ -4,28 +4,30 @@
 
 namespace insonate {
 
-/// Region that the live image shows, in the probe's frame. In the plane y = 0 it is a rectangle, or a fan about an apex
-/// `faceRadius_mm` behind the face. Perpendicular to the plane its thickness is that of the beam, according to SliceLaw
-/// (insonate/ultrasound/PointSpread.h).
+/// Region that the live image shows, in the probe's frame. In the image plane (y = 0) the region is a rectangle, or a
+/// fan about an apex `faceRadius_mm` behind the face. Perpendicular to the plane it is as thick as the beam, according
+/// to SliceLaw (insonate/ultrasound/PointSpread.h).
 struct PictureField {
-  double width_mm = 0;      ///< width of the rectangle
-  double fanAngle_deg = 0;  ///< full angle; 0: a rectangle
+  double width_mm = 0;      ///< width of a rectangular region
+  double fanAngle_deg = 0;  ///< full angle of a fan; 0: the region is a rectangle
   double faceRadius_mm = 0;
-  double sliceHalf_mm = 0;               ///< half the minimum slice thickness (FWHM); 0: this attempt has no image
-  double elevationFocus_mm = 0;          ///< depth of the minimum thickness, below the face
-  double elevationDivergence = 0;        ///< growth of the thickness per mm, in front of that depth; 0: unknown or none
-  double elevationDivergenceBehind = 0;  ///< growth of the thickness per mm, behind that depth
+  double sliceHalf_mm = 0;       ///< half the minimum slice thickness of the beam (FWHM); 0: there is no image
+  double elevationFocus_mm = 0;  ///< depth below the probe's face at which the slice is thinnest
+  /// growth of the slice thickness per mm of distance from elevationFocus_mm, toward the probe; 0: unknown or none
+  double elevationDivergence = 0;
+  /// growth of the slice thickness per mm of distance from elevationFocus_mm, away from the probe
+  double elevationDivergenceBehind = 0;
 
   bool operator==(const PictureField&) const = default;
 };
 
-/// Maximum distance from the plane at which the image still shows a needle, at this range from the face. It is one
-/// slice thickness, hypot(minimum thickness, divergence * distance from the depth of minimum thickness). For a Gaussian
-/// beam an echo at this distance is reduced by about 20 log10(16) = 24 dB, which is the excess of a needle at 45
-/// degrees over speckle (ultrasound/README.md, "Needle").
+/// Returns the maximum distance from the image plane at which the image still shows a needle, at a range `range_mm`
+/// from the probe's face: one slice thickness, hypot(minimum thickness, divergence * distance from the depth of minimum
+/// thickness). For a Gaussian beam an echo at this distance is reduced by about 20 log10(16) = 24 dB, which is the
+/// excess of a needle at 45 degrees over speckle (ultrasound/README.md, "Needle").
 double shownOffPlane_mm(const PictureField& field, double range_mm);
 
-/// Tells whether a live image of this depth shows a needle's tip at a point of the probe's frame.
+/// Tells whether a live image of depth `depth_mm` shows a needle's tip at a point of the probe's frame.
 bool shows(const PictureField& field, double depth_mm, Vec3 tip_probe);
 
 }  // namespace insonate

@@ -12,18 +12,19 @@
 
 namespace insonate {
 
-/// Permitted tilt of the table. Turning the head moves muscle and vessels and needs another case.
+/// Patient position that a procedure permits: a tilt of the table. (A turned head would move muscle and vessels, and
+/// needs another case.)
 struct PatientPosition {
   std::string name;
-  double tilt_deg = 0;  ///< positive: head down; -45 to 45
+  double tilt_deg = 0;  ///< tilt of the table; positive: head down; -45 to 45
 };
 
-/// An event that ends a step.
+/// Event that completes a step of a procedure.
 struct Happening {
   AttemptEventKind kind = AttemptEventKind::Entered;
-  std::optional<Label> wall;  ///< empty: any wall
+  std::optional<Label> wall;  ///< structure whose wall the event must concern; empty: any
 };
-/// A state that ends a step once it has lasted for a time.
+/// State that completes a step of a procedure once it has lasted for `for_s`.
 struct Holding {
   enum class What { ProbeOnSkin, AspiratingInVein };
   What what = What::ProbeOnSkin;
@@ -33,14 +34,14 @@ struct Holding {
 struct ProcedureStep {
   std::string name, title;
   std::string say;        ///< instruction for the trainee
-  bool optional = false;  ///< later steps do not require this step
+  bool optional = false;  ///< true: later steps can be done without this step
   std::variant<Happening, Holding> until;
 };
 
-/// A limit of a metric. A missing value never exceeds it.
+/// Limit of a metric. A missing value is never beyond it.
 struct MetricLimit {
   Metric metric = Metric::VeinPunctures;
-  std::optional<double> over, under;  ///< maximum or minimum; exactly one is set
+  std::optional<double> over, under;  ///< maximum (`over`) or minimum (`under`); exactly one is set
 
   bool isBeyond(std::optional<double> value) const {
     return value && ((over && *value > *over) || (under && *value < *under));
@@ -49,48 +50,49 @@ struct MetricLimit {
 
 enum class Severity { Minor, Major, Critical };
 
-/// An error that an attempt must not contain.
+/// Definition of an error: a metric beyond a limit, with its severity and texts.
 struct ProcedureRule {
   std::string name;
-  MetricLimit limit;  ///< for a count, each further increase is a new finding; for other metrics there is one finding
+  MetricLimit limit;  ///< for a count, each further increase is another error; other metrics give one error at most
   Severity severity = Severity::Minor;
-  std::string say;     ///< describes the error and what to do
-  std::string advice;  ///< advice for the next attempt, one sentence; may be empty
+  std::string say;     ///< text for the trainee: the error, and what to do
+  std::string advice;  ///< advice for the next attempt, one sentence, or empty
 };
 
-/// Published values of a metric. The range between novice and expert is the part that can be learned.
+/// Published values of a metric for novices and experts.
 struct MetricNorm {
   Metric metric = Metric::VeinPunctures;
-  /// Values in the metric's unit; they differ, and the expert's value is the better one.
+  /// Published values in the metric's unit; they differ, and the expert's is the better one.
   double novice = 0, expert = 0;
   std::string source;  ///< study in which the values were measured
-  std::string advice;  ///< advice for coming closer to the expert's value, one sentence
+  std::string advice;  ///< advice on how to come closer to the expert's value, one sentence
 };
 
-/// A structure that a case must have labeled.
+/// A structure that must be labeled in a case, so that the procedure can be done on it.
 struct NeededStructure {
   Label label = kVein;
-  std::string why;  ///< consequence of a missing structure; the end of a sentence
+  std::string why;  ///< consequence if the structure is missing; worded as the end of a sentence
 };
 
-/// Steps, rules, norms and target of a procedure, as data.
+/// A clinical procedure as data: steps, errors, published norms and target.
 struct Procedure {
   std::string name, title;
   int version = 1;
   std::vector<NeededStructure> needs;
-  std::string target;  ///< part of the name that a case's target must contain; empty: any target
+  std::string target;  ///< text that the name of a case's target must contain; empty: any target
   std::vector<PatientPosition> positions;
-  std::vector<ProcedureStep> steps;  ///< at least one; in order
-  std::size_t passBegins = 0;        ///< the step to which the attempt returns if the needle is pulled out too early
+  std::vector<ProcedureStep> steps;  ///< steps in their order, at least one
+  /// index of the step to which the attempt returns if the needle leaves the body too early
+  std::size_t passBegins = 0;
   std::vector<ProcedureRule> rules;
-  std::vector<MetricLimit> success;  ///< limits that must all be exceeded at the end
-  std::vector<MetricNorm> norms;     ///< at most one for each metric; other metrics have no known norm
+  std::vector<MetricLimit> success;  ///< conditions of success: every one of these limits must be exceeded at the end
+  std::vector<MetricNorm> norms;  ///< published values, at most one for each metric; metrics without an entry have none
 };
 
-/// Names of the presets of resources/procedures.
+/// Returns the names of the built-in procedures, those in resources/procedures.
 std::vector<std::string> procedurePresetNames();
-/// Loads a preset by name, or a JSON file of the same form. Fails with a sentence that names the place, the error and
-/// the possible values.
+/// Loads a built-in procedure by name, or a JSON file of the same format. Fails with a sentence that names the place,
+/// the error and the possible values.
 Result<Procedure> loadProcedure(std::string_view nameOrPath);
 Result<Procedure> parseProcedure(std::string_view json);
 

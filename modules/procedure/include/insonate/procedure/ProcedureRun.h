@@ -10,8 +10,8 @@
 
 namespace insonate {
 
-/// State of an attempt within its procedure: the current step and the findings so far. Receives samples and events like
-/// AttemptMetrics, of which it contains one. The same sequence gives the same result, live and replayed.
+/// Follows an attempt through its procedure: current step, findings (errors) and metrics so far, computed from the
+/// samples and events of the attempt. The same sequence gives the same result, live and replayed.
 class ProcedureRun {
  public:
   enum class StepState { Open, Done, Skipped };
@@ -22,12 +22,12 @@ class ProcedureRun {
   struct Finding {
     std::size_t rule = 0;  ///< index into Procedure::rules
     std::int64_t time_us = 0;
-    double value = 0;  ///< value of the metric
-    /// Name of the vessel that was punctured when the rule was broken; empty: no vessel, or unnamed.
+    double value = 0;  ///< value of the rule's metric at that time
+    /// Name of the vessel whose puncture broke the rule; empty: no vessel, or one without a name.
     std::string vessel{};
   };
 
-  /// `vessels` as in AttemptHeader.
+  /// `vessels`: AttemptHeader::vessels, the names of the case's vessels, the target first.
   ProcedureRun(Procedure procedure, const PictureField& picture, std::vector<std::string> vessels = {});
 
   void take(const AttemptSample& sample);
@@ -37,15 +37,17 @@ class ProcedureRun {
   const std::vector<std::string>& vessels() const { return vessels_; }
   const AttemptMetrics& metrics() const { return metrics_; }
   const std::vector<Step>& steps() const { return steps_; }
-  /// Index of the first step that is due; empty if all steps are done.
+  /// Returns the index of the step that the trainee has to do next; empty if all are done.
   std::optional<std::size_t> due() const;
-  const std::vector<Finding>& findings() const { return findings_; }  ///< sorted by time
-  /// Events that describe the attempt, in the order of their times: counted punctures, contact with bone, needle
-  /// withdrawn or replaced, needle held by the pedal, change of position. A tip that trembles in a hole adds no event.
+  const std::vector<Finding>& findings() const { return findings_; }  ///< errors so far, sorted by time
+  /// Returns the events that summarize the attempt, in the order of their times: counted punctures, contacts with bone,
+  /// needle withdrawn or replaced, image frozen, table tilted. Repeated crossings of one wall by a trembling tip give
+  /// one event.
   const std::vector<AttemptEvent>& milestones() const { return milestones_; }
-  /// Name of the vessel in which the tip is, as vesselName() gives it; empty: no vessel, or unknown.
+  /// Returns the name of the vessel in which the needle's tip is, in the words of vesselName(); empty: no vessel, or
+  /// unknown.
   std::string vesselIn() const;
-  /// Tells whether the procedure has succeeded so far.
+  /// Tells whether the attempt meets the conditions of success (Procedure::success) so far.
   bool succeeded() const;
 
  private:
@@ -61,9 +63,11 @@ class ProcedureRun {
   std::size_t due_ = 0;
   std::vector<Finding> findings_;
   std::vector<AttemptEvent> milestones_;
-  std::optional<AttemptEvent> vesselWall_;   ///< event by which the tip entered its present vessel
-  std::vector<std::optional<double>> told_;  ///< for each rule, the value at the last finding
-  /// Time since which the state has lasted; empty: the state does not hold.
+  std::optional<AttemptEvent> vesselWall_;  ///< event by which the tip entered its present vessel
+  /// for each rule, the metric's value at the rule's last finding; empty: no finding yet
+  std::vector<std::optional<double>> told_;
+  /// Times since which the probe has been on the skin, and the needle has aspirated blood in the vein; empty: not at
+  /// present.
   std::optional<std::int64_t> probeOnSkin_us_, aspirating_us_;
 };
 

@@ -8,25 +8,25 @@
 
 namespace insonate {
 
-/// Secret key with which the store of an attempt keys its recording (curriculum/AttemptSeal.h); never stored in the
-/// file.
+/// Secret key with which the blocks of a recording are authenticated. The curriculum store issues it
+/// (curriculum/AttemptSeal.h); it is never stored in the file.
 using RecordKey = std::array<std::uint8_t, 32>;
 
 enum class ProofState {
-  Proven,         ///< each block up to the end of the attempt is as the recorder wrote it with this key
-  Unproven,       ///< no proof is possible: an earlier format, no key, or the end is missing
-  Demonstration,  ///< a script moved the hands
-  Broken,         ///< changed or damaged after it was recorded
+  Proven,         ///< the key confirms that every block up to the end is as it was recorded
+  Unproven,       ///< origin unknown: an earlier format, no key, or the end of the recording is missing
+  Demonstration,  ///< a script moved probe and needle
+  Broken,         ///< the recording was changed or damaged afterwards
 };
 
-/// Result of checking a recording.
+/// Result of checking whether a recording is unchanged and of known origin.
 struct RecordingProof {
   ProofState state = ProofState::Unproven;
-  std::string why{};  ///< a sentence with file and place; "" if proven
+  std::string why{};  ///< reason for the state: a sentence with file and place; "" if proven
 };
 
-/// AttemptRecording::proof() of a file; Broken if the file cannot be opened. `key` is the key issued with the
-/// recording's nonce; empty: unknown, or the recording has no nonce.
+/// Opens a recording and returns AttemptRecording::proof(); Broken if it cannot be opened. `key`: key that the store
+/// issued with the recording's nonce; empty: unknown, or no nonce.
 RecordingProof proofOf(const std::filesystem::path& file, const std::optional<RecordKey>& key);
 
 }  // namespace insonate

@@ -8,7 +8,7 @@
 namespace insonate {
 
 struct Brush {
-  double radius_mm = 4;            ///< above 0
+  double radius_mm = 4;            ///< radius of the circle or sphere; above 0
   std::optional<int> sliceAxis{};  ///< circle in the slice perpendicular to this grid axis (0, 1, 2); empty: sphere
 };
 

@@ -8,14 +8,14 @@
 
 namespace insonate {
 
-/// Parameters of a front that starts at the seeds. It moves by 1 mm per unit of time in homogeneous tissue, and more
-/// slowly where the CT's gradient is steep:
+/// Parameters of a front that starts at the seeds. The front moves by 1 mm per unit of time in homogeneous tissue, and
+/// more slowly where the CT's gradient is steep:
 ///   speed = 1 / (1 + (gradient / edge)^2)
 /// J. A. Sethian, "A fast marching level set method for monotonically advancing fronts", PNAS 93, 1996.
 struct MarchingFront {
-  double reach_mm = 15;       ///< time at which the front stops; above 0
-  double edge_HUpmm = 30;     ///< gradient at which the speed is one half; above 0
-  double smoothing_mm = 0.8;  ///< standard deviation of the blur before the gradient; 0 or more
+  double reach_mm = 15;       ///< distance that the front covers in homogeneous tissue before it stops; above 0
+  double edge_HUpmm = 30;     ///< CT gradient at which the front moves at half speed; above 0
+  double smoothing_mm = 0.8;  ///< standard deviation of the CT's blur before the gradient is computed; 0 or more
 };
 
 /// Returns the voxels of the box that the front reached. Seeds are points in patient space, mm. Refuses seeds that all

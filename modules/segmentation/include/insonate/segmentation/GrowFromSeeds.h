@@ -9,8 +9,8 @@ namespace insonate {
 /// Labels that the author painted as seeds in a box. Voxels of seeds keep their labels; tools assign the contested
 /// voxels to seeds.
 struct Seeds {
-  Proposal painted;     ///< kKeep at voxels without a seed
-  Selection contested;  ///< voxels, in the same box, that seeds may take
+  Proposal painted;     ///< labels of the seeds' voxels; Proposal::kKeep at voxels without a seed
+  Selection contested;  ///< voxels of the same box that the tool assigns to seeds
 };
 
 /// Returns the seeds of all labels in `which`; the contested voxels are those of labels in `over`.
@@ -31,8 +31,8 @@ Result<Proposal> grownFromSeeds(const CtVolume& ct, const Seeds& seeds, const Co
 
 /// Marker-controlled watershed: floods the CT's gradient from the seeds and assigns each contested voxel to the seed
 /// that reaches it first (F. Meyer, "Topographic distance and watershed lines", Signal Processing 38, 1994).
-/// `smoothing_mm` is the standard deviation of the Gaussian blur that is applied to the CT first. Refuses and fails
-/// like grownFromSeeds().
+/// `smoothing_mm` is the standard deviation of the Gaussian blur that is applied to the CT first. Refuses seeds of
+/// fewer than two labels; fails when cancelled.
 Result<Proposal> watershed(const CtVolume& ct, const Seeds& seeds, double smoothing_mm, const Progress& progress = {});
 
 }  // namespace insonate

@@ -22,27 +22,30 @@ enum class GuideSide { Right, Left };
 
 /// One of the alternative ways to do a step of a guide.
 struct GuideWay {
-  std::optional<HuRange> clicks_HU{};  ///< brightness of the clicked tissue to which this way applies; any if empty
-  std::optional<double> around_mm{};   ///< its steps are limited to this distance from the clicks
-  std::vector<LabelStep> steps;        ///< without their points, which are the clicks
-  std::string caution{};               ///< warning to the author about the result
+  std::optional<HuRange> clicks_HU{};  ///< CT values of the clicked tissue for which this way is used; any if empty
+  /// Limits the steps to voxels within this distance of the clicks; no limit if empty.
+  std::optional<double> around_mm{};
+  std::vector<LabelStep> steps;  ///< labeling steps without points; the author's clicks become their points
+  std::string caution{};         ///< warning to the author about the result
 };
 
 /// One step of the guide: the author's task, the view, and the expected result.
 struct GuideStep {
-  std::string name;                 ///< identifier, e.g. "vein-right"
-  std::string title;                ///< e.g. "Jugular vein, right"
+  std::string name;                 ///< identifier of the step, e.g. "vein-right"
+  std::string title;                ///< title of the step for the user, e.g. "Jugular vein, right"
   std::optional<GuideSide> side;    ///< side of the patient on which to click
   std::uint8_t label = 0;           ///< label of the result; 0 for a step that makes several labels
   std::string vessel;               ///< name of the vein or artery in the result, e.g. "right internal jugular vein"
   std::string say;                  ///< instruction to the author
-  std::string lookFor, ifWrong;     ///< appearance of a good result; alternatives for a bad result
-  int leastClicks = 0, clicks = 0;  ///< clicks that are required; clicks that usually suffice; 0 for an automatic step
-  bool optional = false;            ///< not needed for training
+  std::string lookFor, ifWrong;     ///< lookFor: appearance of a good result; ifWrong: advice if the result is bad
+  int leastClicks = 0, clicks = 0;  ///< leastClicks: clicks that are required; clicks: clicks that usually suffice;
+                                    ///< both 0 for an automatic step
+  bool optional = false;            ///< true if the step is not needed for training
   std::vector<GuideWay> ways;       ///< alternatives; the first one that fits the clicks is taken
   std::vector<std::uint8_t> makes;  ///< labels, besides `label`, that should exist after the step
   std::vector<std::uint8_t> apart;  ///< labels that should not touch the result
-  std::optional<GuideRange> diameter_mm, volume_ml;  ///< expected in the result; the guide's file states the source
+  /// Expected diameter and volume of the result; the guide's file states the source.
+  std::optional<GuideRange> diameter_mm, volume_ml;
 };
 
 /// Steps by which an author labels a CT, in order.
@@ -62,8 +65,8 @@ const std::vector<Preset>& guidePresets();
 /// fits no way.
 Result<GuideWay> wayFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct);
 
-/// Returns the clicks of a step of the guide: the points of the recipe's first step that was made for it and has
-/// points. Empty if there is no such step.
+/// Returns the clicks of a step of the guide: the points of the recipe's first step that was made for this step of the
+/// guide and has points. Empty if there is no such step.
 std::vector<Vec3> clicksOf(const GuideStep& step, const Recipe& recipe);
 
 /// Checks the result of a step and returns findings, one sentence each: the result does not contain the clicks, has an

@@ -41,10 +41,10 @@ struct LabelChange {
   std::size_t voxels = 0;
 };
 
-/// The only writer of labels, with undo and redo. Stores each step as runs of changed voxels, which take a few bytes
-/// each, instead of a copy of the map. Keeps the latest 100 steps, or fewer if they exceed the permitted memory. The
-/// owner of the CT and the label map keeps both alive and does not change them meanwhile; both are on one grid. Not for
-/// concurrent use by two threads.
+/// Edits a label map, with undo and redo; all changes of the map go through this class. Each undo step is stored as
+/// runs of changed voxels, which take a few bytes each, instead of a copy of the map. The latest 100 steps are kept, or
+/// fewer if they exceed the permitted memory. The owner of the CT and the label map keeps both alive and does not
+/// change them meanwhile; both are on one grid. Not for concurrent use by two threads.
 class LabelEdit {
  public:
   static constexpr std::size_t kMostSteps = 100;
@@ -53,7 +53,7 @@ class LabelEdit {
   LabelEdit(const CtVolume& ct, LabelMap& labels, std::size_t mostBytes = kMostBytes);
 
   const CtVolume& ct() const { return *ct_; }
-  /// Replaces the CT by a copy with identical voxels at another address.
+  /// Sets the CT's new address after the CT was copied; its voxels must be identical.
   void setCt(const CtVolume& ct) { ct_ = &ct; }
   const LabelMap& labels() const { return labels_; }
 
@@ -64,25 +64,27 @@ class LabelEdit {
   /// hidden labels.
   Result<LabelChange> apply(const Proposal& proposal, std::string name);
 
-  /// Combines all edits until endStroke() in one step.
+  /// Combines all edits until endStroke() in one undo step called `name`.
   void beginStroke(std::string name);
   void endStroke();
 
-  /// Returns the name of the step that undo() or redo() would apply, for a menu; no value if there is none.
+  /// undoName() and redoName() return the name of the step that undo() or redo() would apply, for a menu; no value if
+  /// there is none.
   std::optional<std::string_view> undoName() const;
   std::optional<std::string_view> redoName() const;
   LabelChange undo();
   LabelChange redo();
 
   std::size_t undoSteps() const { return done_.size(); }
-  /// Returns the memory that undo and redo take.
+  /// Returns the memory that the stored undo and redo steps take.
   std::size_t bytes() const;
-  /// Increases with every change; a surface made at an earlier revision is out of date.
+  /// Returns a number that increases with every change of the labels. A surface made at a smaller number is out of
+  /// date.
   std::size_t revision() const { return revision_; }
 
  private:
   using Bytes = std::vector<std::uint8_t>;
-  /// Change made by one edit: the packed runs of each slice of the box.
+  /// Change made by one edit: the changed voxels of each slice of the box, packed as runs (RunPacker).
   struct Difference {
     LabelChange change;
     std::vector<Bytes> slices;

@@ -50,7 +50,7 @@ struct RemoveSmall {
   double least_mm3 = 100;
 };
 struct KeepIsland {
-  std::vector<Vec3> points_mm{};  ///< exactly one
+  std::vector<Vec3> points_mm{};  ///< exactly one point, inside the island to keep
 };
 struct SplitIslands {
   std::vector<std::uint8_t> into{};  ///< labels for the islands, the largest island first
@@ -72,7 +72,7 @@ struct SmoothTogether {
   std::vector<std::uint8_t> labels{};
 };
 struct Margin {
-  double margin_mm = 2;  ///< negative to shrink
+  double margin_mm = 2;  ///< distance by which the shape grows; negative to shrink
 };
 struct Hollow {
   double thickness_mm = 2;
@@ -131,13 +131,14 @@ using LabelTool = std::variant<step::Auto, step::Threshold, step::Paint, step::D
 /// shall get.
 struct LabelStep {
   LabelTool tool;
-  std::uint8_t label = 0;  ///< not used by tools that write several labels
-  std::uint8_t rest;       ///< label of voxels that `label` loses; soft tissue by default
+  std::uint8_t label = 0;  ///< label that the tool writes; not used by tools that write several labels
+  std::uint8_t rest;       ///< label that voxels get if the step removes them from `label`; soft tissue by default
   std::vector<std::uint8_t> locked{};
   std::optional<std::vector<std::uint8_t>> over{};  ///< if set, only voxels of these labels are overwritten
   std::optional<HuRange> editable_HU{};
-  std::optional<std::array<Vec3, 2>> box_mm{};  ///< two opposite corners of the region; empty: the tool's choice
-  std::string of{};                             ///< step of a guide for which it was made; tools ignore it
+  /// Opposite corners of the region in which the tool works; if empty, the tool chooses the region.
+  std::optional<std::array<Vec3, 2>> box_mm{};
+  std::string of{};  ///< name of the guide's step for which this step was made; tools ignore it
 
   LabelStep();
 };
@@ -151,12 +152,12 @@ Result<Proposal> propose(const LabelStep& step, const CtVolume& ct, const LabelM
                          const Progress& progress = {});
 
 /// Computes a preview of perform() for a window: the label's whole shape; for erasing, only the part that is removed. A
-/// threshold reuses the proposal's memory, so that the preview can follow a slider. Fails like propose(); the
-/// proposal's contents are then undefined.
+/// threshold step reuses the memory of `into`, so that the preview can follow a slider. Fails with the errors of
+/// propose(); the proposal's contents are then undefined.
 Result<void> preview(const LabelStep& step, const CtVolume& ct, const LabelMap& labels, Proposal& into,
                      const Progress& progress = {});
 
-/// Returns the rules of the step, for code that writes its proposal.
+/// Returns the step's editing rules, for callers that write the step's proposal themselves.
 EditRules rulesOf(const LabelStep& step);
 
 /// Computes the step's proposal, writes it and stores it for undo. The step's rules replace those of `edit`.

@@ -16,7 +16,7 @@ Result<Selection> shrunkBy(const Selection& shape, double margin_mm, const Progr
 
 /// Position of a hollow shape's wall relative to the original surface: inside, half and half, or outside.
 enum class Wall { kInside, kMiddle, kOutside };
-/// Returns only the wall of a shape.
+/// Returns the wall of a shape: a shell of this thickness along the shape's surface.
 Result<Selection> hollowed(const Selection& shape, double thickness_mm, Wall wall, const Progress& progress = {});
 
 }  // namespace insonate

@@ -15,9 +15,9 @@ Result<Selection> drawn(const VolumeGeometry& geometry, int sliceAxis, std::span
 
 /// View by which a polygon on the screen is extended into depth.
 struct ScissorsView {
-  Vec3 along{0, 0, 1};           ///< direction of view, patient, unit
+  Vec3 along{0, 0, 1};           ///< direction of view, unit vector in patient space
   std::optional<Vec3> eye_mm{};  ///< eye point of a perspective view; empty for parallel projection
-  bool outside = false;          ///< select the voxels outside the polygon
+  bool outside = false;          ///< true: select the voxels outside the polygon
   double depth_mm = 0;  ///< maximum depth along the view; in parallel projection, to both sides; 0 for no limit
   std::optional<Vec3> surface_mm{};  ///< point where the depth begins, patient; if empty, the first corner
 };

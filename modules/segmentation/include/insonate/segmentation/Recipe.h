@@ -10,8 +10,8 @@
 
 namespace insonate {
 
-/// Steps of labeling that can be repeated: the same CT, labels and recipe give the same voxels, on any number of
-/// threads.
+/// A sequence of labeling steps that can be repeated: the same CT, labels and recipe give the same voxels, on any
+/// number of threads.
 struct Recipe {
   std::string description;
   std::vector<LabelStep> steps;

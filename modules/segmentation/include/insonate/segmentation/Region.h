@@ -8,10 +8,10 @@
 
 namespace insonate {
 
-/// Voxels that a tool has selected in a block of a grid, 1 or 0 each; windows show it as a preview.
+/// Voxels that a tool has selected in a block of a grid; windows show them as a preview.
 struct Selection {
   VoxelBox box;
-  Volume<std::uint8_t> mask;  ///< on the box's grid; no voxels if the box is empty
+  Volume<std::uint8_t> mask;  ///< 1 for selected voxels, else 0, on the grid of `box`; no voxels if the box is empty
 
   Selection() = default;
   /// Makes an empty selection. The box must lie within the grid.
@@ -38,7 +38,7 @@ struct HuRange {
 
 /// Labels that a tool would write: one for each voxel of a block, or kKeep.
 struct Proposal {
-  static constexpr std::uint8_t kKeep = 255;  ///< the voxel stays as it is
+  static constexpr std::uint8_t kKeep = 255;  ///< entry that means: the voxel keeps its label
   VoxelBox box;
   Volume<std::uint8_t> labels;
 };

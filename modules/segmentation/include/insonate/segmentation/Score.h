@@ -10,11 +10,11 @@
 
 namespace insonate {
 
-/// Agreement of a label with the reference.
+/// Agreement of one label between a label map and the reference map.
 struct LabelScore {
   std::uint8_t label = 0;
   std::size_t voxels = 0, trueVoxels = 0;
-  double dice = 0;  ///< 2 |A and B| / (|A| + |B|) for the voxel sets A and B of the two maps
+  double dice = 0;  ///< Dice coefficient 2 |A and B| / (|A| + |B|) of the voxel sets A and B of the two maps
   /// Mean and 95th percentile of surface distances: from each outermost voxel of either map to the nearest outermost
   /// voxel of the other. No value if either map has no voxel of the label.
   std::optional<double> meanSurface_mm, p95Surface_mm;

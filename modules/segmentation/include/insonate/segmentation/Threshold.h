@@ -9,12 +9,13 @@ namespace insonate {
 /// can follow a slider. The box must lie within the CT.
 void threshold(const CtVolume& ct, HuRange range, Selection& chosen);
 
-/// Combines threshold(), painted() and restrictTo() in one pass over the CT. Reuses the memory of `into` if `into`
-/// already has this box. The box must lie within the CT.
+/// Proposes `label` for the voxels in the range, without the changes that the rules forbid: threshold(), painted() and
+/// restrictTo() in one pass over the CT. Reuses the memory of `into` if `into` already has this box. The box must lie
+/// within the CT.
 void proposeThreshold(const CtVolume& ct, HuRange range, std::uint8_t label, const EditRules& rules,
                       const LabelMap& labels, const VoxelBox& box, Proposal& into);
 
-/// Removes the voxels from a selection whose CT is outside the range: an intensity-limited brush.
+/// Removes from a selection the voxels whose CT is outside the range, e.g. for an intensity-limited brush.
 void limitTo(const CtVolume& ct, HuRange range, Selection& chosen);
 
 }  // namespace insonate

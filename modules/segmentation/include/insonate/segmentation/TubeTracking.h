@@ -7,8 +7,8 @@ namespace insonate {
 /// Properties of the vessel to follow; the defaults are those of a neck's large vessels without contrast agent.
 struct TubeTracking {
   double largest_mm = 12;  ///< maximum distance of the wall from the center; 2 to 30
-  double darker_HU = 15;   ///< voxels darker than the center by this much are other tissue; 1 to 500
-  double brighter_HU = 9;  ///< voxels brighter than the center by this much are other tissue; 1 to 500
+  double darker_HU = 15;   ///< voxels darker than the center by at least this much belong to other tissue; 1 to 500
+  double brighter_HU = 9;  ///< voxels brighter than the center by at least this much belong to other tissue; 1 to 500
   double stiffness = 2;    ///< resistance of an outline to dents and bumps; 0 to 10
 };
 

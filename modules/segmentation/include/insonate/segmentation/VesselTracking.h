@@ -12,8 +12,8 @@
 namespace insonate {
 
 struct VesselTracking {
-  double largest_mm = 12;     ///< maximum distance of the wall from the center, twice as far in a flat vessel; 2 to 30
-  double smoothing_mm = 0.6;  ///< standard deviation of the blur of the CT in which the path is found; 0 to 3
+  double largest_mm = 12;     ///< maximum distance of the wall from the center, doubled for flat vessels; 2 to 30
+  double smoothing_mm = 0.6;  ///< standard deviation of the CT's blur for finding the path between clicks; 0 to 3
 };
 
 /// A section perpendicular to a vessel, in the patient: the wall is at the distance radius_mm[n] from the center in the
@@ -27,8 +27,8 @@ struct VesselOutline {
 };
 
 struct TrackedVessel {
-  CentreLine line;                      ///< from the first to the last click
-  std::vector<VesselOutline> outlines;  ///< one for each point of the line
+  CentreLine line;                      ///< center line of the vessel, from the first to the last click
+  std::vector<VesselOutline> outlines;  ///< outline of the wall at each point of the center line
   Selection lumen;
 };
 

@@ -9,8 +9,8 @@
 
 namespace insonate {
 
-/// Makes the header of an attempt that begins now. The header has no hashes and no engine yet. `software` is name and
-/// version.
+/// Makes the recording header of an attempt that begins now; its hashes and engine are still empty. `software`: name
+/// and version of the program.
 AttemptHeader headerOf(const Procedure& procedure, const PatientCase& patient, const Probe& probe,
                        std::string_view software);
 

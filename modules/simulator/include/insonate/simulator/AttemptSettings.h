@@ -10,18 +10,19 @@
 
 namespace insonate {
 
-/// Everything that decides the images of an attempt, apart from the case and the motion of the hands.
-/// AttemptHeader::settings and SettingsChange store it.
+/// Settings that determine the images of an attempt, together with the case and the motion of probe and needle.
+/// AttemptHeader::settings and SettingsChange store them.
 struct AttemptSettings {
-  /// Setup with the engine that made the images, not "auto". Replays ignore persistence.
+  /// Probe, image settings, tissues and mechanics; `engine` names the engine that made the images, never "auto".
+  /// Replays ignore persistence.
   ImagingSetup setup;
   Physiology physiology;
-  bool pulsating = false;  ///< false: blood is at its mean pressure
-  double bloodTime_s = 0;  ///< time of heartbeat and breathing when the recording began
-  std::string needle;      ///< preset of NeedleTable, or the name of a file
+  bool pulsating = false;  ///< true: heartbeat and breathing vary the blood pressure; false: it stays at its mean
+  double bloodTime_s = 0;  ///< time in the cycles of heartbeat and breathing at which the recording began
+  std::string needle;      ///< name of a NeedleTable preset, or file name of a needle table
   double needleRadius_mm = 0.635, needleLength_mm = 70;
 
-  /// Blood pressure at a time of the recording.
+  /// Returns the blood pressure at a time since the recording began.
   BloodPressure blood(double time_s) const {
     return bloodPressure(physiology, setup.mechanics.tissues,
                          pulsating ? std::optional(bloodTime_s + time_s) : std::nullopt);

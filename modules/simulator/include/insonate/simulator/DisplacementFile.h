@@ -8,10 +8,10 @@
 
 namespace insonate {
 
-/// Writes the displacement as a vector volume of one slice, NRRD, which 3D Slicer and ITK read: float32, three
-/// components, columns (lateral) by rows (axial) by 1, placed in patient LPS by the pose. A vector is in patient LPS,
-/// mm. It points from the present place of the tissue to its place at rest, which is the direction that resampling
-/// needs. Written atomically. Fails with a sentence, also if the displacement is empty.
+/// Writes the tissue displacement in the image plane as an NRRD vector volume of one slice, which 3D Slicer and ITK
+/// read: float32, three components, columns (lateral) by rows (axial) by 1, placed in patient LPS by
+/// `patientFromProbe`. Each vector (patient LPS, mm) points from the present position of the tissue to its undeformed
+/// position, as resampling needs. Written atomically. Fails with a sentence, also if the displacement is empty.
 Result<void> writeDisplacement(const PlaneDisplacement& displacement, const Transform& patientFromProbe,
                                const std::filesystem::path& file);
 

@@ -7,14 +7,14 @@
 
 namespace insonate {
 
-/// Settings that show one effect of the image by itself.
+/// Imaging settings with which the image shows one physical effect (attenuation, beam width, clutter, ...) alone.
 struct EffectLayer {
-  std::string name;  ///< valid as a file name
+  std::string name;  ///< name of the effect; valid as a file name
   ImagingSettings settings;
 };
 
-/// Returns one layer for every effect of the settings' rendering style. An effect that acts on echoes (attenuation,
-/// beam, clutter, ...) is shown on plain, even scattering.
+/// Returns one layer for every effect that these settings' rendering style uses. An effect that acts on echoes
+/// (attenuation, beam, clutter, ...) is shown on uniform scattering.
 std::vector<EffectLayer> effectLayers(const ImagingSettings& settings);
 
 }  // namespace insonate

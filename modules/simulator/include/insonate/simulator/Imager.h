@@ -16,13 +16,14 @@
 
 namespace insonate {
 
-/// All settings that decide an image, apart from patient and pose.
+/// All settings that determine an ultrasound image, apart from patient and pose.
 struct ImagingSetup {
   Probe probe;
   ImagingSettings settings;
   AcousticTable tissues;
   std::string engine = "auto";  ///< an engine's name from engineNames(), or "auto"
-  /// Tells which part of the tissue a scene must cover; an Imager receives the displacement ready-made.
+  /// Mechanical model of the tissue. It determines how much tissue a scene must cover; Imager::render() receives the
+  /// computed displacement.
   TissueMechanics mechanics = {};
 };
 
@@ -30,29 +31,29 @@ struct ImagingSetup {
 struct ImagingFrame {
   struct Stage {
     std::string name;
-    double ms = 0;  ///< the engine's stages are summed over its threads
+    double ms = 0;  ///< computing time; of engine stages, the sum over all threads
   };
-  std::uint32_t noiseSeed = 0;  ///< set before render(): frames with different seeds have different electronic noise
+  std::uint32_t noiseSeed = 0;  ///< seed of the electronic noise; set it before render()
   EnvelopeFrame envelope;
   BModeImage image;
   std::vector<Stage> stages;
-  double frame_ms = 0;             ///< wall-clock time from pose to image
-  std::string engine, engineNote;  ///< engine that computed the image, and its note; see Engine::note()
+  double frame_ms = 0;             ///< wall-clock time of the whole image, from pose to B-mode
+  std::string engine, engineNote;  ///< name of the engine that computed the image, and Engine::note()
 };
 
-/// Renders images from a scene and a pose: the engine and the display of one setup. Not for concurrent use of one
-/// object; uses the calling thread's TBB arena.
+/// Renders ultrasound images from a scene and a probe pose, with one engine (echoes) and display (B-mode processing).
+/// Not for concurrent use of one object; uses the calling thread's TBB arena.
 class Imager {
  public:
-  /// Fails on an unknown engine and on a probe or settings out of range.
+  /// Makes an imager for a setup. Fails on an unknown engine, and on a probe or settings out of range.
   static Result<Imager> make(const ImagingSetup& setup, CompoundedAngles angles = CompoundedAngles::InEachFrame);
 
-  /// Renders an image. Allocates nothing if `frame` has been used before. `patientFromProbe` is rigid (see
-  /// ProbePose.h).
+  /// Renders an image of undeformed tissue without a needle. Allocates nothing if `frame` has been used before.
+  /// `patientFromProbe` is rigid (see ProbePose.h).
   void render(const AcousticScene& scene, const Transform& patientFromProbe, ImagingFrame& frame) {
     render(scene, patientFromProbe, {}, nullptr, frame);
   }
-  /// Renders displaced tissue, with a needle unless it is null; see Engine.h.
+  /// Renders an image of displaced tissue, with a needle unless `needle` is null; see Engine.h.
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
               const Needle* needle, ImagingFrame& frame);
 
@@ -62,21 +63,22 @@ class Imager {
   Display display_;
 };
 
-/// Consecutive poses that share one scene.
+/// Consecutive poses of a path that share one acoustic scene: the poses `first` to `first` + `count` - 1. The scene
+/// covers `region`.
 struct SceneRun {
   Region region;
   std::size_t first = 0, count = 0;
 };
 
-/// Region that a scene must cover for a frame at this pose, including displaced tissue and the tissue that decides its
-/// displacement. `further_mm` extends the region to poses that lie up to this much deeper along the axis.
+/// Returns the region that a scene must cover for an image at this pose, including tissue outside the image that
+/// affects its displacement. `further_mm` extends the region for poses up to this much deeper along the probe's axis.
 Region sceneRegion(const ImagingSetup& setup, const Transform& patientFromProbe, double further_mm = 0);
 
-/// Splits a path into runs, so that no scene has to cover much more than its frames need.
+/// Splits a path of poses into runs that each share a scene, so that no scene covers much more than its images need.
 std::vector<SceneRun> sceneRuns(const ImagingSetup& setup, std::span<const Transform> path, double further_mm = 0);
 
-/// Makes the source of several scenes of one case: parts that the scenes share are computed once. The case must outlive
-/// the source.
+/// Makes a SceneSource, which makes several scenes of one case and computes their common parts only once. The case must
+/// outlive the source.
 Result<std::shared_ptr<const SceneSource>> makeSceneSource(const CaseView& patient);
 
 /// Makes the scene of the part of the patient that a region needs. Fails if the region lies outside the patient's

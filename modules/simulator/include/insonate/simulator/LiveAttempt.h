@@ -18,54 +18,55 @@ namespace insonate {
 
 class SkinSurface;
 
-/// State of an attempt; all values are of the same moment, some milliseconds ago.
+/// State of an attempt in progress; all values are of one moment, some milliseconds ago.
 struct AttemptView {
   double time_s = 0;                      ///< wall-clock time since the attempt began
-  std::vector<ProcedureRun::Step> steps;  ///< steps of Procedure::steps
+  std::vector<ProcedureRun::Step> steps;  ///< states of Procedure::steps, in the same order
   std::optional<std::size_t> due;
   std::vector<ProcedureRun::Finding> findings;
   std::vector<AttemptEvent> events;
   MetricValues metrics;
   NeedlePlace needle = NeedlePlace::Clean;
-  std::string vessel;  ///< ProcedureRun::vesselIn()
+  std::string vessel;  ///< vessel in which the needle's tip is: ProcedureRun::vesselIn()
   bool succeeded = false;
 };
 
-/// Records an attempt made by two hands (HandsSession::setAttempt): each tick of their servo is recorded, and a
-/// ProcedureRun processes the recorded samples, so that a replay gives the same to the last bit. Times count from
-/// start(). Members other than ticked(), show() and see() may be called from any thread.
+/// Records an attempt: HandsSession passes it each tick of the force loop, and a ProcedureRun processes the recorded
+/// samples, so that a replay gives exactly the same results. Times count from start(). Members other than ticked(),
+/// show() and see() may be called from any thread.
 class LiveAttempt final : public TickListener {
  public:
-  /// State of patient and vessels around a tick, which the servo's output does not contain.
+  /// Tissue and vessels that a sample needs in addition to the force loop's output.
   struct Surroundings {
-    std::shared_ptr<const TissueGrid> grid;                ///< null: not computed yet
-    std::shared_ptr<const std::vector<CentreLine>> veins;  ///< null: not computed yet
-    std::shared_ptr<const SkinSurface> skin;               ///< skin of the case; null: not computed yet
-    Transform restFromPatient;                             ///< LocalModel::restFromPatient
+    std::shared_ptr<const TissueGrid> grid;                ///< tissue grid of the needle; null: not computed yet
+    std::shared_ptr<const std::vector<CentreLine>> veins;  ///< center lines of the case's veins; null: not computed yet
+    std::shared_ptr<const SkinSurface> skin;               ///< undeformed skin of the case; null: not computed yet
+    Transform restFromPatient;  ///< map to undeformed tissue near the needle's tip; see LocalModel::restFromPatient
     double pictureDepth_mm = 0;
   };
 
-  /// Starts an attempt. `header` has the names of `vessels`; `key` is as in AttemptRecorder. Fails as
-  /// AttemptRecorder::start() does.
+  /// Starts recording an attempt into `file`. `header.vessels` must be vessels.names(). `key` is passed to
+  /// AttemptRecorder::start(), and its failures are returned.
   static Result<std::shared_ptr<LiveAttempt>> start(const std::filesystem::path& file, const AttemptHeader& header,
                                                     Procedure procedure, VesselNames vessels = {},
                                                     const std::optional<RecordKey>& key = std::nullopt);
-  /// Abandons an unfinished attempt. A HandsSession may keep the attempt alive until it ends.
+  /// Finishes an unfinished attempt as abandoned. A HandsSession may hold the object until the session itself ends.
   ~LiveAttempt() override;
 
-  /// Called by the servo: neither waits nor allocates.
+  /// Records one tick; called on the force loop's thread. Neither waits nor allocates.
   void ticked(const ServoSnapshot& tick) noexcept override;
-  /// Passes the surroundings. Call it on one thread, whenever the servo receives new tissue.
+  /// Sets the tissue and vessels for the following ticks. Call it on one thread, whenever the force loop receives new
+  /// tissue.
   void show(Surroundings around);
-  /// Passes the latest live image; null: no live image. Call it as often as show(), on the same thread. From the images
-  /// the attempt detects that the target vein is found.
+  /// Passes the latest live image, from which the attempt detects that the target vein is centered or compressed; null:
+  /// no live image. Call it as often as show(), on the same thread.
   void see(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around);
 
-  /// Records an event that the program reports: needle replaced, image frozen or released, patient positioned. While
-  /// the image is frozen, no image is counted.
+  /// Records an event that the user interface reports: needle replaced, image frozen or released, patient positioned.
+  /// While the image is frozen, samples are recorded as without a live image.
   void tell(AttemptEventKind kind, double tilt_deg = 0);
   void setAspirating(bool on);
-  /// Sets the settings that apply from now on; until the first call the settings of the header apply.
+  /// Records the imaging settings that apply from now on; until the first call those of the header apply.
   void setSettings(const AttemptSettings& settings);
 
   const Procedure& procedure() const;
@@ -73,9 +74,10 @@ class LiveAttempt final : public TickListener {
   AttemptView view() const;
   /// Returns the score so far; after finish(), that of the whole attempt.
   AttemptScore score() const;
-  /// A sentence if the recording can no longer be written to disk; else empty.
+  /// Returns a sentence if the recording can no longer be written to disk; else empty.
   std::string trouble() const;
-  /// Stops recording and writes the remaining samples. Call it once. Fails as AttemptRecorder::finish() does.
+  /// Stops recording, writes the remaining samples and returns the metrics. Call it once. Fails as
+  /// AttemptRecorder::finish() does.
   Result<MetricValues> finish(AttemptStatus status);
 
  private:

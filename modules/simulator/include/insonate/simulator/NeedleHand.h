@@ -10,62 +10,66 @@ namespace insonate {
 
 /// Position and angles of the needle in a NeedleHand. Patient LPS.
 struct NeedleHandState {
-  Vec3 entry_mm;           ///< point on the skin at which the needle enters
-  Vec3 inward{0, 1, 0};    ///< into the body, perpendicular to the skin, unit
-  Vec3 heading{1, 0, 0};   ///< direction of the needle along the skin, unit
-  double angle_deg = 45;   ///< between needle and skin; 90: perpendicular to the skin
-  double advance_mm = -5;  ///< distance of the tip from the entry along the needle; below 0: off the skin
-  double bevel_deg = 0;    ///< rotation about the needle's axis; 0: the bevel faces away from the skin
-  /// Normal of the image plane in which the needle stays, unit; empty: it is bound to no plane.
+  Vec3 entry_mm;          ///< point on the skin at which the needle enters or will enter
+  Vec3 inward{0, 1, 0};   ///< unit direction into the body, perpendicular to the skin
+  Vec3 heading{1, 0, 0};  ///< unit direction of the needle's projection onto the skin
+  double angle_deg = 45;  ///< angle between needle and skin; 90: perpendicular to the skin
+  /// distance of the tip beyond the entry, along the needle; below 0: the tip is outside the skin
+  double advance_mm = -5;
+  double bevel_deg = 0;  ///< rotation about the needle's axis; 0: the bevel faces away from the skin
+  /// Unit normal of the image plane in which the needle stays when it is moved; empty: the needle is not bound to a
+  /// plane.
   std::optional<Vec3> planeNormal{};
   bool operator==(const NeedleHandState&) const = default;
 };
 
-/// Alignment of a needle with the probe's plane.
+/// Alignment of a needle with the image plane: in-plane (Along) or out-of-plane (Across).
 enum class NeedlePlane { Along, Across };
 
-/// A needle held without a device: described by an entry on the skin, angles and a depth. While the tip is in the body
-/// the entry is fixed, and the needle turns about it only near the skin. The servo computes contacts, see
-/// HandsSession.h. No move allocates. Not for concurrent use of one object.
+/// Position of a needle that is moved by mouse and keys: entry point on the skin, angles and advance. While the tip is
+/// in the body the entry is fixed, and the needle can turn about the entry only while the tip is shallow
+/// (kTurnsUntil_mm). Contacts with tissue are computed elsewhere (HandsSession.h). No move allocates. Not for
+/// concurrent use of one object.
 class NeedleHand {
  public:
   static constexpr double kLeastAngle_deg = 5, kMostAngle_deg = 90;
   static constexpr double kMostOff_mm = 40, kLength_mm = 70;
-  /// Depth of the tip up to which the needle can turn. If the tip is deeper, tissue holds the needle on its track,
-  /// since the servo's line constraint begins there.
+  /// Depth of the tip up to which the needle can turn about its entry. Beyond it, tissue holds the needle on its track;
+  /// the force loop constrains the needle to a line from the same depth on.
   static constexpr double kTurnsUntil_mm = 10;
 
-  /// Angle of a newly taken needle. Every target needs a steeper angle, so that the trainee has to aim.
+  /// Angle of a new needle to the skin. Every target needs a steeper angle, so that the trainee has to aim.
   static constexpr double kTaken_deg = 20;
 
-  /// Makes a needle ready beside a probe, at kTaken_deg to the skin. Along: in the image plane, at the end of the face
-  /// that is away from the marker. If the skin does not allow that (offPlane_mm()), the needle is placed as for Across.
-  /// Across: in front of the face. `halfWidth_mm` is that of the face.
+  /// Places a needle beside a probe, outside the skin, at the angle kTaken_deg to the skin. Along: in the image plane,
+  /// at the end of the probe's face opposite the marker; if the skin's shape does not allow that, as for Across.
+  /// Across: beside the middle of the face. `halfWidth_mm`: half the width of the face.
   static NeedleHand beside(const ProbeHand& probe, double halfWidth_mm, NeedlePlane plane);
 
-  /// Moves the entry over the skin along the probe's own directions; no effect while the tip is in the body. A needle
-  /// in-plane stays in-plane if elevation_mm is 0.
+  /// Moves the entry point over the skin along the probe's lateral and elevation directions; no effect while the tip is
+  /// in the body. An in-plane needle stays in-plane if elevation_mm is 0.
   HandMove slide(const Transform& patientFromProbe, double lateral_mm, double elevation_mm);
   HandMove moveTo(Vec3 patient_mm);
-  /// Turns the needle about the skin's normal; above 0: from heading toward inward x heading. The needle leaves the
-  /// image plane.
+  /// Turns the needle about the skin's normal; above 0: from NeedleHandState::heading toward inward x heading. An
+  /// in-plane needle leaves the image plane.
   HandMove turn(double degrees);
-  /// Tilts the needle; above 0: steeper to the skin. A needle in-plane stays in-plane.
+  /// Changes the angle between needle and skin; above 0: steeper. An in-plane needle stays in-plane.
   HandMove tilt(double degrees);
   HandMove rotateBevel(double degrees);
   HandMove advance(double mm);
 
-  /// Pose of the needle: its tip is the origin, z points along the needle toward the tip, and the bevel faces -y.
+  /// Returns the needle's pose in patient space: the tip is the origin, z points along the needle toward the tip, and
+  /// the bevel faces -y.
   Transform patientFromNeedle() const;
 
   const NeedleHandState& state() const { return state_; }
   bool isIn() const { return state_.advance_mm > 0; }
 
-  /// Maximum distance of the shaft from the probe's image plane. The shaft counts from the entry to the needle's full
+  /// Returns the maximum distance from the probe's image plane of the line from the entry point along the needle's full
   /// length.
   double offPlane_mm(const Transform& patientFromProbe) const;
 
-  /// Direction of the needle along the skin: 0 toward the patient's head, 90 toward the patient's left.
+  /// Returns the needle's direction along the skin: 0 toward the patient's head, 90 toward the patient's left.
   double heading_deg() const;
 
  private:

@@ -6,7 +6,8 @@
 
 namespace insonate {
 
-/// Makes a scene as makeScene() does, with point targets in the patient's tissue for measuring the point spread.
+/// Makes an acoustic scene like makeScene(), with added point reflectors in the tissue, for measuring the point spread
+/// function.
 Result<std::shared_ptr<const AcousticScene>> makePointScene(const CaseView& patient, const ImagingSetup& setup,
                                                             const Region& region, std::vector<PointTarget> points,
                                                             const Progress& progress = {});

@@ -9,18 +9,19 @@
 
 namespace insonate {
 
-/// Returns patientFromProbe of a face centered at `position_mm` (patient LPS): z along `axial`, x along the part of
-/// `lateral` at right angles to it, y = axial x lateral (elevation). Directions may have any length. Fails on values
-/// that are not finite, zero directions, and directions within 1 degree of parallel.
+/// Returns the transform patientFromProbe of a probe whose face is centered at `position_mm` (patient LPS): z along
+/// `axial`, x along the part of `lateral` at right angles to it, y = axial x lateral (elevation). Directions may have
+/// any length. Fails on values that are not finite, zero directions, and directions within 1 degree of parallel.
 Result<Transform> patientFromProbe(Vec3 position_mm, Vec3 axial, Vec3 lateral);
 
-/// The inverse of patientFromProbe, for showing and storing a pose.
+/// Converts a transform to position, axial and lateral directions, for display and storage; inverse of
+/// patientFromProbe().
 StartPose poseOf(const Transform& patientFromProbe);
 
-/// Poses of a probe, one or a path.
+/// One pose of a probe, or a path of poses.
 struct PosePath {
-  std::vector<Transform> patientFromProbe;  ///< at least one
-  bool isPath = false;                      ///< given as a list, even if the list has a single pose
+  std::vector<Transform> patientFromProbe;  ///< poses, at least one
+  bool isPath = false;                      ///< true: the poses were given as a list, even if it has a single pose
   /// Sentences about directions that were made perpendicular, and about poses that were found automatically.
   std::vector<std::string> warnings;
 };

@@ -9,11 +9,11 @@
 
 namespace insonate {
 
-/// Checks that a procedure can be done on a case with these `labels`. Fails with a sentence if a structure that it
-/// needs is not labeled, or if the case's targets are those of another built-in procedure. Targets whose names
-/// indicate no procedure are accepted.
+/// Checks that a procedure can be done on a case with these `labels`. Fails with a sentence if a structure that the
+/// procedure needs is not labeled, or if the case's targets are those of another built-in procedure. Targets whose
+/// names indicate no procedure are accepted.
 Result<void> checkFits(const Procedure& procedure, const CaseManifest& manifest, std::span<const std::uint8_t> labels);
-/// Checks a procedure as above; the labels are found by searching the case's label map.
+/// Does the same check for a case whose labels are not known yet; they are searched in its label map.
 Result<void> checkFits(const Procedure& procedure, const PatientCase& patient);
 
 }  // namespace insonate

@@ -17,20 +17,21 @@
 
 namespace insonate {
 
-/// One action of the hands. Lengths in patient space, mm; hands that move do so at `speed_mmps`.
+/// One action of a scripted attempt on probe or needle. Positions are in patient space, mm; motions have the speed
+/// `speed_mmps`.
 struct SessionAct {
   struct PutProbe {
     Transform patientFromProbe;
   };
   struct LiftProbe {};
-  struct MoveProbe {  ///< straight, with constant angles
-    Vec3 to_mm;       ///< position of the middle of the face
+  struct MoveProbe {  ///< moves the probe along a straight line, with constant angles
+    Vec3 to_mm;       ///< final position of the middle of the probe's face
     double speed_mmps = 10;
   };
   struct PutNeedle {  ///< puts the needle outside the body: tip at `from_mm`, pointing to `to_mm`
     Vec3 from_mm, to_mm;
   };
-  struct MoveNeedle {  ///< moves the needle along its direction; backward if negative
+  struct MoveNeedle {  ///< moves the needle along its direction by `by_mm`; negative: withdraws it
     double by_mm = 0, speed_mmps = 10;
   };
   struct Wait {
@@ -46,22 +47,25 @@ struct SessionAct {
   std::variant<PutProbe, LiftProbe, MoveProbe, PutNeedle, MoveNeedle, Wait, Aspirate, Tell> what;
 };
 
+/// A scripted attempt: procedure, probe and the actions in their order.
 struct SessionScript {
   std::string procedure = "internal_jugular", probe = "linear";
-  bool abandoned = false;  ///< true: the attempt ends as abandoned
+  bool abandoned = false;  ///< true: the attempt ends as abandoned, else as completed
   std::vector<SessionAct> acts;
 };
 
-/// Reads a script; modules/simulator/README.md describes the form. Fails with a sentence that names the act, counted
-/// from 1.
+/// Reads a session script from JSON; modules/simulator/README.md describes the format. Fails with a sentence that names
+/// the action, counted from 1.
 Result<SessionScript> readSessionScript(std::string_view json, const PatientCase& patient);
 
-/// Names of the built-in scripts in resources/procedures/attempts.
+/// Returns the names of the built-in session scripts, those in resources/procedures/attempts.
 std::vector<std::string> sessionScriptNames();
 
-/// Loads a built-in script by name, or a script from a file. Fails as readSessionScript() does, and if neither exists.
+/// Loads a session script: a built-in script by name, or a file. Fails if neither exists, or as readSessionScript()
+/// does.
 Result<SessionScript> loadSessionScript(std::string_view nameOrPath, const PatientCase& patient);
 
+/// Results of a scripted attempt.
 struct SessionOutcome {
   AttemptStatus status = AttemptStatus::Completed;
   MetricValues metrics;
@@ -69,21 +73,23 @@ struct SessionOutcome {
   ProcedureRun run;
 };
 
-/// Images made during the session, as AttemptPictures would make them from the recording.
+/// Request for ultrasound images during a scripted attempt; they equal those that AttemptPictures makes from the
+/// recording.
 struct SessionPictures {
-  /// Interval in script time, a multiple of 1000; the first image is at the first multiple.
+  /// Interval between images in script time, a multiple of 1000; the first image is made after one interval.
   std::int64_t every_us = 1'000'000;
-  /// Receives each image while a probe is held; a frozen image only once. A failure ends the session. Empty: no images
-  /// are made.
+  /// Receives each image while the probe is on the patient; a frozen image only once. An error that it returns ends the
+  /// session. Empty: no images are made.
   std::function<Result<void>(const LiveFrame&)> take;
 };
 
-/// Runs a whole attempt without a window, device or clock: the hands take the poses of the script, pass through the
-/// servo at 1 kHz, and are recorded. If the script puts the probe's face below the undeformed skin, the face compresses
-/// the tissue. The tissue is then solved from rest 30 times per second of script time; the solution gives the probe's
-/// force and the displaced tissue that the needle meets. Runs faster than real time, unless images are made or the
-/// probe moves through tissue. The same script, case and program give the same attempt. `software` is name and version,
-/// for the header, which also says that a script moved the hands. If cancelled, no file is left.
+/// Runs a whole attempt by a script, without a window, device or clock: probe and needle take the script's poses, pass
+/// through the force loop at 1 kHz, and are recorded. If the script puts the probe's face below the undeformed skin,
+/// the compression of the tissue is computed 30 times per second of script time, each time from the undeformed state;
+/// it gives the probe's force and the displaced tissue that the needle meets. Runs faster than real time, unless images
+/// are made or the probe moves while it compresses tissue. The same script, case and program give the same attempt.
+/// `software`: name and version of the program for the recording's header, which also says that the attempt was
+/// scripted. If cancelled, no file is left.
 Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase& patient, std::string_view software,
                                   const std::filesystem::path& recording, const Progress& progress = {},
                                   const SessionPictures& pictures = {});

@@ -17,27 +17,27 @@ namespace insonate {
 
 class SkinSurface;
 
-/// Time and tissue of a tick, which the servo does not know.
+/// Values of a recorded sample that the force loop's output does not contain.
 struct TickContext {
-  std::int64_t time_us = 0;  ///< since the recording began
+  std::int64_t time_us = 0;  ///< time since the recording began
   std::array<bool, 2> present{};
   double pictureDepth_mm = 0;
   bool aspirating = false;
-  Transform restFromPatient;  ///< LocalModel::restFromPatient
+  Transform restFromPatient;  ///< map to undeformed tissue near the needle's tip; see LocalModel::restFromPatient
 };
 
-/// Returns a tick of the servo as a sample of a recording. Distances to artery and lung are those of the grid, if it
-/// has any within 200 mm; `veins` are the center lines of the case's veins, in tissue at rest. Neither waits nor
-/// allocates.
+/// Converts one tick of the force loop to a sample of a recording. Distances from the tip to artery and lung come from
+/// `grid`, if they are within 200 mm; `veins` are the center lines of the case's veins in undeformed tissue. Neither
+/// waits nor allocates.
 AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, const TissueGrid* grid,
                        std::span<const CentreLine> veins, const VesselNames& vessels) noexcept;
-/// Returns an event of the needle as an event of a recording, at the context's time. `skin`: skin of the case,
-/// undeformed by the probe; null: not computed yet. The normal of the skin is taken at the point where the needle's
-/// line meets the skin, as NeedleHand does, so that the insertion angle is the angle that the user had set.
+/// Converts a needle event of the force loop to an event of a recording at `context.time_us`. `skin`: undeformed skin
+/// of the case; null: not computed yet. The skin's normal is taken where the needle's line meets the skin, as in
+/// NeedleHand, so that the recorded insertion angle equals the angle that the user has set.
 AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const SkinSurface* skin,
                      std::span<const CentreLine> veins, const VesselNames& vessels) noexcept;
 
-/// Region that a probe's image shows, at its default frequency.
+/// Returns the region that a probe's image shows, for the probe's default frequency.
 PictureField pictureFieldOf(const Probe& probe);
 
 }  // namespace insonate

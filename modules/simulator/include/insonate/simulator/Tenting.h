@@ -5,18 +5,19 @@
 
 namespace insonate {
 
-/// Tissue that a needle pushes ahead of its tip before a wall gives way. Patient LPS, millimeters.
+/// Tenting: tissue that a needle's tip pushes ahead before it punctures a wall. Patient LPS, millimeters.
 struct Tenting {
-  Vec3 tip_mm{};            ///< present position of the tip, which touches the wall
+  Vec3 tip_mm{};            ///< present position of the tip, in contact with the wall
   Vec3 direction{0, 0, 1};  ///< unit direction of the needle, toward the tip
-  double depth_mm = 0;  ///< distance by which the tip has pushed the tissue along; 0 or less: no tenting; at most 30
-  /// Radius of the tissue that moves along; 1..30. A larger radius is taken if tissue would fold.
+  /// Distance by which the tip has pushed the tissue along; 0 or less: no tenting; at most 30.
+  double depth_mm = 0;
+  /// Radius of the tissue that the tip pushes along; 1..30. It is enlarged where the tissue would otherwise fold.
   double radius_mm = 3;
 
   bool operator==(const Tenting&) const = default;
 };
 
-/// Tissue displaced by a probe and dented by a needle's tip.
+/// Adds the tenting by a needle's tip to the displacement of tissue by a probe.
 ///
 /// Kernel: regularized Kelvinlets of incompressible tissue (de Goes and James, "Regularized Kelvinlets", ACM
 /// Transactions on Graphics 36(4), 2017, equation 6 with nu = 1/2, two scales e and 2e subtracted). A Kelvinlet is the
@@ -27,9 +28,9 @@ struct Tenting {
 /// 0.86 and tissue cannot fold.
 class TentedTissue {
  public:
-  /// Returns `pressed` with the dent added, in the frame of `patientFromProbe`; returns `pressed` itself if no dent
-  /// reaches the plane. The result is valid until the next call, and while `pressed` is. Allocates nothing after a call
-  /// with a dent at least as large.
+  /// Returns the displacement `pressed` with the tenting added, in the probe frame; `pressed` itself if the tenting
+  /// does not reach the image plane. The result is valid until the next call, and only as long as `pressed`. Allocates
+  /// nothing after a call with a tenting at least as large.
   const PlaneDisplacement& with(const PlaneDisplacement& pressed, const Transform& patientFromProbe,
                                 const Tenting& tenting);
 

@@ -13,8 +13,8 @@ namespace insonate {
 struct SurfaceOptions {
   /// Minimum wavelength, 0 to 100: shorter waves along the surface (noise, stair-steps of the grid) are smoothed away;
   /// 0 for no smoothing. The wavelength is at least six voxels along the grid's coarsest axis (six blocks if detail_mm
-  /// combines voxels). The surface stays within a voxel of the labeled region's surface. It is then moved by at most a
-  /// quarter of a voxel, so that it encloses the volume of the labeled voxels.
+  /// combines voxels). The surface stays within a voxel of the labeled region's surface. After smoothing, the surface
+  /// is moved by at most a quarter of a voxel, so that it encloses the volume of the labeled voxels.
   double smoothing_mm = 8;
   /// Maximum edge of the blocks into which voxels are combined along each axis, so that large structures get fewer
   /// triangles; 0 to 100, 0 for no combining. If blocks would change the volume by more than a tenth (walls and nerves
@@ -33,8 +33,8 @@ std::vector<std::uint8_t> structuresIn(const LabelMap& labels);
 Result<Mesh> extractSurface(const LabelMap& labels, std::uint8_t label, const SurfaceOptions& options = {},
                             const Progress& progress = {});
 
-/// Extracts the surface of all labeled voxels together: the visible body. It is smooth even if the label of the skin is
-/// thinner than a voxel or has gaps between slices.
+/// Extracts the surface of all labeled voxels together: the visible body. The surface is smooth even if the skin's
+/// label is thinner than a voxel or has gaps between slices.
 Result<Mesh> extractBody(const LabelMap& labels, const SurfaceOptions& options = {}, const Progress& progress = {});
 
 }  // namespace insonate

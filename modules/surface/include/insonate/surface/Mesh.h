@@ -8,9 +8,9 @@ namespace insonate {
 
 /// Triangles in patient space. Owns its data and is independent of the label map's grid.
 struct Mesh {
-  std::vector<float> points_mm;          ///< x, y, z of each point, patient LPS
-  std::vector<float> normals;            ///< x, y, z at each point, unit length, pointing out of the structure
-  std::vector<std::uint32_t> triangles;  ///< three point indices each, counter-clockwise as seen from outside
+  std::vector<float> points_mm;  ///< coordinates x, y, z of each point, patient LPS
+  std::vector<float> normals;    ///< normal vector at each point (x, y, z), unit length, pointing out of the structure
+  std::vector<std::uint32_t> triangles;  ///< three point indices per triangle, counter-clockwise as seen from outside
 
   std::size_t pointCount() const { return points_mm.size() / 3; }
   std::size_t triangleCount() const { return triangles.size() / 3; }

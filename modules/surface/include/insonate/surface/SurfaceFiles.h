@@ -24,7 +24,8 @@ Result<void> checkSurfaceTarget(const std::filesystem::path& folder);
 
 /// Writes the surface of every structure to a file named after the structure ("airway-and-lung.stl"), into a folder
 /// that is created, or exists and is empty. `format` is an extension of writeMesh without its dot. On failure all
-/// written files are removed. Fails if nothing is labeled, like extractSurface and writeMesh, and when cancelled.
+/// written files are removed. Fails if nothing is labeled, with the errors of extractSurface() and writeMesh(), and
+/// when cancelled.
 Result<std::vector<SurfaceFile>> writeSurfaces(const LabelMap& labels, const std::filesystem::path& folder,
                                                const std::string& format, const SurfaceOptions& options = {},
                                                const Progress& progress = {});

@@ -10,33 +10,32 @@
 
 namespace insonate {
 
-/// Returns the facts that an attempt's header contains. The caller adds the recording; if the recording belongs to no
-/// store, the caller also adds id, person and level.
+/// Returns the facts that a recording's header contains. The caller adds the facts of the recording (addRecording()),
+/// and id, person and level if the header has none.
 AttemptFacts beginningOf(const AttemptHeader& header);
 
-/// Adds how the attempt ended: Completed or otherwise Abandoned, with the metrics and points of its score.
+/// Adds the end of an attempt to its facts: duration, metrics, points, and the state Completed or Abandoned.
 void addEnding(AttemptFacts& facts, AttemptStatus status, std::int64_t length_us, const AttemptScore& score);
 
-/// Computes AttemptFacts::recordingHash of a file. It distinguishes the original recording from copies that were
-/// changed later.
+/// Computes AttemptFacts::recordingHash, the SHA-256 of a recording's file, which differs for changed copies.
 Result<std::string> recordingHash(const std::filesystem::path& file);
 
-/// Adds name and SHA-256 of a recording's file, and the hash of the hands' motion; this hash is "" if the motion cannot
-/// be read.
+/// Adds to an attempt's facts the file name and SHA-256 of its recording, and AttemptFacts::handsHash, which is "" if
+/// the recorded motion cannot be read.
 Result<void> addRecording(AttemptFacts& facts, const std::filesystem::path& file);
 
-/// Hands that a recording may show: only a person's, or also those of a script (`session --script`), as in
-/// demonstrations.
+/// Recordings that are accepted: only those of a person, or also demonstrations, in which a script moved probe and
+/// needle (`session --script`).
 enum class Hands { Person, PersonOrScript };
 
 /// Computes all facts from the recording alone. The recording is replayed and scored by the present version of its
 /// procedure, which the facts name. Fails if the recording cannot be read, if damage prevents the metrics, if its
-/// procedure is missing here or older than the recording's, or if a script moved the hands although a person's are
-/// required.
+/// procedure is missing in this installation or older than the recording's, or if `hands` does not allow a scripted
+/// recording.
 Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file, Hands hands = Hands::Person);
 
-/// Completes the facts of an attempt that has begun. Id, person and level stay; the procedure's version is that of the
-/// beginning. Fails like factsOfRecording(), leaving `facts` unchanged.
+/// Adds to the facts of a begun attempt what its recording contains. Id, person, level and the procedure's version
+/// stay. Fails like factsOfRecording(), with `facts` unchanged.
 Result<void> takeRecording(AttemptFacts& facts, const std::filesystem::path& file);
 
 }  // namespace insonate

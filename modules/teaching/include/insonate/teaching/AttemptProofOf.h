@@ -8,18 +8,18 @@
 
 namespace insonate {
 
-/// Proof of an attempt by its recording.
+/// Result of checking whether a recording proves that an attempt was really made.
 struct AttemptProofOf {
-  AttemptProof proof = AttemptProof::Unproven;  ///< Unproven or Proven
-  std::string why{};                            ///< a sentence if nothing is proven
-  bool isOfStore =
-      false;  ///< the store issued the nonce to this attempt; otherwise the recording's id and level must not be used
+  AttemptProof proof = AttemptProof::Unproven;  ///< result of the check: Unproven or Proven
+  std::string why{};                            ///< reason, a sentence, if the attempt is unproven
+  /// true: the database issued the recording's nonce to this attempt; false: id and level in the recording must not be
+  /// used.
+  bool isOfStore = false;
 };
 
-/// Asks the store for the key of the nonce in the recording's header, and checks the recording with this key. The
-/// attempt is that of the header, and of `facts.person`. Fails with a sentence if the recording was changed or damaged
-/// after it was recorded, if the store issued the nonce to another person or attempt, or if the recording cannot be
-/// read.
+/// Gets from the database the key for the nonce in the recording's header, and checks the recording with this key, as
+/// an attempt of the header's id by `facts.person`. Fails with a sentence if the recording was changed or damaged, if
+/// the nonce was issued to another person or attempt, or if the recording cannot be read.
 Result<AttemptProofOf> proofOfAttempt(const AttemptStore& attempts, const AttemptFacts& facts,
                                       const std::filesystem::path& recording);
 

@@ -9,12 +9,13 @@
 
 namespace insonate {
 
-/// Returns the names that a curriculum can refer to: built-in necks, built-in procedures and all metrics.
+/// Returns the names that a curriculum can refer to in this installation: built-in cases, built-in procedures and all
+/// metrics.
 Result<TeachingNames> teachingNames();
 
-/// Returns all metrics in the order of metricTable(), without values of novices and experts.
+/// Returns the properties of all metrics in the order of metricTable(), without values of novices and experts.
 std::vector<MetricMeaning> metricMeanings();
-/// Returns the meanings of the metrics with the procedure's norms.
+/// Returns the properties of all metrics, with the procedure's published values of novices and experts.
 std::vector<MetricMeaning> metricMeanings(const Procedure& procedure);
 
 }  // namespace insonate

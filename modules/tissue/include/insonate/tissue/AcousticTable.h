@@ -14,10 +14,12 @@ namespace insonate {
 /// A layer of connective tissue (wall, fascia, capsule) along a structure's boundary. Distances are measured from the
 /// boundary and are negative inside the structure.
 struct BoundaryLayer {
-  double from_mm = 0, to_mm = 0;  ///< inner and outer border; from_mm < to_mm
-  double echo_dB = 0;             ///< scattering relative to unit speckle, if the layer is perpendicular to the beam
-  double anisotropy = 1;          ///< 0: echo independent of angle; 1: amplitude falls as 0.12 + 0.88 cos^2(incidence)
-  double patchiness = 0;          ///< 0: even; 1: interrupted along the boundary
+  /// Distances of the layer's inner and outer surface from the boundary; from_mm < to_mm.
+  double from_mm = 0, to_mm = 0;
+  double echo_dB = 0;  ///< echo of the layer perpendicular to the beam; 0 dB is speckle of RMS amplitude 1
+  /// 0: echo independent of the beam's angle; 1: amplitude falls as 0.12 + 0.88 cos^2(incidence).
+  double anisotropy = 1;
+  double patchiness = 0;  ///< variation of the layer along the boundary; 0: continuous; 1: interrupted
   bool operator==(const BoundaryLayer&) const = default;
 };
 
@@ -27,24 +29,24 @@ inline constexpr int kMaxBoundaryLayers = 8;
 enum class Texture { None, Septa, Lobules, Sheets, Fine, Bundles };
 
 struct AcousticTissue {
-  double impedance_MRayl = 1.6;          ///< above 0
-  double attenuation_dBpcmMHz = 0.7;     ///< in dB of amplitude, one way; at least 0
-  double attenuationExponent = 1;        ///< exponent of the frequency in MHz, 0.5..2
-  double echogenicity_dB = 0;            ///< mean scattering relative to unit speckle
-  double ctImpedancePer100HU = 0;        ///< relative change of impedance per 100 HU above the structure's mean
-  double ctEchogenicity_dBper100HU = 0;  ///< change of scattering per 100 HU above the structure's mean
+  double impedance_MRayl = 1.6;          ///< acoustic impedance; above 0
+  double attenuation_dBpcmMHz = 0.7;     ///< one-way attenuation per cm at 1 MHz; at least 0
+  double attenuationExponent = 1;        ///< exponent n of the attenuation's growth with frequency, f^n; 0.5..2
+  double echogenicity_dB = 0;            ///< mean backscatter; 0 dB is speckle of RMS amplitude 1
+  double ctImpedancePer100HU = 0;        ///< relative change of impedance per 100 HU above the mean HU of the structure
+  double ctEchogenicity_dBper100HU = 0;  ///< change of backscatter per 100 HU above the mean HU of the structure
   double specularExponent = 12;          ///< exponent n of the specular echo's amplitude, cos^n(incidence)
-  double specularDiffuse = 0.15;         ///< share of the amplitude that falls only as cos(incidence), 0..1
-  double roughness_dB = 0;  ///< change of the specular echo per SD of the random pattern along the boundary
+  double specularDiffuse = 0.15;  ///< share of the specular echo's amplitude that falls only as cos(incidence); 0..1
+  double roughness_dB = 0;        ///< change of the specular echo per SD of a random pattern along the boundary
   Texture texture = Texture::None;
   double textureStrength_dB = 0;
-  bool vessel = false;  ///< casts edge shadows
-  bool gas = false;     ///< casts dirty shadows: reverberation
+  bool vessel = false;  ///< the structure is a vessel: its sides cast edge shadows
+  bool gas = false;     ///< the structure contains gas: it casts dirty shadows, filled with reverberation
   std::vector<BoundaryLayer> layers;
   bool operator==(const AcousticTissue&) const = default;
 };
 
-/// Acoustic properties by label. Labels outside the table have the properties of soft tissue.
+/// Acoustic properties by label. Labels that are not in the table have the properties of soft tissue.
 struct AcousticTable {
   std::string name;
   std::array<AcousticTissue, kLabelCount> tissues;

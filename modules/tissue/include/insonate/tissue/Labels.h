@@ -8,8 +8,8 @@
 
 namespace insonate {
 
-/// Structure numbers of a label map. The even numbers 0 to 14 are those of the thesis's Table I and never change; the
-/// odd numbers were added.
+/// Structure numbers of a label map. The even numbers 0 to 14 are those of Table I of the thesis and never change; the
+/// odd numbers were added later.
 enum Label : std::uint8_t {
   kBackground = 0,
   kSkin = 1,
@@ -25,7 +25,7 @@ enum Label : std::uint8_t {
   kMuscle = 11,
   kBone = 12,
   kCartilage = 13,
-  kSoftTissue = 14,  ///< everything else
+  kSoftTissue = 14,  ///< tissue without a more specific label
   kGland = 15,       ///< salivary gland
 };
 

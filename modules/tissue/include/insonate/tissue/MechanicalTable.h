@@ -12,25 +12,25 @@ namespace insonate {
 
 /// Behavior of a structure under compression.
 enum class Mechanics {
-  Solid,  ///< elastic
+  Solid,  ///< elastic tissue
   Rigid,  ///< does not move (bone)
   Lumen,  ///< blood under pressure, which can flow out of the plane; the wall lies outside the label
-  Gas,    ///< no resistance (airway, lung, outside the patient)
+  Gas,    ///< offers no resistance (airway, lung, outside the patient)
 };
 
 struct MechanicalTissue {
   Mechanics kind = Mechanics::Solid;
-  double young_kPa = 10;       ///< of solids, above 0; infinity for rigid
-  double poisson = 0.49;       ///< 0..0.499
-  double wall_mm = 0;          ///< lumens: thickness of the wall, outside the label
-  double wallYoung_kPa = 0;    ///< Young's modulus of the wall
-  double sheath_mm = 0;        ///< lumens: loose tissue outside the wall
-  double sheathYoung_kPa = 0;  ///< Young's modulus of the loose tissue
+  double young_kPa = 10;       ///< Young's modulus of solids, above 0; infinity for rigid structures
+  double poisson = 0.49;       ///< Poisson's ratio, 0..0.499
+  double wall_mm = 0;          ///< lumens: thickness of the vessel wall, which lies outside the label
+  double wallYoung_kPa = 0;    ///< lumens: Young's modulus of the vessel wall
+  double sheath_mm = 0;        ///< lumens: thickness of the loose tissue around the vessel wall
+  double sheathYoung_kPa = 0;  ///< lumens: Young's modulus of the loose tissue around the vessel wall
   double pressure_kPa = 0;     ///< lumens: blood pressure above atmospheric when the CT was taken
   bool operator==(const MechanicalTissue&) const = default;
 };
 
-/// Mechanical properties by label. Labels outside the table have the properties of soft tissue.
+/// Mechanical properties by label. Labels that are not in the table have the properties of soft tissue.
 struct MechanicalTable {
   std::string name;
   std::array<MechanicalTissue, kLabelCount> tissues;
@@ -40,11 +40,12 @@ struct MechanicalTable {
   }
 };
 
-/// Returns the presets' names: `measured` (the default) and `thesis` (its Table I).
+/// Returns the presets' names: `measured` (the default) and `thesis` (Table I of the thesis).
 std::vector<std::string> mechanicalPresetNames();
 
-/// Loads a preset by name, or a JSON file of the same form, like loadAcousticTable(). Fails with a sentence that names
-/// tissue, field, value and allowed range; resources/mechanics/README.md describes the form and the ranges.
+/// Loads a preset by name, or a JSON file of the same form. A file may name a preset as its "base" and override single
+/// values. Fails with a sentence that names tissue, field, value and allowed range; resources/mechanics/README.md
+/// describes the form and the ranges.
 Result<MechanicalTable> loadMechanicalTable(std::string_view nameOrPath);
 Result<MechanicalTable> parseMechanicalTable(std::string_view json);
 

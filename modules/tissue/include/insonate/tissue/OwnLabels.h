@@ -11,8 +11,9 @@ namespace insonate {
 
 /// A structure outside the label table, defined by the case's author: its name and its tissue.
 struct OwnLabel {
-  std::string name;            ///< as returned by tidyLabelName(); empty if it has no name yet
-  Label tissue = kSoftTissue;  ///< gives acoustic, mechanical and needle properties; never background
+  std::string name;  ///< name in the form of tidyLabelName(); empty if the author has not named the structure yet
+  /// Tissue whose acoustic, mechanical and needle properties the structure has; never background.
+  Label tissue = kSoftTissue;
   bool operator==(const OwnLabel&) const = default;
 };
 
@@ -29,7 +30,7 @@ constexpr bool isOwnLabel(std::uint8_t label) {
 /// backslashes.
 std::string tidyLabelName(std::string_view name);
 
-/// Returns the author's name for a label; labelName(label) if there is none.
+/// Returns the author's name for a label; the label table's name if the author gave none.
 std::string labelName(const OwnLabels& own, std::uint8_t label);
 /// Returns the tissue of one of the author's labels; any other label is returned unchanged.
 std::uint8_t tissueOf(const OwnLabels& own, std::uint8_t label);

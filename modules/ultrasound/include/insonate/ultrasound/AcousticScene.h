@@ -14,16 +14,17 @@
 
 namespace insonate {
 
-/// A wire or bead of a resolution phantom. It echoes from one point with the given amplitude (peak of the envelope in
-/// focus).
+/// A wire or bead of a resolution phantom. Its echo comes from one point; `amplitude` is the peak of the envelope in
+/// focus.
 struct PointTarget {
-  Vec3 position_mm;  ///< patient LPS
+  Vec3 position_mm;  ///< position of the target, patient LPS
   double amplitude = 1;
 };
 
-/// The engines' view of a patient around a region: smooth signed distances to every structure, CT deviations from each
-/// structure's mean, and the acoustic table. Immutable once made, so any number of threads may read it. The values at a
-/// point do not depend on the region, so neighboring regions give the same image.
+/// The patient's tissue in a region, in the form that engines read: smooth signed distances to every structure,
+/// deviations of the CT from each structure's mean, and the acoustic table. Immutable once made, so any number of
+/// threads may read a scene. The values at a point do not depend on the region, so neighboring regions give the same
+/// image.
 class AcousticScene {
  public:
   static constexpr double kFinestDetail_mm = 0.7;
@@ -36,7 +37,7 @@ class AcousticScene {
                                                            const Progress& progress = {},
                                                            std::vector<PointTarget> points = {},
                                                            double detail_mm = kFinestDetail_mm);
-  /// Makes one of several scenes of a case: parts that the scenes share are computed once.
+  /// Makes one of several scenes of a case from a common source: data that the scenes share are computed once.
   static Result<std::shared_ptr<const AcousticScene>> make(const SceneSource& source, const AcousticTable& table,
                                                            const Region& region, const Progress& progress = {},
                                                            std::vector<PointTarget> points = {},
@@ -44,10 +45,11 @@ class AcousticScene {
   ~AcousticScene();
 
   const std::vector<std::string>& warnings() const;
-  /// Acoustic properties that the engines use; those of the patient if a simulator has varied them.
+  /// Returns the acoustic properties that the engines use, including a patient's variation if a simulator has applied
+  /// one.
   const AcousticTable& tissues() const;
 
-  struct Impl;  ///< accessed by the engines
+  struct Impl;  ///< contents of the scene, read by the engines
   const Impl& impl() const { return *impl_; }
 
  private:

@@ -21,14 +21,14 @@ class BeamGrid {
 
   Vec3 origin(double scanline) const;
   Vec3 direction(double scanline) const;
-  /// Distance between neighboring scanlines at a range, perpendicular to the scanlines.
+  /// Returns the distance between neighboring scanlines at a range from the face, perpendicular to the scanlines, mm.
   double scanlineSpacing_mm(double range_mm) const;
-  /// Distance between scanlines along the face of a linear probe.
+  /// Returns the distance between scanlines along the face of a linear probe, mm.
   double pitch_mm() const { return pitch_; }
 
-  /// Scanline and sample (fractional) of a point of the imaging plane (y = 0), and whether the point is inside the
-  /// field of view. The field of view is the rectangle, or the fan between r1 and r2; its edges lie half a scanline
-  /// outside the first and last scanlines.
+  /// Position of a point of the imaging plane (y = 0) as fractional scanline and sample; `inside` tells whether the
+  /// point is in the field of view. The field of view is the rectangle, or the fan between r1 and r2; its edges lie
+  /// half a scanline outside the first and last scanlines.
   struct Location {
     double scanline, sample;
     bool inside;
@@ -42,14 +42,14 @@ class BeamGrid {
   ProbeShape shape_;
   int scanlines_, samples_;
   double step_mm_, depth_mm_;
-  double pitch_;              // linear: mm, else radians
-  double radius_mm_;          // r1; 0 for linear
+  double pitch_;              // distance between scanlines at the face: linear: mm, else radians
+  double radius_mm_;          // r1, distance from the virtual apex to the face; 0 for linear
   double steering_rad_;       // 0 for fans
-  double depthAlong_mm_ = 0;  // range at which a scanline reaches the image's depth
+  double depthAlong_mm_ = 0;  // range from the face at which a scanline reaches the image's depth
 };
 
-/// Angles of a compounded frame, the settings' steering first, then 8 degrees, or 5 and 10 degrees, to either side of
-/// it, limited to the range of validate(). A fan has one angle.
+/// Returns the steering angles of a spatially compounded frame: the settings' steering first, then 8 degrees, or 5 and
+/// 10 degrees, to either side of it, limited to the range of validate(). A fan has one angle.
 std::vector<double> steeringAngles_deg(const Probe& probe, const ImagingSettings& settings);
 
 }  // namespace insonate

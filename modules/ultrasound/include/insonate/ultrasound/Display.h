@@ -8,10 +8,11 @@
 
 namespace insonate {
 
-/// Converts a linear envelope to the displayed image: electronic noise > averaging of the looks > ringing > clutter >
-/// TGC and gains > logarithm > speckle reduction > edge enhancement > persistence > gray map > scan conversion. The
-/// constructor allocates everything; process() allocates nothing once the image has its size. The settings must be
-/// valid for the probe (see validate()). Not for concurrent use of one object. Uses the calling thread's TBB arena.
+/// Converts a linear envelope to the displayed image: electronic noise > averaging of the looks (renderings of a frame
+/// with independent speckle) > ringing of the elements > haze > TGC and gains > logarithm > speckle reduction > edge
+/// enhancement > persistence > gray map > scan conversion. The constructor allocates everything; process() allocates
+/// nothing once the image has its size. The settings must be valid for the probe (see validate()). Not for concurrent
+/// use of one object. Uses the calling thread's TBB arena.
 class Display {
  public:
   Display(const Probe& probe, const ImagingSettings& settings);
@@ -24,7 +25,7 @@ class Display {
   /// white. Persistence mixes with the image of the previous call. Electronic noise depends only on `noiseSeed` and the
   /// settings' time_s: the same seed gives the same image.
   void process(const EnvelopeFrame& envelope, BModeImage& image, std::uint32_t noiseSeed = 0);
-  /// Discards the previous image.
+  /// Discards the previous image, so that the next one shows no persistence.
   void reset();
 
   struct Stages_ms {
@@ -37,11 +38,11 @@ class Display {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Mask of the image that Display makes with these settings: 1 inside the field of view, 0 outside.
+/// Returns a mask of the image that Display makes with these settings: 1 inside the field of view, 0 outside.
 std::vector<std::uint8_t> fieldOfViewMask(const Probe& probe, const ImagingSettings& settings);
 
-/// Built-in time-gain compensation, without the operator's sliders, in dB per cm of depth and MHz (two-way). It is at
-/// most 120 dB, and off if the settings switch attenuation off.
+/// Built-in time-gain compensation, without the operator's sliders, in dB per cm of depth and MHz (two-way). The
+/// compensation is limited to 120 dB, and is off if the settings switch attenuation off.
 inline constexpr double kTgc_dBpcmMHz = 0.73;
 
 }  // namespace insonate

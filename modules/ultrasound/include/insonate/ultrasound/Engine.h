@@ -14,14 +14,14 @@
 
 namespace insonate {
 
-/// Renders the envelope from scene and pose. Not for concurrent use of one object.
+/// Renders the echo envelope of a scene for a pose of the probe. Not for concurrent use of one object.
 class Engine {
  public:
   virtual ~Engine() = default;
 
   virtual std::string_view name() const = 0;
-  /// Note for the user beside the engine's name: the device on which it runs, or the reason why another engine computes
-  /// instead. Empty if there is no note.
+  /// Returns a note that the user sees beside the engine's name: the device on which the engine runs, or the reason why
+  /// another engine computes instead. Empty if there is no note.
   virtual std::string_view note() const { return {}; }
 
   /// Allocates memory for these settings, which must be valid (see validate()).
@@ -35,7 +35,7 @@ class Engine {
   /// folds; tissue from beyond the scene reads as the outermost tissue of the scene.
   ///
   /// `needle` is valid (see validate()), or null for no needle, which has no cost. The needle echoes and casts its
-  /// shadow at its own place, independent of the tissue's displacement. Look::Thesis does not draw it.
+  /// shadow at its own place, independent of the tissue's displacement. Look::Thesis does not draw the needle.
   virtual void render(const AcousticScene& scene, const Transform& patientFromProbe,
                       const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) = 0;
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
@@ -49,18 +49,18 @@ class Engine {
 
   struct Stage {
     std::string_view name;
-    double ms = 0;  ///< summed over threads
+    double ms = 0;  ///< time of the stage in the last frame, summed over threads
   };
-  /// Stages of the last frame.
+  /// Returns the times of the last frame's stages of computation.
   virtual const std::vector<Stage>& stages() const = 0;
 };
 
-/// Names of the engines: `reference` (scalar, double precision, written for readability), `cpu` (SIMD, threads), `glsl`
-/// (a graphics card).
+/// Returns the names of the engines: `reference` (scalar, double precision, written for readability), `cpu` (SIMD,
+/// threads), `glsl` (a graphics card).
 std::vector<std::string> engineNames();
-/// Makes an engine by name, or `auto`. When `auto` is first prepared, it selects the faster of cpu and glsl, measured
-/// once per process; note() says which was selected and why. It never selects a software renderer. `glsl` fails with a
-/// sentence if OpenGL 4.3 is not available.
+/// Makes an engine by name. The engine `auto` uses the faster of cpu and glsl, measured once per process when the
+/// engine is first prepared; its note() says which was selected and why. `auto` never selects a software renderer.
+/// `glsl` fails with a sentence if OpenGL 4.3 is not available.
 Result<std::unique_ptr<Engine>> makeEngine(std::string_view name);
 
 /// Schedule of the angles of spatial compounding. InTurn: as on a machine, each frame transmits one angle and averages
@@ -74,7 +74,8 @@ Result<std::unique_ptr<Engine>> makeEngineFor(std::string_view name, const Probe
                                               const ImagingSettings& settings,
                                               CompoundedAngles angles = CompoundedAngles::InEachFrame);
 
-/// Region of the scene that a frame at this pose needs if tissue has moved by up to `largestShift_mm` (0 or above).
+/// Returns the region that a scene must cover for a frame at this pose if tissue is displaced by up to
+/// `largestShift_mm` (0 or above).
 Region regionOf(const Probe& probe, const ImagingSettings& settings, const Transform& patientFromProbe,
                 double largestShift_mm = 0);
 

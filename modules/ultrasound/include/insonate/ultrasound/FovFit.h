@@ -14,37 +14,37 @@ namespace insonate {
 /// coordinates (0, 0).
 struct GreyPicture {
   int width = 0, height = 0;
-  std::vector<std::uint8_t> grey;  ///< [row][column]
+  std::vector<std::uint8_t> grey;  ///< gray values, index [row][column]
 };
 
 struct PixelPoint {
   double x = 0, y = 0;
 };
 
-/// Position of a field of view in an image, in its pixels.
+/// Shape and position of a field of view in an image, in pixels of the image.
 struct FovShape {
   ProbeShape shape = ProbeShape::Linear;
-  PixelPoint origin;                      ///< fan: the virtual apex; linear: the middle of the face
-  double rotation_deg = 0;                ///< angle of the axis from vertical; positive: the far end leans to the right
-  bool upsideDown = false;                ///< the face is at the bottom and depth runs upward
-  double alpha_deg = 60;                  ///< fan: full angle
-  double r1_px = 0, r2_px = 100;          ///< fan: distance from the apex to the face, and to the end
-  double width_px = 100, depth_px = 100;  ///< linear
+  PixelPoint origin;              ///< fan: the virtual apex; linear: the middle of the face
+  double rotation_deg = 0;        ///< angle of the axis from vertical; positive: the far end leans to the right
+  bool upsideDown = false;        ///< true if the face is at the bottom and depth runs upward
+  double alpha_deg = 60;          ///< fan: full opening angle
+  double r1_px = 0, r2_px = 100;  ///< fan: distances from the virtual apex to the face (r1) and to the far end (r2)
+  double width_px = 100, depth_px = 100;  ///< linear: size of the rectangle along the face and along the depth
 };
 
-/// The marks of a depth scale beside the picture.
+/// The marks of a depth scale beside the ultrasound image.
 struct DepthRuler {
-  double spacing_px = 0;       ///< between neighboring marks, along the axis
+  double spacing_px = 0;       ///< distance between neighboring marks of the depth scale, along its axis
   int marks = 0;               ///< number of marks found
-  int longEvery = 0;           ///< every n-th mark is longer; 0: all have the same length
-  double mmPerMark = 10;       ///< most probable spacing; numbers in the image are not read
+  int longEvery = 0;           ///< n if every n-th mark is longer; 0 if all marks have the same length
+  double mmPerMark = 10;       ///< most probable distance in mm between marks; numbers in the image are not read
   std::vector<PixelPoint> at;  ///< positions of the marks found, from the face downward
 };
 
 struct FovFit {
   FovShape shape;
-  double confidence = 0;            ///< 0..1; below 0.5 the user should correct the fit
-  std::vector<std::string> doubts;  ///< sentences about parts that were not clearly visible
+  double confidence = 0;            ///< confidence of the fit, 0..1; below 0.5 the user should correct the fit
+  std::vector<std::string> doubts;  ///< sentences about edges of the field of view that were not clearly visible
   std::optional<DepthRuler> ruler;
 };
 
@@ -55,12 +55,12 @@ struct FovFit {
 /// pixels wide or high, and if nothing looks like a field of view.
 Result<FovFit> fitFov(const GreyPicture& picture);
 
-/// Distance from the middle of the face to the end, in pixels.
+/// Returns the distance from the middle of the face to the far end of the field of view, in pixels.
 double depthOf_px(const FovShape& shape);
 /// Returns a point of the field of view: `across` is -1..1 from left to right as seen from the face, `down` is 0..1
 /// from the face to the end.
 PixelPoint pointIn(const FovShape& shape, double across, double down);
-/// Outline of the field of view as a closed line.
+/// Returns the outline of the field of view as a closed polygon, in pixels.
 std::vector<PixelPoint> outlineOf(const FovShape& shape);
 
 /// Makes a probe from a fit: shape, angle, radii, width and the displayed depth come from the fit, everything else from

@@ -8,23 +8,25 @@
 
 namespace insonate {
 
-/// Spacing of the gates along a scanline, in mm: the largest multiple of the sample spacing at which at least 2.4 gates
-/// fit into the pulse's length.
+/// Returns the distance between gates, the points of a scanline at which echoes are computed, in mm: the largest
+/// multiple of the sample spacing at which at least 2.4 gates fit into the pulse's length.
 double gateDistance_mm(const Probe& probe, const ImagingSettings& settings);
 
-/// Useful detail_mm of a scene for this probe: 1.2 if its beam is at least that wide, else 0.7.
+/// Returns the value of `detail_mm` that suffices in AcousticScene::make() for this probe: 1.2 if its beam is at least
+/// that wide, else 0.7.
 double sceneDetail_mm(const Probe& probe, const ImagingSettings& settings);
 
-/// Work of one stage of a frame by formula, from the sizes of its grids. It is an estimate for comparison with measured
-/// times, not a count of instructions.
+/// Number of operations and bytes of one stage of a frame, computed by formula from the sizes of its grids: an estimate
+/// for comparison with measured times, not a count of instructions.
 struct StageWork {
-  std::string_view name;  ///< name as in Engine::stages(); for the display: compound, compress, smooth, scan_convert
+  std::string_view name;  ///< name of the stage as in Engine::stages(); stages of the display: compound, compress,
+                          ///< smooth, scan_convert
   double operations = 0;  ///< single-precision and 32-bit integer operations; a multiply-add counts as two
   double bytes = 0;       ///< bytes read and written, each counted once, as with an unlimited cache
 };
 
-/// Work of the `cpu` engine and the display; stages whose cost depends on the scene's shape (contact) are left out. The
-/// settings must be valid for the probe.
+/// Returns the work of the stages of the `cpu` engine and the display, without stages whose cost depends on the scene's
+/// shape (contact). The settings must be valid for the probe.
 std::vector<StageWork> frameWork(const Probe& probe, const ImagingSettings& settings, const AcousticScene& scene);
 
 }  // namespace insonate

@@ -6,11 +6,12 @@
 
 namespace insonate {
 
-/// Linear echo amplitude on the beam grid, before compounding, gain, compression and scan conversion. 1 is the RMS
-/// amplitude of fully developed speckle in a 0 dB tissue without attenuation. Scanlines are fastest in memory.
+/// Linear echo amplitude on the beam grid, before compounding, gain, compression and scan conversion. Amplitude 1 is
+/// the RMS amplitude of fully developed speckle in a 0 dB tissue without attenuation. Looks are several renderings of
+/// the frame with independent speckle, which the display averages. Scanlines are fastest in memory.
 struct EnvelopeFrame {
   int scanlines = 0, samples = 0, looks = 0;
-  std::vector<float> amplitude;  ///< [look][sample][scanline]
+  std::vector<float> amplitude;  ///< echo amplitudes, index [look][sample][scanline]
 
   void resize(int newScanlines, int newSamples, int newLooks) {
     scanlines = newScanlines, samples = newSamples, looks = newLooks;
@@ -23,9 +24,9 @@ struct EnvelopeFrame {
 /// The displayed image: 8-bit gray, rows from the face down, black outside the field of view.
 struct BModeImage {
   int width = 0, height = 0;
-  double pixel_mm = 0;             ///< square pixels
+  double pixel_mm = 0;             ///< side of a pixel; pixels are square
   double left_mm = 0, top_mm = 0;  ///< lateral and axial position of the center of pixel (0, 0)
-  std::vector<std::uint8_t> grey;  ///< [row][column]
+  std::vector<std::uint8_t> grey;  ///< gray values, index [row][column]
 };
 
 }  // namespace insonate

@@ -7,17 +7,17 @@
 
 namespace insonate {
 
-/// A gray map: the gray of a level as a share of white, y = t (a + t (b + t c)), with t the level's position in the
-/// dynamic range, 0 (black) to 1 (white). Black stays black, white stays white (a + b + c = 1), and y always increases
-/// with t.
+/// A gray map: the curve y = t (a + t (b + t c)) from an echo level to a gray. t is the level's position in the dynamic
+/// range, y the gray, each from 0 (black) to 1 (white). Black stays black, white stays white (a + b + c = 1), and y
+/// always increases with t.
 struct GrayMapCurve {
   GrayMap map;
-  std::string_view name;   ///< name in settings files
+  std::string_view name;   ///< name of the gray map in settings files
   std::string_view about;  ///< effect on an image, for a tooltip or a list
   float a, b, c;
 };
 
-/// All gray maps, in the order of GrayMap.
+/// Returns the curves of all gray maps, in the order of the enum GrayMap.
 std::span<const GrayMapCurve> grayMaps();
 const GrayMapCurve& curveOf(GrayMap map);
 

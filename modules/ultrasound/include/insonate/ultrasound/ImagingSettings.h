@@ -12,28 +12,31 @@
 namespace insonate {
 
 enum class Look {
-  Coherent,  ///< scatterers fixed in the tissue, point-spread function, several compounding looks (default)
+  Coherent,  ///< scatterers fixed in the tissue, blurred by the point-spread function; several renderings with
+             ///< independent speckle are averaged (default)
   Thesis,    ///< the four layers of the thesis: reflection, absorption, radial blur, Perlin speckle
 };
 
-/// Mapping of levels to gray values; GrayMaps.h has the names and curves.
+/// Mapping of echo levels to gray values; GrayMaps.h has the names and curves.
 enum class GrayMap { Linear, Soft, Contrast, Bright, Dark, Flat };
 
 /// Switches of the physical effects, to see the contribution of each.
 struct Effects {
-  bool scattering = true;  ///< off: only boundaries are shown
+  bool scattering = true;  ///< scattering by tissue; off: only boundaries are shown
   bool reflection = true;
   bool attenuation = true;    ///< absorption along the beam, two-way
   bool transmission = true;   ///< two-way loss (1 - R^2) at each boundary, which causes shadows
-  bool speckle = true;        ///< off: uniform scattering with the same mean power
-  bool layers = true;         ///< walls, fascia and other connective layers at boundaries
-  bool texture = true;        ///< septa, lobules, and modulation by the CT
-  bool beam = true;           ///< the point-spread function
+  bool speckle = true;        ///< speckle; off: uniform scattering with the same mean power
+  bool layers = true;         ///< echoes of walls, fascia and other connective layers at boundaries
+  bool texture = true;        ///< septa and lobules within tissues, and modulation of the echo by the CT
+  bool beam = true;           ///< blur by the point-spread function; off: a point echoes in a single sample
   bool reverberation = true;  ///< reverberation behind air
-  bool edgeShadow = true;     ///< refraction at the sides of vessels
-  bool clutter = true;        ///< haze in lumens (display path)
-  bool noise = true;          ///< noise of the receiver's electronics (display path)
-  bool nearField = true;      ///< ringing below the face, poor contact at the array's ends (display path)
+  bool edgeShadow = true;     ///< edge shadows: loss by refraction at the sides of vessels
+  /// Haze: weak echoes that side lobes and reverberation add to dark regions (computed by the display).
+  bool clutter = true;
+  bool noise = true;  ///< noise of the receiver's electronics (computed by the display)
+  /// Ringing of the elements below the face, and poor contact at the array's ends (computed by the display).
+  bool nearField = true;
 
   static constexpr Effects none() {
     return {false, false, false, false, false, false, false, false, false, false, false, false, false};
@@ -45,32 +48,38 @@ static_assert(sizeof(Effects) == 13, "Effects::none() switches off every one");
 struct ImagingSettings {
   double depth_mm = 40;
   double frequency_MHz = 7.5;  ///< frequency received; with harmonic imaging, twice the transmitted frequency
-  bool harmonic = false;       ///< tissue harmonic imaging: narrower beam, less haze, more noise
+  /// Tissue harmonic imaging: narrower beam, weaker haze from side lobes and reverberation, more noise.
+  bool harmonic = false;
   double focus_mm = 20;
-  double gain_dB = 0;              ///< -40..40
-  std::array<double, 8> tgc_dB{};  ///< sliders from face to depth, -20..20, in addition to the built-in compensation
-  double dynamicRange_dB = 60;     ///< 20..120
-  double persistence = 0;          ///< share of the previous image, 0..0.95
+  double gain_dB = 0;  ///< gain of the whole image, -40..40
+  /// Gain sliders from the face to the image's depth, -20..20, in addition to the built-in compensation.
+  std::array<double, 8> tgc_dB{};
+  double dynamicRange_dB = 60;  ///< range of levels from black to white, 20..120
+  double persistence = 0;       ///< share of the previous image in the displayed image, 0..0.95
   GrayMap grayMap = GrayMap::Soft;
-  double speckleReduction = 0.4;  ///< share of the image that is smoothed along interfaces, 0..1
-  double edgeEnhancement = 0;     ///< enhancement of changes along the beam, 0..1
+  double speckleReduction = 0.4;  ///< weight of the image smoothed along interfaces in the displayed image, 0..1
+  double edgeEnhancement = 0;     ///< strength of the enhancement of changes along the beam, 0..1
   /// Growth of the pulse's length per 30 mm of depth, relative to its length at the face; 0..2.
   double dynamicFilter = 0;
-  double noise_dB = -44;   ///< RMS of the receiver's noise in one look, relative to unit speckle, before TGC; -120..0
-  double ringing_dB = 10;  ///< transmitted pulse at the face, relative to unit speckle; -20..60
-  /// Widths of strips of the face without contact to the skin; 0..30.
+  /// RMS of the receiver's noise in one look, before TGC; 0 dB is the speckle of a 0 dB tissue; -120..0.
+  double noise_dB = -44;
+  /// Echo of the transmitted pulse itself at the face; 0 dB is the speckle of a 0 dB tissue; -20..60.
+  double ringing_dB = 10;
+  /// Widths of strips at the left and right ends of the face that do not touch the skin; 0..30.
   double poorContactLeft_mm = 0, poorContactRight_mm = 0;
-  std::array<double, 8> lateralGain_dB{};  ///< sliders from the left to the right scanline, -20..20
-  int looks = 3;                           ///< number of compounded looks, 1..3
-  double steering_deg = 0;                 ///< angle of the scanlines toward +x, linear probes only; -20..20
-  int compoundingAngles = 1;      ///< spatial compounding, linear probes only: 1, 3 or 5, see steeringAngles_deg()
-  int scanlines = 256;            ///< 16..1024
-  int samples = 1000;             ///< per scanline, 64..4096
-  int elevationPlanes = 3;        ///< odd, 1..9
-  int width = 820, height = 616;  ///< image size, 64..4096
-  bool conformingContact = true;  ///< the skin follows the face, as with gel and light pressure
+  std::array<double, 8> lateralGain_dB{};  ///< gain sliders from the left to the right scanline, -20..20
+  int looks = 3;            ///< number of looks: renderings with independent speckle that are averaged; 1..3
+  double steering_deg = 0;  ///< angle of the scanlines toward +x, linear probes only; -20..20
+  /// Number of angles of spatial compounding, linear probes only: 1, 3 or 5, see steeringAngles_deg().
+  int compoundingAngles = 1;
+  int scanlines = 256;            ///< number of scanlines, 16..1024
+  int samples = 1000;             ///< number of samples per scanline, 64..4096
+  int elevationPlanes = 3;        ///< number of planes across the slice thickness in which echoes are summed; odd, 1..9
+  int width = 820, height = 616;  ///< size of the image in pixels, 64..4096
+  bool conformingContact = true;  ///< true: the skin follows the face, as with gel and light pressure
   Look look = Look::Coherent;
-  double time_s = 0;  ///< seed, to the millisecond, of electronic noise and of the speckle of Look::Thesis; 0..1e6
+  double time_s = 0;  ///< time of the image, to the millisecond, from which electronic noise and the speckle of
+                      ///< Look::Thesis are seeded; 0..1e6
   Effects effects;
 };
 

@@ -11,16 +11,16 @@ namespace insonate {
 
 /// A class of ultrasound machines: the settings that reproduce its images, each with its source.
 struct Machine {
-  std::string name;   ///< "cart-2024"
-  std::string title;  ///< "cart, 2024", for a list
-  std::string about;  ///< one sentence
+  std::string name;   ///< identifier, e.g. "cart-2024"
+  std::string title;  ///< title for a list, e.g. "cart, 2024"
+  std::string about;  ///< description of the machine in one sentence
 };
 
 /// Returns the presets of resources/machines, in a fixed order.
 const std::vector<Machine>& machines();
 
 /// Replaces the settings that this machine determines for a probe of this shape; the frequency is limited to the
-/// probe's range. Depth, focus, TGC and effects stay. Fails on an unknown name, and lists the known names.
+/// probe's range. Depth, focus, TGC and effects are kept. Fails on an unknown name, and lists the known names.
 Result<ImagingSettings> settingsOf(std::string_view machine, const Probe& probe, ImagingSettings base);
 
 /// Returns the machine whose settings all equal these; null if there is none.

@@ -10,12 +10,13 @@
 
 namespace insonate {
 
-/// Limit of signed distances, both positive and negative; a larger distance may read as up to half a voxel less than
-/// the limit.
+/// Maximum absolute value of the signed distances in PlaneSamples; a larger distance may read as up to half a voxel
+/// less than this maximum.
 inline constexpr float kPlaneReach_mm = 6;
 
-/// Undisplaced tissue at points of a plane, one entry per point. The signed distances are those of the rendering,
-/// negative inside the structure. For a structure that is not in the scene the distance is kPlaneReach_mm.
+/// Tissue at rest (not displaced) at points of a plane, one entry per point. The signed distances are those by which
+/// images are rendered, negative inside the structure. For a structure that is not in the scene the distance is
+/// kPlaneReach_mm.
 struct PlaneSamples {
   std::vector<std::uint8_t> label;  ///< label of the structure at the point: the nearest structure by signed distance
   std::vector<float> toArtery_mm, toVein_mm, toBone_mm;

@@ -21,7 +21,7 @@ enum class Apodization { Uniform, Tukey, Hann };
 struct Probe {
   std::string name;
   ProbeShape shape = ProbeShape::Linear;
-  double width_mm = 38;      ///< linear: length of the array
+  double width_mm = 38;      ///< linear: length of the array; not used by other shapes
   double fovAngle_deg = 60;  ///< curvilinear, phased: full angle alpha of the fan
   double faceRadius_mm = 0;  ///< curvilinear, phased: r1, distance from the virtual apex to the face
   double minFrequency_MHz = 5, maxFrequency_MHz = 13, defaultFrequency_MHz = 7.5;
@@ -29,12 +29,12 @@ struct Probe {
   double defaultFocus_mm = 20;
   double pitch_mm = 0.2;         ///< center-to-center distance of the elements
   double bandwidth = 0.5;        ///< bandwidth of the received pulse at -6 dB, relative to its frequency
-  double transmitFNumber = 2.5;  ///< focus over aperture; the operator sets the focus
-  double receiveFNumber = 1.5;   ///< depth over aperture; the aperture grows with depth
-  double maxAperture_mm = 30;    ///< maximum active part of the array
+  double transmitFNumber = 2.5;  ///< focal depth divided by the transmit aperture; the operator sets the focus
+  double receiveFNumber = 1.5;   ///< depth divided by the receive aperture, which grows with depth
+  double maxAperture_mm = 30;    ///< maximum width of the array's active part
   Apodization apodization = Apodization::Tukey;
-  double elementHeight_mm = 5;    ///< size perpendicular to the imaging plane
-  double elevationFocus_mm = 20;  ///< focus of the lens
+  double elementHeight_mm = 5;    ///< size of the elements perpendicular to the imaging plane
+  double elevationFocus_mm = 20;  ///< depth of the acoustic lens's focus perpendicular to the imaging plane
 };
 
 /// One numeric field of a probe: its name as in probe files, with unit, and the minimum and maximum that validate()
@@ -46,7 +46,7 @@ struct ProbeField {
   double low, high;
   Use use = Use::Always;
 };
-/// All numeric fields, in the order of probe files.
+/// Returns all numeric fields of a probe, in the order of probe files.
 std::span<const ProbeField> probeFields();
 /// Tells whether a probe of this shape has the field.
 bool applies(const ProbeField& field, ProbeShape shape);

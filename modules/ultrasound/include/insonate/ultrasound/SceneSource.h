@@ -19,15 +19,15 @@ class SceneSource {
   static Result<std::shared_ptr<const SceneSource>> make(const CtVolume& ct, const LabelMap& labels);
   ~SceneSource();
 
-  /// Hash of the CT. It identifies the patient, independent of edits of the labels.
+  /// Returns a hash of the CT, which identifies the patient independent of edits of the labels.
   std::uint32_t patient() const;
 
-  /// Computes one more part of a region, the part nearest to its center, for later scenes. Takes about a second of one
-  /// processor; `stopped` is called repeatedly, and true cancels the computation. Returns false if nothing is missing,
-  /// or if the cache is full.
+  /// Computes and caches one missing part of the data that a scene of this region will need, the part nearest to the
+  /// region's center. Takes about a second of one processor; `stopped` is called repeatedly, and true cancels the
+  /// computation. Returns false if nothing is missing, or if the cache is full.
   bool makeAhead(const Region& region, double detail_mm, const std::function<bool()>& stopped = {}) const;
 
-  struct Impl;  ///< accessed by scenes
+  struct Impl;  ///< contents of the source, read by scenes
   Impl& impl() const { return *impl_; }
 
  private:

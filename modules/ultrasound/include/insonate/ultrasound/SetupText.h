@@ -9,7 +9,7 @@
 
 namespace insonate {
 
-/// Name of a shape in a probe file: "linear".
+/// Returns the name of a probe's shape in a probe file, e.g. "linear".
 std::string_view nameOf(ProbeShape shape);
 
 /// Writes a probe as text, in the form of saveProbe() and loadProbe(); exact to the last bit.

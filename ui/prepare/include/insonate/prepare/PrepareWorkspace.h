@@ -1,9 +1,7 @@
 #pragma once
 
-#include <insonate/prepare/LabellingTime.h>
 #include <insonate/ui/Workspace.h>
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -14,6 +12,13 @@ class TaskBar;
 }
 
 namespace insonate::prepare {
+
+class CaseFeature;
+class Feature;
+class PrepareBenchmark;
+class PrepareLayout;
+struct PrepareModel;
+class ToolSession;
 
 /// The workspace in which an author prepares a case. In the middle slices and 3D; on the left the steps from import to
 /// check, with the table of structures; on the right facts, findings and the ultrasound image computed from the labels.
@@ -44,25 +49,33 @@ class PrepareWorkspace : public ui::Workspace {
   /// Tells whether the case is measured and checked, and surfaces and the ultrasound image are on the screen.
   bool isReady() const override;
   QString helpPage() const override { return QStringLiteral("prepare"); }
-  std::vector<ui::Shortcut> shortcuts() const override;
   void saveLayout(QSettings& settings) const override;
   void restoreLayout(QSettings& settings) override;
   void stop() override;
 
-  /// Measures how fast the open case can be viewed and labeled: each action is repeated `repeats` times while the
-  /// workspace is shown. Results of all tools except the brush are undone. Calls `done` later, unless the workspace is
-  /// deleted first.
-  void measureLabelling(int repeats, std::function<void(std::vector<LabellingTime>)> done);
+  /// Returns the benchmark of this workspace.
+  PrepareBenchmark& benchmark();
 
  protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
+  bool eventFilter(QObject* canvas, QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
 
  private:
-  class Parts;
-  std::unique_ptr<Parts> parts_;
+  void addFeatures();
+  template <class T, class... Parts>
+  T& add(Parts&... parts);
+  void connectModel();
+  void checkReady();
+
+  std::unique_ptr<PrepareModel> model_;  ///< its parts are children of this object, deleted after the widgets
+  std::unique_ptr<PrepareLayout> layout_;
+  std::vector<Feature*> features_;
+  CaseFeature* case_ = nullptr;
+  ToolSession* tools_ = nullptr;
+  std::unique_ptr<PrepareBenchmark> benchmark_;
+  bool isReady_ = false;
 };
 
 }  // namespace insonate::prepare

@@ -8,6 +8,7 @@
 #include <QThread>
 #include <QTimer>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -52,9 +53,15 @@ class Account : public QObject {
 
   using Done = std::function<void(Result<void>)>;
   void setUp(const NewPerson& administrator, const QString& password, Done done);
+  /// Sets up the store for one person who trains alone, and keeps this person signed in at the next starts of the
+  /// program. If `password` is empty, a generated one is kept with the sign-in.
+  void setUpAlone(const QString& fullName, const QString& password, Done done);
   void signIn(const QString& name, const QString& password, Done done);
+  /// Signs out. No effect while hasGeneratedPassword(): nobody knows the password, so that nobody could sign in again.
   void signOut();
-  /// Changes the password of the signed-in user.
+  /// Tells whether the signed-in user has not chosen a password yet.
+  bool hasGeneratedPassword() const { return isSignedIn() && !generatedPassword_.empty(); }
+  /// Changes the password of the signed-in user; `old` is ignored while hasGeneratedPassword().
   void changePassword(const QString& old, const QString& password, Done done);
   void changeDetails(const QString& fullName, const QString& email, Done done);
   /// Tries again to open a store that could not be reached.
@@ -92,6 +99,7 @@ class Account : public QObject {
     }
   }
   using Entering = std::function<Result<SignedIn>(const CurriculumStore&)>;
+  std::filesystem::path keptFile() const;
   static std::string notOpen();
   static std::string notYours();
   Result<void> reachStore();
@@ -102,6 +110,7 @@ class Account : public QObject {
   void open(Entering enter, Done done);
   void take(State state, std::optional<SignedIn> session, const QString& trouble);
 
+  std::string generatedPassword_;  ///< of the user who is kept signed in; empty if the user has chosen one
   const QString address_;
   const StoreServices services_;
   State state_ = State::Opening;

@@ -43,6 +43,8 @@ class MainWindow : public QMainWindow {
   Workspace* currentWorkspace() const;
   QString currentId() const;
 
+  /// Asks who trains on this computer if the program is started for the first time; not for scripts.
+  void askAtFirstStart();
   /// Restores the layout of the last session.
   void restoreLayout();
 

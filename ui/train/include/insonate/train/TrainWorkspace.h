@@ -16,9 +16,9 @@ class TrainLayout;
 struct TrainModel;
 
 /// The workspace in which the user moves a probe over a patient and the ultrasound image follows: controls on the left,
-/// the image in the middle, the patient in 3D and as CT on the right. Mouse and keyboard move the probe; shortcuts()
-/// lists their actions. Images are computed on background threads, which end within a second; the window never waits
-/// for an image.
+/// the image in the middle, the patient in 3D and as CT on the right. Mouse and keyboard move the probe; commands()
+/// lists the keys. Images are computed on background threads, which end within a second; the window never waits for an
+/// image.
 class TrainWorkspace : public ui::Workspace {
   Q_OBJECT
 
@@ -42,7 +42,6 @@ class TrainWorkspace : public ui::Workspace {
   /// Tells whether all surfaces are ready.
   bool isComplete() const override;
   QString helpPage() const override { return QStringLiteral("train"); }
-  std::vector<ui::Shortcut> shortcuts() const override;
   void saveLayout(QSettings& settings) const override;
   void restoreLayout(QSettings& settings) override;
   void stop() override;
@@ -74,8 +73,7 @@ class TrainWorkspace : public ui::Workspace {
   void takeSavedCase();
   void checkReady();
   void reportProblem();
-  bool key(const QKeyEvent& event, bool isPerformed);
-  void takeKeyboard(const QObject* canvas);
+  void takeKeyboard();
 
   TrainModel* model_;  ///< child object, deleted after the widgets
   std::unique_ptr<TrainLayout> layout_;

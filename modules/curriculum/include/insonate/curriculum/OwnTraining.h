@@ -1,0 +1,17 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/CurriculumStore.h>
+
+#include <string>
+
+namespace insonate {
+
+/// Sets up a store without people for one person who trains alone, and signs this person in: as administrator of the
+/// store, and as the only learner of a class that is taught by the built-in curriculum. Levels, results and learning
+/// curves then work as in any class, and others can be added later. The name for signing in is made from `fullName`
+/// (1..200 characters). Fails if the store has people already.
+Result<SignedIn> setUpOwnTraining(const CurriculumStore& store, const std::string& fullName,
+                                  const std::string& password);
+
+}  // namespace insonate

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "../feature/Feature.h"
+
+namespace insonate::prepare {
+
+class Section;
+
+/// The feature for the check: findings that lead to their places, and difficulty.
+class CheckFeature final : public Feature {
+ public:
+  CheckFeature(PrepareModel& model, PrepareLayout& layout);
+
+ private:
+  void showCheck(bool isShown);
+  void refresh();
+
+  Section* findings_;
+};
+
+}  // namespace insonate::prepare

@@ -1,0 +1,81 @@
+#include "EditingFeature.h"
+
+#include "../layout/PathColumn.h"
+#include "../layout/PrepareLayout.h"
+#include "../model/CaseChanges.h"
+#include "../model/OpenCase.h"
+#include "../model/PrepareModel.h"
+
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/Workspace.h>
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QToolButton>
+
+namespace insonate::prepare {
+namespace {
+
+/// Adds an action whose keys work in the whole workspace.
+void addTo(QWidget& workspace, QAction& action, const char* icon, const QList<QKeySequence>& keys, const char* name) {
+  action.setObjectName(QLatin1String(name));
+  action.setIcon(ui::icon(QLatin1String(icon)));
+  action.setShortcuts(keys);
+  action.setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  workspace.addAction(&action);
+}
+
+}  // namespace
+
+EditingFeature::EditingFeature(PrepareModel& model, PrepareLayout& layout) : Feature(model, layout) {
+  makeUndo();
+  makeSave();
+  auto* row = new QWidget;
+  auto* box = new QHBoxLayout(row);
+  box->setContentsMargins(0, 0, 0, 0);
+  box->setSpacing(ui::kSmallGap);
+  box->addWidget(actionButton(undo_, Qt::ToolButtonIconOnly));
+  box->addWidget(actionButton(redo_, Qt::ToolButtonIconOnly));
+  box->addStretch(1);
+  box->addWidget(actionButton(save_, Qt::ToolButtonTextBesideIcon));
+  layout_.path().addFoot(row);
+}
+
+void EditingFeature::makeUndo() {
+  QUndoStack& stack = model_.openCase.undoStack();
+  undo_ = stack.createUndoAction(this, tr("Undo"));
+  redo_ = stack.createRedoAction(this, tr("Redo"));
+  addTo(layout_.workspace(), *undo_, "undo", {QKeySequence(QStringLiteral("Ctrl+Z"))}, "undo");
+  addTo(layout_.workspace(), *redo_, "redo",
+        {QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))}, "redo");
+  connect(&stack, &QUndoStack::undoTextChanged, undo_, [undo = undo_](const QString& what) {
+    undo->setToolTip(what.isEmpty() ? tr("Nothing to undo (Ctrl+Z)") : tr("Undo: %1 (Ctrl+Z)").arg(what));
+  });
+  connect(&stack, &QUndoStack::redoTextChanged, redo_, [redo = redo_](const QString& what) {
+    redo->setToolTip(what.isEmpty() ? tr("Nothing to redo (Ctrl+Y)") : tr("Redo: %1 (Ctrl+Y)").arg(what));
+  });
+  commands().beginSection(tr("Case"));
+  commands().addListed(QStringLiteral("Ctrl+Z, Ctrl+Y"), tr("undoes, redoes the last change"));
+}
+
+void EditingFeature::makeSave() {
+  save_ = new QAction(tr("Save case"), this);
+  addTo(layout_.workspace(), *save_, "save", {}, "saveCase");  // Ctrl+S belongs to the window
+  connect(save_, &QAction::triggered, this, [this] { Q_EMIT layout_.workspace().saveWanted(); });
+  connect(&model_.openCase, &OpenCase::caseChanged, save_, [this] { refreshSave(); });
+  connect(&model_.openCase, &OpenCase::originChanged, save_, [this] { refreshSave(); });
+  connect(&model_.changes, &CaseChanges::changed, save_, [this] { refreshSave(); });
+  refreshSave();
+}
+
+void EditingFeature::refreshSave() {
+  const bool isChanged = model_.changes.isUnsaved() || model_.changes.quietEdit();
+  const bool hasNoFolder = model_.openCase.origin().folder.isEmpty();
+  save_->setEnabled(model_.openCase.patient() && (isChanged || hasNoFolder));
+  save_->setToolTip(!model_.openCase.patient() ? QString()
+                    : hasNoFolder              ? tr("Writes the case to a folder that you choose (Ctrl+S)")
+                    : isChanged ? tr("Writes the title and the appearance of structures to the case's folder (Ctrl+S)")
+                                : tr("Everything is saved"));
+}
+
+}  // namespace insonate::prepare

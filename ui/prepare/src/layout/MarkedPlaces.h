@@ -1,0 +1,22 @@
+#pragma once
+
+#include "../model/CasePlaces.h"
+
+#include <insonate/views/NamedPlace.h>
+#include <insonate/views/SceneOptions.h>
+
+namespace insonate::prepare {
+
+/// The author's places in the form in which they are drawn.
+struct MarkedPlaces {
+  std::vector<views::NamedPlace> places;  ///< points on slices, with their names
+  /// Lines in 3D: crosses and, for a start pose, the probe's face and its viewing direction.
+  std::vector<views::ScenePath> paths;
+};
+
+MarkedPlaces markedPlaces(const CasePlaces& places);
+
+/// Adds a cross of three lines in 3D.
+void addCross(std::vector<views::ScenePath>& paths, Vec3 at_mm, views::Colour colour);
+
+}  // namespace insonate::prepare

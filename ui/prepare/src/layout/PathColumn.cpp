@@ -1,0 +1,80 @@
+#include "PathColumn.h"
+
+#include "LabelPages.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace insonate::prepare {
+
+PathStep::PathStep(const QString& title)
+    : title_(title), heading_(new QLabel), mark_(new QLabel), box_(new QVBoxLayout(this)) {
+  ui::setRole(heading_, "heading");
+  ui::setRole(mark_, "quiet");
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(heading_, 1);
+  row->addWidget(mark_);
+  box_->setContentsMargins(0, 0, 0, 0);
+  box_->setSpacing(ui::kGap);
+  box_->addLayout(row);
+}
+
+void PathStep::add(QWidget* controls, int stretch) {
+  box_->addWidget(controls, stretch);
+}
+
+void PathStep::setMark(const QString& mark) {
+  mark_->setText(mark);
+}
+
+void PathStep::setNumber(int number) {
+  heading_->setText(QStringLiteral("%1  %2").arg(number).arg(title_));
+}
+
+bool PathStep::isEmpty() const {
+  return box_->count() == 1;
+}
+
+PathColumn::PathColumn()
+    : import_(new PathStep(tr("Import"))),
+      label_(new PathStep(tr("Label"))),
+      check_(new PathStep(tr("Check"))),
+      publish_(new PathStep(tr("Publish"))),
+      labelPages_(new LabelPages),
+      box_(new QVBoxLayout(this)) {
+  label_->add(labelPages_, 1);
+  box_->setContentsMargins(12, ui::kGap, 12, ui::kGap);
+  box_->setSpacing(ui::kGap + ui::kSmallGap);
+  for (PathStep* step : {import_, label_, check_, publish_}) box_->addWidget(step, step == label_ ? 1 : 0);
+}
+
+void PathColumn::addFoot(QWidget* foot) {
+  box_->addSpacing(ui::kSmallGap);
+  box_->addWidget(foot);
+}
+
+void PathColumn::assemble() {
+  int number = 0;
+  for (PathStep* step : {import_, label_, check_, publish_}) {
+    step->setVisible(!step->isEmpty());
+    if (!step->isEmpty()) step->setNumber(++number);
+  }
+}
+
+QToolButton* actionButton(QAction* action, Qt::ToolButtonStyle style) {
+  auto* button = new QToolButton;
+  button->setDefaultAction(action);
+  button->setToolButtonStyle(style);
+  button->setIconSize({20, 20});
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setAccessibleName(action->text());
+  return button;
+}
+
+}  // namespace insonate::prepare

@@ -1,0 +1,55 @@
+#pragma once
+
+class QSplitter;
+class QStackedLayout;
+class QWidget;
+
+namespace insonate::ui {
+class EmptyWorkspace;
+class ViewWidget;
+class Workspace;
+}  // namespace insonate::ui
+
+namespace insonate::prepare {
+
+class CaseViews;
+class PathColumn;
+struct PrepareModel;
+class RightColumn;
+
+/// The workspace's layout: slots that the features fill, and the views that they share.
+class PrepareLayout {
+ public:
+  PrepareLayout(ui::Workspace& workspace, PrepareModel& model);
+  /// Deletes the widgets.
+  ~PrepareLayout();
+
+  /// The workspace: owner of the commands, and emitter of signals to the window.
+  ui::Workspace& workspace() { return workspace_; }
+  /// The page that is shown while no case is open.
+  ui::EmptyWorkspace& empty() { return *empty_; }
+  PathColumn& path() { return *path_; }
+  CaseViews& views() { return *views_; }
+  RightColumn& right() { return *right_; }
+  QSplitter& columns() { return *columns_; }
+
+  /// Puts a bar above the views.
+  void addBar(QWidget* bar);
+  /// Has a view perform the keys of the workspace's commands, before its own keys and the window's shortcuts.
+  void offerKeys(ui::ViewWidget& view);
+  /// Adds the columns to the window, after the features have filled them.
+  void assemble();
+
+ private:
+  ui::Workspace& workspace_;
+  PrepareModel& model_;
+  QStackedLayout* pages_;
+  ui::EmptyWorkspace* empty_;
+  QSplitter* columns_;
+  PathColumn* path_;
+  QWidget* middle_;
+  CaseViews* views_;
+  RightColumn* right_;
+};
+
+}  // namespace insonate::prepare

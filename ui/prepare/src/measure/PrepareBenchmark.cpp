@@ -1,0 +1,18 @@
+#include "LabellingMeasure.h"
+
+#include <insonate/prepare/PrepareBenchmark.h>
+
+#include <utility>
+
+namespace insonate::prepare {
+
+PrepareBenchmark::PrepareBenchmark(PrepareModel& model, ToolSession& tools, CaseViews& views)
+    : model_(model), tools_(tools), views_(views) {}
+
+PrepareBenchmark::~PrepareBenchmark() = default;
+
+void PrepareBenchmark::measureLabelling(int repeats, std::function<void(std::vector<LabellingTime>)> done) {
+  labelling_ = std::make_unique<LabellingMeasure>(model_, tools_, views_, repeats, std::move(done));
+}
+
+}  // namespace insonate::prepare

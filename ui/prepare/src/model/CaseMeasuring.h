@@ -1,0 +1,81 @@
+#pragma once
+
+#include "CasePlaces.h"
+#include "LabelTerms.h"
+
+#include <insonate/cases/CaseCheck.h>
+#include <insonate/cases/CaseStatistics.h>
+#include <insonate/cases/Difficulty.h>
+#include <insonate/cases/PatientCase.h>
+
+#include <QObject>
+#include <memory>
+#include <vector>
+
+namespace insonate::ui {
+class TaskBar;
+}
+
+namespace insonate::prepare {
+
+/// Results of measuring and checking a case.
+struct CaseMeasures {
+  CaseStatistics statistics;
+  std::vector<Finding> findings;
+  Result<DifficultyEstimate> difficulty;
+};
+
+/// Measures and checks a case as a long job of the window, while this is allowed. If another job takes its place, the
+/// measurement begins again after that job. If the user cancels it, it begins again only after start().
+class CaseMeasuring : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class State { Idle, Waiting, Running, Done, Stopped };
+
+  CaseMeasuring(ui::TaskBar& tasks, QObject* parent);
+  ~CaseMeasuring() override;
+
+  /// Sets the case and discards former measures; null: no case.
+  void setCase(std::shared_ptr<const PatientCase> patient);
+  /// Sets edited labels in place of the case's and measures them; former measures stay until the new ones are ready.
+  void setLabels(std::shared_ptr<const LabelMap> labels);
+  /// Announces that the labels will be edited: a running measurement ends and releases them, and none begins before
+  /// setLabels().
+  void awaitLabels();
+  /// Sets edited targets, landmarks and start poses, and the meanings of labels, and checks again.
+  void setWords(const CasePlaces& places, const LabelTerms& terms);
+  /// Allows measurements to begin, or not; a running measurement continues.
+  void setAllowed(bool allowed);
+  /// Begins to measure, also after the user has cancelled.
+  void start();
+
+  State state() const { return state_; }
+  /// The measures; null before they are ready.
+  const std::shared_ptr<const CaseMeasures>& measures() const { return measures_; }
+  /// Tells whether the measures have voxels of a label; false before they are ready.
+  bool hasVoxels(std::uint8_t label) const { return measures_ && measures_->statistics.voxels[label] > 0; }
+  /// Sentence that says why there are no measures.
+  const QString& trouble() const { return trouble_; }
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  void beginAgain();
+  void tryToRun();
+  void ended(int number, Result<std::shared_ptr<const CaseMeasures>> result);
+  void enter(State state);
+
+  ui::TaskBar& tasks_;
+  std::shared_ptr<const PatientCase> patient_;
+  std::shared_ptr<const LabelMap> labels_;  ///< null after awaitLabels() until setLabels()
+  std::shared_ptr<const CaseManifest> manifest_;
+  std::shared_ptr<const CaseMeasures> measures_;
+  QString trouble_;
+  State state_ = State::Idle;
+  bool allowed_ = false;
+  int number_ = 0;  ///< number of the present job; results of earlier jobs are dropped
+};
+
+}  // namespace insonate::prepare

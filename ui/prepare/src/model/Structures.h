@@ -1,0 +1,62 @@
+#pragma once
+
+#include <insonate/cases/PatientCase.h>
+#include <insonate/views/Theme.h>
+
+#include <QPixmap>
+#include <QString>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace insonate::prepare {
+
+/// Appearance of a structure.
+struct StructureLook {
+  views::Colour colour;
+  double opacity = 1;   ///< of its surface in 3D, 0 to 1
+  bool visible = true;  ///< in 3D and over the slices
+  double onSlices = 1;  ///< opacity over the slices, as a fraction (0 to 1) of the opacity that all labels share
+  bool operator==(const StructureLook&) const = default;
+};
+
+/// Looks by label.
+using StructureLooks = std::array<StructureLook, 256>;
+
+/// Returns the default looks: the case's colors, and opacities at which the skin and other filling tissue are
+/// translucent.
+StructureLooks defaultLooks(const LabelColours& colours);
+double defaultOpacity(std::uint8_t label);
+/// Returns the default of StructureLook::onSlices. Labels that fill the patient are fainter, since an artery has nearly
+/// the color of the muscle around it.
+double defaultShareOnSlices(std::uint8_t label);
+
+/// Tells whether the color of any of these structures differs from the case's.
+bool coloursDiffer(const StructureLooks& looks, const std::vector<std::uint8_t>& structures,
+                   const LabelColours& colours);
+/// Writes the structures' colors into a case's colors, which contain only those that differ from the label table's.
+void putColours(const StructureLooks& looks, const std::vector<std::uint8_t>& structures, LabelColours& colours);
+
+using ShownStructures = std::map<std::uint8_t, StructureShown>;
+void takeShown(const ShownStructures& shown, StructureLooks& looks);
+/// Tells whether the opacity or visibility of any of these structures differs.
+bool shownDiffers(const StructureLooks& a, const StructureLooks& b, const std::vector<std::uint8_t>& structures);
+/// Writes the structures' opacity and visibility into the case's.
+void putShown(const StructureLooks& looks, const std::vector<std::uint8_t>& structures, ShownStructures& shown);
+
+/// Returns a structure's name, "vein"; "label 37" for a label without a meaning.
+QString structureName(std::uint8_t label);
+/// Formats a volume with a suitable number of digits.
+QString volumeText(double volume_ml);
+/// Returns a small square in a structure's color.
+QPixmap swatch(views::Colour colour);
+
+inline views::Colour viewColour(const LabelColour& c) {
+  return {c[0], c[1], c[2]};
+}
+inline LabelColour labelColour(views::Colour c) {
+  return {c.red, c.green, c.blue};
+}
+
+}  // namespace insonate::prepare

@@ -1,0 +1,75 @@
+#include "StructuresFeature.h"
+
+#include "../labels/LabelSession.h"
+#include "../layout/LabelPages.h"
+#include "../layout/PathColumn.h"
+#include "../layout/PrepareLayout.h"
+#include "../model/CaseMeasuring.h"
+#include "../model/PrepareModel.h"
+#include "../model/StructureAppearance.h"
+#include "../model/StructureList.h"
+#include "StructureTable.h"
+
+namespace insonate::prepare {
+
+StructuresFeature::StructuresFeature(PrepareModel& model, PrepareLayout& layout) : Feature(model, layout) {
+  addCommands();
+  auto* table = new StructureTable(model_, commands());
+  LabelPages& pages = layout_.path().labelPages();
+  pages.add(table, tr("Structures"), tr("All structures of the case, with color and visibility"),
+            [this](std::uint8_t label) {
+              model_.structures.add(label);
+              return true;
+            });
+  pages.showPage(table);
+  connect(&model_.measuring, &CaseMeasuring::changed, this, [this] { refreshMark(); });
+  refreshMark();
+}
+
+void StructuresFeature::addCommands() {
+  StructureList& structures = model_.structures;
+  commands().beginSection(tr("Structures"));
+  add("prepare.structures.select", QStringLiteral("Q, W"), tr("selects the previous, the next structure of the table"),
+      {{Qt::Key_Q, [&structures] { structures.selectNext(-1); }},
+       {Qt::Key_W, [&structures] { structures.selectNext(1); }}});
+  add("prepare.structures.visibility", tr("H, Space in the table"), tr("hides or shows the selected structure"),
+      {{Qt::Key_H, [this] { toggleVisible(); }}});
+  commands().addListed(tr("Enter in the table"),
+                       tr("chooses the color of the selected structure, while no tool is selected"));
+  add("prepare.structures.lock", QStringLiteral("L"), tr("locks the selected structure against tools, or unlocks it"),
+      {{Qt::Key_L, [this] { toggleLocked(); }}});
+  add("prepare.structures.state", QStringLiteral("S"),
+      tr("moves the selected structure to its next state, e.g. completed"),
+      {{Qt::Key_S, [&structures] { structures.toNextState(structures.selected()); }}});
+  commands().addListed(tr("F2 in the table"), tr("renames a structure of your own"));
+}
+
+void StructuresFeature::toggleVisible() {
+  const std::uint8_t label = model_.structures.selected();
+  model_.appearance.setVisible(label, !model_.appearance.look(label).visible);
+}
+
+void StructuresFeature::toggleLocked() {
+  const std::uint8_t label = model_.structures.selected();
+  model_.labelling.setLocked(label, !model_.labelling.rules().locked.test(label));
+}
+
+void StructuresFeature::refreshMark() {
+  PathStep& step = layout_.path().label();
+  if (!model_.measuring.measures()) {
+    const bool isStopped = model_.measuring.state() == CaseMeasuring::State::Stopped;
+    return step.setMark(isStopped ? tr("not measured") : tr("measuring ..."));
+  }
+  const int count = int(model_.structures.labels().size());
+  step.setMark(count == 0 ? tr("nothing yet") : count == 1 ? tr("1 structure") : tr("%1 structures").arg(count));
+}
+
+void StructuresFeature::save(QSettings& settings) const {
+  model_.appearance.saveHabits(settings);
+}
+
+void StructuresFeature::restore(QSettings& settings) {
+  model_.appearance.restoreHabits(settings);
+}
+
+}  // namespace insonate::prepare
