@@ -65,7 +65,7 @@ void CaseDesk::connectLoader() {
           });
   connect(loader_, &CaseLoader::cancelled, this, [this] {
     afterSaving_ = {};
-    Q_EMIT said(tr("Cancelled; nothing was changed."), {});
+    Q_EMIT said(tr("Canceled; nothing was changed."), {});
   });
 }
 
