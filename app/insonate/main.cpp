@@ -41,19 +41,20 @@ void tell(QtMsgType type, const QMessageLogContext&, const QString& message) {
 }
 
 void addWorkspaces(ui::MainWindow& window) {
+  const auto action = [&window](const char* id) { return window.commands().action(QLatin1String(id)); };
   auto* prepare = new prepare::PrepareWorkspace(window.tasks());
-  prepare->offer(window.openAction());
-  prepare->offer(window.importAction());
-  prepare->offer(window.libraryAction());
-  prepare->offer(window.textbookAction());
-  prepare->setCaseActions(window.openAction(), window.importAction(), window.reloadAction());
+  prepare->offer(action("window.case.open"));
+  prepare->offer(action("window.case.import"));
+  prepare->offer(action("window.case.library"));
+  prepare->offer(action("window.case.textbook"));
+  prepare->setCaseActions(action("window.case.open"), action("window.case.import"), action("window.case.reload"));
   window.addWorkspace(QStringLiteral("prepare"), QObject::tr("Prepare"), QStringLiteral("prepare"), prepare);
 
   window.addWorkspace(QStringLiteral("train"), QObject::tr("Train"), QStringLiteral("train"),
                       new train::TrainWorkspace);
 
   auto* review = new review::ReviewWorkspace(window.tasks());
-  review->offer(window.attemptAction());
+  review->offer(action("window.attempt.open"));
   window.addWorkspace(QStringLiteral("review"), QObject::tr("Review"), QStringLiteral("review"), review);
 }
 

@@ -208,7 +208,7 @@ TEST_F(RenderCommand, BadInputIsRefusedWithASentenceAndLeavesNothing) {
       "--pose " + shellWord(R"({"position_mm": [NaN, 0, 0], "axial": [0,1,0], "lateral": [1,0,0]})") + picture, "JSON");
   expectRefusal("--pose " + shellWord(R"({"position_mm": [0, 0, 0], "axial": [0,1,0], "lateral": [0,1,0]})") + picture,
                 "parallel");
-  expectRefusal("--pose " + shellWord(poseAt(5000)) + picture, "sees nothing");
+  expectRefusal("--pose " + shellWord(poseAt(5000)) + picture, "shows nothing");
   expectRefusal("--pose " + shellWord("[" + poseAt(0) + "," + poseAt(5000) + "]") + picture, "Pose 1");
   expectRefusal("--pose nowhere" + picture, "nowhere");
   expectRefusal("--probe trapezoid" + picture, "trapezoid");

@@ -39,7 +39,7 @@ class Saving : public testing::Test {
     ASSERT_TRUE(writeCase(test::smallCase(), case_));
     workspace_ = new PrepareWorkspace(window_.tasks());
     window_.addWorkspace("prepare", "Prepare", "prepare", workspace_);
-    workspace_->setCaseActions(window_.openAction(), window_.importAction(), window_.reloadAction());
+    workspace_->setCaseActions(windowAction("open"), windowAction("import"), windowAction("reload"));
     window_.show();
     window_.showWorkspace("prepare");
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
@@ -62,6 +62,7 @@ class Saving : public testing::Test {
     ASSERT_TRUE(question());
     QTest::mouseClick(question()->findChild<QPushButton*>(button), Qt::LeftButton);
   }
+  QAction* windowAction(const char* act) { return window_.commands().action(QString("window.case.") + act); }
   QAction* saveAction() { return workspace_->findChild<QAction*>("saveCase"); }
 
   test::TemporaryFolder home_;
@@ -280,7 +281,7 @@ TEST_F(Saving, ReloadRereadsTheFolder) {
   }));
 
   shared_->appearance.setColour(kArtery, kChosen);
-  window_.reloadAction()->trigger();
+  windowAction("reload")->trigger();
   answer("goOn");
   ASSERT_TRUE(until([this] { return window_.isReady() && !edited(); }));
   EXPECT_NE(shared_->appearance.look(kArtery).colour, kChosen);

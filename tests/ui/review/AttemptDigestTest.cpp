@@ -1,6 +1,6 @@
 #include "ReviewWindow.h"
 #include "attempt/AttemptDigest.h"
-#include "list/AttemptListing.h"
+#include "list/AttemptList.h"
 #include "replay/ReplayScene.h"
 #include "result/PlanePlot.h"
 #include "result/ResultPage.h"
@@ -11,6 +11,8 @@
 #include <gmock/gmock.h>
 
 #include <QFile>
+#include <QImage>
+#include <QPainter>
 #include <algorithm>
 
 namespace insonate::review {
@@ -124,6 +126,23 @@ TEST_F(Digest, ThePlaneShowsTheVeinUnderTheTip) {
   EXPECT_GT(shade(0, 12).blue(), shade(0, 12).red()) << "the vein is blue";
   EXPECT_EQ(shade(10, 12).alpha(), 0) << "muscle is left out";
   EXPECT_TRUE(sectionOf(*attempt, nullptr).structures.isNull());
+}
+
+TEST_F(Digest, ThePathInThePlaneTellsPlacesApartWithoutColors) {
+  const auto attempt = digest(recorded(file("two")));
+  const PlaneSection section = sectionOf(*attempt, nullptr);
+  ui::Ink ink;
+  ink.text = ink.quiet = ink.line = ink.good = ink.caution = ink.danger = Qt::black;
+  const auto painted = [&](const AttemptDigest& shown) {
+    QImage image(400, 400, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    paintPlane(painter, image.rect(), shown, section, ink);
+    return image;
+  };
+  AttemptDigest plain = *attempt;
+  for (TrackPoint& point : plain.track) point.place = NeedlePlace::Underway;
+  EXPECT_NE(painted(*attempt), painted(plain));
 }
 
 TEST_F(Digest, CutShortItIsReadToItsLastSecondAndSaysSo) {

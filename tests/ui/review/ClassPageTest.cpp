@@ -5,9 +5,12 @@
 
 #include <ui/support/AccessibleNames.h>
 
+#include <QAbstractButton>
+#include <QAction>
 #include <QComboBox>
 #include <QLabel>
 #include <QListWidget>
+#include <QSignalSpy>
 #include <QTableView>
 
 namespace insonate::review {
@@ -53,6 +56,24 @@ TEST_F(ClassPageTest, ShowsWhoIsHowFarAndWhoNeedsHelp) {
   ASSERT_EQ(concerns.count(), 1);
   EXPECT_TRUE(concerns.item(0)->text().contains("Dr ben, stuck:  Open: ")) << concerns.item(0)->text().toStdString();
   EXPECT_TRUE(concerns.item(0)->text().contains("artery")) << concerns.item(0)->text().toStdString();
+}
+
+TEST_F(ClassPageTest, F5ReadsTheClassEvenIfTheWindowUsesTheKey) {
+  practise(school_->as(school_->anna), true);
+  enter("ina");
+  QAction reload;
+  reload.setShortcut(QKeySequence(Qt::Key_F5));
+  workspace_->addAction(&reload);
+  const QSignalSpy reloaded(&reload, &QAction::triggered);
+  practise(school_->as(school_->anna), true);
+  table().setFocus();
+  QTest::keyClick(&table(), Qt::Key_F5);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return cell(table(), rowOf(table(), "Dr anna"), ClassTable::kAttempts) == "2"; },
+                              kPatience_ms));
+  EXPECT_EQ(reloaded.size(), 0);
+  child<QAbstractButton>("recordingsTab")->click();
+  QTest::keyClick(workspace_.get(), Qt::Key_F5);
+  EXPECT_EQ(reloaded.size(), 1) << "on other pages the key belongs to the window";
 }
 
 TEST_F(ClassPageTest, AnImplausibleAttemptNeedsAttention) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ReviewParts.h"
+#include "ReviewSession.h"
 #include "replay/Timeline.h"
 
 #include <insonate/review/ReviewWorkspace.h>

@@ -113,11 +113,11 @@ TEST_F(AttemptFiles, ACaseThatIsNotSavedIsAskedAboutBeforeThatOfAnAttemptTakesIt
 
 TEST(AttemptMenu, IsThereOnlyWhereAttemptsAreShown) {
   ui::MainWindow window;
-  EXPECT_FALSE(window.attemptAction()->isVisible());
+  EXPECT_FALSE(window.commands().action("window.attempt.open")->isVisible());
   window.addWorkspace("train", "Train", "train", new ui::EmptyWorkspace({"train", "Train", {}, {}, {}}));
-  EXPECT_FALSE(window.attemptAction()->isVisible());
+  EXPECT_FALSE(window.commands().action("window.attempt.open")->isVisible());
   window.addWorkspace("review", "Review", "review", new Reviewing);
-  EXPECT_TRUE(window.attemptAction()->isVisible());
+  EXPECT_TRUE(window.commands().action("window.attempt.open")->isVisible());
 }
 
 }  // namespace

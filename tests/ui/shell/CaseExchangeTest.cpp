@@ -80,7 +80,7 @@ TEST_F(CaseExchange, ImportedLabelsMakeACaseThatIsNotSaved) {
   EXPECT_EQ(window.current().patient->labels.voxels, other.labels.voxels);
   EXPECT_TRUE(window.current().folder.isEmpty()) << "what is on disk keeps its labels";
   EXPECT_TRUE(window.caseTitle().contains("not saved")) << window.caseTitle().toStdString();
-  EXPECT_TRUE(window.saveAction()->isEnabled());
+  EXPECT_TRUE(window.commands().action("window.case.save")->isEnabled());
 }
 
 TEST_F(CaseExchange, APartIsCroppedAndResampled) {

@@ -185,10 +185,10 @@ TEST_F(ClosingAtWork, ControlSSavesInEveryWorkspace) {
     window->showWorkspace(room);
     const QString target = home.filePath(room);
     test::answerFileDialog(*window, target);
-    ASSERT_TRUE(test::waitUntil([&] { return window->saveAction()->isEnabled(); }));
+    ASSERT_TRUE(test::waitUntil([&] { return window->commands().action("window.case.save")->isEnabled(); }));
     QTest::keyClick(window->focusWidget() ? window->focusWidget() : window.get(), Qt::Key_S, Qt::ControlModifier);
     EXPECT_TRUE(test::waitUntil([&] { return window->current().folder == target; }, test::kPatience_ms)) << room;
-    EXPECT_FALSE(window->saveAction()->isEnabled()) << "nothing to save";
+    EXPECT_FALSE(window->commands().action("window.case.save")->isEnabled()) << "nothing to save";
   }
 }
 

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPushButton>
 #include <QWidget>
 #include <memory>
 #include <string>
@@ -86,6 +87,31 @@ TEST_F(CommandsTest, MenuTooltipAndListSayTheSame) {
   EXPECT_EQ(saved, 1);
   EXPECT_FALSE(commands.action("test.image.other"));
   EXPECT_EQ(commands.toolTip("test.image.other").toStdString(), "");
+}
+
+TEST_F(CommandsTest, AnActionHandlesItsKeyAndIsListed) {
+  QAction open("Open ...");
+  open.setShortcut(QKeySequence("Ctrl+O"));
+  commands.add("test.case.open", "opens a case", open);
+  EXPECT_EQ(open.toolTip().toStdString(), "Opens a case (Ctrl+O)");
+  EXPECT_EQ(commands.action("test.case.open"), &open);
+  EXPECT_EQ(commands.shortcuts().back().shortcuts.back().keys.toStdString(), "Ctrl+O");
+  EXPECT_FALSE(commands.key(pressed(Qt::Key_O, Qt::ControlModifier), true)) << "Qt handles the key";
+  int opened = 0;
+  QObject::connect(&open, &QAction::triggered, &open, [&opened] { ++opened; });
+  commands.find("test.case.open")->perform({});
+  EXPECT_EQ(opened, 1);
+  open.setEnabled(false);
+  EXPECT_FALSE(commands.find("test.case.open")->isAvailable());
+}
+
+TEST_F(CommandsTest, AButtonGetsItsKeyAndTooltip) {
+  QPushButton refresh("Refresh");
+  commands.add("test.class.refresh", "reads the class again", refresh, QKeySequence(Qt::Key_F5));
+  EXPECT_EQ(refresh.shortcut(), QKeySequence(Qt::Key_F5));
+  EXPECT_EQ(refresh.toolTip().toStdString(), "Reads the class again (F5)");
+  EXPECT_EQ(commands.toolTip("Saves this page", "test.class.refresh").toStdString(), "Saves this page (F5)");
+  EXPECT_EQ(commands.toolTip("Saves this page", "test.class.other").toStdString(), "Saves this page");
 }
 
 TEST_F(CommandsTest, TheListIsBySectionInTheOrderOfAdding) {

@@ -52,9 +52,10 @@ TEST(WindowDeidentification, NothingOfADicomSeriesIsWritten) {
       if (button->text().remove('&') == "Import") import = button;
     ASSERT_TRUE(import && import->isEnabled());
     QTest::mouseClick(import, Qt::LeftButton);
-    ASSERT_TRUE(waitUntil([&] { return window.current().patient && window.saveAction()->isEnabled(); }));
+    ASSERT_TRUE(waitUntil(
+        [&] { return window.current().patient && window.commands().action("window.case.save")->isEnabled(); }));
     test::answerFileDialog(window, target);
-    window.saveAction()->trigger();
+    window.commands().action("window.case.save")->trigger();
     ASSERT_TRUE(waitUntil([&] { return window.current().folder == target; }));
     window.closeAtOnce();
   }

@@ -64,7 +64,7 @@ TEST_F(ValueSlider, NumberAndUnitAreReadWholeInHalfAColumn) {
 
 /// Enter means "apply" in the window around it.
 TEST(ValueSliderInAWindow, EnterEndsTheNumberAndNothingElse) {
-  struct Window : QWidget {
+  struct Surroundings : QWidget {
     int keys = 0;
     void keyPressEvent(QKeyEvent*) override { ++keys; }
   } window;

@@ -3,8 +3,9 @@
 #include "ClassDesk.h"
 #include "ClassTable.h"
 #include "ClassWords.h"
-#include "HeatLegend.h"
+#include "HeatMap.h"
 
+#include <insonate/ui/Commands.h>
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 
@@ -13,6 +14,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QListWidget>
+#include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSortFilterProxyModel>
@@ -25,11 +27,40 @@ namespace insonate::review {
 namespace {
 
 constexpr int kRow_px = 28, kHead_px = 78, kMetric_px = 96, kName_px = 170, kLevel_px = 184, kNarrow_px = 88,
-              kDay_px = 112, kConcerns_px = 130;
+              kDay_px = 112, kConcerns_px = 130, kLegend_px = 160;
+
+/// Legend of the heat map's colors.
+class HeatLegend final : public QWidget {
+ public:
+  HeatLegend() {
+    setObjectName(QStringLiteral("heatLegend"));
+    setToolTip(
+        ClassPage::tr("Colors range from the novice's published value to the expert's; the number is the mean of the "
+                      "last %1 attempts at levels that count, without free practice")
+            .arg(kLastAttempts));
+    setFixedHeight(fontMetrics().height() + ui::kSmallGap);
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.setPen(ui::colour(views::theme::kQuiet));
+    const QString left = ClassPage::tr("as a novice"), right = ClassPage::tr("as an expert");
+    const int from = painter.fontMetrics().horizontalAdvance(left) + ui::kGap;
+    painter.drawText(QRect(0, 0, from, height()), Qt::AlignVCenter, left);
+    for (int x = 0; x < kLegend_px; ++x)
+      painter.fillRect(from + x, ui::kSmallGap, 1, height() - 2 * ui::kSmallGap, heatColour(100.0 * x / kLegend_px));
+    painter.drawText(
+        QRect(from + kLegend_px + ui::kGap, 0, width(), height()), Qt::AlignVCenter,
+        right + ClassPage::tr("      mean of the last %1 attempts, without free practice      n/a: no data "
+                              "     without a color: no published values")
+                    .arg(kLastAttempts));
+  }
+};
 
 }  // namespace
 
-ClassPage::ClassPage(ClassDesk& desk, QWidget* parent)
+ClassPage::ClassPage(ClassDesk& desk, ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
       desk_(desk),
       model_(new ClassTable(desk, this)),
@@ -58,7 +89,7 @@ ClassPage::ClassPage(ClassDesk& desk, QWidget* parent)
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(ui::kGap, ui::kGap, ui::kGap, ui::kGap);
   box->setSpacing(ui::kGap);
-  box->addWidget(buildHead());
+  box->addWidget(buildHead(commands));
   box->addWidget(centre_, 1);
   connect(&desk_, &ClassDesk::cohortsChanged, this, [this] { showCohorts(); });
   connect(&desk_, &ClassDesk::classChanged, this, [this] { showClass(); });
@@ -72,7 +103,7 @@ ClassPage::ClassPage(ClassDesk& desk, QWidget* parent)
   showClass();
 }
 
-QWidget* ClassPage::buildHead() {
+QWidget* ClassPage::buildHead(ui::Commands& commands) {
   auto* head = new QWidget;
   auto* row = new QHBoxLayout(head);
   row->setContentsMargins(0, 0, 0, 0);
@@ -88,11 +119,19 @@ QWidget* ClassPage::buildHead() {
   facts_->setTextFormat(Qt::PlainText);
   facts_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   ui::setRole(facts_, "quiet");
-  again_->setToolTip(tr("Reads new attempts and people (F5)"));
-  again_->setShortcut(QKeySequence(Qt::Key_F5));
+  commands.beginSection(tr("Class"));
+  commands.add({.id = QStringLiteral("review.class.refresh"),
+                .text = again_->text(),
+                .does = tr("reads new attempts and people of the class"),
+                .listed = tr("F5"),
+                .keys = {{Qt::Key_F5}},
+                .perform = [this](ui::KeyPress) { again_->click(); },
+                .isAvailable = [this] { return again_->isVisible() && again_->isEnabled(); }});
+  again_->setToolTip(commands.toolTip(QStringLiteral("review.class.refresh")));
   connect(again_, &QPushButton::clicked, this, [this] { desk_.refresh(); });
   save_->setObjectName(QStringLiteral("saveClass"));
-  save_->setToolTip(tr("The class as a page, a table or statements for a learning record store (Ctrl+E)"));
+  save_->setToolTip(commands.toolTip(tr("Saves the class as a page, a table or statements for a learning record store"),
+                                     QStringLiteral("review.save")));
   row->addWidget(cohorts_);
   row->addWidget(facts_, 1);
   row->addWidget(again_);

@@ -15,6 +15,10 @@ namespace insonate {
 struct Person;
 }
 
+namespace insonate::ui {
+class Commands;
+}
+
 namespace insonate::review {
 
 class ClassDesk;
@@ -25,7 +29,7 @@ class ClassPage final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ClassPage(ClassDesk& desk, QWidget* parent = nullptr);
+  ClassPage(ClassDesk& desk, ui::Commands& commands, QWidget* parent = nullptr);
 
   /// Person::id of the selected row; empty: none.
   QString chosenPerson() const;
@@ -40,7 +44,7 @@ class ClassPage final : public QWidget {
   void personChosen(const QString& person);
 
  private:
-  QWidget* buildHead();
+  QWidget* buildHead(ui::Commands& commands);
   QWidget* buildTable();
   QWidget* buildConcerns();
   void showCohorts();

@@ -10,7 +10,9 @@
 #include "../reports/SaveMenu.h"
 
 #include <insonate/ui/Account.h>
+#include <insonate/ui/Commands.h>
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
@@ -21,7 +23,7 @@
 
 namespace insonate::review {
 
-ReviewHome::ReviewHome(AttemptList& list, QWidget* parent)
+ReviewHome::ReviewHome(AttemptList& list, ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
       list_(list),
       room_(new ClassDesk(this)),
@@ -31,22 +33,15 @@ ReviewHome::ReviewHome(AttemptList& list, QWidget* parent)
       notice_(new QLabel),
       tabs_(new QButtonGroup(this)),
       pages_(new QStackedWidget),
-      classPage_(new ClassPage(*room_)),
-      personPage_(new PersonPage(*person_, *room_)),
+      classPage_(new ClassPage(*room_, commands)),
+      personPage_(new PersonPage(*person_, *room_, commands)),
       comparePage_(new ComparePage(*room_)),
       ratersPage_(new RatersPage(*room_)),
       saveClass_(new SaveMenu(SaveMenu::Subject::Class, *room_, *person_, this)),
       savePerson_(new SaveMenu(SaveMenu::Subject::Person, *room_, *person_, this)) {
   classPage_->setSaving(saveClass_);
   personPage_->setSaving(savePerson_);
-  addTab(kClass, "classTab", tr("Class"), tr("Overview of a class (Alt+1)"), QStringLiteral("Alt+1"));
-  addTab(kPerson, "personTab", tr("Person"), tr("Learning curves of one person (Alt+2)"), QStringLiteral("Alt+2"));
-  addTab(kCompare, "compareTab", tr("Compare"), tr("Compares two classes (Alt+3)"), QStringLiteral("Alt+3"));
-  addTab(kRecordings, "recordingsTab", tr("Recordings"), tr("All recordings of this computer (Alt+4)"),
-         QStringLiteral("Alt+4"));
-  addTab(kRaters, "ratersTab", tr("Raters"), tr("Agreement of the raters of the class (Alt+5)"),
-         QStringLiteral("Alt+5"));
-  row_->addStretch(1);
+  addTabs(commands);
   notice_->setObjectName(QStringLiteral("accountNotice"));
   notice_->setWordWrap(true);
   notice_->setTextFormat(Qt::PlainText);
@@ -73,17 +68,22 @@ QWidget* ReviewHome::buildTabs() {
   return bar;
 }
 
-void ReviewHome::addTab(Tab tab, const char* object, const QString& text, const QString& tip, const QString& keys) {
-  auto* button = new QToolButton;
-  button->setObjectName(QLatin1String(object));
-  button->setText(text);
-  button->setToolTip(tip);
-  button->setShortcut(QKeySequence(keys));
-  button->setCheckable(true);
-  button->setFocusPolicy(Qt::TabFocus);
-  ui::setRole(button, "narrowTab");
-  tabs_->addButton(button, tab);
-  row_->addWidget(button);
+void ReviewHome::addTabs(ui::Commands& commands) {
+  const auto add = [&](Tab tab, const char* object, const char* id, const QString& text, const QString& does) {
+    auto* button = ui::tabButton(object, text, {});
+    commands.add(QLatin1String(id), does, *button, QKeySequence(QStringLiteral("Alt+%1").arg(tab + 1)));
+    tabs_->addButton(button, tab);
+    row_->addWidget(button);
+  };
+  commands.beginSection(tr("Pages"));
+  add(kClass, "classTab", "review.home.class", tr("Class"), tr("shows the overview of a class"));
+  add(kPerson, "personTab", "review.home.person", tr("Person"), tr("shows the learning curves of one person"));
+  add(kCompare, "compareTab", "review.home.compare", tr("Compare"), tr("compares two classes"));
+  add(kRecordings, "recordingsTab", "review.home.recordings", tr("Recordings"),
+      tr("lists all recordings of this computer"));
+  add(kRaters, "ratersTab", "review.home.raters", tr("Raters"), tr("shows the agreement of the raters of the class"));
+  commands.addListed(tr("Ctrl+Shift+E"), tr("saves a plot as PNG, SVG or PDF"));
+  row_->addStretch(1);
 }
 
 void ReviewHome::connectParts() {

@@ -9,7 +9,8 @@ class QStackedWidget;
 
 namespace insonate::ui {
 class Account;
-}
+class Commands;
+}  // namespace insonate::ui
 
 namespace insonate::review {
 
@@ -29,7 +30,7 @@ class ReviewHome final : public QWidget {
 
  public:
   /// The page of recordings shows `list`.
-  explicit ReviewHome(AttemptList& list, QWidget* parent = nullptr);
+  ReviewHome(AttemptList& list, ui::Commands& commands, QWidget* parent = nullptr);
 
   void setAccount(ui::Account& account);
   /// Tells whether all queries are answered.
@@ -50,7 +51,7 @@ class ReviewHome final : public QWidget {
   enum Tab { kClass, kPerson, kCompare, kRecordings, kRaters };
 
   QWidget* buildTabs();
-  void addTab(Tab tab, const char* object, const QString& text, const QString& tip, const QString& keys);
+  void addTabs(ui::Commands& commands);
   void connectParts();
   void showSignedInPages();
   void showSelf();

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "RecordingOrigin.h"
-
+#include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/FormStore.h>
+#include <insonate/curriculum/SignedIn.h>
 #include <insonate/ui/FormDraft.h>
 #include <insonate/ui/FormSending.h>
 
@@ -10,6 +11,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace insonate::ui {
 class Account;
@@ -18,6 +20,14 @@ class Account;
 namespace insonate::review {
 
 class ReviewSession;
+
+/// Attempt and trainee of a recording according to the store.
+struct RecordingOrigin {
+  std::optional<AttemptFacts> attempt{};  ///< empty if the store has no attempt with this recording
+  Person person{};                        ///< trainee of the attempt
+  bool same = false;                      ///< the file's SHA-256 is that of the attempt's recording
+  std::vector<KeptForm> forms{};          ///< forms about the attempt, in the order of submission
+};
 
 /// The trainee of a replayed attempt, and the raters' judgements of it. Uses no widgets. The store is queried on the
 /// account's thread.

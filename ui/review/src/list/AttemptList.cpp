@@ -2,18 +2,21 @@
 
 #include "../attempt/Words.h"
 
+#include <insonate/procedure/AttemptRecording.h>
 #include <insonate/ui/Attempts.h>
 #include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/RowTable.h>
 #include <insonate/ui/Theme.h>
 
 #include <QAction>
+#include <QDir>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <QtConcurrent/QtConcurrent>
+#include <algorithm>
 
 namespace insonate::review {
 namespace {
@@ -23,6 +26,20 @@ constexpr int kDate_px = 170, kLength_px = 90, kStatus_px = 280;
 enum Column { kDate, kCase, kProcedure, kLength, kStatus, kColumns };
 
 }  // namespace
+
+std::vector<ListedAttempt> attemptsIn(const QString& folder) {
+  std::vector<ListedAttempt> attempts;
+  const QDir place(folder);
+  for (const QString& name : place.entryList(QDir::Files)) {
+    const QString file = place.filePath(name);
+    if (!ui::isAttemptFile(file)) continue;
+    const auto recording = AttemptRecording::open(file.toStdString());
+    if (recording) attempts.push_back({file, recording->header(), recording->status(), recording->end_us()});
+  }
+  // ISO 8601 in one time zone, so that alphabetical order is that of time.
+  std::ranges::stable_sort(attempts, std::greater{}, [](const ListedAttempt& one) { return one.header.begun; });
+  return attempts;
+}
 
 AttemptList::AttemptList(QWidget* parent)
     : QWidget(parent), table_(new QTableWidget), words_(new QLabel), open_(new QPushButton(tr("Open"))) {

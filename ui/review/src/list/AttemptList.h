@@ -1,9 +1,12 @@
 #pragma once
 
-#include "AttemptListing.h"
+#include <insonate/procedure/AttemptHeader.h>
 
 #include <QFutureWatcher>
+#include <QString>
 #include <QWidget>
+#include <cstdint>
+#include <vector>
 
 class QAction;
 class QBoxLayout;
@@ -12,6 +15,17 @@ class QPushButton;
 class QTableWidget;
 
 namespace insonate::review {
+
+struct ListedAttempt {
+  QString file;
+  AttemptHeader header;
+  AttemptStatus status = AttemptStatus::CutShort;
+  std::int64_t end_us = 0;
+};
+
+/// Returns the recordings in a folder, the latest first, including attempts that were cut short. Files that cannot be
+/// read are left out. For any thread; takes some milliseconds per file.
+std::vector<ListedAttempt> attemptsIn(const QString& folder);
 
 /// Lists the user's attempts, the latest first; Enter or a double click opens an attempt.
 class AttemptList : public QWidget {

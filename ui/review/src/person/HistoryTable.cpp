@@ -6,6 +6,7 @@
 
 #include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Attempts.h>
+#include <insonate/ui/Commands.h>
 #include <insonate/ui/RowTable.h>
 #include <insonate/ui/Theme.h>
 
@@ -59,7 +60,7 @@ bool isUnproven(const KeptAttempt& attempt) {
 
 }  // namespace
 
-HistoryTable::HistoryTable(PersonDesk& desk, QWidget* parent)
+HistoryTable::HistoryTable(PersonDesk& desk, ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
       desk_(desk),
       table_(new QTableWidget),
@@ -78,7 +79,7 @@ HistoryTable::HistoryTable(PersonDesk& desk, QWidget* parent)
   asking_ = buildReason();
   box->addWidget(buildTable(), 1);
   box->addWidget(asking_);
-  box->addWidget(buildButtons());
+  box->addWidget(buildButtons(commands));
   connect(&desk_, &PersonDesk::attemptsChanged, this, [this] { show(); });
   show();
 }
@@ -103,7 +104,7 @@ QWidget* HistoryTable::buildTable() {
   return table_;
 }
 
-QWidget* HistoryTable::buildButtons() {
+QWidget* HistoryTable::buildButtons(ui::Commands& commands) {
   auto* buttons = new QWidget;
   auto* row = new QHBoxLayout(buttons);
   row->setContentsMargins(0, 0, 0, 0);
@@ -111,8 +112,10 @@ QWidget* HistoryTable::buildButtons() {
   replay_->setObjectName(QStringLiteral("replayAttempt"));
   ui::setRole(replay_, "primary");
   void_->setObjectName(QStringLiteral("voidAttempt"));
-  void_->setToolTip(tr("Excludes the attempt from the count, with a reason; it stays in the list (Delete)"));
-  void_->setShortcut(QKeySequence(Qt::Key_Delete));
+  commands.beginSection(tr("Person"));
+  commands.add(QStringLiteral("review.person.void"),
+               tr("excludes the attempt from the count, with a reason; it stays in the list"), *void_,
+               QKeySequence(Qt::Key_Delete));
   earlier_->setObjectName(QStringLiteral("earlierAttempts"));
   earlier_->setToolTip(tr("Lists %1 earlier attempts").arg(kPage));
   words_->setObjectName(QStringLiteral("historyWords"));

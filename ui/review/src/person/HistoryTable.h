@@ -11,6 +11,10 @@ namespace insonate {
 struct KeptAttempt;
 }
 
+namespace insonate::ui {
+class Commands;
+}
+
 namespace insonate::review {
 
 class PersonDesk;
@@ -21,7 +25,7 @@ class HistoryTable final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit HistoryTable(PersonDesk& desk, QWidget* parent = nullptr);
+  HistoryTable(PersonDesk& desk, ui::Commands& commands, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   /// Emitted when the user wants to replay the recording of an attempt of the store.
@@ -30,7 +34,7 @@ class HistoryTable final : public QWidget {
 
  private:
   QWidget* buildTable();
-  QWidget* buildButtons();
+  QWidget* buildButtons(ui::Commands& commands);
   QWidget* buildReason();
   void show();
   void fill(int row, const KeptAttempt& attempt);

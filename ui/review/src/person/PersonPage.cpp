@@ -7,6 +7,7 @@
 #include "PersonDesk.h"
 
 #include <insonate/ui/Chart.h>
+#include <insonate/ui/Commands.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -19,7 +20,7 @@
 
 namespace insonate::review {
 
-PersonPage::PersonPage(PersonDesk& desk, const ClassDesk& room, QWidget* parent)
+PersonPage::PersonPage(PersonDesk& desk, const ClassDesk& room, ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
       desk_(desk),
       room_(room),
@@ -27,11 +28,11 @@ PersonPage::PersonPage(PersonDesk& desk, const ClassDesk& room, QWidget* parent)
       sentence_(new QLabel),
       save_(new QPushButton(ui::icon(QStringLiteral("save")), tr("Save"))),
       metric_(choice("metricShown", tr("Metric"), tr("Metric of the learning curve and the box plot"))),
-      level_(choice("levelShown", tr("Level"), tr("Person whose attempts are shown"))),
+      level_(choice("levelShown", tr("Level"), tr("Level whose attempts are shown"))),
       learning_(new ui::Chart),
       cusum_(new ui::Chart),
       place_(new ui::Chart),
-      history_(new HistoryTable(desk)) {
+      history_(new HistoryTable(desk, commands)) {
   for (const MetricMeaning& meaning : MetricBook::here().all()) metric_->addItem(titleWithUnit(meaning));
   auto* split = new QSplitter(Qt::Vertical);
   split->setChildrenCollapsible(false);
@@ -41,7 +42,7 @@ PersonPage::PersonPage(PersonDesk& desk, const ClassDesk& room, QWidget* parent)
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(ui::kGap, ui::kGap, ui::kGap, ui::kGap);
   box->setSpacing(ui::kGap);
-  box->addWidget(buildHead());
+  box->addWidget(buildHead(commands));
   box->addWidget(sentence_);
   box->addWidget(split, 1);
   connect(&desk_, &PersonDesk::personChanged, this, [this] { showPerson(); });
@@ -59,7 +60,7 @@ QComboBox* PersonPage::choice(const char* name, const QString& title, const QStr
   return box;
 }
 
-QWidget* PersonPage::buildHead() {
+QWidget* PersonPage::buildHead(const ui::Commands& commands) {
   auto* head = new QWidget;
   auto* row = new QHBoxLayout(head);
   row->setContentsMargins(0, 0, 0, 0);
@@ -72,7 +73,9 @@ QWidget* PersonPage::buildHead() {
   sentence_->setTextFormat(Qt::PlainText);
   sentence_->setWordWrap(true);
   save_->setObjectName(QStringLiteral("savePerson"));
-  save_->setToolTip(tr("The person as a page, a table or statements for a learning record store (Ctrl+E)"));
+  save_->setToolTip(
+      commands.toolTip(tr("Saves the person as a page, a table or statements for a learning record store"),
+                       QStringLiteral("review.save")));
   row->addWidget(name_, 1);
   row->addWidget(metric_);
   row->addWidget(level_);

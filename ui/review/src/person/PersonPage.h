@@ -9,7 +9,8 @@ class QMenu;
 
 namespace insonate::ui {
 class Chart;
-}
+class Commands;
+}  // namespace insonate::ui
 
 namespace insonate::review {
 
@@ -22,7 +23,7 @@ class PersonPage final : public QWidget {
   Q_OBJECT
 
  public:
-  PersonPage(PersonDesk& desk, const ClassDesk& room, QWidget* parent = nullptr);
+  PersonPage(PersonDesk& desk, const ClassDesk& room, ui::Commands& commands, QWidget* parent = nullptr);
 
   /// Sets the menu that saves the person's data; a button opens it.
   void setSaving(QMenu* menu) { save_->setMenu(menu); }
@@ -37,7 +38,7 @@ class PersonPage final : public QWidget {
   void failed(const QString& what, const QString& advice);
 
  private:
-  QWidget* buildHead();
+  QWidget* buildHead(const ui::Commands& commands);
   QWidget* buildCharts();
   QComboBox* choice(const char* name, const QString& title, const QString& tip);
   void showPerson();

@@ -4,6 +4,7 @@
 #include "../attempt/Words.h"
 
 #include <insonate/ui/AttemptWords.h>
+#include <insonate/ui/Commands.h>
 #include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/StateColors.h>
 #include <insonate/ui/Theme.h>
@@ -22,7 +23,7 @@ constexpr double kFelt_N = 0.05;
 
 }  // namespace
 
-Transport::Transport(ReviewSession& session, QWidget* parent)
+Transport::Transport(ReviewSession& session, const ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
       session_(session),
       speed_(new QComboBox(this)),
@@ -33,14 +34,14 @@ Transport::Transport(ReviewSession& session, QWidget* parent)
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(ui::kGap, ui::kSmallGap, ui::kGap, ui::kSmallGap);
   row->setSpacing(ui::kGap);
-  auto* previous =
-      add("previousMoment", "previous", tr("Previous moment"), tr("Goes to the previous moment (Page Up)"));
-  play_ = add("play", "play", tr("Play"), tr("Play, and stop (Space)"));
-  auto* next = add("nextMoment", "next", tr("Next moment"), tr("Goes to the next moment (Page Down)"));
+  const auto tip = [&commands](const char* command) { return commands.toolTip(QLatin1String(command)); };
+  auto* previous = add("previousMoment", "previous", tr("Previous moment"), tip("review.replay.previousMoment"));
+  play_ = add("play", "play", tr("Play"), tip("review.replay.play"));
+  auto* next = add("nextMoment", "next", tr("Next moment"), tip("review.replay.nextMoment"));
   for (QPushButton* button : {previous, play_, next}) row->addWidget(button);
   speed_->setObjectName(QStringLiteral("speed"));
   speed_->setAccessibleName(tr("Speed"));
-  speed_->setToolTip(tr("Playback speed (- and +)"));
+  speed_->setToolTip(commands.toolTip(tr("Playback speed"), QStringLiteral("review.replay.speed")));
   for (const double speed : ReviewSession::kSpeeds) speed_->addItem(tr("%1 x").arg(speed));
   new ui::QuietWheel(speed_);
   row->addWidget(speed_);

@@ -6,6 +6,10 @@ class QComboBox;
 class QLabel;
 class QPushButton;
 
+namespace insonate::ui {
+class Commands;
+}
+
 namespace insonate::review {
 
 class ReviewSession;
@@ -13,7 +17,8 @@ class ReviewSession;
 /// Controls for play and stop, speed, moments and time, with a description of the hands at the present time.
 class Transport : public QWidget {
  public:
-  explicit Transport(ReviewSession& session, QWidget* parent = nullptr);
+  /// `commands` holds the commands of the buttons, "review.replay.play" and others.
+  Transport(ReviewSession& session, const ui::Commands& commands, QWidget* parent = nullptr);
 
  private:
   QPushButton* add(const char* object, const char* icon, const QString& name, const QString& tip);

@@ -47,7 +47,7 @@ void tableRow(PaperColumn& page, const ClassDesk& desk, const Member& member, do
   for (std::size_t i = 0; i < MetricBook::here().comparable(); ++i) {
     const HeatCell one = row == desk.heat().end() ? HeatCell{} : row->second[i];
     const QRectF place(kMargin + kName + kLevel + kNeeds + cell * double(i), page.y() + 2, cell - 3, kRow - 4);
-    const QColor ground = one.share ? heatColour(*one.share) : QColor(Qt::white);
+    const QColor ground = one.share ? heatColour(*one.share) : page.ink.ground;
     page.painter.fillRect(place, ground);
     page.painter.setPen(one.share ? inkOn(ground) : page.ink.quiet);
     page.painter.drawText(place, Qt::AlignCenter, one.value ? numberOf(*one.value) : tr("n/a"));

@@ -29,7 +29,7 @@ class PaperColumn {
   void foot();
 
   QPainter& painter;
-  const ResultInk ink = paperInk();
+  const ui::Ink ink = ui::paperInk();
 
  private:
   double y_ = paper::kMargin;

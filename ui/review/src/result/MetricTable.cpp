@@ -1,11 +1,13 @@
 #include "MetricTable.h"
 
-#include "MetricWords.h"
 #include "NormBar.h"
 
 #include <insonate/ui/AttemptWords.h>
+#include <insonate/ui/PlainToolTip.h>
+#include <insonate/ui/Text.h>
 
 #include <QHeaderView>
+#include <QStringList>
 #include <QStyledItemDelegate>
 #include <algorithm>
 
@@ -27,12 +29,31 @@ class MetricTableView::Bars final : public QStyledItemDelegate {
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
     QStyledItemDelegate::paint(painter, option, index);
     paintNormBar(*painter, QRectF(option.rect).adjusted(8, 0, -8, 0), table_.scores_[std::size_t(index.row())],
-                 screenInk());
+                 ui::screenInk());
   }
 
  private:
   MetricTableView& table_;
 };
+
+QString normOf(Metric metric, double value) {
+  const QString number = QString::number(value, 'g', 4);
+  const std::string_view unit = definitionOf(metric).unit;
+  return unit.empty()    ? number
+         : unit == "deg" ? number + QStringLiteral("°")
+                         : QStringLiteral("%1 %2").arg(number, ui::qt(unit));
+}
+
+QString explanationOf(const MetricScore& score) {
+  const MetricDefinition& metric = definitionOf(score.metric);
+  QStringList parts{tr("Definition: %1").arg(ui::qt(metric.definition))};
+  if (score.norm)
+    parts << tr("Novice and expert: %1").arg(QString::fromStdString(score.norm->source));
+  else
+    parts << tr("Novice and expert: no values are known.");
+  if (!metric.evidence.empty()) parts << tr("Evidence: %1").arg(ui::qt(metric.evidence));
+  return ui::plainToolTip(parts.join(QStringLiteral("\n\n")));
+}
 
 std::vector<MetricScore> ordered(std::vector<MetricScore> scores) {
   std::ranges::stable_partition(scores, [](const MetricScore& one) { return one.norm.has_value(); });
@@ -74,7 +95,7 @@ void MetricTableView::show(const std::vector<MetricScore>& scores) {
       auto* item = new QTableWidgetItem(text);
       item->setToolTip(explanationOf(score));
       item->setTextAlignment(alignmentOf(column));
-      if (quiet) item->setForeground(screenInk().quiet);
+      if (quiet) item->setForeground(ui::screenInk().quiet);
       setItem(row, column, item);
     };
     const auto norm = [&](double value) { return normOf(score.metric, value); };

@@ -2,6 +2,7 @@
 
 #include <insonate/procedure/AttemptScore.h>
 
+#include <QString>
 #include <QTableWidget>
 #include <vector>
 
@@ -24,5 +25,10 @@ class MetricTableView : public QTableWidget {
 
 /// Orders scores for display: those with norms first.
 std::vector<MetricScore> ordered(std::vector<MetricScore> scores);
+
+/// Formats a norm with as many digits as its study reports.
+QString normOf(Metric metric, double value);
+/// Explains, for a tooltip, what the metric counts, who measured novices and experts, and the evidence.
+QString explanationOf(const MetricScore& score);
 
 }  // namespace insonate::review

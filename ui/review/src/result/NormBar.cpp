@@ -1,32 +1,17 @@
 #include "NormBar.h"
 
-#include <insonate/ui/Theme.h>
-
 #include <QPolygonF>
 #include <algorithm>
 
 namespace insonate::review {
 namespace {
 
-namespace theme = views::theme;
-
 /// Share of the band's length that extends on either side of it.
 constexpr double kBeyond = 0.35;
 
 }  // namespace
 
-ResultInk screenInk() {
-  using ui::colour;
-  return {colour(theme::kText), colour(theme::kQuiet),  colour(theme::kLine),    colour(theme::kRaised),
-          colour(theme::kGood), colour(theme::kAccent), colour(theme::kCaution), colour(theme::kDanger)};
-}
-
-ResultInk paperInk() {
-  return {QColor(0x1a, 0x1e, 0x23), QColor(0x55, 0x5f, 0x68), QColor(0xb4, 0xbc, 0xc4), QColor(0xe6, 0xea, 0xee),
-          QColor(0x1f, 0x7a, 0x4b), QColor(0x1b, 0x6a, 0xa5), QColor(0xa8, 0x6c, 0x00), QColor(0xb3, 0x26, 0x1e)};
-}
-
-void paintNormBar(QPainter& painter, const QRectF& place, const MetricScore& score, const ResultInk& ink) {
+void paintNormBar(QPainter& painter, const QRectF& place, const MetricScore& score, const ui::Ink& ink) {
   if (!score.norm) return;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

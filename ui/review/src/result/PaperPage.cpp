@@ -1,5 +1,7 @@
 #include "PaperPage.h"
 
+#include <insonate/ui/Ink.h>
+
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QImage>
@@ -25,7 +27,7 @@ QFont paperFont(double height, bool bold) {
 void paintPage(QPainter& painter, const QRectF& place, const PaperPainter& paint) {
   painter.save();
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing | QPainter::SmoothPixmapTransform);
-  painter.fillRect(place, Qt::white);
+  painter.fillRect(place, ui::paperInk().ground);
   painter.translate(place.topLeft());
   painter.scale(place.width() / paper::kWidth, place.height() / paper::kHeight);
   paint(painter);

@@ -3,11 +3,13 @@
 #include "../attempt/ReplayReader.h"
 
 #include <insonate/tissue/Labels.h>
+#include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Text.h>
 #include <insonate/views/LabelColours.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace insonate::review {
@@ -54,7 +56,7 @@ QRectF fitted(const QRectF& room, const QRectF& place_mm) {
   return {room.center() - QPointF(size.width() / 2, size.height() / 2), size};
 }
 
-void paintScale(QPainter& painter, const QRectF& inner, const QRectF& place_mm, const ResultInk& ink) {
+void paintScale(QPainter& painter, const QRectF& inner, const QRectF& place_mm, const ui::Ink& ink) {
   const double scale = inner.width() / place_mm.width();
   const double text = painter.fontMetrics().height();
   for (double mm = std::ceil(place_mm.top() / kTick_mm) * kTick_mm; mm <= place_mm.bottom(); mm += kTick_mm) {
@@ -103,8 +105,20 @@ std::vector<Piece> piecesOf(const AttemptDigest& attempt) {
   return pieces;
 }
 
-QColor inkOf(NeedlePlace place, const ResultInk& ink) {
-  return place == NeedlePlace::Vein ? ink.good : place == NeedlePlace::WrongPlace ? ink.danger : ink.text;
+QColor inkOf(NeedlePlace place, const ui::Ink& ink) {
+  return place == NeedlePlace::Vein         ? ink.good
+         : place == NeedlePlace::WrongPlace ? ink.danger
+         : place == NeedlePlace::Used       ? ink.caution
+                                            : ink.text;
+}
+
+/// The sign of AttemptWords.h where the needle's place changes, since some users cannot tell the path's colors apart.
+void paintPlaceSign(QPainter& painter, QPointF middle, NeedlePlace place, const ui::Ink& ink) {
+  if (place == NeedlePlace::Clean || place == NeedlePlace::Underway) return;
+  QRectF room(QPointF(), QSizeF(2, 2) * painter.fontMetrics().height());
+  room.moveCenter(middle);
+  painter.setPen(inkOf(place, ink));
+  painter.drawText(room, Qt::AlignCenter, ui::wordsOf(place).sign);
 }
 
 }  // namespace
@@ -130,7 +144,7 @@ PlaneSection sectionOf(const AttemptDigest& attempt, const PatientCase* patient)
 }
 
 void paintPlane(QPainter& painter, const QRectF& place, const AttemptDigest& attempt, const PlaneSection& section,
-                const ResultInk& ink) {
+                const ui::Ink& ink) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   if (section.place_mm.isEmpty()) {
@@ -150,11 +164,13 @@ void paintPlane(QPainter& painter, const QRectF& place, const AttemptDigest& att
            QPointF(tip_probe.x - section.place_mm.left(), tip_probe.z - section.place_mm.top()) * scale;
   };
   painter.setClipRect(inner);
+  auto before = NeedlePlace::Clean;
   for (const Piece& piece : piecesOf(attempt)) {
     QPolygonF line;
     for (const Vec3& tip : piece.tips_probe) line << at(tip);
     painter.setPen(QPen(inkOf(piece.place, ink), piece.seen ? 2.4 : 1.4, piece.seen ? Qt::SolidLine : Qt::DotLine));
     painter.drawPolyline(line);
+    if (piece.place != std::exchange(before, piece.place)) paintPlaceSign(painter, line.first(), piece.place, ink);
   }
   painter.restore();
 }

@@ -26,6 +26,6 @@ PlaneSection sectionOf(const AttemptDigest& attempt, const PatientCase* patient)
 /// Paints the path of the tip, lateral and depth in the probe's frame in mm, at the same scale for both. Parts outside
 /// the image's slice thickness are thin and dotted.
 void paintPlane(QPainter& painter, const QRectF& place, const AttemptDigest& attempt, const PlaneSection& section,
-                const ResultInk& ink);
+                const ui::Ink& ink);
 
 }  // namespace insonate::review

@@ -2,7 +2,6 @@
 
 #include "../attempt/Words.h"
 #include "MetricTable.h"
-#include "MetricWords.h"
 #include "PaperPage.h"
 #include "ResultPage.h"
 
@@ -21,7 +20,7 @@ constexpr std::size_t kMostMoments = 9;
 
 class Page {
  public:
-  Page(QPainter& painter, const AttemptDigest& attempt) : painter_(painter), attempt_(attempt), ink_(paperInk()) {}
+  Page(QPainter& painter, const AttemptDigest& attempt) : painter_(painter), attempt_(attempt), ink_(ui::paperInk()) {}
 
   void all(const PlaneSection& section, const QImage& scene) {
     head();
@@ -70,7 +69,7 @@ class Page {
 
   QPainter& painter_;
   const AttemptDigest& attempt_;
-  ResultInk ink_;
+  ui::Ink ink_;
   double y_ = kMargin;
 };
 

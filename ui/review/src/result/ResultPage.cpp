@@ -95,7 +95,7 @@ void ResultPage::show() {
   if (attempt->score)
     for (const AttemptMoment& moment : attempt->score->criticalErrors)
       errors << QStringLiteral("<span style='color:%1'>▲ %2  %3</span>")
-                    .arg(screenInk().danger.name(), clockOf(moment.time_us),
+                    .arg(ui::screenInk().danger.name(), clockOf(moment.time_us),
                          QString::fromStdString(moment.say).toHtmlEscaped());
   errors_->setText(errors.join(QStringLiteral("<br>")));
   errors_->setVisible(!errors.isEmpty());
@@ -123,11 +123,11 @@ void PathPane::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), ui::colour(views::theme::kGround));
   if (!session_.attempt()) return;
   const int line = painter.fontMetrics().height() + ui::kSmallGap;
-  painter.setPen(screenInk().quiet);
+  painter.setPen(ui::screenInk().quiet);
   if (!section_.place_mm.isEmpty())
     painter.drawText(QRect(ui::kGap, 0, width() - ui::kGap, line), Qt::AlignLeft | Qt::AlignVCenter,
                      tr("the tip in the image's plane, mm, at %1").arg(clockOf(section_.time_us)));
-  paintPlane(painter, QRectF(rect()).adjusted(0, line, 0, 0), *session_.attempt(), section_, screenInk());
+  paintPlane(painter, QRectF(rect()).adjusted(0, line, 0, 0), *session_.attempt(), section_, ui::screenInk());
 }
 
 }  // namespace insonate::review

@@ -6,6 +6,7 @@
 #include "RoleWords.h"
 
 #include <insonate/ui/Account.h>
+#include <insonate/ui/Commands.h>
 #include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/SiteExchange.h>
 #include <insonate/ui/Theme.h>
@@ -29,7 +30,7 @@ Result<void> bothEqual(const QString& password, const QString& again) {
 
 }  // namespace
 
-AccountMenu::AccountMenu(Account& account, SiteExchange& site, QWidget* window)
+AccountMenu::AccountMenu(Account& account, SiteExchange& site, Commands& commands, QWidget* window)
     : QMenu(window), account_(account), site_(site), window_(window) {
   setToolTipsVisible(true);
   const auto add = [this](const char* name, const QString& words, const QString& tip, auto act) {
@@ -46,9 +47,10 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, QWidget* window)
                [this] { askAlone(); });
   setUp_ = add("accountSetUp", tr("Set up people and levels ..."),
                tr("Sets up the store of people and attempts, with you as administrator"), [this] { askSetUp(); });
-  signIn_ = add("accountSignIn", tr("Sign in ..."), tr("Signs in, so that attempts count and levels unlock"),
-                [this] { askSignIn(); });
+  signIn_ = add("accountSignIn", tr("Sign in ..."), {}, [this] { askSignIn(); });
   signIn_->setShortcut(QKeySequence(QStringLiteral("Ctrl+L")));
+  commands.add(QStringLiteral("window.account.signIn"), tr("signs in, so that attempts count and levels unlock"),
+               *signIn_);
   details_ = add("accountDetails", tr("My details ..."), tr("Your name and e-mail address"), [this] { askDetails(); });
   password_ =
       add("accountPassword", tr("Change password ..."), tr("Changes your own password"), [this] { askPassword(); });
@@ -60,9 +62,9 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, QWidget* window)
                 [this] { askServer(); });
   again_ = add("accountAgain", tr("Try again"), tr("Tries again to open the store of people and attempts"),
                [this] { account_.reopen(); });
-  signOut_ = add("accountSignOut", tr("Sign out"), tr("Signs out, so that the next user can sign in"),
-                 [this] { account_.signOut(); });
+  signOut_ = add("accountSignOut", tr("Sign out"), {}, [this] { account_.signOut(); });
   signOut_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+L")));
+  commands.add(QStringLiteral("window.account.signOut"), tr("signs out, so that the next user can sign in"), *signOut_);
   // Shortcuts work while the menu is closed.
   window_->addActions({signIn_, signOut_});
   connect(&account_, &Account::changed, this, &AccountMenu::refresh);

@@ -7,6 +7,7 @@ class QAction;
 namespace insonate::ui {
 
 class Account;
+class Commands;
 class SiteExchange;
 
 /// Menu with the account actions that are possible now: sign in, sign out, set up the first administrator, change the
@@ -15,7 +16,8 @@ class AccountMenu : public QMenu {
   Q_OBJECT
 
  public:
-  AccountMenu(Account& account, SiteExchange& site, QWidget* window);
+  /// Adds the keys of signing in and out to the window's commands.
+  AccountMenu(Account& account, SiteExchange& site, Commands& commands, QWidget* window);
 
   /// Text for the header: the user's name, for example "A. User", or "Sign in".
   QString shortText() const;

@@ -142,7 +142,7 @@ void SeriesDialog::setUpWidgets() {
   picture_->setAlignment(Qt::AlignCenter);
   picture_->setAutoFillBackground(true);
   QPalette black = picture_->palette();
-  black.setColor(QPalette::Window, Qt::black);
+  black.setColor(QPalette::Window, colour(views::theme::kBlack));
   picture_->setPalette(black);
   picture_->setAccessibleName(tr("Middle slice of the chosen series"));
   label_->setChecked(true);

@@ -43,7 +43,7 @@ void Chart::show(ChartPicture picture) {
   setAccessibleName(picture_.title.isEmpty() ? tr("Plot") : picture_.title);
   setAccessibleDescription(picture_.words);
   setToolTip(tr("%1\nA right click or Ctrl+Shift+E saves the plot").arg(accessibleName().toHtmlEscaped()));
-  fillPlot(*plot_, picture_, screenChartInk());
+  fillPlot(*plot_, picture_, screenInk());
   plot_->setVisible(!picture_.isEmpty());
   save_->setEnabled(!picture_.isEmpty());
   update();

@@ -25,7 +25,7 @@ constexpr double kPoint_px = 72.0 / kDots_perInch;
 
 QByteArray png(const ChartPicture& picture) {
   QImage image(QSize(kWidth_px, kHeight_px) * kPngScale, QImage::Format_RGB32);
-  image.fill(Qt::white);
+  image.fill(paperInk().ground);
   QPainter painter(&image);
   paintChart(painter, QRectF(image.rect()), kPngScale, picture);
   painter.end();
@@ -73,7 +73,7 @@ void paintChart(QPainter& painter, const QRectF& place, double unit, const Chart
   auto* canvas = new QwtPlotCanvas(&plot);
   canvas->setFrameStyle(QFrame::NoFrame);
   plot.setCanvas(canvas);
-  fillPlot(plot, picture, paperChartInk());
+  fillPlot(plot, picture, paperInk());
   QwtPlotRenderer renderer;
   renderer.setDiscardFlags(QwtPlotRenderer::DiscardBackground | QwtPlotRenderer::DiscardCanvasBackground);
   // The renderer scales by the device's resolution, whatever the painter's units are.

@@ -173,7 +173,7 @@ QwtText small(const QString& words, const QColor& colour, bool bold = false) {
   return text;
 }
 
-void setAxes(QwtPlot& plot, const ChartPicture& picture, const ChartInk& ink) {
+void setAxes(QwtPlot& plot, const ChartPicture& picture, const Ink& ink) {
   plot.setTitle(picture.title.isEmpty() ? QwtText() : small(picture.title, ink.text, true));
   plot.setAxisTitle(QwtPlot::xBottom, small(picture.xTitle, ink.quiet));
   plot.setAxisTitle(QwtPlot::yLeft, small(picture.yTitle, ink.quiet));
@@ -202,42 +202,25 @@ void setAxes(QwtPlot& plot, const ChartPicture& picture, const ChartInk& ink) {
   plot.axisWidget(QwtPlot::xBottom)->setMinBorderDist(room, room);
 }
 
+QColor colorOf(ChartPicture::Tone tone, const Ink& ink) {
+  using enum ChartPicture::Tone;
+  return tone == Text      ? ink.text
+         : tone == Quiet   ? ink.quiet
+         : tone == Accent  ? ink.accent
+         : tone == Good    ? ink.good
+         : tone == Caution ? ink.caution
+                           : ink.danger;
+}
+
 }  // namespace
 
-QColor ChartInk::of(ChartPicture::Tone tone) const {
-  using enum ChartPicture::Tone;
-  return tone == Text      ? text
-         : tone == Quiet   ? quiet
-         : tone == Accent  ? accent
-         : tone == Good    ? good
-         : tone == Caution ? caution
-                           : danger;
-}
-
-ChartInk screenChartInk() {
-  namespace theme = views::theme;
-  return {colour(theme::kGround), colour(theme::kLine), colour(theme::kText),    colour(theme::kQuiet),
-          colour(theme::kAccent), colour(theme::kGood), colour(theme::kCaution), colour(theme::kDanger)};
-}
-
-ChartInk paperChartInk() {
-  return {Qt::white,
-          QColor(0xd5, 0xda, 0xdf),
-          QColor(0x1a, 0x1e, 0x23),
-          QColor(0x55, 0x5f, 0x68),
-          QColor(0x1b, 0x6a, 0xa5),
-          QColor(0x1f, 0x7a, 0x4b),
-          QColor(0xa8, 0x6c, 0x00),
-          QColor(0xb3, 0x26, 0x1e)};
-}
-
-void fillPlot(QwtPlot& plot, const ChartPicture& picture, const ChartInk& ink) {
+void fillPlot(QwtPlot& plot, const ChartPicture& picture, const Ink& ink) {
   plot.detachItems(QwtPlotItem::Rtti_PlotItem, true);
   plot.insertLegend(nullptr);
   setAxes(plot, picture, ink);
   auto* grid = new QwtPlotGrid;
   grid->enableX(false);
-  grid->setPen(ink.line, 0, Qt::DotLine);
+  grid->setPen(ink.grid, 0, Qt::DotLine);
   grid->attach(&plot);
   bool named = false;
   QRectF all;
@@ -247,9 +230,9 @@ void fillPlot(QwtPlot& plot, const ChartPicture& picture, const ChartInk& ink) {
     item->setTitle(small(item->title().text(), ink.text));
     item->attach(&plot);
   };
-  for (const auto& band : picture.bands) attach(new BandItem(band, ink.of(band.tone)));
-  for (const auto& box : picture.boxes) attach(new BoxItem(box, ink.of(box.tone)));
-  for (const auto& line : picture.lines) attach(new LineItem(line, ink.of(line.tone)));
+  for (const auto& band : picture.bands) attach(new BandItem(band, colorOf(band.tone, ink)));
+  for (const auto& box : picture.boxes) attach(new BoxItem(box, colorOf(box.tone, ink)));
+  for (const auto& line : picture.lines) attach(new LineItem(line, colorOf(line.tone, ink)));
   if (picture.y) {
     const double low = std::min(picture.y->low, all.top()), high = std::max(picture.y->high, all.bottom());
     plot.setAxisScale(QwtPlot::yLeft, low, high);

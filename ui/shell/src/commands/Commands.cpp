@@ -1,5 +1,6 @@
 #include <insonate/ui/Commands.h>
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QKeyEvent>
 #include <QKeySequence>
@@ -44,6 +45,38 @@ void Commands::addListed(const QString& keys, const QString& does) {
   sections_[section_].shortcuts.push_back({keys, does});
 }
 
+void Commands::add(const QString& id, const QString& does, QAction& action) {
+  const QPointer<QAction> self = &action;
+  add({.id = id,
+       .text = action.text(),
+       .does = does,
+       .listed = action.shortcut().toString(QKeySequence::NativeText),
+       .keys = {},
+       .perform =
+           [self](KeyPress) {
+             if (self) self->trigger();
+           },
+       .isAvailable = [self] { return self && self->isEnabled() && self->isVisible(); }});
+  action.setToolTip(toolTip(id));
+  actions_[id] = &action;
+}
+
+void Commands::add(const QString& id, const QString& does, QAbstractButton& button, const QKeySequence& key) {
+  const QPointer<QAbstractButton> self = &button;
+  add({.id = id,
+       .text = button.text().trimmed(),
+       .does = does,
+       .listed = key.toString(QKeySequence::NativeText),
+       .keys = {},
+       .perform =
+           [self](KeyPress) {
+             if (self) self->click();
+           },
+       .isAvailable = [self] { return self && self->isEnabled() && self->isVisible(); }});
+  button.setShortcut(key);
+  button.setToolTip(toolTip(id));
+}
+
 const Command* Commands::commandOf(const QKeyEvent& event, const CommandKey*& key) const {
   const Qt::KeyboardModifiers modifiers = event.modifiers() & kDistinguishing;
   for (const Command& command : commands_)
@@ -79,13 +112,16 @@ const Command* Commands::find(const QString& id) const {
 
 QString Commands::toolTip(const QString& id) const {
   const Command* command = find(id);
-  if (!command) return {};
-  const QString sentence = firstUpper(command->does);
-  return command->listed.isEmpty() ? sentence : QStringLiteral("%1 (%2)").arg(sentence, command->listed);
+  return command ? toolTip(firstUpper(command->does), id) : QString();
+}
+
+QString Commands::toolTip(const QString& sentence, const QString& id) const {
+  const Command* command = find(id);
+  return !command || command->listed.isEmpty() ? sentence : QStringLiteral("%1 (%2)").arg(sentence, command->listed);
 }
 
 QAction* Commands::action(const QString& id) {
-  if (auto* made = findChild<QAction*>(id, Qt::FindDirectChildrenOnly)) return made;
+  if (const auto known = actions_.find(id); known != actions_.end()) return known->second;
   const Command* command = find(id);
   if (!command) return nullptr;
   const QString key = command->keys.empty()
@@ -95,6 +131,7 @@ QAction* Commands::action(const QString& id) {
   // A menu shows the text behind a tab where it shows shortcuts.
   auto* action = new QAction(key.isEmpty() ? command->text : command->text + QLatin1Char('\t') + key, this);
   action->setObjectName(id);
+  actions_[id] = action;
   action->setToolTip(toolTip(id));
   connect(action, &QAction::triggered, this, [this, id] {
     const Command& triggered = *find(id);

@@ -2,6 +2,7 @@
 
 #include "LibraryModel.h"
 
+#include <insonate/ui/StateColors.h>
 #include <insonate/ui/Theme.h>
 
 #include <QPainter>
@@ -14,7 +15,7 @@ namespace theme = views::theme;
 constexpr int kPicture_px = 92, kHeight_px = kPicture_px + 2 * kGap, kSign_px = 16;
 
 void drawPicture(QPainter& painter, const QImage& image, const QRect& room) {
-  painter.fillRect(room, Qt::black);
+  painter.fillRect(room, colour(theme::kBlack));
   if (image.isNull()) return;
   const QSize size = image.size().scaled(room.size(), Qt::KeepAspectRatio);
   QRect place(QPoint(), size);
@@ -24,19 +25,20 @@ void drawPicture(QPainter& painter, const QImage& image, const QRect& room) {
 
 struct Sign {
   const char* icon;
-  views::Colour colour;
+  CheckState state;
   QString words;
 };
 
 Sign signOf(const LibraryEntry& entry) {
-  if (entry.state == LibraryEntry::State::Broken) return {"close", theme::kDanger, LibraryCard::tr("cannot be opened")};
-  if (entry.state == LibraryEntry::State::Waiting) return {"", theme::kQuiet, LibraryCard::tr("reading ...")};
-  if (!entry.fit) return {"close", theme::kDanger, LibraryCard::tr("not fit for training")};
+  if (entry.state == LibraryEntry::State::Broken)
+    return {"close", CheckState::Failed, LibraryCard::tr("cannot be opened")};
+  if (entry.state == LibraryEntry::State::Waiting) return {"", CheckState::Unknown, LibraryCard::tr("reading ...")};
+  if (!entry.fit) return {"close", CheckState::Failed, LibraryCard::tr("not fit for training")};
   if (entry.doubts > 0)
     return {
-        "warning", theme::kCaution,
+        "warning", CheckState::Warnings,
         entry.doubts == 1 ? LibraryCard::tr("fit, 1 warning") : LibraryCard::tr("fit, %1 warnings").arg(entry.doubts)};
-  return {"done", theme::kGood, LibraryCard::tr("fit for training")};
+  return {"done", CheckState::Passed, LibraryCard::tr("fit for training")};
 }
 
 QString secondLine(const LibraryEntry& entry) {
@@ -101,7 +103,8 @@ void LibraryCard::paint(QPainter* painter, const QStyleOptionViewItem& option, c
   painter->setPen(colour(entry.state == LibraryEntry::State::Broken ? theme::kText : theme::kQuiet));
   const QRect reason(inner.left(), inner.top() + 2 * line, inner.width() - aside - kGap, inner.height() - 2 * line);
   painter->drawText(reason, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, secondLine(entry));
-  if (*sign.icon) icon(QLatin1String(sign.icon), sign.colour).paint(painter, right.left(), right.top(), kSign_px, line);
+  if (*sign.icon)
+    icon(QLatin1String(sign.icon), colorOf(sign.state)).paint(painter, right.left(), right.top(), kSign_px, line);
   write(right.adjusted(kSign_px + kSmallGap, 0, 0, 0), sign.words, theme::kText);
   write(right.translated(0, line).adjusted(kSign_px + kSmallGap, 0, 0, 0), originText(entry), theme::kQuiet);
   if (option.state & QStyle::State_HasFocus && chosen) {

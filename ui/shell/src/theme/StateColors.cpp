@@ -26,6 +26,20 @@ views::Colour colorOf(const std::optional<Severity>& severity) {
                                         : theme::kDanger;
 }
 
+views::Colour colorOf(CheckState state) {
+  switch (state) {
+    case CheckState::Passed:
+      return theme::kGood;
+    case CheckState::Warnings:
+      return theme::kCaution;
+    case CheckState::Failed:
+      return theme::kDanger;
+    case CheckState::Unknown:
+      break;
+  }
+  return theme::kQuiet;
+}
+
 views::Colour colorOf(FindingSeverity severity) {
   return severity == FindingSeverity::kError     ? theme::kDanger
          : severity == FindingSeverity::kWarning ? theme::kCaution

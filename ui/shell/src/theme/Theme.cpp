@@ -1,12 +1,12 @@
-#include "PlainStyle.h"
-
 #include <insonate/embedded/stylesheets.h>
 #include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 
 #include <QApplication>
 #include <QFont>
+#include <QLabel>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QStyle>
 #include <QStyleFactory>
 #include <QVariant>
@@ -22,6 +22,26 @@ namespace insonate::ui {
 namespace {
 
 namespace theme = views::theme;
+
+/// Minimum width of a wrapping label, equal for short and long words.
+constexpr int kLeastWrapped_px = 40;
+
+/// Style that shows text in labels, message boxes and tooltips as plain text, since it may contain names of people and
+/// titles of cases. HTML in the text is neither interpreted nor loaded, unless a label is explicitly set to rich text.
+/// Overlong words do not widen the window.
+class PlainStyle final : public QProxyStyle {
+ public:
+  using QProxyStyle::polish;
+  using QProxyStyle::QProxyStyle;
+  void polish(QWidget* widget) override {
+    // Tooltips and the text of a message box are labels, too.
+    if (auto* label = qobject_cast<QLabel*>(widget)) {
+      if (label->textFormat() == Qt::AutoText) label->setTextFormat(Qt::PlainText);
+      if (label->wordWrap() && label->minimumWidth() == 0) label->setMinimumWidth(kLeastWrapped_px);
+    }
+    QProxyStyle::polish(widget);
+  }
+};
 
 QPalette palette() {
   QPalette p;

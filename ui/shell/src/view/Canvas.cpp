@@ -1,5 +1,7 @@
 #include "Canvas.h"
 
+#include <insonate/ui/Theme.h>
+
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QFocusEvent>
@@ -146,7 +148,7 @@ void ViewWidget::Canvas::forget() {
 void ViewWidget::Canvas::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   // An image of another size would leave old contents around it.
-  if (picture_.size() != deviceSize()) painter.fillRect(rect(), Qt::black);
+  if (picture_.size() != deviceSize()) painter.fillRect(rect(), colour(views::theme::kBlack));
   if (!picture_.isNull()) painter.drawImage(rect().topLeft(), picture_);
   askIfStale();
 }

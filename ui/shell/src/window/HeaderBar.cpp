@@ -2,6 +2,7 @@
 
 #include "AccountMenu.h"
 
+#include <insonate/ui/Commands.h>
 #include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/Theme.h>
 
@@ -17,8 +18,7 @@ namespace {
 
 constexpr int kMostName_px = 180;
 
-QToolButton* menuButton(QMenu* menu, const char* iconName, const QString& text, const QString& name, const QString& tip,
-                        const QKeySequence& keys) {
+QToolButton* menuButton(QMenu* menu, const char* iconName, const QString& text, const QString& name) {
   auto* button = new QToolButton;
   button->setText(QLatin1Char(' ') + text);
   button->setAccessibleName(name);
@@ -27,14 +27,12 @@ QToolButton* menuButton(QMenu* menu, const char* iconName, const QString& text, 
   button->setPopupMode(QToolButton::InstantPopup);
   button->setMenu(menu);
   button->setFocusPolicy(Qt::StrongFocus);
-  button->setToolTip(QStringLiteral("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
-  button->setShortcut(keys);
   return button;
 }
 
 }  // namespace
 
-HeaderBar::HeaderBar(QMenu* viewMenu, QMenu* caseMenu, AccountMenu* accountMenu, QWidget* parent)
+HeaderBar::HeaderBar(QMenu* viewMenu, QMenu* caseMenu, AccountMenu* accountMenu, Commands& commands, QWidget* parent)
     : QFrame(parent), tabs_(new QButtonGroup(this)), tabRow_(new QHBoxLayout), case_(new QLabel) {
   setRole(this, "header");
   auto* product = new QLabel(QStringLiteral("Insonate"));
@@ -52,13 +50,16 @@ HeaderBar::HeaderBar(QMenu* viewMenu, QMenu* caseMenu, AccountMenu* accountMenu,
   case_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   case_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row->addWidget(case_, 1);
-  row->addWidget(menuButton(viewMenu, "view", tr("View"), tr("View menu"), tr("Panels and views"),
-                            QKeySequence(QStringLiteral("Alt+V"))));
-  row->addWidget(menuButton(caseMenu, "folder", tr("Case"), tr("Case menu"), tr("Open, import and save cases"),
-                            QKeySequence(QStringLiteral("Alt+C"))));
-  auto* who = menuButton(accountMenu, "person", accountMenu->shortText(), tr("Account menu"),
-                         tr("Account: sign in, sign out, password"), QKeySequence(QStringLiteral("Alt+U")));
-  row->addWidget(who);
+  auto* view = menuButton(viewMenu, "view", tr("View"), tr("View menu"));
+  auto* cases = menuButton(caseMenu, "folder", tr("Case"), tr("Case menu"));
+  auto* who = menuButton(accountMenu, "person", accountMenu->shortText(), tr("Account menu"));
+  for (QToolButton* button : {view, cases, who}) row->addWidget(button);
+  commands.add(QStringLiteral("window.menu.view"), tr("opens the menu of panels and views"), *view,
+               QKeySequence(QStringLiteral("Alt+V")));
+  commands.add(QStringLiteral("window.menu.case"), tr("opens the menu to open, import and save cases"), *cases,
+               QKeySequence(QStringLiteral("Alt+C")));
+  commands.add(QStringLiteral("window.menu.account"), tr("opens the menu of the account: sign in, sign out, password"),
+               *who, QKeySequence(QStringLiteral("Alt+U")));
   connect(accountMenu, &AccountMenu::textChanged, who, [who, accountMenu] {
     const QKeySequence keys = who->shortcut();
     const QString text = who->fontMetrics().elidedText(accountMenu->shortText(), Qt::ElideRight, kMostName_px);
@@ -68,7 +69,7 @@ HeaderBar::HeaderBar(QMenu* viewMenu, QMenu* caseMenu, AccountMenu* accountMenu,
   connect(tabs_, &QButtonGroup::idClicked, this, &HeaderBar::tabChosen);
 }
 
-void HeaderBar::addTab(const QString& title, const QString& iconName, const QString& keys) {
+void HeaderBar::addTab(const QString& title, const QString& iconName, const QString& tip) {
   auto* tab = new QToolButton;
   setRole(tab, "tab");
   tab->setText(QLatin1Char(' ') + title);
@@ -78,7 +79,7 @@ void HeaderBar::addTab(const QString& title, const QString& iconName, const QStr
   tab->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   tab->setCheckable(true);
   tab->setFocusPolicy(Qt::StrongFocus);
-  tab->setToolTip(QStringLiteral("%1 (%2)").arg(title, keys));
+  tab->setToolTip(tip);
   tabs_->addButton(tab, tabs_->buttons().size());
   tabRow_->addWidget(tab);
 }

@@ -11,15 +11,17 @@ class QMenu;
 namespace insonate::ui {
 
 class AccountMenu;
+class Commands;
 
 /// The window's top line: product name, workspaces, case, menu and account.
 class HeaderBar : public QFrame {
   Q_OBJECT
 
  public:
-  explicit HeaderBar(QMenu* viewMenu, QMenu* caseMenu, AccountMenu* accountMenu, QWidget* parent = nullptr);
+  /// Adds the keys of the menus to the window's commands.
+  HeaderBar(QMenu* viewMenu, QMenu* caseMenu, AccountMenu* accountMenu, Commands& commands, QWidget* parent = nullptr);
 
-  void addTab(const QString& title, const QString& iconName, const QString& keys);
+  void addTab(const QString& title, const QString& iconName, const QString& tip);
   void setTab(int index);
   /// Shows the case's title; `hint` is the tooltip.
   void setCaseTitle(const QString& title, const QString& hint);

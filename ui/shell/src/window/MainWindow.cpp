@@ -1,10 +1,13 @@
 #include "AccountMenu.h"
-#include "CaseExchange.h"
+#include "CaseDesk.h"
 #include "HeaderBar.h"
-#include "LossQuestion.h"
+#include "HelpWindow.h"
+#include "LibraryWindow.h"
 #include "StatusStrip.h"
+#include "WindowMenu.h"
 
 #include <insonate/ui/Account.h>
+#include <insonate/ui/Attempts.h>
 #include <insonate/ui/ErrorPanel.h>
 #include <insonate/ui/KnownCases.h>
 #include <insonate/ui/MainWindow.h>
@@ -12,16 +15,22 @@
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
 
+#include <QAction>
 #include <QCloseEvent>
+#include <QDropEvent>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QMimeData>
 #include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace insonate::ui {
 namespace {
@@ -31,40 +40,57 @@ const QString kGeometry = QStringLiteral("window/geometry");
 constexpr QSize kLeast{880, 460};
 const QString kWorkspace = QStringLiteral("window/workspace");
 
+/// The first local file or folder of a drag; empty if there is none.
+QString carriedPath(const QMimeData* data) {
+  for (const QUrl& url : data->urls())
+    if (url.isLocalFile()) return url.toLocalFile();
+  return {};
+}
+
+/// The window's commands, which its parts add below one heading.
+Commands* windowCommands(QObject* window) {
+  auto* commands = new Commands(window);
+  commands->beginSection(MainWindow::tr("Everywhere"));
+  commands->addListed(MainWindow::tr("Esc"), MainWindow::tr("cancels a job, or closes a message"));
+  commands->beginSection(MainWindow::tr("In every view"));
+  commands->addListed(MainWindow::tr("M, double click"), MainWindow::tr("maximizes this view, or restores it"));
+  commands->beginSection(MainWindow::tr("Everywhere"));
+  return commands;
+}
+
 }  // namespace
 
 MainWindow::MainWindow() : MainWindow(std::make_unique<Account>()) {}
 
 MainWindow::MainWindow(std::unique_ptr<Account> account)
     : account_(std::move(account)),
-      menu_(new QMenu(this)),
-      recent_(new QMenu(tr("Recent"), this)),
-      view_(new QMenu(this)),
+      commands_(windowCommands(this)),
       site_(new SiteExchange(*account_, this)),
-      accountMenu_(new AccountMenu(*account_, *site_, this)),
-      header_(new HeaderBar(view_, menu_, accountMenu_)),
+      accountMenu_(new AccountMenu(*account_, *site_, *commands_, this)),
       tasks_(new TaskBar),
+      desk_(new CaseDesk(*tasks_, this)),
+      menu_(new WindowMenu(*desk_, *commands_, this)),
+      view_(new QMenu(this)),
+      header_(new HeaderBar(view_, menu_, accountMenu_, *commands_)),
       errors_(new ErrorPanel),
       stack_(new QStackedWidget),
-      status_(new StatusStrip),
-      loader_(new CaseLoader(*tasks_, this)),
-      exchange_(new CaseExchange(
-          *tasks_,
-          [this] {
-            return OpenCase{case_.patient, unsavedEdits()};
-          },
-          this)) {
+      status_(new StatusStrip) {
   setWindowTitle(QStringLiteral("Insonate"));
   setAcceptDrops(true);
-  makeActions();
+  view_->setToolTipsVisible(true);
   arrange();
-  connectAll();
+  connectParts();
+  connectDesk();
   header_->setCaseTitle({}, {});
 }
 
 MainWindow::~MainWindow() {
   // Hiding notifies a workspace, which must happen while the window exists.
-  for (const Room& room : rooms_) room.workspace->disconnect(this);
+  for (const Room& room : rooms_) {
+    room.workspace->disconnect(this);
+    room.workspace->disconnect(desk_);
+  }
+  desk_->disconnect();
   // Workspaces may still have to write data of the user.
   delete takeCentralWidget();
 }
@@ -93,40 +119,31 @@ void MainWindow::arrange() {
   resize(QSize(1600, 1000).boundedTo(screen * 0.9).expandedTo(minimumSize()));
 }
 
-void MainWindow::connectAll() {
+void MainWindow::connectParts() {
   connect(header_, &HeaderBar::tabChosen, this, &MainWindow::switchTo);
   connect(account_.get(), &Account::changed, this, &MainWindow::readyChanged);
   connect(accountMenu_, &AccountMenu::said, this, [this](const QString& sentence) { status_->say(sentence); });
-  connect(status_, &StatusStrip::helpWanted, this, [this] { showHelp(false); });
-  connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
+  connect(status_, &StatusStrip::helpWanted, this, [this] { help().showPage(currentWorkspace()->helpPage()); });
   connect(view_, &QMenu::aboutToShow, this, &MainWindow::fillView);
-  connect(loader_, &CaseLoader::loaded, this, &MainWindow::take);
-  connect(loader_, &CaseLoader::failed, this,
-          [this](const QString& what, const QString& advice, const QString& details) {
-            afterSaving_ = {};
-            fail(what, advice, details);
-            Q_EMIT caseFailed(what);
-          });
-  connect(loader_, &CaseLoader::cancelled, this, [this] {
-    afterSaving_ = {};
-    status_->say(tr("Cancelled; nothing was changed."));
+  connect(menu_, &WindowMenu::openWanted, this, &MainWindow::open);
+  connect(menu_, &WindowMenu::attemptWanted, this, &MainWindow::openAttempt);
+  connect(menu_, &WindowMenu::libraryWanted, this, &MainWindow::showLibrary);
+  connect(menu_, &WindowMenu::helpWanted, this, [this] { help().showPage(currentWorkspace()->helpPage()); });
+  connect(menu_, &WindowMenu::glossaryWanted, this, [this] { help().showPage(QStringLiteral("glossary")); });
+  connect(menu_, &WindowMenu::keysWanted, this, [this] { help().showKeys(); });
+}
+
+void MainWindow::connectDesk() {
+  connect(desk_, &CaseDesk::changed, this, &MainWindow::showTitle);
+  connect(desk_, &CaseDesk::replaced, this, [this] {
+    updateStatus();
+    Q_EMIT readyChanged();
   });
-  connect(loader_, &CaseLoader::saved, this, &MainWindow::showSaved);
-  connect(exchange_, &CaseExchange::made, this,
-          [this](const std::shared_ptr<const PatientCase>& patient, const QString& sentence, bool whole) {
-            const auto go = [this, patient, sentence] {
-              takeMade(patient);
-              status_->say(sentence);
-            };
-            // If the case holds all edits, the window asks only about work that ends with the case; the files stay.
-            whole&& loss().ending.isEmpty() ? go() : confirmDiscard(LostBy::Opening, go);
-          });
-  connect(exchange_, &CaseExchange::written, this,
-          [this](const QString& sentence, const QString& folder) { status_->say(sentence, folder); });
-  connect(exchange_, &CaseExchange::failed, this, &MainWindow::fail);
+  connect(desk_, &CaseDesk::said, status_, &StatusStrip::say);
+  connect(desk_, &CaseDesk::failed, this, &MainWindow::fail);
+  connect(desk_, &CaseDesk::loadFailed, this, &MainWindow::caseFailed);
   connect(tasks_, &TaskBar::runningChanged, this, [this](bool running) {
     if (running) errors_->dismiss();
-    showTitle();
     showOpening();
     Q_EMIT readyChanged();
   });
@@ -134,28 +151,26 @@ void MainWindow::connectAll() {
 
 void MainWindow::addWorkspace(const QString& id, const QString& title, const QString& iconName, Workspace* workspace) {
   const int index = int(rooms_.size());
-  const QString keys = QStringLiteral("Ctrl+%1").arg(index + 1);
   rooms_.push_back({id, title, workspace});
   workspace->setTasks(*tasks_);
   workspace->setAccount(*account_);
   connect(workspace, &Workspace::written, this,
           [this](const QString& sentence, const QString& folder) { status_->say(sentence, folder); });
   stack_->addWidget(workspace);
-  header_->addTab(title, iconName, keys);
   auto* choose = new QAction(title, this);
-  choose->setShortcut(QKeySequence(keys));
+  choose->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(index + 1)));
+  commands_->add(QStringLiteral("window.tab.") + id, tr("shows %1").arg(title), *choose);
+  header_->addTab(title, iconName, choose->toolTip());
   connect(choose, &QAction::triggered, this, [this, index] { switchTo(index); });
   addAction(choose);
   connect(workspace, &Workspace::statusChanged, this, &MainWindow::updateStatus);
   connect(workspace, &Workspace::readyChanged, this, &MainWindow::readyChanged);
   connect(workspace, &Workspace::failed, this, &MainWindow::fail);
-  connect(workspace, &Workspace::caseMade, this, &MainWindow::takeMade);
   connect(workspace, &Workspace::caseWanted, this,
           [this](const QString& place) { builtInNames().contains(place) ? openBuiltIn(place) : open(place); });
   connect(workspace, &Workspace::attemptWanted, this, &MainWindow::openAttempt);
-  attempt_->setVisible(attemptRoom() != nullptr);
-  connect(workspace, &Workspace::editsChanged, this, &MainWindow::showTitle);
-  connect(workspace, &Workspace::saveWanted, this, &MainWindow::saveCase);
+  menu_->setOpensAttempts(attemptRoom() != nullptr);
+  desk_->addWorkspace(*workspace);
   if (index == 0) header_->setTab(0);
 }
 
@@ -197,7 +212,7 @@ void MainWindow::updateStatus() {
 }
 
 bool MainWindow::isReady() const {
-  return case_.patient && !tasks_->isRunning() && currentWorkspace() && currentWorkspace()->isReady();
+  return desk_->current().patient && !tasks_->isRunning() && currentWorkspace() && currentWorkspace()->isReady();
 }
 
 bool MainWindow::isComplete() const {
@@ -232,9 +247,9 @@ void MainWindow::restoreLayout() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!sure_ && loss()) {
+  if (!sure_ && desk_->loss()) {
     event->ignore();
-    return confirmDiscard(LostBy::Closing, [this] { closeAtOnce(); });
+    return desk_->confirmDiscard(LostBy::Closing, [this] { closeAtOnce(); });
   }
   QSettings settings;
   settings.setValue(kGeometry, saveGeometry());
@@ -252,6 +267,11 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   QMainWindow::closeEvent(event);
 }
 
+void MainWindow::closeAtOnce() {
+  sure_ = true;
+  close();
+}
+
 void MainWindow::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && tasks_->isRunning())
     tasks_->cancel();
@@ -259,6 +279,137 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
     errors_->dismiss();
   else if (!passKey(*event))
     QMainWindow::keyPressEvent(event);
+}
+
+bool MainWindow::passKey(QKeyEvent& event) {
+  // Space freezes wherever the keyboard focus is. Keys that the workspace does not use return to the window.
+  Workspace* workspace = currentWorkspace();
+  if (passing_ || !workspace || workspace->isAncestorOf(focusWidget()) || focusWidget() == workspace) return false;
+  passing_ = true;
+  QCoreApplication::sendEvent(workspace, &event);
+  passing_ = false;
+  return event.isAccepted();
+}
+
+void MainWindow::fillView() {
+  view_->clear();
+  view_->addActions(currentWorkspace()->actions());
+  if (view_->isEmpty()) view_->addAction(tr("Nothing to choose here"))->setEnabled(false);
+}
+
+const LoadedCase& MainWindow::current() const {
+  return desk_->current();
+}
+
+void MainWindow::open(const QString& path) {
+  attemptRoom() && isAttemptFile(path) ? openAttempt(path) : desk_->open(path);
+}
+
+void MainWindow::openTextbook() {
+  openBuiltIn(builtInNames().front());
+}
+
+void MainWindow::openBuiltIn(const QString& variant) {
+  desk_->openBuiltIn(variant);
+}
+
+void MainWindow::reload() {
+  desk_->reload();
+}
+
+void MainWindow::saveCase() {
+  desk_->save();
+}
+
+void MainWindow::showLibrary() {
+  if (auto* shown = findChild<LibraryWindow*>()) return shown->raise();
+  auto* library = new LibraryWindow(this);
+  connect(library, &LibraryWindow::caseChosen, this, [this](const QString& place, const QString& workspace) {
+    showWorkspace(workspace);
+    if (builtInNames().contains(place)) return openBuiltIn(place);
+    open(workspace == QLatin1String("train") ? placeForTraining(place) : place);
+  });
+  library->show();
+}
+
+const MainWindow::Room* MainWindow::attemptRoom() const {
+  const auto found = std::ranges::find_if(rooms_, [](const Room& room) { return room.workspace->opensAttempts(); });
+  return found == rooms_.end() ? nullptr : &*found;
+}
+
+void MainWindow::openAttempt(const QString& file) {
+  const Room* room = attemptRoom();
+  if (!room) return;
+  const auto go = [this, room, file] {
+    showWorkspace(room->id);
+    room->workspace->openAttempt(file);
+  };
+  // An unsaved case is at risk only if the attempt belongs to another case; the window asks then.
+  tasks_->asksWhenClosed() ? desk_->confirmDiscard(LostBy::Opening, go) : go();
+}
+
+void MainWindow::showTitle() {
+  if (!current().patient) return;
+  const CaseManifest& manifest = current().patient->manifest;
+  QString title = QString::fromStdString(manifest.title), hint = QString::fromStdString(manifest.description);
+  if (desk_->isWithoutFolder())
+    title += tr(" (not saved)");
+  else if (desk_->isChanged())
+    title += tr(" (changed)");
+  if (!current().folder.isEmpty()) hint += (hint.isEmpty() ? QString() : QStringLiteral("\n")) + current().folder;
+  header_->setCaseTitle(title, hint);
+  setWindowTitle(QStringLiteral("%1 - Insonate").arg(title));
+}
+
+/// Without a case, the running job will open one.
+void MainWindow::showOpening() {
+  if (current().patient) return;
+  const QString what = tasks_->isRunning() ? tasks_->title() : QString();
+  const QString title = what.isEmpty() ? QString() : what + QStringLiteral(" ...");
+  header_->setCaseTitle(title, {});
+  setWindowTitle(title.isEmpty() ? QStringLiteral("Insonate") : QStringLiteral("%1 - Insonate").arg(title));
+  for (const Room& room : rooms_) room.workspace->setOpening(what);
+}
+
+std::vector<ShortcutGroup> MainWindow::keyList() const {
+  std::vector<ShortcutGroup> groups = commands_->shortcuts();
+  for (const Room& room : rooms_) {
+    // Commands of the current workspace come first.
+    auto place = room.workspace == currentWorkspace() ? groups.begin() : groups.end();
+    for (ShortcutGroup section : room.workspace->commands().shortcuts()) {
+      section.place = section.place.isEmpty() ? room.title : tr("%1: %2").arg(room.title, section.place);
+      place = std::next(groups.insert(place, std::move(section)));
+    }
+    if (auto shortcuts = room.workspace->shortcuts(); !shortcuts.empty())
+      groups.insert(place, {room.title, std::move(shortcuts)});
+  }
+  return groups;
+}
+
+/// The help window with the present list of keys.
+HelpWindow& MainWindow::help() {
+  if (!help_) help_ = new HelpWindow(this);
+  help_->setShortcuts(keyList());
+  return *help_;
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const QString path = carriedPath(event->mimeData());
+  if (path.isEmpty()) return;
+  event->acceptProposedAction();
+  status_->setStanding(tr("Drop to open %1.").arg(QFileInfo(path).fileName()));
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
+  updateStatus();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QString path = carriedPath(event->mimeData());
+  updateStatus();
+  if (path.isEmpty()) return;
+  event->acceptProposedAction();
+  open(path);
 }
 
 }  // namespace insonate::ui

@@ -37,19 +37,22 @@ class ReviewWorkspace : public ui::Workspace {
   QString engineText() const override;
   bool isReady() const override;
   QString helpPage() const override { return QStringLiteral("review"); }
-  std::vector<ui::Shortcut> shortcuts() const override;
   void saveLayout(QSettings& settings) const override;
   void restoreLayout(QSettings& settings) override;
   void stop() override;
 
  protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
+  /// Gives the keys of commands precedence over the window's shortcuts, for example F5 on the page of a class.
+  bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
 
  private:
-  class Parts;
+  struct Parts;
+  void connectParts();
+  void refreshReady();
+
   std::unique_ptr<Parts> parts_;
 };
 

@@ -1,13 +1,17 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 #include <QString>
 #include <functional>
+#include <map>
 #include <vector>
 
+class QAbstractButton;
 class QAction;
 class QEvent;
 class QKeyEvent;
+class QKeySequence;
 
 namespace insonate::ui {
 
@@ -31,9 +35,9 @@ struct KeyPress {
 
 /// One key of a command. Shift selects the wide step of the same key.
 struct CommandKey {
-  int key = 0;                            ///< Qt::Key
-  Qt::KeyboardModifiers modifiers{};      ///< Ctrl and Alt that must be held
-  std::function<void(KeyPress)> perform;  ///< null: Command::perform
+  int key = 0;                                      ///< Qt::Key
+  Qt::KeyboardModifiers modifiers{};                ///< Ctrl and Alt that must be held
+  std::function<void(KeyPress)> perform = nullptr;  ///< null: Command::perform
 };
 
 /// Something that the user can do with a key, and with a menu entry or a button if action() or toolTip() is used.
@@ -60,6 +64,11 @@ class Commands : public QObject {
   void beginSection(const QString& heading);
   /// Adds a command. Its id and its keys must not be in use.
   void add(Command command);
+  /// Adds a command of a Qt action with the action's text. The action handles its keys: the first one is listed, if it
+  /// has one. Sets the action's tooltip.
+  void add(const QString& id, const QString& does, QAction& action);
+  /// Adds a command of a button with the button's text. The button gets this key, handles it, and gets a tooltip.
+  void add(const QString& id, const QString& does, QAbstractButton& button, const QKeySequence& key);
   /// Adds a key that a Qt action or a widget handles itself, or a mouse gesture, to the list of keys.
   void addListed(const QString& keys, const QString& does);
 
@@ -73,8 +82,11 @@ class Commands : public QObject {
   const Command* find(const QString& id) const;
   /// Sentence about a command with its keys, for the tooltip of its button; empty if there is no such command.
   QString toolTip(const QString& id) const;
-  /// Menu entry that performs a command, made at the first call and owned by this object; null if there is no such
-  /// command. It shows the first key as text only: key() handles it.
+  /// Another sentence with the keys of a command, for a button that the command presses in some states only.
+  QString toolTip(const QString& sentence, const QString& id) const;
+  /// Menu entry that performs a command: the action with which the command was added, else an action that is made at
+  /// the first call and owned by this object; null if there is no such command. An action that is made here shows the
+  /// first key as text only: key() handles it.
   QAction* action(const QString& id);
 
   /// The list of keys, by section; sections without entries are left out.
@@ -86,6 +98,7 @@ class Commands : public QObject {
 
   std::vector<Command> commands_;
   std::vector<ShortcutGroup> sections_;
+  std::map<QString, QPointer<QAction>> actions_;
   std::size_t section_ = 0;  ///< the section that is being filled
 };
 

@@ -4,11 +4,9 @@
 #include <insonate/ui/Workspace.h>
 
 #include <QMainWindow>
-#include <functional>
 #include <memory>
 #include <vector>
 
-class QAction;
 class QMenu;
 class QStackedWidget;
 
@@ -16,19 +14,18 @@ namespace insonate::ui {
 
 class Account;
 class AccountMenu;
-class CaseExchange;
+class CaseDesk;
 class ErrorPanel;
 class HeaderBar;
 class HelpWindow;
 class SiteExchange;
 class StatusStrip;
 class TaskBar;
-struct Loss;
-enum class LostBy;
+class WindowMenu;
 
 /// The main window: shows one workspace, the open case, running jobs and errors. Stores its position, the workspace and
 /// recent cases in the user's settings (QSettings of the application). Opens a dropped case folder, DICOM folder,
-/// volume file or recorded attempt.
+/// volume file or recorded attempt. CaseDesk keeps the case, WindowMenu the commands.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -65,20 +62,17 @@ class MainWindow : public QMainWindow {
   void reload();
   /// Writes the case with all edits to its folder; asks for a folder if it has none.
   void saveCase();
-  const LoadedCase& current() const { return case_; }
+  const LoadedCase& current() const;
 
   /// Tells whether a case is open, no job is running, and the workspace is ready.
   bool isReady() const;
   /// Tells whether no further results will arrive.
   bool isComplete() const;
 
-  QAction* openAction() const { return open_; }
-  QAction* importAction() const { return import_; }
-  QAction* textbookAction() const { return textbook_; }
-  QAction* libraryAction() const { return library_; }
-  QAction* attemptAction() const { return attempt_; }
-  QAction* reloadAction() const { return reload_; }
-  QAction* saveAction() const { return save_; }
+  /// The window's own commands, for example "window.case.open".
+  Commands& commands() { return *commands_; }
+  /// The list of keys: those of the present workspace first, then the window's, then those of the others.
+  std::vector<ShortcutGroup> keyList() const;
   Account& account() { return *account_; }
   TaskBar& tasks() { return *tasks_; }
   ErrorPanel& errors() { return *errors_; }
@@ -104,55 +98,35 @@ class MainWindow : public QMainWindow {
     QString id, title;
     Workspace* workspace;
   };
-  void makeActions();
   void arrange();
-  void connectAll();
-  void fillRecent();
+  void connectParts();
+  void connectDesk();
   void fillView();
   bool passKey(QKeyEvent& event);
   void switchTo(int index);
-  void take(const LoadedCase& loaded);
-  void takeMade(std::shared_ptr<const PatientCase> patient);
-  CaseOrigin origin() const;
-  void handOut();
   void showTitle();
   void showOpening();
-  void showSaved(const SavedCase& saved);
-  std::vector<CaseEdit> unsavedEdits() const;
-  std::vector<CaseEdit> quietEdits() const;
-  bool isWithoutFolder() const;
-  Loss loss() const;
-  void confirmDiscard(LostBy by, std::function<void()> go);
-  void saveTo(const QString& folder);
   void fail(const QString& what, const QString& advice, const QString& details);
   void updateStatus();
-  void chooseCase();
-  void chooseImport();
-  void chooseAttempt();
   const Room* attemptRoom() const;
-  void chooseTarget();
-  void showHelp(bool keys);
+  HelpWindow& help();
 
   std::unique_ptr<Account> account_;
+  Commands* commands_;
   std::vector<Room> rooms_;
-  LoadedCase case_;
-  QMenu *menu_, *recent_;
-  QAction *open_ = nullptr, *import_ = nullptr, *textbook_ = nullptr, *library_ = nullptr, *reload_ = nullptr,
-          *save_ = nullptr, *saveAs_ = nullptr, *attempt_ = nullptr;
-  QMenu* view_;
   SiteExchange* site_;
   AccountMenu* accountMenu_;
-  bool sure_ = false;     ///< close without asking, even if changes are lost
-  bool passing_ = false;  ///< a key event is being passed to the workspace
-  HeaderBar* header_;
   TaskBar* tasks_;
+  CaseDesk* desk_;
+  WindowMenu* menu_;
+  QMenu* view_;
+  HeaderBar* header_;
   ErrorPanel* errors_;
   QStackedWidget* stack_;
   StatusStrip* status_;
-  CaseLoader* loader_;
-  CaseExchange* exchange_;
   HelpWindow* help_ = nullptr;
-  std::function<void()> afterSaving_;  ///< called when the pending save has succeeded
+  bool sure_ = false;     ///< close without asking, even if changes are lost
+  bool passing_ = false;  ///< a key event is being passed to the workspace
 };
 
 }  // namespace insonate::ui

@@ -10,6 +10,8 @@
 
 namespace insonate::ui {
 
+/// Result of a check, for example whether a case is fit for training.
+enum class CheckState { Unknown, Passed, Warnings, Failed };
 /// State of a step that a guide leads through.
 enum class StepState { ToDo, Working, Done, Warning, Skipped };
 
@@ -17,6 +19,7 @@ enum class StepState { ToDo, Working, Done, Warning, Skipped };
 views::Colour colorOf(NeedlePlace place);
 /// Color of a finding's severity; a quiet color if there is no finding.
 views::Colour colorOf(const std::optional<Severity>& severity);
+views::Colour colorOf(CheckState state);
 /// Color of a finding of the check of a case.
 views::Colour colorOf(FindingSeverity severity);
 /// Color of an author's progress on a structure.

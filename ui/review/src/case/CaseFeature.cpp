@@ -1,0 +1,76 @@
+#include "CaseFeature.h"
+
+#include "../ReviewSession.h"
+#include "../judge/JudgeDesk.h"
+#include "../page/AttemptPage.h"
+
+#include <insonate/cases/CaseVersions.h>
+#include <insonate/ui/KnownCases.h>
+#include <insonate/ui/Workspace.h>
+
+#include <QStringList>
+#include <optional>
+#include <utility>
+
+namespace insonate::review {
+namespace {
+
+/// Folder of the case's version on which an attempt was made; none if it was not kept.
+std::optional<QString> keptVersion(const AttemptHeader& header) {
+  const auto place = ui::placeOfCase(QString::fromStdString(header.caseName));
+  const auto kept = place ? findVersion(place->toStdString(), header.caseHash) : std::nullopt;
+  return kept ? std::optional(QString::fromStdString(kept->string())) : std::nullopt;
+}
+
+}  // namespace
+
+CaseFeature::CaseFeature(const ReviewModel& model, AttemptPage& page) : Feature(model), page_(page) {
+  connect(&model_.session, &ReviewSession::attemptChanged, this, [this] {
+    keptWanted_ = false;
+    // Called once the session knows whether the case in the window is that of the attempt.
+    QMetaObject::invokeMethod(
+        this, [this] { findCase(); }, Qt::QueuedConnection);
+  });
+  connect(&model_.session, &ReviewSession::caseChanged, this, [this] {
+    QMetaObject::invokeMethod(
+        this, [this] { openKeptVersion(); }, Qt::QueuedConnection);
+    showNotice();
+  });
+  connect(&model_.judging, &JudgeDesk::changed, this, [this] { showNotice(); });
+}
+
+/// Asks once for each attempt: a user who keeps the open case is not asked again.
+void CaseFeature::openKeptVersion() {
+  if (model_.session.fit() != CaseFit::Changed || std::exchange(keptWanted_, true)) return;
+  if (const auto kept = keptVersion(model_.session.attempt()->recording->header()))
+    Q_EMIT model_.workspace.caseWanted(*kept);
+}
+
+/// Searches the built-in and the recent cases by title.
+void CaseFeature::findCase() {
+  const ReviewSession& session = model_.session;
+  if (!session.attempt() || (session.fit() != CaseFit::Missing && session.fit() != CaseFit::Other)) return;
+  const AttemptHeader& header = session.attempt()->recording->header();
+  const QString title = QString::fromStdString(header.caseName);
+  const auto kept = keptVersion(header);
+  if (const auto place = kept ? kept : ui::placeOfCase(title)) return Q_EMIT model_.workspace.caseWanted(*place);
+  Q_EMIT model_.workspace.failed(tr("The case '%1' of this attempt is not among the recent ones.").arg(title),
+                                 tr("Open it (Ctrl+O) to see hands and images; timeline and result do not need it."),
+                                 {});
+}
+
+void CaseFeature::showNotice() {
+  const ReviewSession& session = model_.session;
+  QStringList lines;
+  if (session.attempt()) {
+    if (model_.judging.isOther()) lines << model_.judging.words();
+    if (session.fit() == CaseFit::Other || session.fit() == CaseFit::Changed) lines << session.message();
+    for (const std::string& trouble : session.attempt()->troubles) lines << QString::fromStdString(trouble);
+    if (session.fit() == CaseFit::Changed)
+      if (const auto kept = keptVersion(session.attempt()->recording->header()))
+        lines << tr("The attempt's version of the case is kept: open %1 (Ctrl+O) for its images.").arg(*kept);
+  }
+  page_.setNotice(lines.join(QLatin1Char('\n')));
+}
+
+}  // namespace insonate::review

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "../feature/Feature.h"
+
+namespace insonate::review {
+
+class AttemptPage;
+
+/// Requests the case of the open attempt from the window, and states what is wrong with recording and case.
+class CaseFeature final : public Feature {
+ public:
+  CaseFeature(const ReviewModel& model, AttemptPage& page);
+
+ private:
+  void findCase();
+  void openKeptVersion();
+  void showNotice();
+
+  AttemptPage& page_;
+  bool keptWanted_ = false;  ///< the case version on which this attempt was made has been requested
+};
+
+}  // namespace insonate::review

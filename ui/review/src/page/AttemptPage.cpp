@@ -1,0 +1,186 @@
+#include "AttemptPage.h"
+
+#include "../ReviewSession.h"
+#include "../attempt/Words.h"
+#include "../feature/Feature.h"
+
+#include <insonate/ui/PlainToolTip.h>
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/ViewWidget.h>
+#include <insonate/ui/Widgets.h>
+#include <insonate/ui/Workspace.h>
+
+#include <QButtonGroup>
+#include <QLabel>
+#include <QSettings>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace insonate::review {
+namespace {
+
+constexpr int kMoments_px = 270, kCentre_px = 700, kScene_px = 460;
+
+QHBoxLayout* rowOf(int spacing_px) {
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(spacing_px);
+  return row;
+}
+
+}  // namespace
+
+AttemptPage::AttemptPage(const ReviewModel& model)
+    : model_(model),
+      title_(new QLabel),
+      facts_(new QLabel),
+      notice_(new QLabel),
+      tabRow_(rowOf(0)),
+      toggleRow_(rowOf(0)),
+      buttonRow_(rowOf(ui::kGap)),
+      tabs_(new QButtonGroup(this)),
+      columns_(new QSplitter(Qt::Horizontal)),
+      rightColumn_(new QSplitter(Qt::Vertical)),
+      centre_(new QStackedWidget),
+      right_(new QStackedWidget),
+      box_(new QVBoxLayout(this)) {
+  box_->setContentsMargins(0, 0, 0, 0);
+  box_->setSpacing(0);
+  notice_->setObjectName(QStringLiteral("attemptNotice"));
+  notice_->setWordWrap(true);
+  notice_->setContentsMargins(ui::kGap, ui::kSmallGap, ui::kGap, ui::kSmallGap);
+  ui::setRole(notice_, "problem");
+  setNotice({});
+  box_->addWidget(buildBar());
+  box_->addWidget(notice_);
+  box_->addWidget(buildColumns(), 1);
+  connect(tabs_, &QButtonGroup::idClicked, this, [this](int tab) { showCentre(centre_->widget(tab)); });
+  connect(&model_.session, &ReviewSession::attemptChanged, this, [this] { showFacts(); });
+}
+
+QWidget* AttemptPage::buildBar() {
+  ui::Commands& commands = model_.workspace.commands();
+  commands.beginSection(tr("Attempt"));
+  commands.add({.id = QStringLiteral("review.attempt.close"),
+                .text = tr("Attempts"),
+                .does = tr("returns to the list of attempts"),
+                .listed = tr("Backspace"),
+                .keys = {{Qt::Key_Backspace}},
+                .perform = [&session = model_.session](ui::KeyPress) { session.close(); },
+                .isAvailable = [&session = model_.session] { return session.attempt() != nullptr; }});
+  auto* bar = new QFrame;
+  ui::setRole(bar, "bar");
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(ui::kGap, ui::kSmallGap, ui::kGap, ui::kSmallGap);
+  row->setSpacing(ui::kGap);
+  auto* back = ui::pushButton("backToList", tr("Attempts"), commands.toolTip(QStringLiteral("review.attempt.close")),
+                              Qt::TabFocus);
+  back->setIcon(ui::icon(QStringLiteral("left")));
+  connect(back, &QPushButton::clicked, this, [this] { model_.session.close(); });
+  row->addWidget(back);
+  title_->setObjectName(QStringLiteral("attemptTitle"));
+  ui::setRole(title_, "heading");
+  facts_->setObjectName(QStringLiteral("attemptFacts"));
+  ui::setRole(facts_, "quiet");
+  facts_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  row->addWidget(title_);
+  row->addWidget(facts_, 1);
+  row->addLayout(tabRow_);
+  row->addLayout(toggleRow_);
+  row->addLayout(buttonRow_);
+  return bar;
+}
+
+QWidget* AttemptPage::buildColumns() {
+  columns_->setObjectName(QStringLiteral("reviewColumns"));
+  columns_->setChildrenCollapsible(false);
+  rightColumn_->setChildrenCollapsible(false);
+  right_->addWidget(rightColumn_);
+  columns_->addWidget(centre_);
+  columns_->addWidget(right_);
+  ui::markViewRoom(columns_);
+  return columns_;
+}
+
+void AttemptPage::addCentre(const QString& command, const char* object, const QString& text, QWidget* widget) {
+  auto* button = ui::tabButton(object, text, model_.workspace.commands().toolTip(command));
+  tabs_->addButton(button, centre_->addWidget(widget));
+  tabRow_->addWidget(button);
+}
+
+void AttemptPage::showCentre(QWidget* widget) {
+  centre_->setCurrentWidget(widget);
+  tabs_->button(centre_->currentIndex())->setChecked(true);
+  Q_EMIT centreChanged();
+}
+
+bool AttemptPage::showsCentre(const QWidget* widget) const {
+  return centre_->currentWidget() == widget;
+}
+
+QToolButton* AttemptPage::addToggle(const QString& command, const char* object, const QString& text) {
+  auto* button = ui::tabButton(object, text, model_.workspace.commands().toolTip(command));
+  toggleRow_->addWidget(button);
+  return button;
+}
+
+void AttemptPage::addButton(QWidget* button) {
+  buttonRow_->addWidget(button);
+}
+
+void AttemptPage::setMoments(QWidget* moments) {
+  moments->setMinimumWidth(kMoments_px * 3 / 4);
+  columns_->insertWidget(0, moments);
+  columns_->setStretchFactor(0, 0);
+  columns_->setStretchFactor(1, 3);
+  columns_->setStretchFactor(2, 2);
+  columns_->setSizes({kMoments_px, kCentre_px, kScene_px});
+}
+
+void AttemptPage::addBelow(QWidget* widget) {
+  rightColumn_->addWidget(widget);
+  // The upper widget has more height than those below it.
+  QList<int> sizes;
+  for (int i = 0; i < rightColumn_->count(); ++i) sizes << (i == 0 ? 600 : 400);
+  rightColumn_->setSizes(sizes);
+}
+
+void AttemptPage::setForms(QWidget* forms) {
+  right_->addWidget(forms);
+}
+
+void AttemptPage::showForms(bool shown) {
+  right_->setCurrentIndex(shown ? 1 : 0);
+}
+
+void AttemptPage::addFoot(QWidget* widget) {
+  box_->addWidget(widget);
+}
+
+void AttemptPage::setNotice(const QString& text) {
+  notice_->setText(text);
+  notice_->setVisible(!text.isEmpty());
+}
+
+void AttemptPage::showFacts() {
+  if (!model_.session.attempt()) return;
+  const AttemptRecording& recording = *model_.session.attempt()->recording;
+  title_->setText(titleOf(recording.header()));
+  // The length is last: if it is cut off, it is also beside Play.
+  facts_->setText(QStringList{QString::fromStdString(recording.header().caseName), wordsOf(recording.status()),
+                              dateOf(recording.header().begun), clockOf(recording.end_us())}
+                      .join(QStringLiteral("   ·   ")));
+  facts_->setToolTip(ui::plainToolTip(facts_->text()));
+}
+
+void AttemptPage::save(QSettings& settings) const {
+  settings.setValue(QStringLiteral("columns"), columns_->saveState());
+}
+
+void AttemptPage::restore(QSettings& settings) {
+  columns_->restoreState(settings.value(QStringLiteral("columns")).toByteArray());
+}
+
+}  // namespace insonate::review

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <QWidget>
+
+class QButtonGroup;
+class QHBoxLayout;
+class QLabel;
+class QSettings;
+class QSplitter;
+class QStackedWidget;
+class QToolButton;
+class QVBoxLayout;
+
+namespace insonate::ui {
+class Commands;
+}
+
+namespace insonate::review {
+
+struct ReviewModel;
+
+/// Layout of the page of an open attempt: a bar with title, tabs and buttons, a notice, three columns, and widgets
+/// below the columns. The features fill it. The right column shows 3D with what lies below it, or the forms of raters.
+class AttemptPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit AttemptPage(const ReviewModel& model);
+
+  /// Adds a tab that shows `widget` in the center. The command with the id `command` must exist; the tab gets its
+  /// tooltip.
+  void addCentre(const QString& command, const char* object, const QString& text, QWidget* widget);
+  void showCentre(QWidget* widget);
+  bool showsCentre(const QWidget* widget) const;
+  /// Adds a button that shows and hides something. `command` as for addCentre().
+  QToolButton* addToggle(const QString& command, const char* object, const QString& text);
+  /// Adds a button at the right end of the bar.
+  void addButton(QWidget* button);
+  /// Sets the widget of the left column.
+  void setMoments(QWidget* moments);
+  /// Adds a widget at the lower end of the right column.
+  void addBelow(QWidget* widget);
+  /// Sets the widget that showForms() shows in place of the right column.
+  void setForms(QWidget* forms);
+  void showForms(bool shown);
+  /// Adds a widget below the columns.
+  void addFoot(QWidget* widget);
+  /// Shows a text below the bar; empty: none.
+  void setNotice(const QString& text);
+
+  void save(QSettings& settings) const;
+  void restore(QSettings& settings);
+
+ Q_SIGNALS:
+  void centreChanged();
+
+ private:
+  QWidget* buildBar();
+  QWidget* buildColumns();
+  void showFacts();
+
+  const ReviewModel& model_;
+  QLabel *title_, *facts_, *notice_;
+  QHBoxLayout *tabRow_, *toggleRow_, *buttonRow_;
+  QButtonGroup* tabs_;
+  QSplitter *columns_, *rightColumn_;
+  QStackedWidget *centre_, *right_;
+  QVBoxLayout* box_;
+};
+
+}  // namespace insonate::review

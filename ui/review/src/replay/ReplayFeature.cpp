@@ -1,0 +1,144 @@
+#include "ReplayFeature.h"
+
+#include "../ReviewSession.h"
+#include "../page/AttemptPage.h"
+#include "MomentList.h"
+#include "Timeline.h"
+#include "Transport.h"
+
+#include <insonate/ui/ViewWidget.h>
+#include <insonate/ui/Workspace.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace insonate::review {
+namespace {
+
+constexpr double kImage_s = 1.0 / 30;
+
+}  // namespace
+
+ReplayFeature::ReplayFeature(const ReviewModel& model, AttemptPage& page)
+    : Feature(model),
+      page_(page),
+      view_(std::make_shared<views::UltrasoundView>()),
+      image_(new ui::ViewWidget(view_, tr("Ultrasound image at that moment"))),
+      timeline_(new Timeline(model.session)) {
+  addCommands();
+  image_->setObjectName(QStringLiteral("replayPicture"));
+  auto* moments = new MomentList(model_.session);
+  page_.addCentre(QStringLiteral("review.replay.show"), "replayTab", tr("Replay"), image_);
+  page_.setMoments(moments);
+  page_.addFoot(new Transport(model_.session, model_.workspace.commands()));
+  page_.addFoot(timeline_);
+  for (QWidget* one : std::initializer_list<QWidget*>{moments, image_->focusProxy(), timeline_}) passKeysOf(*one);
+  connect(moments, &MomentList::entered, this, [this] { showImage(); });
+  connect(&model_.session, &ReviewSession::attemptChanged, this, [this] {
+    if (model_.session.attempt()) timeline_->setFocus();
+  });
+  connect(&model_.session, &ReviewSession::timeChanged, this, [this] { showFrame(); });
+  connect(&model_.session, &ReviewSession::pictureShown, this, [this] { showFrame(); });
+}
+
+void ReplayFeature::showImage() {
+  page_.showCentre(image_);
+}
+
+void ReplayFeature::addCommands() {
+  ReviewSession& session = model_.session;
+  model_.workspace.commands().beginSection(tr("Replay"));
+  addForAttempt({.id = QStringLiteral("review.replay.show"),
+                 .text = tr("Replay"),
+                 .does = tr("shows the ultrasound image at each moment"),
+                 .listed = tr("1"),
+                 .keys = {{Qt::Key_1}},
+                 .perform = [this](ui::KeyPress) { showImage(); }});
+  addForAttempt({.id = QStringLiteral("review.replay.play"),
+                 .text = tr("Play"),
+                 .does = tr("plays, or stops"),
+                 .listed = tr("Space"),
+                 .keys = {{Qt::Key_Space}},
+                 .perform = [&session](ui::KeyPress) { session.setPlaying(!session.isPlaying()); }});
+  addTimeCommands();
+  addForAttempt({.id = QStringLiteral("review.replay.speed"),
+                 .text = {},
+                 .does = tr("plays slower or faster"),
+                 .listed = tr("-, +"),
+                 .keys = {{Qt::Key_Minus, {}, [this](ui::KeyPress) { changeSpeed(-1); }},
+                          {Qt::Key_Plus, {}, [this](ui::KeyPress) { changeSpeed(1); }},
+                          {Qt::Key_Equal, {}, [this](ui::KeyPress) { changeSpeed(1); }}},
+                 .perform = {}});
+  model_.workspace.commands().addListed(tr("Click, drag on the timeline"), tr("go to a time, or to a mark's moment"));
+  model_.workspace.commands().addListed(tr("Wheel on the timeline"), tr("zoom; with Shift: scroll"));
+  model_.workspace.commands().addListed(tr("Double click on the timeline"), tr("show the whole attempt"));
+}
+
+void ReplayFeature::addTimeCommands() {
+  ReviewSession& session = model_.session;
+  const auto step = [&session](double seconds, double wide_s) {
+    return [&session, seconds, wide_s](ui::KeyPress press) {
+      session.setPlaying(false);
+      session.step(press.wide ? wide_s : seconds);
+    };
+  };
+  addForAttempt(
+      {.id = QStringLiteral("review.replay.image"),
+       .text = {},
+       .does = tr("goes to the previous or next image, 1/30 s"),
+       .listed = tr("Comma, Period"),
+       .keys = {{Qt::Key_Comma, {}, step(-kImage_s, -kImage_s)}, {Qt::Key_Period, {}, step(kImage_s, kImage_s)}},
+       .perform = {}});
+  addForAttempt({.id = QStringLiteral("review.replay.second"),
+                 .text = {},
+                 .does = tr("goes one second back or on, with Shift 10 s"),
+                 .listed = tr("Left, Right"),
+                 .keys = {{Qt::Key_Left, {}, step(-1, -10)}, {Qt::Key_Right, {}, step(1, 10)}},
+                 .perform = {}});
+  addForAttempt({.id = QStringLiteral("review.replay.previousMoment"),
+                 .text = tr("Previous moment"),
+                 .does = tr("goes to the previous moment"),
+                 .listed = tr("Page Up"),
+                 .keys = {{Qt::Key_PageUp}},
+                 .perform = [&session](ui::KeyPress) { session.stepMoment(-1); }});
+  addForAttempt({.id = QStringLiteral("review.replay.nextMoment"),
+                 .text = tr("Next moment"),
+                 .does = tr("goes to the next moment"),
+                 .listed = tr("Page Down"),
+                 .keys = {{Qt::Key_PageDown}},
+                 .perform = [&session](ui::KeyPress) { session.stepMoment(1); }});
+  addForAttempt({.id = QStringLiteral("review.replay.ends"),
+                 .text = {},
+                 .does = tr("goes to the beginning or the end of the attempt"),
+                 .listed = tr("Home, End"),
+                 .keys = {{Qt::Key_Home, {}, [&session](ui::KeyPress) { session.setTime(0); }},
+                          {Qt::Key_End, {}, [&session](ui::KeyPress) { session.setTime(session.attempt()->end_us); }}},
+                 .perform = {}});
+}
+
+void ReplayFeature::changeSpeed(int by) {
+  constexpr auto& kSpeeds = ReviewSession::kSpeeds;
+  const auto* at = std::ranges::find(kSpeeds, model_.session.speed());
+  model_.session.setSpeed(
+      kSpeeds[std::clamp<std::ptrdiff_t>(at - std::begin(kSpeeds) + by, 0, std::ssize(kSpeeds) - 1)]);
+}
+
+/// Text shown instead of an image; empty if there is one.
+QString ReplayFeature::imageWords() const {
+  const ReviewSession& session = model_.session;
+  const ReplayPicture& picture = model_.session.picture();
+  if (!picture.trouble().isEmpty()) return picture.trouble();
+  if (!session.sample()) return tr("This part of the recording is missing.");
+  if (!session.sample()->patientFromProbe) return tr("The probe is not in the hand.");
+  return picture.shown() ? QString() : tr("Rendering the image.");
+}
+
+void ReplayFeature::showFrame() {
+  const auto& frame = model_.session.picture().shown();
+  view_->setNotice(model_.session.fits() ? imageWords().toStdString() : std::string());
+  if (frame == shown_) return;
+  shown_ = frame;
+  view_->setImage(frame ? frame->image : BModeImage{});
+}
+
+}  // namespace insonate::review

@@ -1,0 +1,227 @@
+#include "CaseDesk.h"
+
+#include "CaseExchange.h"
+
+#include <insonate/ui/RecentCases.h>
+#include <insonate/ui/TaskBar.h>
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QSettings>
+#include <QTimer>
+#include <optional>
+#include <utility>
+
+namespace insonate::ui {
+namespace {
+
+const QString kLastTarget = QStringLiteral("lastTarget");
+
+/// A name that is valid in every file system.
+QString folderNameFor(const std::string& title) {
+  QString name;
+  for (const QChar c : QString::fromStdString(title).simplified())
+    if (c.isLetterOrNumber() || c == QLatin1Char(' ')) name += c;
+  return name.isEmpty() ? CaseDesk::tr("Case") : name.left(60);
+}
+
+}  // namespace
+
+CaseDesk::CaseDesk(TaskBar& tasks, QWidget* window)
+    : QObject(window),
+      tasks_(tasks),
+      window_(window),
+      loader_(new CaseLoader(tasks, window)),
+      exchange_(new CaseExchange(
+          tasks,
+          [this] {
+            return OpenCase{case_.patient, unsavedEdits()};
+          },
+          window)) {
+  connectLoader();
+  connect(exchange_, &CaseExchange::made, this,
+          [this](const std::shared_ptr<const PatientCase>& patient, const QString& sentence, bool whole) {
+            const auto go = [this, patient, sentence] {
+              take(patient);
+              Q_EMIT said(sentence, {});
+            };
+            // If the case holds all edits, the window asks only about work that ends with the case; the files stay.
+            whole&& loss().ending.isEmpty() ? go() : confirmDiscard(LostBy::Opening, go);
+          });
+  connect(exchange_, &CaseExchange::written, this, &CaseDesk::said);
+  connect(exchange_, &CaseExchange::failed, this, &CaseDesk::failed);
+  connect(&tasks_, &TaskBar::runningChanged, this, &CaseDesk::changed);
+}
+
+void CaseDesk::connectLoader() {
+  connect(loader_, &CaseLoader::loaded, this, &CaseDesk::takeLoaded);
+  connect(loader_, &CaseLoader::saved, this, &CaseDesk::takeSaved);
+  connect(loader_, &CaseLoader::failed, this,
+          [this](const QString& what, const QString& advice, const QString& details) {
+            afterSaving_ = {};
+            Q_EMIT failed(what, advice, details);
+            Q_EMIT loadFailed(what);
+          });
+  connect(loader_, &CaseLoader::cancelled, this, [this] {
+    afterSaving_ = {};
+    Q_EMIT said(tr("Canceled; nothing was changed."), {});
+  });
+}
+
+void CaseDesk::addWorkspace(Workspace& workspace) {
+  workspaces_.push_back(&workspace);
+  connect(&workspace, &Workspace::caseMade, this, &CaseDesk::take);
+  connect(&workspace, &Workspace::editsChanged, this, &CaseDesk::changed);
+  connect(&workspace, &Workspace::saveWanted, this, &CaseDesk::save);
+}
+
+bool CaseDesk::isSaveUseful() const {
+  return case_.patient && (case_.folder.isEmpty() || isChanged() || !quietEdits().empty());
+}
+
+bool CaseDesk::isBusy() const {
+  return tasks_.isRunning();
+}
+
+bool CaseDesk::isWithoutFolder() const {
+  return case_.patient && case_.folder.isEmpty() && !case_.builtIn && case_.versionOf.isEmpty();
+}
+
+void CaseDesk::open(const QString& path) {
+  confirmDiscard(LostBy::Opening, [this, path] { loader_->open(path); });
+}
+
+void CaseDesk::openBuiltIn(const QString& variant) {
+  confirmDiscard(LostBy::Opening, [this, variant] { loader_->openBuiltIn(variant); });
+}
+
+void CaseDesk::reload() {
+  if (!case_.folder.isEmpty()) open(case_.folder);
+}
+
+void CaseDesk::takeLoaded(const LoadedCase& loaded) {
+  case_ = loaded;
+  const QString title = QString::fromStdString(case_.patient->manifest.title);
+  const QString& home = case_.versionOf.isEmpty() ? case_.folder : case_.versionOf;
+  if (!home.isEmpty()) rememberCase({home, title});
+  handOut();
+  Q_EMIT said(case_.notes.isEmpty() ? tr("Opened %1.").arg(title) : case_.notes.join(QLatin1Char(' ')), {});
+}
+
+void CaseDesk::take(std::shared_ptr<const PatientCase> patient) {
+  case_.patient = std::move(patient);
+  case_.folder.clear();
+  case_.builtIn = false;
+  case_.versionOf.clear();
+  handOut();
+}
+
+CaseOrigin CaseDesk::origin() const {
+  return {case_.folder, case_.notes, case_.builtIn, case_.versionOf};
+}
+
+void CaseDesk::handOut() {
+  for (Workspace* workspace : workspaces_) {
+    workspace->setOrigin(origin());
+    workspace->setCase(case_.patient);
+  }
+  Q_EMIT changed();
+  Q_EMIT replaced();
+}
+
+std::vector<CaseEdit> CaseDesk::unsavedEdits() const {
+  std::vector<CaseEdit> edits;
+  for (const Workspace* workspace : workspaces_)
+    if (CaseEdit edit = workspace->unsavedEdit()) edits.push_back(std::move(edit));
+  return edits;
+}
+
+std::vector<CaseEdit> CaseDesk::quietEdits() const {
+  std::vector<CaseEdit> edits;
+  for (const Workspace* workspace : workspaces_)
+    if (CaseEdit edit = workspace->quietEdit()) edits.push_back(std::move(edit));
+  return edits;
+}
+
+void CaseDesk::save() {
+  if (!case_.patient) return;
+  if (case_.folder.isEmpty())
+    saveAs();
+  else
+    saveTo(case_.folder);
+}
+
+void CaseDesk::saveAs() {
+  QFileDialog dialog(window_, tr("Save the case to a new folder"),
+                     QSettings().value(kLastTarget, QDir::homePath()).toString());
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setOption(QFileDialog::ShowDirsOnly);
+  dialog.setLabelText(QFileDialog::FileName, tr("New folder:"));
+  dialog.selectFile(folderNameFor(case_.patient->manifest.title));
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) {
+    afterSaving_ = {};
+    return;
+  }
+  const QString folder = dialog.selectedFiles().first();
+  QSettings().setValue(kLastTarget, QFileInfo(folder).absolutePath());
+  saveTo(folder);
+}
+
+void CaseDesk::saveTo(const QString& folder) {
+  std::vector<CaseEdit> edits = unsavedEdits();
+  for (CaseEdit& edit : quietEdits()) edits.push_back(std::move(edit));
+  const bool kept = folder == case_.folder;
+  loader_->save(case_.patient, folder, std::move(edits), kept ? std::optional(case_.content) : std::nullopt);
+}
+
+void CaseDesk::takeSaved(const SavedCase& saved) {
+  case_.folder = saved.folder;
+  case_.builtIn = false;
+  case_.versionOf.clear();
+  case_.content = saved.content;
+  const bool edited = saved.patient != std::exchange(case_.patient, saved.patient);
+  rememberCase({saved.folder, QString::fromStdString(saved.patient->manifest.title)});
+  for (Workspace* workspace : workspaces_) {
+    workspace->setOrigin(origin());
+    if (edited) workspace->caseSaved(saved.patient);
+  }
+  Q_EMIT changed();
+  const QString also = tr(" Another user had saved it meanwhile; that version is kept as an earlier one.");
+  Q_EMIT said(tr("Saved to %1.").arg(saved.folder) + (saved.overAnother ? also : QString()), {});
+  if (const auto go = std::exchange(afterSaving_, {})) QTimer::singleShot(0, this, go);
+}
+
+Loss CaseDesk::loss() const {
+  Loss loss;
+  if (tasks_.asksWhenClosed()) loss.job = tasks_.title();
+  for (const Workspace* workspace : workspaces_)
+    if (loss.ending.isEmpty()) loss.ending = workspace->endsWithTheCase();
+  loss.nowhere = isWithoutFolder();
+  if (loss.nowhere || isChanged()) loss.title = QString::fromStdString(case_.patient->manifest.title);
+  return loss;
+}
+
+void CaseDesk::confirmDiscard(LostBy by, std::function<void()> go) {
+  const Loss lost = loss();
+  if (!lost) return go();
+  if (auto* asked = window_->findChild<LossQuestion*>()) return asked->raise();
+  auto* question = new LossQuestion(lost, by, window_);
+  // After the dialog has closed, since the window must not delete it during its own close event.
+  connect(question, &LossQuestion::continueChosen, this, [this, go] { QTimer::singleShot(0, this, go); });
+  connect(question, &LossQuestion::saveChosen, this, [this, go] {
+    afterSaving_ = go;
+    save();
+  });
+  // The situation has changed: asks again if other work would be lost now, for example an import.
+  connect(&tasks_, &TaskBar::runningChanged, question, [this, question, by, go] {
+    if (!question->isVisible()) return;
+    question->reject();
+    QTimer::singleShot(0, this, [this, by, go] {
+      if (loss()) confirmDiscard(by, go);
+    });
+  });
+  question->open();
+}
+
+}  // namespace insonate::ui

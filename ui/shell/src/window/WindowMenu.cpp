@@ -1,0 +1,133 @@
+#include "WindowMenu.h"
+
+#include "AboutDialog.h"
+#include "CaseDesk.h"
+#include "CaseExchange.h"
+#include "SourceDialog.h"
+
+#include <insonate/ui/Attempts.h>
+#include <insonate/ui/Commands.h>
+#include <insonate/ui/KnownCases.h>
+#include <insonate/ui/PlainToolTip.h>
+#include <insonate/ui/RecentCases.h>
+#include <insonate/ui/TaskBar.h>
+#include <insonate/ui/Theme.h>
+
+#include <QAction>
+#include <QFileDialog>
+#include <utility>
+#include <vector>
+
+namespace insonate::ui {
+
+WindowMenu::WindowMenu(CaseDesk& desk, Commands& commands, QWidget* window)
+    : QMenu(window), desk_(desk), commands_(commands), window_(window), recent_(new QMenu(tr("Recent"), this)) {
+  setToolTipsVisible(true);
+  recent_->setToolTipsVisible(true);
+  addCases();
+  addSeparator();
+  addWindow();
+  attempt_->setVisible(false);
+  connect(recent_, &QMenu::aboutToShow, this, &WindowMenu::fillRecent);
+  connect(&desk_, &CaseDesk::changed, this, &WindowMenu::refresh);
+  refresh();
+}
+
+QAction* WindowMenu::add(const char* id, const char* iconName, const QString& text, const QString& does,
+                         const QKeySequence& keys, std::function<void()> perform) {
+  QAction* action = addAction(ui::icon(QLatin1String(iconName)), text);
+  action->setShortcut(keys);
+  connect(action, &QAction::triggered, this, std::move(perform));
+  window_->addAction(action);
+  commands_.add(QLatin1String(id), does, *action);
+  return action;
+}
+
+void WindowMenu::addCases() {
+  add("window.case.library", "folder", tr("Case library ..."), tr("lists all cases with contents and difficulty"),
+      tr("Ctrl+B"), [this] { Q_EMIT libraryWanted(); });
+  add("window.case.open", "folder", tr("Open case ..."), tr("opens a case folder, or a folder of DICOM files"),
+      QKeySequence::Open, [this] { chooseCase(); });
+  add("window.case.import", "import", tr("Import file ..."),
+      tr("imports the whole DICOM series of any of its files, or an NRRD, NIfTI or MetaImage file"), tr("Ctrl+I"),
+      [this] { chooseImport(); });
+  add("window.case.textbook", "neck", tr("Built-in neck"), tr("opens the textbook neck that comes with Insonate"),
+      tr("Ctrl+T"), [this] { desk_.openBuiltIn(builtInNames().front()); });
+  attempt_ = add("window.attempt.open", "review", tr("Open attempt ..."), tr("opens a recorded attempt to replay it"),
+                 tr("Ctrl+Shift+O"), [this] { chooseAttempt(); });
+  addMenu(recent_);
+  reload_ = add("window.case.reload", "reload", tr("Reload"), tr("reads the case from its folder again"),
+                QKeySequence(Qt::Key_F5), [this] { desk_.reload(); });
+  addSeparator();
+  save_ = add("window.case.save", "save", tr("Save case"), tr("writes the changes to the case's folder"),
+              QKeySequence::Save, [this] { desk_.save(); });
+  saveAs_ = add("window.case.saveAs", "save", tr("Save case as ..."), tr("writes the case to a new folder"),
+                tr("Ctrl+Shift+S"), [this] { desk_.saveAs(); });
+  desk_.exchange().addTo(*this);
+}
+
+void WindowMenu::addWindow() {
+  add("window.frame.fullScreen", "", tr("Full screen"), tr("switches full screen on and off"),
+      QKeySequence(Qt::Key_F11), [this] { window_->setWindowState(window_->windowState() ^ Qt::WindowFullScreen); });
+  add("window.help.page", "help", tr("Help"), tr("shows help for this view"), QKeySequence(Qt::Key_F1),
+      [this] { Q_EMIT helpWanted(); });
+  add("window.help.glossary", "help", tr("Glossary"), tr("explains each number and how it is measured"), {},
+      [this] { Q_EMIT glossaryWanted(); });
+  QAction* keys = add("window.help.keys", "help", tr("Keys"), tr("lists all keys"), QKeySequence(Qt::Key_Question),
+                      [this] { Q_EMIT keysWanted(); });
+  keys->setShortcuts({QKeySequence(Qt::Key_Question), QKeySequence(QStringLiteral("Shift+?"))});
+  add("window.help.about", "help", tr("About Insonate"), tr("shows version, licenses and intended use"), {},
+      [this] { (new AboutDialog(window_))->open(); });
+  add("window.frame.quit", "close", tr("Quit"), tr("closes the window"), QKeySequence::Quit,
+      [this] { window_->close(); });
+}
+
+void WindowMenu::setOpensAttempts(bool opens) {
+  attempt_->setVisible(opens);
+}
+
+void WindowMenu::refresh() {
+  const bool isFree = desk_.current().patient && !desk_.isBusy();
+  save_->setEnabled(isFree && desk_.isSaveUseful());
+  saveAs_->setEnabled(isFree);
+  desk_.exchange().setEnabled(isFree);
+  reload_->setEnabled(!desk_.current().folder.isEmpty());
+}
+
+void WindowMenu::fillRecent() {
+  recent_->clear();
+  const std::vector<RecentCase> cases = recentCases();
+  for (const RecentCase& one : cases) {
+    QAction* action = recent_->addAction(plainCaption(one.title));
+    action->setToolTip(plainToolTip(one.folder));
+    connect(action, &QAction::triggered, this, [this, folder = one.folder] { Q_EMIT openWanted(folder); });
+  }
+  if (cases.empty()) {
+    recent_->addAction(tr("No recent cases"))->setEnabled(false);
+    return;
+  }
+  recent_->addSeparator();
+  connect(recent_->addAction(tr("Clear list")), &QAction::triggered, this, [] { forgetRecentCases(); });
+}
+
+void WindowMenu::chooseCase() {
+  if (const QString folder = askForSourceFolder(window_, tr("Open a case folder, or a folder of DICOM files"));
+      !folder.isEmpty())
+    Q_EMIT openWanted(folder);
+}
+
+void WindowMenu::chooseImport() {
+  const QString file =
+      askForSourceFile(window_, tr("Import a CT: any file of a DICOM series, or a volume file"),
+                       // DICOM files from hospitals often have no extension.
+                       tr("DICOM and volumes (*);;Volumes (*.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd)"));
+  if (!file.isEmpty()) Q_EMIT openWanted(file);
+}
+
+void WindowMenu::chooseAttempt() {
+  const QString file = QFileDialog::getOpenFileName(window_, tr("Open a recorded attempt"), attemptsFolder(),
+                                                    tr("Attempts (*%1 *%1.part);;All files (*)").arg(kAttemptSuffix));
+  if (!file.isEmpty()) Q_EMIT attemptWanted(file);
+}
+
+}  // namespace insonate::ui
