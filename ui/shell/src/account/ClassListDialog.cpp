@@ -255,7 +255,7 @@ void ClassListDialog::takeOutcome(const Result<void>& outcome) {
   bar_->hide();
   showRows();
   if (!outcome)
-    return say(outcome.error().message == kCancelled ? tr("Cancelled; nobody was added.") : qt(outcome.error().message),
+    return say(outcome.error().message == kCancelled ? tr("Canceled; nobody was added.") : qt(outcome.error().message),
                true);
   Q_EMIT imported();
   if (passwords_.empty()) {
