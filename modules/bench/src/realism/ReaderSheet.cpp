@@ -14,15 +14,16 @@ std::vector<std::string> protocol(std::size_t images, bool hasClips) {
           " are ultrasound images of patients' necks, from several machines. The others are simulated. The numbers of "
           "both are not stated.",
       "Use the screen, the light and the distance with which you read scans. Set the zoom of the browser to 100 %.",
-      "Look at each image once, in the order of the numbers. Rate it from 1 (surely real) to 6 (surely simulated). You "
-      "cannot go back.",
+      ("Look at each image once, in the order of the numbers. Rate it from 1 (surely real) to 6 (surely simulated). "
+       "You "
+       "cannot go back."),
       "There is no time limit, but the first impression counts. The time is recorded. Breaks are allowed.",
       "Judge the image, not the examination: a poor view of a patient is real, a perfect one may be simulated.",
-      "Do not talk about the images with other readers before all have finished. Do not read a set a second time: "
-      "known "
-      "clues make a second reading better.",
-      "Afterwards write down what gave images away. Save the ratings and return the file. Nothing leaves this computer "
-      "until you return it."};
+      ("Do not talk about the images with other readers before all have finished. Do not read a set a second time: "
+       "known clues make a second reading better."),
+      ("Afterwards write down what gave images away. Save the ratings and return the file. Nothing leaves this "
+       "computer "
+       "until you return it.")};
   if (hasClips)
     lines.insert(lines.begin() + 3, "A clip lasts 1 s and repeats. Click it, or press the space bar, to stop it.");
   return lines;
