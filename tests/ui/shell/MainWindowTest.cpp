@@ -35,6 +35,7 @@ using test::waitUntil;
 
 class FakeWorkspace final : public ui::Workspace {
  public:
+  FakeWorkspace() { commands().addListed("Space", "freeze the picture"); }
   void setCase(std::shared_ptr<const PatientCase> patient) override {
     shown = std::move(patient);
     Q_EMIT readyChanged();
@@ -43,7 +44,6 @@ class FakeWorkspace final : public ui::Workspace {
   QString statusText() const override { return shown ? "Move the probe." : "Open a case."; }
   QString engineText() const override { return "processor   62 images/s"; }
   QString engineNote() const override { return "There is no graphics card."; }
-  std::vector<ui::Shortcut> shortcuts() const override { return {{"Space", "freeze the picture"}}; }
   void stop() override { stopped = true; }
   void keyPressEvent(QKeyEvent* event) override {
     if (event->key() == Qt::Key_Space)

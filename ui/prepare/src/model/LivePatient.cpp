@@ -7,7 +7,6 @@
 #include <QFutureWatcher>
 #include <QtConcurrent/QtConcurrentRun>
 #include <algorithm>
-#include <ranges>
 
 namespace insonate::prepare {
 namespace {
@@ -150,9 +149,9 @@ void LivePatient::setLabels(std::shared_ptr<const LabelMap> labels, std::vector<
 }
 
 void LivePatient::setOwnLabels(const OwnLabels& own) {
-  const bool otherTissues = std::ranges::any_of(std::views::iota(int{kLabelCount}, 256), [&](int label) {
-    return tissueOf(own, std::uint8_t(label)) != tissueOf(own_, std::uint8_t(label));
-  });
+  bool otherTissues = false;
+  for (int label = kLabelCount; label < 256; ++label)
+    otherTissues = otherTissues || tissueOf(own, std::uint8_t(label)) != tissueOf(own_, std::uint8_t(label));
   own_ = own;
   if (otherTissues && feed_.live()) startLive();
 }

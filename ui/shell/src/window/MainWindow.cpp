@@ -380,8 +380,6 @@ std::vector<ShortcutGroup> MainWindow::keyList() const {
       section.place = section.place.isEmpty() ? room.title : tr("%1: %2").arg(room.title, section.place);
       place = std::next(groups.insert(place, std::move(section)));
     }
-    if (auto shortcuts = room.workspace->shortcuts(); !shortcuts.empty())
-      groups.insert(place, {room.title, std::move(shortcuts)});
   }
   return groups;
 }

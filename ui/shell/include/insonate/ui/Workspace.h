@@ -93,8 +93,6 @@ class Workspace : public QWidget {
 
   /// Name of the workspace's help page: a file in resources/help without ".md".
   virtual QString helpPage() const { return {}; }
-  /// Keyboard shortcuts of this workspace, besides those of the window.
-  virtual std::vector<Shortcut> shortcuts() const { return {}; }
 
   /// Saves splitters and other layout; the window opens the settings group before the call and closes it after.
   virtual void saveLayout(QSettings&) const {}
