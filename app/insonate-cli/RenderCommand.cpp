@@ -85,8 +85,8 @@ Result<RenderJob> readJob(const RenderOptions& options) {
   putTissues(read->patient);
   auto path = readPoses(options.pose, read->patient);
   if (!path) return tl::unexpected(path.error());
-  RenderJob job{std::move(read->patient), std::move(*setup),  std::move(*path),
-                std::move(*press),        std::move(*needle), std::move(read->notes)};
+  RenderJob job{std::move(read->patient), std::move(*setup), std::move(*path),
+                std::move(*press),        *needle,           std::move(read->notes)};
   if (auto ok = checkReach(job.patient, job.setup, job.path.patientFromProbe); !ok) return tl::unexpected(ok.error());
   auto onSkin = Presser::onSkin(job.press, job.patient.labels, job.setup, job.path.patientFromProbe);
   if (!onSkin) return tl::unexpected(onSkin.error());

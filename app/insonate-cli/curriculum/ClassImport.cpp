@@ -52,7 +52,7 @@ Result<void> carryOut(const SignedIn& by, const Cohort& cohort, const std::vecto
       return fail("The list has new people, who need first passwords. Name a file for the passwords with --passwords.");
     if (auto written = writeFirstPasswords(file, passwords); !written) return written;
   }
-  const auto done = ClassImport(by).apply(cohort.id, plan, passwords, terminalProgress());
+  auto done = ClassImport(by).apply(cohort.id, plan, passwords, terminalProgress());
   std::error_code error;
   if (!done && !passwords.empty()) fs::remove(file, error);
   return done;

@@ -121,7 +121,7 @@ Result<Answer> statistics(const SignedIn& by, const PersonArguments& a) {
   if (!person) return tl::unexpected(person.error());
   const auto history = AttemptStore(by).history(person->id);
   if (!history) return tl::unexpected(history.error());
-  const auto levels = paths(by, *person);
+  auto levels = paths(by, *person);
   if (!levels) return levels;
   Answer answer{
       {{"person", toJson(*person)}, {"last", kLastAttempts}, {"procedures", Json::array()}, {"paths", levels->object}},
