@@ -1,5 +1,7 @@
 #include "AttemptReport.h"
 
+#include "Commands.h"
+
 #include <insonate/procedure/MetricTitle.h>
 
 #include <nlohmann/json.hpp>

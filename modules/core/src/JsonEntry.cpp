@@ -85,7 +85,7 @@ const json* JsonEntry::find(std::string_view key, bool needed) {
 std::string JsonEntry::text(std::string_view key, bool needed) {
   const json* value = find(key, needed);
   if (!value) return {};
-  const std::string text = value->is_string() ? value->get<std::string>() : std::string();
+  std::string text = value->is_string() ? value->get<std::string>() : std::string();
   const bool hasZeroByte = text.find('\0') != std::string::npos;
   if (!hasZeroByte && (!text.empty() || (!needed && value->is_string()))) return text;
   if (hasZeroByte)
