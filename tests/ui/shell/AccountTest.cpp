@@ -113,6 +113,56 @@ TEST_F(AccountWindow, OneWhoChoosesAPasswordCanSignOutAndIn) {
   EXPECT_TRUE(waitUntil([&] { return account().isSignedIn(); }));
 }
 
+TEST_F(AccountWindow, AGeneratedPasswordIsKeptThoughItIsRefusedNow) {
+  setUpAlone("Ada", {});
+  ASSERT_TRUE(account().hasGeneratedPassword());
+  window.reset();
+  QFile kept(file() + ".signed-in");
+  ASSERT_TRUE(kept.open(QFile::ReadOnly));
+  const QByteArray before = kept.readAll();
+  kept.close();
+  ASSERT_TRUE(QFile::rename(file(), file() + ".away"));
+  ASSERT_TRUE(CurriculumStore::open(file().toStdString(), {.passwordCost = PasswordCost::Least})
+                  .value()
+                  .createFirstAdministrator({.name = "cleo", .fullName = "Cleo"}, kPassword.toStdString()));
+  open();
+  EXPECT_EQ(account().state(), State::Guest) << "this store knows no Ada";
+  signIn("cleo", kPassword);
+  ASSERT_TRUE(waitUntil([&] { return account().isSignedIn(); }));
+  EXPECT_FALSE(account().hasGeneratedPassword()) << "the kept password is another person's";
+  signOut();
+  window.reset();
+  ASSERT_TRUE(kept.open(QFile::ReadOnly)) << "signing out ends the own sign-in only";
+  EXPECT_EQ(kept.readAll(), before);
+  ASSERT_TRUE(QFile::remove(file()) && QFile::rename(file() + ".away", file()));
+  open();
+  EXPECT_TRUE(account().isSignedIn());
+  EXPECT_TRUE(account().hasGeneratedPassword());
+}
+
+TEST_F(AccountWindow, NobodyIsSetUpWhoseGeneratedPasswordCannotBeKept) {
+  QDir(home.path()).mkpath("people/curriculum.sqlite.signed-in/in the way");
+  const Result<void> refused = setUpAlone("Ada", {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(account().state(), State::NobodyYet);
+  EXPECT_TRUE(setUpAlone("Ada", kPassword)) << "who knows the password can sign in again";
+  EXPECT_TRUE(account().isSignedIn());
+  EXPECT_FALSE(account().hasGeneratedPassword());
+  signOut();
+  signIn("ada", kPassword);
+  EXPECT_TRUE(waitUntil([&] { return account().isSignedIn(); }));
+}
+
+TEST_F(AccountWindow, AChosenPasswordKeepsOneSignedInToo) {
+  ASSERT_TRUE(setUpAlone("Ada", kPassword));
+  EXPECT_FALSE(account().hasGeneratedPassword());
+  window.reset();
+  open();
+  EXPECT_TRUE(account().isSignedIn());
+  signOut();
+  EXPECT_FALSE(QFile::exists(file() + ".signed-in"));
+}
+
 TEST_F(AccountWindow, AtTheFirstStartAClassIsOfferedToo) {
   window->askAtFirstStart();
   QDialog* dialog = dialogWith("aloneName");

@@ -25,6 +25,7 @@
 #include <QUrl>
 #include <QtTest/QTest>
 #include <memory>
+#include <optional>
 
 namespace insonate::test {
 
@@ -85,6 +86,12 @@ class AccountWindow : public testing::Test {
     type(dialog, "setUpAgain", kAccountPassword);
     go(dialog);
     ASSERT_TRUE(waitUntil([&] { return account().isSignedIn(); }));
+  }
+  Result<void> setUpAlone(const QString& fullName, const QString& password) {
+    std::optional<Result<void>> outcome;
+    account().setUpAlone(fullName, password, [&](const Result<void>& result) { outcome = result; });
+    EXPECT_TRUE(waitUntil([&] { return outcome.has_value(); }));
+    return outcome.value_or(fail("no answer came"));
   }
   void signOut() {
     account().signOut();

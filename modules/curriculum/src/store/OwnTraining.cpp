@@ -15,7 +15,19 @@ bool isPlain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
 }
 
-/// "Ada Lovelace" becomes "ada.lovelace"; letters of other scripts are left out.
+Result<void> teachOneself(const SignedIn& me, const Curriculum& curriculum) {
+  const auto published =
+      PublishedCurricula(me).publish(curriculum.name, curriculum.version, curriculumText(curriculum));
+  if (!published) return tl::unexpected(published.error());
+  const CohortStore cohorts(me);
+  const auto cohort = cohorts.add(kClass);
+  if (!cohort) return tl::unexpected(cohort.error());
+  if (auto joined = cohorts.join(cohort->id, me.person().id, false); !joined) return joined;
+  return cohorts.setCurriculum(cohort->id, curriculum.name, curriculum.version);
+}
+
+}  // namespace
+
 std::string signInNameOf(const std::string& fullName) {
   std::string name;
   for (const char c : fullName) {
@@ -30,27 +42,14 @@ std::string signInNameOf(const std::string& fullName) {
   return name.empty() ? "me" : name;
 }
 
-Result<void> teachOneself(const SignedIn& me) {
-  const auto curriculum = loadCurriculum(kCurriculum);
-  if (!curriculum) return tl::unexpected(curriculum.error());
-  const auto published =
-      PublishedCurricula(me).publish(curriculum->name, curriculum->version, curriculumText(*curriculum));
-  if (!published) return tl::unexpected(published.error());
-  const CohortStore cohorts(me);
-  const auto cohort = cohorts.add(kClass);
-  if (!cohort) return tl::unexpected(cohort.error());
-  if (auto joined = cohorts.join(cohort->id, me.person().id, false); !joined) return joined;
-  return cohorts.setCurriculum(cohort->id, curriculum->name, curriculum->version);
-}
-
-}  // namespace
-
 Result<SignedIn> setUpOwnTraining(const CurriculumStore& store, const std::string& fullName,
                                   const std::string& password) {
   if (fullName.empty()) return fail("Enter your name; it is shown with your results.");
+  const auto curriculum = loadCurriculum(kCurriculum);
+  if (!curriculum) return tl::unexpected(curriculum.error());
   auto me = store.createFirstAdministrator({.name = signInNameOf(fullName), .fullName = fullName}, password);
   if (!me) return me;
-  if (auto taught = teachOneself(*me); !taught) return tl::unexpected(taught.error());
+  if (auto taught = teachOneself(*me, *curriculum); !taught) return tl::unexpected(taught.error());
   return me;
 }
 

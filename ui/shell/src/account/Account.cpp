@@ -10,6 +10,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 #include <QUrl>
+#include <tuple>
 
 namespace insonate::ui {
 
@@ -31,6 +32,31 @@ bool isServer(const QString& address) {
 StoreServices withRecordings(StoreServices services, const QString& address) {
   if (isServer(address) && services.recordings.empty()) services.recordings = serverRecordingsFolder().toStdString();
   return services;
+}
+
+/// Signs in with what is kept on this computer, else as a guest. What is kept stays even so: the store may only be
+/// busy, and a generated password is written nowhere else.
+Result<SignedIn> signInAsKept(const CurriculumStore& store, const KeptSignIn& kept) {
+  if (!kept.token.empty())
+    if (auto session = store.signInByToken(kept.token)) return session;
+  if (!kept.generatedPassword.empty())
+    if (auto session = store.signIn(kept.name, kept.generatedPassword)) return session;
+  return store.guest();
+}
+
+/// The generated password is written first, since nobody knows it.
+Result<SignedIn> setUpKept(const CurriculumStore& store, const std::filesystem::path& file, const std::string& fullName,
+                           const std::string& password) {
+  if (file.empty()) return fail(Account::tr("The store is on a server: choose a password.").toStdString());
+  const auto anybody = store.hasPeople();
+  if (!anybody) return tl::unexpected(anybody.error());
+  if (!*anybody) {
+    const KeptSignIn kept{.name = signInNameOf(fullName), .generatedPassword = password};
+    if (auto written = writeKeptSignIn(file, kept); !written) return tl::unexpected(written.error());
+  }
+  auto me = setUpOwnTraining(store, fullName, password);
+  if (!me && !store.hasPeople().value_or(true)) removeKeptSignIn(file);
+  return me;
 }
 
 }  // namespace
@@ -78,60 +104,60 @@ void Account::deliver(std::function<void()> news) {
 void Account::reopen() {
   if (!isServer(address_) && !QFileInfo::exists(address_)) return take(State::NobodyYet, std::nullopt, {});
   take(State::Opening, std::nullopt, {});
-  const KeptSignIn kept = readKeptSignIn(keptFile());
-  generatedPassword_ = kept.password;
   open(
-      [file = keptFile(), token = kept.token](const CurriculumStore& store) -> Result<SignedIn> {
-        if (token.empty()) return store.guest();
-        if (auto session = store.signInByToken(token)) return session;
-        removeKeptSignIn(file);
-        return store.guest();
+      [file = keptFile()](const CurriculumStore& store) -> Result<Entered> {
+        const KeptSignIn kept = readKeptSignIn(file);
+        auto session = signInAsKept(store, kept);
+        if (!session) return tl::unexpected(session.error());
+        return Entered{*session, session->isGuest() ? std::string() : kept.generatedPassword};
       },
       {});
 }
 
-/// Empty if nobody is kept signed in at this store: on a server, the token would open it from any computer.
+/// Empty on a server, where no sign-in is kept: its token would open the server from any computer.
 std::filesystem::path Account::keptFile() const {
   return isServer(address_) ? std::filesystem::path() : std::filesystem::path((address_ + ".signed-in").toStdString());
 }
 
 void Account::setUp(const NewPerson& administrator, const QString& password, Done done) {
   if (!isServer(address_)) QDir().mkpath(QFileInfo(address_).absolutePath());
-  open([administrator, password = password.toStdString()](
-           const CurriculumStore& store) { return store.createFirstAdministrator(administrator, password); },
-       std::move(done));
+  open(
+      [administrator, password = password.toStdString()](const CurriculumStore& store) {
+        return store.createFirstAdministrator(administrator, password).map(asEntered);
+      },
+      std::move(done));
 }
 
 void Account::setUpAlone(const QString& fullName, const QString& password, Done done) {
   if (!isServer(address_)) QDir().mkpath(QFileInfo(address_).absolutePath());
-  const bool isGenerated = password.isEmpty();
-  const std::string chosen = isGenerated ? firstPassword() : password.toStdString();
   open(
-      [file = keptFile(), chosen, isGenerated,
-       name = fullName.trimmed().toStdString()](const CurriculumStore& store) -> Result<SignedIn> {
-        auto me = setUpOwnTraining(store, name, chosen);
-        if (!me) return me;
-        if (auto kept = keepSignedIn(file, *me, isGenerated ? chosen : std::string()); !kept)
-          return tl::unexpected(kept.error());
-        return me;
+      [file = keptFile(), name = fullName.trimmed().toStdString(),
+       chosen = password.toStdString()](const CurriculumStore& store) -> Result<Entered> {
+        const std::string generated = chosen.empty() ? firstPassword() : std::string();
+        auto me = chosen.empty() ? setUpKept(store, file, name, generated) : setUpOwnTraining(store, name, chosen);
+        if (!me) return tl::unexpected(me.error());
+        // If the token cannot be kept, the next start asks for the password.
+        if (!chosen.empty() && !file.empty()) std::ignore = keepSignedIn(file, *me);
+        return Entered{*me, generated};
       },
-      [this, chosen, isGenerated, done = std::move(done)](const Result<void>& result) {
-        if (result && isGenerated) generatedPassword_ = chosen;
-        done(result);
-        if (result) Q_EMIT changed();
-      });
+      std::move(done));
 }
 
 void Account::signIn(const QString& name, const QString& password, Done done) {
-  open([name = name.toStdString(),
-        password = password.toStdString()](const CurriculumStore& store) { return store.signIn(name, password); },
+  open([name = name.toStdString(), password = password.toStdString()](
+           const CurriculumStore& store) { return store.signIn(name, password).map(asEntered); },
        std::move(done));
 }
 
 void Account::signOut() {
   if (!isSignedIn() || hasGeneratedPassword()) return;
-  if (!keptFile().empty() && removeKeptSignIn(keptFile()))
-    ask<void>(this, [](const SignedIn& by) { return PeopleStore(by).revokeTokens(); }, {});
+  ask<void>(this,
+            [file = keptFile()](const SignedIn& by) -> Result<void> {
+              if (readKeptSignIn(file).name != by.person().name) return {};
+              removeKeptSignIn(file);
+              return PeopleStore(by).revokeTokens();
+            },
+            {});
   reopen();
 }
 
@@ -140,9 +166,11 @@ void Account::changePassword(const QString& old, const QString& password, Done d
   ask<void>(
       this,
       [known, password = password.toStdString(), file = keptFile()](const SignedIn& by) -> Result<void> {
+        const bool isKept = readKeptSignIn(file).name == by.person().name;
         if (auto changed = PeopleStore(by).changeOwnPassword(known, password); !changed) return changed;
-        // The former token ended with the former password.
-        return removeKeptSignIn(file) ? keepSignedIn(file, by, {}) : Result<void>();
+        // A token and a generated password end with the former password.
+        if (isKept && !keepSignedIn(file, by)) removeKeptSignIn(file);
+        return {};
       },
       [this, done = std::move(done)](const Result<void>& result) {
         if (result) generatedPassword_.clear();
@@ -198,7 +226,7 @@ void Account::look() {
 void Account::open(Entering enter, Done done) {
   post([this, enter = std::move(enter), done = std::move(done)] {
     struct Outcome {
-      std::optional<SignedIn> session;
+      std::optional<Entered> entered;
       bool anybody = true;
       std::string trouble, refusal;
     };
@@ -210,7 +238,7 @@ void Account::open(Entering enter, Done done) {
       const auto anybody = store_->hasPeople();
       if (!anybody) outcome->trouble = anybody.error().message;
       outcome->anybody = anybody.value_or(true);
-      entered ? void(outcome->session = std::move(*entered)) : void(outcome->refusal = entered.error().message);
+      entered ? void(outcome->entered = std::move(*entered)) : void(outcome->refusal = entered.error().message);
     }
     deliver([this, outcome, done] {
       const QString trouble = QString::fromStdString(outcome->trouble);
@@ -221,8 +249,10 @@ void Account::open(Entering enter, Done done) {
         take(State::Unreachable, std::nullopt, trouble);
       else if (!outcome->anybody)
         take(State::NobodyYet, std::nullopt, {});
-      else if (outcome->session)
-        take(outcome->session->isGuest() ? State::Guest : State::SignedIn, outcome->session, {});
+      else if (outcome->entered)
+        take(outcome->entered->session.isGuest() ? State::Guest : State::SignedIn, outcome->entered, {});
+      else if (state_ == State::NobodyYet)
+        reopen();  // somebody was set up after all
       if (!done) return;
       const std::string& why = trouble.isEmpty() ? outcome->refusal : outcome->trouble;
       done(why.empty() ? Result<void>() : fail(why));
@@ -230,8 +260,10 @@ void Account::open(Entering enter, Done done) {
   });
 }
 
-void Account::take(State state, std::optional<SignedIn> session, const QString& trouble) {
-  state_ = state, session_ = std::move(session), trouble_ = trouble;
+void Account::take(State state, std::optional<Entered> entered, const QString& trouble) {
+  state_ = state, trouble_ = trouble;
+  session_ = entered ? std::optional(entered->session) : std::nullopt;
+  generatedPassword_ = entered ? entered->generatedPassword : std::string();
   person_ = session_ ? session_->person() : Person();
   ++number_;
   Q_EMIT changed();

@@ -154,8 +154,8 @@ void AccountMenu::askAlone() {
   auto* dialog = new EntryDialog(
       tr("Who trains on this computer?"),
       tr("Just me: you get the levels of the built-in curriculum, and see your results and learning curves. You stay "
-         "signed "
-         "in on this computer. A class can be added later; your attempts are kept.\n\nA class: an administrator adds "
+         "signed in on this computer. A class can be added later; your attempts are kept.\n\nA class: an administrator "
+         "adds "
          "instructors and trainees, who sign in with a password.\n\nCancel to look around first; the button at the top "
          "right offers both later."),
       {{"aloneName", tr("Your name"), tr("Shown with your results")},
@@ -215,18 +215,18 @@ void AccountMenu::askPassword() {
       if (result) Q_EMIT said(tr("Your password is changed."));
     });
   };
+  const bool isFirst = account_.hasGeneratedPassword();
   std::vector<EntryDialog::Entry> entries{
       {"passwordNew", tr("New password"), tr("At least 8 characters"), {}, true},
       {"passwordAgain", tr("New password again"), tr("Repeat the password"), {}, true}};
-  if (!account_.hasGeneratedPassword())
+  if (!isFirst)
     entries.insert(entries.begin(),
                    {"passwordOld", tr("Current password"), tr("The one you signed in with"), {}, true});
-  const QString title = account_.hasGeneratedPassword() ? tr("Choose a password") : tr("Change password");
-  (new EntryDialog(title,
+  (new EntryDialog(isFirst ? tr("Choose a password") : tr("Change password"),
                    account_.mustChangePassword()
                        ? tr("Another user has set your password. Choose your own before you continue.")
                        : tr("At least 8 characters; a sentence is easy to remember."),
-                   entries, title.section(QLatin1Char(' '), 0, 0), act, window_))
+                   entries, isFirst ? tr("Choose") : tr("Change"), act, window_))
       ->open();
 }
 

@@ -54,10 +54,12 @@ class Account : public QObject {
   using Done = std::function<void(Result<void>)>;
   void setUp(const NewPerson& administrator, const QString& password, Done done);
   /// Sets up the store for one person who trains alone, and keeps this person signed in at the next starts of the
-  /// program. If `password` is empty, a generated one is kept with the sign-in.
+  /// program. If `password` is empty, a generated one is kept on this computer; fails for a server, which needs a
+  /// chosen one.
   void setUpAlone(const QString& fullName, const QString& password, Done done);
   void signIn(const QString& name, const QString& password, Done done);
-  /// Signs out. No effect while hasGeneratedPassword(): nobody knows the password, so that nobody could sign in again.
+  /// Signs out. No effect while hasGeneratedPassword(): the user does not know the password and could not sign in
+  /// again.
   void signOut();
   /// Tells whether the signed-in user has not chosen a password yet.
   bool hasGeneratedPassword() const { return isSignedIn() && !generatedPassword_.empty(); }
@@ -98,7 +100,12 @@ class Account : public QObject {
       return fail(e.what());
     }
   }
-  using Entering = std::function<Result<SignedIn>(const CurriculumStore&)>;
+  struct Entered {
+    SignedIn session;
+    std::string generatedPassword{};  ///< empty if the user has chosen a password
+  };
+  static Entered asEntered(const SignedIn& session) { return {session}; }
+  using Entering = std::function<Result<Entered>(const CurriculumStore&)>;
   std::filesystem::path keptFile() const;
   static std::string notOpen();
   static std::string notYours();
@@ -108,9 +115,9 @@ class Account : public QObject {
   void post(std::function<void()> work);
   void deliver(std::function<void()> news);
   void open(Entering enter, Done done);
-  void take(State state, std::optional<SignedIn> session, const QString& trouble);
+  void take(State state, std::optional<Entered> entered, const QString& trouble);
 
-  std::string generatedPassword_;  ///< of the user who is kept signed in; empty if the user has chosen one
+  std::string generatedPassword_;  ///< of the signed-in user; empty if the user has chosen one
   const QString address_;
   const StoreServices services_;
   State state_ = State::Opening;
