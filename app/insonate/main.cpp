@@ -8,6 +8,7 @@
 #include <insonate/train/TrainWorkspace.h>
 #include <insonate/ui/Account.h>
 #include <insonate/ui/CaseLoader.h>
+#include <insonate/ui/FileDialogTraces.h>
 #include <insonate/ui/MainWindow.h>
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
@@ -156,6 +157,7 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationName(QStringLiteral("insonate"));
   QCoreApplication::setApplicationVersion(QStringLiteral(INSONATE_VERSION));
   ui::applyTheme(application);
+  ui::removeFileDialogTraces(application);
   const int status = run(application, std::get<app::Arguments>(arguments));
   // Files are written beside their target and moved, so that a job that is cut off leaves nothing half done.
   if (!ui::waitForJobs(std::chrono::seconds(5))) std::_Exit(status);

@@ -1,3 +1,4 @@
+#include <insonate/ui/FileDialogTraces.h>
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
@@ -27,6 +28,7 @@ class Application : public testing::Environment {
     QCoreApplication::setOrganizationName(QStringLiteral("Insonate"));
     QCoreApplication::setApplicationName(QStringLiteral("widget_test"));
     insonate::ui::applyTheme(*application_);
+    insonate::ui::removeFileDialogTraces(*application_);
   }
   void TearDown() override {
     // As at the end of the program: nothing goes on while the process goes.

@@ -4,7 +4,6 @@
 
 #include <QDir>
 #include <QFileDialog>
-#include <QSettings>
 
 namespace insonate::ui {
 namespace {
@@ -20,10 +19,8 @@ QString startFolder() {
   return cases.empty() ? QDir::homePath() : QFileInfo(cases.front().folder).absolutePath();
 }
 
-/// Qt's own dialogs store the folders that they have shown.
-QString keptInMindAlone(const QString& chosen) {
-  QSettings toolkit(QSettings::UserScope, QStringLiteral("QtProject"));
-  for (const char* place : {"FileDialog/history", "FileDialog/lastVisited"}) toolkit.remove(QLatin1String(place));
+/// Only until the program ends: folders of hospitals are named after patients.
+QString remembered(const QString& chosen) {
   if (!chosen.isEmpty()) lastPlace() = QFileInfo(chosen).absolutePath();
   return chosen;
 }
@@ -31,11 +28,11 @@ QString keptInMindAlone(const QString& chosen) {
 }  // namespace
 
 QString askForSourceFolder(QWidget* window, const QString& title) {
-  return keptInMindAlone(QFileDialog::getExistingDirectory(window, title, startFolder()));
+  return remembered(QFileDialog::getExistingDirectory(window, title, startFolder()));
 }
 
 QString askForSourceFile(QWidget* window, const QString& title, const QString& filter) {
-  return keptInMindAlone(QFileDialog::getOpenFileName(window, title, startFolder(), filter));
+  return remembered(QFileDialog::getOpenFileName(window, title, startFolder(), filter));
 }
 
 }  // namespace insonate::ui
