@@ -66,6 +66,16 @@ class TrainCommands : public TrainWindow {
   }
 };
 
+TEST_F(TrainCommands, NoToolTipNamesACommandThatHasNoKeys) {
+  int tips = 0;
+  for (const auto* widget : workspace_->findChildren<QWidget*>()) {
+    EXPECT_FALSE(widget->toolTip().contains("()"))
+        << widget->objectName().toStdString() << ": " << widget->toolTip().toStdString();
+    tips += !widget->toolTip().isEmpty();
+  }
+  EXPECT_GT(tips, 50);
+}
+
 TEST_F(TrainCommands, IdsAndKeysAreUnique) {
   std::set<QString> ids;
   std::set<std::pair<int, int>> taken;

@@ -19,8 +19,8 @@ CheckFeature::CheckFeature(PrepareModel& model, PrepareLayout& layout) : Feature
   commands().beginSection(tr("Case"));
   add(kPage, QStringLiteral("C"), tr("shows the check beside the slices, or the case again"),
       {{Qt::Key_C, [this] { showCheck(!layout_.right().showsCheck()); }}});
-  const QString tip = withKeys(tr("Errors, warnings, difficulty and places"), kPage);
-  layout_.right().setTips(withKeys(tr("Facts, slices and 3D"), kPage), tip);
+  const QString tip = commands().toolTip(tr("Errors, warnings, difficulty and places"), kPage);
+  layout_.right().setTips(commands().toolTip(tr("Facts, slices and 3D"), kPage), tip);
   auto* button = new QPushButton(tr("Findings"));
   button->setToolTip(tip);
   button->setObjectName(QStringLiteral("toFindings"));

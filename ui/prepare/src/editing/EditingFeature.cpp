@@ -16,6 +16,8 @@
 namespace insonate::prepare {
 namespace {
 
+constexpr const char *kUndo = "prepare.editing.undo", *kRedo = "prepare.editing.redo";
+
 /// Adds an action whose keys work in the whole workspace.
 void addTo(QWidget& workspace, QAction& action, const char* icon, const QList<QKeySequence>& keys, const char* name) {
   action.setObjectName(QLatin1String(name));
@@ -48,14 +50,15 @@ void EditingFeature::makeUndo() {
   addTo(layout_.workspace(), *undo_, "undo", {QKeySequence(QStringLiteral("Ctrl+Z"))}, "undo");
   addTo(layout_.workspace(), *redo_, "redo",
         {QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))}, "redo");
-  connect(&stack, &QUndoStack::undoTextChanged, undo_, [undo = undo_](const QString& what) {
-    undo->setToolTip(what.isEmpty() ? tr("Nothing to undo (Ctrl+Z)") : tr("Undo: %1 (Ctrl+Z)").arg(what));
-  });
-  connect(&stack, &QUndoStack::redoTextChanged, redo_, [redo = redo_](const QString& what) {
-    redo->setToolTip(what.isEmpty() ? tr("Nothing to redo (Ctrl+Y)") : tr("Redo: %1 (Ctrl+Y)").arg(what));
-  });
   commands().beginSection(tr("Case"));
-  commands().addListed(QStringLiteral("Ctrl+Z, Ctrl+Y"), tr("undoes, redoes the last change"));
+  commands().add(kUndo, tr("undoes the last change"), *undo_);
+  commands().add(kRedo, tr("repeats the change that was undone"), *redo_);
+  connect(&stack, &QUndoStack::undoTextChanged, undo_, [this](const QString& what) {
+    undo_->setToolTip(commands().toolTip(what.isEmpty() ? tr("Nothing to undo") : tr("Undo: %1").arg(what), kUndo));
+  });
+  connect(&stack, &QUndoStack::redoTextChanged, redo_, [this](const QString& what) {
+    redo_->setToolTip(commands().toolTip(what.isEmpty() ? tr("Nothing to redo") : tr("Redo: %1").arg(what), kRedo));
+  });
 }
 
 void EditingFeature::makeSave() {

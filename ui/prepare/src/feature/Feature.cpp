@@ -28,8 +28,4 @@ void Feature::add(const char* id, const QString& listed, const QString& does, co
   commands().add(std::move(command));
 }
 
-QString Feature::withKeys(const QString& sentence, const char* id) {
-  return QStringLiteral("%1 (%2)").arg(sentence, commands().find(QLatin1String(id))->listed);
-}
-
 }  // namespace insonate::prepare

@@ -36,8 +36,6 @@ class Feature : public QObject {
   /// one, returns true.
   void add(const char* id, const QString& listed, const QString& does, const Keys& keys,
            std::function<bool()> isAvailable = {});
-  /// Returns the sentence with the keys of a command in parentheses, for a tooltip that the command's own does not fit.
-  QString withKeys(const QString& sentence, const char* id);
 
   PrepareModel& model_;
   PrepareLayout& layout_;

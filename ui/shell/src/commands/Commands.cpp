@@ -1,4 +1,5 @@
 #include <insonate/ui/Commands.h>
+#include <insonate/ui/KeyOffer.h>
 
 #include <QAbstractButton>
 #include <QAction>
@@ -99,10 +100,7 @@ bool Commands::key(const QKeyEvent& event, bool isPerformed) const {
 }
 
 bool Commands::offer(QEvent& event) const {
-  if (event.type() == QEvent::KeyPress) return key(static_cast<QKeyEvent&>(event), true);
-  if (event.type() != QEvent::ShortcutOverride || !key(static_cast<QKeyEvent&>(event), false)) return false;
-  event.accept();
-  return true;
+  return offerKey(event, [this](const QKeyEvent& pressed, bool isPerformed) { return key(pressed, isPerformed); });
 }
 
 const Command* Commands::find(const QString& id) const {

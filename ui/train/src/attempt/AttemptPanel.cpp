@@ -97,7 +97,7 @@ QWidget* AttemptPanel::buildBegin() {
     assistance_->addItem(wordOf(one), int(one));
   start_ =
       button("attemptStart", tr("Start"),
-             withKeys(tr("Begins an attempt, which is recorded and scored"), commands_, "train.attempt.startOrFinish"));
+             commands_.toolTip(tr("Begins an attempt, which is recorded and scored"), "train.attempt.startOrFinish"));
   ui::setRole(start_, "primary");
   auto* row = new QHBoxLayout;
   row->setSpacing(ui::kSmallGap);
@@ -156,9 +156,8 @@ QWidget* AttemptPanel::buildRunning() {
   box->addWidget(buildHands());
   auto* row = new QHBoxLayout;
   row->setSpacing(ui::kSmallGap);
-  auto* finish =
-      button("attemptFinish", tr("Finish"),
-             withKeys(tr("Ends the attempt and shows its result"), commands_, "train.attempt.startOrFinish"));
+  auto* finish = button("attemptFinish", tr("Finish"),
+                        commands_.toolTip(tr("Ends the attempt and shows its result"), "train.attempt.startOrFinish"));
   ui::setRole(finish, "primary");
   auto* again = button("attemptAgain", tr("Again"), tr("Abandons this attempt and starts another"));
   auto* abandon = button("attemptAbandon", tr("Abandon"), tr("Ends the attempt and saves it as abandoned"));

@@ -45,7 +45,7 @@ AttemptStrip::AttemptStrip(DisclosureModel& disclosure, HandsControl& hands, Cas
   row_->addStretch(1);
   needle_ = number("attemptNeedle", QStringLiteral("▲ wrong place"), {});
   needle_->setTextFormat(Qt::RichText);
-  drawn_ = number("attemptDrawn", {}, withKeys(tr("Content of the syringe"), commands_, "train.attempt.aspirate"));
+  drawn_ = number("attemptDrawn", {}, commands_.toolTip(tr("Content of the syringe"), "train.attempt.aspirate"));
   syringe_ = new SyringeView(disclosure_, hands_, patientCase_, attempt, commands_, this);
   row_->addWidget(syringe_);
   // The wide one must not keep its column wide.

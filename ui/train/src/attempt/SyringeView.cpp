@@ -1,11 +1,11 @@
 #include "SyringeView.h"
 
-#include "../feature/CommandWords.h"
 #include "../model/CaseModel.h"
 #include "../model/Disclosure.h"
 #include "../model/HandsControl.h"
 #include "AttemptControl.h"
 
+#include <insonate/ui/Commands.h>
 #include <insonate/ui/Theme.h>
 
 #include <QPainter>
@@ -97,7 +97,7 @@ void SyringeView::draw() {
 }
 
 void SyringeView::tell() {
-  QString tip = withKeys(tr("Content of the syringe"), commands_, "train.attempt.aspirate");
+  QString tip = commands_.toolTip(tr("Content of the syringe"), "train.attempt.aspirate");
   if (disclosure_.current().anatomy)
     tip +=
         tr(": dark red, non-pulsatile blood is venous, bright red, pulsatile blood arterial, air comes from lung or "

@@ -14,12 +14,6 @@ inline QString keysOf(const ui::Commands& commands, const QString& id) {
   return command ? command->listed : QString();
 }
 
-/// Sentence with the keys of a command in parentheses, for the tooltip of a control that does not do exactly what the
-/// command does. The others take Commands::toolTip().
-inline QString withKeys(const QString& sentence, const ui::Commands& commands, const QString& id) {
-  return QStringLiteral("%1 (%2)").arg(sentence, keysOf(commands, id));
-}
-
 /// One key of a command as menus show it, e.g. "Alt+1"; empty if there is no such key.
 inline QString keyText(const ui::Commands& commands, const QString& id, std::size_t index) {
   const ui::Command* command = commands.find(id);

@@ -39,7 +39,7 @@ CineBar::CineBar(CaseModel& patientCase, LiveModel& live, ui::Commands& commands
   row->setSpacing(8);
   slider_->setObjectName("cine");
   slider_->setAccessibleName(tr("Image of the last seconds"));
-  slider_->setToolTip(withKeys(tr("The last seconds of a frozen image"), commands, "train.image.step"));
+  slider_->setToolTip(commands.toolTip(tr("The last seconds of a frozen image"), "train.image.step"));
   slider_->setFocusPolicy(Qt::TabFocus);
   slider_->setMinimumWidth(kSlider_px);
   time_->setMinimumWidth(time_->fontMetrics().horizontalAdvance("-00.00 s"));

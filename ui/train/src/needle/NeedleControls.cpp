@@ -1,6 +1,5 @@
 #include "NeedleControls.h"
 
-#include "../feature/CommandWords.h"
 #include "../layout/NumberField.h"
 #include "../model/Disclosure.h"
 #include "../model/HandsControl.h"
@@ -9,6 +8,7 @@
 #include "../model/ProbeMotion.h"
 #include "../model/StatusLine.h"
 
+#include <insonate/ui/Commands.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -71,12 +71,14 @@ NeedleControls::NeedleControls(StatusLine& status, DisclosureModel& disclosure, 
   head->addWidget(heading, 1);
   head->addWidget(devices_);
   box->addLayout(head);
-  along_ = planeButton("needleAlong", tr("in-plane"),
-                       withKeys(tr("Takes an 18 G needle of 70 mm in-plane, beside the probe's end, or puts it away"),
-                                commands, "train.needle.take"));
-  across_ = planeButton("needleAcross", tr("out-of-plane"),
-                        withKeys(tr("Takes an 18 G needle of 70 mm out-of-plane, before the probe, or puts it away"),
-                                 commands, "train.needle.take"));
+  along_ = planeButton(
+      "needleAlong", tr("in-plane"),
+      commands.toolTip(tr("Takes an 18 G needle of 70 mm in-plane, beside the probe's end, or puts it away"),
+                       "train.needle.take"));
+  across_ =
+      planeButton("needleAcross", tr("out-of-plane"),
+                  commands.toolTip(tr("Takes an 18 G needle of 70 mm out-of-plane, before the probe, or puts it away"),
+                                   "train.needle.take"));
   auto* take = new QHBoxLayout;
   take->setSpacing(4);
   take->addWidget(along_, 1);
@@ -122,7 +124,7 @@ QWidget* NeedleControls::buildNumbers(const ui::Commands& commands) {
         new NumberField(QLatin1String(row.name), QString::fromUtf8(row.unit), {row.low, row.high, row.step}, all);
     field->setObjectName(QStringLiteral("needle_") + QLatin1String(row.object));
     field->setAccessibleName(tr("Needle, %1").arg(tr(row.name)));
-    field->setToolTip(withKeys(tr(row.says), commands, row.command) + tr("\nEnter applies, arrows and wheel step."));
+    field->setToolTip(commands.toolTip(tr(row.says), row.command) + tr("\nEnter applies, arrows and wheel step."));
     field->setTyped([this, axis = row.axis](double value) { needle_.set(axis, value); });
     field->setRefused([this](const QString& sentence) { status_.say(sentence); });
     fields_[i] = field;
