@@ -12,6 +12,14 @@ constexpr double kHalf_mm = 1.5;
 /// Limits of the map's determinant: tissue keeps its volume except for the part that leaves the plane.
 constexpr double kMinStretch = 0.2, kMaxStretch = 5;
 
+/// 1 under the face, falling to 0 at the ends of the lattice: the cells of the mesh are coarse there, so that a vein
+/// that swells would lift the skin by millimeters.
+double shareAside(const PlaneDisplacement& displacement, double x_mm) {
+  constexpr double kFade_mm = 8;
+  const double right_mm = displacement.left_mm + (displacement.columns - 1) * displacement.step_mm;
+  return std::clamp(std::min(x_mm - displacement.left_mm, right_mm - x_mm) / kFade_mm, 0.0, 1.0);
+}
+
 }  // namespace
 
 Transform restNear(const PlaneDisplacement& displacement, const Transform& patientFromProbe, Vec3 patient_mm) {
@@ -20,7 +28,9 @@ Transform restNear(const PlaneDisplacement& displacement, const Transform& patie
   const Vec3 at = probeFromPatient * patient_mm;
   const double share = std::clamp(2 - std::abs(at.y) / kMovesBeside_mm, 0.0, 1.0);
   if (share == 0) return {};
-  const auto shift = [&](double x, double z) { return shiftAt(displacement, x, z) * share; };
+  const auto shift = [&](double x, double z) {
+    return shiftAt(displacement, x, z) * (share * shareAside(displacement, x));
+  };
   const Vec3 acrossX = (shift(at.x + kHalf_mm, at.z) - shift(at.x - kHalf_mm, at.z)) / (2 * kHalf_mm);
   const Vec3 acrossZ = (shift(at.x, at.z + kHalf_mm) - shift(at.x, at.z - kHalf_mm)) / (2 * kHalf_mm);
   Transform restFromSeen{{{Vec3{1, 0, 0} + acrossX, Vec3{0, 1, 0}, Vec3{0, 0, 1} + acrossZ}}, {}};

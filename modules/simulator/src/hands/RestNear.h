@@ -13,7 +13,7 @@ inline constexpr double kMovesBeside_mm = 8;
 
 /// Returns an affine map from patient space to the undeformed position of the tissue, valid near `patient_mm`. The map
 /// is fitted to the displacement in the image plane over about 3 mm. It is the identity where nothing moved, far from
-/// the plane, and where the displacement varies too quickly for an affine map.
+/// the plane and from the face, and where the displacement varies too quickly for an affine map.
 Transform restNear(const PlaneDisplacement& displacement, const Transform& patientFromProbe, Vec3 patient_mm);
 
 /// Computes LivePress::middleAtRest_mm (undeformed positions along the image's middle line) for an image depth.
