@@ -7,6 +7,9 @@
 #include <functional>
 #include <numbers>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace insonate {
 namespace {
@@ -38,20 +41,57 @@ StartPose poseAt(std::string name, Vec3 position_mm, Vec3 axial) {
   return {std::move(name), position_mm, axial, normalized(left - dot(left, axial) * axial)};
 }
 
+/// Share of the face of a usual linear probe that meets skin once it is pressed lightly.
+double contactOf(const PatientBody& body, const StartPose& pose) {
+  constexpr double kHalfFace_mm = 19, kPressed_mm = 5;
+  int touching = 0, all = 0;
+  for (double x_mm = -kHalfFace_mm; x_mm <= kHalfFace_mm; x_mm += 1, ++all)
+    touching += body.contains(pose.position_mm + x_mm * pose.lateral + kPressed_mm * pose.axial);
+  return double(touching) / all;
+}
+
+/// Among poses whose face has enough contact the first wins; else the pose with the most contact.
+class PoseChoice {
+ public:
+  explicit PoseChoice(const PatientBody& body) : body_(body) {}
+
+  void offer(StartPose pose) {
+    const double contact = std::min(contactOf(body_, pose), kEnough);
+    if (best_ && contact <= contact_) return;
+    contact_ = contact;
+    best_ = std::move(pose);
+  }
+  bool isDone() const { return best_ && contact_ >= kEnough; }
+  std::optional<StartPose> best() const { return best_; }
+
+ private:
+  static constexpr double kEnough = 0.9;
+  const PatientBody& body_;
+  std::optional<StartPose> best_;
+  double contact_ = 0;
+};
+
 /// The nearest skin is where the line to the target is perpendicular to it.
 std::optional<StartPose> overTarget(const PatientBody& body, const Target& target, double longest_mm) {
-  std::optional<StartPose> best;
-  double nearest_mm = longest_mm;
+  struct Way {
+    double depth_mm;
+    Vec3 outward;
+  };
+  std::vector<Way> ways;
   for (int degrees = -60; degrees <= 60; degrees += 2) {
     const double angle = degrees * std::numbers::pi / 180;
     const Vec3 outward{std::sin(angle), -std::cos(angle), 0};
-    const auto depth = depthOfSkin_mm(body, target.position_mm, outward, longest_mm);
-    if (!depth || *depth >= nearest_mm) continue;
-    nearest_mm = *depth;
-    best = poseAt("over " + (target.name.empty() ? "the target" : target.name), target.position_mm + *depth * outward,
-                  -outward);
+    if (const auto depth_mm = depthOfSkin_mm(body, target.position_mm, outward, longest_mm))
+      ways.push_back({*depth_mm, outward});
   }
-  return best;
+  std::ranges::stable_sort(ways, {}, &Way::depth_mm);
+  const std::string name = "over " + (target.name.empty() ? "the target" : target.name);
+  PoseChoice choice(body);
+  for (const auto& [depth_mm, outward] : ways) {
+    choice.offer(poseAt(name, target.position_mm + depth_mm * outward, -outward));
+    if (choice.isDone()) break;
+  }
+  return choice.best();
 }
 
 /// The first place from the front with 10 mm of body behind it, which excludes blankets and tubes.
@@ -90,14 +130,18 @@ std::optional<StartPose> onFront(const PatientBody& body, const VolumeGeometry& 
   const auto [level, isNeck] = neckOrMiddle(bodyLevels(body, g));
   const Vec3 centre_mm = g.centre_mm();
   const double middle_mm = level.area_mm2 > 0 ? level.middle_mm : centre_mm.x;
-  for (const double aside_mm : {-25.0, -15.0, 0.0, 15.0, 25.0, -40.0, 40.0, -60.0, 60.0}) {
-    const auto skin = frontOfSkin(body, centre_mm, middle_mm + aside_mm, level.z_mm, diagonal_mm(g));
-    if (!skin) continue;
-    return poseAt(std::string(isNeck ? "front of the neck" : "front at the middle of the scan") +
-                      ", z = " + std::to_string(std::lround(level.z_mm)) + " mm",
-                  *skin, inwardNormal(body, *skin));
-  }
-  return std::nullopt;
+  PoseChoice choice(body);
+  for (const double up_mm : {0.0, 8.0, 16.0, -8.0, 24.0, -16.0})
+    for (const double aside_mm : {-25.0, -15.0, 0.0, 15.0, 25.0, -40.0, 40.0, -60.0, 60.0}) {
+      const double z_mm = level.z_mm + up_mm;
+      const auto skin = frontOfSkin(body, centre_mm, middle_mm + aside_mm, z_mm, diagonal_mm(g));
+      if (!skin) continue;
+      choice.offer(poseAt(std::string(isNeck ? "front of the neck" : "front at the middle of the scan") +
+                              ", z = " + std::to_string(std::lround(z_mm)) + " mm",
+                          *skin, inwardNormal(body, *skin)));
+      if (choice.isDone()) return choice.best();
+    }
+  return choice.best();
 }
 
 }  // namespace

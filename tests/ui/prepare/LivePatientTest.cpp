@@ -46,6 +46,22 @@ TEST(LivePatient, AnUndoneCutOfTheSkinPutsTheProbeBackWhereItStood) {
     EXPECT_GT(dot(live.standing()->linear.column[axis], before.linear.column[axis]), 0.9999) << axis;
 }
 
+/// A start pose that is marked here comes up as it was: the probe is not turned or pressed by the clicks before.
+TEST(LivePatient, APoseDependsOnThePlaceAndNotOnTheWayToIt) {
+  LivePatient live(nullptr);
+  live.setPatient(std::make_shared<const PatientCase>(test::smallCase()), {});
+  live.setAwake(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return live.isSettled() && live.shown(); }, kPatience_ms));
+  live.follow({3, 0, 2});
+  const Transform direct = *live.standing();
+  for (const Vec3 place : {Vec3{30, 20, 0}, Vec3{0, 40, 8}, Vec3{-30, 20, -8}, Vec3{0, 20, 30}, Vec3{3, 0, 2}})
+    live.follow(place);
+  EXPECT_LT(norm(live.standing()->offset - direct.offset), 0.1);
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_GT(dot(live.standing()->linear.column[axis], direct.linear.column[axis]), 0.999) << axis;
+  EXPECT_GT(live.standing()->linear.column[0].x, 0.9) << "the patient's right on the image's left";
+}
+
 TEST(LivePatient, DrawsALabelOfTheAuthorsOwnAsItsTissue) {
   LivePatient live(nullptr);
   live.setAwake(true);

@@ -90,6 +90,35 @@ TEST(StartPose, WithTheChinDownUnderTheChin) {
   EXPECT_GT(pose->position_mm.z, -74);
 }
 
+/// Share of the face of a linear probe under which there is a body 5 mm down.
+double contactOf(const PatientCase& patient, const StartPose& pose) {
+  int touching = 0;
+  for (int x_mm = -19; x_mm <= 19; ++x_mm) {
+    const Vec3 p = pose.position_mm + double(x_mm) * pose.lateral + 5.0 * pose.axial;
+    touching += sampleNearest(patient.labels, patient.labels.geometry.indexFromPatient() * p) != 0;
+  }
+  return touching / 39.0;
+}
+
+/// A narrow bridge to the right of the midline, as the edge of a muscle or a fold above the shoulder: the probe would
+/// touch it with its middle only.
+TEST(StartPose, TheFaceLiesOnSkin) {
+  PatientCase patient = standingMan();
+  for (int k = 0; k < 100; ++k)
+    for (int j = 0; j < 50; ++j)
+      for (int i = 0; i < 140; ++i) {
+        const double x = -210 + 3 * i, y = -150 + 3 * j, z = -150 + 3 * k;
+        if (std::abs(x + 25) < 5 && y > -75 && z < 20 && z > -80) patient.labels.at(i, j, k) = kMuscle;
+      }
+  const auto pose = proposeStartPose(patient);
+  ASSERT_TRUE(pose) << pose.error().message;
+  EXPECT_GE(contactOf(patient, *pose), 0.9) << pose->name << ", x = " << pose->position_mm.x;
+  patient.manifest.targets.push_back({"vein", kVein, {-25, -35, -40}});
+  const auto over = proposeStartPose(patient);
+  ASSERT_TRUE(over) << over.error().message;
+  EXPECT_GE(contactOf(patient, *over), 0.9) << "x = " << over->position_mm.x;
+}
+
 TEST(StartPose, AWaistIsNoNeck) {
   PatientCase patient = standingMan();
   for (int k = 0; k < 100; ++k)

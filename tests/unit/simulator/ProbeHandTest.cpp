@@ -221,6 +221,32 @@ TEST(ProbeHand, MovesToTheNearestSkin) {
   }
 }
 
+TEST(ProbeHand, ARotationDoesNotDependOnThePath) {
+  for (const double rotation_deg : {0.0, 90.0, -40.0}) {
+    ProbeHand hand = handOn(sphere());
+    ASSERT_TRUE(hand.rotate(rotation_deg).done());
+    EXPECT_NEAR(rotationOf_deg(hand.state()), rotation_deg, 0.5);
+    ASSERT_TRUE(hand.press(6).done());
+    // Around to the back, to the head, to the left and to the front again.
+    for (const Vec3 place : {Vec3{-50, 0, 0}, Vec3{0, 50, 5}, Vec3{0, 5, 50}, Vec3{50, 0, -3}, Vec3{0, -50, 0}})
+      ASSERT_TRUE(hand.stand(place, rotation_deg).done());
+    EXPECT_NEAR(rotationOf_deg(hand.state()), rotation_deg, 0.5);
+    EXPECT_EQ(hand.state().press_mm, 0);
+    EXPECT_LT(angle_deg(hand.pose().linear.column[0],
+                        {std::cos(rotation_deg * kDegree), 0, -std::sin(rotation_deg * kDegree)}),
+              2);
+  }
+}
+
+TEST(ProbeHand, AMoveAroundTheNeckKeepsTheRotation) {
+  ProbeHand hand = handOn(cylinder());
+  ASSERT_TRUE(hand.rotate(30).done());
+  for (const Vec3 place : {Vec3{-50, 0, 20}, Vec3{0, 50, -20}, Vec3{50, 0, 20}, Vec3{0, -50, 0}}) {
+    ASSERT_TRUE(hand.moveTo(place).done());
+    EXPECT_NEAR(rotationOf_deg(hand.state()), 30, 0.5);
+  }
+}
+
 TEST(ProbeHand, PocketsOfBackgroundAreNotSkin) {
   const LabelMap labels = test::paint(test::gridOver({-70, -70, -70}, {70, 70, 70}, 1.0), [](Vec3 p) {
                             return norm(p) < kRadius_mm && norm(p) > 20 ? kSoftTissue : kBackground;

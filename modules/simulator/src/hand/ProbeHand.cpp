@@ -62,6 +62,26 @@ void turnTo(Vec3 inward, ProbeHandState& state) {
   state.lateral = normalized(lateral - inward * dot(lateral, inward));
 }
 
+constexpr Vec3 kHead{0, 0, 1};
+
+/// Within 30 degrees of the body's long axis.
+bool isAlongBody(Vec3 inward) {
+  constexpr double kSin30 = 0.5;
+  return norm(cross(inward, kHead)) < kSin30;
+}
+
+/// Lateral direction of a transverse image: at right angles to the body's long axis, along the skin. Where the skin is
+/// nearly at right angles to that axis, as on the shoulder, toward the patient's left.
+Vec3 transverse(Vec3 inward) {
+  if (isAlongBody(inward)) return normalized(Vec3{1, 0, 0} - inward * inward.x);
+  return normalized(cross(inward, kHead));
+}
+
+Vec3 lateralAt(Vec3 inward, double rotation_deg) {
+  const Vec3 across = transverse(inward);
+  return across * std::cos(rotation_deg * kDegree) + cross(inward, across) * std::sin(rotation_deg * kDegree);
+}
+
 /// Tilt, rock and lateral direction of a probe held as `patientFromProbe`: its rotation relative to the skin is
 /// Z(heading) X(tilt) Y(rock).
 void takeRotation(const Mat3& patientFromProbe, ProbeHandState& state) {
@@ -85,6 +105,11 @@ HandMove turned(double& angle_deg, double by_deg) {
 }
 
 }  // namespace
+
+double rotationOf_deg(const ProbeHandState& state) {
+  const Vec3 across = transverse(state.inward);
+  return std::atan2(dot(state.lateral, cross(state.inward, across)), dot(state.lateral, across)) / kDegree;
+}
 
 Result<ProbeHand> ProbeHand::make(const LabelMap& labels, const Transform& patientFromProbe) {
   auto skin = SkinSurface::make(labels);
@@ -147,9 +172,22 @@ void ProbeHand::lift() {
 
 HandMove ProbeHand::moveTo(Vec3 patient_mm) {
   if (!isFinite(patient_mm)) return kNoNumber;
+  const double rotation_deg = rotationOf_deg(state_);
+  const bool wasAlongBody = isAlongBody(state_.inward);
   state_.skin_mm = skin_->nearest(patient_mm);
   turnTo(-skin_->normal(state_.skin_mm, -state_.inward), state_);
+  // A drag over the shoulder turns the probe as little as possible; elsewhere the rotation is that of the place.
+  if (!wasAlongBody && !isAlongBody(state_.inward)) state_.lateral = lateralAt(state_.inward, rotation_deg);
   state_.press_mm = std::max(state_.press_mm, 0.0);
+  return kDone;
+}
+
+HandMove ProbeHand::stand(Vec3 patient_mm, double rotation_deg) {
+  if (!isFinite(patient_mm) || !std::isfinite(rotation_deg)) return kNoNumber;
+  state_.skin_mm = skin_->nearest(patient_mm);
+  state_.inward = -skin_->normal(state_.skin_mm, -state_.inward);
+  state_.lateral = lateralAt(state_.inward, rotation_deg);
+  state_.press_mm = 0;
   return kDone;
 }
 

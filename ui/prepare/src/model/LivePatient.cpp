@@ -74,17 +74,13 @@ void LivePatient::makeWorker(std::vector<ui::SurfaceWish> wishes, bool withHand)
       Q_EMIT poseChanged();
     };
     work.hand = [this](ProbeHand hand) {
-      hand_ = std::move(hand);
-      trouble_.clear();
       // The probe stands on the skin, from which the start pose may differ slightly.
-      rememberPlace();
+      takeHand(std::move(hand));
       moved();
       if (wanted_mm_) follow(*wanted_mm_);
     };
     work.unplaced = [this](ProbeHand hand, const QString&) {
-      hand_ = std::move(hand);
-      trouble_.clear();
-      rememberPlace();
+      takeHand(std::move(hand));
       startLive();
       Q_EMIT poseChanged();
       if (wanted_mm_) follow(*wanted_mm_);
@@ -237,8 +233,7 @@ void LivePatient::news() {
 void LivePatient::follow(Vec3 patient_mm) {
   wanted_mm_ = patient_mm;
   if (!hand_) return;
-  // If the path is blocked, the probe moves as near as it can.
-  hand_->moveTo(patient_mm);
+  hand_->stand(patient_mm, rotation_deg_);
   rememberPlace();
   // During a drag of the crosshair, further moves do not delay the update.
   if (!showing_.isActive()) showing_.start();
@@ -258,8 +253,16 @@ void LivePatient::goTo(const StartPose& place) {
   wanted_mm_.reset();
   if (!hand_) return;
   if (const auto pose = patientFromProbe(place.position_mm, place.axial, place.lateral)) hand_->setPose(*pose);
+  rotation_deg_ = rotationOf_deg(hand_->state());
   rememberPlace();
   moved();
+}
+
+void LivePatient::takeHand(ProbeHand hand) {
+  hand_ = std::move(hand);
+  rotation_deg_ = rotationOf_deg(hand_->state());
+  trouble_.clear();
+  rememberPlace();
 }
 
 void LivePatient::rememberPlace() {

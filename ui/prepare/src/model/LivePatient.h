@@ -39,8 +39,9 @@ class LivePatient : public QObject {
   /// Ends the background threads.
   void stop();
 
-  /// Moves the probe to the skin nearest to a point of the patient. Images follow after a pause, so that the slices are
-  /// drawn first.
+  /// Moves the probe to the skin nearest to a point of the patient, with the rotation of the pose that was chosen last
+  /// (start(), goTo()), and without compression: not as it came there. Images follow after a pause, so that the slices
+  /// are drawn first.
   void follow(Vec3 patient_mm);
   /// Moves the probe to a pose.
   void goTo(const StartPose& pose);
@@ -78,6 +79,7 @@ class LivePatient : public QObject {
   void forgetTissues();
   void findSkin();
   void news();
+  void takeHand(ProbeHand hand);
   void rememberPlace();
   void moved();
 
@@ -98,6 +100,7 @@ class LivePatient : public QObject {
   LiveStatus status_;
   QString trouble_;
   double press_mm_ = 0;
+  double rotation_deg_ = 0;  ///< of the pose that was chosen last
   bool awake_ = false, surfacesDone_ = true;
   int skin_ = 0;     ///< number of the last skin search; earlier results are dropped
   int tissues_ = 0;  ///< number of the last conversion to tissues; earlier results are dropped

@@ -3,7 +3,6 @@
 #include <insonate/simulator/ProbePose.h>
 
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace insonate::train {
@@ -19,13 +18,7 @@ double turned_deg(double degrees) {
 }  // namespace
 
 HandNumbers numbersOf(const ProbeHandState& state) {
-  // Across the body: at right angles to its long axis, along the skin. Continuous all round the neck.
-  const Vec3 head{0, 0, 1};
-  Vec3 across = cross(state.inward, head);
-  if (norm(across) < 1e-3) across = Vec3{1, 0, 0} - state.inward * state.inward.x;
-  across = normalized(across);
-  const double rotation = std::atan2(dot(state.lateral, cross(state.inward, across)), dot(state.lateral, across));
-  return {state.skin_mm, rotation * 180 / std::numbers::pi, state.tilt_deg, state.rock_deg, state.press_mm};
+  return {state.skin_mm, rotationOf_deg(state), state.tilt_deg, state.rock_deg, state.press_mm};
 }
 
 double HandNumbers::of(HandAxis axis) const {

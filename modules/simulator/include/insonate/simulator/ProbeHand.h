@@ -23,6 +23,11 @@ struct ProbeHandState {
   bool operator==(const ProbeHandState&) const = default;
 };
 
+/// Returns the probe's rotation about the skin's normal, -180 to 180 degrees. 0: the image is transverse, with the
+/// marker toward the patient's left if the probe points backward; above 0: turned from lateral (x) toward elevation
+/// (y).
+double rotationOf_deg(const ProbeHandState& state);
+
 /// Outcome of a move of probe or needle; allocates no memory.
 struct HandMove {
   std::string_view stopped;  ///< a sentence that says why the move was stopped early; empty: the move was completed
@@ -60,8 +65,12 @@ class ProbeHand {
   /// Lifts the probe off the skin by kLift_mm, along its axis. Other moves then keep it lifted; press() and moveTo()
   /// put it back on the skin.
   void lift();
-  /// Moves the probe to the skin point nearest to `patient_mm`; its angles stay.
+  /// Moves the probe to the skin point nearest to `patient_mm`; rotation (rotationOf_deg), tilt and rock stay. On skin
+  /// that is nearly at right angles to the body's long axis, the probe is turned as little as possible instead.
   HandMove moveTo(Vec3 patient_mm);
+  /// As moveTo(), but with this rotation and without compression: the pose depends on the place only, not on the path
+  /// to it.
+  HandMove stand(Vec3 patient_mm, double rotation_deg);
   /// Sets the probe's pose. The pose is taken exactly if its angles are within the limits and the probe's axis meets
   /// the skin within 60 mm; otherwise the nearest permitted pose is taken, and the result says so. A pose that is not
   /// rigid changes nothing.
