@@ -20,7 +20,7 @@ using nlohmann::json;
 
 struct ImportLabelsArguments {
   std::string caseFolder, file, names;
-  bool replace = false, json = false;
+  bool ours = false, replace = false, json = false;
 };
 
 json structuresOf(const LabelMap& labels, bool print) {
@@ -43,7 +43,7 @@ Result<void> importLabelsInto(const ImportLabelsArguments& a) {
   const bool labelled = std::ranges::any_of(patient.labels.voxels, [](std::uint8_t label) { return label != 0; });
   if (labelled && !a.replace)
     return fail("The case " + a.caseFolder + " already has labels. Add --replace to replace them.");
-  auto imported = importLabels(patient, a.file, a.names, terminalProgress());
+  auto imported = importLabels(patient, a.file, {a.names, a.ours}, terminalProgress());
   if (!imported) return tl::unexpected(imported.error());
   for (const std::string& note : imported->notes) std::cerr << "note: " << note << '\n';
   takeLabels(std::move(*imported), patient);
@@ -64,8 +64,11 @@ void addImportLabelsCommand(CLI::App& app, Outcome& outcome) {
   command->add_option("FILE", a->file, "DICOM segmentation, .seg.nrrd, or a label map (NRRD, NIfTI, MetaImage)")
       ->required()
       ->check(notEmpty());
-  command->add_option("--names", a->names, "ITK-SNAP label description that names the numbers of the label map")
-      ->check(notEmpty());
+  auto* names = command->add_option("--names", a->names,
+                                    "Names of the label map's numbers: label description of ITK-SNAP, color table of "
+                                    "3D Slicer (.ctbl), or JSON of dcmqi or nnU-Net");
+  names->check(notEmpty());
+  command->add_flag("--ours", a->ours, "The numbers of the label map are Insonate's label numbers")->excludes(names);
   command->add_flag("--replace", a->replace, "Replace the labels of the case");
   command->add_flag("--json", a->json, "Print one JSON object");
   command->callback([a, &outcome] {

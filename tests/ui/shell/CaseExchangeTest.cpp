@@ -19,6 +19,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QPushButton>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QtTest/QTest>
 #include <algorithm>
@@ -28,6 +29,28 @@ namespace {
 
 using namespace insonate;
 using test::waitUntil;
+
+void writeFile(const QString& file, const QByteArray& bytes) {
+  QFile stream(file);
+  ASSERT_TRUE(stream.open(QFile::WriteOnly) && stream.write(bytes) == bytes.size());
+}
+
+/// A label map as any program might write it: numbers without names.
+void writeNrrd(const LabelMap& labels, const QString& file) {
+  const VolumeGeometry& g = labels.geometry;
+  const auto triple = [](Vec3 v) { return QStringLiteral("(%1,%2,%3)").arg(v.x).arg(v.y).arg(v.z); };
+  QString directions;
+  for (int a = 0; a < 3; ++a) directions += " " + triple(g.direction.column[a] * g.spacing_mm[a]);
+  const QString header = QStringLiteral(
+                             "NRRD0004\ntype: unsigned char\ndimension: 3\nsizes: %1 %2 %3\nspace: "
+                             "left-posterior-superior\nspace directions:%4\nspace origin: %5\nencoding: raw\n\n")
+                             .arg(g.size[0])
+                             .arg(g.size[1])
+                             .arg(g.size[2])
+                             .arg(directions, triple(g.origin_mm));
+  const auto* bytes = reinterpret_cast<const char*>(labels.voxels.data());
+  writeFile(file, header.toLatin1() + QByteArray(bytes, int(labels.voxels.size())));
+}
 
 /// The window with a small case, its menu, and a folder for what goes out.
 class CaseExchange : public testing::Test {
@@ -44,6 +67,18 @@ class CaseExchange : public testing::Test {
     test::answerFileDialog(window, target);
     action(way)->trigger();
     EXPECT_TRUE(waitUntil([&] { return QFile::exists(written) && idle(); })) << way;
+  }
+  /// The dialog that shows how labels are understood; null if there is none.
+  QDialog* labelsDialog() {
+    for (auto* dialog : window.findChildren<QDialog*>())
+      if (dialog->isVisible() && dialog->findChild<QTableWidget*>("labelMapping")) return dialog;
+    return nullptr;
+  }
+  QDialog* readLabels(const QString& file) {
+    test::answerFileDialog(window, file);
+    action("importLabels")->trigger();
+    EXPECT_TRUE(waitUntil([this] { return labelsDialog() != nullptr; }));
+    return labelsDialog();
   }
 
   QTemporaryDir home;
@@ -74,13 +109,45 @@ TEST_F(CaseExchange, ImportedLabelsMakeACaseThatIsNotSaved) {
   const QString file = home.filePath("other.dcm");
   ASSERT_TRUE(writeDicomSegmentation(other, file.toStdString()));
   const auto before = window.current().patient;
-  test::answerFileDialog(window, file);
-  action("importLabels")->trigger();
+  QDialog* dialog = readLabels(file);
+  const auto* mapping = dialog->findChild<QTableWidget*>("labelMapping");
+  ASSERT_GT(mapping->rowCount(), 0);
+  EXPECT_EQ(window.current().patient, before) << "nothing is replaced before the user has seen it";
+  EXPECT_FALSE(dialog->findChild<QLabel*>("labelPreview")->pixmap(Qt::ReturnByValue).isNull());
+  dialog->findChild<QPushButton*>("replaceLabels")->click();
   ASSERT_TRUE(waitUntil([&] { return window.current().patient != before; }));
   EXPECT_EQ(window.current().patient->labels.voxels, other.labels.voxels);
   EXPECT_TRUE(window.current().folder.isEmpty()) << "what is on disk keeps its labels";
   EXPECT_TRUE(window.caseTitle().contains("not saved")) << window.caseTitle().toStdString();
   EXPECT_TRUE(window.commands().action("window.case.save")->isEnabled());
+}
+
+TEST_F(CaseExchange, NumbersOfAnotherProgramAreNotTakenUnasked) {
+  const PatientCase other = test::smallCase();
+  const QString file = home.filePath("map.nrrd");
+  writeNrrd(other.labels, file);
+  const auto before = window.current().patient;
+  QDialog* dialog = readLabels(file);
+  auto* replace = dialog->findChild<QPushButton*>("replaceLabels");
+  EXPECT_FALSE(replace->isEnabled()) << "1 is skin here and may be anything there";
+  auto* ours = dialog->findChild<QCheckBox*>("numbersAreOurs");
+  ASSERT_TRUE(ours);
+  ours->setChecked(true);
+  EXPECT_TRUE(replace->isEnabled());
+  dialog->reject();
+  EXPECT_EQ(window.current().patient, before);
+
+  const QString names = home.filePath("names.json");
+  writeFile(names, R"({"labels": {"artery": )" + QByteArray::number(kVein) + "}}");
+  dialog = readLabels(file);
+  test::answerFileDialog(window, names);
+  dialog->findChild<QPushButton*>("nameNumbers")->click();
+  ASSERT_TRUE(waitUntil([&] { return labelsDialog() && !labelsDialog()->findChild<QCheckBox*>("numbersAreOurs"); }));
+  labelsDialog()->findChild<QPushButton*>("replaceLabels")->click();
+  ASSERT_TRUE(waitUntil([&] { return window.current().patient != before; }));
+  const auto& labels = window.current().patient->labels.voxels;
+  for (std::size_t v = 0; v < labels.size(); ++v)
+    ASSERT_EQ(labels[v], other.labels.voxels[v] == kVein ? kArtery : kBackground);
 }
 
 TEST_F(CaseExchange, APartIsCroppedAndResampled) {

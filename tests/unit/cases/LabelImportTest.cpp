@@ -6,6 +6,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cstring>
+#include <utility>
+
 namespace insonate {
 namespace {
 
@@ -64,7 +67,7 @@ TEST(LabelImport, ReversedAxesAreTurned) {
       "type: unsigned char\ndimension: 3\nsizes: 6 5 4\nspace: left-posterior-superior\nspace directions: "
       "(-1,0,0) (0,-1,0) (0,0,2)\nspace origin: (105,204,-50)\n",
       voxels);
-  const auto imported = importLabels(blankCase(), folder / "l.nrrd");
+  const auto imported = importLabels(blankCase(), folder / "l.nrrd", {.areOurs = true});
   ASSERT_TRUE(imported) << imported.error().message;
   EXPECT_EQ(imported->labels.at(5, 4, 0), kArtery);
   EXPECT_EQ(imported->labels.at(0, 0, 0), 0);
@@ -168,7 +171,7 @@ TEST(LabelImport, ItkSnapsDescriptionNamesTheNumbers) {
                   "    2   216  101   79      0.5  1  1    \"Artery, common carotid\"\n"
                   "    3   255    0    0        1  1  1    \"Mr Smith's tumour\"\r\n"
                   "    4   255    0    0        1  1  1    \"label 47\"\n");
-  const auto imported = importLabels(blankCase(), folder / "seg.nrrd", folder / "names.txt");
+  const auto imported = importLabels(blankCase(), folder / "seg.nrrd", {.names = folder / "names.txt"});
   ASSERT_TRUE(imported) << imported.error().message;
   const auto& found = imported->labels.voxels;
   EXPECT_EQ((std::vector<int>(found.begin(), found.begin() + 5)),
@@ -193,14 +196,110 @@ TEST(LabelImport, ADamagedDescriptionIsNamedWithItsLine) {
   test::writeRawNrrd(folder / "seg.nrrd", header("6 5 4", "(100,200,-50)"), std::string(120, '\1'));
   const auto refusal = [&](const std::string& text) {
     test::writeText(folder / "names.txt", text);
-    return importLabels(blankCase(), folder / "seg.nrrd", folder / "names.txt").error().message;
+    return importLabels(blankCase(), folder / "seg.nrrd", {.names = folder / "names.txt"}).error().message;
   };
   EXPECT_THAT(refusal("# nothing\n"), HasSubstr("describes no labels"));
   EXPECT_THAT(refusal("\n1 2 3 4 1 1 1 \"vein\"\nvein\n"), HasSubstr("Line 3 of"));
   EXPECT_THAT(refusal("1 2 3 400 1 1 1 \"vein\"\n"), HasSubstr("Line 1 of"));
   EXPECT_THAT(refusal("1 2 3 4 1 1 1 vein\"\n"), HasSubstr("in quotes"));
-  EXPECT_THAT(importLabels(blankCase(), folder / "seg.nrrd", folder / "none").error().message,
+  EXPECT_THAT(importLabels(blankCase(), folder / "seg.nrrd", {.names = folder / "none"}).error().message,
               HasSubstr("Could not read"));
+}
+
+/// A map of the numbers 1, 2 and 51 in the first three voxels.
+void writeNumbers(const std::filesystem::path& file) {
+  std::string voxels(6 * 5 * 4, '\0');
+  voxels[0] = 1, voxels[1] = 2, voxels[2] = 51;
+  test::writeRawNrrd(file, header("6 5 4", "(100,200,-50)"), voxels);
+}
+
+std::vector<int> firstThree(const Result<LabelReadResult>& read) {
+  if (!read) return {};
+  return {read->labels.voxels.begin(), read->labels.voxels.begin() + 3};
+}
+
+/// Number 1 is the spleen for TotalSegmentator, and skin here.
+TEST(LabelImport, NumbersWithoutNamesAreRefusedUnlessTheyAreOurs) {
+  test::TemporaryFolder folder;
+  writeNumbers(folder / "map.nrrd");
+  const auto refused = importLabels(blankCase(), folder / "map.nrrd");
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, testing::AllOf(HasSubstr("map.nrrd"), HasSubstr("(1, 2, 51)"),
+                                                      HasSubstr("--names"), HasSubstr("--ours")));
+  const auto ours = importLabels(blankCase(), folder / "map.nrrd", {.areOurs = true});
+  ASSERT_TRUE(ours) << ours.error().message;
+  EXPECT_EQ(firstThree(ours), (std::vector<int>{1, 2, 51}));
+  EXPECT_TRUE(ours->isUnnamed);
+  ASSERT_EQ(ours->structures.size(), 3U);
+  EXPECT_EQ(ours->structures[2].number, 51);
+}
+
+TEST(LabelImport, OtherProgramsNameTheNumbers) {
+  test::TemporaryFolder folder;
+  writeNumbers(folder / "map.nrrd");
+  test::writeText(folder / "slicer.ctbl",
+                  "# Color\n0 Background 0 0 0 0\n1 internal_jugular_vein 1 2 3 255\n"
+                  "2 common_carotid_artery 4 5 6 255\n51 trachea 7 8 9 255\n");
+  test::writeText(folder / "dcmqi.json",
+                  R"({"segmentAttributes": [[{"labelID": 1, "SegmentedPropertyTypeCodeSequence": {"CodeValue":
+                  "12123001", "CodeMeaning": "x"}}, {"labelID": 2, "SegmentLabel": "carotid artery"}],
+                  [{"labelID": 51, "SegmentDescription": "Trachea"}, {"labelID": "no number"}]]})");
+  test::writeText(folder / "nnunet.json", R"({"labels": {"background": 0, "vein": 1, "artery": 2, "trachea": 51}})");
+  test::writeText(folder / "former.json",
+                  R"({"labels": {"0": "background", "1": "vein", "2": "artery", "51": "airway"}})");
+  for (const char* names : {"slicer.ctbl", "dcmqi.json", "nnunet.json", "former.json"}) {
+    const auto read = importLabels(blankCase(), folder / "map.nrrd", {.names = folder / names});
+    ASSERT_TRUE(read) << names << ": " << read.error().message;
+    EXPECT_EQ(firstThree(read), (std::vector<int>{kVein, kArtery, kAirway})) << names;
+    EXPECT_FALSE(read->isUnnamed);
+    EXPECT_EQ(read->structures.size(), 3U) << names;
+    EXPECT_THAT(read->notes, Contains(HasSubstr(names)));
+  }
+  for (const char* damaged : {"", "{", "[1]", "{\"labels\": 3}", "{\"segmentAttributes\": [7]}"}) {
+    test::writeText(folder / "damaged.json", damaged);
+    EXPECT_THAT(importLabels(blankCase(), folder / "map.nrrd", {.names = folder / "damaged.json"}).error().message,
+                HasSubstr("names no labels"))
+        << damaged;
+  }
+}
+
+/// NIfTI-1 with the label table that TotalSegmentator adds to its header.
+void writeNamedNifti(const std::filesystem::path& file, const std::string& extension) {
+  std::string bytes(352 + 8 + extension.size(), '\0');
+  const auto put = [&bytes](std::size_t at, auto value) { std::memcpy(bytes.data() + at, &value, sizeof value); };
+  put(0, std::int32_t{348});
+  for (const auto& [axis, size] : {std::pair{0, 3}, {1, 6}, {2, 5}, {3, 4}}) put(40 + 2 * axis, std::int16_t(size));
+  put(70, std::int16_t{2}), put(72, std::int16_t{8});
+  for (const auto& [axis, spacing] : {std::pair{0, 1.F}, {1, 1.F}, {2, 1.F}, {3, 2.F}}) put(76 + 4 * axis, spacing);
+  put(108, float(bytes.size()));
+  put(254, std::int16_t{1});
+  const float rows[3][4] = {{-1, 0, 0, -100}, {0, -1, 0, -200}, {0, 0, 2, -50}};
+  std::memcpy(bytes.data() + 280, rows, sizeof rows);
+  bytes.replace(344, 4, std::string("n+1\0", 4));
+  bytes[348] = 1;
+  put(352, std::int32_t(8 + extension.size()));
+  bytes.replace(360, extension.size(), extension);
+  std::string voxels(6 * 5 * 4, '\0');
+  voxels[0] = 1, voxels[1] = 2, voxels[2] = 51;
+  test::writeText(file, bytes + voxels);
+}
+
+TEST(LabelImport, ANiftiHeaderNamesTheNumbers) {
+  test::TemporaryFolder folder;
+  const std::string table =
+      "<CaretExtension><VolumeInformation Index=\"0\"><LabelTable>"
+      "<Label Key=\"1\" Red=\"1\" Green=\"0\" Blue=\"0\" Alpha=\"1\"><![CDATA[spleen]]></Label>\n"
+      "<Label Key=\"2\" Red=\"1\"><![CDATA[brachiocephalic_vein_left]]></Label>"
+      "<Label Key=\"51\"><![CDATA[common_carotid_artery_left]]></Label></LabelTable></CaretExtension>";
+  writeNamedNifti(folder / "map.nii", table);
+  const auto read = importLabels(blankCase(), folder / "map.nii");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(firstThree(read), (std::vector<int>{kLabelCount, kVein, kArtery})) << "a spleen is no skin";
+  EXPECT_THAT(read->notes, Contains(HasSubstr("the file's header")));
+  for (const char* other : {"", "<Label Key=\"x\"><![CDATA[a]]></Label>", "<Label Key=\"1\"", "<Label ]]><![CDATA["}) {
+    writeNamedNifti(folder / "map.nii", other);
+    EXPECT_THAT(importLabels(blankCase(), folder / "map.nii").error().message, HasSubstr("does not say")) << other;
+  }
 }
 
 TEST(LabelImport, WhatIsWrittenComesBack) {

@@ -34,7 +34,7 @@ class ReaderFuzz : public testing::Test {
     test::writeText(folder_ / "plain.nii", test::niftiOf(patient_.ct, test::kRas, 1, 0));
   }
   std::string asLabels(const fs::path& file, const fs::path& names = {}) const {
-    return sentenceOf(importLabels(patient_, file, names));
+    return sentenceOf(importLabels(patient_, file, {.names = names}));
   }
   std::string asCt(const fs::path& file) const { return sentenceOf(importSeries(file)); }
   std::string asManifest(const fs::path& file) const {

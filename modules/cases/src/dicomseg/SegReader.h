@@ -41,6 +41,7 @@ struct DicomSegments {
   LabelColours colours;
   OwnLabels own;
   std::set<std::uint8_t> foreign;  ///< the author's own labels whose names were written by users of another program
+  std::vector<ReadStructure> structures;
 
   /// Returns the label of a frame's pixel, counted from the frame's first pixel; 0 if no segment is there.
   std::uint8_t labelAt(const Frame& frame, std::size_t pixel) const {

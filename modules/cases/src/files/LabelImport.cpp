@@ -1,10 +1,11 @@
 #include "../dicomseg/SegReader.h"
 #include "../import/DerivedUid.h"
 #include "../import/DicomLayout.h"
-#include "ItkSnapLabels.h"
 #include "LabelGrid.h"
 #include "LabelNames.h"
+#include "NumberNames.h"
 #include "OwnNumbers.h"
+#include "SlicerSegmentation.h"
 #include "VolumeFile.h"
 
 #include <insonate/cases/LabelFile.h>
@@ -12,6 +13,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 
 namespace insonate {
 namespace fs = std::filesystem;
@@ -26,15 +28,16 @@ fs::path withoutEndings(const fs::path& file) {
 }
 
 /// Also recognizes the names that this program gives to unknown numbers.
-std::optional<std::uint8_t> meaningOf(const std::string& name) {
-  if (const auto known = labelFromAnyName(name)) return *known;
+std::optional<std::uint8_t> meaningOf(const NumberName& described) {
+  if (const auto known = labelFromSnomed(described.snomedCode)) return *known;
+  if (const auto known = labelFromAnyName(described.name)) return *known;
   for (int number = kLabelCount; number < 256; ++number)
-    if (name == labelName(static_cast<std::uint8_t>(number))) return static_cast<std::uint8_t>(number);
+    if (described.name == labelName(static_cast<std::uint8_t>(number))) return static_cast<std::uint8_t>(number);
   return std::nullopt;
 }
 
-std::uint8_t labelFor(std::int32_t value, const ItkSnapLabel& described, OwnNumbers& numbers, LabelReadResult& result) {
-  std::optional<std::uint8_t> label = meaningOf(described.name);
+std::uint8_t labelFor(std::int32_t value, const NumberName& described, OwnNumbers& numbers, LabelReadResult& result) {
+  std::optional<std::uint8_t> label = meaningOf(described);
   if (!label) {
     label = numbers.take(value);
     result.notes.push_back(
@@ -43,32 +46,34 @@ std::uint8_t labelFor(std::int32_t value, const ItkSnapLabel& described, OwnNumb
     result.own[*label] = {tidyLabelName(described.name), kSoftTissue};
     result.foreign.insert(*label);
   }
-  if (described.colour != colourOf({}, *label)) result.colours.try_emplace(*label, described.colour);
+  if (described.colour && *described.colour != colourOf({}, *label))
+    result.colours.try_emplace(*label, *described.colour);
   return *label;
 }
 
-Result<LabelReadResult> mapByNames(const fs::path& file, const fs::path& names) {
-  const auto described = readItkSnapLabels(names);
-  if (!described) return tl::unexpected(described.error());
+Result<LabelReadResult> mapByNames(const fs::path& file, const NumberNames& names, const std::string& source) {
   const auto values = readLabelValues(file);
   if (!values) return tl::unexpected(values.error());
   LabelReadResult result{LabelMap(values->geometry), {}};
-  result.notes.push_back("The meaning of the numbers was taken from " + names.filename().string() + ".");
+  result.notes.push_back("The meaning of the numbers was taken from " + source + ".");
   OwnNumbers numbers;
-  for (const auto& [value, label] : *described)
-    if (const auto meaning = meaningOf(label.name)) numbers.keep(*meaning);
+  for (const auto& [value, described] : names)
+    if (const auto meaning = meaningOf(described)) numbers.keep(*meaning);
   std::map<std::int32_t, std::uint8_t> meanings;
   std::set<std::int32_t> undescribed;
   for (std::size_t v = 0; v < values->voxels.size(); ++v) {
     const std::int32_t value = values->voxels[v];
     if (value == 0) continue;
-    const auto found = described->find(value);
-    if (found == described->end()) {
+    const auto found = names.find(value);
+    if (found == names.end()) {
       undescribed.insert(value);
       continue;
     }
     const auto [meaning, isNew] = meanings.try_emplace(value);
-    if (isNew) meaning->second = labelFor(value, found->second, numbers, result);
+    if (isNew) {
+      meaning->second = labelFor(value, found->second, numbers, result);
+      result.structures.push_back({value, found->second.name, meaning->second});
+    }
     result.labels.voxels[v] = meaning->second;
   }
   for (const std::int32_t value : undescribed)
@@ -76,15 +81,53 @@ Result<LabelReadResult> mapByNames(const fs::path& file, const fs::path& names) 
   return result;
 }
 
+std::string listOf(const std::set<std::int32_t>& numbers) {
+  constexpr std::size_t kListed = 6;
+  std::string text;
+  std::size_t listed = 0;
+  for (const std::int32_t number : numbers) {
+    if (++listed > kListed) return text + " and " + std::to_string(numbers.size() - kListed) + " more";
+    text += (text.empty() ? "" : ", ") + std::to_string(number);
+  }
+  return text;
+}
+
+/// 1 is the skin here, the spleen for TotalSegmentator, and whatever was drawn first in many other programs.
+Result<LabelReadResult> readUnnamed(const fs::path& file, bool areOurs) {
+  const auto values = readLabelValues(file);
+  if (!values) return tl::unexpected(values.error());
+  std::set<std::int32_t> numbers(values->voxels.begin(), values->voxels.end());
+  numbers.erase(0);
+  if (!areOurs && !numbers.empty())
+    return fail(file.string() + " does not say what its numbers (" + listOf(numbers) +
+                ") mean. Name them with --names FILE, or state with --ours that they are Insonate's label numbers.");
+  auto result = readLabelMap(file);
+  if (!result) return result;
+  for (const std::int32_t number : numbers)
+    result->structures.push_back({number, {}, static_cast<std::uint8_t>(number)});
+  result->isUnnamed = true;
+  return result;
+}
+
 /// A segmentation states the meaning of its numbers.
-Result<LabelReadResult> readNamed(const fs::path& file, const fs::path& names) {
-  if (!names.empty()) return mapByNames(file, names);
+Result<LabelReadResult> readNamed(const fs::path& file, const NumberMeaning& meaning) {
   const auto header = readVolumeFile(file, ReadPart::kHeader);
   if (!header) return tl::unexpected(header.error());
   const fs::path beside = withoutEndings(file).string() + ".label.txt";
   std::error_code error;
-  if (!header->metadata.contains("Segment0_ID") && fs::exists(beside, error)) return mapByNames(file, beside);
-  return readLabelMap(file);
+  const bool isSegmentation = isSlicerSegmentation(header->metadata);
+  const fs::path described = !meaning.names.empty()                         ? meaning.names
+                             : !isSegmentation && fs::exists(beside, error) ? beside
+                                                                            : fs::path();
+  if (!described.empty()) {
+    const auto names = readNumberNames(described);
+    if (!names) return tl::unexpected(names.error());
+    return mapByNames(file, *names, described.filename().string());
+  }
+  if (isSegmentation) return readLabelMap(file);
+  if (const NumberNames names = namesInExtension(header->extension); !names.empty())
+    return mapByNames(file, names, "the file's header");
+  return readUnnamed(file, meaning.areOurs);
 }
 
 /// A case contains no identity of the patient.
@@ -113,7 +156,7 @@ Result<LabelReadResult> fromDicom(const PatientCase& patient, const fs::path& fi
 
 }  // namespace
 
-Result<LabelReadResult> importLabels(const PatientCase& patient, const fs::path& file, const fs::path& names,
+Result<LabelReadResult> importLabels(const PatientCase& patient, const fs::path& file, const NumberMeaning& meaning,
                                      const Progress& progress) {
   std::error_code error;
   if (!fs::is_regular_file(file, error))
@@ -127,7 +170,7 @@ Result<LabelReadResult> importLabels(const PatientCase& patient, const fs::path&
     if (read) forgetForeignNames(*read);
     return read;
   }
-  auto read = readNamed(file, names);
+  auto read = readNamed(file, meaning);
   if (!read) return read;
   auto placed = placeLabels(read->labels, patient.ct.geometry, read->notes, progress);
   if (!placed) return inFile(file, placed.error());

@@ -19,7 +19,7 @@ constexpr std::array<std::pair<std::string_view, Label>, 6> kPartCodes{{{"121230
 
 // The first match determines the label, so that "jugular lymph node" is a lymph node and "vagus nerve" is not an
 // artery.
-constexpr std::array<std::pair<std::string_view, Label>, 32> kWords{{{"lymph", kLymphNode},
+constexpr std::array<std::pair<std::string_view, Label>, 42> kWords{{{"lymph", kLymphNode},
                                                                      {"nerve", kNerve},
                                                                      {"vagus", kNerve},
                                                                      {"plexus", kNerve},
@@ -50,7 +50,17 @@ constexpr std::array<std::pair<std::string_view, Label>, 32> kWords{{{"lymph", k
                                                                      {"clavic", kBone},
                                                                      {"skull", kBone},
                                                                      {"mandible", kBone},
-                                                                     {"rib", kBone}}};
+                                                                     {"rib", kBone},
+                                                                     {"sternum", kBone},
+                                                                     {"humerus", kBone},
+                                                                     {"scapula", kBone},
+                                                                     {"femur", kBone},
+                                                                     {"sacrum", kBone},
+                                                                     {"autochthon", kMuscle},
+                                                                     {"gluteus", kMuscle},
+                                                                     {"iliopsoas", kMuscle},
+                                                                     {"scalen", kMuscle},
+                                                                     {"trapezius", kMuscle}}};
 
 }  // namespace
 

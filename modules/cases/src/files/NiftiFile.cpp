@@ -154,6 +154,31 @@ Result<RawVolume> describe(const fs::path& file, const HeaderBytes& header, cons
   return raw;
 }
 
+/// Extensions lie between header and voxels: after four bytes, of which the first tells whether there are any, each has
+/// its size, a code and its content (nifti1.h, "HEADER EXTENSIONS").
+std::string extensionsOf(const fs::path& file, const HeaderBytes& header) {
+  constexpr double kLargest = 1 << 24;
+  constexpr std::size_t kFlag = 4, kOwn = 8;
+  const double from = header.headerSize(), size = header.offset() - from;
+  if (!(size > kFlag + kOwn) || size > kLargest) return {};
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  GzipReader in(file);
+  if (!in.skip(static_cast<std::size_t>(from))) return {};
+  bytes.resize(in.read({bytes.data(), bytes.size()}));
+  if (bytes.size() <= kFlag || bytes[0] == 0) return {};
+  std::string content;
+  for (std::size_t at = kFlag; at + kOwn <= bytes.size();) {
+    std::array<char, 4> stated;
+    std::memcpy(stated.data(), bytes.data() + at, stated.size());
+    if (header.swapped()) std::ranges::reverse(stated);
+    const auto length = std::bit_cast<std::int32_t>(stated);
+    if (length <= std::int32_t(kOwn) || at + length > bytes.size()) break;
+    content.append(bytes, at + kOwn, length - kOwn);
+    at += length;
+  }
+  return content;
+}
+
 Result<void> readVoxels(const fs::path& file, const HeaderBytes& header, const Datatype& type, RawVolume& raw) {
   constexpr double kMaxValues = 4e9;
   const double count = double(raw.size[0]) * raw.size[1] * raw.size[2] * raw.components;
@@ -192,6 +217,7 @@ Result<RawVolume> readNifti(const fs::path& file, ReadPart part) {
     return fail(file.string() +
                 " has voxels of a number type that Insonate cannot read. Convert it to 16-bit integers.");
   auto raw = describe(file, header, type);
+  if (raw) raw->extension = extensionsOf(file, header);
   if (!raw || part == ReadPart::kHeader) return raw;
   if (auto ok = checkVoxelSize(spacingOf(*raw)); !ok) return fail(file.string() + ": " + ok.error().message);
   if (auto ok = readVoxels(file, header, type, *raw); !ok) return tl::unexpected(ok.error());

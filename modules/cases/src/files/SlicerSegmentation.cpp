@@ -206,6 +206,7 @@ Result<LabelReadResult> fromSlicerSegmentation(const RawVolume& raw, const Volum
   LabelReadResult result{LabelMap(geometry), {}};
   const std::vector<Segment> segments = segmentsOf(raw, result);
   result.colours = colorsOf(segments, raw.metadata);
+  for (const Segment& s : segments) result.structures.push_back({static_cast<std::int32_t>(s.value), s.name, s.label});
   std::set<std::pair<int, long>> orphans;
   std::size_t overlaps = 0;
   std::vector<std::map<long, const Segment*>> layers(raw.components);

@@ -20,6 +20,7 @@ struct RawVolume {
   bool eightBit = false;
   bool oriented = true;                         ///< true if the file states patient directions
   std::map<std::string, std::string> metadata;  ///< key/value pairs of an NRRD header
+  std::string extension;                        ///< contents of a NIfTI file's header extensions, one after the other
   /// Values of the voxels: component fastest, then i, j, k; empty if only the header was read.
   std::vector<float> values;
 };

@@ -18,7 +18,8 @@ namespace {
 constexpr std::uint32_t kUndefinedLength = 0xffffffff;
 constexpr std::uint32_t kDelimiters = 0xfffe;  // group of the delimiters
 constexpr std::uint64_t kUntilDelimiter = ~std::uint64_t{0};
-constexpr std::uint32_t kPixelData = 0x7fe00010, kItem = 0xfffee000, kItemEnd = 0xfffee00d, kSequenceEnd = 0xfffee0dd;
+constexpr std::uint32_t kPixelDataCode = 0x7fe00010, kItem = 0xfffee000, kItemEnd = 0xfffee00d,
+                        kSequenceEnd = 0xfffee0dd;
 
 /// PS3.5 table 6.2-1: representations with two bytes of length, and those with four.
 constexpr std::array<std::string_view, 21> kShort{"AE", "AS", "AT", "CS", "DA", "DS", "DT", "FL", "FD", "IS", "LO",
@@ -178,12 +179,12 @@ class Walker {
       if (!next(encoding, element)) return false;
       if (element.tag == kItemEnd) return depth > 0 && element.length == 0;
       if (element.tag >> 16 == kDelimiters) return false;
-      if (depth == 0 && element.tag == kPixelData) pixelsBegan_ = true;
+      if (depth == 0 && element.tag == kPixelDataCode) pixelsBegan_ = true;
       if (element.length != kUndefinedLength) {
         if (element.length > end - position_) return false;
         const std::uint64_t behind = position_ + element.length;
         if (element.vr == "SQ" ? !items(encoding, behind, depth) : !skip(element.length)) return false;
-      } else if (element.tag == kPixelData) {
+      } else if (element.tag == kPixelDataCode) {
         if (!fragments(encoding)) return false;
       } else if (encoding.explicitVr && element.vr != "SQ" && element.vr != "UN") {
         return false;  // PS3.5 7.1.2; GDCM 3.0 terminates the program on it

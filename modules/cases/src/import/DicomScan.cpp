@@ -18,7 +18,7 @@ using gdcm::DataSet;
 using gdcm::Tag;
 
 constexpr std::string_view kStorage = "1.2.840.10008.5.1.4.1.1.";
-const Tag kPixelData(0x7fe0, 0x0010);
+const Tag kPixelTag(0x7fe0, 0x0010);
 
 /// Reason why an object that is not a slice is excluded; empty for slices.
 std::string notASlice(const std::string& sopClass, const std::string& modality, const DataSet& data, bool hasPixels) {
@@ -73,15 +73,15 @@ DicomScan scan(const fs::path& file) {
   const bool cut = layout == DicomLayout::kCutInPixels;
   std::set<Tag> skip;
   // GDCM terminates the program if compressed pixels end early.
-  if (cut) skip.insert(kPixelData);
-  if (!reader.ReadUpToTag(kPixelData, skip)) return {{}, whyUnread(reader.GetFile().GetHeader())};
+  if (cut) skip.insert(kPixelTag);
+  if (!reader.ReadUpToTag(kPixelTag, skip)) return {{}, whyUnread(reader.GetFile().GetHeader())};
   const DataSet& data = reader.GetFile().GetDataSet();
   const std::string modality = textOf(data, Tag(0x0008, 0x0060));
   std::string sopClass = textOf(data, Tag(0x0008, 0x0016));
   if (sopClass.empty()) sopClass = textOf(reader.GetFile().GetHeader(), Tag(0x0002, 0x0002));
   if (sopClass == "1.2.840.10008.1.3.10")
     return {{}, "a DICOM directory, which is an index without images; the images are in the folders beside it", true};
-  if (auto reason = notASlice(sopClass, modality, data, cut || data.FindDataElement(kPixelData)); !reason.empty())
+  if (auto reason = notASlice(sopClass, modality, data, cut || data.FindDataElement(kPixelTag)); !reason.empty())
     return {{}, reason};
   DicomScan result{framesOf(file, data), {}, false};
   for (DicomSlice& slice : result.slices) slice.cutOff = cut;

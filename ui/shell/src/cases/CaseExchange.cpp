@@ -2,6 +2,7 @@
 
 #include "CaseEdits.h"
 #include "CropDialog.h"
+#include "LabelsDialog.h"
 #include "SourceDialog.h"
 
 #include <insonate/cases/DicomSegmentation.h>
@@ -101,27 +102,46 @@ void CaseExchange::chooseLabels() {
   if (!file.isEmpty()) importLabels(file);
 }
 
-void CaseExchange::importLabels(const QString& file) {
-  struct Labelled {
-    Made patient;
-    QStringList notes;
-  };
-  tasks_.run<Labelled>(
-      tr("Importing labels"),
-      [open = open_(), file](const Progress& progress) -> Result<Labelled> {
+/// The open case with its unsaved changes, and labels that are not in it yet.
+struct CaseExchange::Imported {
+  Made from;  ///< the open case, as it was stored
+  std::shared_ptr<PatientCase> copy;
+  LabelReadResult labels;
+};
+
+void CaseExchange::importLabels(const QString& file, const QString& names) {
+  tasks_.run<std::shared_ptr<Imported>>(
+      tr("Reading labels"),
+      [open = open_(), file, names](const Progress& progress) -> Result<std::shared_ptr<Imported>> {
         auto copy = std::make_shared<PatientCase>(*withEdits(open.patient, open.edits));
-        auto labels = insonate::importLabels(*copy, file.toStdString(), {}, progress);
+        // Numbers without names are shown before they are taken.
+        const NumberMeaning meaning{.names = names.toStdString(), .areOurs = true};
+        auto labels = insonate::importLabels(*copy, file.toStdString(), meaning, progress);
         if (!labels) return tl::unexpected(labels.error());
-        QStringList notes;
-        for (const std::string& note : labels->notes) notes << QString::fromStdString(note);
-        takeLabels(std::move(*labels), *copy);
-        return Labelled{std::move(copy), std::move(notes)};
+        return std::make_shared<Imported>(Imported{open.patient, std::move(copy), std::move(*labels)});
       },
-      [this](Result<Labelled> labelled) {
-        if (!labelled) return refuse(labelled.error(), tr("The case keeps its own labels."));
-        Q_EMIT made(labelled->patient, tr("Labels imported. %1").arg(labelled->notes.join(QLatin1Char(' '))), true);
-      },
-      TaskBar::WhenClosed::Ask);
+      [this, file](Result<std::shared_ptr<Imported>> imported) {
+        if (!imported) return refuse(imported.error(), tr("The case keeps its own labels."));
+        showLabels(file, *imported);
+      });
+}
+
+void CaseExchange::showLabels(const QString& file, const std::shared_ptr<Imported>& imported) {
+  auto* dialog = new LabelsDialog(QFileInfo(file).fileName(), imported->copy->ct, imported->labels, window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &LabelsDialog::namesWanted, this, [this, file] {
+    const QString names =
+        askForSourceFile(window_, tr("Names of the numbers"), tr("Names (*.txt *.label *.ctbl *.json);;All files (*)"));
+    if (!names.isEmpty()) importLabels(file, names);
+  });
+  connect(dialog, &QDialog::accepted, this, [this, imported] {
+    if (open_().patient != imported->from) return;
+    QStringList notes;
+    for (const std::string& note : imported->labels.notes) notes << QString::fromStdString(note);
+    takeLabels(std::move(imported->labels), *imported->copy);
+    Q_EMIT made(imported->copy, tr("Labels imported. %1").arg(notes.join(QLatin1Char(' '))), true);
+  });
+  dialog->open();
 }
 
 void CaseExchange::chooseCrop() {

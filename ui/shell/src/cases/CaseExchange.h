@@ -33,8 +33,9 @@ class CaseExchange : public QObject {
   void addTo(QMenu& menu);
   void setEnabled(bool enabled);
 
-  /// Replaces the case's labels by those of a file.
-  void importLabels(const QString& file);
+  /// Reads the labels of a file, shows how they are understood, and replaces the case's labels if the user agrees.
+  /// `names`: file that names the numbers of a label map; empty: none.
+  void importLabels(const QString& file, const QString& names = {});
   void crop(const CropOptions& options);
 
  Q_SIGNALS:
@@ -48,7 +49,9 @@ class CaseExchange : public QObject {
   using Write = std::function<Result<void>(const PatientCase&, const std::string&, const Progress&)>;
   QAction* add(const QString& text, const QString& tip, const char* name, std::function<void()> go);
   QAction* addExport(const QString& text, const QString& tip, const char* name, const QString& ending, Write write);
+  struct Imported;
   void chooseLabels();
+  void showLabels(const QString& file, const std::shared_ptr<Imported>& imported);
   void chooseCrop();
   void chooseTarget(const QString& title, const QString& ending, const Write& write);
   void write(const QString& target, const Write& write);

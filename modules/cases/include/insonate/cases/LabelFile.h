@@ -13,6 +13,13 @@
 
 namespace insonate {
 
+/// One structure of a file of labels, and the label that it was given.
+struct ReadStructure {
+  std::int32_t number = 0;  ///< number of the label or segment in the file
+  std::string name;         ///< name in the file, which may contain patient data; empty for a number without a name
+  std::uint8_t label = 0;   ///< this program's label or one of the author's own
+};
+
 struct LabelReadResult {
   LabelMap labels;
   std::vector<std::string> notes;    ///< structures that were mapped, flattened or ignored, one sentence each
@@ -20,6 +27,8 @@ struct LabelReadResult {
   OwnLabels own{};                   ///< structures unknown to this program, under label numbers of their own
   std::set<std::uint8_t> foreign{};  ///< the author's own labels whose names were written by users of another program
   LabelStates states{};              ///< the author's progress on each structure, if the file states it
+  std::vector<ReadStructure> structures{};  ///< structures of the file that were read, for the author to check
+  bool isUnnamed = false;                   ///< true if the file does not say what its numbers mean
 };
 
 /// Reads a label map file (NRRD, NIfTI, MetaImage; 3-D, whole numbers) and returns the file's numbers unchanged.
@@ -31,13 +40,22 @@ Result<Volume<std::int32_t>> readLabelValues(const std::filesystem::path& file);
 /// refused. Layers are flattened; later segments replace earlier ones.
 Result<LabelReadResult> readLabelMap(const std::filesystem::path& file);
 
+/// Meaning of the numbers of a label map, if the file does not state it.
+struct NumberMeaning {
+  std::filesystem::path names{};  ///< file that names the numbers: see importLabels(); empty: none
+  bool areOurs = false;           ///< numbers without names are this program's label numbers
+};
+
 /// Reads labels for a case: a DICOM segmentation, or any file that readLabelMap() reads, placed on the grid of the
 /// case's CT. Labels on another grid are resampled (nearest voxel), with a note; labels that do not overlap the CT are
 /// refused. The structure of a segment or label is identified by its code, then by its name. An unknown structure
 /// becomes one of the author's own labels without a name, because such names may contain patient data. Adds a note if
-/// the segmentation refers to another CT than the one from which the case was imported.
+/// the segmentation refers to another CT than the one from which the case was imported. The numbers of a label map mean
+/// something else in each program: their names come from `meaning.names` (a label description of ITK-SNAP, a color
+/// table of 3D Slicer, a JSON file of dcmqi or nnU-Net), else from NAME.label.txt beside the file, else from the label
+/// table of a NIfTI header. Without names they are refused, unless `meaning.areOurs`.
 Result<LabelReadResult> importLabels(const PatientCase& patient, const std::filesystem::path& file,
-                                     const std::filesystem::path& names = {}, const Progress& progress = {});
+                                     const NumberMeaning& meaning = {}, const Progress& progress = {});
 
 /// Replaces a case's labels with imported ones, and adds a note that contains no names of segments.
 void takeLabels(LabelReadResult&& imported, PatientCase& patient);
