@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace insonate {
 namespace {
@@ -68,7 +69,21 @@ void fillVein(PatientCase& p, int fromK, int toK, std::uint8_t with) {
         if (p.labels.at(i, j, k) == kVein) p.labels.at(i, j, k) = with;
 }
 
+/// An ellipse of vein around the target, at the expense of muscle.
+void widenVein(PatientCase& p, double halfWidth_mm, double halfHeight_mm) {
+  const Vec3 centre_mm = p.manifest.targets[0].position_mm + Vec3{5, 5, 0};
+  for (int k = 0; k < 61; ++k)
+    for (int j = 0; j < 121; ++j)
+      for (int i = 0; i < 121; ++i) {
+        const Vec3 from = p.labels.geometry.patientFromIndex() * Vec3{double(i), double(j), double(k)} - centre_mm;
+        if (std::hypot(from.x / halfWidth_mm, from.y / halfHeight_mm) < 1 && p.labels.at(i, j, k) == kMuscle)
+          p.labels.at(i, j, k) = kVein;
+      }
+}
+
 const Defect kDefects[] = {
+    {"vessel_too_large", FindingSeverity::kError, [](PatientCase& p) { widenVein(p, 20, 11); }},
+    {"vessel_large", FindingSeverity::kWarning, [](PatientCase& p) { widenVein(p, 12, 9.5); }},
     {"labels_empty", FindingSeverity::kError, [](PatientCase& p) { p.labels = LabelMap(p.ct.geometry); }},
     {"no_vein", FindingSeverity::kError, [](PatientCase& p) { relabel(p, kVein, kMuscle); }},
     {"no_artery", FindingSeverity::kError, [](PatientCase& p) { relabel(p, kArtery, kMuscle); }},

@@ -75,6 +75,17 @@ TEST(VeinMeasures, DoNotDependOnWhereTheProbeStandsAlongTheVein) {
   EXPECT_NEAR(m->depth_mm, 12, 0.6);
 }
 
+/// A mass that fills the surroundings of the target has no direction: it is measured in the image, not in any section.
+TEST(VeinMeasures, AWideMassIsMeasuredInTheImage) {
+  const PatientCase patient = vesselsInABlock({0, 20, 0}, 18, 10, {30, 40, 0}, 3);
+  const auto m = measureVein(patient, patient.manifest.targets[0]);
+  ASSERT_TRUE(m) << m.error().message;
+  EXPECT_NEAR(m->depth_mm, 10, 0.6);
+  EXPECT_NEAR(m->width_mm, 36, 0.6);
+  EXPECT_NEAR(m->height_mm, 20, 0.6);
+  EXPECT_NEAR(m->area_mm2, M_PI * 18 * 10, 8);
+}
+
 TEST(Difficulty, BuiltInNecksRankAsTheyAreGraded) {
   std::map<std::string_view, std::vector<double>> points;
   for (const PhantomVariant& variant : phantomVariants()) {

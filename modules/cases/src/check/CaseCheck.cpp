@@ -47,6 +47,7 @@ Result<std::vector<Finding>> checkCase(const CaseView& authors, const Progress& 
   if (cancelled(0.9)) return stop();
   checkPlaces(patient, findings);
   checkLandmarks(patient, findings);
+  checkSizes(patient, findings);
   checkDifficulty(patient, findings);
   if (cancelled(1)) return stop();
   std::ranges::stable_sort(findings, {}, &Finding::severity);

@@ -51,6 +51,8 @@ void checkIslands(const CaseView& patient, Findings& findings);
 void checkPlaces(const CaseView& patient, Findings& findings);
 /// Finds missing landmarks and landmarks at impossible positions.
 void checkLandmarks(const CaseView& patient, Findings& findings);
+/// Finds target vessels that are larger than any such vessel, or unusually large.
+void checkSizes(const CaseView& patient, Findings& findings);
 /// Finds a missing grade, or a grade that the labels contradict.
 void checkDifficulty(const CaseView& patient, Findings& findings);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace insonate {
@@ -27,8 +28,9 @@ struct Region {
   double area_mm2() const { return double(pixels.size()) * kStep_mm * kStep_mm; }
 };
 
-/// Direction of the vessel: the main axis of its voxels near the target, by power iteration.
-Vec3 directionOf(const CaseView& patient, const Target& target) {
+/// Direction of the vessel: the main axis of its voxels near the target, by power iteration. None if they have no main
+/// axis, as in a vessel that is wider than the ball in which they are collected.
+std::optional<Vec3> directionOf(const CaseView& patient, const Target& target) {
   constexpr double kReach_mm = 10, kGrain_mm = 1;
   const Transform index = patient.labels.geometry.indexFromPatient();
   std::vector<Vec3> offsets;
@@ -52,24 +54,31 @@ Vec3 directionOf(const CaseView& patient, const Target& target) {
     if (norm(next) < 1e-9) break;
     along = normalized(next);
   }
-  return normalized(along);
+  along = normalized(along);
+  double lengthwise = 0, all = 0;
+  for (const Vec3& offset : offsets) {
+    lengthwise += std::pow(dot(offset - mean, along), 2);
+    all += dot(offset - mean, offset - mean);
+  }
+  // Ratio of the variance along the vessel to the mean of the other two: 15 for a round vessel of 6 mm, 2 for one of
+  // 16 mm or a vein of 20 x 8 mm, 1 for what fills the ball.
+  constexpr double kClear = 1.5;
+  if (lengthwise < kClear * (all - lengthwise) / 2) return std::nullopt;
+  return along;
 }
 
-/// Direction of the beam at the target: that of the nearest start pose that aims at it, else from the nearest skin.
-Result<Vec3> beamTo(const CaseView& patient, const Target& target) {
+/// The nearest start pose that aims at the target, else one on the nearest skin.
+Result<StartPose> poseToward(const CaseView& patient, const Target& target) {
   constexpr double kAims_mm = 12;
   double nearest_mm = std::numeric_limits<double>::infinity();
-  Vec3 beam;
+  const StartPose* nearest = nullptr;
   for (const StartPose& pose : patient.manifest.startPoses) {
     const Vec3 to = target.position_mm - pose.position_mm;
     const double deep = dot(to, pose.axial);
     if (deep <= 0 || norm(to - deep * pose.axial) > kAims_mm || norm(to) >= nearest_mm) continue;
-    nearest_mm = norm(to), beam = pose.axial;
+    nearest_mm = norm(to), nearest = &pose;
   }
-  if (std::isfinite(nearest_mm)) return beam;
-  auto pose = poseOver(patient, target);
-  if (!pose) return tl::unexpected(pose.error());
-  return pose->axial;
+  return nearest ? Result<StartPose>(*nearest) : poseOver(patient, target);
 }
 
 /// Distance from the target back to the last point of the body before 5 mm of outside.
@@ -175,11 +184,12 @@ Result<VeinMeasures> measureVein(const CaseView& patient, const Target& target) 
   if (sampleNearest(patient.labels, index * target.position_mm) != target.label)
     return fail("The target \"" + target.name + "\" is not in " + labelName(target.label) +
                 ". Put it into its vessel, or label the vessel there.");
-  const auto beam = beamTo(patient, target);
-  if (!beam) return tl::unexpected(beam.error());
-  const Vec3 along = directionOf(patient, target);
-  Vec3 into = *beam - dot(*beam, along) * along;
-  if (norm(into) < 0.2) into = *beam;  // the beam is along the vessel: any section is suitable
+  const auto pose = poseToward(patient, target);
+  if (!pose) return tl::unexpected(pose.error());
+  const Vec3 beam = pose->axial;
+  const Vec3 along = directionOf(patient, target).value_or(normalized(cross(beam, pose->lateral)));
+  Vec3 into = beam - dot(beam, along) * along;
+  if (norm(into) < 0.2) into = beam;  // the beam is along the vessel: any section is suitable
   into = normalized(into);
   const Vec3 aside = normalized(cross(along, into));
   const double skin_mm = toSkin_mm(patient, target.position_mm, -into);

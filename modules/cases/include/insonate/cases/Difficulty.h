@@ -10,7 +10,8 @@
 namespace insonate {
 
 /// Properties that make a vein easy or hard to puncture, measured in its cross-section at a target, as a probe over the
-/// target shows it.
+/// target shows it: at right angles to the vessel, or, if its voxels have no main direction, in the image of the start
+/// pose.
 struct VeinMeasures {
   std::string target;
   double depth_mm = 0;                 ///< depth of the vein's front wall below the skin
