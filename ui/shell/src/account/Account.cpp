@@ -15,7 +15,7 @@
 namespace insonate::ui {
 
 QString usualStore() {
-  const QString named = qEnvironmentVariable("INSONATE_DATABASE");
+  QString named = qEnvironmentVariable("INSONATE_DATABASE");
   if (!named.isEmpty()) return named;
   return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/curriculum.sqlite");
 }

@@ -135,7 +135,9 @@ void CaseExchange::showLabels(const QString& file, const std::shared_ptr<Importe
     if (!names.isEmpty()) importLabels(file, names);
   });
   connect(dialog, &QDialog::accepted, this, [this, imported] {
-    if (open_().patient != imported->from) return;
+    if (open_().patient != imported->from)
+      return Q_EMIT failed(tr("The case has changed while its new labels were shown."), tr("Import the labels again."),
+                           {});
     QStringList notes;
     for (const std::string& note : imported->labels.notes) notes << QString::fromStdString(note);
     takeLabels(std::move(imported->labels), *imported->copy);
