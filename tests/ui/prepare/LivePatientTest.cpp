@@ -54,6 +54,10 @@ TEST(LivePatient, APoseDependsOnThePlaceAndNotOnTheWayToIt) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return live.isSettled() && live.shown(); }, kPatience_ms));
   live.follow({3, 0, 2});
   const Transform direct = *live.standing();
+  const StartPose pressed{"pressed", direct.offset + 6.0 * direct.linear.column[2], direct.linear.column[2],
+                          direct.linear.column[0]};
+  live.goTo(pressed);
+  EXPECT_NEAR(norm(live.standing()->offset - direct.offset), 6, 0.5) << "a saved pose is taken as it is";
   for (const Vec3 place : {Vec3{30, 20, 0}, Vec3{0, 40, 8}, Vec3{-30, 20, -8}, Vec3{0, 20, 30}, Vec3{3, 0, 2}})
     live.follow(place);
   EXPECT_LT(norm(live.standing()->offset - direct.offset), 0.1);
