@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -296,6 +297,7 @@ TEST(LabelImport, ANiftiHeaderNamesTheNumbers) {
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(firstThree(read), (std::vector<int>{kLabelCount, kVein, kArtery})) << "a spleen is no skin";
   EXPECT_THAT(read->notes, Contains(HasSubstr("the file's header")));
+  EXPECT_TRUE(std::ranges::is_sorted(read->structures, {}, &ReadStructure::number));
   for (const char* other : {"", "<Label Key=\"x\"><![CDATA[a]]></Label>", "<Label Key=\"1\"", "<Label ]]><![CDATA["}) {
     writeNamedNifti(folder / "map.nii", other);
     EXPECT_THAT(importLabels(blankCase(), folder / "map.nii").error().message, HasSubstr("does not say")) << other;

@@ -3,6 +3,7 @@
 
 #include <insonate/cases/LabelFile.h>
 
+#include <bitset>
 #include <cmath>
 
 namespace insonate {
@@ -52,13 +53,20 @@ Result<LabelReadResult> readLabelMap(const fs::path& file) {
   auto values = wholeNumbers(*raw, file);
   if (!values) return tl::unexpected(values.error());
   LabelReadResult result{LabelMap(values->geometry), {}};
+  std::bitset<256> occurs;
   for (std::size_t v = 0; v < values->voxels.size(); ++v) {
     const std::int32_t value = values->voxels[v];
     if (value < 0 || value > 255)
       return fail(file.string() + " holds the label " + std::to_string(value) +
-                  "; labels are 0 to 255. Renumber the structures as in the list of labels.");
+                  "; labels are 0 to 255. Name the numbers of another program with --names FILE, or renumber the "
+                  "structures as in the list of labels.");
     result.labels.voxels[v] = static_cast<std::uint8_t>(value);
+    occurs.set(static_cast<std::size_t>(value));
   }
+  for (std::size_t value = 1; value < occurs.size(); ++value)
+    if (occurs[value])
+      result.structures.push_back({static_cast<std::int32_t>(value), {}, static_cast<std::uint8_t>(value)});
+  result.isUnnamed = !result.structures.empty();
   return result;
 }
 

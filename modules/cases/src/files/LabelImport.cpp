@@ -10,6 +10,7 @@
 
 #include <insonate/cases/LabelFile.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -76,36 +77,26 @@ Result<LabelReadResult> mapByNames(const fs::path& file, const NumberNames& name
     }
     result.labels.voxels[v] = meaning->second;
   }
+  std::ranges::sort(result.structures, {}, &ReadStructure::number);
   for (const std::int32_t value : undescribed)
     result.notes.push_back("The number " + std::to_string(value) + " is not described and was ignored.");
   return result;
 }
 
-std::string listOf(const std::set<std::int32_t>& numbers) {
+std::string numbersOf(const std::vector<ReadStructure>& structures) {
   constexpr std::size_t kListed = 6;
   std::string text;
-  std::size_t listed = 0;
-  for (const std::int32_t number : numbers) {
-    if (++listed > kListed) return text + " and " + std::to_string(numbers.size() - kListed) + " more";
-    text += (text.empty() ? "" : ", ") + std::to_string(number);
-  }
-  return text;
+  for (std::size_t n = 0; n < std::min(kListed, structures.size()); ++n)
+    text += (n > 0 ? ", " : "") + std::to_string(structures[n].number);
+  return structures.size() <= kListed ? text : text + " and " + std::to_string(structures.size() - kListed) + " more";
 }
 
 /// 1 is the skin here, the spleen for TotalSegmentator, and whatever was drawn first in many other programs.
 Result<LabelReadResult> readUnnamed(const fs::path& file, bool areOurs) {
-  const auto values = readLabelValues(file);
-  if (!values) return tl::unexpected(values.error());
-  std::set<std::int32_t> numbers(values->voxels.begin(), values->voxels.end());
-  numbers.erase(0);
-  if (!areOurs && !numbers.empty())
-    return fail(file.string() + " does not say what its numbers (" + listOf(numbers) +
-                ") mean. Name them with --names FILE, or state with --ours that they are Insonate's label numbers.");
   auto result = readLabelMap(file);
-  if (!result) return result;
-  for (const std::int32_t number : numbers)
-    result->structures.push_back({number, {}, static_cast<std::uint8_t>(number)});
-  result->isUnnamed = true;
+  if (result && result->isUnnamed && !areOurs)
+    return fail(file.string() + " does not say what its numbers (" + numbersOf(result->structures) +
+                ") mean. Name them with --names FILE, or state with --ours that they are Insonate's label numbers.");
   return result;
 }
 

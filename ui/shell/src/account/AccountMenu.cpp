@@ -155,9 +155,8 @@ void AccountMenu::askAlone() {
       tr("Who trains on this computer?"),
       tr("Just me: you get the levels of the built-in curriculum, and see your results and learning curves. You stay "
          "signed in on this computer. A class can be added later; your attempts are kept.\n\nA class: an administrator "
-         "adds "
-         "instructors and trainees, who sign in with a password.\n\nCancel to look around first; the button at the top "
-         "right offers both later."),
+         "adds instructors and trainees, who sign in with a password.\n\nCancel to look around first; the button at "
+         "the top right offers both later."),
       {{"aloneName", tr("Your name"), tr("Shown with your results")},
        {"alonePassword", tr("Password (optional)"), tr("At least 8 characters"), {}, true},
        {"aloneAgain", tr("Password again"), tr("Repeat the password, if you chose one"), {}, true}},

@@ -107,6 +107,7 @@ struct CaseExchange::Imported {
   Made from;  ///< the open case, as it was stored
   std::shared_ptr<PatientCase> copy;
   LabelReadResult labels;
+  LabelsPreview preview;
 };
 
 void CaseExchange::importLabels(const QString& file, const QString& names) {
@@ -118,7 +119,9 @@ void CaseExchange::importLabels(const QString& file, const QString& names) {
         const NumberMeaning meaning{.names = names.toStdString(), .areOurs = true};
         auto labels = insonate::importLabels(*copy, file.toStdString(), meaning, progress);
         if (!labels) return tl::unexpected(labels.error());
-        return std::make_shared<Imported>(Imported{open.patient, std::move(copy), std::move(*labels)});
+        auto preview = labelsPreviewOf(copy->ct, *labels);
+        return std::make_shared<Imported>(
+            Imported{open.patient, std::move(copy), std::move(*labels), std::move(preview)});
       },
       [this, file](Result<std::shared_ptr<Imported>> imported) {
         if (!imported) return refuse(imported.error(), tr("The case keeps its own labels."));
@@ -127,7 +130,7 @@ void CaseExchange::importLabels(const QString& file, const QString& names) {
 }
 
 void CaseExchange::showLabels(const QString& file, const std::shared_ptr<Imported>& imported) {
-  auto* dialog = new LabelsDialog(QFileInfo(file).fileName(), imported->copy->ct, imported->labels, window_);
+  auto* dialog = new LabelsDialog(QFileInfo(file).fileName(), imported->labels, imported->preview, window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &LabelsDialog::namesWanted, this, [this, file] {
     const QString names =

@@ -4,12 +4,23 @@
 
 #include <QDialog>
 #include <QImage>
+#include <array>
+#include <cstddef>
 
 class QCheckBox;
 class QPushButton;
 class QVBoxLayout;
 
 namespace insonate::ui {
+
+/// Facts about labels that take a pass over all voxels.
+struct LabelsPreview {
+  QImage slice;                           ///< see labelPreview()
+  std::array<std::size_t, 256> voxels{};  ///< number of voxels by label
+};
+
+/// Computes the preview of labels on the grid of `ct`. For any thread.
+LabelsPreview labelsPreviewOf(const CtVolume& ct, const LabelReadResult& read);
 
 /// Shows how the labels of a file are understood, with a slice of the CT, before they replace the case's labels. If the
 /// file does not say what its numbers mean, they are accepted only once the user states that they are this program's
@@ -18,8 +29,8 @@ class LabelsDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `ct` and `read` have the same grid; both are only used while the dialog is made.
-  LabelsDialog(const QString& fileName, const CtVolume& ct, const LabelReadResult& read, QWidget* parent);
+  /// `read` is only used while the dialog is made.
+  LabelsDialog(const QString& fileName, const LabelReadResult& read, const LabelsPreview& preview, QWidget* parent);
 
  Q_SIGNALS:
   void namesWanted();  ///< emitted when the user wants to choose a file that names the numbers
@@ -30,10 +41,5 @@ class LabelsDialog : public QDialog {
   QCheckBox* areOurs_ = nullptr;  ///< null if the file names its structures
   QPushButton* replace_;
 };
-
-/// Returns the slice perpendicular to k with the most labeled voxels, with the labels in their colors over the CT; at
-/// most `side` pixels wide and high. The patient's left is on the right if i or j runs along that direction. For any
-/// thread.
-QImage labelPreview(const CtVolume& ct, const LabelReadResult& read, int side);
 
 }  // namespace insonate::ui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <insonate/cases/PatientCase.h>
 #include <insonate/image/Volume.h>
 
 #include <QImage>
@@ -9,5 +10,9 @@ namespace insonate::ui {
 /// Returns the middle slice perpendicular to k, in a soft-tissue window with `shift_HU` added to the values, at most
 /// `side` pixels wide and high. The patient's left is on the right if i or j runs along that direction. For any thread.
 QImage slicePreview(const CtVolume& ct, int side, int shift_HU = 0);
+
+/// Does the same for the slice with the most labeled voxels, with the labels over it in their colors. `labels` has the
+/// grid of `ct`.
+QImage labelPreview(const CtVolume& ct, const LabelMap& labels, const LabelColours& colours, int side);
 
 }  // namespace insonate::ui
