@@ -1,31 +1,33 @@
-// Transmission to each gate along each ray of the aperture: ApertureRays. A group follows one ray down the image, its
-// threads take the scanlines.
+// Transmission to each gate along each ray of the aperture: ApertureRays. A group follows one ray down the image, a
+// thread takes a scanline.
 #include "frame.glsl"
-#include "records.glsl"
-#include "rest.glsl"
+#include "geometry.glsl"
 
-layout(local_size_x = 128) in;
-layout(std430, binding = 5) readonly buffer Samples {
-  GateSample samples[];
+layout(local_size_x = 1024) in;
+layout(std430, binding = 5) readonly buffer Reaching {
+  float reaching[];  // [gate][line]
 };
 layout(std430, binding = 7) writeonly buffer Aperture {
   float aperture[];  // [ray][gate][line]
 };
-#include "reaching.glsl"
+
+const int kAhead = 8;  // gates that are read together, so that a gate does not wait for memory
 
 shared float left[2][1024];  // by parity of the gate, of each scanline behind it
 
 void main() {
-  int ray = int(gl_WorkGroupID.x);
-  for (int gate = 0; gate < frame.gates; ++gate) {
-    float shift = kRayTangent[ray] * gateTableAt(gate).w;
-    for (int line = int(gl_LocalInvocationID.x); line < frame.lines; line += 128) {
-      int beside = clamp(line + (shift > 0.0 ? 1 : -1), 0, frame.lines - 1), above = (gate + 1) & 1;
-      float reaching = reachingAt(gate, line);
-      float here = gate == 0 ? reaching : mix(left[above][line], left[above][beside], abs(shift));
-      aperture[gateIndex(ray, gate, line)] = here;
-      left[gate & 1][line] = here * reachingAt(gate + 1, line) / reaching;
+  int ray = int(gl_WorkGroupID.x), line = int(gl_LocalInvocationID.x), own = min(line, frame.lines - 1);
+  float ahead[kAhead + 1], shift[kAhead];
+  for (int first = 0; first < frame.gates; first += kAhead) {
+    for (int n = 0; n <= kAhead; ++n) ahead[n] = reaching[gateIndex(0, min(first + n, frame.gates), own)];
+    for (int n = 0; n < kAhead; ++n) shift[n] = kRayTangent[ray] * gateTableAt(first + n).w;
+    for (int n = 0; n < kAhead; ++n) {
+      int gate = first + n, above = (n + 1) & 1;
+      int beside = clamp(line + (shift[n] > 0.0 ? 1 : -1), 0, frame.lines - 1);
+      float here = gate == 0 ? ahead[0] : mix(left[above][own], left[above][beside], abs(shift[n]));
+      if (line < frame.lines && gate < frame.gates) aperture[gateIndex(ray, gate, line)] = here;
+      left[n & 1][line] = here * ahead[n + 1] / ahead[n];
+      barrier();
     }
-    barrier();
   }
 }

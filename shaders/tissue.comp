@@ -17,20 +17,21 @@ const float kSilence_dB = -1e4, kLost_dB = 1e4;
 
 // Structure that a CT does not resolve.
 void addTexture(inout GateSample here, float ct_HU, vec3 rest, int line) {
-  Channel channel = frame.channel[here.channel];
-  here.echo_dB += channel.ctEcho_dBperHU * ct_HU;
+  // Read in place: of a copy of the channel, NVIDIA's compiler (580.159) takes wrong rows where `side` varies.
+  int own = here.channel;
+  here.echo_dB += frame.channel[own].ctEcho_dBperHU * ct_HU;
   int side = dot(frame.fromMidline, vec4(rest, 1)) < 0.0 ? 0 : 1;
-  vec4 rows[3] = vec4[3](channel.tileFromProbe[3 * side], channel.tileFromProbe[3 * side + 1],
-                         channel.tileFromProbe[3 * side + 2]);
-  ivec3 voxel = channel.tileBase[side].xyz + ivec3(floor(carriedBy(rows, rest)));
-  float value = tileAt(channel.tile, voxel) / 127.0;
+  vec4 rows[3] = vec4[3](frame.channel[own].tileFromProbe[3 * side], frame.channel[own].tileFromProbe[3 * side + 1],
+                         frame.channel[own].tileFromProbe[3 * side + 2]);
+  ivec3 voxel = frame.channel[own].tileBase[side].xyz + ivec3(floor(carriedBy(rows, rest)));
+  float value = tileAt(frame.channel[own].tile, voxel) / 127.0;
   if (value > 0.0) {
     vec4 ray = planTable[line];
-    float facing = dot(vec3(ray.z, 0, ray.w), channel.thinAxis[side].xyz);
+    float facing = dot(vec3(ray.z, 0, ray.w), frame.channel[own].thinAxis[side].xyz);
     value *= 0.2 + 0.8 * facing * facing;
-    if ((channel.flags & kSheets) != 0) here.sheet = kSheetCoherence * value;
+    if ((frame.channel[own].flags & kSheets) != 0) here.sheet = kSheetCoherence * value;
   }
-  here.echo_dB += channel.textureStrength_dB * value;
+  here.echo_dB += frame.channel[own].textureStrength_dB * value;
 }
 
 float byteOf(int word, int which) {

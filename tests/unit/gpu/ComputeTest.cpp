@@ -1,8 +1,10 @@
 #include <insonate/gpu/Memory.h>
 #include <insonate/gpu/Program.h>
+#include <insonate/gpu/Stopwatch.h>
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -32,6 +34,41 @@ void main() {
   if (i < count) value[i] *= 2.0;
 }
 )";
+
+TEST_F(GpuCompute, AStopwatchMeasuresWorkOnTheCard) {
+  const auto current = context_->use();
+  const auto loop = program(*current, R"(
+layout(local_size_x = 64) in;
+layout(binding = 0) buffer Values { float value[]; };
+uniform int count;
+void main() {
+  float x = float(gl_GlobalInvocationID.x);
+  for (int i = 0; i < count; ++i) x = x * 0.999 + 1.0;
+  value[gl_GlobalInvocationID.x] = x;
+}
+)");
+  ASSERT_TRUE(loop) << loop.error().message;
+  const auto buffer = Buffer::make(*current, 64 * 4);
+  const auto watch = Stopwatch::make(*current, 3);
+  ASSERT_TRUE(buffer && watch);
+  buffer->bindStorage(*current, 0);
+  const auto start = std::chrono::steady_clock::now();
+  watch->mark(*current, 0);
+  loop->setInt(*current, "count", 1'000);
+  loop->run(*current, 1);
+  watch->mark(*current, 1);
+  loop->setInt(*current, "count", 10'000'000);
+  loop->run(*current, 1);
+  watch->mark(*current, 2);
+  const double little_ms = watch->between_ms(*current, 0, 1), much_ms = watch->between_ms(*current, 1, 2);
+  const std::chrono::duration<double, std::milli> all = std::chrono::steady_clock::now() - start;
+  EXPECT_GE(little_ms, 0);
+  // Mesa's software renderer notes times when it draws, not when it computes.
+  if (!context_->device().software) {
+    EXPECT_GT(much_ms, little_ms);
+  }
+  EXPECT_LE(little_ms + much_ms, all.count() + 1);
+}
 
 TEST_F(GpuCompute, RunsAndIsReadBackTwoAtATime) {
   const auto current = context_->use();

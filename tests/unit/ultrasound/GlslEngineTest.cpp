@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <thread>
 
 namespace insonate {
@@ -48,6 +49,28 @@ TEST_F(GlslEngine, TellsItsDevice) {
   const auto& device = (*glsl::Device::shared())->context().device();
   EXPECT_NE(engine->note().find(device.renderer), std::string::npos);
   EXPECT_EQ(engine->note().find("software") != std::string::npos, device.software);
+}
+
+TEST_F(GlslEngine, TimesOfItsStagesSumUpToTheFrame) {
+  const auto scene = sceneOf(kVein);
+  for (const Look look : {Look::Coherent, Look::Thesis}) {
+    settings_.look = look;
+    const auto engine = *makeEngine("glsl");
+    engine->prepare(probe_, settings_);
+    frameOf(*engine, *scene);
+    const auto start = std::chrono::steady_clock::now();
+    frameOf(*engine, *scene);
+    const std::chrono::duration<double, std::milli> frame = std::chrono::steady_clock::now() - start;
+    double sum_ms = 0;
+    for (const Engine::Stage& stage : engine->stages()) {
+      EXPECT_GE(stage.ms, 0) << stage.name;
+      sum_ms += stage.ms;
+    }
+    EXPECT_EQ(engine->stages().front().name, "upload");
+    EXPECT_EQ(engine->stages().back().name, "read-back");
+    EXPECT_GT(sum_ms, 0);
+    EXPECT_LE(sum_ms, frame.count());
+  }
 }
 
 TEST_F(GlslEngine, SameInputsSameFrame) {

@@ -51,11 +51,11 @@ std::string rowsText(const UltrasoundBench& bench) {
 }
 
 std::string stagesText(const UltrasoundBench& bench) {
-  std::string text = header({"stage", "threads", "median ms", "least ms", "Gop/s", "GB/s", "% of arithmetic peak",
-                             "% of cache bandwidth", "% of memory bandwidth"});
+  std::string text = header({"engine", "stage", "threads", "median ms", "least ms", "Gop/s", "GB/s",
+                             "% of arithmetic peak", "% of cache bandwidth", "% of memory bandwidth"});
   for (const StageLimits& s : bench.stages) {
     const auto known = [&](double value) { return s.operations > 0 ? fixed(value, 1) : std::string(); };
-    text += csvLine({s.stage, std::to_string(s.threads), fixed(s.time.median_ms, 3), fixed(s.time.min_ms, 3),
+    text += csvLine({s.engine, s.stage, std::to_string(s.threads), fixed(s.time.median_ms, 3), fixed(s.time.min_ms, 3),
                      known(s.giga_operationsPerSecond), known(s.gigabytesPerSecond), known(s.percentOfArithmetic),
                      known(s.percentOfCache), known(s.percentOfMemory)});
   }

@@ -107,13 +107,16 @@ std::string timeAgainstSize(const UltrasoundBench& bench, const Sweep& sweep) {
 }
 
 std::string stageBars(const UltrasoundBench& bench) {
-  StackedBars chart{.title = "Stages of workload W1",
+  StackedBars chart{.title = "Stages of workload W1 on processors",
                     .subtitle = "least times of each stage; those of the engine are summed over threads",
                     .valueTitle = "ms",
                     .bars = {},
                     .parts = {}};
   std::vector<int> threads;
-  for (const StageLimits& stage : bench.stages) {
+  std::vector<StageLimits> stages;
+  std::ranges::copy_if(bench.stages, std::back_inserter(stages),
+                       [](const StageLimits& stage) { return stage.engine == "cpu"; });
+  for (const StageLimits& stage : stages) {
     if (std::find(threads.begin(), threads.end(), stage.threads) == threads.end()) threads.push_back(stage.threads);
     const auto known = std::any_of(chart.parts.begin(), chart.parts.end(),
                                    [&](const StackedBars::Part& part) { return part.name == stage.stage; });
@@ -122,7 +125,7 @@ std::string stageBars(const UltrasoundBench& bench) {
   for (const int n : threads) chart.bars.push_back(std::to_string(n) + (n == 1 ? " thread" : " threads"));
   for (StackedBars::Part& part : chart.parts)
     for (const int n : threads)
-      for (const StageLimits& stage : bench.stages)
+      for (const StageLimits& stage : stages)
         if (stage.stage == part.name && stage.threads == n) part.values.push_back(stage.time.min_ms);
   return svgOf(chart);
 }

@@ -46,7 +46,7 @@ json jsonOf(const UltrasoundBenchRow& row) {
 }
 
 json jsonOf(const StageLimits& s) {
-  json object{{"stage", s.stage}, {"threads", s.threads}};
+  json object{{"engine", s.engine}, {"stage", s.stage}, {"threads", s.threads}};
   object["median_ms"] = rounded(s.time.median_ms), object["min_ms"] = rounded(s.time.min_ms);
   const auto known = [&](double value) { return s.operations > 0 ? rounded(value) : json(); };
   object["operations"] = known(s.operations), object["bytes"] = known(s.bytes);
@@ -162,7 +162,7 @@ std::string rowsCsv(const UltrasoundBench& results) {
 }
 
 std::string stagesCsv(const UltrasoundBench& results) {
-  return csvOf(arrayOf(results.stages), {"stage", "threads", "median_ms", "min_ms", "operations", "bytes",
+  return csvOf(arrayOf(results.stages), {"engine", "stage", "threads", "median_ms", "min_ms", "operations", "bytes",
                                          "gigaoperations_per_s", "gigabytes_per_s", "percent_of_arithmetic_peak",
                                          "percent_of_cache_bandwidth", "percent_of_memory_bandwidth"});
 }

@@ -58,20 +58,19 @@ BenchComputer describeMachine(double seconds) {
   return machine;
 }
 
-/// Stages of W1 compared with the limits of the same number of threads.
+/// Stages of W1; those of processors compared with the limits of the same number of threads.
 std::vector<StageLimits> stageLimits(const UltrasoundBench& bench, const std::vector<StageWork>& work) {
   std::vector<StageLimits> all;
   const UltrasoundBenchRow& w1 = bench.rows.front();
   for (const UltrasoundBenchRow& row : bench.rows) {
-    const bool same = row.engine == kW1Engine && row.look == w1.look && row.scanlines == w1.scanlines &&
+    const bool same = row.engine != "reference" && row.look == w1.look && row.scanlines == w1.scanlines &&
                       row.samples == w1.samples && row.elevationPlanes == w1.elevationPlanes;
     if (!same) continue;
     const auto limits = std::find_if(bench.machine.limits.begin(), bench.machine.limits.end(),
                                      [&](const BenchComputer::Limits& l) { return l.threads == row.threads; });
     for (const StageTime& stage : row.stages) {
-      StageLimits s{.stage = stage.name, .threads = row.threads, .time = stage};
-      const auto known =
-          std::find_if(work.begin(), work.end(), [&](const StageWork& w) { return w.name == stage.name; });
+      StageLimits s{.engine = row.engine, .stage = stage.name, .threads = row.threads, .time = stage};
+      const auto known = row.engine == kW1Engine ? std::ranges::find(work, stage.name, &StageWork::name) : work.end();
       if (known != work.end() && stage.min_ms > 0 && limits != bench.machine.limits.end()) {
         // Times of the engine are sums over threads, so that rates apply to one thread.
         const bool summed = known - work.begin() < 4;
@@ -145,7 +144,9 @@ constexpr const char* kAboutPlainLoop =
     "The plain loop is a scalar loop of the same workload without boundaries, layers, textures, looks and display "
     "filters, compiled with the same options.";
 constexpr const char* kAboutStages =
-    "Stage times of the engine are sums over threads, those of the display are wall-clock. Operations and bytes are "
+    "Stage times of the engine cpu are sums over threads, those of the display are wall-clock. Of the engine glsl, "
+    "upload is the processor's time, read-back all that remains of the frame (commands, waiting, copying); the stages "
+    "between were measured on the card. Operations and bytes are "
     "estimates of what the model asks for, by formula. A frame's data fit the caches, so that more than 100 % of the "
     "memory's bandwidth is no mistake. Integer work and work that is no multiply-add cannot reach the arithmetic peak.";
 constexpr const char* kAboutOthers =

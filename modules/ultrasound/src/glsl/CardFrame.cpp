@@ -1,5 +1,6 @@
 #include "glsl/CardFrame.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace insonate::glsl {
@@ -36,7 +37,11 @@ CardFrame::CardFrame(std::shared_ptr<const Device> device, const Probe& probe, c
       needle_(plan_),
       tables_(plan_, settings.look == Look::Thesis) {
   if (settings.look == Look::Thesis) thesis_.emplace(plan_);
-  stages_ = {{"upload"}, {"commands"}, {"results"}};
+  if (thesis_)
+    stages_ = {{"upload"}, {"structures"}, {"echoes"}, {"beam"}, {"envelope"}, {"read-back"}};
+  else
+    stages_ = {{"upload"},     {"contact"},      {"structures"}, {"losses"},   {"echoes"},
+               {"axial beam"}, {"lateral beam"}, {"envelope"},   {"read-back"}};
 }
 
 Result<std::unique_ptr<CardFrame>> CardFrame::make(std::shared_ptr<const Device> device, const Probe& probe,
@@ -82,9 +87,13 @@ Result<void> CardFrame::allocate(const gpu::Current& current) {
     fill(tables_.repeats, repeats_);
     room(nodes * kCellBytes, cells_), room(planes * gates * kSampleBytes, samples_);
     room(planes * gates * kCrossingBytes, crossings_), room(plan_.lines * sizeof(int), gasGates_);
+    room((gates + plan_.lines) * sizeof(float), reaching_);
     room(ApertureRays::kCount * gates * sizeof(float), aperture_);
   }
   if (!ok) return ok;
+  auto watch = gpu::Stopwatch::make(current, static_cast<int>(stages_.size()) - 1);
+  if (!watch) return tl::unexpected(watch.error());
+  watch_ = std::move(*watch);
   auto readBack = gpu::ReadBack::make(current, look);
   if (!readBack) return tl::unexpected(readBack.error());
   readBack_ = std::move(*readBack);
@@ -146,19 +155,23 @@ void CardFrame::run(const gpu::Current& current, Stage stage, std::initializer_l
   device_->program(stage).run(current, groupsX, groupsY, groupsZ);
 }
 
-void CardFrame::traceCoherent(const gpu::Current& current) const {
+void CardFrame::traceCoherent(const gpu::Current& current) {
   const int planes = plan_.settings.elevationPlanes, lines = groupsOfLines(), gates = (plan_.gates + 1) / 2;
   const int columns = (plan_.nodeColumns + 31) / 32, rows = (plan_.nodeRows + 1) / 2;
   run(current, Stage::Contact, {}, columns);
+  endPart(current);
   run(current, Stage::Nodes, {{5, &nodes_}}, columns, rows, planes);
   run(current, Stage::Cells, {{5, &nodes_}, {6, &cells_}}, columns, rows, planes);
   run(current, Stage::Tissue, {{5, &cells_}, {6, &samples_}}, lines, gates, planes);
   run(current, Stage::Crossings, {{5, &cells_}, {6, &samples_}, {7, &crossings_}}, lines, gates, planes);
+  endPart(current);
   run(current, Stage::Levels, {{5, &samples_}, {6, &crossings_}, {7, &gasGates_}}, (plan_.lines + 15) / 16, 1, planes);
-  run(current, Stage::Aperture, {{5, &samples_}, {7, &aperture_}}, ApertureRays::kCount);
-  run(current, Stage::Penumbra, {{5, &samples_}, {6, &aperture_}}, lines, gates);
+  run(current, Stage::Reaching, {{5, &samples_}, {7, &reaching_}}, lines, plan_.gates / 2 + 1);
+  run(current, Stage::Aperture, {{5, &reaching_}, {7, &aperture_}}, ApertureRays::kCount);
+  run(current, Stage::Penumbra, {{5, &samples_}, {6, &aperture_}, {7, &reaching_}}, lines, gates);
   if (needle_.present())
     run(current, Stage::NeedleShadow, {{5, &samples_}, {6, &needleBuffer_}, {7, &crossings_}}, lines, gates, planes);
+  endPart(current);
   run(current, Stage::Echoes, {{5, &samples_}, {6, &crossings_}, {7, &echo_}}, lines, gates);
   if (plan_.settings.effects.reverberation) {
     run(current, Stage::Gas, {{5, &samples_}, {6, &gasGates_}}, lines, gates);
@@ -167,20 +180,26 @@ void CardFrame::traceCoherent(const gpu::Current& current) const {
   if (pointEchoes_ > 0) run(current, Stage::Points, {{5, &points_}, {7, &echo_}}, pointEchoes_);
   if (needle_.present())
     run(current, Stage::NeedleEchoes, {{5, &samples_}, {6, &needleBuffer_}, {7, &echo_}}, lines, gates);
+  endPart(current);
   const int components = 2 * tables_.block.looks;
   run(current, Stage::Axial, {{5, &kernels_}, {6, &echo_}, {7, &blurred_}}, lines, gates, components);
+  endPart(current);
   run(current, Stage::Lateral, {{5, &kernels_}, {6, &blurred_}, {7, &echo_}}, lines, gates, components);
+  endPart(current);
 }
 
-void CardFrame::traceThesis(const gpu::Current& current) const {
+void CardFrame::traceThesis(const gpu::Current& current) {
   const int planes = plan_.settings.elevationPlanes, lines = groupsOfLines(), gates = (plan_.gates + 1) / 2;
   const int columns = (plan_.nodeColumns + 31) / 32;
   run(current, Stage::Contact, {}, columns);
   run(current, Stage::Nodes, {{5, &nodes_}}, columns, (plan_.nodeRows + 1) / 2, planes);
   run(current, Stage::ThesisMap, {{5, &nodes_}, {6, &map_}}, columns, (thesis_->mapRows + 1) / 2, planes);
+  endPart(current);
   run(current, Stage::ThesisEchoes, {{5, &map_}, {7, &echo_}}, (plan_.lines + 15) / 16);
+  endPart(current);
   run(current, Stage::ThesisTail, {{5, &kernels_}, {6, &echo_}, {7, &blurred_}}, lines, gates);
   run(current, Stage::Lateral, {{5, &kernels_}, {6, &blurred_}, {7, &echo_}}, lines, gates);
+  endPart(current);
 }
 
 /// While one look is copied, the next is computed.
@@ -199,6 +218,7 @@ Result<void> CardFrame::readEnvelope(const gpu::Current& current, EnvelopeFrame&
       if (auto ok = finish(); !ok) return ok;
     readBack_.begin(current, envelope_, look * count * sizeof(float), count * sizeof(float));
   }
+  endPart(current);
   while (read < looks)
     if (auto ok = finish(); !ok) return ok;
   return {};
@@ -209,20 +229,28 @@ Result<void> CardFrame::render(const AcousticScene::Impl& scene, const Transform
   const auto current = device_->context().use();
   if (!current) return tl::unexpected(current.error());
   envelope.resize(plan_.lines, plan_.grid.samples(), tables_.block.looks);
-  auto start = Clock::now();
+  const auto start = Clock::now();
   if (auto ok = upload(*current, scene, patientFromProbe, displacement); !ok) return ok;
   if (!thesis_) needle_.place(needle, scene.field, patientFromProbe, displacement);
   uploadNeedle(*current);
   bindShared(*current);
-  stages_[0].ms = msSince(start), start = Clock::now();
+  stages_.front().ms = msSince(start);
+  partsDone_ = 0;
+  endPart(*current);
   if (thesis_)
     traceThesis(*current);
   else
     traceCoherent(*current);
-  stages_[1].ms = msSince(start), start = Clock::now();
-  auto ok = readEnvelope(*current, envelope);
-  stages_[2].ms = msSince(start);
-  return ok;
+  if (auto ok = readEnvelope(*current, envelope); !ok) return ok;
+  noteTimes(*current, msSince(start));
+  return {};
+}
+
+void CardFrame::noteTimes(const gpu::Current& current, double frame_ms) {
+  double known_ms = stages_.front().ms;
+  for (int part = 1; part + 1 < static_cast<int>(stages_.size()); ++part)
+    known_ms += stages_[part].ms = watch_.between_ms(current, part - 1, part);
+  stages_.back().ms = std::max(frame_ms - known_ms, 0.0);
 }
 
 }  // namespace insonate::glsl

@@ -3,6 +3,7 @@
 #include "glsl/Device.h"
 #include "glsl/Tables.h"
 
+#include <insonate/gpu/Stopwatch.h>
 #include <insonate/ultrasound/Engine.h>
 
 #include <initializer_list>
@@ -23,6 +24,8 @@ class CardFrame {
   Result<void> render(const AcousticScene::Impl& scene, const Transform& patientFromProbe,
                       const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope);
 
+  /// Returns the times of the last frame: "upload" of the processor, parts of the computation on the card, and
+  /// "read-back", all that remains: commands, waiting, copying.
   const std::vector<Engine::Stage>& stages() const { return stages_; }
 
  private:
@@ -38,11 +41,14 @@ class CardFrame {
   void uploadNeedle(const gpu::Current& current);
   Result<void> uploadDisplacement(const gpu::Current& current, const PlaneDisplacement& displacement);
   void bindShared(const gpu::Current& current) const;
-  void traceCoherent(const gpu::Current& current) const;
-  void traceThesis(const gpu::Current& current) const;
+  void traceCoherent(const gpu::Current& current);
+  void traceThesis(const gpu::Current& current);
   Result<void> readEnvelope(const gpu::Current& current, EnvelopeFrame& envelope);
   void run(const gpu::Current& current, Stage stage, std::initializer_list<Binding> bindings, int groupsX,
            int groupsY = 1, int groupsZ = 1) const;
+  /// Ends a part of the computation, in the order of stages_.
+  void endPart(const gpu::Current& current) { watch_.mark(current, partsDone_++); }
+  void noteTimes(const gpu::Current& current, double frame_ms);
   int groupsOfLines() const { return (plan_.lines + 31) / 32; }
 
   std::shared_ptr<const Device> device_;
@@ -55,12 +61,14 @@ class CardFrame {
 
   // Valid as long as the settings.
   gpu::Buffer planTable_, kernels_, repeats_, block_, thesisBlock_;
-  gpu::Buffer contacts_, shifts_, nodes_, cells_, samples_, crossings_, gasGates_, aperture_, points_, map_;
+  gpu::Buffer contacts_, shifts_, nodes_, cells_, samples_, crossings_, gasGates_, reaching_, aperture_, points_, map_;
   gpu::Buffer echo_, blurred_, envelope_, needleBuffer_;
   gpu::PairTexture displacement_;
   gpu::ReadBack readBack_;
   std::size_t pointCapacity_ = 0;
   int pointEchoes_ = 0;  ///< number of point echoes in this frame
+  gpu::Stopwatch watch_;
+  int partsDone_ = 0;
   std::vector<Engine::Stage> stages_;
 };
 

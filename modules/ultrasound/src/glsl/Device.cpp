@@ -21,9 +21,9 @@ namespace insonate::glsl {
 namespace {
 
 constexpr std::array<std::string_view, std::size_t(Stage::kCount)> kStageFiles{
-    "contact",  "nodes",   "cells",    "tissue",      "crossings",     "levels",        "aperture",
-    "penumbra", "echoes",  "gas",      "reverberate", "points",        "needle_shadow", "needle_echoes",
-    "axial",    "lateral", "envelope", "thesis_map",  "thesis_echoes", "thesis_tail"};
+    "contact",       "nodes",    "cells",   "tissue",   "crossings",   "levels",        "reaching",
+    "aperture",      "penumbra", "echoes",  "gas",      "reverberate", "points",        "needle_shadow",
+    "needle_echoes", "axial",    "lateral", "envelope", "thesis_map",  "thesis_echoes", "thesis_tail"};
 
 const TextureTile& tileOf(int index) {
   return index < kTextureKinds ? textureTile(static_cast<Texture>(index)) : patchTile();

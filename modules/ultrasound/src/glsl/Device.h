@@ -21,6 +21,7 @@ enum class Stage {
   Tissue,
   Crossings,
   Levels,
+  Reaching,
   Aperture,
   Penumbra,
   Echoes,

@@ -46,7 +46,7 @@ struct FrameTimes {
 
 struct StageTime {
   std::string name;
-  double median_ms = 0, min_ms = 0;  ///< computing time; of engine stages, the sum over threads
+  double median_ms = 0, min_ms = 0;  ///< computing time; of the engine cpu, the sum over threads
 };
 
 /// Measurements of one engine with one set of settings and a number of threads.
@@ -72,9 +72,10 @@ struct UltrasoundBenchRow {
   double discretisationError_percent = 0, discretisationSsim = 1;
 };
 
-/// Speed of one stage of an engine (from the stage's minimum time), compared with the computer's limits.
+/// Speed of one stage of W1 (from the stage's minimum time), compared with the computer's limits. Stages on a graphics
+/// card have times only.
 struct StageLimits {
-  std::string stage;
+  std::string engine, stage;
   int threads = 1;
   StageTime time;
   /// operations and bytes of the stage by formula (ultrasound/FrameWork.h); 0: unknown

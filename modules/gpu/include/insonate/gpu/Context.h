@@ -14,7 +14,7 @@ namespace insonate::gpu {
 struct Requirements {
   int major = 4, minor = 3;  ///< OpenGL version, core profile
   int storageBuffers = 8;    ///< storage buffers that one compute shader can access
-  int workgroupThreads = 256;
+  int workgroupThreads = 1024;
   bool hardware = false;  ///< true: software renderers are refused; those that EGL identifies are not even loaded
 };
 
