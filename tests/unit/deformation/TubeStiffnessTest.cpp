@@ -87,6 +87,24 @@ TEST_F(Tube, AVeinAlongThePlaneStillCollapsesAndAnArteryDoesNot) {
   EXPECT_LT(lost(artery), 0.15);
 }
 
+/// Blood in coarse cells keeps its area: in the body, a wall would hold it.
+TEST_F(Tube, AVeinBesideTheFaceDoesNotLiftTheSkinWhenItSwells) {
+  BloodPressure full = rest();
+  full.vein_kPa += 1.6;  // 12 mmHg
+  AnalyticPlane beside;
+  beside.below = kMuscle;
+  beside.circles = {{38, 12, 9, kVein}};
+  const Deformation answer = ask(beside, full);
+  EXPECT_TRUE(answer.converged);
+  EXPECT_TRUE(answer.lumens.empty()) << "not in the image";
+  double most_mm = 0;
+  for (int i = 0; i < answer.meshColumns; ++i)
+    most_mm = std::max(most_mm, double(answer.mesh[i].restZ_mm - answer.mesh[i].z_mm));
+  EXPECT_LT(most_mm, 0.3);
+  beside.circles = {{0, 12, 9, kVein}};
+  EXPECT_GT(areaRatio(ask(beside, full), kVein), 1.05) << "in the image it swells";
+}
+
 TEST_F(Tube, TheReferenceAgrees) {
   LongVessel along(kArtery);
   along.press_mm = 3;

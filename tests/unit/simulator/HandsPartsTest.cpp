@@ -90,10 +90,10 @@ TEST(RestNear, ALinearDisplacementIsTakenOverAndFadesBesideThePlane) {
   EXPECT_NEAR((inverted(pose) * (restNear(d, pose, beside) * beside)).z, 12 - 0.5 * 2.2, 1e-5) << "half of it";
   EXPECT_EQ(restNear(d, pose, pose * Vec3{4, 2.5 * kMovesBeside_mm, 12}), Transform{});
   EXPECT_EQ(restNear({}, pose, point), Transform{});
-  // Toward the end of the lattice, 20 mm aside.
-  const Vec3 aside = pose * Vec3{18, 0, 12};
+  // The lattice ends 20 mm aside.
+  const Vec3 aside = pose * Vec3{26, 0, 12};
   EXPECT_NEAR((inverted(pose) * (restNear(d, pose, aside) * aside)).z, 12 - 0.25 * 2.2, 1e-5) << "a quarter of it";
-  const Vec3 farAside = pose * Vec3{25, 0, 12};
+  const Vec3 farAside = pose * Vec3{29, 0, 12};
   EXPECT_LT(norm(restNear(d, pose, farAside) * farAside - farAside), 1e-9);
 }
 

@@ -8,6 +8,9 @@ namespace insonate::elastic {
 namespace {
 
 constexpr float kBloodMu_kPa = 0.1f;  // material of a lumen besides pressure, which keeps its cells regular
+/// Area modulus of blood beside the small cells, which keeps its area: a vein in cells of up to 12 mm has no wall that
+/// would hold it, and would lift the skin by millimeters.
+constexpr float kStillBulk_kPa = 200;
 constexpr float kGasMu_kPa = Materials::kGasMu_kPa;
 constexpr float kStiffest_kPa = 2000;  // a higher stiffness makes no difference to the tissue around it
 
@@ -149,6 +152,8 @@ void Materials::fill(const Mesh& mesh, const TissuePlane& plane, const Mechanica
   const bool boneRigid = isRigid(tissues.of(kBone));
   const auto& tissue = mesh.tissue();
   const Nodes& rest = mesh.rest();
+  const FineBlocks& across = mesh.lines().across;
+  const Moduli still{kBloodMu_kPa, kStillBulk_kPa};
 
   for (int j = 0; j < nz; ++j)
     for (int i = 0; i < nx; ++i) {
@@ -161,6 +166,8 @@ void Materials::fill(const Mesh& mesh, const TissuePlane& plane, const Mechanica
       const std::size_t n = std::size_t(j) * nx + i;
       const std::size_t corner[4] = {n, n + 1, n + 1 + nx, n + nx};
       const float cell = 0.5f * (rest.x[n + 1] - rest.x[n] + rest.z[n + nx] - rest.z[n]);
+      const float middle_mm = 0.5f * (mesh.lines().x_mm[i] + mesh.lines().x_mm[i + 1]);
+      const bool beside = middle_mm < across.first_mm || middle_mm > across.end_mm();
       Mixture mixture;
       for (int v = 0; v < 2; ++v) {
         std::array<float, 4> distance;
@@ -168,15 +175,15 @@ void Materials::fill(const Mesh& mesh, const TissuePlane& plane, const Mechanica
         const auto [least, most] = std::minmax_element(distance.begin(), distance.end());
         const float reach = vessels[v].reach_mm;
         if (*least > reach + cell) continue;
-        const float across = std::max(*most - *least, 0.2f * cell);
-        const float inside = shareWithin(distance, 0, across);
-        (v == 0 ? artery : vein)[n] = inside;
+        const float spread = std::max(*most - *least, 0.2f * cell);
+        const float inside = shareWithin(distance, 0, spread);
+        if (!beside) (v == 0 ? artery : vein)[n] = inside;
         if (vessels[v].lumen) (v == 0 ? arteryBlood : veinBlood)[n] = inside, anyBlood |= inside > 0;
-        mixture.addLayer(vessels[v].inside, inside);
+        mixture.addLayer(beside && vessels[v].lumen ? still : vessels[v].inside, inside);
         if (reach <= 0) continue;
-        const float wall = shareWithin(distance, vessels[v].wall_mm, across);
+        const float wall = shareWithin(distance, vessels[v].wall_mm, spread);
         mixture.addLayer(vessels[v].wall, wall - inside);
-        mixture.addSolid(vessels[v].sheath, shareWithin(distance, reach, across) - wall);
+        mixture.addSolid(vessels[v].sheath, shareWithin(distance, reach, spread) - wall);
       }
       addRest({mesh.middle()[n].label, tissue[n].label, tissue[n + 1].label, tissue[n + 1 + nx].label,
                tissue[n + nx].label},

@@ -12,12 +12,12 @@ constexpr double kHalf_mm = 1.5;
 /// Limits of the map's determinant: tissue keeps its volume except for the part that leaves the plane.
 constexpr double kMinStretch = 0.2, kMaxStretch = 5;
 
-/// 1 under the face, falling to 0 at the ends of the lattice: the cells of the mesh are coarse there, so that a vein
-/// that swells would lift the skin by millimeters.
+/// 1 within the lattice, whose outermost shifts continue beside it and fall to 0.
 double shareAside(const PlaneDisplacement& displacement, double x_mm) {
   constexpr double kFade_mm = 8;
   const double right_mm = displacement.left_mm + (displacement.columns - 1) * displacement.step_mm;
-  return std::clamp(std::min(x_mm - displacement.left_mm, right_mm - x_mm) / kFade_mm, 0.0, 1.0);
+  const double beside_mm = std::max(displacement.left_mm - x_mm, x_mm - right_mm);
+  return std::clamp(1 - beside_mm / kFade_mm, 0.0, 1.0);
 }
 
 }  // namespace

@@ -44,7 +44,8 @@ struct DeformationInput {
 
 struct LumenArea {
   std::uint8_t label = 0;
-  /// Area of the vessel's lumen in the plane: area_mm2 under the probe, rest_mm2 in the CT.
+  /// Area of the vessel's lumen in the plane: area_mm2 under the probe, rest_mm2 in the CT. Lumens count up to 4 mm
+  /// beside the face, and at least up to 24 mm from its middle.
   double area_mm2 = 0, rest_mm2 = 0;
 };
 
