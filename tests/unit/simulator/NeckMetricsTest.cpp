@@ -14,9 +14,9 @@ TEST_F(NeckMetrics, CleanSuccess) {
   const Way way{patient, from, normalized(vein - from)};
   const Transform probe = startPose(patient, 1);
   const double skin = way.skin_mm(), front = way.until(kVein);
-  const double in = skin - way.drawn_mm(probe, skin) + bend_mm(kSkin);
+  const double in = skin - way.skinRaised_mm(probe) + bend_mm(kSkin);
   ASSERT_GT(way.until(kVein, false, front), 32) << "the needle stops before the back wall";
-  const double toAccess_mm = front - way.drawn_mm(probe, front) + bend_mm(kVein) - in;
+  const double toAccess_mm = front - way.veinRaised_mm(probe) + bend_mm(kVein) - in;
   expectMetrics(
       outcome.metrics,
       {{/* vein, artery, double */ {1},
@@ -56,8 +56,8 @@ TEST_F(NeckMetrics, PosteriorWall) {
   const Way way{patient, from, normalized(vein - from)};
   const double skin = way.skin_mm(), front = way.until(kVein), back = way.until(kVein, false, front);
   const Transform probe = startPose(patient, 1);
-  const double in = skin - way.drawn_mm(probe, skin) + bend_mm(kSkin);
-  const double toAccess_mm = front - way.drawn_mm(probe, front) + bend_mm(kVein) - in;
+  const double in = skin - way.skinRaised_mm(probe) + bend_mm(kSkin);
+  const double toAccess_mm = front - way.veinRaised_mm(probe) + bend_mm(kVein) - in;
   ASSERT_LT(back + bend_mm(kVein), 46);
   ASSERT_GT(back - 0.3, 36) << "pulled back into the vein";
   // The vein runs along the image and rises by some degrees: as deep as it rests below the middle, less the slope.

@@ -39,8 +39,11 @@ class NeckTries : public NeckAttempt {
 void NeckTries::expectTwoTries(const char* script, double usedNeedle, double compressing_s) {
   const auto outcome = play(script, *neck_);
   const Way first = way(*neck_, kAlong, {-22.7, 15.2, -4}, {0, 15.2, 18.7}), last = toVein();
-  const double in_mm = first.skin_mm() + bend_mm(kSkin), lastIn_mm = last.skin_mm() + bend_mm(kSkin);
-  const double access_mm = last.until(kVein) + bend_mm(kVein), there_mm = access_mm - lastIn_mm;
+  const Transform probe = startPose(*neck_, kAlong);
+  const double in_mm = first.skin_mm() + bend_mm(kSkin);
+  const double lastIn_mm = last.skin_mm() - last.skinRaised_mm(probe) + bend_mm(kSkin);
+  const double access_mm = last.until(kVein) - last.veinRaised_mm(probe) + bend_mm(kVein),
+               there_mm = access_mm - lastIn_mm;
   const double path_mm = 25 - in_mm + 25 - first.skin_mm() + kBack_mm + there_mm;
   const double forward_mm = 25 - first.skin_mm() + access_mm - last.skin_mm();
   const double drawn = 100 * (access_mm - last.skin_mm()) / forward_mm;
@@ -92,7 +95,7 @@ TEST_F(NeckTries, TwoPasses) {
 TEST_F(NeckTries, Abandoned) {
   const auto outcome = play("abandoned", *neck_);
   const Way in = toVein();
-  const double atRest_mm = in.skin_mm(), skin_mm = atRest_mm - in.drawn_mm(startPose(*neck_, kAlong), atRest_mm);
+  const double skin_mm = in.skin_mm() - in.skinRaised_mm(startPose(*neck_, kAlong));
   const double in_mm = skin_mm + bend_mm(kSkin);
   ASSERT_GT(in.until(kVein), 18);
   expectMetrics(outcome.metrics, {{{0},
@@ -127,10 +130,10 @@ TEST_F(NeckTries, Abandoned) {
 TEST_F(NeckTries, ProbeLifted) {
   const auto outcome = play("probe-lifted", *neck_);
   const Way in = toVein();
-  // Tissue that the face had drawn to it is at rest when the vein is met.
-  const double skin_mm = in.skin_mm() - in.drawn_mm(startPose(*neck_, kAlong), in.skin_mm());
+  const double skin_mm = in.skin_mm() - in.skinRaised_mm(startPose(*neck_, kAlong));
   const double in_mm = skin_mm + bend_mm(kSkin);
-  const double access_mm = in.until(kVein) + bend_mm(kVein), there_mm = access_mm - in_mm;
+  const double access_mm = in.until(kVein) - in.veinRaised_mm(startPose(*neck_, kAlong)) + bend_mm(kVein),
+               there_mm = access_mm - in_mm;
   expectMetrics(outcome.metrics, {{{1},
                                    {0},
                                    {0},
