@@ -42,6 +42,17 @@ TEST_F(CurriculumUpkeep, ATraineeIsRefusedTheDataOfOthers) {
   EXPECT_GE(refusals, 15) << "what was refused is written down";
 }
 
+TEST_F(CurriculumUpkeep, AClassListWithoutAnyValidLineFails) {
+  makeClass();
+  std::ofstream(folder / "list.csv") << "Full name,Username\n,dave\nEve,\n";
+  const std::string import =
+      "classes import 'Year 1' " + path("list.csv") + " --passwords " + path("p.csv") + " --as miller";
+  EXPECT_THAT(refused(import), HasSubstr("Nobody was imported: every line of"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "p.csv"));
+  std::ofstream(folder / "list.csv") << "Full name,Username\n";
+  EXPECT_THAT(refused(import), HasSubstr("names nobody"));
+}
+
 TEST_F(CurriculumUpkeep, AnInstructorIsRefusedTheLogAndOtherClasses) {
   makeClass();
   told("classes add 'Year 2' --as boss");

@@ -67,6 +67,12 @@ Result<Answer> importList(const SignedIn& by, const ImportArguments& a) {
   if (!list) return fail(a.list + ": " + list.error().message);
   const auto plan = ClassImport(by).plan(cohort->id, *list);
   if (!plan) return tl::unexpected(plan.error());
+  if (plan->empty()) return fail(a.list + " names nobody; below the first line, each line is a person.");
+  if (std::ranges::all_of(*plan, [](const ClassImportRow& row) { return row.step == ClassImportRow::Step::Refuse; })) {
+    for (const ClassImportRow& row : *plan) std::cerr << row.why << '\n';
+    return fail("Nobody was imported: every line of " + a.list +
+                " has an error. Correct the list and import it again.");
+  }
   if (auto done = carryOut(by, *cohort, *plan, a.passwords); !done) return tl::unexpected(done.error());
   return toldOf(*plan, a);
 }

@@ -39,6 +39,31 @@ TEST(ClassList, OtherHeadsAndSemicolonsAreReadToo) {
   EXPECT_EQ(list.entries[0].person.email, "");
 }
 
+TEST(ClassList, GermanFrenchAndSpanishTitlesAreRead) {
+  for (const char* csv : {"Nachname;Vorname;Anmeldename;E-Mail-Adresse\nMüller;Jörg;jm;jm@x.org\n",
+                          "Name;Vorname;Benutzername;E-Mail\nMüller;Jörg;jm;jm@x.org\n",
+                          "Prénom,Nom de famille,Nom d'utilisateur,Adresse de courriel\nJörg,Müller,jm,jm@x.org\n",
+                          "NOM,PRÉNOM,Identifiant,Courriel\nMüller,Jörg,jm,jm@x.org\n",
+                          "Nombre,Apellido(s),Nombre de usuario,Dirección de correo\nJörg,Müller,jm,jm@x.org\n",
+                          "Nombre completo;Usuario;Correo electrónico\nJörg Müller;jm;jm@x.org\n",
+                          "Nombre;Usuario;Correo\nJörg Müller;jm;jm@x.org\n"}) {
+    const ClassList list = listOf(csv);
+    ASSERT_EQ(list.entries.size(), 1U) << csv;
+    EXPECT_EQ(list.entries[0].person.fullName, "Jörg Müller") << csv;
+    EXPECT_EQ(list.entries[0].person.name, "jm") << csv;
+    EXPECT_EQ(list.entries[0].person.email, "jm@x.org") << csv;
+  }
+}
+
+TEST(ClassList, OldSpreadsheetsAreRead) {
+  const ClassList list =
+      listOf("Vorname;Nachname;Benutzername\nJ\xF6rg;M\xFCller \x96 \x8Aulc;jm\nZo\xEB;O\x92Hara;zo\n");
+  ASSERT_EQ(list.entries.size(), 2U);
+  EXPECT_EQ(list.entries[0].person.fullName, "Jörg Müller – Šulc");
+  EXPECT_EQ(list.entries[1].person.fullName, "Zoë O’Hara");
+  EXPECT_FALSE(parseClassList("\xFF\xFEN\0a\0"));
+}
+
 TEST(ClassList, EachWrongLineIsToldAndCostsItselfAlone) {
   const ClassList list = listOf(
       "name,email,username\n"

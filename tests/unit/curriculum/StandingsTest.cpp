@@ -1,5 +1,6 @@
 #include "AttemptMaker.h"
 
+#include <insonate/curriculum/Attention.h>
 #include <insonate/curriculum/Standings.h>
 
 #include <gtest/gtest.h>
@@ -14,6 +15,36 @@ using test::courseOf;
 using test::kDay_us;
 using test::kNoon_us;
 using test::levelNamed;
+
+TEST(Attention, NamesWhoHasNotBegunIsIdleOrHasToPractice) {
+  const std::int64_t now_us = kNoon_us + 100 * kDay_us;
+  Member member;
+  EXPECT_EQ(attentionOf(member, now_us), Attention::NotBegun);
+  EXPECT_EQ(wordsOf(Attention::NotBegun, member, now_us), "not begun");
+
+  member.lastAttempt_us = now_us - 20 * kDay_us;
+  EXPECT_EQ(attentionOf(member, now_us), Attention::None);
+  EXPECT_EQ(wordsOf(Attention::None, member, now_us), "");
+  member.lastAttempt_us = now_us - 36 * kDay_us;
+  EXPECT_EQ(attentionOf(member, now_us), Attention::Idle);
+  EXPECT_EQ(wordsOf(Attention::Idle, member, now_us), "idle for 5 weeks");
+
+  member.standing = Standing{.level = "", .mastered = 3, .until_us = now_us + 9 * kDay_us};
+  EXPECT_EQ(attentionOf(member, now_us), Attention::Idle) << "an outdated standing tells nothing";
+  member.standingIsCurrent = true;
+  EXPECT_EQ(attentionOf(member, now_us), Attention::Due) << "all is mastered, but not for long";
+  EXPECT_EQ(wordsOf(Attention::Due, member, now_us), "practice due in 9 days");
+  member.standing->until_us = now_us + 15 * kDay_us;
+  EXPECT_EQ(attentionOf(member, now_us), Attention::None);
+  member.standing->until_us = kForever_us;
+  EXPECT_EQ(attentionOf(member, now_us), Attention::None);
+
+  member.standing->concern = Concern::Stuck;
+  EXPECT_EQ(attentionOf(member, now_us), Attention::Stuck);
+  member.standing->concern = Concern::Slipped;
+  EXPECT_EQ(wordsOf(attentionOf(member, now_us), member, now_us), "level lapsed");
+  EXPECT_GT(Attention::Lapsed, Attention::Stuck) << "most urgent";
+}
 
 TEST(Standings, NameTheFirstLevelThatIsDueAndWhy) {
   Curriculum course = courseOf({levelNamed("a", 1), levelNamed("b", 2, {"a"})});

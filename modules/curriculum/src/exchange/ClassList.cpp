@@ -4,6 +4,7 @@
 #include <insonate/curriculum/Csv.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 
@@ -27,19 +28,70 @@ struct Columns {
   std::optional<std::size_t> first, last, full, email, userName, idNumber;
 };
 
+/// Titles of columns, as nameKey() writes them, in English, German, French and Spanish exports of Moodle and in usual
+/// spreadsheets.
+struct Title {
+  std::optional<std::size_t> Columns::*field;
+  std::vector<std::string_view> words;
+};
+const std::vector<Title>& knownTitles() {
+  static const std::vector<Title> titles{
+      {&Columns::first, {"first name", "firstname", "given name", "vorname", "prénom", "prenom", "nombre"}},
+      {&Columns::last,
+       {"last name", "lastname", "surname", "family name", "nachname", "familienname", "nom", "nom de famille",
+        "apellido(s)", "apellidos", "apellido"}},
+      {&Columns::full,
+       {"full name", "fullname", "name", "vollständiger name", "nom complet", "nombre completo", "nombre y apellidos"}},
+      {&Columns::email,
+       {"email address", "email", "e-mail", "e-mail address", "mail", "e-mail-adresse", "e-mail adresse",
+        "emailadresse", "adresse de courriel", "courriel", "adresse e-mail", "adresse électronique",
+        "dirección de correo", "correo electrónico", "correo", "dirección email", "dirección de correo electrónico"}},
+      {&Columns::userName,
+       {"username", "user name", "anmeldename", "benutzername", "nom d'utilisateur", "nom d’utilisateur", "identifiant",
+        "nombre de usuario", "usuario"}},
+      {&Columns::idNumber,
+       {"id number", "idnumber", "id", "id-nummer", "matrikelnummer", "numéro d'identification",
+        "numéro d’identification", "numéro d'étudiant", "numéro d’étudiant", "número de id", "número de identificación",
+        "matrícula"}}};
+  return titles;
+}
+
 Columns columnsOf(const CsvRow& head) {
   Columns columns;
-  const std::map<std::string, std::optional<std::size_t>*, std::less<>> known{
-      {"first name", &columns.first},  {"firstname", &columns.first},    {"last name", &columns.last},
-      {"lastname", &columns.last},     {"surname", &columns.last},       {"full name", &columns.full},
-      {"fullname", &columns.full},     {"name", &columns.full},          {"email address", &columns.email},
-      {"email", &columns.email},       {"e-mail", &columns.email},       {"e-mail address", &columns.email},
-      {"username", &columns.userName}, {"user name", &columns.userName}, {"id number", &columns.idNumber},
-      {"idnumber", &columns.idNumber}, {"id", &columns.idNumber}};
   for (std::size_t i = 0; i < head.fields.size(); ++i)
-    if (const auto found = known.find(nameKey(trimmed(head.fields[i]))); found != known.end())
-      if (!*found->second) *found->second = i;
+    for (const Title& title : knownTitles())
+      if (std::ranges::find(title.words, nameKey(trimmed(head.fields[i]))) != title.words.end())
+        if (auto& field = columns.*title.field; !field) field = i;
+  // Beside first names, "Name" is the last name; "Nombre" by itself is the full name.
+  if (columns.first && !columns.last) std::swap(columns.last, columns.full);
+  if (columns.first && !columns.last && nameKey(trimmed(head.fields[*columns.first])) == "nombre")
+    std::swap(columns.first, columns.full);
   return columns;
+}
+
+/// Text of an old spreadsheet in Windows-1252, which contains Latin-1, as UTF-8.
+std::string fromWindows1252(std::string_view text) {
+  // Code points of 0x80 to 0x9F; 0: undefined.
+  constexpr std::array<char16_t, 32> kUpper{0x20AC, 0,      0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
+                                            0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0,      0x017D, 0,
+                                            0,      0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+                                            0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0,      0x017E, 0x0178};
+  std::string utf8;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const unsigned code = byte >= 0x80 && byte < 0xA0 ? kUpper[byte - 0x80] : byte;
+    if (code < 0x80) {
+      utf8 += c;
+    } else if (code < 0x800) {
+      utf8 += static_cast<char>(0xC0 | code >> 6);
+      utf8 += static_cast<char>(0x80 | (code & 0x3F));
+    } else {
+      utf8 += static_cast<char>(0xE0 | code >> 12);
+      utf8 += static_cast<char>(0x80 | (code >> 6 & 0x3F));
+      utf8 += static_cast<char>(0x80 | (code & 0x3F));
+    }
+  }
+  return utf8;
 }
 
 std::string fieldOf(const CsvRow& row, std::optional<std::size_t> column) {
@@ -112,7 +164,9 @@ class Directory {
 }  // namespace
 
 Result<ClassList> parseClassList(std::string_view csv) {
-  const auto rows = parseCsv(csv);
+  auto rows = parseCsv(csv);
+  const bool isWide = csv.find('\0') != std::string_view::npos || csv.starts_with("\xFF\xFE");
+  if (!rows && !isWide && !store::checkText("The list", csv, csv.size())) rows = parseCsv(fromWindows1252(csv));
   if (!rows) return tl::unexpected(rows.error());
   if (rows->empty()) return fail("The class list is empty; its first line names the columns.");
   const Columns columns = columnsOf(rows->front());

@@ -22,7 +22,7 @@ std::int64_t lockAfter_us(std::int64_t failures) {
   return std::min(kFirstLock_s << doublings, kLongestLock_s) * kSecond_us;
 }
 
-std::int64_t countTry(Transaction& transaction, const std::string& name, const Moment& moment) {
+std::int64_t secondsLockedAfterTry(Transaction& transaction, const std::string& name, const Moment& moment) {
   // A day without a failure deletes the entries; otherwise invented names would fill the table.
   transaction.run("DELETE FROM sign_in_failures WHERE (boot = ? AND up_us < ?) OR (boot <> ? AND last_us < ?)",
                   moment.boot, moment.up_us - kDay_us, moment.boot, moment.now_us - kDay_us);

@@ -22,7 +22,7 @@ std::int64_t lockAfter_us(std::int64_t failures);
 ///
 /// Waiting time is measured by the computer's up time; after a restart, by the wall clock. If the clock was set back,
 /// the wait starts again, so that it never exceeds an hour.
-std::int64_t countTry(Transaction& transaction, const std::string& name, const Moment& moment);
+std::int64_t secondsLockedAfterTry(Transaction& transaction, const std::string& name, const Moment& moment);
 
 void resetFailures(Transaction& transaction, const std::string& name);
 

@@ -25,7 +25,7 @@ std::optional<Known> findByName(Transaction& transaction, const std::string& nam
 Result<std::optional<Known>> beginSigningIn(Core& core, const std::string& name) {
   std::int64_t wait_s = 0;
   auto known = inTransaction(core, Way::Write, [&](Transaction& transaction) -> Result<std::optional<Known>> {
-    wait_s = countTry(transaction, name, core.moment());
+    wait_s = secondsLockedAfterTry(transaction, name, core.moment());
     return findByName(transaction, name);
   });
   if (known && wait_s > 0)

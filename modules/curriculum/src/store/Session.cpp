@@ -52,4 +52,8 @@ bool SignedIn::mustChangePassword() const {
   return session_->mustChangePassword();
 }
 
+std::int64_t SignedIn::now_us() const {
+  return session_->core().now_us();
+}
+
 }  // namespace insonate

@@ -22,6 +22,8 @@
 #include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <functional>
+#include <vector>
 
 namespace insonate::review {
 namespace {
@@ -171,7 +173,7 @@ QWidget* ClassPage::buildTable() {
                                                                        : kMetric_px);
     if (column >= ClassTable::kFirstMetric) table_->setItemDelegateForColumn(column, new HeatDelegate(table_));
   }
-  connect(table_, &QTableView::activated, this, [this] { chooseRow(); });
+  connect(table_, &QTableView::activated, this, [this] { announceChosenPerson(); });
   auto* part = new QWidget;
   auto* box = new QVBoxLayout(part);
   box->setContentsMargins(0, 0, 0, 0);
@@ -258,8 +260,8 @@ void ClassPage::showFacts() {
 }
 
 void ClassPage::addConcern(const Person& person, const QString& what, const QString& why) {
-  auto* item =
-      new QListWidgetItem(QStringLiteral("▲ %1, %2:  %3").arg(QString::fromStdString(person.fullName), what, why));
+  auto* item = new QListWidgetItem(QStringLiteral("▲ %1, %2").arg(QString::fromStdString(person.fullName), what) +
+                                   (why.isEmpty() ? QString() : QStringLiteral(":  ") + why));
   item->setData(Qt::UserRole, QString::fromStdString(person.id));
   concerns_->addItem(item);
 }
@@ -267,9 +269,13 @@ void ClassPage::addConcern(const Person& person, const QString& what, const QStr
 void ClassPage::showConcerns() {
   concerns_->clear();
   if (const ClassFacts* now = desk_.facts()) {
-    for (const Member& member : now->learners)
-      if (concernOf(member) != Concern::None)
-        addConcern(member.person, concernWord(concernOf(member)), QString::fromStdString(member.standing->sentence));
+    std::vector<const Member*> learners;
+    for (const Member& member : now->learners) learners.push_back(&member);
+    std::ranges::stable_sort(learners, std::greater(), [&](const Member* one) { return attentionOf(*now, *one); });
+    for (const Member* one : learners)
+      if (const Member& member = *one; attentionOf(*now, member) != Attention::None)
+        addConcern(member.person, attentionWords(*now, member),
+                   member.standing ? QString::fromStdString(member.standing->sentence) : QString());
     for (const FlaggedAttempt& one : now->implausible) {
       const auto member =
           std::ranges::find(now->learners, one.facts.person, [](const Member& m) { return m.person.id; });
@@ -277,9 +283,11 @@ void ClassPage::showConcerns() {
         addConcern(member->person, tr("attempt of %1").arg(dayOf(one.facts.begun_us)), wordsOf(one.facts, one.flags));
     }
   }
-  concernsTitle_->setText(concerns_->count() > 0         ? tr("Needs attention")
-                          : desk_.pendingStandings() > 0 ? tr("Needs attention: not known yet")
-                                                         : tr("Nobody is stuck, and nobody has slipped"));
+  concernsTitle_->setText(
+      concerns_->count() > 0 ? tr("Needs attention")
+      : desk_.pendingStandings() > 0
+          ? tr("Needs attention: not known yet")
+          : tr("Nobody needs attention: all have begun, nobody is stuck or idle, no level lapses soon"));
   concerns_->setVisible(concerns_->count() > 0);
 }
 
@@ -287,7 +295,7 @@ QString ClassPage::chosenPerson() const {
   return table_->currentIndex().data(ClassTable::kPerson).toString();
 }
 
-void ClassPage::chooseRow() {
+void ClassPage::announceChosenPerson() {
   if (const QString person = chosenPerson(); !person.isEmpty()) Q_EMIT personChosen(person);
 }
 

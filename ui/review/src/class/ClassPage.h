@@ -53,7 +53,7 @@ class ClassPage final : public QWidget {
   void showFacts();
   void showConcerns();
   void addConcern(const Person& person, const QString& what, const QString& why);
-  void chooseRow();
+  void announceChosenPerson();
 
   ClassDesk& desk_;
   ClassTable* model_;

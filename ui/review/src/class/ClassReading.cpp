@@ -31,6 +31,7 @@ Result<Curriculum> curriculumOf(const SignedIn& by, const Cohort& cohort) {
 Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort) {
   ClassFacts facts;
   facts.cohort = cohort;
+  facts.read_us = by.now_us();
   auto members = CohortStore(by).members(cohort.id);
   if (!members) return tl::unexpected(members.error());
   std::ranges::copy_if(*members, std::back_inserter(facts.learners), [](const Member& one) { return !one.teaches; });

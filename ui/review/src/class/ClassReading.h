@@ -7,6 +7,7 @@
 #include <insonate/curriculum/Implausible.h>
 #include <insonate/curriculum/SignedIn.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ struct FlaggedAttempt {
 
 struct ClassFacts {
   Cohort cohort{};
+  std::int64_t read_us = 0;  ///< time of reading, since 1970, UTC
   std::optional<Curriculum> curriculum{};
   std::string trouble{};  ///< sentence that says why there is no curriculum, and what to do
   std::vector<Member> learners{};

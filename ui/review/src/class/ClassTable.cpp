@@ -65,12 +65,12 @@ QString ClassTable::levelOf(const Member& member) const {
 }
 
 QVariant ClassTable::aboutPerson(const Member& member, int column, int role) const {
-  const Concern concern = concernOf(member);
+  const Attention attention = attentionOf(*desk_.facts(), member);
   if (role == Qt::ToolTipRole)
     return member.standing ? plainToolTip(QString::fromStdString(member.standing->sentence)) : QString();
   if (role == Qt::ForegroundRole && column == kNeeds)
-    return ui::colour(concern == Concern::None ? views::theme::kQuiet : views::theme::kCaution);
-  if (role == kSort && column == kNeeds) return -int(concern);
+    return ui::colour(attention >= Attention::Stuck ? views::theme::kCaution : views::theme::kQuiet);
+  if (role == kSort && column == kNeeds) return -int(attention);
   if (role == kSort && column == kLevel) return member.standing ? member.standing->mastered : -1;
   if (role == kSort && column == kAttempts) return member.attempts;
   if (role == kSort && column == kLast) return qlonglong(member.lastAttempt_us.value_or(0));
@@ -79,7 +79,7 @@ QVariant ClassTable::aboutPerson(const Member& member, int column, int role) con
     case kName:
       return QString::fromStdString(member.person.fullName);
     case kNeeds:
-      return concernWord(concern);
+      return attentionWords(*desk_.facts(), member);
     case kLevel:
       return levelOf(member);
     case kAttempts:

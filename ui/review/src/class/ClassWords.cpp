@@ -35,12 +35,12 @@ QString dayOf(std::int64_t time_us) {
   return QLocale(QLocale::English).toString(timeOf(time_us), QStringLiteral("d MMM yyyy"));
 }
 
-QString concernWord(Concern concern) {
-  return concern == Concern::Slipped ? tr("slipped") : concern == Concern::Stuck ? tr("stuck") : QString();
+Attention attentionOf(const ClassFacts& facts, const Member& member) {
+  return insonate::attentionOf(member, facts.read_us);
 }
 
-Concern concernOf(const Member& member) {
-  return member.standingIsCurrent ? member.standing->concern : Concern::None;
+QString attentionWords(const ClassFacts& facts, const Member& member) {
+  return QString::fromStdString(insonate::wordsOf(attentionOf(facts, member), member, facts.read_us));
 }
 
 QString wordsOf(const AttemptFacts& attempt, const std::vector<Implausible>& flags) {

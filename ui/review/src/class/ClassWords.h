@@ -3,6 +3,7 @@
 #include "ClassReading.h"
 #include "MetricBook.h"
 
+#include <insonate/curriculum/Attention.h>
 #include <insonate/curriculum/Implausible.h>
 #include <insonate/ui/PlainToolTip.h>
 
@@ -21,10 +22,10 @@ QString countOf(int count, const QString& one, const QString& many);
 QString numberOf(double value);
 /// Formats a date in the user's time zone: "20 Nov 2026".
 QString dayOf(std::int64_t time_us);
-/// Returns "slipped" or "stuck"; "" if there is no concern.
-QString concernWord(Concern concern);
-/// Returns the concern about a member; Concern::None while it is unknown.
-Concern concernOf(const Member& member);
+/// Returns the state of a learner for which the instructor may act, when the class was read.
+Attention attentionOf(const ClassFacts& facts, const Member& member);
+/// Describes this state: "stuck", "idle for 5 weeks"; "" if there is none.
+QString attentionWords(const ClassFacts& facts, const Member& member);
 /// Describes the implausible values of an attempt: "skin to vein in 1.5 s, completed in 4.0 s".
 QString wordsOf(const AttemptFacts& attempt, const std::vector<Implausible>& flags);
 /// Returns a level's title, or its name if the curriculum is unknown or lacks the level.

@@ -171,7 +171,7 @@ QString ReviewHome::statusText() const {
     case kPerson:
       return tr("Choose an attempt; Enter replays it.");
     case kCompare:
-      return tr("Choose another class and a metric.");
+      return tr("Choose a class to compare with, and a metric.");
     case kRaters:
       return tr("Choose a form, and two raters to see them item by item.");
     default:

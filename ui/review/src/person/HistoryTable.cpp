@@ -196,10 +196,10 @@ void HistoryTable::fill(int row, const KeptAttempt& attempt) {
   set(kHistoryOutcome, outcome);
   set(kHistoryPoints, facts.points ? QString::number(std::lround(*facts.points)) : tr("n/a"));
   set(kHistoryLength, clockOf(facts.length_us));
-  set(kHistoryRecording, placeOf(attempt, recordingOf(attempt)));
+  set(kHistoryRecording, placeOf(attempt, recordingPath(attempt)));
 }
 
-QString HistoryTable::recordingOf(const KeptAttempt& attempt) const {
+QString HistoryTable::recordingPath(const KeptAttempt& attempt) const {
   return ui::recordingHere(attempt, desk_.storeAddress());
 }
 
@@ -211,7 +211,7 @@ const KeptAttempt* HistoryTable::chosen() const {
 void HistoryTable::showChosen() {
   askReason(Change::None);
   const KeptAttempt* attempt = chosen();
-  const bool here = attempt && !recordingOf(*attempt).isEmpty();
+  const bool here = attempt && !recordingPath(*attempt).isEmpty();
   replay_->setEnabled(here);
   replay_->setToolTip(here ? tr("Replays the attempt (Enter)") : tr("The recording is not on this computer"));
   const bool ended =
@@ -230,7 +230,7 @@ void HistoryTable::showChosen() {
 void HistoryTable::replay() {
   const KeptAttempt* attempt = chosen();
   if (!attempt) return;
-  const QString file = recordingOf(*attempt);
+  const QString file = recordingPath(*attempt);
   if (file.isEmpty()) return Q_EMIT failed(whyNoReplay(*attempt), {});
   Q_EMIT replayWanted(file, QString::fromStdString(attempt->facts.id));
 }

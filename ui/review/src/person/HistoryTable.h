@@ -40,7 +40,7 @@ class HistoryTable final : public QWidget {
   void fill(int row, const KeptAttempt& attempt);
   void showChosen();
   /// Returns the path of the recording; empty if it is not on this computer.
-  QString recordingOf(const KeptAttempt& attempt) const;
+  QString recordingPath(const KeptAttempt& attempt) const;
   const KeptAttempt* chosen() const;
   void replay();
   /// Change for which the user is asked a reason.

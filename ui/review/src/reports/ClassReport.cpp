@@ -12,7 +12,7 @@ namespace {
 
 using namespace paper;
 
-constexpr double kName = 400, kLevel = 370, kNeeds = 120, kHeadHeight = 410;
+constexpr double kName = 400, kLevel = 330, kNeeds = 190, kHeadHeight = 410;
 
 QString levelOf(const ClassDesk& desk, const Member& member) {
   if (!member.standing) return tr("not begun");
@@ -42,7 +42,7 @@ void tableHead(PaperColumn& page, double cell) {
 void tableRow(PaperColumn& page, const ClassDesk& desk, const Member& member, double cell) {
   page.cell(kMargin, kName, QString::fromStdString(member.person.fullName), page.ink.text);
   page.cell(kMargin + kName, kLevel, levelOf(desk, member), page.ink.text);
-  page.cell(kMargin + kName + kLevel, kNeeds, concernWord(concernOf(member)), page.ink.danger);
+  page.cell(kMargin + kName + kLevel, kNeeds, attentionWords(*desk.facts(), member), page.ink.danger);
   const auto row = desk.heat().find(member.person.id);
   for (std::size_t i = 0; i < MetricBook::here().comparable(); ++i) {
     const HeatCell one = row == desk.heat().end() ? HeatCell{} : row->second[i];
@@ -69,7 +69,7 @@ void paintClassReport(QPainter& painter, const ClassDesk& desk) {
   tableHead(page, cell);
   std::vector<const Member*> people;
   for (const Member& member : facts.learners) people.push_back(&member);
-  std::ranges::stable_partition(people, [](const Member* one) { return concernOf(*one) != Concern::None; });
+  std::ranges::stable_partition(people, [&](const Member* one) { return attentionOf(facts, *one) != Attention::None; });
   std::size_t told = 0;
   for (; told < people.size() && page.hasRoom(2 * kRow); ++told) tableRow(page, desk, *people[told], cell);
   if (told < people.size())

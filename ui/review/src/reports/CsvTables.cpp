@@ -30,7 +30,7 @@ std::string classCsv(const ClassDesk& desk) {
                                  member.person.email,
                                  standing.level,
                                  member.standing ? std::to_string(standing.mastered) : "",
-                                 concernWord(concernOf(member)).toStdString(),
+                                 attentionWords(*desk.facts(), member).toStdString(),
                                  standing.sentence,
                                  std::to_string(member.attempts),
                                  member.lastAttempt_us ? isoOf(*member.lastAttempt_us) : ""};

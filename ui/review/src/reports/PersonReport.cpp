@@ -39,7 +39,7 @@ void charts(PaperColumn& page, const PersonFacts& facts, const HeatMap& heat) {
   const std::string level = facts.history.empty() ? std::string() : facts.history.back().level;
   const double width = kWidth - 2 * kMargin;
   const Curriculum* curriculum = facts.curriculum ? &*facts.curriculum : nullptr;
-  page.heading(tr("Learning: %1").arg(level.empty() ? tr("all attempts") : levelTitle(curriculum, level)));
+  page.heading(tr("Learning curve: %1").arg(level.empty() ? tr("all attempts") : levelTitle(curriculum, level)));
   // The ratio of their widths is that on the page of the person.
   constexpr double kLearning = 9 / 22.0, kCusum = 8 / 22.0;
   chart(page, kMargin, width * kLearning, learningOf(facts, level, points));

@@ -31,8 +31,9 @@ struct ClassList {
 };
 
 /// Parses a class list: CSV with a header line, as Moodle and other systems export participants, with the columns
-/// "First name" and "Last name" (or "Surname"), or "Full name"; "Email address"; "Username", "ID number". Case and
-/// other columns are ignored. Fails if the text is no class list at all; an invalid line becomes an entry in
+/// "First name" and "Last name" (or "Surname"), or "Full name"; "Email address"; "Username", "ID number"; or their
+/// German, French or Spanish titles. Case and other columns are ignored. Text that is not UTF-8 is read as
+/// Windows-1252, which contains Latin-1. Fails if the text is no class list at all; an invalid line becomes an entry in
 /// ClassList::troubles.
 Result<ClassList> parseClassList(std::string_view csv);
 

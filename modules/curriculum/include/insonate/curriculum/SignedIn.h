@@ -2,6 +2,7 @@
 
 #include <insonate/curriculum/Person.h>
 
+#include <cstdint>
 #include <memory>
 
 namespace insonate {
@@ -20,6 +21,8 @@ class SignedIn {
   const Person& person() const;
   /// Tells whether the user must first call PeopleStore::changeOwnPassword(); nothing else is allowed until then.
   bool mustChangePassword() const;
+  /// Returns the time by the store's clock, since 1970, UTC.
+  std::int64_t now_us() const;
 
   /// Used only by the classes of this module, such as AttemptStore.
   explicit SignedIn(std::shared_ptr<store::Session> session);

@@ -66,7 +66,7 @@ Result<void> Connection::setUp(const Address& address) {
   if (!address.isServer && QFileInfo(address.file).isDir())
     return fail(place_ + " is a folder; name a file for the curriculum's store.");
   if (!address.isServer) makePrivate(address.file.toStdString());
-  if (!database_.open()) return tl::unexpected(failed(database_.lastError()));
+  if (!database_.open()) return tl::unexpected(errorFrom(database_.lastError()));
   const std::string settings(dialect_.setUp);
   if (address.isServer) return script(settings);
   sqlite3_busy_handler(handle(), waitForOthers, nullptr);
@@ -83,7 +83,7 @@ sqlite3* Connection::handle() const {
   return *static_cast<sqlite3* const*>(database_.driver()->handle().constData());
 }
 
-Error Connection::failed(const QSqlError& error) {
+Error Connection::errorFrom(const QSqlError& error) {
   lost_ = lost_ || store::isLost(error);
   return sentenceOf(error, place_);
 }
@@ -94,13 +94,13 @@ Result<QSqlQuery*> Connection::executed(std::string_view sql, const std::vector<
     QSqlQuery query(database_);
     query.setForwardOnly(true);
     if (!query.prepare(QString::fromUtf8(sql.data(), static_cast<int>(sql.size()))))
-      return tl::unexpected(failed(query.lastError()));
+      return tl::unexpected(errorFrom(query.lastError()));
     found = prepared_.emplace(sql, std::move(query)).first;
   }
   QSqlQuery& query = found->second;
   for (std::size_t i = 0; i < values.size(); ++i) query.bindValue(static_cast<int>(i), values[i]);
   if (!query.exec()) {
-    const Error error = failed(query.lastError());
+    const Error error = errorFrom(query.lastError());
     prepared_.erase(found);
     return tl::unexpected(error);
   }
@@ -120,7 +120,7 @@ Result<std::vector<Row>> Connection::rows(std::string_view sql, const std::vecto
   }
   const QSqlError error = (*query)->lastError();
   (*query)->finish();
-  if (error.isValid()) return tl::unexpected(failed(error));
+  if (error.isValid()) return tl::unexpected(errorFrom(error));
   return rows;
 }
 
@@ -139,13 +139,13 @@ Result<void> Connection::script(const std::string& sql) {
     const QSqlError error("", QString::fromUtf8(words), QSqlError::StatementError,
                           QString::number(sqlite3_extended_errcode(handle())));
     sqlite3_free(words);
-    return tl::unexpected(failed(error));
+    return tl::unexpected(errorFrom(error));
   }
   QSqlQuery query(database_);
   bool done = query.exec(QString::fromStdString(sql));
   // Each statement has a result of its own, which must be read to detect its failure.
   while (done && query.nextResult()) done = !query.lastError().isValid();
-  if (query.lastError().isValid()) return tl::unexpected(failed(query.lastError()));
+  if (query.lastError().isValid()) return tl::unexpected(errorFrom(query.lastError()));
   return {};
 }
 

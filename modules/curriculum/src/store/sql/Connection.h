@@ -45,7 +45,7 @@ class Connection {
   Connection(const Address& address, QString name);
   Result<QSqlQuery*> executed(std::string_view sql, const std::vector<QVariant>& values);
   Result<void> setUp(const Address& address);
-  Error failed(const QSqlError& error);
+  Error errorFrom(const QSqlError& error);
 
   const Dialect& dialect_;
   std::string place_;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <insonate/curriculum/CohortStore.h>
+
+#include <cstdint>
+#include <string>
+
+namespace insonate {
+
+/// State of a member of a class for which the instructor may act; the most urgent one has the highest number.
+enum class Attention {
+  None,
+  Due,       ///< a mastered level lapses within kDueWithin_days unless it is practiced
+  NotBegun,  ///< no attempt yet
+  Idle,      ///< no attempt for kIdleAfter_days, and not all levels are mastered
+  Stuck,     ///< Concern::Stuck
+  Lapsed,    ///< Concern::Slipped
+};
+inline constexpr int kIdleAfter_days = 21, kDueWithin_days = 14;
+
+/// Returns the most urgent state of a learner at `now_us` (since 1970, UTC). States that need an outdated or unknown
+/// standing are left out.
+Attention attentionOf(const Member& member, std::int64_t now_us);
+
+/// Describes the state in a few words, e.g. "idle for 5 weeks"; "" for Attention::None.
+std::string wordsOf(Attention attention, const Member& member, std::int64_t now_us);
+
+}  // namespace insonate
