@@ -26,12 +26,12 @@ TEST(History, TakesBackAndDoesAgainInOrder) {
   Changed number;
   number.set(1), number.set(2), number.set(3);
   EXPECT_EQ(number.history.undo(), History::Outcome::Done);
-  EXPECT_EQ(number.history.lastWords().toStdString(), "number 3");
+  EXPECT_EQ(number.history.lastStepName().toStdString(), "number 3");
   number.history.undo();
   EXPECT_EQ(number.value, 1);
   number.history.redo();
   EXPECT_EQ(number.value, 2);
-  EXPECT_EQ(number.history.lastWords().toStdString(), "number 2");
+  EXPECT_EQ(number.history.lastStepName().toStdString(), "number 2");
   number.history.undo(), number.history.undo();
   EXPECT_EQ(number.value, 0);
   EXPECT_EQ(number.history.undo(), History::Outcome::Nothing);

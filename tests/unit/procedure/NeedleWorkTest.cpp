@@ -22,7 +22,7 @@ TEST(NeedleWork, StraightToTheVein) {
   go(work, 0, 10);
   go(work, 10, 30, true);
   EXPECT_FALSE(work.inefficiency_percent()) << "not reached yet";
-  work.reach({0, 0, 30});
+  work.endAtVein({0, 0, 30});
   go(work, 30, 35);  // what comes after does not count
   EXPECT_DOUBLE_EQ(work.path_mm(), 30);
   EXPECT_DOUBLE_EQ(*work.inefficiency_percent(), 0);
@@ -36,7 +36,7 @@ TEST(NeedleWork, BackAndOnAgain) {
   NeedleWork work;
   work.beginPass({});
   go(work, 0, 20, true), go(work, 20, 10), go(work, 10, 30);
-  work.reach({0, 0, 30});
+  work.endAtVein({0, 0, 30});
   EXPECT_DOUBLE_EQ(work.path_mm(), 50);
   EXPECT_NEAR(*work.inefficiency_percent(), 200.0 / 3, 1e-9);
   EXPECT_EQ(work.redirections(), 1);
@@ -63,7 +63,7 @@ TEST(NeedleWork, DeviationFromTheStraightLine) {
   work.beginPass({});
   work.follow({3, 0, 10}, 10, false);
   work.follow({0, 0, 20}, 20, false);
-  work.reach({0, 0, 20});
+  work.endAtVein({0, 0, 20});
   EXPECT_NEAR(*work.deviation_mm(), std::sqrt(4.5), 1e-9);
   EXPECT_NEAR(work.path_mm(), 2 * std::sqrt(109), 1e-9);
 }
@@ -86,7 +86,7 @@ TEST(NeedleWork, PassesAddUp) {
   work.endPass({});
   work.beginPass({5, 0, 0});
   work.follow({5, 0, 20}, 20, false);
-  work.reach({5, 0, 20});
+  work.endAtVein({5, 0, 20});
   EXPECT_DOUBLE_EQ(work.path_mm(), 44) << "the way outside does not count";
   EXPECT_NEAR(*work.inefficiency_percent(), 120, 1e-9);
 }

@@ -85,7 +85,7 @@ std::vector<Tube::Knot> centerLine(const std::vector<Tube::Knot>& knots);
 
 /// Returns the union of shapes.
 Shape join(std::vector<Shape> shapes);
-/// Returns the space between two distances from a shape's boundary (positive outside, up to 3 mm).
+/// Returns the space between two signed distances from a shape's boundary, positive outside; both at most 3 mm.
 Shape shell(Shape inner, double from_mm, double to_mm);
 /// Returns the part of a shape in which a function of the model position is negative.
 Shape clip(Shape shape, std::function<double(Vec3)> limit_mm);

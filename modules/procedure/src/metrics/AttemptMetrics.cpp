@@ -186,7 +186,7 @@ void AttemptMetrics::State::cross(const AttemptEvent& event) {
   if (!crossed->enter(event.depth_mm) || crossed != &vein || access_us) return;
   access_us = event.time_us;
   timeToVein_s = secondsBetween(passSkin_us, access_us);
-  needle.reach(event.tip_mm);
+  needle.endAtVein(event.tip_mm);
 }
 
 void AttemptMetrics::State::strike(const AttemptEvent& event) {

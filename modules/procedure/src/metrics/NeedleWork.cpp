@@ -17,7 +17,7 @@ void NeedleWork::endPass(Vec3 tip_mm) {
   last_mm_ = tip_mm;
 }
 
-void NeedleWork::reach(Vec3 tip_mm) {
+void NeedleWork::endAtVein(Vec3 tip_mm) {
   if (reached_) return;
   endPass(tip_mm);
   end_mm_ = tip_mm, reached_ = true;

@@ -19,7 +19,7 @@ class NeedleWork {
   /// Adds a position of the tip under the skin. `depth_mm`: depth below the puncture of the skin, along the needle.
   void follow(Vec3 tip_mm, double depth_mm, bool aspirating);
   /// Ends the measurement, since the tip has reached the vein; later motion is not counted.
-  void reach(Vec3 tip_mm);
+  void endAtVein(Vec3 tip_mm);
 
   int redirections() const { return redirections_; }
   double path_mm() const { return path_mm_; }

@@ -17,7 +17,8 @@ class ApertureTransmission {
   /// Returns the array of the shares of the amplitude that a gate passes, for the scanlines from `line` on.
   float* passed(int gate, int line) { return passed_.get() + at(gate) + line; }
 
-  /// Multiplies the passed shares along each ray. The arrays contact() and passed() must have been filled before.
+  /// Multiplies the shares that gates pass, along each ray, from the face down. The arrays contact() and passed() must
+  /// have been filled before.
   void followRays();
   /// Scales the scattering of a block of scanlines by the amplitude that reaches it through the aperture (zero if none
   /// does), and then adds the block's boundary echoes.

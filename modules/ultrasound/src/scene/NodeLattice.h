@@ -56,7 +56,7 @@ struct NodeLattice {
   /// Returns the nodes around a region, with a small margin, limited to the lattice; empty if the region lies outside
   /// the volume.
   NodeBox boxOf(const Region& region) const;
-  /// Returns the voxels that determine a box of nodes.
+  /// Returns the box of voxels from which the values of these nodes are computed.
   NodeBox voxelsOf(const NodeBox& nodes) const;
   AxisNode at(int axis, int node) const;
   /// Returns the value stored as the distance to a structure that is out of reach.

@@ -34,8 +34,8 @@ struct ThesisPlan {
   int mapRows;  ///< number of map rows, at half the distance of node rows, since interfaces vary faster than distances
   double row_mm;        ///< distance between node rows
   double interface_mm;  ///< kInterface_mm, or more if the map rows are too far apart to sample it
-  double steepness_mm;  ///< interface_mm divided by the maximum slope of fade(): converts a change per mm to the change
-                        ///< across an interface
+  double steepness_mm;  ///< factor from a slope (per mm) to the step across an interface: interface_mm / maximum of
+                        ///< fade()'s slope across an interface
   double lossLength_mm;  ///< length over which a plane interface's loss is spread, so that its integral is correct
   double tailShare;      ///< share of an echo that the radial blur passes on to the next gate
   NoiseCells noise;
@@ -83,8 +83,8 @@ MapSample mapAt(const SceneSample& here, const SceneSample& slope, double range_
                 const ImagingSettings& settings, const AcousticScene::Impl& scene,
                 const std::array<ChannelAcoustics, TissueField::kStride>& channels);
 
-/// Tells whether background (label 0) at this range counts as gel or air between face and skin, which does not echo; at
-/// larger ranges background is imaged like tissue.
+/// Tells whether background (label 0) at this range may be gel or air between the probe's face and the skin, which does
+/// not echo. Beyond a limit, background is imaged like tissue.
 inline bool mayBeGel(double range_mm) {
   return range_mm < acoustics::kContactReach_mm;
 }

@@ -49,7 +49,7 @@ class StructureList : public QObject {
   TermsEditor& terms_;
   Notice& notice_;
   std::vector<std::uint8_t> labels_;
-  LabelSet added_;  ///< labels that were added before the voxels are counted
+  LabelSet added_;  ///< labels that were added and whose voxels are not counted yet
   std::uint8_t selected_ = 0;
 };
 

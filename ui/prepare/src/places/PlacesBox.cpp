@@ -49,7 +49,7 @@ PlacesBox::PlacesBox(PrepareModel& shared, QWidget* parent)
                            tr("Moves the crosshair or the probe to the selected place (Enter)"))),
       put_(ui::pushButton("placePut", tr("Move here"),
                           tr("Moves the selected place to the crosshair, a start pose to the probe"))),
-      first_(ui::pushButton("placeFirst", tr("Make first"),
+      first_(ui::pushButton("placeFirst", tr("Move to first place"),
                             tr("Makes the selected start pose the first one, or the selected target the main target"))),
       split_(ui::pushButton("placeSplit", tr("Split"),
                             tr("Splits the selected vessel at the crosshair, to give its parts different names"))),
@@ -60,7 +60,7 @@ PlacesBox::PlacesBox(PrepareModel& shared, QWidget* parent)
   connect(show_, &QPushButton::clicked, this, [this] { show(); });
   connect(put_, &QPushButton::clicked, this, [this] { moveHere(); });
   connect(first_, &QPushButton::clicked, this, [this] { makeFirst(); });
-  connect(split_, &QPushButton::clicked, this, [this] { split(); });
+  connect(split_, &QPushButton::clicked, this, [this] { splitVesselHere(); });
   connect(remove_, &QPushButton::clicked, this, [this] { remove(); });
   connect(list_, &QTreeWidget::itemActivated, this, [this] { show(); });
   connect(list_, &QTreeWidget::currentItemChanged, this, [this] { refreshButtons(); });
@@ -275,13 +275,13 @@ void PlacesBox::makeFirst() {
   });
 }
 
-void PlacesBox::split() {
+void PlacesBox::splitVesselHere() {
   Chosen one{};
   if (!chosen(one) || one.kind != Kind::Vessel) return;
   auto parts = splitVessel(shared_.places.value().vessels[one.index], shared_.crosshair.position_mm());
   if (!parts) return shared_.notice.say(ui::qt(parts.error().message));
   parts->second.name += ", part 2";
-  change(tr("vessel split"), [&](CasePlaces& places) {
+  change(tr("vessel splitVesselHere"), [&](CasePlaces& places) {
     const auto at = places.vessels.begin() + std::ptrdiff_t(one.index);
     *at = std::move(parts->first);
     places.vessels.insert(at + 1, std::move(parts->second));

@@ -36,7 +36,7 @@ class PlacesBox : public QWidget {
   void add();
   void addTarget();
   void addLandmark(const std::string& code, const QString& name);
-  void split();
+  void splitVesselHere();
   void show();
   void moveHere();
   void makeFirst();

@@ -121,14 +121,16 @@ void RecipeBox::replay(const QString& file) {
   const auto recipe = loadRecipe(file.toStdString());
   if (!recipe) return shared_.notice.say(QString::fromStdString(recipe.error().message));
   const std::size_t here = shared_.labelling.recipe().steps.size();
-  replay_.run(recipe->steps, here, here, tr("Replaying a recipe"), [this, names = recipe->labels](bool well) {
-    LabelTerms terms = shared_.terms.value();
-    terms.own.insert(names.begin(), names.end());
-    if (well && terms != shared_.terms.value()) shared_.terms.set(std::move(terms), tr("names of the recipe's labels"));
-    shared_.notice.say(well ? tr("The recipe is replayed; Ctrl+Z undoes its steps.")
-                            : tr("The recipe was not replayed; the labels are as they were."));
-    refresh();
-  });
+  replay_.run(recipe->steps, here, here, tr("Repeating the steps of a recipe"),
+              [this, names = recipe->labels](bool well) {
+                LabelTerms terms = shared_.terms.value();
+                terms.own.insert(names.begin(), names.end());
+                if (well && terms != shared_.terms.value())
+                  shared_.terms.set(std::move(terms), tr("names of the recipe's labels"));
+                shared_.notice.say(well ? tr("The recipe is replayed; Ctrl+Z undoes its steps.")
+                                        : tr("The recipe was not replayed; the labels are as they were."));
+                refresh();
+              });
   refresh();
 }
 

@@ -17,8 +17,8 @@ LabelBox::LabelBox(PrepareModel& shared, const QString& name, const QString& hin
   setPlaceholderText(tr("choose a label"));
   setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   setMinimumContentsLength(8);
-  connect(&shared_.structures, &StructureList::changed, this, [this] { fill(); });
-  connect(&shared_.terms, &TermsEditor::changed, this, [this] { fill(); });
+  connect(&shared_.structures, &StructureList::changed, this, [this] { listLabels(); });
+  connect(&shared_.terms, &TermsEditor::changed, this, [this] { listLabels(); });
   connect(&shared_.appearance, &StructureAppearance::lookChanged, this, [this](int label) {
     const int row = findData(label);
     if (row >= 0) setItemIcon(row, swatch(shared_.appearance.look(std::uint8_t(label)).colour));
@@ -27,10 +27,10 @@ LabelBox::LabelBox(PrepareModel& shared, const QString& name, const QString& hin
     label_ = std::uint8_t(itemData(row).toInt());
     Q_EMIT chosen(label_);
   });
-  fill();
+  listLabels();
 }
 
-void LabelBox::fill() {
+void LabelBox::listLabels() {
   clear();
   for (const std::uint8_t label : shared_.structures.labels())
     addItem(swatch(shared_.appearance.look(label).colour), shared_.terms.nameOf(label), int(label));

@@ -21,7 +21,7 @@ class LabelBox : public QComboBox {
   void chosen(std::uint8_t label);
 
  private:
-  void fill();
+  void listLabels();
 
   PrepareModel& shared_;
   std::uint8_t label_ = 0;

@@ -167,7 +167,7 @@ void CurriculumDesk::save() {
 }
 
 void CurriculumDesk::takeSaved(const std::string& text, const Result<void>& done) {
-  if (!done) return contest(done.error().message);
+  if (!done) return handleRefusal(done.error().message);
   kept_ = text;
   saved_ = isDraft() && text == curriculumText(*curriculum_);
   Q_EMIT savingChanged();
@@ -177,7 +177,7 @@ void CurriculumDesk::takeSaved(const std::string& text, const Result<void>& done
 }
 
 /// The draft was refused: another user has saved, or the store cannot save now and the draft is sent again later.
-void CurriculumDesk::contest(const std::string& refusal) {
+void CurriculumDesk::handleRefusal(const std::string& refusal) {
   account_->ask<std::string>(
       this, [name = curriculum_->name](const SignedIn& by) { return PublishedCurricula(by).draft(name); },
       [this, refusal, round = round_](const Result<std::string>& theirs) {
@@ -253,7 +253,7 @@ void CurriculumDesk::publish(std::function<void(Result<void>)> done) {
       [this, done = std::move(done),
        now = OfferedCurriculum{curriculum_->name, curriculum_->version, Kind::Published}](const Result<void>& outcome) {
         done(outcome);
-        if (!outcome) return contest(outcome.error().message);
+        if (!outcome) return handleRefusal(outcome.error().message);
         saved_ = true;
         choose(now);
         refresh();

@@ -87,7 +87,7 @@ class CurriculumDesk : public QObject {
   void changed();
   void save();
   void takeSaved(const std::string& text, const Result<void>& done);
-  void contest(const std::string& refusal);
+  void handleRefusal(const std::string& refusal);
 
   QPointer<Account> account_;
   TeachingNames known_;

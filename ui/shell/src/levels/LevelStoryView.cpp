@@ -18,9 +18,9 @@ QString wordsOf(StoryTurn::When when) {
     case StoryTurn::When::Reached:
       return LevelStoryView::tr("When the level is unlocked");
     case StoryTurn::When::AfterFailure:
-      return LevelStoryView::tr("After a failure");
+      return LevelStoryView::tr("After a failed attempt");
     case StoryTurn::When::AfterPass:
-      return LevelStoryView::tr("After a pass");
+      return LevelStoryView::tr("After a passed attempt");
     case StoryTurn::When::Mastered:
       return LevelStoryView::tr("Later");
     case StoryTurn::When::Lapsed:
@@ -37,7 +37,7 @@ LevelStoryView::LevelStoryView(QWidget* parent)
       heading_(paragraph("levelStoryHeading", "heading")),
       story_(paragraph("levelStory", "quiet")) {
   setRole(this, "panel");
-  heading_->setText(tr("Sentences that a trainee reads"));
+  heading_->setText(tr("What trainees read about this level"));
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(kGap, kGap, kGap, kGap);
   box->setSpacing(kSmallGap);

@@ -114,9 +114,9 @@ QWidget* MasteryEditor::buildRow() {
 QWidget* MasteryEditor::buildCusum() {
   cusum_ = named(new QCheckBox(tr("LC-CUSUM")), "cusumOn", tr("Learning curve test LC-CUSUM"),
                  tr("Mastery also requires the signal of the learning curve test"));
-  acceptable_ = share("cusumAcceptable", tr("Acceptable failures"), tr("Failure rate of a competent operator"));
-  unacceptable_ =
-      share("cusumUnacceptable", tr("Unacceptable failures"), tr("Failure rate of an operator who is not competent"));
+  acceptable_ = share("cusumAcceptable", tr("Acceptable failure rate"), tr("Failure rate of a competent operator"));
+  unacceptable_ = share("cusumUnacceptable", tr("Unacceptable failure rate"),
+                        tr("Failure rate of an operator who is not competent"));
   limit_ =
       number<QDoubleSpinBox>("cusumLimit", tr("Limit h"), tr("Score that must be reached"), 0.01, 100.0, QString());
   connect(cusum_, &QCheckBox::clicked, this, [this](bool on) {
@@ -138,7 +138,7 @@ QWidget* MasteryEditor::buildCalibration() {
   calibrate_ = named(new QPushButton(tr("Calibrate")), "cusumCalibrate", tr("Calibrate the limit"),
                      tr("Sets the limit by a reproducible simulation of trainees"));
   calibrate_->setAutoDefault(false);
-  connect(calibrate_, &QPushButton::clicked, this, &MasteryEditor::calibrate);
+  connect(calibrate_, &QPushButton::clicked, this, &MasteryEditor::findLimit);
   calibrated_ = new QLabel;
   calibrated_->setObjectName(QStringLiteral("cusumCalibrated"));
   calibrated_->setTextFormat(Qt::PlainText);
@@ -184,9 +184,10 @@ void MasteryEditor::show(const Level& level) {
   const QSignalBlocker a(passes_), b(acceptable_), c(unacceptable_), d(limit_), e(days_), f(failures_), g(within_);
   passes_->setValue(rule.passesInARow);
   const int fewest = fewestAttempts(rule);
-  fewest_->setText(fewest == LcCusum::kMostToSignal ? tr("no number of attempts suffices: raise the unacceptable rate")
-                   : fewest == 1                    ? tr("mastered with at least 1 attempt")
-                                                    : tr("mastered with at least %1 attempts").arg(fewest));
+  fewest_->setText(fewest == LcCusum::kMostToSignal
+                       ? tr("no number of attempts tells these rates apart: raise the unacceptable one")
+                   : fewest == 1 ? tr("mastered with at least 1 attempt")
+                                 : tr("mastered with at least %1 attempts").arg(fewest));
   cusum_->setChecked(rule.cusum.has_value());
   for (QWidget* one :
        std::initializer_list<QWidget*>{acceptable_, unacceptable_, limit_, falseSignals_, trials_, calibrate_})
@@ -224,7 +225,7 @@ void MasteryEditor::applyLapses() {
   });
 }
 
-void MasteryEditor::calibrate() {
+void MasteryEditor::findLimit() {
   const LcCusum test{acceptable_->value() / kPercent, unacceptable_->value() / kPercent};
   const double share = falseSignals_->value() / kPercent;
   CusumTrials trials;

@@ -36,7 +36,7 @@ class MasteryEditor final : public QWidget {
   QWidget* buildCusum();
   QWidget* buildCalibration();
   QWidget* buildLapses();
-  void calibrate();
+  void findLimit();
   void applyCusum();
   void applyLapses();
 

@@ -86,7 +86,7 @@ QWidget* StandardsEditor::buildRule() {
   row->addWidget(points_);
   row->addWidget(leastPoints_);
   row->addSpacing(kLargeGap);
-  row->addWidget(new QLabel(tr("Of the standards")));
+  row->addWidget(new QLabel(tr("Standards to meet")));
   row->addWidget(percent_);
   row->addStretch(1);
   return line;

@@ -33,7 +33,7 @@ AttemptFeature::AttemptFeature(TrainModel& model, TrainLayout& layout)
   });
   connect(control_, &AttemptControl::viewChanged, this, [this] { showNeedle(); });
   connect(&model.tray, &NeedleTray::touched, control_, &AttemptControl::replaceNeedle);
-  connect(&model.hands, &HandsControl::drawButton, control_, &AttemptControl::setAspirating);
+  connect(&model.hands, &HandsControl::aspirateButtonChanged, control_, &AttemptControl::setAspirating);
   connect(panel_, &AttemptPanel::reviewWanted, &layout.workspace(), &ui::Workspace::attemptWanted);
 }
 

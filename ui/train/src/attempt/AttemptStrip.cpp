@@ -41,7 +41,7 @@ AttemptStrip::AttemptStrip(DisclosureModel& disclosure, HandsControl& hands, Cas
   double_ =
       number("attemptDouble", tr("posterior wall 8"), tr("Posterior wall punctures: out through the vein's far side"));
   toVein_ = number("attemptToVein", tr("to vein 888.8 s"), tr("From the skin to the vein within a pass, in s"));
-  used_ = number("attemptUsed", tr("used 8"), tr("Insertions with a needle that was in the skin before"));
+  used_ = number("attemptUsed", tr("used 8"), tr("Insertions with a used needle"));
   row_->addStretch(1);
   needle_ = number("attemptNeedle", QStringLiteral("▲ wrong place"), {});
   needle_->setTextFormat(Qt::RichText);

@@ -119,7 +119,7 @@ QString SyringeView::words() const {
     case Content::Nothing:
       break;
   }
-  return attempt_.isAspirating() ? tr("aspirating, no content") : tr("empty");
+  return attempt_.isAspirating() ? tr("aspirating, still empty") : tr("empty");
 }
 
 /// Lying: the needle's end on the left, the plunger on the right.

@@ -31,7 +31,7 @@ namespace insonate::train {
 ImageFeature::ImageFeature(TrainModel& model, TrainLayout& layout, QWidget& probeChooser) : Feature(model, layout) {
   addCommands();
   addMeasuring();
-  addGestures();
+  listGestures();
   besideAction_ = addSwitch("train.image.ctBeside", [this] { return beside_->isShown(); });
   panel_ = new ImagePanel(model.disclosure, model.imaging, probeChooser, commands());
   layout.controls().addSection(panel_);
@@ -186,7 +186,7 @@ void ImageFeature::addMeasuring() {
               .perform = [this](ui::KeyPress) { measurements_->clear(); }});
 }
 
-void ImageFeature::addGestures() {
+void ImageFeature::listGestures() {
   beginSection(KeySection::Probe);
   commands().addListed(tr("Left drag on the image"), tr("slides the probe"));
   commands().addListed(tr("Right drag on the image"), tr("rotates the probe; with Shift tilts and rocks it"));

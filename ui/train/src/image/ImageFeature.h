@@ -39,7 +39,7 @@ class ImageFeature final : public Feature {
  private:
   void addCommands();
   void addMeasuring();
-  void addGestures();
+  void listGestures();
   void buildColumn();
   void buildInput();
   void connectModel();

@@ -143,9 +143,9 @@ void ImagePanel::buildModel(QVBoxLayout& box, const ui::Commands& commands) {
   look_ = new QComboBox;
   look_->setObjectName("look");
   look_->addItem(tr("natural"), int(Look::Coherent));
-  look_->addItem(tr("in layers (thesis)"), int(Look::Thesis));
-  look_->setToolTip(
-      tr("Natural: speckle that belongs to the tissue. In layers: reflection, absorption, blur and noise"));
+  look_->addItem(tr("simplified"), int(Look::Thesis));
+  look_->setToolTip(tr(
+      "Natural: speckle belongs to the tissue. Simplified: reflection, absorption, blur and noise, as in the thesis"));
   box.addWidget(labelled(tr("look"), look_));
   effect_ = new QComboBox;
   effect_->setObjectName("effect");

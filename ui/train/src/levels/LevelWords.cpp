@@ -99,7 +99,8 @@ QString comparedWith(const MetricStandard& standard, const AttemptFacts& attempt
 
 QString masteryOf(const Level& level) {
   const MasteryRule& rule = level.mastery;
-  QStringList parts{rule.passesInARow == 1 ? tr("one pass") : tr("%1 passes in a row").arg(rule.passesInARow)};
+  QStringList parts{rule.passesInARow == 1 ? tr("one passed attempt")
+                                           : tr("%1 passes in a row").arg(rule.passesInARow)};
   if (rule.cusum) parts << tr("the learning score LC-CUSUM reaches %1").arg(rule.cusum->limit, 0, 'f', 2);
   const int fewest = fewestAttempts(rule);
   if (fewest > rule.passesInARow) parts << tr("at least %1 attempts").arg(fewest);

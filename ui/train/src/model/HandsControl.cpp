@@ -158,7 +158,7 @@ void HandsControl::look() {
 
 void HandsControl::checkButtons(const DeviceState& now) {
   const DeviceState before = std::exchange(stylus_, now);
-  if ((now.buttons ^ before.buttons) & kDrawButton) Q_EMIT drawButton(now.buttons & kDrawButton);
+  if ((now.buttons ^ before.buttons) & kDrawButton) Q_EMIT aspirateButtonChanged(now.buttons & kDrawButton);
   if (!(now.buttons & before.buttons & kTurnButton)) return;
   // For small turns: the sum of the axes' cross products is twice the turn.
   Vec3 twice;

@@ -106,7 +106,7 @@ class HandsControl : public QObject {
   /// Emitted while the first button of the needle's device is held: the view turns about the patient by these rotations
   /// of the stylus, in degrees, to the right and up.
   void anatomyTurned(double across_deg, double up_deg);
-  void drawButton(bool down);  ///< second button of the needle's device
+  void aspirateButtonChanged(bool down);  ///< second button of the needle's device
   void deviceEvent(const insonate::DeviceEvent& event);
 
  private:

@@ -13,7 +13,7 @@ constexpr int kKeyedStep = 1;  // QUndoCommand::id() of steps that may be joined
 
 void sayOutcome(History::Outcome outcome, const History& history, StatusLine& status, const QString& done,
                 const QString& nothing) {
-  if (outcome == History::Outcome::Done) status.say(done.arg(history.lastWords()));
+  if (outcome == History::Outcome::Done) status.say(done.arg(history.lastStepName()));
   if (outcome == History::Outcome::Nothing) status.say(nothing);
 }
 
@@ -80,7 +80,7 @@ History::Outcome History::apply(int index, void (QUndoStack::*act)()) {
   if (!step) return Outcome::Nothing;
   open_ = false;
   if (!step->isPossible()) return Outcome::Refused;
-  lastWords_ = step->text();
+  lastStepName_ = step->text();
   (steps_.*act)();
   return Outcome::Done;
 }

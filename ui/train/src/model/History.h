@@ -35,14 +35,14 @@ class History {
   Outcome undo();
   Outcome redo();
   /// Name of the step that undo() or redo() has applied last.
-  const QString& lastWords() const { return lastWords_; }
+  const QString& lastStepName() const { return lastStepName_; }
 
  private:
   class Step;
   Outcome apply(int index, void (QUndoStack::*act)());
 
   QUndoStack steps_;
-  QString lastWords_;
+  QString lastStepName_;
   bool open_ = false;  ///< the next step may be joined with the last one
   std::chrono::steady_clock::time_point lastAdded_;
 };

@@ -56,7 +56,7 @@ class ImagingModel : public QObject {
 
  Q_SIGNALS:
   void setupChanged();
-  void physiologyChanged();  ///< emitted before setupChanged() if the tissue model has changed
+  void physiologyChanged();  ///< emitted before setupChanged() if blood pressure, tilt or the tissue model has changed
   void tissueChanged();
 
  private:

@@ -33,7 +33,7 @@ class ProbeEditor : public ScrollingColumn {
 
   /// The edited probe, which may be invalid.
   const Probe& draft() const { return draft_; }
-  /// Replaces the whole draft, for example by a fitted probe; the image's depth becomes the probe's default.
+  /// Replaces the whole draft, for example by a fitted probe; the image gets the probe's default depth.
   void take(const Probe& probe);
   /// Error message about the draft; empty if the draft is in use.
   QString problem() const;

@@ -145,7 +145,7 @@ void TissueStrip::refresh() {
   if (press && !presses(*press)) press = nullptr;
   // A model that does not come to rest has no force to tell: what it gives then may be many times too much.
   const bool known = press && (press->settled || press->force_N <= kMostUnsettled_N);
-  const QString newtons = known ? QString::number(press->force_N, 'f', 1) : tr("over %1").arg(kMostUnsettled_N);
+  const QString newtons = known ? QString::number(press->force_N, 'f', 1) : tr("more than %1").arg(kMostUnsettled_N);
   force_->setText(press ? tr("%1 N").arg(newtons) : QString());
   force_->setAccessibleName(press ? tr("Force %1 newtons").arg(newtons) : tr("No force"));
   const bool inside = press && press->indentation_mm > 0;

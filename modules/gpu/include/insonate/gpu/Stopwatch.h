@@ -12,7 +12,7 @@ namespace insonate::gpu {
 class Stopwatch {
  public:
   Stopwatch() = default;
-  /// Makes a stopwatch for parts between this many marks.
+  /// Makes a stopwatch that holds this many marks.
   static Result<Stopwatch> make(const Current& current, int marks);
   ~Stopwatch();
   Stopwatch(Stopwatch&& other) noexcept;

@@ -66,7 +66,7 @@ class MainWindow : public QMainWindow {
 
   /// Tells whether a case is open, no job is running, and the workspace is ready.
   bool isReady() const;
-  /// Tells whether no further results will arrive.
+  /// Tells whether all background work of the window has ended.
   bool isComplete() const;
 
   /// The window's own commands, for example "window.case.open".

@@ -33,7 +33,7 @@ class ScenePanel : public QWidget {
   /// Place of the controls that show, hide, color and fade structures, including the skin.
   enum class Structures {
     Here,
-    Elsewhere,  ///< the scene's owner has them; the panel does not change structures
+    Elsewhere,  ///< the controls of structures are elsewhere; this panel does not change structures
   };
   explicit ScenePanel(std::shared_ptr<views::SceneView> scene, QWidget* parent = nullptr,
                       Structures structures = Structures::Here);

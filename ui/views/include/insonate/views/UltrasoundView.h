@@ -52,8 +52,8 @@ class UltrasoundView final : public View {
   void setTgc(std::span<const double> tgc_dB);
   /// Marks the point under the pointer of another view; empty: no mark.
   void setPointer(std::optional<PicturePoint> point);
-  /// Sets a text over the image that says in what it differs from the normal image, or a text in place of an image that
-  /// is not ready; empty: no text.
+  /// Sets a notice. Over an image it says in what the image differs from the normal one; while no image is ready it is
+  /// shown alone and says why. Empty: no notice.
   void setNotice(const std::string& words);
   /// Sets calipers, which are drawn with their values and numbered in this order.
   void setCallipers(std::vector<Calliper> callipers);
