@@ -239,7 +239,8 @@ TEST_F(CurriculumWindowTest, TheLimitOfLcCusumIsCalibrated) {
   EXPECT_TRUE(story().contains("a learning score (LC-CUSUM) of 3.10: at least 18 attempts")) << story().toStdString();
   EXPECT_EQ(part<QLabel>("fewestAttempts").text(), "mastered with at least 18 attempts");
   part<QDoubleSpinBox>("cusumUnacceptable").setValue(5);
-  EXPECT_EQ(part<QLabel>("fewestAttempts").text(), "no number of attempts suffices: raise the unacceptable rate");
+  EXPECT_EQ(part<QLabel>("fewestAttempts").text(),
+            "no number of attempts tells these rates apart: raise the unacceptable one");
   EXPECT_TRUE(troubles().contains("below the 'unacceptable'")) << troubles().toStdString();
   button("cusumCalibrate").click();
   EXPECT_TRUE(waitUntil([&] { return part<QLabel>("cusumCalibrated").text().contains("needs rates of failure"); }));

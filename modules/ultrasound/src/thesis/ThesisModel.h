@@ -32,10 +32,10 @@ struct ThesisPlan {
   explicit ThesisPlan(const FramePlan& plan);
 
   int mapRows;  ///< number of map rows, at half the distance of node rows, since interfaces vary faster than distances
-  double row_mm;        ///< distance between node rows
-  double interface_mm;  ///< kInterface_mm, or more if the map rows are too far apart to sample it
-  double steepness_mm;  ///< factor from a slope (per mm) to the step across an interface: interface_mm / maximum of
-                        ///< fade()'s slope across an interface
+  double row_mm;         ///< distance between node rows
+  double interface_mm;   ///< kInterface_mm, or more if the map rows are too far apart to sample it
+  double steepness_mm;   ///< factor from a slope (per mm) to the step across an interface: interface_mm over
+                         ///< the maximum of fade()'s slope
   double lossLength_mm;  ///< length over which a plane interface's loss is spread, so that its integral is correct
   double tailShare;      ///< share of an echo that the radial blur passes on to the next gate
   NoiseCells noise;
