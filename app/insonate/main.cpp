@@ -10,6 +10,7 @@
 #include <insonate/ui/CaseLoader.h>
 #include <insonate/ui/FileDialogTraces.h>
 #include <insonate/ui/MainWindow.h>
+#include <insonate/ui/QuietFields.h>
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
@@ -158,6 +159,7 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationVersion(QStringLiteral(INSONATE_VERSION));
   ui::applyTheme(application);
   ui::removeFileDialogTraces(application);
+  ui::keepFieldsQuiet(application);
   const int status = run(application, std::get<app::Arguments>(arguments));
   // Files are written beside their target and moved, so that a job that is cut off leaves nothing half done.
   if (!ui::waitForJobs(std::chrono::seconds(5))) std::_Exit(status);

@@ -33,7 +33,7 @@ class ValueSlider : public testing::Test {
   }
   void wheel(int eighths) {
     QWheelEvent event(QPointF(10, 5), track()->mapToGlobal(QPoint(10, 5)), {}, {0, eighths}, Qt::NoButton,
-                      Qt::NoModifier, Qt::NoScrollPhase, false);
+                      Qt::ControlModifier, Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(track(), &event);
   }
 

@@ -5,7 +5,6 @@
 #include "../model/PlacesEditor.h"
 #include "../model/PrepareModel.h"
 
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 
 #include <QComboBox>
@@ -31,7 +30,6 @@ QString measuresText(const DifficultyEstimate& estimate) {
 
 DifficultyBox::DifficultyBox(PrepareModel& shared, QWidget* parent)
     : QWidget(parent), shared_(shared), grade_(new QComboBox), sentence_(new QLabel), measures_(new QLabel) {
-  new ui::QuietWheel(grade_);
   grade_->setObjectName(QStringLiteral("grade"));
   grade_->setAccessibleName(tr("Difficulty of the case"));
   grade_->setToolTip(tr("Your own grade overrides the estimate; saved with the case"));

@@ -16,7 +16,6 @@
 #include <insonate/simulator/VesselNaming.h>
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/PassLetters.h>
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
@@ -73,7 +72,6 @@ PlacesBox::PlacesBox(PrepareModel& shared, QWidget* parent)
 }
 
 void PlacesBox::arrange() {
-  new ui::QuietWheel(kind_);
   kind_->setObjectName(QStringLiteral("placeKind"));
   kind_->setAccessibleName(tr("Kind of mark"));
   kind_->setToolTip(tr("Kind of mark; click on the place in a slice or in 3D first"));

@@ -7,7 +7,6 @@
 #include "../model/TermsEditor.h"
 
 #include <insonate/tissue/Labels.h>
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -22,7 +21,6 @@ namespace {
 
 QComboBox* choice(const char* object, const QString& name, int letters, const QString& tip) {
   auto* box = new QComboBox;
-  new ui::QuietWheel(box);
   box->setObjectName(QLatin1String(object));
   box->setAccessibleName(name);
   box->setToolTip(tip);

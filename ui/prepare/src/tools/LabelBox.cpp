@@ -6,12 +6,9 @@
 #include "../model/Structures.h"
 #include "../model/TermsEditor.h"
 
-#include <insonate/ui/QuietWheel.h>
-
 namespace insonate::prepare {
 
 LabelBox::LabelBox(PrepareModel& shared, const QString& name, const QString& hint) : shared_(shared) {
-  new ui::QuietWheel(this);
   setAccessibleName(name);
   setToolTip(hint);
   setPlaceholderText(tr("choose a label"));

@@ -1,7 +1,6 @@
 #include "RangeField.h"
 
 #include <insonate/segmentation/HistogramThreshold.h>
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -22,7 +21,6 @@ constexpr int kLeast_HU = -1024, kMost_HU = 3071, kStep_HU = 5, kNumber_px = 88;
 
 QSpinBox* number(const QString& objectName, const QString& name, const QString& tip) {
   auto* made = new QSpinBox;
-  new ui::QuietWheel(made);
   made->setObjectName(objectName);
   made->setAccessibleName(name);
   made->setToolTip(tip);

@@ -11,7 +11,6 @@
 
 #include <insonate/tissue/Labels.h>
 #include <insonate/ui/Commands.h>
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 #include <insonate/ui/Widgets.h>
@@ -118,7 +117,6 @@ void ToolPanel::addChoice(QVBoxLayout& box, const ToolChoice& choice) {
   auto* row = new QHBoxLayout;
   auto* name = new QLabel(choice.name);
   auto* field = new QComboBox;
-  new ui::QuietWheel(field);
   field->setObjectName(QStringLiteral("tool-") + choice.name);
   field->setAccessibleName(choice.name);
   field->setToolTip(choice.hint);

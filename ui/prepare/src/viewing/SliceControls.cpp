@@ -4,7 +4,6 @@
 #include "../model/SliceSettings.h"
 
 #include <insonate/ui/Commands.h>
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
@@ -54,7 +53,6 @@ SliceControls::SliceControls(PrepareModel& shared, const ui::Commands& commands)
       width_(new ui::ValueSlider(tr("outline"), tr("px"), {1, 6, 1, 1, 0}, tr("thickness of label outlines"))),
       labels_(new QCheckBox(tr("labels on slices"))),
       places_(new QCheckBox(tr("targets, landmarks, start poses"))) {
-  new ui::QuietWheel(preset_);
   preset_->setObjectName(QStringLiteral("windowPreset"));
   preset_->setAccessibleName(tr("Window and level of the CT"));
   preset_->setToolTip(tr("Radiological presets of window and level, in Hounsfield units"));
@@ -63,7 +61,6 @@ SliceControls::SliceControls(PrepareModel& shared, const ui::Commands& commands)
   window_->setObjectName(QStringLiteral("window"));
   level_->setObjectName(QStringLiteral("level"));
   opacity_->setObjectName(QStringLiteral("labelOpacity"));
-  new ui::QuietWheel(style_);
   style_->setObjectName(QStringLiteral("labelStyle"));
   style_->setAccessibleName(tr("Display of labels on slices"));
   style_->setToolTip(tr("Display of labels on slices"));

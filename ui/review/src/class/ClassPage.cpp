@@ -6,7 +6,6 @@
 #include "HeatMap.h"
 
 #include <insonate/ui/Commands.h>
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 
 #include <QComboBox>
@@ -115,7 +114,6 @@ QWidget* ClassPage::buildHead(ui::Commands& commands) {
   cohorts_->setToolTip(tr("Class shown"));
   cohorts_->setMinimumWidth(220);
   cohorts_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  new ui::QuietWheel(cohorts_);
   connect(cohorts_, QOverload<int>::of(&QComboBox::activated), this, [this](int at) { desk_.choose(at); });
   facts_->setObjectName(QStringLiteral("classFacts"));
   facts_->setTextFormat(Qt::PlainText);

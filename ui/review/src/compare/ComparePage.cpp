@@ -6,7 +6,6 @@
 
 #include <insonate/ui/Account.h>
 #include <insonate/ui/Chart.h>
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 
 #include <QComboBox>
@@ -37,10 +36,7 @@ ComparePage::ComparePage(const ClassDesk& desk, QWidget* parent)
   metric_->setAccessibleName(tr("Metric"));
   metric_->setToolTip(
       tr("Metric of the comparison: the means of each person's last %1 attempts at levels").arg(kLastAttempts));
-  for (QComboBox* box : {other_, metric_}) {
-    box->setMinimumWidth(230);
-    new ui::QuietWheel(box);
-  }
+  for (QComboBox* box : {other_, metric_}) box->setMinimumWidth(230);
   for (std::size_t i = 0; i < MetricBook::here().comparable(); ++i)
     metric_->addItem(titleWithUnit(MetricBook::here().all()[i]));
   chart_->setObjectName(QStringLiteral("comparisonChart"));

@@ -5,7 +5,6 @@
 #include "JudgementTable.h"
 
 #include <insonate/ui/FormSheet.h>
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -89,7 +88,6 @@ QWidget* JudgePane::buildHead() {
   choice_->setAccessibleName(tr("Form"));
   choice_->setToolTip(tr("The checklist or rating to fill in or to read"));
   choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  new ui::QuietWheel(choice_);
   for (const Form& one : forms_) choice_->addItem(QString::fromStdString(one.title));
   return head;
 }

@@ -7,7 +7,6 @@
 #include <insonate/core/AtomicFile.h>
 #include <insonate/curriculum/FormStore.h>
 #include <insonate/ui/Account.h>
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/RowTable.h>
 #include <insonate/ui/Theme.h>
 
@@ -93,7 +92,6 @@ QWidget* RatersPage::buildHead() {
   choice_->setObjectName(QStringLiteral("ratersForm"));
   choice_->setAccessibleName(tr("Form"));
   choice_->setToolTip(tr("The checklist or rating by which attempts were judged"));
-  new ui::QuietWheel(choice_);
   for (const Form& form : forms_) choice_->addItem(QString::fromStdString(form.title));
   connect(choice_, QOverload<int>::of(&QComboBox::activated), this, [this] { read(); });
   save_->setObjectName(QStringLiteral("saveRaters"));

@@ -5,7 +5,6 @@
 
 #include <insonate/ui/AttemptWords.h>
 #include <insonate/ui/Commands.h>
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/StateColors.h>
 #include <insonate/ui/Theme.h>
 
@@ -43,7 +42,6 @@ Transport::Transport(ReviewSession& session, const ui::Commands& commands, QWidg
   speed_->setAccessibleName(tr("Speed"));
   speed_->setToolTip(commands.toolTip(tr("Playback speed"), QStringLiteral("review.replay.speed")));
   for (const double speed : ReviewSession::kSpeeds) speed_->addItem(tr("%1 x").arg(speed));
-  new ui::QuietWheel(speed_);
   row->addWidget(speed_);
   time_->setObjectName(QStringLiteral("timeNow"));
   time_->setToolTip(tr("Present time and length of the attempt: minutes, seconds"));

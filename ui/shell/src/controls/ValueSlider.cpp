@@ -118,7 +118,7 @@ QString ValueSlider::text(double value) const {
 void ValueSlider::describe() {
   QString tip = tr("%1: %2 to %3, default %4.").arg(name_, text(range_.least), text(range_.most), text(range_.usual));
   if (!hint_.isEmpty()) tip = hint_ + QStringLiteral("\n") + tip;
-  setToolTip(tip + tr("\nDouble click restores the default; arrows and wheel step."));
+  setToolTip(tip + tr("\nDouble click restores the default; arrows step, and the wheel with Ctrl."));
   for (QWidget* part : {static_cast<QWidget*>(track_), static_cast<QWidget*>(number_)}) {
     part->setAccessibleName(unit_.isEmpty() ? name_ : tr("%1 in %2").arg(name_, unit_));
     part->setAccessibleDescription(hint_);

@@ -1,4 +1,3 @@
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
@@ -38,7 +37,6 @@ QToolButton* tabButton(const char* object, const QString& words, const QString& 
 QComboBox* choiceBox(const char* object, const QString& name, const QString& tip, Qt::FocusPolicy focus) {
   auto* made = named(new QComboBox, object, name, tip);
   made->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  new QuietWheel(made);
   made->setFocusPolicy(focus);
   return made;
 }

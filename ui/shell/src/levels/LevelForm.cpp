@@ -5,7 +5,6 @@
 
 #include <insonate/procedure/Procedure.h>
 #include <insonate/ui/KnownCases.h>
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 
@@ -42,7 +41,6 @@ void choose(QComboBox& box, const QString& value) {
 QComboBox* choice() {
   auto* box = new QComboBox;
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  new QuietWheel(box);
   return box;
 }
 

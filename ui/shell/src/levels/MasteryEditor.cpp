@@ -5,7 +5,6 @@
 #include <insonate/curriculum/LcCusum.h>
 #include <insonate/curriculum/Statistics.h>
 #include <insonate/curriculum/Unlocking.h>
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/TaskBar.h>
 #include <insonate/ui/Theme.h>
 
@@ -31,7 +30,6 @@ Box* number(const char* object, const QString& name, const QString& tip, Value l
   box->setRange(low, high);
   box->setSuffix(suffix);
   box->setKeyboardTracking(false);
-  new QuietWheel(box);
   return box;
 }
 

@@ -2,7 +2,6 @@
 
 #include "../controls/NumberBox.h"
 
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/RowTable.h>
 #include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
@@ -35,7 +34,6 @@ QDoubleSpinBox* number(const QString& name, double low, double high, int decimal
   box->setDecimals(decimals);
   box->setSuffix(suffix);
   box->setKeyboardTracking(false);
-  new QuietWheel(box);
   return box;
 }
 
@@ -94,10 +92,8 @@ QWidget* StandardsEditor::buildRule() {
 
 QWidget* StandardsEditor::buildStandard() {
   metric_ = named(new QComboBox, "standardMetric", tr("Metric"), tr("Metric of the standard"));
-  new QuietWheel(metric_);
   for (const MetricMeaning& one : metrics_) metric_->addItem(titleOf({.metric = one.id}), qt(one.id));
   bound_ = named(new QComboBox, "standardBound", tr("At least or at most"), tr("Direction of the limit"));
-  new QuietWheel(bound_);
   bound_->addItems({tr("at least"), tr("at most")});
   limit_ = named(number(tr("The limit"), -kAnyLimit, kAnyLimit, 2, QString()), "standardLimit", tr("Limit"),
                  tr("In the metric's unit"));

@@ -1,6 +1,5 @@
 #include "ClippingControls.h"
 
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 
@@ -62,7 +61,6 @@ ClippingControls::ClippingControls(std::shared_ptr<views::SceneView> scene, QWid
   for (const Kind& kind : kKinds) kind_->addItem(tr(kind.name), int(kind.kind));
   kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   kind_->setMinimumContentsLength(8);
-  new QuietWheel(kind_);
   row->addWidget(name);
   row->addWidget(kind_, 1);
   box->addLayout(row);

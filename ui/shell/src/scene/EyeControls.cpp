@@ -1,6 +1,5 @@
 #include "EyeControls.h"
 
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 
@@ -58,7 +57,6 @@ EyeControls::EyeControls(std::shared_ptr<views::SceneView> scene, QWidget* paren
   stereo_->setToolTip(tr("Shows each eye its own image"));
   stereo_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   stereo_->setMinimumContentsLength(8);
-  new QuietWheel(stereo_);
   row->addWidget(name);
   row->addWidget(stereo_, 1);
   box->addLayout(row);

@@ -2,7 +2,6 @@
 #include "HistogramPlot.h"
 
 #include <insonate/ui/HistogramEditor.h>
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 
 #include <QAction>
@@ -109,7 +108,6 @@ QWidget* HistogramEditor::buildTop() {
   preset_->setPlaceholderText(tr("changed"));  // no preset is in use
   connect(preset_, qOverload<int>(&QComboBox::activated), this,
           [this](int index) { choosePreset(preset_->itemText(index)); });
-  new QuietWheel(preset_);
   box->addWidget(preset_, 1);
 
   const auto undoable = [&](QAction* action, const char* iconName, QKeySequence::StandardKey keys) {
@@ -155,7 +153,6 @@ QWidget* HistogramEditor::buildNumbers() {
   for (QAbstractSpinBox* number : {static_cast<QAbstractSpinBox*>(hu_), static_cast<QAbstractSpinBox*>(opacity_)}) {
     number->setButtonSymbols(QAbstractSpinBox::NoButtons);
     number->setFixedWidth(kNumber_px);
-    new QuietWheel(number);
     number->setKeyboardTracking(false);
   }
   colour_ = button(QStringLiteral("eye"), tr("Point's color"), tr("Color of tissue with this value"));

@@ -3,7 +3,6 @@
 #include "../controls/NumberBox.h"
 
 #include <insonate/tissue/Labels.h>
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 
 #include <QColorDialog>
@@ -95,7 +94,6 @@ StructureList::Row StructureList::makeRow(std::uint8_t label) {
   row.opacity->setAlignment(Qt::AlignRight);
   row.opacity->setButtonSymbols(QAbstractSpinBox::NoButtons);
   row.opacity->setFixedWidth(64);
-  new QuietWheel(row.opacity);
   row.opacity->setAccessibleName(tr("Opacity of %1 in %").arg(name));
   row.opacity->setToolTip(tr("Opacity of %1, 0 to 100 %; arrows step").arg(name));
   connect(row.eye, &QToolButton::clicked, this, [this, label](bool visible) {

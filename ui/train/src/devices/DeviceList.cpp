@@ -4,7 +4,6 @@
 
 #include <insonate/haptics/ReportRecording.h>
 #include <insonate/haptics/SimulatedDevice.h>
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 
@@ -92,7 +91,6 @@ QWidget* DeviceList::buildButtons() {
   pedal_->setAccessibleName(tr("Pedal"));
   pedal_->setToolTip(tr("The first button freezes and unfreezes the image"));
   pedal_->setFocusPolicy(Qt::TabFocus);
-  new ui::QuietWheel(pedal_);
   connect(pedal_, qOverload<int>(&QComboBox::activated), this,
           [this] { hands_.assignPedal(pedal_->currentData().toString()); });
   auto* simulated = new QPushButton(tr("Add simulated"));

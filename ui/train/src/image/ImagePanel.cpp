@@ -8,7 +8,6 @@
 #include "MachineChooser.h"
 
 #include <insonate/simulator/EffectLayers.h>
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ValueSlider.h>
 #include <insonate/ui/Widgets.h>
@@ -152,7 +151,6 @@ void ImagePanel::buildModel(QVBoxLayout& box, const ui::Commands& commands) {
   effect_->setToolTip(tr("The whole image, or one effect of the model by itself (%1; %2 for the whole)")
                           .arg(keysOf(commands, "train.image.nextEffect"), keysOf(commands, "train.image.wholeImage")));
   for (QComboBox* combo : {grayMap_, compounding_, look_, effect_}) {
-    new ui::QuietWheel(combo);
     combo->setFocusPolicy(Qt::TabFocus);
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   }

@@ -2,7 +2,6 @@
 
 #include "../model/ImagingModel.h"
 
-#include <insonate/ui/QuietWheel.h>
 #include <insonate/ultrasound/Machine.h>
 
 namespace insonate::train {
@@ -10,7 +9,6 @@ namespace insonate::train {
 MachineChooser::MachineChooser(ImagingModel& imaging, QWidget* parent) : QComboBox(parent), imaging_(imaging) {
   setObjectName("machine");
   setFocusPolicy(Qt::TabFocus);
-  new ui::QuietWheel(this);
   setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   setPlaceholderText(tr("own settings"));
   setToolTip(tr("Applies the image settings of a class of ultrasound machines"));

@@ -3,8 +3,6 @@
 #include "../model/ImagingModel.h"
 #include "ProbeLibrary.h"
 
-#include <insonate/ui/QuietWheel.h>
-
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -27,7 +25,6 @@ ProbeChooser::ProbeChooser(ImagingModel& imaging, ProbeLibrary& library, QWidget
     : QWidget(parent), imaging_(imaging), library_(library), list_(new QComboBox), edit_(new QPushButton(tr("Edit"))) {
   list_->setObjectName("probe");
   list_->setFocusPolicy(Qt::TabFocus);
-  new ui::QuietWheel(list_);
   list_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   list_->setAccessibleName(tr("probe"));
   list_->setToolTip(tr("Transducer, built in or your own; sets its depth, frequency and focus"));

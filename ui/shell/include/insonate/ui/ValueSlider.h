@@ -11,12 +11,13 @@ namespace insonate::ui {
 struct ValueRange {
   double least = 0, most = 1;  ///< minimum and maximum, least < most
   double usual = 0;            ///< default, restored by a double click
-  double step = 0.1;           ///< step of arrows and wheel, above 0; Page up and down make ten steps
+  double step = 0.1;           ///< step of arrows and of the wheel, above 0; Page up and down make ten steps
   int decimals = 1;            ///< digits shown and kept, 0 to 6
 };
 
 /// A number with name and unit: a slider, and a field in which the number can be typed. Double click on the slider or
-/// the name restores the default; wheel and arrows change the number by one step.
+/// the name restores the default. Arrows change the number by one step; so does the wheel, with Ctrl or with keyboard
+/// focus.
 class ValueSlider : public QWidget {
   Q_OBJECT
 

@@ -30,7 +30,7 @@ QPushButton* pushButton(const char* object, const QString& words, const QString&
 /// Makes the button of one page in a row of pages.
 QToolButton* tabButton(const char* object, const QString& words, const QString& tip);
 
-/// Makes a combo box that fits the available width; the wheel scrolls past it, see QuietWheel.
+/// Makes a combo box that fits the available width; the wheel scrolls past it, see QuietFields.h.
 QComboBox* choiceBox(const char* object, const QString& name, const QString& tip,
                      Qt::FocusPolicy focus = Qt::StrongFocus);
 
