@@ -115,7 +115,7 @@ TEST_F(Saving, WhatSomebodyElseSavedMeanwhileIsKeptAndSaid) {
     EXPECT_TRUE(until([this] { return !edited(); }));
     return window_.statusText();
   };
-  EXPECT_TRUE(save(kChosen).contains("Another user had saved it meanwhile"));
+  EXPECT_TRUE(save(kChosen).contains("Another user had saved the case in the meantime"));
   const auto kept = findVersion(case_, voxelHashOf(theirs));
   ASSERT_TRUE(kept);
   EXPECT_EQ(readCase(*kept)->patient.labels.voxels[0], kVein);
@@ -190,9 +190,10 @@ TEST_F(Saving, WhereTheProbeIsBecomesTheStartOfACaseThatHasNone) {
   ASSERT_TRUE(until([this] { return window_.isReady(); }));
   ASSERT_TRUE(shared_->live.pose());
   const Transform stood = *shared_->live.pose();
-  EXPECT_EQ(keep->text(), "Begin here");
+  EXPECT_EQ(keep->text(), "Set start pose");
   keep->click();
-  EXPECT_TRUE(workspace_->statusText().startsWith("The case begins here")) << workspace_->statusText().toStdString();
+  EXPECT_TRUE(workspace_->statusText().startsWith("The start pose is set here"))
+      << workspace_->statusText().toStdString();
   EXPECT_FALSE(keep->isVisible());
   EXPECT_TRUE(edited());
   shared_->openCase.undoStack().undo();

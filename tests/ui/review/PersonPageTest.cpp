@@ -65,12 +65,12 @@ TEST_F(PersonPageTest, LcCusumIsDrawnOnlyWhereTheLevelAsksForIt) {
   showAnna();
   choose("levelShown", "First jugular line");
   EXPECT_TRUE(chart("cusumChart").isEmpty());
-  EXPECT_EQ(chart("cusumChart").words, "n/a: this level does not use it; 2 consecutive passes master it.");
+  EXPECT_EQ(chart("cusumChart").words, "n/a: not used at this level, which is mastered by 2 consecutive passes.");
   choose("levelShown", QString::fromStdString(test.title));
   const ui::ChartPicture& cusum = chart("cusumChart");
   ASSERT_EQ(cusum.lines.size(), 2U) << cusum.words.toStdString();
   EXPECT_EQ(cusum.title, "LC-CUSUM, at least 11 attempts") << "three in a row alone reach no limit of 4.07";
-  EXPECT_EQ(cusum.lines[1].name, "limit 4.07; failures: 10 % acceptable, 40 % not");
+  EXPECT_EQ(cusum.lines[1].name, "limit 4.07; failure rate: 10 % acceptable, 40 % unacceptable");
   ASSERT_EQ(cusum.lines[0].points.size(), 4U);
   EXPECT_EQ(cusum.lines[0].points[1].y(), 0) << "failures keep it at 0";
   EXPECT_NEAR(cusum.lines[0].points[3].y(), 2 * std::log(0.9 / 0.6), 1e-9) << "two passes";
@@ -157,7 +157,7 @@ TEST_F(PersonPageTest, AKeptRecordingIsReplayed) {
   std::filesystem::create_directory(store_->recordings());
   std::ofstream(kept) << "the recording";
   showAnna();
-  EXPECT_EQ(history().item(0, 5)->text(), "in the store");
+  EXPECT_EQ(history().item(0, 5)->text(), "in the database");
   EXPECT_TRUE(child<QPushButton>("replayAttempt")->isEnabled());
   EXPECT_EQ(ui::recordingHere(test::valueOf(AttemptStore(school_->admin).attempt(last_.id)), file()).toStdString(),
             kept.string());

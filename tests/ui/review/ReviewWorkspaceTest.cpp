@@ -269,7 +269,7 @@ TEST_F(ReviewWindow, TheVersionThatAnAttemptWasMadeOnIsAskedForByItself) {
   open(file);
   ASSERT_TRUE(QTest::qWaitFor([&] { return wanted.size() == 1; }, kPatience_ms));
   EXPECT_EQ(wanted[0][0].toString().toStdString(), kept);
-  EXPECT_TRUE(child<QLabel>("attemptNotice")->text().contains("is kept")) << "for who stays with the case";
+  EXPECT_TRUE(child<QLabel>("attemptNotice")->text().contains("is still stored")) << "for who stays with the case";
   settle();
   EXPECT_EQ(wanted.size(), 1) << "asked once";
   workspace_->setCase(block());

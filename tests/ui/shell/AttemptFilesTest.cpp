@@ -92,7 +92,7 @@ TEST_F(AttemptFiles, OpenWhereAttemptsAreShown) {
 TEST_F(AttemptFiles, AWorkspaceGetsTheCaseThatItWants) {
   Q_EMIT review->caseWanted("small-vein");
   EXPECT_TRUE(window.tasks().isRunning());
-  EXPECT_EQ(window.tasks().title(), "Opening the built-in neck");
+  EXPECT_EQ(window.tasks().title(), "Opening the built-in neck case");
   ASSERT_TRUE(test::waitUntil([&] { return !window.tasks().isRunning(); }));
   EXPECT_EQ(window.caseTitle(), "Small jugular vein");
   Q_EMIT review->caseWanted(home.path());

@@ -170,7 +170,8 @@ TEST_F(CaseExchange, APartIsCroppedAndResampled) {
     if (button->text().remove('&') == "Crop") crop = button;
   ASSERT_TRUE(crop);
   const auto* result = dialog->findChild<QLabel*>("cropResult");
-  EXPECT_TRUE(result->text().contains("49 x 41 x 17 voxels become 49 x 41 x 17")) << result->text().toStdString();
+  EXPECT_TRUE(result->text().contains("Changes from 49 x 41 x 17 voxels to 49 x 41 x 17"))
+      << result->text().toStdString();
   field("From, right to left")->setValue(-10);
   field("To, right to left")->setValue(-10.5);
   EXPECT_TRUE(crop->isEnabled()) << "either corner may come first";
@@ -178,7 +179,7 @@ TEST_F(CaseExchange, APartIsCroppedAndResampled) {
   dialog->findChild<QCheckBox*>()->setChecked(true);
   for (const char* axis : {"right to left", "front to back", "feet to head"})
     field(QString("Spacing, %1").arg(axis))->setValue(0.5);
-  EXPECT_TRUE(result->text().contains("become 42 x 82 x 34 voxels")) << result->text().toStdString();
+  EXPECT_TRUE(result->text().contains("to 42 x 82 x 34 voxels")) << result->text().toStdString();
   const auto before = window.current().patient;
   QTest::mouseClick(crop, Qt::LeftButton);
   ASSERT_TRUE(waitUntil([&] { return window.current().patient != before; }));

@@ -74,7 +74,7 @@ class CurriculumWindowTest : public test::AccountWindow {
 };
 
 TEST_F(CurriculumWindowTest, WhatIsPublishedIsLookedAtAndNotChanged) {
-  EXPECT_TRUE(state().contains("is fixed")) << state().toStdString();
+  EXPECT_TRUE(state().contains("is published and cannot be changed")) << state().toStdString();
   EXPECT_EQ(levels().item(0)->text(), "1.  First jugular line");
   EXPECT_FALSE(part<QLineEdit>("levelEditTitle").isEnabled());
   EXPECT_FALSE(button("levelAdd").isEnabled());
@@ -110,7 +110,8 @@ TEST_F(CurriculumWindowTest, ADraftIsWrittenToldPublishedAndTaught) {
   button("curriculumPublish").click();
   dialogWith("entryGo")->findChild<QPushButton*>("entryGo")->click();
   ASSERT_TRUE(waitUntil([&] {
-    return state() == "central_line, version " + next() + " is fixed. To change it, begin a new version.";
+    return state() == "central_line, version " + next() +
+                          " is published and cannot be changed. To make changes, begin a new version.";
   })) << state().toStdString()
       << said();
   EXPECT_EQ(draftText(), "") << "it is no draft any more";
@@ -183,8 +184,9 @@ TEST_F(CurriculumWindowTest, ItSurvivesClosingAndStepsAreTakenBack) {
   EXPECT_EQ(levels().count(), before);
   button("curriculumDiscard").click();
   dialogWith("entryGo")->findChild<QPushButton*>("entryGo")->click();
-  ASSERT_TRUE(waitUntil([&] { return state().contains("version " + builtIn() + " is fixed"); }))
-      << state().toStdString();
+  ASSERT_TRUE(waitUntil([&] {
+    return state().contains("version " + builtIn() + " is published and cannot be changed");
+  })) << state().toStdString();
   EXPECT_EQ(draftText(), "");
 }
 
@@ -219,7 +221,7 @@ TEST_F(CurriculumWindowTest, TwoWhoWriteAtOnceDoNotOverwriteEachOther) {
 TEST_F(CurriculumWindowTest, TheLimitOfLcCusumIsCalibrated) {
   beginDraft();
   EXPECT_FALSE(button("cusumCalibrate").isEnabled());
-  EXPECT_EQ(part<QLabel>("fewestAttempts").text(), "mastered with at least 2 attempts");
+  EXPECT_EQ(part<QLabel>("fewestAttempts").text(), "mastery takes at least 2 attempts");
   part<QCheckBox>("cusumOn").click();
   part<QDoubleSpinBox>("cusumAcceptable").setValue(10);
   part<QDoubleSpinBox>("cusumUnacceptable").setValue(25);
@@ -237,10 +239,10 @@ TEST_F(CurriculumWindowTest, TheLimitOfLcCusumIsCalibrated) {
   EXPECT_LT(share.captured(2).toDouble(), 8.9);
   EXPECT_GT(share.captured(3).toDouble(), 8.9);
   EXPECT_TRUE(story().contains("a learning score (LC-CUSUM) of 3.10: at least 18 attempts")) << story().toStdString();
-  EXPECT_EQ(part<QLabel>("fewestAttempts").text(), "mastered with at least 18 attempts");
+  EXPECT_EQ(part<QLabel>("fewestAttempts").text(), "mastery takes at least 18 attempts");
   part<QDoubleSpinBox>("cusumUnacceptable").setValue(5);
   EXPECT_EQ(part<QLabel>("fewestAttempts").text(),
-            "no number of attempts tells these rates apart: raise the unacceptable one");
+            "the rates are too close to distinguish with any number of attempts: raise the unacceptable rate");
   EXPECT_TRUE(troubles().contains("below the 'unacceptable'")) << troubles().toStdString();
   button("cusumCalibrate").click();
   EXPECT_TRUE(waitUntil([&] { return part<QLabel>("cusumCalibrated").text().contains("needs rates of failure"); }));

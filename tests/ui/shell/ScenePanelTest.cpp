@@ -143,7 +143,8 @@ TEST_F(ScenePanel, WhatAnOpacityDoesNotTakeIsSaid) {
   QTest::keyClick(opacity, Qt::Key_Return);
   EXPECT_EQ(opacity->text(), "100 %");
   EXPECT_NEAR(scene->opacity(kBone), 1, 1e-9);
-  EXPECT_TRUE(QToolTip::text().endsWith("can be from 0 % to 100 %; 500 % is not.")) << QToolTip::text().toStdString();
+  EXPECT_TRUE(QToolTip::text().endsWith("must be from 0 % to 100 %; 500 % is outside this range."))
+      << QToolTip::text().toStdString();
   type("30 %");
   QTest::keyClick(opacity, Qt::Key_Return);
   EXPECT_NEAR(scene->opacity(kBone), 0.3, 1e-9);

@@ -150,7 +150,7 @@ TEST_F(ServerAwayWindows, WhoSignsInWaitsForItAndTypesNothingAgain) {
   QDialog* dialog = dialogWith("signInName");
   ASSERT_TRUE(waitUntil([&] { return isAway(AccountWindow::trouble(dialog)); }))
       << AccountWindow::trouble(dialog).toStdString();
-  EXPECT_EQ(header(), "Guest, no store");
+  EXPECT_EQ(header(), "Guest, no database");
   server_->start();
   ASSERT_TRUE(waitUntil([&] { return header() == "Guest"; })) << "nobody has to ask for it";
   EXPECT_EQ(dialog->findChild<QLineEdit*>("signInName")->text(), "ada");

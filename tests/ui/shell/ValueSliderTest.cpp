@@ -116,7 +116,7 @@ TEST_F(ValueSlider, TakesTypedNumbers) {
 TEST_F(ValueSlider, KeepsTypedNumbersWithinTheRangeAndForgetsNonsense) {
   type("500");
   EXPECT_EQ(slider.value(), 90);
-  EXPECT_EQ(QToolTip::text(), "Depth can be from 20.0 mm to 90.0 mm; 500 is not.");
+  EXPECT_EQ(QToolTip::text(), "Depth must be from 20.0 mm to 90.0 mm; 500 is outside this range.");
   type("-3");
   EXPECT_EQ(slider.value(), 20);
   type("deep");

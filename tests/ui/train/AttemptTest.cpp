@@ -145,7 +145,7 @@ TEST_F(TrainAttempt, ATestIsSilentAndWithoutTheCt) {
   EXPECT_FALSE(shown("attemptVein"));
   EXPECT_FALSE(shown("sceneTab"));
   key(Qt::Key_C);
-  EXPECT_TRUE(workspace_->statusText().contains("neither CT nor anatomy"));
+  EXPECT_TRUE(workspace_->statusText().contains("CT and anatomy are hidden"));
   overTheVein();
   said_.clear();
   type("needle_depth", "12");

@@ -138,7 +138,7 @@ TEST_F(TrainCourse, ACurveIsDrawnForALevelAndAMetricAndSaved) {
   };
   ASSERT_NE(named("attempts"), chart->picture().lines.end()) << chart->picture().words.toStdString();
   EXPECT_EQ(named("attempts")->points.size(), 11) << "one tells no points";
-  EXPECT_EQ(chart->picture().xTitle, "number of the attempt at this procedure, all levels and free practice");
+  EXPECT_EQ(chart->picture().xTitle, "attempt number for this procedure, counting all levels and free practice");
   EXPECT_NE(named("learning curve"), chart->picture().lines.end());
 
   auto* of = child<QComboBox>("curveOf");

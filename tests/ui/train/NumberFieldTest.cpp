@@ -40,7 +40,7 @@ TEST_F(ProbeNumbersTyped, WhatIsWrongIsSaidAndChangesNothing) {
   EXPECT_TRUE(workspace_->statusText().contains("tilt takes a number from -60.0° to 60.0°"))
       << workspace_->statusText().toStdString();
   type("tilt", "75");
-  EXPECT_TRUE(workspace_->statusText().contains("can be from -60.0° to 60.0°; 75 is not"))
+  EXPECT_TRUE(workspace_->statusText().contains("must be from -60.0° to 60.0°; 75 is outside this range"))
       << workspace_->statusText().toStdString();
   EXPECT_EQ(QToolTip::text(), workspace_->statusText()) << "under the field, too";
   EXPECT_EQ(text("tilt").toStdString(), "0.0°");

@@ -184,7 +184,7 @@ TEST_F(TrainLayout, MirrorsForTheLeftHandAndRemembers) {
 TEST_F(TrainLayout, EffectsAloneAreGoneThroughByKeysAndSaidToBeSo) {
   openCase();
   auto* effects = child<QComboBox>("effect");
-  EXPECT_EQ(effects->currentText(), "the whole image");
+  EXPECT_EQ(effects->currentText(), "all effects");
   key(Qt::Key_N);
   EXPECT_EQ(effects->currentIndex(), 1);
   EXPECT_TRUE(workspace_->statusText().contains("one effect only")) << workspace_->statusText().toStdString();
@@ -194,7 +194,7 @@ TEST_F(TrainLayout, EffectsAloneAreGoneThroughByKeysAndSaidToBeSo) {
   for (int i = 1; i < effects->count(); ++i) EXPECT_FALSE(effects->itemText(i).contains('_')) << i;
   key(Qt::Key_0);
   EXPECT_EQ(effects->currentIndex(), 0);
-  EXPECT_EQ(workspace_->statusText(), "The whole image is shown.");
+  EXPECT_EQ(workspace_->statusText(), "All effects are shown.");
 }
 
 TEST_F(TrainLayout, AllSlicesAtOnceHaveOneCrosshair) {
@@ -373,7 +373,7 @@ TEST_F(PositionList, ThoseOfTheCaseStay) {
   list->setCurrentRow(0);
   QTest::keyClick(list, Qt::Key_Delete);
   EXPECT_EQ(list->count(), 1);
-  EXPECT_TRUE(workspace_->statusText().contains("stay as they are"));
+  EXPECT_TRUE(workspace_->statusText().contains("cannot be changed; only your own can"));
   QTest::keyClick(list, Qt::Key_F2);
   EXPECT_FALSE(list->findChild<QLineEdit*>());
 }

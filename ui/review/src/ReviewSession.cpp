@@ -199,19 +199,23 @@ QString ReviewSession::message() const {
   const QString name = QString::fromStdString(attempt_->recording->header().caseName);
   switch (fit_) {
     case CaseFit::Missing:
-      return tr("This attempt was made on '%1'. Open that case (Ctrl+O) to see hands and images.").arg(name);
+      return tr("This attempt was made on case '%1'. Open that case (Ctrl+O) to see hand movements and images.")
+          .arg(name);
     case CaseFit::Other:
-      return tr("This attempt was made on '%1', not on the open case. Open that case (Ctrl+O) to see hands and images.")
+      return tr("This attempt was made on case '%1', not on the open case. Open the attempt's case (Ctrl+O) to see "
+                "hand movements and images.")
           .arg(name);
     case CaseFit::Changed:
-      return tr("'%1' has changed since this attempt: hands are shown on the present version, without images.")
+      return tr("Case '%1' has changed since this attempt: hand movements are shown on the present version, without "
+                "images.")
           .arg(name);
     case CaseFit::Looking:
     case CaseFit::Same:
       break;
   }
   if (!attempt_->troubles.empty()) return QString::fromStdString(attempt_->troubles.front());
-  return tr("Space plays. Click or drag on the timeline; Comma and Period step, Page Up and Down go to moments.");
+  return tr(
+      "Space plays. Click or drag on the timeline; Comma and Period step, Page Up and Page Down go to key moments.");
 }
 
 }  // namespace insonate::review

@@ -32,7 +32,7 @@ QAction& saveAction(ReviewWorkspace& workspace) {
   workspace.addAction(save);
   workspace.commands().beginSection(ReviewWorkspace::tr("Pages"));
   workspace.commands().add(QStringLiteral("review.save"),
-                           ReviewWorkspace::tr("saves the result, the class or the person"), *save);
+                           ReviewWorkspace::tr("saves the result, the class page or the person's page"), *save);
   return *save;
 }
 

@@ -17,7 +17,7 @@ namespace insonate::prepare {
 CheckFeature::CheckFeature(PrepareModel& model, PrepareLayout& layout) : Feature(model, layout) {
   constexpr const char* kPage = "prepare.check.page";
   commands().beginSection(tr("Case"));
-  add(kPage, QStringLiteral("C"), tr("shows the check beside the slices, or the case again"),
+  add(kPage, QStringLiteral("C"), tr("switches between the check and the case beside the slices"),
       {{Qt::Key_C, [this] { showCheck(!layout_.right().showsCheck()); }}});
   const QString tip = commands().toolTip(tr("Errors, warnings, difficulty and places"), kPage);
   layout_.right().setTips(commands().toolTip(tr("Facts, slices and 3D"), kPage), tip);

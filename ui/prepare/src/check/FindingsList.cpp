@@ -88,7 +88,8 @@ QPushButton* FindingsList::way(const Finding& finding) {
   const std::uint8_t label = finding.label;
   const auto& there = shared_.structures.labels();
   if (label && !finding.place_mm && std::ranges::find(there, label) == there.end()) {
-    auto* make = button(tr("Label %1").arg(shared_.terms.nameOf(label)), tr("Goes to the step that labels it"));
+    auto* make =
+        button(tr("Label %1").arg(shared_.terms.nameOf(label)), tr("Goes to the step that labels this structure"));
     connect(make, &QPushButton::clicked, this, [this, label] { Q_EMIT labelWanted(label); });
     return make;
   }

@@ -22,8 +22,8 @@ namespace insonate::prepare {
 GuideFeature::GuideFeature(PrepareModel& model, PrepareLayout& layout, Section& tool)
     : Feature(model, layout), guide_(new GuideSession(model, this)), page_(new GuidePage(*guide_)) {
   commands().beginSection(tr("Guide"));
-  commands().addListed(tr("Click, drag"), tr("sets a point of the current step on a slice, moves it"));
-  commands().addListed(tr("Right click, Delete, Backspace"), tr("removes a point, the last point"));
+  commands().addListed(tr("Click, drag"), tr("sets a point for the current step on a slice, or moves it"));
+  commands().addListed(tr("Right click, Delete, Backspace"), tr("removes a point, or the last point set"));
   commands().addListed(tr("Enter"), tr("runs the current step, or accepts its result"));
   LabelPages& pages = layout_.path().labelPages();
   pages.add(page_, tr("Guide"), tr("Step by step through the structures of a neck"),

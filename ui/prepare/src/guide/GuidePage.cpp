@@ -166,7 +166,7 @@ QWidget* GuidePage::buildButtons() {
   };
   run_ = button("guideRun", tr("Run"), {});
   accept_ = button("guideAccept", tr("Accept"), tr("Continues with the next step (Enter)"));
-  correct_ = button("guideCorrect", tr("Correct"),
+  correct_ = button("guideCorrect", tr("Edit result"),
                     tr("Paints and erases this structure in the slices; other structures do not change"));
   correct_->setCheckable(true);
   skip_ = button("guideSkip", tr("Skip"), tr("Continues without this structure"));
@@ -233,10 +233,10 @@ void GuidePage::refreshButtons() {
   const bool made = state == GuideSession::State::Done || state == GuideSession::State::Warning;
   const bool busy = guide_.isBusy();
   const bool working = state == GuideSession::State::Working;
-  run_->setText(working ? tr("Cancel") : made ? tr("Again") : tr("Run"));
+  run_->setText(working ? tr("Cancel") : made ? tr("Repeat") : tr("Run"));
   run_->setToolTip(working                    ? tr("Cancels; the labels are restored")
-                   : guide_.step().clicks > 0 ? tr("Makes this structure from the clicks (Enter)")
-                                              : tr("Makes these structures (Enter)"));
+                   : guide_.step().clicks > 0 ? tr("Labels this structure from the clicks (Enter)")
+                                              : tr("Labels these structures (Enter)"));
   run_->setEnabled(working || guide_.canRun());
   // One button for the next action.
   ui::setRole(run_, state == GuideSession::State::Done ? "" : "primary");

@@ -13,8 +13,8 @@ LayoutFeature::LayoutFeature(PrepareModel& model, PrepareLayout& layout) : Featu
   commands().beginSection(tr("Slices and 3D"));
   commands().addListed(tr("Arrows, wheel, Page up and down"), tr("goes through the slices"));
   commands().addListed(QStringLiteral("R"), tr("fits the slice into its view; shows 3D from the front"));
-  commands().addListed(tr("Left drag on a slice"), tr("moves the crosshair (with Shift without a button)"));
-  commands().addListed(tr("Right drag on a slice"), tr("sets window (across) and level (along)"));
+  commands().addListed(tr("Left drag on a slice"), tr("moves the crosshair (or hold Shift and move the mouse)"));
+  commands().addListed(tr("Right drag on a slice"), tr("sets window (horizontal) and level (vertical)"));
   commands().addListed(tr("Ctrl + wheel, middle drag"), tr("zooms, pans"));
   commands().addListed(tr("Click on a structure in 3D"), tr("moves the crosshair there"));
 }

@@ -34,7 +34,7 @@ RightColumn::RightColumn()
   setObjectName(QStringLiteral("prepareRight"));
   setChildrenCollapsible(false);
   tabs_->setObjectName(QStringLiteral("rightPages"));
-  tabs_->setAccessibleName(tr("Beside the slices"));
+  tabs_->setAccessibleName(tr("Panel beside the slices"));
   tabs_->setDrawBase(false);
   tabs_->addTab(tr("Case"));
   tabs_->addTab(tr("Check"));

@@ -35,7 +35,7 @@ UltrasoundPane::UltrasoundPane(PrepareModel& shared, const ui::Commands& command
       state_(new QLabel),
       pressed_(new QLabel),
       start_(new QPushButton(tr("Start"))),
-      keep_(new QPushButton(tr("Begin here"))) {
+      keep_(new QPushButton(tr("Set start pose"))) {
   // Not maximized by double click: in the narrow column a larger image would show no more.
   widget_->setMaximiseOnDoubleClick(false);
   widget_->setObjectName(QStringLiteral("labelUltrasound"));

@@ -73,7 +73,7 @@ void StructureList::add(std::uint8_t label) {
   if (isOwnLabel(label)) {
     LabelTerms terms = terms_.value();
     terms.own.try_emplace(label);
-    terms_.set(std::move(terms), tr("another structure"));
+    terms_.set(std::move(terms), tr("add structure"));
   } else {
     added_.set(label);
     refresh();

@@ -43,7 +43,7 @@ void nameVesselAt(PrepareModel& shared, std::vector<Vec3> places_mm, const QStri
       CasePlaces places = shared.places.value();
       putVessel(*vessel, places.vessels);
       shared.places.set(std::move(places), PlacesEditor::tr("name of a vessel"));
-      shared.notice.say(PlacesEditor::tr("The %1 has its name; Ctrl+Z removes it.").arg(name));
+      shared.notice.say(PlacesEditor::tr("The %1 is named; Ctrl+Z removes the name.").arg(name));
     });
   });
 }

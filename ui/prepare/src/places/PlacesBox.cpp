@@ -48,7 +48,7 @@ PlacesBox::PlacesBox(PrepareModel& shared, QWidget* parent)
                            tr("Moves the crosshair or the probe to the selected place (Enter)"))),
       put_(ui::pushButton("placePut", tr("Move here"),
                           tr("Moves the selected place to the crosshair, a start pose to the probe"))),
-      first_(ui::pushButton("placeFirst", tr("Move to first place"),
+      first_(ui::pushButton("placeFirst", tr("Put first in list"),
                             tr("Makes the selected start pose the first one, or the selected target the main target"))),
       split_(ui::pushButton("placeSplit", tr("Split"),
                             tr("Splits the selected vessel at the crosshair, to give its parts different names"))),
@@ -83,7 +83,7 @@ void PlacesBox::arrange() {
   kind_->addItem(tr("another vessel"), kVesselKind);
   list_->setObjectName(QStringLiteral("places"));
   list_->setAccessibleName(tr("Targets, vessels, landmarks and start poses"));
-  list_->setToolTip(tr("F2 names the chosen one, Enter shows it"));
+  list_->setToolTip(tr("F2 names the selected place, Enter shows it"));
   new ui::PassLetters(list_);
   list_->setHeaderHidden(true);
   list_->setRootIsDecorated(false);
@@ -137,7 +137,8 @@ void PlacesBox::refresh() {
     item->setData(0, kIndexRole, int(index));
     if (had && before.kind == kind && before.index == index) list_->setCurrentItem(item);
   };
-  auto* targets = heading(places.targets.empty() ? tr("Targets: none yet") : tr("Targets, the first is practiced"));
+  auto* targets =
+      heading(places.targets.empty() ? tr("Targets: none yet") : tr("Targets; trainees practice on the first one"));
   for (std::size_t n = 0; n < places.targets.size(); ++n)
     add(targets, Kind::Target, n, QString::fromStdString(places.targets[n].name));
   auto* vessels = heading(places.vessels.empty() ? tr("Vessels: none named yet") : tr("Vessels"));
@@ -279,7 +280,7 @@ void PlacesBox::splitVesselHere() {
   auto parts = splitVessel(shared_.places.value().vessels[one.index], shared_.crosshair.position_mm());
   if (!parts) return shared_.notice.say(ui::qt(parts.error().message));
   parts->second.name += ", part 2";
-  change(tr("vessel splitVesselHere"), [&](CasePlaces& places) {
+  change(tr("vessel split"), [&](CasePlaces& places) {
     const auto at = places.vessels.begin() + std::ptrdiff_t(one.index);
     *at = std::move(parts->first);
     places.vessels.insert(at + 1, std::move(parts->second));

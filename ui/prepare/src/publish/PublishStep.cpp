@@ -40,7 +40,8 @@ QString PublishStep::obstacle() const {
   if (!shared_.openCase.patient()) return tr("There is no case.");
   const ui::CaseOrigin& origin = shared_.openCase.origin();
   if (origin.builtIn) return tr("This neck comes with Insonate: trainees have it already.");
-  if (!origin.versionOf.isEmpty()) return tr("This is an earlier version: open its case to publish another one.");
+  if (!origin.versionOf.isEmpty())
+    return tr("This is an earlier version: open the current case to publish a new version.");
   if (origin.folder.isEmpty() || shared_.changes.isUnsaved()) return tr("Save the case first (Ctrl+S).");
   const auto& measures = shared_.measuring.measures();
   if (!measures || shared_.measuring.state() != CaseMeasuring::State::Done) return tr("The case is not checked yet.");

@@ -62,7 +62,7 @@ RecipeBox::RecipeBox(PrepareModel& shared, QWidget* parent)
                            tr("Applies the steps of a file to this case; locked and hidden labels stay unchanged"))) {
   steps_->setObjectName(QStringLiteral("recipeSteps"));
   steps_->setAccessibleName(tr("Steps of labeling so far"));
-  steps_->setToolTip(tr("Label edits since the case was opened, without undone ones"));
+  steps_->setToolTip(tr("Label edits since the case was opened, except undone edits"));
   steps_->setFixedHeight(kRows * steps_->fontMetrics().lineSpacing() * 3 / 2);
   new ui::PassLetters(steps_);
   auto* row = new QHBoxLayout;
@@ -127,7 +127,7 @@ void RecipeBox::replay(const QString& file) {
                 terms.own.insert(names.begin(), names.end());
                 if (well && terms != shared_.terms.value())
                   shared_.terms.set(std::move(terms), tr("names of the recipe's labels"));
-                shared_.notice.say(well ? tr("The recipe is replayed; Ctrl+Z undoes its steps.")
+                shared_.notice.say(well ? tr("The recipe was replayed; Ctrl+Z undoes its steps.")
                                         : tr("The recipe was not replayed; the labels are as they were."));
                 refresh();
               });

@@ -72,7 +72,7 @@ void LabelDetails::refresh() {
       tissue_->isEnabled()
           ? tr("Tissue of the structure: determines its ultrasound image, its stiffness and its resistance to the "
                "needle")
-          : tr("Structures of the label table have a fixed tissue; Add makes a structure of another tissue"));
+          : tr("The tissue of predefined structures is fixed; use Add for a structure with another tissue"));
   if (!any) return term_->setText(tr("Choose a structure, or add one."));
   const std::uint8_t tissue = tissueOf(shared_.terms.value().own, label);
   state_->setCurrentIndex(int(shared_.terms.stateOf(label)));

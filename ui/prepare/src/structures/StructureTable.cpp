@@ -42,9 +42,9 @@ StructureTable::StructureTable(PrepareModel& shared, const ui::Commands& command
       table_(new QTableView),
       opacity_(new ui::ValueSlider(tr("in 3D"), QStringLiteral("%"), {0, kPercent, kPercent, 5, 0},
                                    tr("opacity of the selected structure in 3D"))),
-      onSlices_(
-          new ui::ValueSlider(tr("on slices"), QStringLiteral("%"), {0, kPercent, kPercent, 5, 0},
-                              tr("opacity of the selected structure on slices, as a share of that of all labels"))) {
+      onSlices_(new ui::ValueSlider(
+          tr("on slices"), QStringLiteral("%"), {0, kPercent, kPercent, 5, 0},
+          tr("opacity of the selected structure on slices, relative to the overall label opacity"))) {
   buildTable();
   opacity_->setObjectName(QStringLiteral("structureOpacity"));
   onSlices_->setObjectName(QStringLiteral("structureOnSlices"));
@@ -128,7 +128,7 @@ QWidget* StructureTable::buildButtons() {
   auto* box = new QHBoxLayout(row);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kSmallGap);
-  only_ = new QPushButton(tr("Only"));
+  only_ = new QPushButton(tr("Only this"));
   only_->setObjectName(QStringLiteral("showOnly"));
   only_->setToolTip(tr("Hides every structure but the selected one"));
   all_ = new QPushButton(tr("All"));
@@ -144,8 +144,8 @@ QWidget* StructureTable::buildButtons() {
   remove_ = new QPushButton(tr("Clear"));
   remove_->setObjectName(QStringLiteral("clearLabel"));
   remove_->setToolTip(
-      tr("Changes all voxels of the selected structure to soft tissue; removes a structure of your own without voxels "
-         "from the list. Ctrl+Z undoes it"));
+      tr("Changes all voxels of the selected structure to soft tissue; a structure that you added and that has no "
+         "voxels is removed from the list. Ctrl+Z undoes it"));
   connect(remove_, &QPushButton::clicked, this,
           [this] { shared_.structures.removeVoxels(shared_.structures.selected()); });
   connect(only_, &QPushButton::clicked, this, [this] { shared_.appearance.showOnly(shared_.structures.selected()); });

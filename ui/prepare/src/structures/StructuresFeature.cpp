@@ -29,7 +29,7 @@ StructuresFeature::StructuresFeature(PrepareModel& model, PrepareLayout& layout)
 void StructuresFeature::addCommands() {
   StructureList& structures = model_.structures;
   commands().beginSection(tr("Structures"));
-  add("prepare.structures.select", QStringLiteral("Q, W"), tr("selects the previous, the next structure of the table"),
+  add("prepare.structures.select", QStringLiteral("Q, W"), tr("selects the previous or next structure in the table"),
       {{Qt::Key_Q, [&structures] { structures.selectNext(-1); }},
        {Qt::Key_W, [&structures] { structures.selectNext(1); }}});
   add("prepare.structures.visibility", tr("H, Space in the table"), tr("hides or shows the selected structure"),

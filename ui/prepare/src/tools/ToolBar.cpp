@@ -55,7 +55,8 @@ ToolBar::ToolBar(ToolSession& tools, const ui::Commands& commands) : tools_(tool
     action->setToolTip(tool.advice);
     QStringList names;
     for (const QAction* one : button->menu()->actions()) names << one->text();
-    button->setToolTip(tr("%1 (%2, again for the next): %3").arg(name, keys, names.join(QStringLiteral(", "))));
+    button->setToolTip(
+        tr("%1 (%2; press again for the next tool): %3").arg(name, keys, names.join(QStringLiteral(", "))));
   }
   box->addStretch(1);
   connect(&tools_, &ToolSession::toolChanged, this, [this] { refresh(); });

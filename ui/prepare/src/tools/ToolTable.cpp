@@ -157,7 +157,7 @@ std::vector<Tool> growing() {
        .group = group,
        .key = Qt::Key_6,
        .input = ToolInput::Nothing,
-       .advice = tr("Paint a little of each structure first; borders settle where the CT is steepest."),
+       .advice = tr("Paint a little of each structure first; borders are placed where CT values change most."),
        .usual = step::Watershed{},
        .numbers = {number<step::Watershed>(
            "blur", "mm", kBlur, "Blur of the CT before the computation",
@@ -310,7 +310,7 @@ std::vector<Tool> shaping() {
        .name = tr("Margin"),
        .group = shape,
        .key = Qt::Key_0,
-       .advice = tr("Makes the label larger on all sides, or smaller below 0."),
+       .advice = tr("Makes the label larger on all sides; a negative value makes it smaller."),
        .usual = M{},
        .numbers = {number<M>(
            "margin", "mm", {-20, 20, 0, 0.5, 1}, "Distance of the new surface; negative: smaller",
@@ -324,13 +324,14 @@ std::vector<Tool> shaping() {
        .numbers = {number<H>(
            "wall", "mm", kRadius, "Thickness of the wall", [](auto& s) -> auto& { return s.thickness_mm; })},
        .choices = {choice<H>(
-           "lies", {tr("inside"), tr("half and half"), tr("outside")}, "Position of the wall relative to the surface",
-           [](auto& s) -> auto& { return s.wall; })}},
+           "lies", {tr("inside"), tr("half inside, half outside"), tr("outside")},
+           "Position of the wall relative to the surface", [](auto& s) -> auto& { return s.wall; })}},
       {.id = "logical",
        .name = tr("Combine"),
        .group = shape,
        .key = Qt::Key_0,
-       .advice = tr("Adds another label, subtracts the voxels near it, or keeps only those near it."),
+       .advice =
+           tr("Combines the label with another one: adds it, removes voxels near it, or keeps only voxels near it."),
        .usual = step::Logical{LogicalOperation::kAdd, 0},
        .numbers = {number<step::Logical>(
            "reach", "mm", {0, 20, 0, 0.5, 1}, "Distance around the other label that counts as part of it",
@@ -345,7 +346,8 @@ std::vector<Tool> shaping() {
        .name = tr("Fill between"),
        .group = shape,
        .key = Qt::Key_0,
-       .advice = tr("Interpolates the label between the slices on which it was drawn, in the last slice direction."),
+       .advice =
+           tr("Interpolates the label between the slices on which it was drawn, in the slice orientation used last."),
        .usual = step::FillBetween{}}};
 }
 

@@ -22,7 +22,8 @@ ToolsFeature::ToolsFeature(PrepareModel& model, PrepareLayout& layout, ui::Histo
   addChoosing();
   addActing();
   addBrush();
-  commands().addListed(tr("Left drag in 3D with scissors"), tr("draws what is cut along the view; with Ctrl it turns"));
+  commands().addListed(tr("Left drag in 3D with scissors"),
+                       tr("draws the outline to cut along the view direction; with Ctrl, rotates the view"));
   layout_.addBar(new ToolBar(*tools_, commands()));
   auto* panel = new ToolPanel(model_, *tools_, commands());
   section_ = &layout_.right().addSection(RightColumn::Place::Top, QStringLiteral("tool"), tr("Tool"), panel);

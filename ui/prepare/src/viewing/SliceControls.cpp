@@ -42,10 +42,12 @@ const std::array<Style, 3>& styles() {
 SliceControls::SliceControls(PrepareModel& shared, const ui::Commands& commands)
     : shared_(shared),
       preset_(new QComboBox),
-      window_(new ui::ValueSlider(tr("window"), tr("HU"), {1, 3000, 350, 10, 0},
-                                  tr("range of Hounsfield units from black to white; right drag across a slice"))),
-      level_(new ui::ValueSlider(tr("level"), tr("HU"), {-1000, 1500, 50, 10, 0},
-                                 tr("Hounsfield units that are mid gray; right drag along a slice"))),
+      window_(
+          new ui::ValueSlider(tr("window"), tr("HU"), {1, 3000, 350, 10, 0},
+                              tr("range of Hounsfield units from black to white; right drag horizontally on a slice"))),
+      level_(
+          new ui::ValueSlider(tr("level"), tr("HU"), {-1000, 1500, 50, 10, 0},
+                              tr("CT value shown as mid gray, in Hounsfield units; right drag vertically on a slice"))),
       opacity_(new ui::ValueSlider(tr("label opacity"), QStringLiteral("%"), {0, kPercent, 25, 5, 0},
                                    tr("opacity of labels on the slices (%1)")
                                        .arg(commands.find(QStringLiteral("prepare.slices.opacity"))->listed))),
@@ -57,7 +59,7 @@ SliceControls::SliceControls(PrepareModel& shared, const ui::Commands& commands)
   preset_->setAccessibleName(tr("Window and level of the CT"));
   preset_->setToolTip(tr("Radiological presets of window and level, in Hounsfield units"));
   for (const auto& preset : views::windowLevelPresets()) preset_->addItem(presetText(preset));
-  preset_->addItem(tr("own"));
+  preset_->addItem(tr("custom"));
   window_->setObjectName(QStringLiteral("window"));
   level_->setObjectName(QStringLiteral("level"));
   opacity_->setObjectName(QStringLiteral("labelOpacity"));

@@ -54,9 +54,9 @@ void CaseFeature::findCase() {
   const QString title = QString::fromStdString(header.caseName);
   const auto kept = keptVersion(header);
   if (const auto place = kept ? kept : ui::placeOfCase(title)) return Q_EMIT model_.workspace.caseWanted(*place);
-  Q_EMIT model_.workspace.failed(tr("The case '%1' of this attempt is not among the recent ones.").arg(title),
-                                 tr("Open it (Ctrl+O) to see hands and images; timeline and result do not need it."),
-                                 {});
+  Q_EMIT model_.workspace.failed(
+      tr("The case '%1' of this attempt is not among the recent ones.").arg(title),
+      tr("Open the case (Ctrl+O) to see hand movements and images; timeline and result are available without it."), {});
 }
 
 void CaseFeature::showNotice() {
@@ -68,7 +68,8 @@ void CaseFeature::showNotice() {
     for (const std::string& trouble : session.attempt()->troubles) lines << QString::fromStdString(trouble);
     if (session.fit() == CaseFit::Changed)
       if (const auto kept = keptVersion(session.attempt()->recording->header()))
-        lines << tr("The attempt's version of the case is kept: open %1 (Ctrl+O) for its images.").arg(*kept);
+        lines << tr("The case version used in this attempt is still stored: open %1 (Ctrl+O) to see the images.")
+                     .arg(*kept);
   }
   page_.setNotice(lines.join(QLatin1Char('\n')));
 }

@@ -35,10 +35,9 @@ class HeatLegend final : public QWidget {
  public:
   HeatLegend() {
     setObjectName(QStringLiteral("heatLegend"));
-    setToolTip(
-        ClassPage::tr("Colors range from the novice's published value to the expert's; the number is the mean of the "
-                      "last %1 attempts at levels that count, without free practice")
-            .arg(kLastAttempts));
+    setToolTip(ClassPage::tr("Colors range from the published novice value to the published expert value; the number "
+                             "is the mean of the last %1 counted attempts at levels, without free practice")
+                   .arg(kLastAttempts));
     setFixedHeight(fontMetrics().height() + ui::kSmallGap);
   }
 
@@ -130,8 +129,9 @@ QWidget* ClassPage::buildHead(ui::Commands& commands) {
   again_->setToolTip(commands.toolTip(QStringLiteral("review.class.refresh")));
   connect(again_, &QPushButton::clicked, this, [this] { desk_.refresh(); });
   save_->setObjectName(QStringLiteral("saveClass"));
-  save_->setToolTip(commands.toolTip(tr("Saves the class as a page, a table or statements for a learning record store"),
-                                     QStringLiteral("review.save")));
+  save_->setToolTip(
+      commands.toolTip(tr("Saves the class results as a page, a table or statements for a learning record store"),
+                       QStringLiteral("review.save")));
   row->addWidget(cohorts_);
   row->addWidget(facts_, 1);
   row->addWidget(again_);
@@ -252,7 +252,8 @@ void ClassPage::showFacts() {
   }
   if (desk_.isReading()) facts << tr("reading ...");
   if (desk_.pendingStandings() > 0)
-    facts << tr("computing the levels of %1 more").arg(countOf(desk_.pendingStandings(), tr("person"), tr("people")));
+    facts << tr("computing levels, people remaining: %1")
+                 .arg(countOf(desk_.pendingStandings(), tr("person"), tr("people")));
   facts_->setText(facts.join(QStringLiteral("   ·   ")));
   facts_->setToolTip(plainToolTip(facts_->text()));
 }

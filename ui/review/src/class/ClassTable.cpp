@@ -37,7 +37,7 @@ QVariant ClassTable::headerData(int section, Qt::Orientation orientation, int ro
     const MetricMeaning& meaning = MetricBook::here().all()[std::size_t(section - kFirstMetric)];
     if (role == Qt::DisplayRole) return titleWithUnit(meaning);
     if (role == Qt::ToolTipRole)
-      return tr("%1: mean of the last %2 attempts at levels that count, free practice left out. Click to sort")
+      return tr("%1: mean of the last %2 counted attempts at levels, without free practice. Click to sort")
           .arg(titleWithUnit(meaning), QString::number(kLastAttempts));
     if (role == Qt::TextAlignmentRole) return int(Qt::AlignCenter) | Qt::TextWordWrap;
     return {};

@@ -64,7 +64,7 @@ QString outcomeOf(const AttemptFacts& attempt, const Curriculum* curriculum) {
     default:
       break;
   }
-  if (!counts(attempt)) return tr("Abandoned before the skin; does not count");
+  if (!counts(attempt)) return tr("Abandoned before skin puncture; does not count");
   const Level* level = curriculum ? levelOf(*curriculum, attempt) : nullptr;
   if (!level && hasBrokenOff(attempt)) return tr("Abandoned: its recording broke off");
   if (!level)

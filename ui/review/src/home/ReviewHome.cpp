@@ -130,7 +130,7 @@ void ReviewHome::showSignedInPages() {
   person_->show({}, std::nullopt);
   notice_->setVisible(!somebody);
   notice_->setText(account_ && account_->state() == ui::Account::State::Unreachable
-                       ? tr("People and classes cannot be reached: %1").arg(account_->trouble())
+                       ? tr("Cannot load people and classes: %1").arg(account_->trouble())
                        : tr("Sign in (Ctrl+L) to see classes, people and learning curves."));
   showTab(!somebody ? kRecordings : room_->teaches() ? kClass : kPerson);
   if (somebody && !room_->teaches()) person_->show(account_->person().id, std::nullopt);
@@ -173,7 +173,7 @@ QString ReviewHome::statusText() const {
     case kCompare:
       return tr("Choose a class to compare with, and a metric.");
     case kRaters:
-      return tr("Choose a form, and two raters to see them item by item.");
+      return tr("Choose a form, and two raters to compare item by item.");
     default:
       return tr("Choose an attempt; Enter opens it.");
   }

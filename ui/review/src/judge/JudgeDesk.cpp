@@ -98,8 +98,8 @@ QString JudgeDesk::words() const {
   const AttemptFacts& attempt = *origin_->attempt;
   const QString when = ui::dayAndTimeOf(attempt.begun_us);
   if (!origin_->same)
-    return tr("This is not the recording of the attempt of %1, %2: the file is another one, or has changed since. It "
-              "cannot be judged. Use the recording that was made on %3.")
+    return tr("This file is not the recording of the attempt of %1, %2, or it was changed later. It cannot be judged. "
+              "Use the original recording made on %3.")
         .arg(nameOfPerson(), when, QString::fromStdString(attempt.workstation));
   if (mayJudge()) return tr("%1, attempt of %2").arg(nameOfPerson(), when);
   return tr("Your attempt of %1. Judgements by your instructors appear here.").arg(when);

@@ -128,7 +128,7 @@ QString JudgementTable::wordsAbove() const {
     else if (answers && one.filled.formVersion == form_.version)
       lines << QStringLiteral("%1: %2").arg(who, scoreWords(formScore(form_, *answers)));
     else
-      lines << tr("%1: by version %2 of the form, not scored").arg(who).arg(one.filled.formVersion);
+      lines << tr("%1: used version %2 of the form, not scored").arg(who).arg(one.filled.formVersion);
   }
   return lines.join(QLatin1Char('\n'));
 }

@@ -95,7 +95,7 @@ QWidget* RatersPage::buildHead() {
   for (const Form& form : forms_) choice_->addItem(QString::fromStdString(form.title));
   connect(choice_, QOverload<int>::of(&QComboBox::activated), this, [this] { read(); });
   save_->setObjectName(QStringLiteral("saveRaters"));
-  save_->setToolTip(tr("Saves the figures of all raters and items as CSV"));
+  save_->setToolTip(tr("Saves the agreement values of all raters and items as CSV"));
   connect(save_, &QPushButton::clicked, this, [this] {
     const QString file = QFileDialog::getSaveFileName(
         this, tr("Save the agreement"), QDir::home().filePath(QStringLiteral("raters.csv")), tr("Table (*.csv)"));

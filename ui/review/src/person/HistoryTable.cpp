@@ -37,7 +37,7 @@ enum HistoryColumn {
 };
 
 QString placeOf(const KeptAttempt& attempt, const QString& recording) {
-  if (!attempt.recordingFile.empty()) return HistoryTable::tr("in the store");
+  if (!attempt.recordingFile.empty()) return HistoryTable::tr("in the database");
   if (!recording.isEmpty()) return HistoryTable::tr("on this computer");
   if (attempt.facts.recording.empty()) return HistoryTable::tr("none");
   return HistoryTable::tr("on %1").arg(QString::fromStdString(attempt.facts.workstation));
@@ -143,7 +143,7 @@ QWidget* HistoryTable::buildReason() {
   row->setSpacing(ui::kGap);
   reason_->setObjectName(QStringLiteral("voidReason"));
   changeNow_->setObjectName(QStringLiteral("voidNow"));
-  changeNow_->setToolTip(tr("This cannot be undone (Enter)"));
+  changeNow_->setToolTip(tr("Voids the attempt; this cannot be undone (Enter)"));
   auto* leave = new QPushButton(tr("Cancel"));
   leave->setToolTip(tr("Leaves the attempt unchanged (Esc)"));
   auto* escape = new QAction(part);

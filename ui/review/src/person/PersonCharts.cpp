@@ -38,7 +38,7 @@ QString placeWords(const std::vector<double>& all, double own, const MetricMeani
 
 /// Title of the axis that numbers a person's attempts.
 QString attemptAxis(const std::string& level) {
-  return level.empty() ? tr("attempt, of all levels and free practice") : tr("attempt at this level");
+  return level.empty() ? tr("attempt number, all levels and free practice") : tr("attempt at this level");
 }
 
 }  // namespace
@@ -75,8 +75,9 @@ ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level) {
     ui::ChartPicture picture;
     picture.title = tr("LC-CUSUM");
     const int passes = known->mastery.passesInARow;
-    picture.words = passes == 1 ? tr("n/a: this level does not use it; one pass masters it.")
-                                : tr("n/a: this level does not use it; %1 consecutive passes master it.").arg(passes);
+    picture.words = passes == 1
+                        ? tr("n/a: not used at this level, which is mastered by one pass.")
+                        : tr("n/a: not used at this level, which is mastered by %1 consecutive passes.").arg(passes);
     return picture;
   }
   std::vector<bool> passes;
@@ -90,7 +91,7 @@ ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level) {
 
 ui::ChartPicture placeInClass(const PersonFacts& facts, const HeatMap& heat, const MetricMeaning& meaning) {
   ui::ChartPicture picture;
-  picture.title = tr("Beside the class");
+  picture.title = tr("Compared with the class");
   picture.xTitle = tr("last %1 attempts at levels").arg(kLastAttempts);
   picture.yTitle = titleWithUnit(meaning);
   const auto& all = MetricBook::here().all();

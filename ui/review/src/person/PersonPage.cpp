@@ -74,7 +74,7 @@ QWidget* PersonPage::buildHead(const ui::Commands& commands) {
   sentence_->setWordWrap(true);
   save_->setObjectName(QStringLiteral("savePerson"));
   save_->setToolTip(
-      commands.toolTip(tr("Saves the person as a page, a table or statements for a learning record store"),
+      commands.toolTip(tr("Saves the person's results as a page, a table or statements for a learning record store"),
                        QStringLiteral("review.save")));
   row->addWidget(name_, 1);
   row->addWidget(metric_);

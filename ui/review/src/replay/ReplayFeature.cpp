@@ -96,14 +96,14 @@ void ReplayFeature::addTimeCommands() {
                  .keys = {{Qt::Key_Left, {}, step(-1, -10)}, {Qt::Key_Right, {}, step(1, 10)}},
                  .perform = {}});
   addForAttempt({.id = QStringLiteral("review.replay.previousMoment"),
-                 .text = tr("Previous moment"),
-                 .does = tr("goes to the previous moment"),
+                 .text = tr("Previous marked moment"),
+                 .does = tr("goes to the previous marked moment"),
                  .listed = tr("Page Up"),
                  .keys = {{Qt::Key_PageUp}},
                  .perform = [&session](ui::KeyPress) { session.stepMoment(-1); }});
   addForAttempt({.id = QStringLiteral("review.replay.nextMoment"),
                  .text = tr("Next moment"),
-                 .does = tr("goes to the next moment"),
+                 .does = tr("goes to the next marked moment"),
                  .listed = tr("Page Down"),
                  .keys = {{Qt::Key_PageDown}},
                  .perform = [&session](ui::KeyPress) { session.stepMoment(1); }});
@@ -129,7 +129,7 @@ QString ReplayFeature::imageWords() const {
   const ReplayPicture& picture = model_.session.picture();
   if (!picture.trouble().isEmpty()) return picture.trouble();
   if (!session.sample()) return tr("This part of the recording is missing.");
-  if (!session.sample()->patientFromProbe) return tr("The probe is not in the hand.");
+  if (!session.sample()->patientFromProbe) return tr("The probe is not being held.");
   return picture.shown() ? QString() : tr("Rendering the image.");
 }
 

@@ -34,7 +34,7 @@ Transport::Transport(ReviewSession& session, const ui::Commands& commands, QWidg
   row->setContentsMargins(ui::kGap, ui::kSmallGap, ui::kGap, ui::kSmallGap);
   row->setSpacing(ui::kGap);
   const auto tip = [&commands](const char* command) { return commands.toolTip(QLatin1String(command)); };
-  auto* previous = add("previousMoment", "previous", tr("Previous moment"), tip("review.replay.previousMoment"));
+  auto* previous = add("previousMoment", "previous", tr("Previous marked moment"), tip("review.replay.previousMoment"));
   play_ = add("play", "play", tr("Play"), tip("review.replay.play"));
   auto* next = add("nextMoment", "next", tr("Next moment"), tip("review.replay.nextMoment"));
   for (QPushButton* button : {previous, play_, next}) row->addWidget(button);
@@ -44,15 +44,14 @@ Transport::Transport(ReviewSession& session, const ui::Commands& commands, QWidg
   for (const double speed : ReviewSession::kSpeeds) speed_->addItem(tr("%1 x").arg(speed));
   row->addWidget(speed_);
   time_->setObjectName(QStringLiteral("timeNow"));
-  time_->setToolTip(tr("Present time and length of the attempt: minutes, seconds"));
+  time_->setToolTip(tr("Playback position and duration of the attempt: minutes, seconds"));
   time_->setMinimumWidth(time_->fontMetrics().horizontalAdvance(QStringLiteral("00:00.00 / 00:00.00")) + ui::kGap);
   row->addWidget(time_);
   ui::setRole(place_, "heading");
   place_->setObjectName(QStringLiteral("needlePlace"));
   row->addWidget(place_);
   hands_->setObjectName(QStringLiteral("handsNow"));
-  hands_->setToolTip(
-      tr("Insertion length along the shaft, depth of the tip on the image's scale, and the probe's force"));
+  hands_->setToolTip(tr("Insertion length along the shaft, tip depth on the image's depth scale, and probe force"));
   // A growing sentence must not widen the window.
   hands_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(hands_, 1);

@@ -35,7 +35,7 @@ void tableHead(PaperColumn& page, double cell) {
   page.skip(kHeadHeight - kRow);
   page.cell(kMargin, kName, tr("person"), page.ink.quiet);
   page.cell(kMargin + kName, kLevel, tr("level"), page.ink.quiet);
-  page.cell(kMargin + kName + kLevel, kNeeds, tr("needs"), page.ink.quiet);
+  page.cell(kMargin + kName + kLevel, kNeeds, tr("attention"), page.ink.quiet);
   page.skip(kRow + 4);
 }
 
@@ -60,10 +60,11 @@ void tableRow(PaperColumn& page, const ClassDesk& desk, const Member& member, do
 void paintClassReport(QPainter& painter, const ClassDesk& desk) {
   const ClassFacts& facts = *desk.facts();
   PaperColumn page(painter);
-  page.head(QString::fromStdString(facts.cohort.name),
-            {countOf(int(facts.learners.size()), tr("person"), tr("people")),
-             facts.curriculum ? QString::fromStdString(facts.curriculum->title) : tr("no curriculum yet"),
-             tr("means of the last %1 attempts, without free practice; lighter is better").arg(kLastAttempts)});
+  page.head(
+      QString::fromStdString(facts.cohort.name),
+      {countOf(int(facts.learners.size()), tr("person"), tr("people")),
+       facts.curriculum ? QString::fromStdString(facts.curriculum->title) : tr("no curriculum yet"),
+       tr("means of the last %1 attempts, excluding free practice; a lighter color is better").arg(kLastAttempts)});
   painter.setFont(paperFont(kSmall * 0.9));
   const double cell = (kWidth - 2 * kMargin - kName - kLevel - kNeeds) / double(MetricBook::here().comparable());
   tableHead(page, cell);

@@ -100,8 +100,9 @@ void SaveMenu::saveTable(const QString& file) {
 void SaveMenu::askXapi(const QString& file) {
   bool sure = false;
   const QString page = QInputDialog::getText(
-      parentWidget(), tr("Learning records (xAPI)"), tr("Home page of your site, which identifies its people:"),
-      QLineEdit::Normal, QSettings().value(kHomePage, QStringLiteral("https://")).toString(), &sure);
+      parentWidget(), tr("Learning records (xAPI)"),
+      tr("Web address of your site, which identifies your people in the records:"), QLineEdit::Normal,
+      QSettings().value(kHomePage, QStringLiteral("https://")).toString(), &sure);
   if (!sure) return;
   QSettings().setValue(kHomePage, page);
   saveXapi(file, page);
@@ -110,7 +111,7 @@ void SaveMenu::askXapi(const QString& file) {
 void SaveMenu::saveXapi(const QString& file, const QString& homePage) {
   const Curriculum* curriculum = room_.curriculum();
   if (!curriculum)
-    return Q_EMIT failed(tr("There are no statements: the class has no curriculum yet."),
+    return Q_EMIT failed(tr("There are no xAPI statements: the class has no curriculum yet."),
                          tr("Choose a curriculum for the class first."));
   std::vector<Person> people;
   if (subject_ == Subject::Person && person_.facts()) people.push_back(person_.facts()->person);

@@ -27,15 +27,18 @@ QString pointsOf(const AttemptDigest& attempt) {
 
 QString pointsNoteOf(const AttemptDigest& attempt) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("Review", text); };
-  if (!attempt.score) return tr("No points: parts of the recording are missing, and numbers would be wrong.");
-  if (!attempt.score->points) return tr("No points: the skin was not punctured, or no metric has published values.");
+  if (!attempt.score) return tr("No points: parts of the recording are missing, so the metrics would be wrong.");
+  if (!attempt.score->points)
+    return tr("No points: the skin was not punctured, or no metric has published values of novices and experts.");
   switch (attempt.recording->status()) {
     case AttemptStatus::Completed:
       break;
     case AttemptStatus::Abandoned:
       return tr("of 100 points. The attempt was abandoned, so it did not succeed.");
     case AttemptStatus::CutShort:
-      return tr("of 100 points up to its end. The attempt counts as abandoned: its recording broke off.");
+      return tr(
+          "of 100 points up to the end of the recording. The recording stopped early, so the attempt counts as "
+          "abandoned.");
   }
   return attempt.score->succeeded ? tr("of 100 points. The attempt succeeded: the tip was placed in the vein.")
                                   : tr("of 100 points. The attempt did not succeed.");

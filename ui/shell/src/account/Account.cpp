@@ -47,7 +47,7 @@ Result<SignedIn> signInAsKept(const CurriculumStore& store, const KeptSignIn& ke
 /// The generated password is written first, since nobody knows it.
 Result<SignedIn> setUpKept(const CurriculumStore& store, const std::filesystem::path& file, const std::string& fullName,
                            const std::string& password) {
-  if (file.empty()) return fail(Account::tr("The store is on a server: choose a password.").toStdString());
+  if (file.empty()) return fail(Account::tr("The database is on a server: a password is needed.").toStdString());
   const auto anybody = store.hasPeople();
   if (!anybody) return tl::unexpected(anybody.error());
   if (!*anybody) {
@@ -86,7 +86,7 @@ QString Account::place() const {
 }
 
 std::string Account::notOpen() {
-  return tr("The store of people and attempts is not open.").toStdString();
+  return tr("The database of people and attempts is not open.").toStdString();
 }
 
 std::string Account::notYours() {

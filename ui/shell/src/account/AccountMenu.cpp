@@ -46,7 +46,7 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, Commands& command
   alone_ = add("accountAlone", tr("Just me ..."), tr("Sets up levels, results and learning curves for you alone"),
                [this] { askAlone(); });
   setUp_ = add("accountSetUp", tr("Set up people and levels ..."),
-               tr("Sets up the store of people and attempts, with you as administrator"), [this] { askSetUp(); });
+               tr("Sets up the database of people and attempts, with you as administrator"), [this] { askSetUp(); });
   signIn_ = add("accountSignIn", tr("Sign in ..."), {}, [this] { askSignIn(); });
   signIn_->setShortcut(QKeySequence(QStringLiteral("Ctrl+L")));
   commands.add(QStringLiteral("window.account.signIn"), tr("signs in, so that attempts count and levels unlock"),
@@ -60,7 +60,7 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, Commands& command
                 [this] { showCurricula(); });
   server_ = add("accountServer", tr("Server of the site ..."), tr("Server to which this computer sends attempts"),
                 [this] { askServer(); });
-  again_ = add("accountAgain", tr("Try again"), tr("Tries again to open the store of people and attempts"),
+  again_ = add("accountAgain", tr("Try again"), tr("Tries again to open the database of people and attempts"),
                [this] { account_.reopen(); });
   signOut_ = add("accountSignOut", tr("Sign out"), {}, [this] { account_.signOut(); });
   signOut_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+L")));
@@ -81,7 +81,7 @@ QString AccountMenu::shortText() const {
     case Account::State::Guest:
       break;
     case Account::State::Unreachable:
-      return tr("Guest, no store");
+      return tr("Guest, no database");
   }
   return tr("Guest");
 }
@@ -98,7 +98,7 @@ void AccountMenu::refresh() {
   for (QAction* own : {details_, password_, signOut_}) own->setVisible(state == State::SignedIn);
   password_->setText(account_.hasGeneratedPassword() ? tr("Choose a password ...") : tr("Change password ..."));
   signOut_->setEnabled(!account_.hasGeneratedPassword());
-  signOut_->setToolTip(account_.hasGeneratedPassword() ? tr("Choose a password first; without one, you stay signed in")
+  signOut_->setToolTip(account_.hasGeneratedPassword() ? tr("To sign out, choose a password first")
                                                        : tr("Signs out, so that the next user can sign in"));
   QString words = tr("Guest: attempts are recorded, but do not count");
   if (state == State::SignedIn)
@@ -248,13 +248,14 @@ void AccountMenu::askServer() {
       site_.setServer(texts[0]);
       return done({});
     }
-    done(fail(tr("Do not enter the password: others can read this field. Write it to ~/.pgpass.").toStdString()));
+    done(fail(
+        tr("Do not enter the database password here: others can read this field. Put it in ~/.pgpass.").toStdString()));
   };
   const QString last = site_.outcome().isEmpty() ? tr("Nothing was sent yet.") : site_.outcome();
   (new EntryDialog(
        tr("Server of the site"),
-       tr("Attempts and forms are sent to the server; people, classes and curricula come from it. Without a server, "
-          "all data stay on this computer. %1")
+       tr("Attempts and completed forms are sent to the server; people, classes and curricula come from it. Without a "
+          "server, all data stay on this computer. %1")
            .arg(last),
        {{"serverAddress", tr("Address"), tr("postgresql://USER@HOST/DATABASE; empty: no server"), site_.server()}},
        tr("Connect"), act, window_))

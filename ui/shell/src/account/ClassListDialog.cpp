@@ -45,7 +45,7 @@ QString outcomeOf(const ClassImportRow& row) {
     case Step::Add:
       return ClassListDialog::tr("+  new");
     case Step::Join:
-      return ClassListDialog::tr("+  known, joins the class");
+      return ClassListDialog::tr("+  has an account, joins the class");
     case Step::AlreadyThere:
       return ClassListDialog::tr("✓  already in the class");
     case Step::Refuse:
@@ -60,7 +60,7 @@ Result<std::vector<ClassImportRow>> planOf(const SignedIn& by, const std::string
   constexpr qint64 kMost = 8 << 20;
   QFile list(file);
   if (!list.open(QFile::ReadOnly) || list.size() > kMost)
-    return fail(ClassListDialog::tr("%1 cannot be read, or is larger than any class list; choose another file.")
+    return fail(ClassListDialog::tr("%1 cannot be read, or is too large for a class list; choose another file.")
                     .arg(QDir::toNativeSeparators(file))
                     .toStdString());
   const auto parsed = parseClassList(list.readAll().toStdString());
@@ -100,7 +100,7 @@ ClassListDialog::ClassListDialog(Account& account, Cohort cohort, QWidget* paren
   go_ = button("listGo", tr("Add"), tr("Adds all people at once, or none"), &ClassListDialog::apply);
   save_ = button("listSave", tr("Save passwords ..."), tr("Saves a table (CSV) that only you can read"),
                  &ClassListDialog::savePasswords);
-  print_ = button("listPrint", tr("Print passwords ..."), tr("A page to cut and hand out"),
+  print_ = button("listPrint", tr("Print passwords ..."), tr("A page to cut into slips and hand out"),
                   &ClassListDialog::printPasswords);
   close_ = button("listClose", tr("Close"), tr("Back to the people (Esc)"), &ClassListDialog::reject);
   setRole(go_, "primary");
@@ -260,7 +260,7 @@ void ClassListDialog::takeOutcome(const Result<void>& outcome) {
   Q_EMIT imported();
   if (passwords_.empty()) {
     go_->setEnabled(false);
-    return say(tr("Done: known people have joined the class."), false);
+    return say(tr("Done: people who already had an account have joined the class."), false);
   }
   say(tr("Done. The first passwords are shown now and never again: save or print them, hand them out, and delete them. "
          "Everyone chooses their own at the first sign-in."),
@@ -298,8 +298,8 @@ void ClassListDialog::reject() {
   if (passwords_.empty() || handedOut_) return QDialog::reject();
   (new EntryDialog(
        tr("Close without the passwords?"),
-       tr("They were neither saved nor printed, and are not shown again. Without them nobody of this list can "
-          "sign in; each would need a new password."),
+       tr("The first passwords were neither saved nor printed, and cannot be shown again. Without them nobody on this "
+          "list can sign in; each would need a new password."),
        {}, tr("Close without passwords"),
        [this](const QStringList&, const std::function<void(Result<void>)>& done) {
          handedOut_ = true;

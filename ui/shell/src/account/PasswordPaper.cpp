@@ -52,7 +52,7 @@ Result<QString> printPasswordPaper(const QString& cohort, const std::vector<Firs
   paper.print(&printer);
   if (printer.printerState() == QPrinter::Error)
     return fail(tr("The printer did not accept the page; try another one, or save the passwords.").toStdString());
-  return file.isEmpty() ? tr("Sent to the printer. Cut the page and hand it out.")
+  return file.isEmpty() ? tr("Sent to the printer. Cut the page into slips and hand them out.")
                         : tr("Saved as %1, which only you can read. Delete it after printing.").arg(file);
 }
 

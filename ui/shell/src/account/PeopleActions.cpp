@@ -18,7 +18,7 @@ namespace {
 EntryDialog::Entry roleEntry(Role role) {
   return {.name = "personRole",
           .label = PeopleWindow::tr("Role"),
-          .tip = PeopleWindow::tr("Instructors see the people of classes that they teach, administrators all"),
+          .tip = PeopleWindow::tr("Instructors see the people of classes that they teach; administrators see everyone"),
           .text = wordOf(role),
           .choices = roleWords()};
 }

@@ -100,7 +100,7 @@ QWidget* PeopleWindow::classColumn() {
   curriculum_->setObjectName(QStringLiteral("peopleCurriculum"));
   curriculum_->setAccessibleName(tr("Curriculum of the class"));
   curriculum_->setToolTip(
-      tr("The levels that the people of this class learn; a version never changes once it is taught"));
+      tr("The levels that the people of this class learn; a version cannot be changed once a class uses it"));
   curriculum_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   connect(curriculum_, QOverload<int>::of(&QComboBox::activated), this, &PeopleWindow::setCurriculum);
   column->addWidget(heading(tr("Classes")));
@@ -109,7 +109,8 @@ QWidget* PeopleWindow::classColumn() {
   column->addWidget(renameClass_);
   column->addWidget(heading(tr("Curriculum")));
   column->addWidget(curriculum_);
-  column->addWidget(button("peopleLevels", tr("Levels ..."), tr("Shows curricula and edits new versions"),
+  column->addWidget(button("peopleLevels", tr("Levels ..."),
+                           tr("Opens the curricula, to view them or to edit a new version"),
                            &PeopleWindow::editLevels));
   side->setFixedWidth(220);
   return side;
@@ -118,7 +119,7 @@ QWidget* PeopleWindow::classColumn() {
 QWidget* PeopleWindow::peopleColumn() {
   table_->setObjectName(QStringLiteral("peopleTable"));
   table_->setAccessibleName(tr("People"));
-  table_->setToolTip(tr("Enter changes the selected person"));
+  table_->setToolTip(tr("Press Enter to edit the selected person"));
   table_->setHorizontalHeaderLabels({tr("Full name"), tr("Signs in as"), tr("E-mail"), tr("Role"), tr("State")});
   makeRowTable(*table_, kPersonRow_px);
   QHeaderView* header = table_->horizontalHeader();

@@ -29,7 +29,7 @@ QString exchange(const QString& here, const QString& server, const StoreServices
     return SiteExchange::tr("The server was not reached; attempts wait here. %1")
         .arg(QString::fromStdString(done.error().message));
   QStringList sentences{
-      SiteExchange::tr("Sent to the server: %1 attempts, %2 forms.").arg(done->attempts).arg(done->forms)};
+      SiteExchange::tr("Sent to the server: %1 attempts, %2 completed forms.").arg(done->attempts).arg(done->forms)};
   for (const std::string& trouble : done->troubles) sentences << QString::fromStdString(trouble);
   return sentences.join(QLatin1Char(' '));
 }

@@ -44,8 +44,9 @@ CaseExchange::CaseExchange(TaskBar& tasks, std::function<OpenCase()> open, QWidg
     : QObject(window), tasks_(tasks), open_(std::move(open)), window_(window) {
   ways_ = {add(tr("Import labels ..."), tr("Replaces this case's labels with those of another program"), "importLabels",
                [this] { chooseLabels(); }),
-           add(tr("Crop and resample ..."), tr("Makes a case from a part of this one, also with another spacing"),
-               "cropCase", [this] { chooseCrop(); })};
+           add(tr("Crop and resample ..."),
+               tr("Makes a new case from part of this one, optionally with another voxel spacing"), "cropCase",
+               [this] { chooseCrop(); })};
   exports_ = {addExport(tr("CT as DICOM series ..."), tr("Exports the CT to a new folder, one file for each slice"),
                         "exportDicom", {}, writeSeries),
               addExport(tr("Labels as DICOM segmentation ..."),
@@ -133,14 +134,14 @@ void CaseExchange::showLabels(const QString& file, const std::shared_ptr<Importe
   auto* dialog = new LabelsDialog(QFileInfo(file).fileName(), imported->labels, imported->preview, window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &LabelsDialog::namesWanted, this, [this, file] {
-    const QString names =
-        askForSourceFile(window_, tr("Names of the numbers"), tr("Names (*.txt *.label *.ctbl *.json);;All files (*)"));
+    const QString names = askForSourceFile(window_, tr("Names of the label values"),
+                                           tr("Names (*.txt *.label *.ctbl *.json);;All files (*)"));
     if (!names.isEmpty()) importLabels(file, names);
   });
   connect(dialog, &QDialog::accepted, this, [this, imported] {
     if (open_().patient != imported->from)
-      return Q_EMIT failed(tr("The case has changed while its new labels were shown."), tr("Import the labels again."),
-                           {});
+      return Q_EMIT failed(tr("The case was changed while its new labels were being previewed."),
+                           tr("Import the labels again."), {});
     QStringList notes;
     for (const std::string& note : imported->labels.notes) notes << QString::fromStdString(note);
     takeLabels(std::move(imported->labels), *imported->copy);

@@ -144,9 +144,10 @@ void CaseLoader::list(const QString& path) {
         if (!listing) {
           const bool picture = !QImageReader::imageFormat(path).isEmpty();
           return refuse(listing.error(),
-                        picture ? tr("This is an image. To fit a probe to a scanner's image: Train, Edit beside the "
-                                     "probe, Fit probe to an image.")
-                                : tr("A case folder, a folder of DICOM files, NRRD, NIfTI and MetaImage open here."));
+                        picture ? tr("This file is an image, not a case or a CT. To fit a probe to a scanner's image: "
+                                     "in Train, choose Edit beside the probe, then Fit probe to an image.")
+                                : tr("You can open a case folder, a folder of DICOM files, or an NRRD, NIfTI or "
+                                     "MetaImage file here."));
         }
         choose(path, *listing);
       });
@@ -175,7 +176,7 @@ void CaseLoader::openBuiltIn(const QString& variant) {
   if (dialog_) dialog_->reject();
   const QString folder = builtInFolder(variant);
   tasks_.run<LoadedCase>(
-      tr("Opening the built-in neck"),
+      tr("Opening the built-in neck case"),
       [variant, folder](const Progress& progress) -> Result<LoadedCase> {
         auto made = builtInCase(variant, folder, progress);
         if (!made) return tl::unexpected(made.error());

@@ -68,7 +68,7 @@ CropDialog::CropDialog(const VolumeGeometry& geometry, QWidget* parent)
   setRole(title, "title");
   auto* about =
       new QLabel(tr("Crops CT and labels together; targets and start poses keep their places. The open case stays "
-                    "unchanged on disk; the part becomes a new case."));
+                    "unchanged on disk; the cropped part is saved as a new case."));
   about->setWordWrap(true);
   setRole(about, "quiet");
   auto* grid = new QGridLayout;
@@ -163,7 +163,7 @@ void CropDialog::refresh() {
   crop_->setEnabled(grid.has_value());
   if (!grid) return result_->setText(QString::fromStdString(grid.error().message));
   constexpr double kBytes = 3, kMega = 1e6;  // of a voxel: CT value and label
-  result_->setText(tr("%1 become %2, %3 MB.")
+  result_->setText(tr("Changes from %1 to %2, %3 MB.")
                        .arg(textOf(geometry_), textOf(*grid))
                        .arg(double(grid->voxelCount()) * kBytes / kMega, 0, 'f', 1));
 }

@@ -37,8 +37,9 @@ QTableWidget* mappingOf(const LabelReadResult& read, const std::array<std::size_
   for (int row = 0; row < table->rowCount(); ++row) {
     const ReadStructure& one = read.structures[row];
     const auto own = read.own.find(one.label);
-    const QString here = own == read.own.end() ? qt(labelName(one.label))
-                                               : LabelsDialog::tr("%1, as soft tissue").arg(qt(labelName(one.label)));
+    const QString here = own == read.own.end()
+                             ? qt(labelName(one.label))
+                             : LabelsDialog::tr("%1, treated as soft tissue").arg(qt(labelName(one.label)));
     table->setItem(row, kInFile, new QTableWidgetItem(QString::number(one.number)));
     auto* name = new QTableWidgetItem(one.name.empty() ? QStringLiteral("-") : qt(one.name));
     name->setToolTip(plainToolTip(name->text()));  // long names are cut
@@ -96,10 +97,9 @@ LabelsDialog::LabelsDialog(const QString& fileName, const LabelReadResult& read,
 }
 
 void LabelsDialog::addUnnamed(QVBoxLayout& box) {
-  QLabel* warning = paragraph(
-      "", "",
-      tr("The file does not say what its numbers mean, and each program numbers structures in its own way. The table "
-         "shows what the numbers would be in Insonate."));
+  QLabel* warning = paragraph("", "",
+                              tr("The file does not say what its numbers mean, and each program numbers structures in "
+                                 "its own way. The table shows what each number would mean in Insonate."));
   areOurs_ = new QCheckBox(tr("The numbers are Insonate's"));
   areOurs_->setObjectName(QStringLiteral("numbersAreOurs"));
   areOurs_->setToolTip(tr("Only for label maps that were written with Insonate's label numbers"));

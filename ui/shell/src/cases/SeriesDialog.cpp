@@ -56,7 +56,7 @@ QString placeOf(const SeriesInfo& series) {
   QStringList axes;
   for (const Vec3& axis : g.direction.column) axes << QString::fromStdString(views::orientationLetters(axis));
   const auto number = [](double value) { return QString::number(value, 'f', 1); };
-  return SeriesDialog::tr("%1 x %2 x %3 mm, axes to %4, from %5, %6, %7 mm.")
+  return SeriesDialog::tr("%1 x %2 x %3 mm, axes toward %4, origin at %5, %6, %7 mm.")
       .arg(number(g.size[0] * g.spacing_mm.x), number(g.size[1] * g.spacing_mm.y), number(g.size[2] * g.spacing_mm.z),
            axes.join(QStringLiteral(", ")), number(g.origin_mm.x), number(g.origin_mm.y), number(g.origin_mm.z));
 }

@@ -80,7 +80,7 @@ ChartPicture cusumPicture(const std::vector<bool>& passes, const CusumRule& rule
   ChartPicture::Line line{{}, {}, Tone::Accent, Qt::SolidLine, scores.size() <= 60};
   for (std::size_t i = 0; i < scores.size(); ++i) line.points.emplace_back(double(i) + 1, scores[i]);
   picture.lines.push_back(std::move(line));
-  picture.lines.push_back({tr("limit %1; failures: %2 % acceptable, %3 % not")
+  picture.lines.push_back({tr("limit %1; failure rate: %2 % acceptable, %3 % unacceptable")
                                .arg(rule.limit)
                                .arg(100 * rule.acceptable)
                                .arg(100 * rule.unacceptable),

@@ -39,7 +39,7 @@ class NumberBox : public SpinBox {
     bool isNumber = false;
     const double value = bare(input).toDouble(&isNumber);
     if (!isNumber) return;
-    tell(said("%1 can be from %2 to %3; %4 is not.").arg(name_, least(), most(), input.trimmed()));
+    tell(said("%1 must be from %2 to %3; %4 is outside this range.").arg(name_, least(), most(), input.trimmed()));
     input = words(std::clamp(value, double(this->minimum()), double(this->maximum())));
   }
 

@@ -118,7 +118,7 @@ QString ValueSlider::text(double value) const {
 void ValueSlider::describe() {
   QString tip = tr("%1: %2 to %3, default %4.").arg(name_, text(range_.least), text(range_.most), text(range_.usual));
   if (!hint_.isEmpty()) tip = hint_ + QStringLiteral("\n") + tip;
-  setToolTip(tip + tr("\nDouble click restores the default; arrows step, and the wheel with Ctrl."));
+  setToolTip(tip + tr("\nDouble click restores the default; arrow keys or Ctrl+wheel change the value in steps."));
   for (QWidget* part : {static_cast<QWidget*>(track_), static_cast<QWidget*>(number_)}) {
     part->setAccessibleName(unit_.isEmpty() ? name_ : tr("%1 in %2").arg(name_, unit_));
     part->setAccessibleDescription(hint_);
@@ -164,7 +164,7 @@ void ValueSlider::typed() {
   const double value = written.trimmed().replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&isNumber);
   isNumber = isNumber && std::isfinite(value);
   if (!isNumber || value < range_.least || value > range_.most) {
-    const QString sentence = isNumber ? tr("%1 can be from %2 to %3; %4 is not.")
+    const QString sentence = isNumber ? tr("%1 must be from %2 to %3; %4 is outside this range.")
                                       : tr("%1 takes a number from %2 to %3; \"%4\" is not a number.");
     QToolTip::showText(number_->mapToGlobal({0, number_->height()}),
                        sentence.arg(name_, text(range_.least), text(range_.most), number_->text().trimmed()), number_);

@@ -108,7 +108,7 @@ void FormQuestion::buildNote(const FormItem& item) {
   note_ = new QLineEdit;
   note_->setObjectName(QStringLiteral("note_") + qt(name_));
   note_->setAccessibleName(noteButton_->accessibleName());
-  note_->setToolTip(tr("Read by the trainee, and by other raters once they have judged"));
+  note_->setToolTip(tr("Visible to the trainee, and to other raters after they have submitted their own rating"));
   note_->hide();
   connect(noteButton_, &QToolButton::toggled, note_, &QWidget::setVisible);
   connect(noteButton_, &QToolButton::clicked, note_, [this] {

@@ -257,7 +257,7 @@ void CurriculumDesk::publish(std::function<void(Result<void>)> done) {
         saved_ = true;
         choose(now);
         refresh();
-        Q_EMIT said(tr("Published. Choose a class below to teach it by this version."), false);
+        Q_EMIT said(tr("Published. Choose a class below to assign this version to it."), false);
       });
 }
 
@@ -266,9 +266,9 @@ void CurriculumDesk::teach(const std::string& cohort) {
   account_->ask<void>(
       this, [offer = *chosen_, cohort](const SignedIn& by) { return teachBy(by, offer, cohort); },
       [this](const Result<void>& done) {
-        Q_EMIT said(done ? tr("The class is taught by this version from now on.")
-                         : QString::fromStdString(done.error().message),
-                    !done);
+        Q_EMIT said(
+            done ? tr("The class uses this version from now on.") : QString::fromStdString(done.error().message),
+            !done);
         refresh();
       });
 }

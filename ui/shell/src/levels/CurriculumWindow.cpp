@@ -157,7 +157,7 @@ QWidget* CurriculumWindow::buildContest() {
 }
 
 QWidget* CurriculumWindow::buildTeaching() {
-  named(cohort_, "curriculumCohort", tr("Class"), tr("The class that is taught by this version"));
+  named(cohort_, "curriculumCohort", tr("Class"), tr("Class to assign this version to"));
   auto* part = new QWidget;
   auto* row = new QHBoxLayout(part);
   row->setContentsMargins(0, 0, 0, 0);
@@ -165,7 +165,7 @@ QWidget* CurriculumWindow::buildTeaching() {
   cohort_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   row->addWidget(new QLabel(tr("Class")));
   row->addWidget(cohort_, 1);
-  row->addWidget(button("curriculumTeach", tr("Teach this version"),
+  row->addWidget(button("curriculumTeach", tr("Assign this version"),
                         tr("Assigns these levels to the class; its attempts do not change"), &CurriculumWindow::teach));
   return part;
 }
@@ -253,7 +253,9 @@ void CurriculumWindow::showSaving() {
   const Curriculum* now = desk_->curriculum();
   if (!now) return state_->setText(tr("Choose a curriculum, or begin a new one."));
   const QString version = tr("%1, version %2").arg(qt(now->name), QString::number(now->version));
-  if (!desk_->isDraft()) return state_->setText(tr("%1 is fixed. To change it, begin a new version.").arg(version));
+  if (!desk_->isDraft())
+    return state_->setText(
+        tr("%1 is published and cannot be changed. To make changes, begin a new version.").arg(version));
   state_->setText(desk_->isSaved() ? tr("Draft of %1, saved").arg(version)
                                    : tr("Draft of %1, not saved yet").arg(version));
 }
@@ -303,7 +305,7 @@ void CurriculumWindow::reject() {
 void CurriculumWindow::askToClose() {
   (new EntryDialog(
        tr("Close without saving your changes?"),
-       tr("The draft cannot be saved now. While this window stays open it is saved as soon as it can be."), {},
+       tr("The draft cannot be saved now. Keep this window open; the draft will be saved as soon as possible."), {},
        tr("Close without saving"),
        [this](const QStringList&, const std::function<void(Result<void>)>& done) {
          done({});

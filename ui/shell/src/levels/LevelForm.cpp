@@ -73,7 +73,7 @@ LevelForm::LevelForm(const TeachingNames& known, QWidget* parent)
   box->setSpacing(kGap);
   box->addLayout(form);
   box->addSpacing(kGap);
-  box->addWidget(heading(tr("One attempt passes")));
+  box->addWidget(heading(tr("One passed attempt is enough")));
   box->addWidget(standards_);
   box->addSpacing(kGap);
   box->addWidget(heading(tr("The level is mastered")));
@@ -107,7 +107,7 @@ void LevelForm::buildNames(QFormLayout& form) {
   });
   form.addRow(tr("Title"), title_);
   form.addRow(tr("About"), about_);
-  form.addRow(tr("Needs"), prerequisites_);
+  form.addRow(tr("Requires"), prerequisites_);
 }
 
 void LevelForm::addChoice(QComboBox* box, std::string Level::*member) {

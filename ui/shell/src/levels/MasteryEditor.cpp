@@ -146,7 +146,7 @@ QWidget* MasteryEditor::buildCalibration() {
   auto* column = new QVBoxLayout(part);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kSmallGap);
-  column->addWidget(lineOf({new QLabel(tr("Choose the limit h for false signals in")), falseSignals_,
+  column->addWidget(lineOf({new QLabel(tr("Choose limit h so that false signals occur in")), falseSignals_,
                             new QLabel(tr("within")), trials_, calibrate_}));
   column->addWidget(tasks_);
   column->addWidget(calibrated_);
@@ -156,9 +156,10 @@ QWidget* MasteryEditor::buildCalibration() {
 QWidget* MasteryEditor::buildLapses() {
   byDays_ = named(new QCheckBox(tr("lapses after")), "lapseDaysOn", tr("Lapses without practice"),
                   tr("The level lapses after this long without practice"));
-  days_ = number<QSpinBox>("lapseDays", tr("Days"), tr("Days without an attempt at this level or at one built on it"),
-                           1, 36500, tr(" days without practice"));
-  byFailures_ = named(new QCheckBox(tr("lapses after")), "lapseFailuresOn", tr("Lapses by failures"),
+  days_ = number<QSpinBox>("lapseDays", tr("Days"),
+                           tr("Days without an attempt at this level or at a level that requires it"), 1, 36500,
+                           tr(" days without practice"));
+  byFailures_ = named(new QCheckBox(tr("lapses after")), "lapseFailuresOn", tr("Lapses after failures"),
                       tr("The level lapses after repeated failures"));
   failures_ = number<QSpinBox>("lapseFailures", tr("Failures"), tr("Number of failures"), 1, 1000, tr(" failures"));
   within_ = number<QSpinBox>("lapseWithin", tr("Within"), tr("Number of latest attempts"), 1, 1000, tr(" attempts"));
@@ -182,10 +183,11 @@ void MasteryEditor::show(const Level& level) {
   const QSignalBlocker a(passes_), b(acceptable_), c(unacceptable_), d(limit_), e(days_), f(failures_), g(within_);
   passes_->setValue(rule.passesInARow);
   const int fewest = fewestAttempts(rule);
-  fewest_->setText(fewest == LcCusum::kMostToSignal
-                       ? tr("no number of attempts tells these rates apart: raise the unacceptable one")
-                   : fewest == 1 ? tr("mastered with at least 1 attempt")
-                                 : tr("mastered with at least %1 attempts").arg(fewest));
+  fewest_->setText(
+      fewest == LcCusum::kMostToSignal
+          ? tr("the rates are too close to distinguish with any number of attempts: raise the unacceptable rate")
+      : fewest == 1 ? tr("mastery takes at least 1 attempt")
+                    : tr("mastery takes at least %1 attempts").arg(fewest));
   cusum_->setChecked(rule.cusum.has_value());
   for (QWidget* one :
        std::initializer_list<QWidget*>{acceptable_, unacceptable_, limit_, falseSignals_, trials_, calibrate_})

@@ -63,9 +63,9 @@ StandardsEditor::StandardsEditor(const std::vector<MetricMeaning>& metrics, QWid
 
 QWidget* StandardsEditor::buildRule() {
   points_ = named(new QCheckBox(tr("At least")), "leastPointsOn", tr("Minimum points"),
-                  tr("Requires a minimum of points, of 100"));
+                  tr("Requires a minimum number of points out of 100"));
   leastPoints_ = named(number(tr("Points"), 0, 100, 0, tr(" points")), "leastPoints", tr("Points"),
-                       tr("Points of 100 that an attempt has to reach"));
+                       tr("Points, out of 100, that an attempt has to reach"));
   percent_ = named(number(tr("Mastery"), 1, 100, 0, tr(" %")), "masteryPercent", tr("Mastery percentage"),
                    tr("Share of the standards below that must be met; 100 %: all of them"));
   const auto tell = [this] {
@@ -98,7 +98,7 @@ QWidget* StandardsEditor::buildStandard() {
   limit_ = named(number(tr("The limit"), -kAnyLimit, kAnyLimit, 2, QString()), "standardLimit", tr("Limit"),
                  tr("In the metric's unit"));
   otherwise_ = named(new QLineEdit, "standardOtherwise", tr("Message when missed"),
-                     tr("It follows \"failed because\": \"the artery was punctured\""));
+                     tr("Completes the sentence \"failed because ...\", for example \"the artery was punctured\""));
   otherwise_->setPlaceholderText(tr("the artery was punctured"));
   critical_ = named(new QCheckBox(tr("Critical error")), "standardCritical", tr("Critical error"),
                     tr("An attempt that misses this standard fails, whatever share of the others it meets"));

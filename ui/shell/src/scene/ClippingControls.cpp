@@ -46,7 +46,7 @@ ClippingControls::ClippingControls(std::shared_ptr<views::SceneView> scene, QWid
                               tr("Distance of the plane from the patient's middle or from the image plane"))),
       turn_(new ValueSlider(tr("turn"), tr("°"), {-180, 180, 0, 5, 0},
                             tr("Angle of the plane: 0° keeps the front of the patient, 90° the left side"))),
-      tilt_(new ValueSlider(tr("tilt"), tr("°"), {-90, 90, 0, 5, 0}, tr("90 keeps the head's side"))),
+      tilt_(new ValueSlider(tr("tilt"), tr("°"), {-90, 90, 0, 5, 0}, tr("90° keeps the side toward the head"))),
       flipped_(new QCheckBox(tr("Flip"))),
       asSeen_(new QToolButton) {
   auto* box = new QVBoxLayout(this);
@@ -69,9 +69,9 @@ ClippingControls::ClippingControls(std::shared_ptr<views::SceneView> scene, QWid
   tilt_->setObjectName(QStringLiteral("clippingTilt"));
   flipped_->setObjectName(QStringLiteral("clippingFlipped"));
   flipped_->setToolTip(tr("Cuts away the other side"));
-  asSeen_->setText(tr("Face viewer"));
+  asSeen_->setText(tr("Turn to viewer"));
   asSeen_->setObjectName(QStringLiteral("clippingAsSeen"));
-  asSeen_->setToolTip(tr("Turns the plane toward you and clips everything before it"));
+  asSeen_->setToolTip(tr("Turns the plane toward you and clips everything in front of it"));
   for (QWidget* part : {static_cast<QWidget*>(offset_), static_cast<QWidget*>(turn_), static_cast<QWidget*>(tilt_)})
     box->addWidget(part);
   auto* last = new QHBoxLayout;

@@ -41,11 +41,11 @@ EyeControls::EyeControls(std::shared_ptr<views::SceneView> scene, QWidget* paren
                              tr("Distance to the right of the view's middle; negative to the left"))),
       up_(new ValueSlider(tr("eye above the middle"), tr("mm"), {-600, 600, 0, 10, 0},
                           tr("Height above the middle of this view; negative below"))),
-      distance_(new ValueSlider(tr("eye before the screen"), tr("mm"), {100, 3000, 600, 10, 0},
-                                tr("From the screen to between your eyes"))),
+      distance_(new ValueSlider(tr("eye to screen"), tr("mm"), {100, 3000, 600, 10, 0},
+                                tr("Distance from the screen to the middle between your eyes"))),
       width_(new ValueSlider(tr("width of this view"), tr("mm"), {40, 4000, 520, 10, 0},
-                             tr("As a ruler on the screen measures it"))),
-      separation_(new ValueSlider(tr("between the eyes"), tr("mm"), {0, 80, 63, 1, 0}, tr("Used in stereo"))) {
+                             tr("Width measured with a ruler on the screen"))),
+      separation_(new ValueSlider(tr("eye separation"), tr("mm"), {0, 80, 63, 1, 0}, tr("Used in stereo"))) {
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(kSmallGap);

@@ -252,7 +252,7 @@ void HistogramEditor::typed(int field) {
                          tr("Points do not pass each other: this one can be from %1 to %2 HU.").arg(least).arg(most),
                          hu_);
   }
-  push(wanted, kTyping + 2 * selected() + field, tr("typed"));
+  push(wanted, kTyping + 2 * selected() + field, tr("value typed"));
   refresh();
 }
 

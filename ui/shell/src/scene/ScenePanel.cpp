@@ -53,7 +53,7 @@ ScenePanel::ScenePanel(std::shared_ptr<views::SceneView> scene, QWidget* parent,
   box->addWidget(heading(tr("Clipping plane")));
   box->addWidget(clipping_);
   eyes_ = new EyeControls(scene_);
-  box->addWidget(heading(tr("Eyes")));
+  box->addWidget(heading(tr("Stereo and eye position")));
   box->addWidget(eyes_);
   box->addStretch();
 
@@ -102,7 +102,7 @@ QWidget* ScenePanel::buildStructures() {
   };
   add("structuresAll", tr("all"), tr("Show all structures"), [showAll] { showAll(true); });
   add("structuresNone", tr("none"), tr("Hide all structures"), [showAll] { showAll(false); });
-  add("structuresUsual", tr("usual"),
+  add("structuresUsual", tr("standard"),
       tr("As chosen by the case's author; otherwise all structures with default colors and opacities"),
       [this] { showUsual(); });
   box->addLayout(row);

@@ -95,7 +95,7 @@ StructureList::Row StructureList::makeRow(std::uint8_t label) {
   row.opacity->setButtonSymbols(QAbstractSpinBox::NoButtons);
   row.opacity->setFixedWidth(64);
   row.opacity->setAccessibleName(tr("Opacity of %1 in %").arg(name));
-  row.opacity->setToolTip(tr("Opacity of %1, 0 to 100 %; arrows step").arg(name));
+  row.opacity->setToolTip(tr("Opacity of %1, 0 to 100 %; arrow keys change it").arg(name));
   connect(row.eye, &QToolButton::clicked, this, [this, label](bool visible) {
     scene_->setVisible(label, visible);
     Q_EMIT changed();

@@ -187,7 +187,8 @@ void CaseDesk::takeSaved(const SavedCase& saved) {
     if (edited) workspace->caseSaved(saved.patient);
   }
   Q_EMIT changed();
-  const QString also = tr(" Another user had saved it meanwhile; that version is kept as an earlier one.");
+  const QString also =
+      tr(" Another user had saved the case in the meantime; that version is kept as a previous version.");
   Q_EMIT said(tr("Saved to %1.").arg(saved.folder) + (saved.overAnother ? also : QString()), {});
   if (const auto go = std::exchange(afterSaving_, {})) QTimer::singleShot(0, this, go);
 }

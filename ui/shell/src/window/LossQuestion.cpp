@@ -20,7 +20,7 @@ QString headingOf(const Loss& loss) {
 QString sentencesOf(const Loss& loss) {
   QStringList sentences;
   if (!loss.job.isEmpty())
-    sentences << LossQuestion::tr("%1: continuing cancels it; no partial result is left.").arg(loss.job);
+    sentences << LossQuestion::tr("%1: continuing cancels this job and discards its partial result.").arg(loss.job);
   if (!loss.ending.isEmpty()) sentences << loss.ending;
   if (!loss.title.isEmpty() && loss.nowhere)
     sentences << LossQuestion::tr("\"%1\" is not on disk yet. Without saving, it is lost.").arg(loss.title);
@@ -53,8 +53,9 @@ LossQuestion::LossQuestion(const Loss& loss, LostBy by, QWidget* parent) : QDial
     buttons->addWidget(button);
     return button;
   };
-  auto* go = closing ? add("goOn", working ? tr("Stop and close") : tr("Close without saving"), tr("Close the window"))
-                     : add("goOn", working ? tr("Stop and continue") : tr("Continue without saving"), tr("Discard"));
+  auto* go = closing
+                 ? add("goOn", working ? tr("Stop job and close") : tr("Close without saving"), tr("Close the window"))
+                 : add("goOn", working ? tr("Stop job and continue") : tr("Continue without saving"), tr("Discard"));
   connect(go, &QPushButton::clicked, this, &LossQuestion::continueChosen);
   auto* usual = add("keep", tr("Cancel"), tr("Back to the window (Esc)"));
   if (!working) {

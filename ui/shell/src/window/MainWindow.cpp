@@ -294,7 +294,7 @@ bool MainWindow::passKey(QKeyEvent& event) {
 void MainWindow::fillView() {
   view_->clear();
   view_->addActions(currentWorkspace()->actions());
-  if (view_->isEmpty()) view_->addAction(tr("Nothing to choose here"))->setEnabled(false);
+  if (view_->isEmpty()) view_->addAction(tr("No actions available here"))->setEnabled(false);
 }
 
 const LoadedCase& MainWindow::current() const {

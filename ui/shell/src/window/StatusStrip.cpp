@@ -60,7 +60,8 @@ void StatusStrip::say(const QString& text, const QString& folder) {
 
 void StatusStrip::setEngine(const QString& text, const QString& note) {
   engine_->setText(text);
-  const QString about = tr("Processor of the ultrasound, frames in the last second, and time per frame");
+  const QString about =
+      tr("Processor that computes the ultrasound image, frames in the last second, and time per frame");
   engine_->setToolTip(note.isEmpty() ? about : about + ".\n" + note);
 }
 

@@ -49,10 +49,10 @@ void WindowMenu::addCases() {
   add("window.case.open", "folder", tr("Open case ..."), tr("opens a case folder, or a folder of DICOM files"),
       QKeySequence::Open, [this] { chooseCase(); });
   add("window.case.import", "import", tr("Import file ..."),
-      tr("imports the whole DICOM series of any of its files, or an NRRD, NIfTI or MetaImage file"), tr("Ctrl+I"),
-      [this] { chooseImport(); });
-  add("window.case.textbook", "neck", tr("Built-in neck"), tr("opens the textbook neck that comes with Insonate"),
-      tr("Ctrl+T"), [this] { desk_.openBuiltIn(builtInNames().front()); });
+      tr("imports the whole DICOM series to which the chosen file belongs, or an NRRD, NIfTI or MetaImage file"),
+      tr("Ctrl+I"), [this] { chooseImport(); });
+  add("window.case.textbook", "neck", tr("Built-in neck"), tr("opens the built-in case, a typical neck"), tr("Ctrl+T"),
+      [this] { desk_.openBuiltIn(builtInNames().front()); });
   attempt_ = add("window.attempt.open", "review", tr("Open attempt ..."), tr("opens a recorded attempt to replay it"),
                  tr("Ctrl+Shift+O"), [this] { chooseAttempt(); });
   addMenu(recent_);

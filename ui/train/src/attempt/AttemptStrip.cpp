@@ -40,7 +40,8 @@ AttemptStrip::AttemptStrip(DisclosureModel& disclosure, HandsControl& hands, Cas
   artery_ = number("attemptArtery", tr("artery 8"), tr("Punctures of the artery"));
   double_ =
       number("attemptDouble", tr("posterior wall 8"), tr("Posterior wall punctures: out through the vein's far side"));
-  toVein_ = number("attemptToVein", tr("to vein 888.8 s"), tr("From the skin to the vein within a pass, in s"));
+  toVein_ = number("attemptToVein", tr("to vein 888.8 s"),
+                   tr("Time from skin puncture to vein puncture in the same needle pass, in s"));
   used_ = number("attemptUsed", tr("used 8"), tr("Insertions with a used needle"));
   row_->addStretch(1);
   needle_ = number("attemptNeedle", QStringLiteral("▲ wrong place"), {});
@@ -100,11 +101,10 @@ void AttemptStrip::refreshNeedle() {
   const QString vessel = told.anatomy ? QString::fromStdString(attempt_.view().vessel) : QString();
   const ui::PlaceWords named = ui::wordsOf(disclosed(place, told), vessel);
   const ui::PlaceWords words = width() >= kWithVessel_px ? named : ui::wordsOf(disclosed(place, told));
-  needle_->setToolTip(
-      (told.anatomy
-           ? tr("Place of the needle: green in the vein, red in a wrong place, yellow once used (%1 takes a new one)")
-           : tr("Whether the needle is new, inserted or used (%1 takes a new one)"))
-          .arg(keysOf(commands_, "train.attempt.newNeedle")));
+  needle_->setToolTip((told.anatomy ? tr("Needle position: green in the vein, red in a wrong place; yellow if the "
+                                         "needle was already used (%1 takes a new one)")
+                                    : tr("Whether the needle is new, inserted or used (%1 takes a new one)"))
+                          .arg(keysOf(commands_, "train.attempt.newNeedle")));
   // The sign has the color: words of that color would be hard to read.
   needle_->setText(QStringLiteral("<span style='color:%1'>%2</span> %3")
                        .arg(ui::colour(ui::colorOf(disclosed(place, told))).name(), words.sign, words.words));

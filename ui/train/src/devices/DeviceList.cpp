@@ -51,8 +51,8 @@ DeviceList::DeviceList(HandsControl& hands, QWidget* parent) : QWidget(parent), 
   table_ = new QTableWidget(0, 4, this);
   table_->setObjectName("deviceTable");
   table_->setAccessibleName(tr("Devices"));
-  table_->setHorizontalHeaderLabels({tr("device"), tr("state"), tr("can"), tr("states/s")});
-  table_->setToolTip(tr("Connected devices are found within a second; limits are the maker's"));
+  table_->setHorizontalHeaderLabels({tr("device"), tr("state"), tr("capabilities"), tr("updates/s")});
+  table_->setToolTip(tr("Devices are detected within a second of being connected; the limits are the manufacturer's"));
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setStretchLastSection(true);
@@ -96,7 +96,7 @@ QWidget* DeviceList::buildButtons() {
   auto* simulated = new QPushButton(tr("Add simulated"));
   simulated->setObjectName("addSimulated");
   simulated->setToolTip(
-      tr("Adds a simulated device in a hand led by mouse and keys: forces act on it, and it gives way to them"));
+      tr("Adds a simulated device that is moved with mouse and keys; the computed forces displace it"));
   auto* menu = new QMenu(simulated);
   for (std::size_t n = 0; n < deviceProfiles().size(); ++n) {
     const std::string_view name = deviceProfiles()[n].name;
@@ -105,18 +105,17 @@ QWidget* DeviceList::buildButtons() {
   simulated->setMenu(menu);
   auto* replayed = new QPushButton(tr("Replay ..."));
   replayed->setObjectName("replayReports");
-  replayed->setToolTip(tr("Replays recorded reports as a device, in a loop"));
+  replayed->setToolTip(tr("Replays recorded device data in a loop, as if from a connected device"));
   connect(replayed, &QPushButton::clicked, this, [this] {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Recorded reports"));
+    const QString file = QFileDialog::getOpenFileName(this, tr("Recorded device data"));
     if (!file.isEmpty()) replay(file.toStdString());
   });
   record_ = new QPushButton(tr("Record ..."));
   record_->setObjectName("recordReports");
   record_->setCheckable(true);
-  record_->setToolTip(
-      tr("Records the raw reports of all connected devices to a file, for a replay or for fault finding"));
+  record_->setToolTip(tr("Records the raw data of all connected devices to a file, for replay or troubleshooting"));
   connect(record_, &QPushButton::clicked, this, [this](bool on) {
-    const QString file = on ? QFileDialog::getSaveFileName(this, tr("Record reports"), "reports.txt") : QString();
+    const QString file = on ? QFileDialog::getSaveFileName(this, tr("Record device data"), "reports.txt") : QString();
     record_->setChecked(record(file.toStdString()) && !file.isEmpty());
   });
   for (QPushButton* one : {simulated, replayed, record_}) {
@@ -156,7 +155,7 @@ bool DeviceList::record(const std::filesystem::path& file) {
   if (!done)
     tell(deviceText(done.error().message), true);
   else
-    tell(file.empty() ? tr("The recording is written.") : tr("Recording to %1.").arg(deviceText(file.string())), false);
+    tell(file.empty() ? tr("The recording was saved.") : tr("Recording to %1.").arg(deviceText(file.string())), false);
   return done.has_value();
 }
 

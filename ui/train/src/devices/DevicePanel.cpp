@@ -39,7 +39,8 @@ DevicePanel::DevicePanel(HandsControl& hands, QWidget* parent) : QDialog(parent)
   box->addWidget(plots_);
   pace_ = new QLabel(this);
   pace_->setObjectName("pace");
-  pace_->setToolTip(tr("Computing time of the servo for both forces since the start, in µs; the limit is 1000 µs"));
+  pace_->setToolTip(
+      tr("Servo computing time per cycle for the forces of both hands, since the start, in µs; the limit is 1000 µs"));
   rights_ = new QLabel(this);
   rights_->setObjectName("rights");
   for (QLabel* label : {pace_, rights_}) {
@@ -93,7 +94,7 @@ void DevicePanel::look() {
   plots_->add(force_N, rate_Hz);
   const TickTiming timing = hands_.session().timing();
   rights_->setText(QString::fromStdString(hands_.session().rights().sentence));
-  pace_->setText(timing.ticks == 0 ? tr("The servo is off: both hands are empty.")
+  pace_->setText(timing.ticks == 0 ? tr("The servo is off: nothing is assigned to either hand.")
                                    : tr("Servo: median %1 µs, 99.9 % within %2 µs; %3 of %4 ticks late.")
                                          .arg(timing.p50_us, 0, 'f', 0)
                                          .arg(timing.p999_us, 0, 'f', 0)

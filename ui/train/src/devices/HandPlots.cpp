@@ -76,7 +76,7 @@ HandPlots::HandPlots(QWidget* parent) : QWidget(parent) {
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kGap);
   force_ = make("forcePlot", tr("force, N"), kUsualForce_N);
-  rate_ = make("ratePlot", tr("states/s"), kUsualRate_Hz);
+  rate_ = make("ratePlot", tr("updates/s"), kUsualRate_Hz);
   box->addWidget(force_.plot);
   box->addWidget(rate_.plot);
   clock_.start();

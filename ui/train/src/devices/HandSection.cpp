@@ -35,13 +35,13 @@ QString wordsOf(DevicePhase phase) {
     case DevicePhase::kAbsent:
       return HandSection::tr("not connected");
     case DevicePhase::kOpening:
-      return HandSection::tr("opening");
+      return HandSection::tr("connecting");
     case DevicePhase::kReady:
       return HandSection::tr("ready");
     case DevicePhase::kStreaming:
       return HandSection::tr("in use");
     case DevicePhase::kLost:
-      return HandSection::tr("lost");
+      return HandSection::tr("connection lost");
     case DevicePhase::kFailed:
       return HandSection::tr("unusable");
   }
@@ -76,7 +76,7 @@ HandSection::HandSection(HandsControl& hands, Hand hand, QWidget* parent) : QFra
                               tr("Share of the computed force that is sent to the hand"));
   gain_->setObjectName("gain");
   most_ = new ui::ValueSlider(tr("at most"), tr("N"), {0, 12, HandMapping{}.mostForce_N, 0.5, 1},
-                              tr("Maximum force sent to the hand; the device's own limit also holds"));
+                              tr("Maximum force sent to the hand; the device's own limit also applies"));
   most_->setObjectName("mostForce");
   inner->addWidget(gain_);
   inner->addWidget(most_);
@@ -214,7 +214,7 @@ void HandSection::show(const ServoSnapshot& now, double rate_Hz) {
   const HandOutput& out = now.output.hands[hand_];
   const bool pushes = device->info().limits.forceAxes > 0;
   force_->setText(pushes ? (out.limited ? tr("%1 N, limited") : tr("%1 N")).arg(norm(out.force.force_N), 0, 'f', 2)
-                         : tr("%1 N, beyond this device").arg(norm(out.wanted_N), 0, 'f', 2));
+                         : tr("%1 N, above this device's limit").arg(norm(out.wanted_N), 0, 'f', 2));
 }
 
 }  // namespace insonate::train

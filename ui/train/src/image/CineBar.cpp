@@ -38,8 +38,8 @@ CineBar::CineBar(CaseModel& patientCase, LiveModel& live, ui::Commands& commands
   row->setContentsMargins(8, 4, 8, 4);
   row->setSpacing(8);
   slider_->setObjectName("cine");
-  slider_->setAccessibleName(tr("Image of the last seconds"));
-  slider_->setToolTip(commands.toolTip(tr("The last seconds of a frozen image"), "train.image.step"));
+  slider_->setAccessibleName(tr("Image from the last seconds before the freeze"));
+  slider_->setToolTip(commands.toolTip(tr("The last seconds before the image was frozen"), "train.image.step"));
   slider_->setFocusPolicy(Qt::TabFocus);
   slider_->setMinimumWidth(kSlider_px);
   time_->setMinimumWidth(time_->fontMetrics().horizontalAdvance("-00.00 s"));

@@ -72,8 +72,8 @@ void ImageExports::saveClip(const std::filesystem::path& folder) {
         else if (result.error().message == kCancelled)
           sources_.status.say(tr("The clip was not saved."));
         else
-          Q_EMIT workspace_.failed(QString::fromStdString(result.error().message), tr("The images are still here."),
-                                   {});
+          Q_EMIT workspace_.failed(QString::fromStdString(result.error().message),
+                                   tr("The images are still in memory."), {});
       },
       ui::TaskBar::WhenClosed::Ask);
 }
@@ -109,7 +109,7 @@ void ImageExports::askScreen() {
 void ImageExports::askClip() {
   sources_.live.setFrozen(true);
   const QString folder = QFileDialog::getExistingDirectory(
-      &workspace_, tr("Save the clip: a new folder of numbered PNG images, made in"), folder_);
+      &workspace_, tr("Save the clip: choose where to create a folder of numbered PNG images"), folder_);
   if (folder.isEmpty() || !sources_.patientCase.patient()) return;
   folder_ = folder;
   const QString name = exportName(QString::fromStdString(sources_.patientCase.patient()->manifest.title));

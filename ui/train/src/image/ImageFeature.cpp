@@ -136,13 +136,13 @@ void ImageFeature::addCommands() {
               .perform = [this](ui::KeyPress) { setCtBeside(!beside_->isShown()); }});
   addCommand({.id = "train.image.nextEffect",
               .text = {},
-              .does = tr("shows one effect of the model by itself: the next, or the previous"),
+              .does = tr("shows the next or previous effect of the ultrasound model by itself"),
               .listed = tr("N, Shift+N"),
               .keys = keys({Qt::Key_N}),
               .perform = [this](ui::KeyPress press) { model_.imaging.stepEffect(press.wide ? -1 : 1); }});
   addCommand({.id = "train.image.wholeImage",
               .text = {},
-              .does = tr("shows the whole image again"),
+              .does = tr("shows all effects again"),
               .listed = tr("0"),
               .keys = keys({Qt::Key_0}),
               .perform = [this](ui::KeyPress) { model_.imaging.setEffect(ImagingModel::kWholeModel); }});
@@ -167,7 +167,7 @@ void ImageFeature::addMeasuring() {
               .perform = choose(views::CalliperKind::Ellipse)});
   addCommand({.id = "train.measure.angle",
               .text = tr("Angle"),
-              .does = tr("measures an angle: arm, corner, arm, in degrees"),
+              .does = tr("measures an angle: end of one arm, vertex, end of the other arm, in degrees"),
               .listed = tr("V"),
               .keys = keys({Qt::Key_V}),
               .perform = choose(views::CalliperKind::Angle)});
@@ -192,7 +192,7 @@ void ImageFeature::listGestures() {
   commands().addListed(tr("Right drag on the image"), tr("rotates the probe; with Shift tilts and rocks it"));
   commands().addListed(tr("Wheel on the image"), tr("compresses or releases; with Ctrl changes the depth"));
   beginSection(KeySection::Image);
-  commands().addListed(tr("Pointing at image or CT"), tr("marks the same place in the other"));
+  commands().addListed(tr("Pointing at image or CT"), tr("marks the same point in the other view"));
 }
 
 void ImageFeature::showCase() {
@@ -255,8 +255,8 @@ void ImageFeature::showNotice() {
   if (!model_.live.shown()) words = tr("Building the first image ...");
   layout_.views().image().setNotice(words.toStdString());
   if (std::exchange(isOneEffect_, isOneEffect) == isOneEffect && !isOneEffect) return;
-  model_.status.say(isOneEffect ? tr("The image shows one effect only; 0 shows the whole image.")
-                                : tr("The whole image is shown."));
+  model_.status.say(isOneEffect ? tr("The image shows one effect only; press 0 to show all effects.")
+                                : tr("All effects are shown."));
 }
 
 void ImageFeature::showFrozen() {

@@ -143,12 +143,12 @@ void ImagePanel::buildModel(QVBoxLayout& box, const ui::Commands& commands) {
   look_->setObjectName("look");
   look_->addItem(tr("natural"), int(Look::Coherent));
   look_->addItem(tr("simplified"), int(Look::Thesis));
-  look_->setToolTip(tr(
-      "Natural: speckle belongs to the tissue. Simplified: reflection, absorption, blur and noise, as in the thesis"));
+  look_->setToolTip(
+      tr("Natural: speckle arises from the tissue. Simplified: only reflection, absorption, blur and noise"));
   box.addWidget(labelled(tr("look"), look_));
   effect_ = new QComboBox;
   effect_->setObjectName("effect");
-  effect_->setToolTip(tr("The whole image, or one effect of the model by itself (%1; %2 for the whole)")
+  effect_->setToolTip(tr("All effects, or one effect of the ultrasound model by itself (%1; %2 for all)")
                           .arg(keysOf(commands, "train.image.nextEffect"), keysOf(commands, "train.image.wholeImage")));
   for (QComboBox* combo : {grayMap_, compounding_, look_, effect_}) {
     combo->setFocusPolicy(Qt::TabFocus);
@@ -166,14 +166,15 @@ void ImagePanel::buildModel(QVBoxLayout& box, const ui::Commands& commands) {
 
 void ImagePanel::buildProcessing(QVBoxLayout& box) {
   addSliders(box, 0, kBeforeTgc);
-  tgc_ = gains(&Settings::tgc_dB,
-               new GainSliders(Qt::Vertical, tr("Time-gain compensation"),
-                               tr("Gain by depth, from the face down. Double click resets one, with Shift all.")));
+  tgc_ = gains(
+      &Settings::tgc_dB,
+      new GainSliders(Qt::Vertical, tr("Time-gain compensation"),
+                      tr("Gain by depth, from the probe face down. Double click resets one slider, with Shift all.")));
   tgc_->setObjectName("tgc");
   box.addWidget(labelled(tr("TGC"), tgc_));
   lateral_ = gains(&Settings::lateralGain_dB,
                    new GainSliders(Qt::Horizontal, tr("Lateral gain"),
-                                   tr("Gain from left to right. Double click resets one, with Shift all.")));
+                                   tr("Gain from left to right. Double click resets one slider, with Shift all.")));
   lateral_->setObjectName("lateralGain");
   box.addWidget(labelled(tr("lateral gain"), lateral_));
   addSliders(box, kBeforeTgc, std::size(kSliders));
@@ -245,7 +246,7 @@ void ImagePanel::refresh() {
   harmonic_->setChecked(settings.harmonic);
   look_->setCurrentIndex(look_->findData(int(settings.look)));
   effect_->clear();
-  effect_->addItem(tr("the whole image"), QString());
+  effect_->addItem(tr("all effects"), QString());
   for (const EffectLayer& layer : effectLayers(settings))
     effect_->addItem(tr("only %1").arg(effectWords(layer.name)), QString::fromStdString(layer.name));
   effect_->setCurrentIndex(std::max(0, effect_->findData(QString::fromStdString(imaging_.effect()))));

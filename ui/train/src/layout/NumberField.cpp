@@ -56,8 +56,8 @@ void NumberField::apply() {
     if (typed_) typed_(number);
     return;
   }
-  const QString pattern =
-      isNumber ? said("%1 can be from %2 to %3; %4 is not.") : said("%1 takes a number from %2 to %3; \"%4\" is none.");
+  const QString pattern = isNumber ? said("%1 must be from %2 to %3; %4 is outside this range.")
+                                   : said("%1 takes a number from %2 to %3; \"%4\" is none.");
   const QString sentence = pattern.arg(name_, words(range_.low), words(range_.high), was);
   QToolTip::showText(mapToGlobal({0, height()}), sentence, this);
   if (refused_) refused_(sentence);

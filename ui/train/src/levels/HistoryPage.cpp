@@ -106,7 +106,8 @@ QWidget* HistoryPage::buildList() {
 }
 
 QWidget* HistoryPage::buildCurve() {
-  of_ = choice("curveOf", tr("Attempts"), tr("Attempts of the curve: those of one level, or all of a procedure"));
+  of_ =
+      choice("curveOf", tr("Attempts"), tr("Attempts shown in the curve: one level, or all attempts at one procedure"));
   metric_ = choice("curveMetric", tr("Metric"), tr("Metric of the curve"));
   chart_ = new ui::Chart;
   chart_->setObjectName(QStringLiteral("curve"));
@@ -207,8 +208,9 @@ void HistoryPage::refreshCurve() {
   for (const MetricMeaning& meaning : curveMetrics(which.procedure))
     if (meaning.id == metric) {
       auto picture = ui::learningPicture(meaning, curveValues(course_.curriculum(), course_.history(), which, meaning));
-      picture.xTitle = which.level.empty() ? tr("number of the attempt at this procedure, all levels and free practice")
-                                           : tr("attempt at this level");
+      picture.xTitle = which.level.empty()
+                           ? tr("attempt number for this procedure, counting all levels and free practice")
+                           : tr("attempt at this level");
       chart_->show(picture);
     }
 }

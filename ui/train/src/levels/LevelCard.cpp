@@ -28,7 +28,8 @@ LevelCard::LevelCard(LevelControl& levels, const QString& showLevels, QWidget* p
       rule_(ui::paragraph("levelRule", "quiet")) {
   auto* course = levelButton("levelsOpen", tr("Levels"), showLevels);
   open_ = levelButton("levelOpenCase", tr("Open its case"), tr("Opens the level's case in place of the present one"));
-  free_ = levelButton("levelLeave", tr("Free practice"), tr("Leaves the level: any case, procedure and assistance"));
+  free_ = levelButton("levelLeave", tr("Free practice"),
+                      tr("Leaves the level; you can then choose any case, procedure and assistance"));
   auto* row = new QHBoxLayout;
   row->setSpacing(ui::kSmallGap);
   for (QPushButton* one : {course, open_, free_}) row->addWidget(one, 1);
@@ -53,7 +54,7 @@ void LevelCard::refresh() {
   open_->setVisible(levels_.waitsForCase());
   if (!level) return;
   title_->setText(QString::fromStdString(level->title));
-  rule_->setText(tr("%1. A pass: %2.").arg(capital(wordOf(level->assistance)), passOf(level->pass)));
+  rule_->setText(tr("%1. To pass: %2.").arg(capital(wordOf(level->assistance)), passOf(level->pass)));
   QStringList limits;
   for (const MetricStandard& standard : level->pass.standards) limits << limitOf(standard);
   rule_->setToolTip(ui::plainToolTip(limits.join(QLatin1Char('\n'))));

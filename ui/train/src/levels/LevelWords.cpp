@@ -46,7 +46,7 @@ const LevelProgress* find(std::span<const LevelProgress> all, const std::string&
 
 /// Standards that were missed are told by themselves.
 QString headlineFor(const PassRule& rule, const AttemptFacts& attempt, bool passed) {
-  if (!counts(attempt)) return tr("Does not count: it was abandoned before the skin");
+  if (!counts(attempt)) return tr("Does not count: it was abandoned before skin puncture");
   const bool well = attempt.state == AttemptState::Completed && attempt.succeeded && attempt.criticalErrors == 0;
   if (!passed && well && !judge(rule, attempt).reachesStandards(rule)) return tr("Not passed");
   if (!passed && judge(rule, attempt).passed)
@@ -116,7 +116,7 @@ QString passOf(const PassRule& rule) {
   QStringList parts{tr("completed, succeeded, without a critical error")};
   if (rule.leastPoints) parts << tr("at least %1 points").arg(*rule.leastPoints);
   if (!rule.standards.empty() && rule.mastery_percent < 100)
-    parts << tr("at least %1 % of the standards met, and each critical one").arg(rule.mastery_percent);
+    parts << tr("at least %1 % of the standards met, including every critical standard").arg(rule.mastery_percent);
   else if (!rule.standards.empty())
     parts << tr("all standards met");
   return parts.join(QStringLiteral(", "));

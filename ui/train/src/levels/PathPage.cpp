@@ -123,7 +123,7 @@ QWidget* PathPage::buildLevel() {
   ui::setRole(practise_, "primary");
   free_ = new QPushButton(tr("Free practice"));
   free_->setObjectName(QStringLiteral("courseFree"));
-  free_->setToolTip(tr("Leaves the level: any case, procedure and assistance"));
+  free_->setToolTip(tr("Leaves the level; you can then choose any case, procedure and assistance"));
   auto* row = new QHBoxLayout;
   row->addWidget(practise_);
   row->addWidget(free_);
@@ -220,7 +220,7 @@ void PathPage::refreshLevel() {
   why_->setText(wordsOf(progress->state).sign + QStringLiteral("  ") + ui::qt(progress->why));
   about_->setText(ui::qt(level->about));
   about_->setVisible(!level->about.empty());
-  pass_->setText(tr("A pass: %1").arg(passOf(level->pass)));
+  pass_->setText(tr("To pass: %1").arg(passOf(level->pass)));
   const AttemptFacts* last = lastOf(history, *course_.curriculum(), *level);
   standards_->setText((last ? tr("The last attempt:\n") : QString()) + standardsOf(*level, last));
   standards_->setVisible(!level->pass.standards.empty());

@@ -210,10 +210,10 @@ void HandsControl::targetChanged() {
 }
 
 void HandsControl::takeNeedle(NeedlePlane plane) {
-  if (!labels_ || !probe_) return Q_EMIT said(tr("There is no patient for the needle yet."));
+  if (!labels_ || !probe_) return Q_EMIT said(tr("The needle cannot be used yet: no patient is loaded."));
   plane_ = plane;
   if (!choice_.isMouse(kNeedleHand) && !dynamic_cast<SimulatedDevice*>(deviceOf(choice_.device(kNeedleHand)).get()))
-    return Q_EMIT said(tr("The needle is in the hand of a device."));
+    return Q_EMIT said(tr("A device controls the needle."));
   if (wish_) layNeedleDown();
   wish_ = NeedleHand::beside(*probe_, halfWidth_mm_, plane);
   advance_mm_ = -kStart_mm;
@@ -228,7 +228,7 @@ void HandsControl::takeNeedle(NeedlePlane plane) {
   Q_EMIT said(session_->tissueReady()
                   ? tr("The needle is beside the probe, at 20 degrees to the skin. Alt+W makes it steeper, Page Down "
                        "advances it, Page Up withdraws it.")
-                  : tr("The needle is in hand; contact with the patient is ready in a moment."));
+                  : tr("The needle is ready to move; contact with the patient is still being prepared."));
 }
 
 void HandsControl::setHeld(bool held) {
@@ -249,8 +249,7 @@ void HandsControl::tell(HandMove move) {
 }
 
 void HandsControl::moveNeedle(NeedleAxis axis, double amount) {
-  if (!wish_)
-    return Q_EMIT said(needle_ ? tr("The needle is in the hand of a device.") : tr("Take up the needle first (I)."));
+  if (!wish_) return Q_EMIT said(needle_ ? tr("A device controls the needle.") : tr("Take up the needle first (I)."));
   switch (axis) {
     case NeedleAxis::Lateral:
       return tell(wish_->slide(probe_->pose(), amount, 0));
@@ -266,7 +265,8 @@ void HandsControl::moveNeedle(NeedleAxis axis, double amount) {
       const double wanted_mm = advance_mm_ + amount;
       advance_mm_ = std::clamp(wanted_mm, -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm);
       if (wanted_mm != advance_mm_)
-        Q_EMIT said(amount > 0 ? tr("The needle is in up to its hub, 70 mm.") : tr("The needle is off the skin."));
+        Q_EMIT said(amount > 0 ? tr("The needle is in up to its hub, 70 mm.")
+                               : tr("The needle does not touch the skin."));
       return Q_EMIT needleChanged();
     }
   }

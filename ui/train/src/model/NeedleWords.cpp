@@ -78,7 +78,7 @@ QString sentenceOf(const NeedleEvent& event, const QString& vessel) {
       return tr("Out through the posterior wall of %1, insertion length %2.").arg(vesselWords(event, vessel), length);
     case NeedleEventKind::Withdrawn:
       if (event.wall == kSkin) return tr("The needle is out of the skin.");
-      return tr("Back through the wall of %1.").arg(vesselWords(event, vessel));
+      return tr("Needle withdrawn through the wall of %1.").arg(vesselWords(event, vessel));
     case NeedleEventKind::Struck:
       return tr("On bone, insertion length %1: the needle goes no further here.").arg(length);
   }
@@ -87,7 +87,7 @@ QString sentenceOf(const NeedleEvent& event, const QString& vessel) {
 
 QString wordsOf(const NeedleState& state, const QString& vessel, double imageDepth_mm) {
   if (!state.onBone && state.tenting && state.tent_mm > 0.2)
-    return tr("pushes the %1 %2\u00a0mm ahead, %3")
+    return tr("indents the %1 by %2\u00a0mm, %3")
         .arg(wall(state.tented))
         .arg(state.tent_mm, 0, 'f', 1)
         .arg(force(state));

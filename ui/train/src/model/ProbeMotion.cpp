@@ -93,7 +93,7 @@ bool ProbeMotion::mayMove() {
   if (!models_.live.checkLive()) return false;
   if (!models_.hands.probeFollowsMouse())
     models_.status.say(
-        tr("A device holds the probe. Put mouse and keyboard into that hand under Devices to move it here."));
+        tr("A device controls the probe. To move it here, assign mouse and keyboard to that hand under Devices."));
   return models_.hands.probeFollowsMouse();
 }
 
@@ -139,7 +139,8 @@ void ProbeMotion::placed(Vec3 patient_mm) {
 void ProbeMotion::goTo(const StartPose& pose) {
   if (!models_.disclosure.mayShowAnatomy()) return;
   if (levelStart_)
-    return models_.status.say(tr("In a level, find the vein from where the attempt began (Home goes back there)."));
+    return models_.status.say(
+        tr("In a level, search for the vein from the start position of the attempt (Home returns there)."));
   control_.begin();
   if (mayMove()) moved(control_.setPose(pose));
 }

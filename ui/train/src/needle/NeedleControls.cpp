@@ -75,10 +75,10 @@ NeedleControls::NeedleControls(StatusLine& status, DisclosureModel& disclosure, 
       "needleAlong", tr("in-plane"),
       commands.toolTip(tr("Takes an 18 G needle of 70 mm in-plane, beside the probe's end, or puts it away"),
                        "train.needle.take"));
-  across_ =
-      planeButton("needleAcross", tr("out-of-plane"),
-                  commands.toolTip(tr("Takes an 18 G needle of 70 mm out-of-plane, before the probe, or puts it away"),
-                                   "train.needle.take"));
+  across_ = planeButton(
+      "needleAcross", tr("out-of-plane"),
+      commands.toolTip(tr("Takes an 18 G needle of 70 mm out-of-plane, in front of the probe, or puts it away"),
+                       "train.needle.take"));
   auto* take = new QHBoxLayout;
   take->setSpacing(4);
   take->addWidget(along_, 1);

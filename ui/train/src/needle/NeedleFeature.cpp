@@ -50,7 +50,7 @@ void NeedleFeature::addMoves() {
               .perform = {}});
   addCommand({.id = "train.needle.heading",
               .text = {},
-              .does = tr("turns the needle over the skin 2 degrees (Shift 10)"),
+              .does = tr("changes the needle's direction along the skin by 2 degrees (Shift 10)"),
               .listed = tr("Alt+Q, Alt+E"),
               .keys = {alt(Qt::Key_Q, Heading, -2, -10), alt(Qt::Key_E, Heading, 2, 10)},
               .perform = {}});

@@ -85,7 +85,7 @@ void Patient3dFeature::addCommands() {
   beginSection(KeySection::Patient);
   addCommand({.id = "train.patient3d.cut",
               .text = {},
-              .does = tr("opens the patient in 3D along the needle, or closes the cut"),
+              .does = tr("cuts the anatomy in 3D open along the needle, or closes the cut"),
               .listed = tr("H"),
               .keys = keys({Qt::Key_H}),
               .perform = once([this] {
@@ -103,7 +103,7 @@ void Patient3dFeature::addCommands() {
   addWindows();
   const std::pair<QString, QString> gestures[] = {
       {tr("Left drag on the skin"), tr("moves the probe there; with Ctrl the needle's entry")},
-      {tr("Wheel on a CT slice"), tr("shows other slices; zooms with Ctrl, and in the probe's plane")},
+      {tr("Wheel on a CT slice"), tr("shows other slices; with Ctrl, or in the probe's plane, zooms")},
       {tr("Right drag on a CT slice"), tr("changes window and level")},
       {tr("Left drag on a CT slice"), tr("moves the crosshair")},
       {tr("Middle drag on a CT slice"), tr("shifts the slice")},

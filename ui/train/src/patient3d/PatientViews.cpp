@@ -373,7 +373,7 @@ void PatientViews::setTrayTaken(std::function<void()> listener) {
 }
 
 QWidget* PatientViews::buildSilence() {
-  auto* words = new QLabel(tr("A test shows neither CT nor anatomy."));
+  auto* words = new QLabel(tr("During a test, CT and anatomy are hidden."));
   words->setObjectName(QStringLiteral("testWords"));
   words->setAlignment(Qt::AlignCenter);
   ui::setRole(words, "quiet");

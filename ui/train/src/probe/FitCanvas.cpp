@@ -122,7 +122,8 @@ FitCanvas::FitCanvas(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Image with the field of view"));
   setToolTip(
-      tr("Drag sides, corners, face and end; inside, all of it moves.\nKeys: G for the next handle, arrows move it."));
+      tr("Drag a side, a corner, the face or the end; drag inside to move the whole outline.\nKeys: G selects the next "
+         "handle, arrows move it."));
 }
 
 void FitCanvas::setPicture(const QImage& picture) {

@@ -109,11 +109,13 @@ QWidget* FitDialog::buildSide() {
   shape_->addItems({tr("linear"), tr("curvilinear"), tr("phased")});
   shape_->setAccessibleName(tr("Shape of the field of view"));
   shape_->setToolTip(tr("Shape of the field of view"));
-  rotation_ = new ui::ValueSlider(tr("turned"), QStringLiteral("\u00b0"), {-10, 10, 0, 0.1, 1},
-                                  tr("rotation of the image; the probe itself is straight"));
+  rotation_ =
+      new ui::ValueSlider(tr("rotation"), QStringLiteral("\u00b0"), {-10, 10, 0, 0.1, 1},
+                          tr("rotation of the field of view in the loaded image; the probe geometry is not rotated"));
   rotation_->setObjectName("fitRotation");
-  depth_ = new ui::ValueSlider(tr("depth on display"), QStringLiteral("mm"), {10, 400, base_.defaultDepth_mm, 1, 1},
-                               tr("from the middle of the face to the end, as the scanner states it"));
+  depth_ =
+      new ui::ValueSlider(tr("depth on display"), QStringLiteral("mm"), {10, 400, base_.defaultDepth_mm, 1, 1},
+                          tr("from the center of the probe face to the bottom of the image, as shown on the scanner"));
   depth_->setObjectName("fitDepth");
   marks_ = new ui::ValueSlider(tr("mark spacing"), QStringLiteral("mm"), {0.5, 50, 10, 0.5, 1},
                                tr("distance between two marks of the image's depth scale"));

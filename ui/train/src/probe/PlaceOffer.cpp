@@ -21,7 +21,8 @@ PlaceOffer::PlaceOffer(CaseModel& patientCase, ProbeMotion& motion, QWidget* par
   words->setAlignment(Qt::AlignCenter);
   auto* place = new QPushButton(tr("Place probe on skin"));
   place->setObjectName("placeOnSkin");
-  place->setToolTip(tr("Moves the probe to the skin in front, as near to the middle of the scan as possible"));
+  place->setToolTip(
+      tr("Moves the probe to the skin on the front of the patient, as near to the middle of the CT as possible"));
   ui::setRole(place, "primary");
   connect(place, &QPushButton::clicked, this, [this] { motion_.placeOnSkin(); });
   auto* box = new QVBoxLayout(this);

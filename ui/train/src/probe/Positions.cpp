@@ -190,7 +190,7 @@ std::optional<std::size_t> Positions::ownAt(int place) {
   const int first = int(ofCase().size());
   if (place < 0 || place >= list_->count()) return std::nullopt;
   if (place >= first) return std::size_t(place - first);
-  status_.say(tr("Positions of the case stay as they are; your own can be changed."));
+  status_.say(tr("Positions of the case cannot be changed; only your own can."));
   return std::nullopt;
 }
 

@@ -100,7 +100,8 @@ void ProbeEditor::buildHead(QVBoxLayout& box) {
   apodization_->setObjectName("apodization");
   apodization_->addItems({tr("uniform"), tr("Tukey"), tr("Hann")});
   apodization_->setAccessibleName(tr("Receive apodization"));
-  apodization_->setToolTip(tr("Weights of the elements on receive: from the narrowest beam to the lowest side lobes"));
+  apodization_->setToolTip(
+      tr("Weights of the elements on receive; the choices range from the narrowest beam to the lowest side lobes"));
   apodization_->setFocusPolicy(Qt::TabFocus);
   auto* fit = button(tr("Fit probe to an image ..."), "fitToPicture",
                      tr("Take angle, radii and depth from a photograph or screen capture of a machine"));

@@ -113,8 +113,9 @@ void ProbeFeature::addCommands() {
               .listed = tr("1 to 9"),
               .keys = std::move(numbers),
               .perform = {}});
-  commands().addListed(tr("G, Ctrl+arrows"),
-                       tr("selects the next handle of the field of view, and moves it by 1 (Shift 5), in Edit probe"));
+  commands().addListed(
+      tr("G, Ctrl+arrows"),
+      tr("in Edit probe: G selects the next handle of the field of view, Ctrl+arrows move it by 1 (Shift 5)"));
 }
 
 void ProbeFeature::addMoves() {
@@ -159,7 +160,8 @@ void ProbeFeature::edit(bool isEdited) {
   layout_.showControlsPage(isEdited ? editor_ : nullptr);
   handles_->setActive(isEdited);
   Q_EMIT layout_.views().boundsChanged();
-  model_.status.setHint(isEdited ? tr("Drag the handles on the image, or G and Ctrl with arrows.") : QString());
+  model_.status.setHint(
+      isEdited ? tr("Drag the handles on the image, or select one with G and move it with Ctrl+arrows.") : QString());
 }
 
 void ProbeFeature::fitToImage() {

@@ -50,8 +50,8 @@ TissueControls::TissueControls(StatusLine& status, ImagingModel& imaging, QWidge
   auto* heading = new QLabel(tr("Tissue"), this);
   ui::setRole(heading, "heading");
   box->addWidget(heading);
-  model_ = choice("tissueModel", tr("Mechanical model. Elastic: tissue moves aside, veins empty. Columns: springs in "
-                                    "depth, as in the thesis. None: nothing moves"));
+  model_ = choice("tissueModel", tr("Mechanical model. Elastic: tissue moves aside, veins empty. Columns: independent "
+                                    "springs along the depth. None: nothing moves"));
   for (const Model& one : kModels) model_->addItem(tr(one.name), QLatin1String(one.key));
   box->addWidget(labelled(tr("model"), model_));
   posture_ = choice("posture", tr("Tilt of the table, in degrees. Head down (Trendelenburg) fills the neck's veins"));

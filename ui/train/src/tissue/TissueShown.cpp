@@ -71,7 +71,7 @@ void TissueShown::choose() {
   live_.setMeshWanted(mesh);
   curve_->setVisible(patientCase_.patient() && shows(TissueStrip::kPlot));
   if (mesh && live_.isFrozen() && live_.shown() && live_.shown()->press.mesh.nodes.empty())
-    status_.say(tr("The frozen image came without its mesh; the live one shows it."));
+    status_.say(tr("The frozen image has no stored mesh; make the image live to show the mesh."));
   showPicture();
 }
 
