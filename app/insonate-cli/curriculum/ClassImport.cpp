@@ -20,6 +20,7 @@ struct ImportArguments {
 };
 
 Result<std::string> textOf(const fs::path& file) {
+  if (fs::is_directory(file)) return fail(file.string() + " is a folder; name the class list in it.");
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream) return fail("The class list " + file.string() + " cannot be read; check its name and permissions.");

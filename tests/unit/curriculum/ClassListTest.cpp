@@ -40,19 +40,49 @@ TEST(ClassList, OtherHeadsAndSemicolonsAreReadToo) {
 }
 
 TEST(ClassList, GermanFrenchAndSpanishTitlesAreRead) {
-  for (const char* csv : {"Nachname;Vorname;Anmeldename;E-Mail-Adresse\nMüller;Jörg;jm;jm@x.org\n",
-                          "Name;Vorname;Benutzername;E-Mail\nMüller;Jörg;jm;jm@x.org\n",
-                          "Prénom,Nom de famille,Nom d'utilisateur,Adresse de courriel\nJörg,Müller,jm,jm@x.org\n",
-                          "NOM,PRÉNOM,Identifiant,Courriel\nMüller,Jörg,jm,jm@x.org\n",
-                          "Nombre,Apellido(s),Nombre de usuario,Dirección de correo\nJörg,Müller,jm,jm@x.org\n",
-                          "Nombre completo;Usuario;Correo electrónico\nJörg Müller;jm;jm@x.org\n",
-                          "Nombre;Usuario;Correo\nJörg Müller;jm;jm@x.org\n"}) {
+  for (const char* csv :
+       {"Nachname;Vorname;Anmeldename;E-Mail-Adresse\nMüller;Jörg;jm;jm@x.org\n",
+        "Name;Vorname;Benutzername;E-Mail\nMüller;Jörg;jm;jm@x.org\n",
+        "Prénom,Nom de famille,Nom d'utilisateur,Adresse de courriel\nJörg,Müller,jm,jm@x.org\n",
+        "NOM,PRÉNOM,Identifiant,Courriel\nMüller,Jörg,jm,jm@x.org\n",
+        "Nombre,Apellido(s),Nombre de usuario,Dirección de correo\nJörg,Müller,jm,jm@x.org\n",
+        "Nombre completo;Usuario;Correo electrónico\nJörg Müller;jm;jm@x.org\n",
+        "Nombre;Usuario;Correo\nJörg Müller;jm;jm@x.org\n", "Nom;Identifiant;Courriel\nJörg Müller;jm;jm@x.org\n",
+        "Vollständiger Name;Vorname;Benutzername;E-Mail:\nJörg Müller;Jörg;jm;jm@x.org\n",
+        "Vollständiger Name;Name;Vorname;Benutzername;Mail\nJörg Müller;Müller;Jörg;jm;jm@x.org\n",
+        "Nombre;Primer apellido;Segundo apellido;Usuario;Correo\nJörg;Müller;;jm;jm@x.org;;\n;;;;\n"}) {
     const ClassList list = listOf(csv);
     ASSERT_EQ(list.entries.size(), 1U) << csv;
     EXPECT_EQ(list.entries[0].person.fullName, "Jörg Müller") << csv;
     EXPECT_EQ(list.entries[0].person.name, "jm") << csv;
     EXPECT_EQ(list.entries[0].person.email, "jm@x.org") << csv;
   }
+}
+
+TEST(ClassList, BothSurnamesAreKept) {
+  const ClassList list = listOf("Nombre;Primer apellido;Segundo apellido;Correo\nJosé;García;Núñez;j@x.es\n");
+  ASSERT_EQ(list.entries.size(), 1U);
+  EXPECT_EQ(list.entries[0].person.fullName, "José García Núñez");
+}
+
+TEST(ClassList, MixedEncodingsAreRefusedWithTheLine) {
+  for (const char* csv : {"Full name,Username\nJürgen,ju\nZo\xE9,zo\n",
+                          "\xEF\xBB\xBF"
+                          "Full name,Username\nJo,jo\nZo\xE9,zo\n"}) {
+    const auto list = parseClassList(csv);
+    ASSERT_FALSE(list);
+    EXPECT_THAT(list.error().message, HasSubstr("Line 3 is not UTF-8"));
+  }
+}
+
+TEST(ClassList, AnotherPersonIsNotTakenForOneWithTheSameNumber) {
+  const std::vector<Person> people{{"1", "1", "Anna Alt", "anna@x.org"}};
+  const ClassListMatch match =
+      matchClassList(listOf("full name,id,email\nCarl Neu,1,\nZoe Anders,7,anna@x.org\n"), people);
+  ASSERT_EQ(match.troubles.size(), 2U);
+  EXPECT_THAT(match.troubles[0].sentence, HasSubstr("name to sign in of Anna Alt, but the list says Carl Neu"));
+  EXPECT_THAT(match.troubles[1].sentence, HasSubstr("e-mail address of Anna Alt, but the list says Zoe Anders"));
+  EXPECT_TRUE(match.known.empty());
 }
 
 TEST(ClassList, OldSpreadsheetsAreRead) {

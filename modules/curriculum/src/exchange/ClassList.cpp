@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <optional>
+#include <set>
+#include <sstream>
 
 namespace insonate {
 namespace {
@@ -25,7 +28,7 @@ std::string sentenceOf(int line, const std::string& what) {
 
 /// Column of each field; empty if there is no such column.
 struct Columns {
-  std::optional<std::size_t> first, last, full, email, userName, idNumber;
+  std::optional<std::size_t> first, last, secondLast, full, email, userName, idNumber;
 };
 
 /// Titles of columns, as nameKey() writes them, in English, German, French and Spanish exports of Moodle and in usual
@@ -36,16 +39,20 @@ struct Title {
 };
 const std::vector<Title>& knownTitles() {
   static const std::vector<Title> titles{
-      {&Columns::first, {"first name", "firstname", "given name", "vorname", "prénom", "prenom", "nombre"}},
+      {&Columns::first,
+       {"first name", "firstname", "given name", "vorname", "prénom", "prenom", "prénoms", "nombre", "nombre(s)",
+        "nombres"}},
       {&Columns::last,
        {"last name", "lastname", "surname", "family name", "nachname", "familienname", "nom", "nom de famille",
-        "apellido(s)", "apellidos", "apellido"}},
+        "apellido(s)", "apellidos", "apellido", "primer apellido"}},
+      {&Columns::secondLast, {"segundo apellido"}},
       {&Columns::full,
        {"full name", "fullname", "name", "vollständiger name", "nom complet", "nombre completo", "nombre y apellidos"}},
       {&Columns::email,
        {"email address", "email", "e-mail", "e-mail address", "mail", "e-mail-adresse", "e-mail adresse",
-        "emailadresse", "adresse de courriel", "courriel", "adresse e-mail", "adresse électronique",
-        "dirección de correo", "correo electrónico", "correo", "dirección email", "dirección de correo electrónico"}},
+        "emailadresse", "mailadresse", "adresse mail", "adresse de courriel", "courriel", "adresse e-mail",
+        "adresse électronique", "dirección de correo", "correo electrónico", "correo", "dirección email",
+        "dirección de correo electrónico"}},
       {&Columns::userName,
        {"username", "user name", "anmeldename", "benutzername", "nom d'utilisateur", "nom d’utilisateur", "identifiant",
         "nombre de usuario", "usuario"}},
@@ -56,17 +63,45 @@ const std::vector<Title>& knownTitles() {
   return titles;
 }
 
+/// A title without case, surrounding blanks (also no-break spaces) and a colon.
+std::string titleOf(const std::string& field) {
+  std::string title = trimmed(nameKey(field));
+  if (title.ends_with(':')) title = trimmed(title.substr(0, title.size() - 1));
+  return title;
+}
+
 Columns columnsOf(const CsvRow& head) {
   Columns columns;
   for (std::size_t i = 0; i < head.fields.size(); ++i)
     for (const Title& title : knownTitles())
-      if (std::ranges::find(title.words, nameKey(trimmed(head.fields[i]))) != title.words.end())
+      if (std::ranges::find(title.words, titleOf(head.fields[i])) != title.words.end())
         if (auto& field = columns.*title.field; !field) field = i;
-  // Beside first names, "Name" is the last name; "Nombre" by itself is the full name.
-  if (columns.first && !columns.last) std::swap(columns.last, columns.full);
-  if (columns.first && !columns.last && nameKey(trimmed(head.fields[*columns.first])) == "nombre")
-    std::swap(columns.first, columns.full);
+  const auto is = [&](const std::optional<std::size_t>& column, std::string_view title) {
+    return column && titleOf(head.fields[*column]) == title;
+  };
+  // Beside first names, "Name" is the last name; "Nombre" or "Nom" by itself is the full name.
+  if (columns.first && !columns.last && is(columns.full, "name")) std::swap(columns.last, columns.full);
+  if (!columns.full && !columns.last && is(columns.first, "nombre")) std::swap(columns.first, columns.full);
+  if (!columns.full && !columns.first && is(columns.last, "nom")) std::swap(columns.last, columns.full);
   return columns;
+}
+
+/// Line of the first byte that is not UTF-8; 0 if there is none. `hasUtf8` tells whether other letters are UTF-8.
+int lineOutsideUtf8(std::string_view text, bool& hasUtf8) {
+  int line = 1, first = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (byte == '\n') ++line;
+    if (byte < 0x80) continue;
+    const std::size_t more = byte >= 0xF0 ? 3 : byte >= 0xE0 ? 2 : 1;
+    const bool isWhole = byte >= 0xC2 && byte < 0xF5 && i + more < text.size() &&
+                         std::ranges::all_of(text.substr(i + 1, more), [](char c) { return (c & 0xC0) == 0x80; });
+    if (isWhole)
+      hasUtf8 = true, i += more;
+    else if (first == 0)
+      first = line;
+  }
+  return first;
 }
 
 /// Text of an old spreadsheet in Windows-1252, which contains Latin-1, as UTF-8.
@@ -102,7 +137,8 @@ NewPerson personOf(const CsvRow& row, const Columns& columns) {
   NewPerson person;
   person.fullName = fieldOf(row, columns.full);
   if (person.fullName.empty())
-    person.fullName = trimmed(fieldOf(row, columns.first) + " " + fieldOf(row, columns.last));
+    person.fullName = trimmed(fieldOf(row, columns.first) + " " + fieldOf(row, columns.last) + " " +
+                              fieldOf(row, columns.secondLast));
   person.email = fieldOf(row, columns.email);
   for (const auto& column : {columns.userName, columns.idNumber, columns.email})
     if (person.name.empty()) person.name = fieldOf(row, column);
@@ -111,15 +147,30 @@ NewPerson personOf(const CsvRow& row, const Columns& columns) {
 
 /// Error of a line by itself; empty if there is none.
 std::string problemOf(const CsvRow& row, std::size_t columns, const NewPerson& person) {
-  if (row.fields.size() > columns)
-    return "This line has more fields than the header line. Put fields that contain commas into quotes.";
+  const auto isFilled = [](const std::string& field) { return !trimmed(field).empty(); };
+  if (row.fields.size() > columns &&
+      std::any_of(row.fields.begin() + std::ptrdiff_t(columns), row.fields.end(), isFilled))
+    return "This line has more fields than the header line. Put fields that contain the separator into quotes.";
   if (person.fullName.empty()) return "The name is missing; fill it in.";
   if (person.name.empty())
     return "There is neither user name nor ID number nor e-mail address; one is needed to sign in.";
-  for (const auto& fine : {store::checkTitle("The full name", person.fullName), store::checkEmail(person.email),
-                           store::checkSignInName(person.name)})
+  for (const auto& fine : {store::checkTitle("The full name", person.fullName), store::checkEmail(person.email)})
     if (!fine) return fine.error().message;
+  if (const auto fine = store::checkSignInName(person.name); !fine)
+    return person.name == person.email
+               ? "The e-mail address cannot be a name to sign in; add a column \"Username\" with another one."
+               : fine.error().message;
   return {};
+}
+
+/// Tells whether two full names may be of one person: "A. Lovelace" and "Ada Lovelace", but not "Zoe Anders".
+bool haveAWordInCommon(const std::string& a, const std::string& b) {
+  const auto wordsOf = [](const std::string& name) {
+    std::istringstream stream(nameKey(name));
+    return std::set<std::string>(std::istream_iterator<std::string>(stream), {});
+  };
+  const std::set<std::string> words = wordsOf(a);
+  return std::ranges::any_of(wordsOf(b), [&](const std::string& word) { return words.contains(word); });
 }
 
 /// People by e-mail address and by name, ignoring case.
@@ -150,7 +201,11 @@ class Directory {
     if (!byMail && byName && !email.empty() && !byName->email.empty())
       return refuse("This is the name '" + byName->name + "' of " + byName->fullName +
                     ", who has another e-mail address; correct one of them.");
-    if (const Person* person = byMail ? byMail : byName)
+    const Person* person = byMail ? byMail : byName;
+    if (person && !haveAWordInCommon(person->fullName, entry.person.fullName))
+      return refuse("This is the " + std::string(byMail ? "e-mail address" : "name to sign in") + " of " +
+                    person->fullName + ", but the list says " + entry.person.fullName + "; correct one of them.");
+    if (person)
       match.known.push_back({entry, *person});
     else
       match.added.push_back(entry);
@@ -164,9 +219,15 @@ class Directory {
 }  // namespace
 
 Result<ClassList> parseClassList(std::string_view csv) {
-  auto rows = parseCsv(csv);
-  const bool isWide = csv.find('\0') != std::string_view::npos || csv.starts_with("\xFF\xFE");
-  if (!rows && !isWide && !store::checkText("The list", csv, csv.size())) rows = parseCsv(fromWindows1252(csv));
+  const bool isUtf16 = csv.starts_with("\xFF\xFE") || csv.starts_with("\xFE\xFF");
+  if (csv.find('\0') != std::string_view::npos && !isUtf16)
+    return fail("The file is no table in text: save it as \"CSV UTF-8\".");
+  bool hasUtf8 = false;
+  const int foreign = lineOutsideUtf8(csv, hasUtf8);
+  if (foreign > 0 && hasUtf8)
+    return fail("Line " + std::to_string(foreign) +
+                " is not UTF-8, although other lines are; save the list again as \"CSV UTF-8\".");
+  const auto rows = foreign > 0 && !isUtf16 ? parseCsv(fromWindows1252(csv)) : parseCsv(csv);
   if (!rows) return tl::unexpected(rows.error());
   if (rows->empty()) return fail("The class list is empty; its first line names the columns.");
   const Columns columns = columnsOf(rows->front());
@@ -180,6 +241,7 @@ Result<ClassList> parseClassList(std::string_view csv) {
   ClassList list;
   std::map<std::string, int> lines;
   for (const CsvRow& row : std::span(*rows).subspan(1)) {
+    if (std::ranges::all_of(row.fields, [](const std::string& field) { return trimmed(field).empty(); })) continue;
     const NewPerson person = personOf(row, columns);
     std::string trouble = problemOf(row, rows->front().fields.size(), person);
     for (const std::string& key : {"name " + nameKey(person.name), "mail " + nameKey(person.email)}) {

@@ -70,7 +70,8 @@ void paintClassReport(QPainter& painter, const ClassDesk& desk) {
   tableHead(page, cell);
   std::vector<const Member*> people;
   for (const Member& member : facts.learners) people.push_back(&member);
-  std::ranges::stable_partition(people, [&](const Member* one) { return attentionOf(facts, *one) != Attention::None; });
+  std::stable_partition(people.begin(), people.end(),
+                        [&](const Member* one) { return attentionOf(facts, *one) != Attention::None; });
   std::size_t told = 0;
   for (; told < people.size() && page.hasRoom(2 * kRow); ++told) tableRow(page, desk, *people[told], cell);
   if (told < people.size())

@@ -148,9 +148,9 @@ void LibraryWindow::connectAll() {
   connect(order_, qOverload<int>(&QComboBox::currentIndexChanged), this,
           [this] { filter_->setOrder(LibraryFilter::Order(order_->currentData().toInt())); });
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] { showState(); });
-  connect(list_, &QListView::doubleClicked, this, [this] { open(QStringLiteral("train")); });
-  connect(train_, &QPushButton::clicked, this, [this] { open(QStringLiteral("train")); });
-  connect(prepare_, &QPushButton::clicked, this, [this] { open(QStringLiteral("prepare")); });
+  connect(list_, &QListView::doubleClicked, this, [this] { openChosen(QStringLiteral("train")); });
+  connect(train_, &QPushButton::clicked, this, [this] { openChosen(QStringLiteral("train")); });
+  connect(prepare_, &QPushButton::clicked, this, [this] { openChosen(QStringLiteral("prepare")); });
   connect(add_, &QPushButton::clicked, this, &LibraryWindow::addFolder);
   connect(remove_, &QPushButton::clicked, this, &LibraryWindow::removeFolder);
 }
@@ -159,7 +159,7 @@ bool LibraryWindow::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::KeyPress) return QDialog::eventFilter(watched, event);
   const auto& key = *static_cast<QKeyEvent*>(event);
   if (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter) {
-    open(key.modifiers() & Qt::ControlModifier ? QStringLiteral("prepare") : QStringLiteral("train"));
+    openChosen(key.modifiers() & Qt::ControlModifier ? QStringLiteral("prepare") : QStringLiteral("train"));
     return true;
   }
   if (watched == search_ && (key.key() == Qt::Key_Down || key.key() == Qt::Key_Up)) {
@@ -259,7 +259,7 @@ void LibraryWindow::removeFolder() {
   setFolders(all);
 }
 
-void LibraryWindow::open(const QString& workspace) {
+void LibraryWindow::openChosen(const QString& workspace) {
   const LibraryEntry* one = chosen();
   if (!one || one->state == LibraryEntry::State::Broken) return;
   Q_EMIT caseChosen(one->place, workspace);

@@ -46,7 +46,7 @@ class LibraryWindow final : public QDialog {
   void showState();
   void addFolder();
   void removeFolder();
-  void open(const QString& workspace);
+  void openChosen(const QString& workspace);
   const LibraryEntry* chosen() const;
   static QStringList folders();
   void setFolders(const QStringList& folders);
