@@ -55,7 +55,7 @@ VTK = re.compile(r"vtk\w+\.h")
 VTK_RENDERING = re.compile(
     r"vtk(Render\w*|\w*Renderer|\w*Mapper\w*|\w*Actor\w*|\w*Widget\w*|Interactor\w*|OpenGL\w*|\w*Window(?!ed)\w*|QVTK\w*)\.h|QVTK\w*")
 QT = re.compile(r"(Qt\w+/|Q[A-Z]\w+$)")
-QT_CORE_OR_SQL = re.compile(r"(QtCore/|QtSql/|QSql\w+$|Q(String|Variant|DateTime|Uuid|Object|File|Dir|CoreApplication)\w*$)")
+QT_CORE_OR_SQL = re.compile(r"(QtCore/|QtSql/|QSql\w+$|Q(String|Variant|DateTime|Uuid|Object|File|Dir|CoreApplication|TextCodec)\w*$)")
 PUBLIC_TYPES = re.compile(r"\b(itk|gdcm|cv)::\w|\bvtk[A-Z]\w+|\bnlohmann::(?!json\b|ordered_json\b)\w|\bQSql\w+|\bhid_device\b")
 SQL_TEXT = re.compile(r'"\s*(SELECT\s.+\sFROM\s|INSERT\s+INTO\s|UPDATE\s+\w+\s+SET\s|DELETE\s+FROM\s|CREATE\s+TABLE\s)', re.I)
 UNFINISHED = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")

@@ -47,10 +47,10 @@ TEST_F(CurriculumUpkeep, AClassListWithoutAnyValidLineFails) {
   std::ofstream(folder / "list.csv") << "Full name,Username\n,dave\nEve,\n";
   const std::string import =
       "classes import 'Year 1' " + path("list.csv") + " --passwords " + path("p.csv") + " --as miller";
-  EXPECT_THAT(refused(import), HasSubstr("Nobody was imported: every line of"));
+  EXPECT_THAT(refused(import), HasSubstr("No person was imported: every line of"));
   EXPECT_FALSE(std::filesystem::exists(folder / "p.csv"));
   std::ofstream(folder / "list.csv") << "Full name,Username\n";
-  EXPECT_THAT(refused(import), HasSubstr("names nobody"));
+  EXPECT_THAT(refused(import), HasSubstr("contains no people"));
 }
 
 TEST_F(CurriculumUpkeep, AnInstructorIsRefusedTheLogAndOtherClasses) {

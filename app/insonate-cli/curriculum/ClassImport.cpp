@@ -20,7 +20,8 @@ struct ImportArguments {
 };
 
 Result<std::string> textOf(const fs::path& file) {
-  if (fs::is_directory(file)) return fail(file.string() + " is a folder; name the class list in it.");
+  std::error_code error;
+  if (fs::is_directory(file, error)) return fail(file.string() + " is a folder; name the class list in it.");
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream) return fail("The class list " + file.string() + " cannot be read; check its name and permissions.");
@@ -68,10 +69,10 @@ Result<Answer> importList(const SignedIn& by, const ImportArguments& a) {
   if (!list) return fail(a.list + ": " + list.error().message);
   const auto plan = ClassImport(by).plan(cohort->id, *list);
   if (!plan) return tl::unexpected(plan.error());
-  if (plan->empty()) return fail(a.list + " names nobody; below the first line, each line is a person.");
+  if (plan->empty()) return fail(a.list + " contains no people; below the first line, each line is one person.");
   if (std::ranges::all_of(*plan, [](const ClassImportRow& row) { return row.step == ClassImportRow::Step::Refuse; })) {
     for (const ClassImportRow& row : *plan) std::cerr << row.why << '\n';
-    return fail("Nobody was imported: every line of " + a.list +
+    return fail("No person was imported: every line of " + a.list +
                 " has an error. Correct the list and import it again.");
   }
   if (auto done = carryOut(by, *cohort, *plan, a.passwords); !done) return tl::unexpected(done.error());

@@ -3,8 +3,8 @@
 #include <insonate/curriculum/ClassList.h>
 #include <insonate/curriculum/Csv.h>
 
+#include <QTextCodec>
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -86,47 +86,28 @@ Columns columnsOf(const CsvRow& head) {
   return columns;
 }
 
-/// Line of the first byte that is not UTF-8; 0 if there is none. `hasUtf8` tells whether other letters are UTF-8.
+/// Number of the first line that is not UTF-8; 0 if there is none. `hasUtf8` tells whether another line has UTF-8
+/// letters.
 int lineOutsideUtf8(std::string_view text, bool& hasUtf8) {
-  int line = 1, first = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if (byte == '\n') ++line;
-    if (byte < 0x80) continue;
-    const std::size_t more = byte >= 0xF0 ? 3 : byte >= 0xE0 ? 2 : 1;
-    const bool isWhole = byte >= 0xC2 && byte < 0xF5 && i + more < text.size() &&
-                         std::ranges::all_of(text.substr(i + 1, more), [](char c) { return (c & 0xC0) == 0x80; });
-    if (isWhole)
-      hasUtf8 = true, i += more;
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  hasUtf8 = text.starts_with(kByteOrderMark);
+  if (hasUtf8) text.remove_prefix(kByteOrderMark.size());
+  int first = 0;
+  for (int number = 1; !text.empty(); ++number) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (std::ranges::none_of(line, [](char c) { return (c & 0x80) != 0; })) continue;
+    if (store::checkText("The line", line, line.size()))
+      hasUtf8 = true;
     else if (first == 0)
-      first = line;
+      first = number;
   }
   return first;
 }
 
 /// Text of an old spreadsheet in Windows-1252, which contains Latin-1, as UTF-8.
 std::string fromWindows1252(std::string_view text) {
-  // Code points of 0x80 to 0x9F; 0: undefined.
-  constexpr std::array<char16_t, 32> kUpper{0x20AC, 0,      0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
-                                            0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0,      0x017D, 0,
-                                            0,      0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
-                                            0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0,      0x017E, 0x0178};
-  std::string utf8;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const unsigned code = byte >= 0x80 && byte < 0xA0 ? kUpper[byte - 0x80] : byte;
-    if (code < 0x80) {
-      utf8 += c;
-    } else if (code < 0x800) {
-      utf8 += static_cast<char>(0xC0 | code >> 6);
-      utf8 += static_cast<char>(0x80 | (code & 0x3F));
-    } else {
-      utf8 += static_cast<char>(0xE0 | code >> 12);
-      utf8 += static_cast<char>(0x80 | (code >> 6 & 0x3F));
-      utf8 += static_cast<char>(0x80 | (code & 0x3F));
-    }
-  }
-  return utf8;
+  return QTextCodec::codecForName("windows-1252")->toUnicode(text.data(), int(text.size())).toStdString();
 }
 
 std::string fieldOf(const CsvRow& row, std::optional<std::size_t> column) {

@@ -282,11 +282,9 @@ void ClassPage::showConcerns() {
         addConcern(member->person, tr("attempt of %1").arg(dayOf(one.facts.begun_us)), wordsOf(one.facts, one.flags));
     }
   }
-  concernsTitle_->setText(
-      concerns_->count() > 0 ? tr("Needs attention")
-      : desk_.pendingStandings() > 0
-          ? tr("Needs attention: not known yet")
-          : tr("Nobody needs attention: all have begun, nobody is stuck or idle, no level lapses soon"));
+  concernsTitle_->setText(concerns_->count() > 0         ? tr("Needs attention")
+                          : desk_.pendingStandings() > 0 ? tr("Needs attention: not known yet")
+                                                         : tr("No trainee needs attention"));
   concerns_->setVisible(concerns_->count() > 0);
 }
 

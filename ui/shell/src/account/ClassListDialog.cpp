@@ -298,7 +298,8 @@ void ClassListDialog::reject() {
   if (passwords_.empty() || handedOut_) return QDialog::reject();
   (new EntryDialog(
        tr("Close without the passwords?"),
-       tr("The first passwords were neither saved nor printed, and cannot be shown again. Without them nobody on this "
+       tr("The first passwords were neither saved nor printed, and cannot be shown again. Without them, no person on "
+          "this "
           "list can sign in; each would need a new password."),
        {}, tr("Close without passwords"),
        [this](const QStringList&, const std::function<void(Result<void>)>& done) {
