@@ -27,8 +27,8 @@
 namespace insonate::review {
 namespace {
 
-constexpr int kRow_px = 28, kHead_px = 78, kMetric_px = 96, kName_px = 170, kLevel_px = 184, kNarrow_px = 88,
-              kDay_px = 112, kConcerns_px = 130, kLegend_px = 160;
+constexpr int kRow_px = 28, kHead_px = 78, kMetric_px = 96, kName_px = 170, kNeeds_px = 168, kLevel_px = 184,
+              kNarrow_px = 88, kDay_px = 112, kConcerns_px = 130, kLegend_px = 160;
 
 /// Legend of the heat map's colors.
 class HeatLegend final : public QWidget {
@@ -165,6 +165,7 @@ QWidget* ClassPage::buildTable() {
   header->setSortIndicator(ClassTable::kName, Qt::AscendingOrder);
   for (int column = 0; column < model_->columnCount(); ++column) {
     table_->setColumnWidth(column, column == ClassTable::kName         ? kName_px
+                                   : column == ClassTable::kNeeds      ? kNeeds_px
                                    : column == ClassTable::kLevel      ? kLevel_px
                                    : column == ClassTable::kLast       ? kDay_px
                                    : column < ClassTable::kFirstMetric ? kNarrow_px
