@@ -33,7 +33,9 @@ Crossing crossingAt(int plane, int gate, int line) {
 
   float reflection =
       (below.impedance_MRayl - above.impedance_MRayl) / (below.impedance_MRayl + above.impedance_MRayl);
-  float roughness_dB = frame.channel[below.channel].roughness_dB;
+  // surfaceOf() of model/Boundary.h.
+  bool vesselAbove = (frame.channel[above.channel].flags & kVessel) != 0;
+  float roughness_dB = frame.channel[vesselAbove ? above.channel : below.channel].roughness_dB;
   Crossing crossing = none;
   if (with(kReflection)) {
     float rough_dB =

@@ -6,7 +6,7 @@ struct Channel {
   float ctImpedancePerHU, textureStrength_dB, roughness_dB, specularExponent;
   float specularDiffuse;
   int tile;   // of its texture; 0: one voxel of nothing
-  int flags;  // kSheets, kGas
+  int flags;  // kSheets, kGas, kVessel
   int grazed;  // a bit for each channel whose boundary with this one is a vessel's
   // By side of the midline, 0 right, 1 left.
   vec4 tileFromProbe[6];  // [side * 3 + row]

@@ -44,8 +44,10 @@ void addLayers(inout GateSample here, Cell cell, int gate, int line) {
   int entry = int(floor((here.s_mm + wander_mm) / kProfileStep_mm)) + kProfileEntries / 2;
   if (entry < 0 || entry >= kProfileEntries) return;
   int word = sceneWord[frame.profileWords + (cell.a * frame.channels + cell.b) * kProfileEntries + entry];
-  float presence = clamp(0.5 + 0.9 * withinCell(cell.comesAndGoes, gate, line), 0.0, 1.0);
-  float occupancy = byteOf(word, 0) / 255.0 * (1.0 - byteOf(word, 3) / 255.0 * (1.0 - presence));
+  // layerCover() of model/Boundary.h.
+  float patchHere = withinCell(cell.comesAndGoes, gate, line);
+  float presence = clamp(kLayerPresence + kLayerPresencePerPatch * patchHere, 0.0, 1.0);
+  float occupancy = max(0.0, byteOf(word, 0) / 255.0 - byteOf(word, 3) / 255.0 * (1.0 - presence));
   float anisotropy = byteOf(word, 2) / 255.0;
   float facing_dB = toDecibel(0.12 + 0.88 * cell.cosine * cell.cosine);
   float layer_dB = byteOf(word, 1) / 4.0 - 32.0 + anisotropy * facing_dB;

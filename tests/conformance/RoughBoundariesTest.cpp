@@ -90,5 +90,38 @@ TEST_P(RoughBoundaries, ALayerWandersAndIsNoRail) {
   EXPECT_GT(standardDeviation(height) / mean(height), 0.25) << "speckle has 0.52, a rail 0";
 }
 
+/// The tissue around a vessel has layers of its own, which would fill the dark media of its wall.
+TEST_P(RoughBoundaries, AroundAVesselOnlyItsOwnLayersCount) {
+  Bench bench;
+  bench.settings.effects.reflection = bench.settings.effects.speckle = false;
+  bench.settings.effects.scattering = bench.settings.effects.layers = true;
+  bench.table.tissues[kArtery].vessel = true;
+  bench.table.tissues[kArtery].layers = {{0.8, 1.2, 25, 0, 0}};
+  bench.table.tissues[kMuscle].layers = {{-2, 0, 25, 0, 0}};
+  const ScenePtr scene = sceneAround(bench.probe, bench.settings, 0.7, bench.table,
+                                     [](Vec3 p) { return p.z < kFascia_mm ? kArtery : kMuscle; });
+  const EnvelopeFrame frame = renderWith(GetParam(), bench.probe, bench.settings, *scene);
+  const std::vector<double> echo = scanline(frame, frame.scanlines / 2);
+  const double sample_mm = bench.settings.depth_mm / bench.settings.samples;
+  const auto at = [&](double beyond_mm) {
+    return echo[static_cast<std::size_t>((kFascia_mm + beyond_mm) / sample_mm)];
+  };
+  EXPECT_LT(at(0.3), 0.3 * at(1.0));
+  EXPECT_LT(at(1.8), 0.3 * at(1.0));
+}
+
+/// The far wall of a vessel is as smooth as its near wall.
+TEST_P(RoughBoundaries, TheFarWallOfAVesselHasItsSmoothness) {
+  Bench bench;
+  bench.table.tissues[kArtery].vessel = true;
+  bench.table.tissues[kMuscle].roughness_dB = 6;
+  const ScenePtr scene = sceneAround(bench.probe, bench.settings, 0.7, bench.table,
+                                     [](Vec3 p) { return p.z < kFascia_mm ? kArtery : kMuscle; });
+  const EnvelopeFrame frame = renderWith(GetParam(), bench.probe, bench.settings, *scene);
+  std::vector<double> height;
+  for (int line = 8; line < frame.scanlines - 8; ++line) height.push_back(peakOf(scanline(frame, line)).value);
+  EXPECT_LT(standardDeviation(height) / mean(height), 0.01);
+}
+
 }  // namespace
 }  // namespace insonate::test

@@ -81,11 +81,13 @@ TEST(AcousticTablePresets, BloodAirAndBoneDoNotFollowTheCt) {
 
 TEST(AcousticTablePresets, ArteryHasIntimaMediaAndAdventitia) {
   const auto layers = preset("neck").of(kArtery).layers;
-  ASSERT_EQ(layers.size(), 3u);
-  EXPECT_LE(layers[0].to_mm, layers[1].from_mm);
-  EXPECT_LE(layers[1].to_mm, layers[2].from_mm);
+  ASSERT_EQ(layers.size(), 4u);
+  for (std::size_t n = 1; n < layers.size(); ++n) EXPECT_LE(layers[n - 1].to_mm, layers[n].from_mm);
   EXPECT_LT(layers[1].echo_dB, layers[0].echo_dB) << "the media is the dark line between two bright ones";
-  EXPECT_LT(layers[1].echo_dB, layers[2].echo_dB);
+  EXPECT_GT(layers[2].echo_dB, layers[3].echo_dB) << "its outer border is a line, the adventitia a band";
+  const double thickness_mm = layers[2].from_mm;
+  EXPECT_GT(thickness_mm, 0.45);
+  EXPECT_LT(thickness_mm, 0.8) << "thickness of intima and media of adults";
 }
 
 TEST(AcousticTablePresets, ThesisIsNeckWithoutLayersAndTexture) {

@@ -24,6 +24,13 @@ double uneven(Vec3 p_mm, double cell_mm, double amount, std::uint32_t seed) {
   return std::max(0.0, 1 + amount / kSmoothNoiseSd * stretched(p_mm, cell_mm, seed, 1.4));
 }
 
+/// Thickness of a sheet of connective tissue, or 0 where it is too thin for the voxels of a case: as labels it would be
+/// a row of separate grains there.
+double drawn_mm(double thickness_mm) {
+  constexpr double kThinnest_mm = 0.6;
+  return thickness_mm < kThinnest_mm ? 0 : thickness_mm;
+}
+
 /// Distance to the nearest of equally spaced sheets.
 double toSheet_mm(double across_mm, double spacing_mm) {
   const double turn = across_mm / spacing_mm;
@@ -148,24 +155,24 @@ std::uint8_t SliceLabels::superficial(const Voxel& v) const {
   if (v.organ) return v.organ;
   const double fat_mm = s.belowSkin_mm - s.belowFascia_mm - s.skin_mm;
   if (isPlatysma(s, fat_mm)) return kMuscle;
-  if (-s.belowFascia_mm < 0.45 * uneven(s.p_mm, 9, 0.8, grid_.seed ^ 0x5f1U)) return kSoftTissue;
+  if (-s.belowFascia_mm < drawn_mm(0.45 * uneven(s.p_mm, 9, 0.8, grid_.seed ^ 0x5f1U))) return kSoftTissue;
   // The superficial fascia: an interrupted sheet that rises from the deep fascia to the skin and returns.
   const double height = 0.55 + 0.6 * stretched(s.p_mm, 19, grid_.seed ^ 0x91U);
-  const double half_mm = 0.3 * uneven(s.p_mm, 10, 1.1, grid_.seed ^ 0x92U);
+  const double half_mm = drawn_mm(0.6 * uneven(s.p_mm, 10, 1.1, grid_.seed ^ 0x92U)) / 2;
   return std::abs(-s.belowFascia_mm - height * fat_mm) < half_mm ? kSoftTissue : kFat;
 }
 
 std::uint8_t SliceLabels::filling(const Voxel& v) const {
   const Vec3& p = v.site.p_mm;
   const double below_mm = v.site.belowFascia_mm;
-  if (v.muscle_mm < kSheath_mm * uneven(p, 7, 0.9, grid_.seed ^ 0x5ea7U) ||
-      below_mm < 0.45 * uneven(p, 9, 0.9, grid_.seed ^ 0x5f2U))
+  if (v.muscle_mm < drawn_mm(kSheath_mm * uneven(p, 7, 0.9, grid_.seed ^ 0x5ea7U)) ||
+      below_mm < drawn_mm(0.45 * uneven(p, 9, 0.9, grid_.seed ^ 0x5f2U)))
     return kSoftTissue;
   // Long, flat fat pads between sheets along the skin, others that cross these at a flat angle, and some that wrap
   // muscles, vessels and glands. Each fades in and out separately. There are more around the airway than at the side.
   const double medial_mm = 0.16 * std::clamp((34 - std::abs(p.x)) / 20, 0.0, 1.0);
   const auto half_mm = [&](double cell_mm, std::uint32_t key) {
-    return (0.24 + medial_mm) * uneven(p, cell_mm, 1.1, grid_.seed ^ key);
+    return drawn_mm((0.48 + 2 * medial_mm) * uneven(p, cell_mm, 1.1, grid_.seed ^ key)) / 2;
   };
   const double along_mm = toSheet_mm(below_mm + 2.6 * stretched(p, 18, grid_.seed ^ 0xfa7U), 5);
   const double aslant_mm = toSheet_mm(below_mm + 5.5 * stretched(p, 27, grid_.seed ^ 0xfa8U) + 0.12 * p.x, 8.5);
@@ -183,7 +190,7 @@ std::uint8_t SliceLabels::label(const Voxel& v) const {
   if (v.organ) return v.organ;
   if (v.arterial || v.venous || v.walled) return kSoftTissue;
   if (v.muscle_mm < 0) {
-    const double gap = kFascia_mm * uneven(s.p_mm, 7, 0.6, grid_.seed ^ 0xfa5U);
+    const double gap = drawn_mm(kFascia_mm * uneven(s.p_mm, 7, 0.6, grid_.seed ^ 0xfa5U));
     return v.nextMuscle_mm - v.muscle_mm < gap ? std::uint8_t(kSoftTissue) : v.muscle;
   }
   return filling(v);

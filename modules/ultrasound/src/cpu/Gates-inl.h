@@ -104,16 +104,17 @@ HWY_INLINE void crossBoundary(const TraceInput& in, int plane, int gate, int l, 
     return;  // gel
   const float reflection = (impedance - state.impedance[l]) / (impedance + state.impedance[l]);
   const AcousticTissue &first = *in.channels[above].tissue, &second = *in.channels[channel].tissue;
+  const AcousticTissue& surface = surfaceOf(first, second);
   if (plan.settings.effects.reflection && state.amplitude[l] > static_cast<float>(ApertureRays::kUnseen) &&
       reflection != 0) {
-    const double roughness_dB = plan.settings.effects.texture ? roughnessGain_dB(second, patch) : 0;
+    const double roughness_dB = plan.settings.effects.texture ? roughnessGain_dB(surface, patch) : 0;
     const float gain_dB = static_cast<float>(acoustics::kReflectorGain_dB + roughness_dB) - shadow_dB;
     const float echo = state.amplitude[l] * std::exp2(gain_dB * kOctavesPerDecibel) * std::abs(reflection) *
                        specularLobe(first, second, cells.cosine[l]) *
                        static_cast<float>(plan.boundaryScale * plan.boundaryWeight[plane]);
     const bool samePair = state.pair[l] == cells.profile[l];
     const auto rough_gates =
-        static_cast<float>(plan.settings.effects.texture ? roughnessDepth_mm(second) / plan.gate_mm : 0);
+        static_cast<float>(plan.settings.effects.texture ? roughnessDepth_mm(surface) / plan.gate_mm : 0);
     const ImpulseRow impulse(gate - 1, samePair ? state.s[l] / (state.s[l] - s) : 0.5F,
                              std::hypot(cells.spread[l], rough_gates));
     for (int o = 0; o < impulse.count; ++o)

@@ -93,8 +93,11 @@ HWY_INLINE void addLayers(const TraceInput& in, const TraceBuffers::CellRow& cel
   const auto patchiness = hn::Mul(toFloat(hn::ShiftRight<24>(packed)), unit);
   const auto one = hn::Set(d, 1.0F);
   const auto patch = within(cells.patchTop, cells.patchBottom);
-  const auto presence = hn::Min(one, hn::Max(hn::Zero(d), hn::MulAdd(hn::Set(d, 0.9F), patch, hn::Set(d, 0.5F))));
-  const auto covered = hn::Mul(occupancy, hn::NegMulAdd(patchiness, hn::Sub(one, presence), one));
+  // layerCover() in model/Boundary.h.
+  const auto presence = hn::MulAdd(hn::Set(d, static_cast<float>(kLayerPresencePerPatch)), patch,
+                                   hn::Set(d, static_cast<float>(kLayerPresence)));
+  const auto absence = hn::Sub(one, hn::Min(one, hn::Max(hn::Zero(d), presence)));
+  const auto covered = hn::Max(hn::Zero(d), hn::NegMulAdd(patchiness, absence, occupancy));
   const auto layer = hn::MulAdd(anisotropy, hn::Load(d, cells.facing_dB + l), echo);
   const auto coverHere = hn::IfThenElseZero(hn::RebindMask(d, inReach), covered);
   here.echo_dB = hn::MulAdd(coverHere, hn::Sub(layer, here.echo_dB), here.echo_dB);

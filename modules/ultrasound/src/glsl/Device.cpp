@@ -90,6 +90,8 @@ std::string constantsText() {
   real("kPoorContact_mm", kPoorContact_mm);
   real("kEdgeCosine", kEdgeCosine);
   real("kEdgeReach_mm", kEdgeReach_mm);
+  real("kLayerPresence", kLayerPresence);
+  real("kLayerPresencePerPatch", kLayerPresencePerPatch);
   real("kRoughnessBreaks", kRoughnessBreaks);
   real("kRoughnessLoss", kRoughnessLoss);
   real("kRoughnessDepth_mmPdB", kRoughnessDepth_mmPdB);
@@ -124,6 +126,7 @@ std::string constantsText() {
   whole("kEdgeShadow", kEdgeShadow);
   whole("kSheets", kSheets);
   whole("kGas", kGas);
+  whole("kVessel", kVessel);
   return std::move(text).str();
 }
 

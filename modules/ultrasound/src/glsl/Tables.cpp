@@ -67,7 +67,7 @@ void setChannel(const FramePlan& plan, const AcousticScene::Impl& scene, const T
   out.textureStrength_dB = f(tissue.textureStrength_dB), out.roughness_dB = f(tissue.roughness_dB);
   out.specularExponent = f(tissue.specularExponent), out.specularDiffuse = f(tissue.specularDiffuse);
   out.tile = static_cast<std::int32_t>(tissue.texture);
-  out.flags = (hasSheets(tissue.texture) ? kSheets : 0) | (tissue.gas ? kGas : 0);
+  out.flags = (hasSheets(tissue.texture) ? kSheets : 0) | (tissue.gas ? kGas : 0) | (tissue.vessel ? kVessel : 0);
   out.grazed = 0;
   for (int other = 0; other < scene.field.channels; ++other) {
     const AcousticTissue& beside = scene.table.of(scene.field.label[other]);

@@ -2,6 +2,7 @@
 
 #include <insonate/tissue/AcousticTable.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace insonate {
@@ -18,17 +19,34 @@ Real specularLobe(const AcousticTissue& above, const AcousticTissue& below, Real
 /// Constants of rough boundaries, per dB of AcousticTissue::roughness_dB. kRoughnessLoss: mean loss of the in-phase
 /// echo, compared with a smooth mirror. kRoughnessBreaks: factor on negative values of the random pattern, since dark
 /// gaps are deeper than bright places are bright. kRoughnessDepth_mmPdB: depth over which the echo is spread.
-inline constexpr double kRoughnessLoss = 0.8, kRoughnessBreaks = 2.5, kRoughnessDepth_mmPdB = 0.05;
+inline constexpr double kRoughnessLoss = 0.5, kRoughnessBreaks = 2.5, kRoughnessDepth_mmPdB = 0.025;
+
+/// Returns the tissue whose roughness a boundary has: that of the tissue below, but the intima of a vessel is as smooth
+/// at its far wall as at its near wall.
+inline const AcousticTissue& surfaceOf(const AcousticTissue& above, const AcousticTissue& below) {
+  return above.vessel ? above : below;
+}
 
 /// Returns the gain in dB of a boundary's echo by roughness. `patch` is the local value of a random field of SD 1 that
 /// varies the echo along the boundary.
-inline double roughnessGain_dB(const AcousticTissue& below, double patch) {
-  return below.roughness_dB * ((patch < 0 ? kRoughnessBreaks * patch : patch) - kRoughnessLoss);
+inline double roughnessGain_dB(const AcousticTissue& surface, double patch) {
+  return surface.roughness_dB * ((patch < 0 ? kRoughnessBreaks * patch : patch) - kRoughnessLoss);
 }
 
 /// Returns the depth over which the echo of a rough boundary is spread, mm.
-inline double roughnessDepth_mm(const AcousticTissue& below) {
-  return kRoughnessDepth_mmPdB * below.roughness_dB;
+inline double roughnessDepth_mm(const AcousticTissue& surface) {
+  return kRoughnessDepth_mmPdB * surface.roughness_dB;
+}
+
+/// Presence of a layer at a place of mean patch, and its slope.
+inline constexpr double kLayerPresence = 0.5, kLayerPresencePerPatch = 0.9;
+
+/// Returns the share of a place that connective layers cover, where their profile has the given occupancy. `patch` is
+/// the local value of a random field of SD 1. Where it is low, a patchy layer is thinner as well as darker, since the
+/// profile's flanks fall below zero first, and interrupted where nothing of the profile is left.
+inline double layerCover(double occupancy, double patchiness, double patch) {
+  const double presence = std::clamp(kLayerPresence + kLayerPresencePerPatch * patch, 0.0, 1.0);
+  return std::max(0.0, occupancy - patchiness * (1 - presence));
 }
 
 /// Share of the echo of a sheet or layer of connective tissue that is in phase. Collagen is rough at the scale of a

@@ -161,12 +161,16 @@ class LineTracer {
     const double z1 = above.impedance_MRayl, z2 = below.impedance_MRayl;
     const double reflection = (z2 - z1) / (z2 + z1);
     if (plan_.settings.effects.reflection && amplitude > ApertureRays::kUnseen) {
-      const double echo = amplitude * std::abs(reflection) *
-                          fromDecibel(acoustics::kReflectorGain_dB + below.roughness_dB) *
-                          specularLobe(scene_.table.of(above.label), scene_.table.of(below.label), below.cosine);
+      const AcousticTissue &first = scene_.table.of(above.label), &second = scene_.table.of(below.label);
+      const AcousticTissue& surface = surfaceOf(first, second);
+      const bool rough = plan_.settings.effects.texture;
+      const double roughness_dB = rough ? roughnessGain_dB(surface, below.patch) : 0;
+      const double echo = amplitude * std::abs(reflection) * fromDecibel(acoustics::kReflectorGain_dB + roughness_dB) *
+                          specularLobe(first, second, below.cosine);
       const double fraction =
           above.cell == below.cell || above.pair == below.pair ? above.s_mm / (above.s_mm - below.s_mm) : 0.5;
-      const Impulse impulse(gate - 1 + fraction, below.spread_mm / plan_.gate_mm);
+      const double spread_mm = std::hypot(below.spread_mm, rough ? roughnessDepth_mm(surface) : 0);
+      const Impulse impulse(gate - 1 + fraction, spread_mm / plan_.gate_mm);
       for (int o = 0; o < impulse.count; ++o)
         for (int look = 0; look < plan_.settings.looks; ++look)
           if (const int g = impulse.first + o; g >= 0 && g < plan_.gates)

@@ -194,9 +194,8 @@ TissueSample TissueLookup::at(int plane, int gate, int line) const {
       tissue.impedance_MRayl *
       (1 + (plan_.settings.effects.texture ? tissue.ctImpedancePer100HU * cell.ctDeviation / 100 : 0));
   const double patch = within(cell.patch);
-  const bool rough = plan_.settings.effects.texture;
-  sample.roughness_dB = rough ? roughnessGain_dB(tissue, patch) : 0;
-  sample.spread_mm = std::hypot(cell.spread_mm, rough ? roughnessDepth_mm(tissue) : 0);
+  sample.patch = patch;
+  sample.spread_mm = cell.spread_mm;
   const AcousticTissue &a = scene_.table.of(scene_.field.label[cell.a]),
                        &b = scene_.table.of(scene_.field.label[cell.b]);
   const bool vessel = (a.vessel || b.vessel) && !acousticallyEqual(a, b);
@@ -226,8 +225,7 @@ void TissueLookup::addLayers(TissueSample& sample, const Cell& cell, double patc
   if (entry < 0 || entry >= BoundaryProfiles::kEntries) return;
   const std::uint32_t e = scene_.profiles.entries()[scene_.profiles.first(cell.a, cell.b) + entry];
   const auto byte = [&](int n) { return (e >> (8 * n) & 255U) / 255.0; };
-  const double presence = std::clamp(0.5 + 0.9 * patch, 0.0, 1.0);
-  const double occupancy = byte(0) * (1 - byte(3) * (1 - presence));
+  const double occupancy = layerCover(byte(0), byte(3), patch);
   const double facing_dB = 20 * std::log10(0.12 + 0.88 * cell.cosine * cell.cosine);
   const double layer_dB = (e >> 8 & 255U) / 4.0 - 32 + byte(2) * facing_dB;
   sample.echo_dB += occupancy * (layer_dB - sample.echo_dB);

@@ -22,7 +22,7 @@ struct TissueSample {
   double impedance_MRayl = 0;
   double echo_dB = 0;  ///< level of scattering; 0 dB is speckle of RMS amplitude 1
   double sheet = 0;  ///< share of the echo that is coherent: 0: individual scatterers; 1: a sheet of connective tissue
-  double roughness_dB = 0;
+  double patch = 0;  ///< value of the random field, of SD 1, that varies boundaries and layers
   bool grazesVessel = false;
 };
 

@@ -6,8 +6,9 @@
 namespace insonate {
 namespace {
 
-/// Layers fade toward their borders: if patchiness or angle weakens a layer, it is thinner as well as darker.
-constexpr double kFade = 0.45, kLeastFade_mm = 0.05, kMostFade_mm = 0.3;
+/// Layers fade toward their borders: if patchiness or angle weakens a layer, it is thinner as well as darker
+/// (layerCover() in model/Boundary.h).
+constexpr double kFade = 0.45, kLeastFade_mm = 0.05, kMostFade_mm = 1;
 
 struct Level {
   double occupancy = 0, echo_dB = 0, anisotropy = 0, patchiness = 0;
@@ -57,8 +58,9 @@ BoundaryProfiles::BoundaryProfiles(const AcousticTable& table, std::span<const s
       for (int i = 0; i < kEntries; ++i) {
         const double s_mm = (i - kEntries / 2 + 0.5) * kStep_mm;
         Level level;
-        add(level, first_, -s_mm);
-        add(level, second, s_mm);
+        // Beside a vessel there are only the vessel's own wall and sheath.
+        if (first_.vessel || !second.vessel) add(level, first_, -s_mm);
+        if (second.vessel || !first_.vessel) add(level, second, s_mm);
         entries_[first(a, b) + i] = pack(level.occupancy, level.echo_dB, level.anisotropy, level.patchiness);
       }
     }

@@ -10,8 +10,10 @@ namespace insonate {
 /// to TBB's workers runs at the workers' priority; run it in a TBB arena of one thread to keep it at this priority. On
 /// Linux, setpriority(2) acts on a single thread.
 inline void lowerThreadPriority() {
-  constexpr int kNice = 10;
-  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
+  constexpr int kLower = 10;
+  // The main thread's own priority counts, since the program may have been started at a lower one.
+  const int nice = getpriority(PRIO_PROCESS, static_cast<id_t>(getpid())) + kLower;
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), nice);
 }
 
 }  // namespace insonate
