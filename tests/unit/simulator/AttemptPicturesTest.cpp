@@ -189,7 +189,7 @@ TEST_F(AttemptPicturesTest, LiveOnesAreNear) {
   RecordProperty("envelope_difference_percent", std::to_string(100 * std::sqrt(difference / sum)));
   // Tissue that is solved from rest lies some micrometers elsewhere. Strands of connective tissue are thin and bright:
   // a gate beside one then lies on it or not.
-  EXPECT_LT(std::sqrt(difference / sum), 0.08);
+  EXPECT_LT(std::sqrt(difference / sum), 0.1);
 }
 
 /// While the image stands still, the hands go on.

@@ -32,7 +32,7 @@ std::vector<Shape> processes(double z, std::uint32_t seed) {
   std::vector<Shape> parts;
   for (const Side side : {Side::kRight, Side::kLeft}) {
     const auto bar = [&](std::vector<Tube::Knot> knots, double flatness) {
-      parts.push_back(tube(side, {std::move(knots), flatness, 0.5}, seed++));
+      parts.push_back(tube(side, {std::move(knots), flatness, 0.8}, seed++));
     };
     // Transverse process: two bars around the vertebral artery, ending in tubercles.
     bar({{{10, y + 8, z}, 2.6}, {{17, y + 7.5, z - 1}, 2.0}, {{24, y + 8, z - 3}, 2.6}}, 1.1);
@@ -70,7 +70,7 @@ void addSpine(std::vector<Structure>& into, std::uint32_t seed) {
   std::vector<Shape> bones{clip(column(Side::kRight, {following(0, 8.5, 12.8, 8.3), 3, 0.5}, seed++), body)};
   for (const Side side : {Side::kRight, Side::kLeft})
     // Articular pillars, parted by the facet joints.
-    bones.push_back(clip(column(side, {following(18.5, 21.5, 5.6, 6.2), 3, 0.6}, seed++), [](Vec3 p) {
+    bones.push_back(clip(column(side, {following(18.5, 21.5, 5.6, 6.2), 3, 0.9}, seed++), [](Vec3 p) {
       const double t = withinVertebra(p.z + 0.5 * (p.y - vertebralFront_mm(p.z) - 21.5) + 4);
       return 0.7 - std::min(t, 1 - t) * kVertebra_mm;
     }));

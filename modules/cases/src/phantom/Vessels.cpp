@@ -59,7 +59,7 @@ std::vector<NamedTube> carotids(const NeckParameters& n, Side side) {
   for (double z = -66; z < b - 8; z += 8) trunk.push_back(on(z, 0, 0, 3.25));
   trunk.push_back(on(b - 5, 0, 0, 3.6));
   trunk.push_back(on(b, 0, 0, 4.0));
-  return {{"common carotid artery", std::move(trunk), 0.12},
+  return {{"common carotid artery", std::move(trunk), 0.22, 0.05},
           {"internal carotid artery",
            {on(b - 3, 0.4, 0.6, 3.6), on(b + 4, 1.6, 2.2, 3.1), on(b + 11, 2.4, 3.6, 2.5), on(b + 22, 2, 4, 2.4),
             on(b + 50, 2, 5, 2.4)},

@@ -267,11 +267,11 @@ TextureTile makeFine() {
   TextureTile tile = emptyTile({64, 64, 128}, {0.4, 0.4, 0.16});
   const std::vector<float> coarse = gaussianField(tile.size, tile.voxel_mm, {2.6, 2.6, 2.0}, 0xf14e0001U);
   const std::vector<float> fine = gaussianField(tile.size, tile.voxel_mm, {0.45, 0.45, 0.3}, 0xf14e0002U);
-  const std::vector<float> strands = sheetsOf(tile, {{1.8, 1.8, 0.7}, {1, 1, 0.4}, 0.1F, 0.16}, 0xf14e0011U);
+  const std::vector<float> strands = sheetsOf(tile, {{2.2, 2.2, 0.7}, {1.4, 1.4, 0.45}, 0.13F, 0.16}, 0xf14e0011U);
   const std::vector<float> vessels = gaussianField(tile.size, tile.voxel_mm, {2.5, 0.5, 0.35}, 0xf14e0021U);
   for (std::size_t n = 0; n < tile.value.size(); ++n)
     tile.value[n] =
-        toByte(0.24F * coarse[n] + 0.14F * fine[n] + 0.6F * strands[n] - 0.9F * smoothstep(1.7F, 2.5F, vessels[n]));
+        toByte(0.28F * coarse[n] + 0.05F * fine[n] + 0.7F * strands[n] - 0.9F * smoothstep(1.7F, 2.5F, vessels[n]));
   return packed(std::move(tile));
 }
 
