@@ -12,8 +12,8 @@
 
 namespace insonate::cli {
 
-/// Exit status of the program: 0 success, 1 failure with an error message, 2 wrong usage, 130 or 143 cancelled by
-/// Ctrl-C or SIGTERM.
+/// Exit status of the program: 0 success, 1 failure with an error message, 2 wrong usage, 3 done in part (see
+/// curriculum/Answer.h), 130 or 143 cancelled by Ctrl-C or SIGTERM.
 struct Outcome {
   int status = 0;
   bool json = false;  ///< true: the command was called with --json; errors are then printed as JSON, too

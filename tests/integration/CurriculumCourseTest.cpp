@@ -36,8 +36,10 @@ TEST_F(CurriculumCourse, AClassIsTaughtByCommandsAlone) {
                                         "Alice,\"A., the first\",alice@example.org,alice\r\n"
                                         "Bob,B,not-an-address,bob\r\n"
                                         "=cmd(),C,carol@example.org,carol\r\n";
-  const json imported =
-      told("classes import 'Year 1' " + path("list.csv") + " --passwords " + path("first.csv") + " --as miller");
+  const CommandResult import =
+      run("classes import 'Year 1' " + path("list.csv") + " --passwords " + path("first.csv") + " --as miller --json");
+  EXPECT_EQ(import.status, 3) << "a part was imported: " << import.errors;
+  const json imported = json::parse(import.output, nullptr, false);
   EXPECT_EQ(imported["added"], json({"alice", "carol"}));
   EXPECT_EQ(imported["troubles"][0]["line"], 3);
   EXPECT_EQ(std::filesystem::status(folder / "first.csv").permissions(),

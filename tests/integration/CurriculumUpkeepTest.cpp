@@ -47,10 +47,30 @@ TEST_F(CurriculumUpkeep, AClassListWithoutAnyValidLineFails) {
   std::ofstream(folder / "list.csv") << "Full name,Username\n,dave\nEve,\n";
   const std::string import =
       "classes import 'Year 1' " + path("list.csv") + " --passwords " + path("p.csv") + " --as miller";
-  EXPECT_THAT(refused(import), HasSubstr("No person was imported: every line of"));
+  const CommandResult result = run(import + " --json");
+  EXPECT_EQ(result.status, 1);
+  const json told = json::parse(result.output, nullptr, false);
+  EXPECT_THAT(told["error"].get<std::string>(), HasSubstr("No person was imported: every line of"));
+  EXPECT_EQ(told["troubles"].size(), 2u);
+  EXPECT_THAT(told["troubles"][0].value("text", ""), HasSubstr("Line 2: The name is missing"));
   EXPECT_FALSE(std::filesystem::exists(folder / "p.csv"));
   std::ofstream(folder / "list.csv") << "Full name,Username\n";
   EXPECT_THAT(refused(import), HasSubstr("contains no people"));
+}
+
+TEST_F(CurriculumUpkeep, APartOfAClassListExitsWithAStatusOfItsOwn) {
+  makeClass();
+  std::ofstream(folder / "list.csv") << "sep=;\nFull name;Username\nFull alice;alice\nEve;eve\n;dave\n";
+  const std::string import = "classes import 'Year 1' " + path("list.csv") + " --as miller --json --passwords ";
+  const CommandResult first = run(import + path("p.csv"));
+  EXPECT_EQ(first.status, 3) << first.errors;
+  const json part = json::parse(first.output, nullptr, false);
+  EXPECT_EQ(part["added"], json({"eve"}));
+  EXPECT_EQ(part["already_there"], json::parse(R"([{"line": 3, "name": "alice", "full_name": "Full alice"}])"));
+  EXPECT_EQ(part["troubles"][0]["line"], 5);
+  EXPECT_FALSE(part.contains("error"));
+  std::ofstream(folder / "list.csv") << "Full name,Username\nFull alice,alice\n";
+  EXPECT_EQ(told("classes import 'Year 1' " + path("list.csv") + " --as miller")["already_there"].size(), 1u);
 }
 
 TEST_F(CurriculumUpkeep, AnInstructorIsRefusedTheLogAndOtherClasses) {

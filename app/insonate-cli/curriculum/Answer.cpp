@@ -32,6 +32,7 @@ std::size_t widthOf(const std::string& text) {
 void print(Outcome& outcome, const Result<Answer>& answer) {
   if (!answer) return refuse(outcome, answer.error());
   const bool hasFailed = !answer->failure.empty();
+  outcome.status = answer->status;
   if (outcome.json && !hasFailed) return printJson(answer->object);
   if (!outcome.json) std::cout << answer->text << (answer->text.ends_with('\n') || answer->text.empty() ? "" : "\n");
   if (hasFailed) refuse(outcome, Error{answer->failure}, answer->object);

@@ -24,7 +24,11 @@ struct Answer {
   /// Message about a fault that the command found in the checked data; printed after text or object, with exit
   /// status 1.
   std::string failure{};
+  int status = 0;  ///< exit status if there is no failure: 0, or kDoneInPart
 };
+
+/// Exit status of a command that did a part of its work and left out the rest with reasons.
+inline constexpr int kDoneInPart = 3;
 
 /// Adds a subcommand that prints the result of `work`.
 CLI::App* addAnsweringCommand(CLI::App& group, Outcome& outcome, const std::string& name, const std::string& about,

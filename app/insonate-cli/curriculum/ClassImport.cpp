@@ -28,21 +28,35 @@ Result<std::string> textOf(const fs::path& file) {
   return text;
 }
 
-Answer toldOf(const std::vector<ClassImportRow>& plan, const ImportArguments& a) {
+/// Prints the reason for each refused line, and returns the outcome of each line.
+Json outcomeOf(const std::vector<ClassImportRow>& plan) {
   using enum ClassImportRow::Step;
-  Json added = Json::array(), joined = Json::array(), troubles = Json::array();
+  Json object{{"added", Json::array()},
+              {"joined", Json::array()},
+              {"already_there", Json::array()},
+              {"troubles", Json::array()}};
   for (const ClassImportRow& row : plan) {
-    if (row.step == Add) added.push_back(row.person.name);
-    if (row.step == Join) joined.push_back(row.person.name);
+    if (row.step == Add) object["added"].push_back(row.person.name);
+    if (row.step == Join) object["joined"].push_back(row.person.name);
+    if (row.step == AlreadyThere)
+      object["already_there"].push_back(
+          {{"line", row.line}, {"name", row.person.name}, {"full_name", row.person.fullName}});
     if (row.step != Refuse) continue;
-    troubles.push_back({{"line", row.line}, {"text", row.why}});
+    object["troubles"].push_back({{"line", row.line}, {"text", row.why}});
     std::cerr << row.why << '\n';
   }
-  const auto already = std::ranges::count(plan, AlreadyThere, &ClassImportRow::step);
-  std::string text = std::to_string(added.size()) + " added, " + std::to_string(joined.size()) + " joined, " +
-                     std::to_string(already) + " there already, " + std::to_string(troubles.size()) + " with errors.";
-  if (!added.empty()) text += " First passwords; hand them out, then delete this file: " + a.passwords;
-  return {{{"added", added}, {"joined", joined}, {"already_there", already}, {"troubles", troubles}}, text};
+  return object;
+}
+
+Answer toldOf(const Json& object, const std::string& passwords) {
+  std::string text = std::to_string(object["added"].size()) + " added, " + std::to_string(object["joined"].size()) +
+                     " joined, " + std::to_string(object["already_there"].size()) + " there already, " +
+                     std::to_string(object["troubles"].size()) + " with errors.";
+  for (const Json& person : object["already_there"])
+    text +=
+        "\nLine " + person["line"].dump() + ": " + person["full_name"].get<std::string>() + " is already in the class.";
+  if (!object["added"].empty()) text += "\nFirst passwords; hand them out, then delete this file: " + passwords;
+  return {.object = object, .text = text, .failure = {}, .status = object["troubles"].empty() ? 0 : kDoneInPart};
 }
 
 /// The passwords are written before anyone is added, so that nobody is there whose password nobody knows.
@@ -70,13 +84,13 @@ Result<Answer> importList(const SignedIn& by, const ImportArguments& a) {
   const auto plan = ClassImport(by).plan(cohort->id, *list);
   if (!plan) return tl::unexpected(plan.error());
   if (plan->empty()) return fail(a.list + " contains no people; below the first line, each line is one person.");
-  if (std::ranges::all_of(*plan, [](const ClassImportRow& row) { return row.step == ClassImportRow::Step::Refuse; })) {
-    for (const ClassImportRow& row : *plan) std::cerr << row.why << '\n';
-    return fail("No person was imported: every line of " + a.list +
-                " has an error. Correct the list and import it again.");
-  }
+  if (std::ranges::all_of(*plan, [](const ClassImportRow& row) { return row.step == ClassImportRow::Step::Refuse; }))
+    return Answer{.object = outcomeOf(*plan),
+                  .text = {},
+                  .failure = "No person was imported: every line of " + a.list +
+                             " has an error. Correct the list and import it again."};
   if (auto done = carryOut(by, *cohort, *plan, a.passwords); !done) return tl::unexpected(done.error());
-  return toldOf(*plan, a);
+  return toldOf(outcomeOf(*plan), a.passwords);
 }
 
 }  // namespace
@@ -84,7 +98,9 @@ Result<Answer> importList(const SignedIn& by, const ImportArguments& a) {
 void addClassImport(CLI::App& classes, Outcome& outcome) {
   auto a = std::make_shared<ImportArguments>();
   CLI::App* command =
-      addSignedInCommand(classes, outcome, "import", "Import the people of a class list (CSV, as Moodle exports it)",
+      addSignedInCommand(classes, outcome, "import",
+                         "Import the people of a class list (CSV, as Moodle exports it). The exit status is 3 if some "
+                         "lines were left out because of errors",
                          [a](const SignedIn& by) { return importList(by, *a); });
   command->add_option("CLASS", a->className, "Class that the person joins")->required();
   command->add_option("LIST", a->list, "CSV with names, e-mail addresses, user names")->required()->check(notEmpty());

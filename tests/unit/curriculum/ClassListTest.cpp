@@ -127,6 +127,16 @@ TEST(ClassList, WhatIsNoClassListIsRefused) {
   EXPECT_THAT(parseClassList("name,email\n\"A").error().message, HasSubstr("never closed"));
 }
 
+TEST(ClassList, TwoColumnsWithOneTitleAreRefusedByName) {
+  EXPECT_THAT(parseClassList("name,E-Mail,username, e-mail:\nA,a@x.org,a,b@x.org").error().message,
+              HasSubstr("two columns with the title \"e-mail:\""));
+  EXPECT_EQ(listOf("name,notes,username,notes\nA,x,a,y").entries.size(), 1U) << "columns that are not read";
+}
+
+TEST(ClassList, ANoBreakSpaceIsNoPartOfAName) {
+  EXPECT_EQ(listOf("sep=;\nname;username\nMax;\u00A0-max\n").entries.at(0).person.name, "-max");
+}
+
 TEST(ClassList, PeopleAreFoundByMailOrName) {
   const std::vector<Person> people{{"1", "ada", "Ada Lovelace", "ada@example.org"},
                                    {"2", "bob", "Bob", ""},

@@ -41,6 +41,18 @@ TEST(Csv, AnyLineEndSeparatorAndMarkIsRead) {
   EXPECT_TRUE(fieldsOf("\n\n").empty());
 }
 
+TEST(Csv, AFirstLineCanNameTheSeparator) {
+  for (const std::string line : {"sep=;\r\n", "SEP=;\n", "\"sep=;\"\n", "\xEF\xBB\xBFsep=;\r\n"}) {
+    const auto rows = parseCsv(line + "\"a,b\",c,d;e\n1;2\n");
+    EXPECT_THAT(rows.error().message, HasSubstr("Line 2 has text after a closing quote")) << line;
+    EXPECT_THAT(fieldsOf(line + "a,b,c;d\n1;2\n"), ElementsAre(ElementsAre("a,b,c", "d"), ElementsAre("1", "2")))
+        << line;
+  }
+  EXPECT_EQ(parseCsv("sep=;\r\na;b\r\n")->front().line, 2);
+  EXPECT_TRUE(fieldsOf("sep=;").empty());
+  EXPECT_THAT(fieldsOf("sep=x\n"), ElementsAre(ElementsAre("sep=x")));
+}
+
 TEST(Csv, RowsKnowTheirLines) {
   const auto rows = parseCsv("a\n\"two\nlines\"\n\nb\r\nc");
   ASSERT_TRUE(rows);

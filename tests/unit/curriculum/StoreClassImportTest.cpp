@@ -2,6 +2,7 @@
 
 #include <insonate/curriculum/AuditLog.h>
 #include <insonate/curriculum/ClassImport.h>
+#include <insonate/curriculum/Csv.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -12,6 +13,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using enum ClassImportRow::Step;
 
 /// A class list that becomes people of a class.
@@ -102,6 +104,47 @@ TEST_P(StoreClassImport, AnInstructorAddsToTheOwnClassAndPutsNobodyIntoIt) {
   EXPECT_EQ(std::ranges::count(valueOf(AuditLog(school.admin).page(20)), false, &AuditEntry::allowed), 4)
       << "each refusal is an entry of the log";
   EXPECT_THAT(learners(school.admin, school.autumn), ElementsAre("carl"));
+}
+
+TEST_P(StoreClassImport, AnEmailAddressOfAnUnseenAccountIsRefused) {
+  const School school(rig->open());
+  const ClassImport ina(school.as(school.ina));
+  const auto plan = valueOf(ina.plan(school.spring.id, listOf("Carl,carl2,CARL@example.org\nZoe,zoe,zoe@x.org\n")));
+  EXPECT_THAT(stepsOf(plan), ElementsAre(Refuse, Add));
+  EXPECT_THAT(plan[0].why, AllOf(HasSubstr("Line 2: The e-mail address CARL@example.org belongs to an account"),
+                                 Not(HasSubstr("Dr carl"))));
+  valueOf(PeopleStore(school.admin).add({"zoe2", "Zoe", "zoe@x.org", Role::Trainee}, "first password"));
+  EXPECT_THAT(refusalOf(ina.apply(school.spring.id, plan, ClassImport::passwordsFor(plan))),
+              AllOf(HasSubstr("Line 3: The e-mail address zoe@x.org"), HasSubstr("Nobody was added")));
+}
+
+TEST_P(StoreClassImport, DisabledPeopleAreNamed) {
+  const School school(rig->open());
+  for (Person person : {school.anna, school.carl}) {
+    person.disabled = true;
+    succeed(PeopleStore(school.admin).change(person));
+  }
+  const auto plan =
+      valueOf(ClassImport(school.admin).plan(school.spring.id, listOf("Dr anna,anna,\nDr ben,ben,\nDr carl,carl,\n")));
+  EXPECT_THAT(stepsOf(plan), ElementsAre(Refuse, AlreadyThere, Refuse));
+  EXPECT_THAT(plan[0].why, HasSubstr("The account of Dr anna, who is already in the class, is disabled"));
+  EXPECT_THAT(plan[2].why, HasSubstr("The account of Dr carl is disabled"));
+}
+
+TEST_P(StoreClassImport, ANameWithASignIsReadBackFromThePasswordFile) {
+  const School school(rig->open());
+  const ClassImport import(school.admin);
+  const auto plan = valueOf(import.plan(school.spring.id, listOf("Max,-max,\n")));
+  const auto passwords = ClassImport::passwordsFor(plan);
+  succeed(import.apply(school.spring.id, plan, passwords));
+  const TemporaryFolder folder;
+  const auto file = folder / "first.csv";
+  succeed(writeFirstPasswords(file, passwords));
+  const std::string text = bytesOf(file);
+  EXPECT_THAT(text, AllOf(HasSubstr("\r\n\u00A0-max,"), Not(HasSubstr("'"))));
+  const auto rows = valueOf(parseCsv(text));
+  EXPECT_EQ(valueOf(school.store.signIn(rows.at(1).fields.at(0), rows[1].fields.at(3))).person().name, "-max");
+  EXPECT_EQ(valueOf(parseClassList("full name,username\nMax," + rows[1].fields[0])).entries.at(0).person.name, "-max");
 }
 
 TEST(FirstPasswords, AreWrittenOnceForTheOwnerAlone) {

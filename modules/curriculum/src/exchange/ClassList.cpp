@@ -16,10 +16,9 @@ namespace {
 
 using store::nameKey;
 
+/// A text without surrounding blanks, also no-break spaces.
 std::string trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
+  return QString::fromUtf8(text.data(), int(text.size())).trimmed().toStdString();
 }
 
 std::string sentenceOf(int line, const std::string& what) {
@@ -68,6 +67,16 @@ std::string titleOf(const std::string& field) {
   std::string title = trimmed(nameKey(field));
   if (title.ends_with(':')) title = trimmed(title.substr(0, title.size() - 1));
   return title;
+}
+
+/// A known title that two columns have, as the list writes it; empty if there is none.
+std::string repeatedTitle(const CsvRow& head) {
+  std::set<std::string> found;
+  for (const std::string& field : head.fields)
+    for (const Title& title : knownTitles())
+      if (std::ranges::find(title.words, titleOf(field)) != title.words.end() && !found.insert(titleOf(field)).second)
+        return trimmed(field);
+  return {};
 }
 
 Columns columnsOf(const CsvRow& head) {
@@ -211,6 +220,9 @@ Result<ClassList> parseClassList(std::string_view csv) {
   const auto rows = foreign > 0 && !isUtf16 ? parseCsv(fromWindows1252(csv)) : parseCsv(csv);
   if (!rows) return tl::unexpected(rows.error());
   if (rows->empty()) return fail("The class list is empty; its first line names the columns.");
+  if (const std::string title = repeatedTitle(rows->front()); !title.empty())
+    return fail("The class list has two columns with the title \"" + title +
+                "\". Delete one of them or give it another title.");
   const Columns columns = columnsOf(rows->front());
   if (!columns.full && !(columns.first && columns.last))
     return fail(

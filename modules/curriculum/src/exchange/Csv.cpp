@@ -26,9 +26,25 @@ char separatorOf(std::string_view text) {
   return kSeparators[static_cast<std::size_t>(std::ranges::max_element(counts) - counts.begin())];
 }
 
+/// Length of a first line "sep=;" without its line end; 0 if the text does not begin with one. Excel writes and reads
+/// this line, which names the separator.
+std::size_t separatorLine(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  const bool isQuoted = line.size() == 7 && line.front() == '"' && line.back() == '"';
+  const std::string_view words = isQuoted ? line.substr(1, 5) : line;
+  const bool isNamed = words.size() == 5 && (words.starts_with("sep=") || words.starts_with("SEP="));
+  return isNamed && std::string_view(",;\t").find(words[4]) != std::string_view::npos ? line.size() : 0;
+}
+
 class Reader {
  public:
-  explicit Reader(std::string_view text) : text_(text), separator_(separatorOf(text)) {}
+  explicit Reader(std::string_view text) : text_(text), separator_(separatorOf(text)) {
+    const std::size_t named = separatorLine(text);
+    if (named == 0) return;
+    separator_ = text[text.find('=') + 1];
+    at_ = named;
+    skipLineEnd();
+  }
 
   Result<std::vector<CsvRow>> rows() {
     std::vector<CsvRow> rows;

@@ -1,6 +1,7 @@
 #include "store/Passwords.h"
 #include "store/PeopleRows.h"
 #include "store/Session.h"
+#include "store/Texts.h"
 
 #include <insonate/curriculum/ClassImport.h>
 
@@ -36,30 +37,54 @@ std::vector<Person> visiblePeople(Transaction& transaction, const Actor& actor) 
   return people;
 }
 
+/// E-mail addresses of all accounts, also of those that the instructor cannot see, as nameKey() writes them.
+std::set<std::string> usedEmails(Transaction& transaction) {
+  std::set<std::string> used;
+  for (const Row& row : transaction.rows("SELECT email FROM people WHERE email <> ''"))
+    used.insert(store::nameKey(row.text(0)));
+  return used;
+}
+
+/// Fails if an account has the e-mail address: two accounts would split the attempts of one person.
+Result<void> checkEmailIsFree(const std::set<std::string>& used, const std::string& email) {
+  if (email.empty() || !used.contains(store::nameKey(email))) return {};
+  return fail("The e-mail address " + email +
+              " belongs to an account that already exists. Only an administrator can add this person to a class.");
+}
+
+/// The name or e-mail address of a person whom the instructor cannot see may be in use.
+ClassImportRow plannedNew(Transaction& transaction, const std::set<std::string>& used, const ClassListEntry& entry) {
+  auto free = store::checkNameIsFree(transaction, Person{.name = entry.person.name});
+  if (free) free = checkEmailIsFree(used, entry.person.email);
+  return free ? ClassImportRow{.line = entry.line, .person = entry.person, .step = Step::Add}
+              : refused(entry, free.error().message);
+}
+
+ClassImportRow plannedKnown(const Actor& actor, const ClassListMatch::Known& known, bool isThere) {
+  const auto& [entry, person] = known;
+  if (!isThere && actor.role != Role::Administrator)
+    return refused(entry,
+                   person.fullName + " already has an account. Only an administrator can add this person to a class.");
+  if (person.disabled)
+    return refused(entry, "The account of " + person.fullName +
+                              (isThere ? ", who is already in the class," : std::string()) +
+                              " is disabled. An administrator can enable it; then import the list again.");
+  return {
+      .line = entry.line, .person = entry.person, .step = isThere ? Step::AlreadyThere : Step::Join, .id = person.id};
+}
+
 std::vector<ClassImportRow> planned(Transaction& transaction, const Actor& actor, const std::string& cohort,
                                     const ClassListMatch& match) {
   std::vector<ClassImportRow> rows;
   for (const ClassListTrouble& trouble : match.troubles)
     rows.push_back({.line = trouble.line, .person = trouble.person, .step = Step::Refuse, .why = trouble.sentence});
-  for (const ClassListEntry& entry : match.added) {
-    // The name of a person whom the instructor cannot see may be in use.
-    const auto free = store::checkNameIsFree(transaction, Person{.name = entry.person.name});
-    rows.push_back(free ? ClassImportRow{.line = entry.line, .person = entry.person, .step = Step::Add}
-                        : refused(entry, free.error().message));
-  }
+  const std::set<std::string> used = usedEmails(transaction);
+  for (const ClassListEntry& entry : match.added) rows.push_back(plannedNew(transaction, used, entry));
   std::set<std::string> there;
   for (const Row& row : transaction.rows("SELECT person FROM memberships WHERE cohort = ?", cohort))
     there.insert(row.text(0));
-  for (const auto& [entry, person] : match.known) {
-    if (!there.contains(person.id) && actor.role != Role::Administrator)
-      rows.push_back(refused(
-          entry, person.fullName + " already has an account. Only an administrator can add this person to a class."));
-    else
-      rows.push_back({.line = entry.line,
-                      .person = entry.person,
-                      .step = there.contains(person.id) ? Step::AlreadyThere : Step::Join,
-                      .id = person.id});
-  }
+  for (const ClassListMatch::Known& known : match.known)
+    rows.push_back(plannedKnown(actor, known, there.contains(known.person.id)));
   std::ranges::stable_sort(rows, {}, &ClassImportRow::line);
   return rows;
 }
@@ -123,11 +148,14 @@ Result<void> ClassImport::apply(const std::string& cohort, std::span<const Class
   // The request names the most restricted of the acts involved, so that a refusal is logged.
   return session.write({.act = joins > 0 ? Act::ChangeCohorts : Act::AddTrainee, .cohort = cohort, .detail = detail},
                        [&](Transaction& transaction, const Actor&) -> Result<void> {
+                         const std::set<std::string> used = usedEmails(transaction);
                          auto hashed = hashes->begin();
                          for (const ClassImportRow& row : plan) {
                            if (row.step != Step::Add && row.step != Step::Join) continue;
                            const std::string* own = row.step == Step::Add ? &*hashed++ : nullptr;
-                           if (const auto done = take(session, transaction, cohort, row, own); !done)
+                           auto done = own ? checkEmailIsFree(used, row.person.email) : Result<void>{};
+                           if (done) done = take(session, transaction, cohort, row, own);
+                           if (!done)
                              return fail(atLine(row.line, done.error().message) + " Nobody was added; check the list.");
                          }
                          return {};

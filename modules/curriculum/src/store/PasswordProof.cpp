@@ -5,6 +5,7 @@
 #include "store/PeopleRows.h"
 #include "store/Texts.h"
 
+#include <QtCore/QString>
 #include <optional>
 
 namespace insonate::store {
@@ -47,10 +48,16 @@ bool isText(const std::string& name, const std::string& password) {
   return checkText("The name", name) && checkText("The password", password);
 }
 
+/// A name that was copied from a table may have blanks around it, also no-break spaces (writeFirstPasswords()).
+std::string withoutBlanks(const std::string& name) {
+  return QString::fromStdString(name).trimmed().toStdString();
+}
+
 }  // namespace
 
-Result<Known> provePassword(Core& core, const std::string& name, const std::string& password) {
-  if (!isText(name, password)) return fail(kWrong);
+Result<Known> provePassword(Core& core, const std::string& typed, const std::string& password) {
+  if (!isText(typed, password)) return fail(kWrong);
+  const std::string name = withoutBlanks(typed);
   const auto known = beginSigningIn(core, name);
   if (!known) return tl::unexpected(known.error());
   const std::string& hashed = *known ? (*known)->hashed : hashOfNobody(core.passwordCost());

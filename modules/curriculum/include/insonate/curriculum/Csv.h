@@ -17,8 +17,9 @@ struct CsvRow {
 
 /// Parses CSV (RFC 4180): quoted fields may contain separators, line breaks and doubled quotes. Also accepted: a byte
 /// order mark, any line end, and semicolons or tabs instead of commas (the separator that is most frequent in the first
-/// line, outside quotes). Empty lines are left out. Fails, with the line, if a quote is not closed, if text follows a
-/// closing quote, or if the text is not UTF-8 or contains NUL.
+/// line, outside quotes; or the one that a first line "sep=;" names, which is no row). Empty lines are left out. Fails,
+/// with the line, if a quote is not closed, if text follows a closing quote, or if the text is not UTF-8 or contains
+/// NUL.
 Result<std::vector<CsvRow>> parseCsv(std::string_view text);
 
 /// Writes rows as CSV (RFC 4180, CRLF). The text begins with a byte order mark: without the mark Excel does not read
