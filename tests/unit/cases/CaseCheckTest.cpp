@@ -132,6 +132,17 @@ const Defect kDefects[] = {
        for (auto& point : p.manifest.vessels[0].course) point.position_mm.x += 30;
      }},
     {"vessel_elsewhere", FindingSeverity::kWarning, [](PatientCase& p) { p.manifest.vessels[0].label = kArtery; }},
+    {"wrong_side", FindingSeverity::kError,
+     [](PatientCase& p) { p.manifest.targets[0].name = "left internal jugular vein"; }},
+    {"vein_medial", FindingSeverity::kWarning,
+     [](PatientCase& p) {
+       p.manifest.vessels.push_back(
+           {"right common carotid artery", kArtery, {{{-40, -22, -20}, 4}, {{-40, -22, 20}, 4}}});
+     }},
+    {"vessel_direction", FindingSeverity::kWarning,
+     [](PatientCase& p) {
+       p.manifest.vessels[0].course = {{{-45, -22, 0}, 6}, {{-20, -22, 2}, 6}};
+     }},
     {"no_start_pose", FindingSeverity::kInfo, [](PatientCase& p) { p.manifest.startPoses.clear(); }},
     {"pose_off_skin", FindingSeverity::kWarning,
      [](PatientCase& p) {
@@ -215,6 +226,27 @@ TEST(CaseCheck, AHeapOfPiecesIsOneFinding) {
   const auto broken = std::ranges::find(findings, "vein_broken", &Finding::code);
   EXPECT_THAT(broken->text, testing::HasSubstr("pieces"));
   EXPECT_TRUE(broken->place_mm);
+}
+
+TEST(CaseCheck, SideNeedsAWholeWordAndANamedSide) {
+  PatientCase patient = test::cylinderNeck();
+  for (const char* name : {"leftover vein", "internal jugular vein", "vein left of the right lobe"}) {
+    patient.manifest.vessels[0].name = patient.manifest.targets[0].name = name;
+    EXPECT_EQ(codes(findingsOf(patient)), "") << name;
+  }
+}
+
+TEST(CaseCheck, AVesselIsOnTheSideOfItsName) {
+  PatientCase patient = test::cylinderNeck();
+  patient.manifest.vessels[0].name = "Left internal jugular vein";
+  EXPECT_TRUE(has(findingsOf(patient), "wrong_side", FindingSeverity::kError));
+}
+
+TEST(CaseCheck, AVeinLateralOfItsCarotidIsAsExpected) {
+  PatientCase patient = test::cylinderNeck();
+  patient.manifest.vessels.push_back(
+      {"right common carotid artery", kArtery, {{{-20, -22, -20}, 4}, {{-20, -22, 20}, 4}}});
+  EXPECT_FALSE(has(findingsOf(patient), "vein_medial", FindingSeverity::kWarning));
 }
 
 TEST(CaseCheck, OneSliceIsTooThin) {

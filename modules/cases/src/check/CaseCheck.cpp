@@ -48,6 +48,7 @@ Result<std::vector<Finding>> checkCase(const CaseView& authors, const Progress& 
   checkPlaces(patient, findings);
   checkLandmarks(patient, findings);
   checkSizes(patient, findings);
+  checkAnatomy(patient, findings);
   checkDifficulty(patient, findings);
   if (cancelled(1)) return stop();
   std::ranges::stable_sort(findings, {}, &Finding::severity);
