@@ -242,6 +242,14 @@ TEST(CaseCheck, AVesselIsOnTheSideOfItsName) {
   EXPECT_TRUE(has(findingsOf(patient), "wrong_side", FindingSeverity::kError));
 }
 
+/// The center of a body that the volume cuts is not its midline.
+TEST(CaseCheck, SidesAreNotJudgedInACutBody) {
+  PatientCase patient = test::cylinderNeck();
+  patient.manifest.vessels[0].name = "Left internal jugular vein";
+  for (int k = 0; k < patient.labels.geometry.size[2]; ++k) patient.labels.at(0, 0, k) = kMuscle;
+  EXPECT_FALSE(has(findingsOf(patient), "wrong_side", FindingSeverity::kError));
+}
+
 TEST(CaseCheck, AVeinLateralOfItsCarotidIsAsExpected) {
   PatientCase patient = test::cylinderNeck();
   patient.manifest.vessels.push_back(

@@ -69,31 +69,46 @@ SidedPlace placeOfVessel(const NamedVessel& vessel) {
   return place;
 }
 
-/// Returns the mean x of the body and of its airway at the levels of a vessel; no entry for what is not labeled there.
+/// Sum of positions along x, and their number.
+struct MeanX {
+  double sum_mm = 0;
+  std::size_t count = 0;
+
+  void add(double x_mm) { sum_mm += x_mm, ++count; }
+  double mean_mm() const { return sum_mm / static_cast<double>(count); }
+};
+
+/// Tells whether the body is labeled up to a side of the volume in a slice, so that its center there is not its
+/// midline.
+bool isCut(const LabelMap& labels, int k) {
+  const int last = labels.geometry.size[0] - 1;
+  for (int j = 0; j < labels.geometry.size[1]; ++j)
+    if (labels.at(0, j, k) != kBackground || labels.at(last, j, k) != kBackground) return true;
+  return false;
+}
+
+/// Returns the mean x of the body and of its airway at the levels of a vessel, in slices that show the whole width of
+/// the body; no entry for what is not labeled there.
 std::vector<double> centersAt(const LabelMap& labels, const SidedPlace& place) {
   const VolumeGeometry& g = labels.geometry;
   const auto toPatient = g.patientFromIndex();
-  double body = 0, airway = 0;
-  std::size_t bodyCount = 0, airwayCount = 0;
-  for (int k = 0; k < g.size[2]; ++k)
+  MeanX body, airway;
+  for (int k = 0; k < g.size[2]; ++k) {
+    const double z = (toPatient * Vec3{g.size[0] / 2.0, g.size[1] / 2.0, double(k)}).z;
+    if (z < place.lowest_mm - kAtLevel_mm || z > place.highest_mm + kAtLevel_mm || isCut(labels, k)) continue;
     for (int j = 0; j < g.size[1]; ++j) {
-      const Vec3 first = toPatient * Vec3{0, double(j), double(k)};
-      const Vec3 step = toPatient * Vec3{1, double(j), double(k)} - first;
+      const double first = (toPatient * Vec3{0, double(j), double(k)}).x;
+      const double step = (toPatient * Vec3{1, double(j), double(k)}).x - first;
       for (int i = 0; i < g.size[0]; ++i) {
-        const double z = first.z + i * step.z;
         const std::uint8_t label = labels.at(i, j, k);
-        if (label == kBackground || z < place.lowest_mm - kAtLevel_mm || z > place.highest_mm + kAtLevel_mm) continue;
-        const double x = first.x + i * step.x;
-        body += x;
-        ++bodyCount;
-        if (label != kAirway) continue;
-        airway += x;
-        ++airwayCount;
+        if (label != kBackground) body.add(first + i * step);
+        if (label == kAirway) airway.add(first + i * step);
       }
     }
+  }
   std::vector<double> centers;
-  if (bodyCount > 0) centers.push_back(body / static_cast<double>(bodyCount));
-  if (airwayCount > 0) centers.push_back(airway / static_cast<double>(airwayCount));
+  if (body.count > 0) centers.push_back(body.mean_mm());
+  if (airway.count > 0) centers.push_back(airway.mean_mm());
   return centers;
 }
 
@@ -101,7 +116,7 @@ void checkSide(const CaseView& patient, const SidedPlace& place, Findings& findi
   const int side = sideIn(place.name);
   if (side == 0 || !inVolume(patient.labels.geometry, place.middle_mm)) return;
   const auto centers = centersAt(patient.labels, place);
-  // Both centers must agree: a lung on one side, or a body that the CT cuts, moves one of them.
+  // Both centers must agree, since the airway includes the lungs, which may be labeled on one side only.
   const auto isBeyond = [&](double center_mm) { return side * (place.middle_mm.x - center_mm) < -kWrongSide_mm; };
   if (centers.empty() || !std::ranges::all_of(centers, isBeyond)) return;
   findings.push_back({FindingSeverity::kError, "wrong_side",
