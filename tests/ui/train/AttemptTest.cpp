@@ -20,6 +20,51 @@ using State = AttemptControl::State;
 
 class TrainAttempt : public AttemptWindow {};
 
+/// On a laptop's screen an attempt's panel pushes the needle's section of the left column out of sight.
+TEST_F(TrainAttempt, TheNeedleIsAtHandUnderTheImage) {
+  workspace_->resize(1366, 700);
+  openWide();
+  EXPECT_FALSE(shown("needleStrip"));
+  start();
+  ASSERT_TRUE(shown("needleStrip"));
+  auto *along = child<QPushButton>("stripAlong"), *advance = child<QPushButton>("needleAdvance");
+  for (const char* name :
+       {"stripAlong", "stripAcross", "needleFlatter", "needleSteeper", "needleWithdraw", "needleAdvance"}) {
+    auto* button = child<QPushButton>(name);
+    EXPECT_EQ(button->visibleRegion().boundingRect(), button->rect()) << name << " is cut";
+    EXPECT_GE(button->width(), button->minimumSizeHint().width()) << name;
+  }
+  EXPECT_EQ(along->property("role").toString(), "primary") << "taking the needle is due";
+  EXPECT_FALSE(advance->isEnabled());
+
+  along->click();
+  ASSERT_TRUE(hands().needleHand());
+  EXPECT_TRUE(along->isChecked());
+  EXPECT_NE(along->property("role").toString(), "primary");
+  const double angle_deg = held().angle_deg, advance_mm = hands().wantedAdvance_mm();
+  child<QPushButton>("needleSteeper")->click();
+  EXPECT_NEAR(held().angle_deg, angle_deg + 1, 1e-9);
+  child<QPushButton>("needleFlatter")->click();
+  EXPECT_NEAR(held().angle_deg, angle_deg, 1e-9);
+  advance->click();
+  EXPECT_NEAR(hands().wantedAdvance_mm(), advance_mm + 1, 1e-9);
+  child<QPushButton>("needleWithdraw")->click();
+  EXPECT_NEAR(hands().wantedAdvance_mm(), advance_mm, 1e-9);
+  EXPECT_TRUE(advance->toolTip().contains("Page Down")) << advance->toolTip().toStdString();
+  along->click();
+  EXPECT_FALSE(hands().needleHand());
+  EXPECT_EQ(along->property("role").toString(), "primary");
+
+  key(Qt::Key_B);
+  EXPECT_FALSE(attempt_->isAspirating()) << "the syringe is on the needle";
+  EXPECT_FALSE(child<QPushButton>("attemptDraw")->isChecked());
+  EXPECT_TRUE(workspace_->statusText().contains("Take the needle")) << workspace_->statusText().toStdString();
+  key(Qt::Key_U);
+  EXPECT_TRUE(hands().needleHand()) << "a new needle is in the hand";
+  finish();
+  EXPECT_FALSE(shown("needleStrip"));
+}
+
 TEST_F(TrainAttempt, AWholeOneByKeysIsGuidedScoredAndKept) {
   openWide();
   EXPECT_TRUE(shown("attemptStart"));

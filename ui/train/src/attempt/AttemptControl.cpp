@@ -253,6 +253,11 @@ void AttemptControl::look() {
 }
 
 void AttemptControl::setAspirating(bool on) {
+  if (on && !model_.hands.needle()) {
+    model_.status.say(tr("Take the needle before you aspirate. The syringe is on the needle."));
+    Q_EMIT aspiratingChanged();  // a button that was pressed is released
+    return;
+  }
   if (std::exchange(aspirating_, on) == on) return;
   if (isRunning()) attempt_->setAspirating(on);
   Q_EMIT aspiratingChanged();
@@ -265,7 +270,8 @@ void AttemptControl::replaceNeedle() {
   if (isRunning()) attempt_->tell(AttemptEventKind::NeedleReplaced);
   setAspirating(false);
   Q_EMIT needleReplaced();
-  if (model_.hands.needleHand()) model_.needle.take(model_.hands.needlePlane());
+  const bool isOnDevice = held && !model_.hands.needleHand();
+  if (!isOnDevice) model_.needle.take(model_.hands.needlePlane());
   model_.status.say(tr("A new needle."));
 }
 

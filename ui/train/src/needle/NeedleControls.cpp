@@ -7,6 +7,7 @@
 #include "../model/NeedleWords.h"
 #include "../model/ProbeMotion.h"
 #include "../model/StatusLine.h"
+#include "NeedlePlaneButtons.h"
 
 #include <insonate/ui/Commands.h>
 #include <insonate/ui/Theme.h>
@@ -43,12 +44,6 @@ constexpr NeedleRow kNeedleRows[] = {
      "How far the hand has advanced the needle from the skin, in mm; below 0: off it", "train.needle.advance"},
 };
 
-QPushButton* planeButton(const char* object, const QString& text, const QString& says) {
-  auto* button = ui::pushButton(object, text, says, Qt::TabFocus);
-  button->setCheckable(true);
-  return button;
-}
-
 }  // namespace
 
 NeedleControls::NeedleControls(StatusLine& status, DisclosureModel& disclosure, HandsControl& hands,
@@ -71,36 +66,13 @@ NeedleControls::NeedleControls(StatusLine& status, DisclosureModel& disclosure, 
   head->addWidget(heading, 1);
   head->addWidget(devices_);
   box->addLayout(head);
-  along_ = planeButton(
-      "needleAlong", tr("in-plane"),
-      commands.toolTip(tr("Takes an 18 G needle of 70 mm in-plane, beside the probe's end, or puts it away"),
-                       "train.needle.take"));
-  across_ = planeButton(
-      "needleAcross", tr("out-of-plane"),
-      commands.toolTip(tr("Takes an 18 G needle of 70 mm out-of-plane, in front of the probe, or puts it away"),
-                       "train.needle.take"));
-  auto* take = new QHBoxLayout;
-  take->setSpacing(4);
-  take->addWidget(along_, 1);
-  take->addWidget(across_, 1);
-  box->addLayout(take);
+  box->addWidget(new NeedlePlaneButtons("needle", false, hands_, needle_, commands, this));
   numbers_ = buildNumbers(commands);
   box->addWidget(numbers_);
   words_ = new QLabel(this);
   words_->setObjectName("needleWords");
   words_->setWordWrap(true);
   box->addWidget(words_);
-  const auto taken = [this](QPushButton* button, NeedlePlane plane) {
-    connect(button, &QPushButton::clicked, this, [this, plane](bool on) {
-      if (on)
-        needle_.take(plane);
-      else
-        hands_.layNeedleDown();
-      refresh();
-    });
-  };
-  taken(along_, NeedlePlane::Along);
-  taken(across_, NeedlePlane::Across);
   connect(&hands_, &HandsControl::needleChanged, this, [this] { refresh(); });
   refresh();
 }
@@ -140,8 +112,6 @@ QWidget* NeedleControls::buildNumbers(const ui::Commands& commands) {
 void NeedleControls::refresh() {
   const HandsControl& hands = hands_;
   const NeedleHand* held = hands.needleHand();
-  along_->setChecked(held && hands.needlePlane() == NeedlePlane::Along);
-  across_->setChecked(held && hands.needlePlane() == NeedlePlane::Across);
   numbers_->setVisible(held);
   words_->setVisible(hands.needle().has_value());
   words_->setToolTip(disclosure_.current().anatomy

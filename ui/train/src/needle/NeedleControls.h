@@ -44,7 +44,7 @@ class NeedleControls final : public QWidget {
   HandsControl& hands_;
   ProbeMotion& motion_;
   NeedleMotion& needle_;
-  QPushButton *devices_, *along_ = nullptr, *across_ = nullptr;
+  QPushButton* devices_;
   QWidget* numbers_ = nullptr;
   std::array<NumberField*, 4> fields_{};
   QLabel* words_ = nullptr;

@@ -1,9 +1,11 @@
 #include "NeedleFeature.h"
 
 #include "../layout/ControlsColumn.h"
+#include "../layout/ImageColumn.h"
 #include "../layout/TrainLayout.h"
 #include "../model/TrainModel.h"
 #include "NeedleControls.h"
+#include "NeedleStrip.h"
 
 #include <QAction>
 
@@ -15,6 +17,8 @@ NeedleFeature::NeedleFeature(TrainModel& model, TrainLayout& layout, QAction& sh
       new NeedleControls(model.status, model.disclosure, model.hands, model.motion, model.needle, commands());
   controls->setShowDevices(showDevices);
   layout.controls().addSection(controls);
+  layout.image().add(ImageColumn::Line,
+                     new NeedleStrip(model.hands, model.needle, model.tray, commands(), &layout.image()));
 }
 
 void NeedleFeature::addCommands() {

@@ -1,0 +1,61 @@
+#include "NeedlePlaneButtons.h"
+
+#include "../model/NeedleMotion.h"
+
+#include <insonate/ui/Commands.h>
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
+
+#include <QHBoxLayout>
+#include <QPushButton>
+
+namespace insonate::train {
+
+NeedlePlaneButtons::NeedlePlaneButtons(const QString& object, bool isProminent, HandsControl& hands,
+                                       NeedleMotion& needle, const ui::Commands& commands, QWidget* parent)
+    : QWidget(parent), hands_(hands), needle_(needle), isProminent_(isProminent) {
+  along_ = planeButton(object + "Along", tr("in-plane"),
+                       commands.toolTip(tr("Takes an 18 G needle of 70 mm in-plane, beside the probe's end, or puts "
+                                           "it away"),
+                                        "train.needle.take"),
+                       NeedlePlane::Along);
+  across_ = planeButton(object + "Across", tr("out-of-plane"),
+                        commands.toolTip(tr("Takes an 18 G needle of 70 mm out-of-plane, in front of the probe, or "
+                                            "puts it away"),
+                                         "train.needle.take"),
+                        NeedlePlane::Across);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(4);
+  // In proportion to their texts: there is little room.
+  for (QPushButton* button : {along_, across_}) row->addWidget(button, button->sizeHint().width());
+  connect(&hands_, &HandsControl::needleChanged, this, [this] { refresh(); });
+  refresh();
+}
+
+QPushButton* NeedlePlaneButtons::planeButton(const QString& object, const QString& text, const QString& says,
+                                             NeedlePlane plane) {
+  auto* button = ui::pushButton(object.toLatin1(), text, says, Qt::TabFocus);
+  button->setCheckable(true);
+  connect(button, &QPushButton::clicked, this, [this, plane](bool on) {
+    if (on)
+      needle_.take(plane);
+    else
+      hands_.layNeedleDown();
+    refresh();
+  });
+  return button;
+}
+
+void NeedlePlaneButtons::refresh() {
+  const bool isHeld = hands_.needleHand() != nullptr;
+  const bool isAlong = hands_.needlePlane() == NeedlePlane::Along;
+  along_->setChecked(isHeld && isAlong);
+  across_->setChecked(isHeld && !isAlong);
+  if (!isProminent_) return;
+  const bool isDue = !hands_.needle();
+  ui::setRole(along_, isDue && isAlong ? "primary" : "");
+  ui::setRole(across_, isDue && !isAlong ? "primary" : "");
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,58 @@
+#include "NeedleStrip.h"
+
+#include "../model/NeedleMotion.h"
+#include "../model/NeedleTray.h"
+#include "NeedlePlaneButtons.h"
+
+#include <insonate/ui/Commands.h>
+#include <insonate/ui/Widgets.h>
+
+#include <QHBoxLayout>
+#include <QPushButton>
+
+namespace insonate::train {
+
+NeedleStrip::NeedleStrip(HandsControl& hands, NeedleMotion& needle, NeedleTray& tray, const ui::Commands& commands,
+                         QWidget* parent)
+    : QWidget(parent), hands_(hands), needle_(needle), tray_(tray) {
+  setObjectName("needleStrip");
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 4, 8, 0);
+  row->setSpacing(4);
+  row->addWidget(new NeedlePlaneButtons("strip", true, hands_, needle_, commands, this));
+  row->addStretch(1);
+  const QString advance =
+      commands.toolTip(tr("Advances the needle 1 mm; hold the button for more"), "train.needle.advance");
+  const QString withdraw =
+      commands.toolTip(tr("Withdraws the needle 1 mm; hold the button for more"), "train.needle.advance");
+  const QString angle = commands.toolTip(tr("Changes the angle between needle and skin by 1 degree; hold the button "
+                                            "for more"),
+                                         "train.needle.angle");
+  addMove(*row, "needleFlatter", tr("flatter"), NeedleAxis::Angle, -1, angle);
+  addMove(*row, "needleSteeper", tr("steeper"), NeedleAxis::Angle, 1, angle);
+  addMove(*row, "needleWithdraw", tr("withdraw"), NeedleAxis::Advance, -1, withdraw);
+  addMove(*row, "needleAdvance", tr("advance"), NeedleAxis::Advance, 1, advance);
+  // The buttons must not keep the column wide.
+  setMinimumWidth(200);
+  connect(&hands_, &HandsControl::needleChanged, this, [this] { refresh(); });
+  connect(&hands_, &HandsControl::handsChanged, this, [this] { refresh(); });
+  connect(&tray_, &NeedleTray::changed, this, [this] { refresh(); });
+  refresh();
+}
+
+void NeedleStrip::addMove(QHBoxLayout& row, const char* object, const QString& text, NeedleAxis axis, double step,
+                          const QString& says) {
+  auto* button = ui::pushButton(object, text, says, Qt::TabFocus);
+  button->setAutoRepeat(true);
+  connect(button, &QPushButton::clicked, this, [this, axis, step] { needle_.move(axis, step); });
+  row.addWidget(button);
+  moves_.push_back(button);
+}
+
+void NeedleStrip::refresh() {
+  const bool isHeld = hands_.needleHand() != nullptr;
+  setVisible(tray_.isOut() && (isHeld || !hands_.needle()));
+  for (QPushButton* button : moves_) button->setEnabled(isHeld);
+}
+
+}  // namespace insonate::train
