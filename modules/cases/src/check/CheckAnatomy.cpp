@@ -22,7 +22,7 @@ struct SidedPlace {
 constexpr double kAtLevel_mm = 5;
 
 /// A vessel on the wrong side is an error beyond this distance from the midline. The trachea may deviate from the
-/// midline by some millimeters, and the center of a body that is cut on one side is not its midline.
+/// midline by some millimeters.
 constexpr double kWrongSide_mm = 10;
 
 /// A jugular vein that lies medial of the carotid artery by more than this is a warning: of 200 patients, the vein was
@@ -74,12 +74,16 @@ struct MeanX {
   double sum_mm = 0;
   std::size_t count = 0;
 
-  void add(double x_mm) { sum_mm += x_mm, ++count; }
+  void add(const MeanX& other) { sum_mm += other.sum_mm, count += other.count; }
   double mean_mm() const { return sum_mm / static_cast<double>(count); }
 };
 
-/// Tells whether the body is labeled up to a side of the volume in a slice, so that its center there is not its
-/// midline.
+/// Body and airway in one slice; both are empty if the volume cuts the body there, since its center is not its midline.
+struct SliceCenters {
+  double z_mm;
+  MeanX body, airway;
+};
+
 bool isCut(const LabelMap& labels, int k) {
   const int last = labels.geometry.size[0] - 1;
   for (int j = 0; j < labels.geometry.size[1]; ++j)
@@ -87,24 +91,34 @@ bool isCut(const LabelMap& labels, int k) {
   return false;
 }
 
-/// Returns the mean x of the body and of its airway at the levels of a vessel, in slices that show the whole width of
-/// the body; no entry for what is not labeled there.
-std::vector<double> centersAt(const LabelMap& labels, const SidedPlace& place) {
+/// Reads the whole label map once, for all vessels and targets.
+std::vector<SliceCenters> centersOf(const LabelMap& labels) {
   const VolumeGeometry& g = labels.geometry;
   const auto toPatient = g.patientFromIndex();
-  MeanX body, airway;
+  std::vector<SliceCenters> slices;
   for (int k = 0; k < g.size[2]; ++k) {
-    const double z = (toPatient * Vec3{g.size[0] / 2.0, g.size[1] / 2.0, double(k)}).z;
-    if (z < place.lowest_mm - kAtLevel_mm || z > place.highest_mm + kAtLevel_mm || isCut(labels, k)) continue;
+    slices.push_back({(toPatient * Vec3{g.size[0] / 2.0, g.size[1] / 2.0, double(k)}).z, {}, {}});
+    if (isCut(labels, k)) continue;
     for (int j = 0; j < g.size[1]; ++j) {
       const double first = (toPatient * Vec3{0, double(j), double(k)}).x;
       const double step = (toPatient * Vec3{1, double(j), double(k)}).x - first;
       for (int i = 0; i < g.size[0]; ++i) {
         const std::uint8_t label = labels.at(i, j, k);
-        if (label != kBackground) body.add(first + i * step);
-        if (label == kAirway) airway.add(first + i * step);
+        if (label != kBackground) slices.back().body.add({first + i * step, 1});
+        if (label == kAirway) slices.back().airway.add({first + i * step, 1});
       }
     }
+  }
+  return slices;
+}
+
+/// Returns the mean x of the body and of its airway at the levels of a vessel; no entry for what is not known there.
+std::vector<double> centersAt(const std::vector<SliceCenters>& slices, const SidedPlace& place) {
+  MeanX body, airway;
+  for (const SliceCenters& slice : slices) {
+    if (slice.z_mm < place.lowest_mm - kAtLevel_mm || slice.z_mm > place.highest_mm + kAtLevel_mm) continue;
+    body.add(slice.body);
+    airway.add(slice.airway);
   }
   std::vector<double> centers;
   if (body.count > 0) centers.push_back(body.mean_mm());
@@ -112,10 +126,11 @@ std::vector<double> centersAt(const LabelMap& labels, const SidedPlace& place) {
   return centers;
 }
 
-void checkSide(const CaseView& patient, const SidedPlace& place, Findings& findings) {
+void checkSide(const CaseView& patient, const std::vector<SliceCenters>& slices, const SidedPlace& place,
+               Findings& findings) {
   const int side = sideIn(place.name);
   if (side == 0 || !inVolume(patient.labels.geometry, place.middle_mm)) return;
-  const auto centers = centersAt(patient.labels, place);
+  const auto centers = centersAt(slices, place);
   // Both centers must agree, since the airway includes the lungs, which may be labeled on one side only.
   const auto isBeyond = [&](double center_mm) { return side * (place.middle_mm.x - center_mm) < -kWrongSide_mm; };
   if (centers.empty() || !std::ranges::all_of(centers, isBeyond)) return;
@@ -174,8 +189,10 @@ void checkDirection(const NamedVessel& vessel, Findings& findings) {
 
 void checkAnatomy(const CaseView& patient, Findings& findings) {
   const CaseManifest& m = patient.manifest;
+  if (m.targets.empty() && m.vessels.empty()) return;
+  const std::vector<SliceCenters> slices = centersOf(patient.labels);
   for (const Target& target : m.targets)
-    checkSide(patient,
+    checkSide(patient, slices,
               {"The target \"" + target.name + "\"", target.name, target.label, target.position_mm,
                target.position_mm.z, target.position_mm.z},
               findings);
@@ -185,7 +202,7 @@ void checkAnatomy(const CaseView& patient, Findings& findings) {
   };
   for (const NamedVessel& vessel : m.vessels) {
     if (vessel.course.empty()) continue;
-    checkSide(patient, placeOfVessel(vessel), findings);
+    checkSide(patient, slices, placeOfVessel(vessel), findings);
     if (isJugular(vessel) || isCarotid(vessel)) checkDirection(vessel, findings);
     if (!isJugular(vessel) || sideIn(vessel.name) == 0) continue;
     for (const NamedVessel& artery : m.vessels)
