@@ -8,6 +8,10 @@
 namespace insonate::elastic {
 namespace {
 
+/// Gradients of a displacement under which cells are pressed together, and with which lumens are stretched to their
+/// limit.
+const Eigen::Matrix2d kPressed{{1.2, 0.3}, {-0.2, 0.4}}, kStretched{{1.9, 0.3}, {-0.2, 1.4}};
+
 /// A distorted grid of cells of all kinds, as the fast kernels have it and as the reference does.
 class ElementKernel : public testing::Test {
  protected:
@@ -37,6 +41,7 @@ class ElementKernel : public testing::Test {
       const int n = cell.node[0];
       cell.initial = elements.base[n] = float(-cell.mu + off(1));
       cell.shut = elements.shut[n] = float(std::max(0.0, off(30)));
+      cell.full = elements.full[n] = float(std::max(0.0, off(30)));
       tension.push_back(elements.carried[n] = float(off(5)));
     }
   }
@@ -75,8 +80,9 @@ class ElementKernel : public testing::Test {
 };
 
 TEST_F(ElementKernel, ForcesAndTangentAreThoseOfPlainLoops) {
-  move(0.2, Eigen::Matrix2d{{1.2, 0.3}, {-0.2, 0.4}});
-  for (const bool cautious : {false, true}) {
+  for (const auto& [gradientOfMove, cautious] :
+       {std::pair(kPressed, false), std::pair(kPressed, true), std::pair(kStretched, false)}) {
+    move(0.2, gradientOfMove);
     for (auto& array : matrix.value) std::fill(array.begin(), array.end(), 0.0f);
     std::fill(force.begin(), force.end(), 0.0f);
     assemble(elements, at, cautious, matrix, force);

@@ -68,6 +68,13 @@ TEST_F(ReferenceAgreement, BloodPressure) {
   compare(0.5);
 }
 
+TEST_F(ReferenceAgreement, AVeinStretchedToItsLimit) {
+  input.pressure.vein_kPa += 4;
+  compare(0.5, {.most_mm = 0.05});
+  EXPECT_GT(areaRatio(elastic, kVein), 1.8);
+  EXPECT_LT(areaRatio(elastic, kVein), 2.6);
+}
+
 TEST_F(ReferenceAgreement, RoundFaceOnARoundNeckByForce) {
   plane.skinRadius_mm = 60;
   input.face.radius_mm = 60;

@@ -8,6 +8,7 @@ namespace insonate::elastic {
 namespace {
 
 constexpr float kHeld = 1e8f;
+constexpr float kFull_kPa = 10;  // of the wall of a vein that is stretched to its limit
 constexpr float kShut_kPa = 20;  // of cells in a closed lumen, and of gas between skin and skin
 constexpr float kLongestStep_mm = 4;
 constexpr float kFarthest_mm = 100;  // maximum motion of tissue
@@ -63,6 +64,7 @@ void Solver::prepare(const Mesh& mesh, const Materials& materials, const Mechani
     const float blood = std::max(materials.arteryBlood[n], materials.veinBlood[n]);
     const bool gas = Materials::isGas(materials.mu[n]);
     elements_.shut[n] = kShut_kPa * (gas ? 1 : blood);
+    elements_.full[n] = kFull_kPa * materials.veinBlood[n];
     elements_.guarded[n] = !gas && blood < 0.3f ? 1.0f : 0.0f;
   }
   solid_.assign(materials.fixed.size(), 0);

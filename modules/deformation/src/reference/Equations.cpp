@@ -34,11 +34,13 @@ Eigen::Matrix<double, 8, 1> areaGradient(const Cell& cell, const Vector& at) {
 }
 
 Tension tensionOf(const Cell& cell, const BloodPressure& blood, double area_mm2) {
-  const double j = area_mm2 / cell.area, below = std::min(j - Cell::kShutBelow, 0.0);
+  const double j = area_mm2 / cell.area, below = std::min(j - Cell::kShutBelow, 0.0),
+               above = std::max(j - Cell::kFullAbove, 0.0);
   Tension tension;
   tension.value = cell.initial - blood.artery_kPa * cell.artery - blood.vein_kPa * cell.vein + cell.bulk * (j - 1) +
-                  cell.hoop * std::max(j - 1, 0.0) + cell.shut * below;
-  tension.slope = (cell.bulk + (j > 1 ? cell.hoop : 0) + (below < 0 ? cell.shut : 0)) / cell.area;
+                  cell.hoop * std::max(j - 1, 0.0) + cell.shut * below + cell.full * above * above;
+  tension.slope =
+      (cell.bulk + (j > 1 ? cell.hoop : 0) + (below < 0 ? cell.shut : 0) + 2 * cell.full * above) / cell.area;
   return tension;
 }
 
@@ -62,7 +64,8 @@ double energyOf(const Body& body, const Vector& at, const Load& load) {
     const double blood = load.blood.artery_kPa * cell.artery + load.blood.vein_kPa * cell.vein;
     energy += (cell.initial - blood) * area + cell.bulk / 2 * cell.area * (j - 1) * (j - 1) +
               cell.hoop / 2 * cell.area * std::pow(std::max(j - 1, 0.0), 2) +
-              cell.shut / 2 * cell.area * std::pow(std::min(j - Cell::kShutBelow, 0.0), 2);
+              cell.shut / 2 * cell.area * std::pow(std::min(j - Cell::kShutBelow, 0.0), 2) +
+              cell.full / 3 * cell.area * std::pow(std::max(j - Cell::kFullAbove, 0.0), 3);
   }
   for (const Strut& strut : body.struts) energy += strut.stiffness_kPa / 2 * std::pow(missing(strut, at), 2);
   for (int column = 0; column < body.columns; ++column) {
