@@ -33,7 +33,7 @@ bool isAsWanted(const Happening& wanted, const AttemptEvent& event) {
 
 }  // namespace
 
-ProcedureRun::ProcedureRun(Procedure procedure, const PictureField& picture, std::vector<std::string> vessels)
+ProcedureRun::ProcedureRun(Procedure procedure, const ImageField& picture, std::vector<std::string> vessels)
     : procedure_(std::move(procedure)),
       vessels_(std::move(vessels)),
       metrics_(picture, !vessels_.empty()),

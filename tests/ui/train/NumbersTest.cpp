@@ -62,7 +62,7 @@ class TrainNumbers : public AttemptWindow {
 /// Time with the tip under the skin and the needle free, and of that the time with the tip within the linear probe's
 /// rectangle and one slice thickness off its plane, as the glossary has it.
 double sharePlainly(const AttemptRecording& recording) {
-  const PictureField field = recording.header().picture;
+  const ImageField field = recording.header().picture;
   double all_us = 0, shown_us = 0;
   std::optional<std::int64_t> last_us;
   bool inSkin = false, frozen = false;

@@ -22,7 +22,7 @@ namespace {
 using testing::HasSubstr;
 
 AttemptHeader header() {
-  PictureField picture = test::ScriptedAttempt::picture();
+  ImageField picture = test::ScriptedAttempt::picture();
   picture.elevationFocus_mm = 16, picture.elevationDivergence = 0.29, picture.elevationDivergenceBehind = 0.085;
   return {"insonate 0.1.0", "2026-01-02T03:04:05Z", "internal_jugular", 1, "neck", "c0ffee", "5e77", "cpu", picture};
 }

@@ -40,7 +40,7 @@ class ScriptedAttempt {
   std::optional<double> toArtery_mm, toVeinCentre_mm;
   std::vector<std::variant<AttemptSample, AttemptEvent>> stream;
 
-  static PictureField picture() { return {.width_mm = 38, .sliceHalf_mm = 1.5}; }
+  static ImageField picture() { return {.width_mm = 38, .sliceHalf_mm = 1.5}; }
   static Vec3 axis() { return normalized({1, 0, 1}); }
 
   void hold(double seconds) { travel(depth_mm_, seconds, 0); }

@@ -4,6 +4,7 @@
 #include <hwy/foreach_target.h>
 // Must follow foreach_target:
 #include "elastic/Elements.h"
+#include "elastic/VesselWall.h"
 
 #include <hwy/highway.h>
 
@@ -85,7 +86,7 @@ HWY_INLINE Pressure pressureOf(const Elements& e, std::size_t n, V twice, V area
   p.value = hn::MulAdd(slope, wider, hn::LoadU(d, e.base.data() + n));
   p.value = hn::IfThenElse(closed, hn::MulAdd(shut, below, p.value), p.value);
   p.slope = hn::Add(slope, hn::IfThenElseZero(closed, shut));
-  const V above = hn::Max(hn::Sub(j, hn::Set(d, Elements::kFullAbove)), hn::Zero(d));
+  const V above = hn::Max(hn::Sub(j, hn::Set(d, kFullAbove)), hn::Zero(d));
   const V taut = hn::Mul(hn::LoadU(d, e.full.data() + n), above);
   p.value = hn::MulAdd(taut, above, p.value);
   p.slope = hn::MulAdd(hn::Set(d, 2.0f), taut, p.slope);

@@ -20,16 +20,13 @@ struct Nodes {
 /// last column do not exist and hold zeros. The energy of a cell with the corners x_a and the area A is
 ///
 ///   W = 1/2 sum m_ab x_a.x_b + base A + bulk/2 A0 (J-1)^2 + hoop/2 A0 (J-1)^2 if J > 1
-///     + shut/2 A0 (J-Jmin)^2 if J < Jmin + full/3 A0 (J-Jmax)^3 if J > Jmax,   J = A/A0, A0 = A at rest.
+///     + shut/2 A0 (J-Jmin)^2 if J < Jmin + full/3 A0 (J-Jfull)^3 if J > Jfull,   J = A/A0, A0 = A at rest.
 ///
 /// Since J is a mean over the cell, nearly incompressible cells do not lock. L is the Laplacian in the rest geometry.
 /// With m = mu L and base = -mu, W is the compressible neo-Hookean energy mu/2 (|F|^2-2) - mu (J-1) + bulk/2 (J-1)^2,
 /// bulk = lambda + mu. A prestress S is added to m; the pressure p of blood is subtracted from base.
 struct Elements {
   static constexpr float kShutBelow = 0.1f;  ///< Jmin: relative area at which a lumen is closed
-  /// Jmax: relative area from which the collagen of a vein's wall resists, more and more. In healthy people the
-  /// internal jugular vein reaches about twice its area by Valsalva maneuver and head-down tilt.
-  static constexpr float kFullAbove = 1.8f;
 
   int columns = 0, rows = 0;
   /// Coefficients m_ab of the energy W of each cell, upper triangle, kPa: 00 01 02 03 11 12 13 22 23 33.

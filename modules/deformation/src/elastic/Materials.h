@@ -1,7 +1,7 @@
 #pragma once
 
 #include "elastic/Mesh.h"
-#include "elastic/TubeStiffness.h"
+#include "elastic/VesselWall.h"
 
 namespace insonate::elastic {
 
@@ -13,7 +13,7 @@ struct Materials {
 
   std::vector<float> mu, bulk;  ///< shear modulus mu and area modulus bulk (lambda + mu) of each cell, kPa
   std::vector<float> hoop;  ///< modulus of each cell that is added to bulk while a lumen is wider than at rest, kPa;
-                            ///< see TubeStiffness.h
+                            ///< see VesselWall.h
   /// Share of a cell's area inside an artery or a vein, whatever the material of the vessel; 0..1. 0 beside the blocks
   /// of small cells (MeshLines::across).
   std::vector<float> artery, vein;

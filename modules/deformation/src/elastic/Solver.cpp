@@ -8,7 +8,6 @@ namespace insonate::elastic {
 namespace {
 
 constexpr float kHeld = 1e8f;
-constexpr float kFull_kPa = 10;  // of the wall of a vein that is stretched to its limit
 constexpr float kShut_kPa = 20;  // of cells in a closed lumen, and of gas between skin and skin
 constexpr float kLongestStep_mm = 4;
 constexpr float kFarthest_mm = 100;  // maximum motion of tissue

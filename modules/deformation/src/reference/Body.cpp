@@ -9,7 +9,6 @@
 namespace insonate::reference {
 namespace {
 
-constexpr double kFull_kPa = 10;        // of the wall of a vein that is stretched to its limit
 constexpr double kShut_kPa = 20;        // of a closed lumen
 constexpr double kMostPrestress = 0.8;  // of mu: a cell under a pressure above its stiffness has no stable shape
 
@@ -119,7 +118,7 @@ Body makeBody(const elastic::Mesh& mesh, const elastic::Materials& materials, co
     cell.vein = materials.veinBlood[cell.node[0]];
     const bool gas = elastic::Materials::isGas(static_cast<float>(cell.mu));
     cell.shut = kShut_kPa * (gas ? 1 : std::max(cell.artery, cell.vein));
-    cell.full = kFull_kPa * cell.vein;
+    cell.full = elastic::kFull_kPa * cell.vein;
   }
   body.struts = makeStruts(body);
   if (!materials.anyBlood) return body;

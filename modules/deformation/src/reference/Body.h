@@ -23,7 +23,7 @@ using Matrix = Eigen::SparseMatrix<double>;  ///< symmetric matrix; only the low
 /// With spring = mu L (L is the Laplacian at rest) and initial = -mu, W is mu/2 (|F|^2-2) - mu (J-1) + bulk/2 (J-1)^2.
 /// Prestress is added to spring and initial; `blood` is the pressure of the blood.
 struct Cell {
-  static constexpr double kShutBelow = 0.1, kFullAbove = 1.8;
+  static constexpr double kShutBelow = 0.1;
 
   std::array<int, 4> node{};  ///< the cell's corner nodes, in order around the cell
   double area = 0;            ///< undeformed area A0, mm2

@@ -59,7 +59,7 @@ std::optional<double> secondsBetween(const std::optional<std::int64_t>& from_us,
 }  // namespace
 
 struct AttemptMetrics::State {
-  State(const PictureField& field, bool named) : picture(field), hasTarget(named) {}
+  State(const ImageField& field, bool named) : picture(field), hasTarget(named) {}
 
   void followNeedle(const AttemptSample& sample);
   void watchTip(const AttemptSample& sample);
@@ -74,7 +74,7 @@ struct AttemptMetrics::State {
   std::optional<double> probeValue(Metric metric) const;
   std::array<metrics::Punctures*, 4> structures() { return {&vein, &otherVein, &artery, &lung}; }
 
-  PictureField picture;
+  ImageField picture;
   bool hasTarget = false;
   metrics::Punctures vein, otherVein, artery, lung;
   metrics::NeedleWork needle;
@@ -111,8 +111,8 @@ void AttemptMetrics::State::watchTip(const AttemptSample& sample) {
   const bool isLive = sample.patientFromProbe && sample.pictureDepth_mm > 0;
   sight.follow(sample.time_us, counts,
                counts && isLive &&
-                   shows(picture, sample.pictureDepth_mm,
-                         inverted(*sample.patientFromProbe) * sample.patientFromNeedle->offset));
+                   isTipInView(picture, sample.pictureDepth_mm,
+                               inverted(*sample.patientFromProbe) * sample.patientFromNeedle->offset));
 }
 
 void AttemptMetrics::State::followNeedle(const AttemptSample& sample) {
@@ -195,7 +195,7 @@ void AttemptMetrics::State::strike(const AttemptEvent& event) {
   bone_mm = event.tip_mm;
 }
 
-AttemptMetrics::AttemptMetrics(const PictureField& picture, bool hasTarget)
+AttemptMetrics::AttemptMetrics(const ImageField& picture, bool hasTarget)
     : state_(std::make_unique<State>(picture, hasTarget)) {}
 AttemptMetrics::~AttemptMetrics() = default;
 AttemptMetrics::AttemptMetrics(AttemptMetrics&&) noexcept = default;

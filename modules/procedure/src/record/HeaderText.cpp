@@ -22,7 +22,7 @@ RecordedFor recordedForFrom(const nlohmann::json& json) {
 }  // namespace
 
 std::string textOf(const AttemptHeader& header) {
-  const PictureField& picture = header.picture;
+  const ImageField& picture = header.picture;
   nlohmann::json json{{"format", kFormat},
                       {"software", header.software},
                       {"begun", header.begun},

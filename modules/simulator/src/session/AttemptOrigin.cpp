@@ -25,7 +25,7 @@ AttemptHeader headerOf(const Procedure& procedure, const PatientCase& patient, c
   header.begun = now();
   header.procedure = procedure.name, header.procedureVersion = procedure.version;
   header.caseName = patient.manifest.title;
-  header.picture = pictureFieldOf(probe);
+  header.picture = imageFieldOf(probe);
   return header;
 }
 

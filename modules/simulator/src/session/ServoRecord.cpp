@@ -79,9 +79,9 @@ AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const
   return told;
 }
 
-PictureField pictureFieldOf(const Probe& probe) {
+ImageField imageFieldOf(const Probe& probe) {
   const SliceLaw slice = sliceLaw(probe, probe.defaultFrequency_MHz);
-  PictureField field;
+  ImageField field;
   field.sliceHalf_mm = slice.narrowest_mm / 2, field.elevationFocus_mm = slice.at_mm;
   field.elevationDivergence = slice.growthBefore, field.elevationDivergenceBehind = slice.growthBehind;
   if (probe.shape == ProbeShape::Linear) {

@@ -85,7 +85,7 @@ struct Piece {
 };
 
 std::vector<Piece> piecesOf(const AttemptDigest& attempt) {
-  const PictureField& field = attempt.recording->header().picture;
+  const ImageField& field = attempt.recording->header().picture;
   std::vector<Piece> pieces;
   bool broken = true;
   for (const TrackPoint& point : attempt.track) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <insonate/procedure/PictureField.h>
+#include <insonate/procedure/TipInView.h>
 
 #include <cstdint>
 #include <string>
@@ -31,7 +31,7 @@ struct AttemptHeader {
   std::string caseName{}, caseHash{};
   std::string settingsHash{};  ///< hash of `settings`; the recorder fills it in
   std::string engine{};        ///< name of the ultrasound engine that made the images
-  PictureField picture{};
+  ImageField picture{};
   /// Names of the case's vessels, the target of this attempt first. Empty: the case has no target in a vein, and each
   /// vein counts as the target.
   std::vector<std::string> vessels{};

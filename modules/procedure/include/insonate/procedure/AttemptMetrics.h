@@ -89,7 +89,7 @@ enum class NeedlePlace {
 class AttemptMetrics {
  public:
   /// `hasTarget`: the target is the vein with AttemptEvent::vessel 1; otherwise each vein counts as the target.
-  explicit AttemptMetrics(const PictureField& picture, bool hasTarget = false);
+  explicit AttemptMetrics(const ImageField& picture, bool hasTarget = false);
   ~AttemptMetrics();
   AttemptMetrics(AttemptMetrics&&) noexcept;
   AttemptMetrics& operator=(AttemptMetrics&&) noexcept;

@@ -28,7 +28,7 @@ class ProcedureRun {
   };
 
   /// `vessels`: AttemptHeader::vessels, the names of the case's vessels, the target first.
-  ProcedureRun(Procedure procedure, const PictureField& picture, std::vector<std::string> vessels = {});
+  ProcedureRun(Procedure procedure, const ImageField& picture, std::vector<std::string> vessels = {});
 
   void take(const AttemptSample& sample);
   void take(const AttemptEvent& event);

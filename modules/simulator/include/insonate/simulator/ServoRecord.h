@@ -38,6 +38,6 @@ AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const
                      std::span<const CentreLine> veins, const VesselNames& vessels) noexcept;
 
 /// Returns the region that a probe's image shows, for the probe's default frequency.
-PictureField pictureFieldOf(const Probe& probe);
+ImageField imageFieldOf(const Probe& probe);
 
 }  // namespace insonate

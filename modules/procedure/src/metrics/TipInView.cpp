@@ -1,17 +1,17 @@
-#include <insonate/procedure/PictureField.h>
+#include <insonate/procedure/TipInView.h>
 
 #include <cmath>
 #include <numbers>
 
 namespace insonate {
 
-double shownOffPlane_mm(const PictureField& field, double range_mm) {
+double shownOffPlane_mm(const ImageField& field, double range_mm) {
   const double off_mm = range_mm - field.elevationFocus_mm;
   const double growth = off_mm < 0 ? field.elevationDivergence : field.elevationDivergenceBehind;
   return std::hypot(2 * field.sliceHalf_mm, growth * off_mm);
 }
 
-bool shows(const PictureField& field, double depth_mm, Vec3 tip_probe) {
+bool isTipInView(const ImageField& field, double depth_mm, Vec3 tip_probe) {
   const auto [x, y, z] = tip_probe;
   const bool isFan = field.fanAngle_deg > 0;
   const double range_mm = isFan ? std::hypot(x, z + field.faceRadius_mm) - field.faceRadius_mm : z;

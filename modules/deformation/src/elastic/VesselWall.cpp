@@ -1,4 +1,4 @@
-#include "elastic/TubeStiffness.h"
+#include "elastic/VesselWall.h"
 
 #include <algorithm>
 

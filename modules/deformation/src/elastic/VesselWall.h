@@ -6,6 +6,10 @@
 
 namespace insonate::elastic {
 
+/// The collagen of a vein's wall resists from this relative area on: its pressure is kFull_kPa (A/A0 - kFullAbove)^2.
+/// In healthy people the internal jugular vein reaches about twice its area by Valsalva maneuver and head-down tilt.
+inline constexpr float kFullAbove = 1.8f, kFull_kPa = 10;
+
 /// Stiffness that a vessel's curved wall adds. Without it, in plane strain, a vessel along the plane would be a slit
 /// whose walls are held only by the surrounding tissue, and an artery would swell to twice its width with each beat; in
 /// the body, the tension of the curved wall prevents this. The stiffness is a modulus of the lumen's relative change of
