@@ -42,6 +42,7 @@ class ElementKernel : public testing::Test {
       cell.initial = elements.base[n] = float(-cell.mu + off(1));
       cell.shut = elements.shut[n] = float(std::max(0.0, off(30)));
       cell.full = elements.full[n] = float(std::max(0.0, off(30)));
+      cell.fullAbove = elements.fullAbove[n] = float(1.8 + off(0.6));
       tension.push_back(elements.carried[n] = float(off(5)));
     }
   }

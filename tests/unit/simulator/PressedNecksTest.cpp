@@ -113,7 +113,9 @@ class PressedNecks : public testing::Test {
       ASSERT_TRUE(std::isfinite(lumen.area_mm2) && lumen.area_mm2 >= 0) << where() << how;
       // 12 mmHg and head down double a vein; an artery under pulse pressure widens by some per cent.
       const double most = lumen.label == kArtery ? 1.3 : 4;
-      ASSERT_LT(lumen.area_mm2, most * lumen.rest_mm2 + 5) << where() << how;
+      ASSERT_LT(lumen.area_mm2, most * lumen.rest_mm2 + 5)
+          << where() << how << ", converged: " << d.converged << ", within: " << within << ", label "
+          << int(lumen.label) << ", rest " << lumen.rest_mm2;
     }
     if (d.displacement.empty()) return;
     const Folds folds = foldsOf(d.displacement);

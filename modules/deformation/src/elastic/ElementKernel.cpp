@@ -4,7 +4,6 @@
 #include <hwy/foreach_target.h>
 // Must follow foreach_target:
 #include "elastic/Elements.h"
-#include "elastic/VesselWall.h"
 
 #include <hwy/highway.h>
 
@@ -86,7 +85,7 @@ HWY_INLINE Pressure pressureOf(const Elements& e, std::size_t n, V twice, V area
   p.value = hn::MulAdd(slope, wider, hn::LoadU(d, e.base.data() + n));
   p.value = hn::IfThenElse(closed, hn::MulAdd(shut, below, p.value), p.value);
   p.slope = hn::Add(slope, hn::IfThenElseZero(closed, shut));
-  const V above = hn::Max(hn::Sub(j, hn::Set(d, kFullAbove)), hn::Zero(d));
+  const V above = hn::Max(hn::Sub(j, hn::LoadU(d, e.fullAbove.data() + n)), hn::Zero(d));
   const V taut = hn::Mul(hn::LoadU(d, e.full.data() + n), above);
   p.value = hn::MulAdd(taut, above, p.value);
   p.slope = hn::MulAdd(hn::Set(d, 2.0f), taut, p.slope);
@@ -248,7 +247,7 @@ void Elements::resize(int c, int r) {
   columns = c, rows = r;
   const std::size_t size = std::size_t(c) * r + GridMatrix::kPadding;
   for (auto& v : m) v.assign(size, 0.0f);
-  for (auto* v : {&area, &mu, &bulk, &hoop, &shut, &full, &guarded, &base, &carried}) v->assign(size, 0.0f);
+  for (auto* v : {&area, &mu, &bulk, &hoop, &shut, &full, &fullAbove, &guarded, &base, &carried}) v->assign(size, 0.0f);
 }
 
 void shapeElements(const Nodes& rest, Elements& elements) {

@@ -33,7 +33,8 @@ struct Elements {
   std::array<std::vector<float>, 10> m;
   std::vector<float> area;                              ///< undeformed area A0 of each cell, mm2
   std::vector<float> mu, bulk, hoop, shut, full, base;  ///< moduli of each cell in the energy W, kPa
-  std::vector<float> guarded;  ///< above 0: allowedShare() limits the Newton step for the sake of this cell
+  std::vector<float> fullAbove;  ///< Jfull of each cell: relative area from which a vessel's wall resists
+  std::vector<float> guarded;    ///< above 0: allowedShare() limits the Newton step for the sake of this cell
   /// Pressure of each cell, the factor of the area's second derivative in the tangent. The pressure is treated as an
   /// unknown that changes linearly with each step (mixed Newton); if it were computed from the present area, steps
   /// would overshoot.

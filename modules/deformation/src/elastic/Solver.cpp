@@ -63,7 +63,8 @@ void Solver::prepare(const Mesh& mesh, const Materials& materials, const Mechani
     const float blood = std::max(materials.arteryBlood[n], materials.veinBlood[n]);
     const bool gas = Materials::isGas(materials.mu[n]);
     elements_.shut[n] = kShut_kPa * (gas ? 1 : blood);
-    elements_.full[n] = kFull_kPa * materials.veinBlood[n];
+    const Collagen& collagen = materials.arteryBlood[n] > materials.veinBlood[n] ? kArteryCollagen : kVeinCollagen;
+    elements_.full[n] = collagen.modulus_kPa * blood, elements_.fullAbove[n] = collagen.above;
     elements_.guarded[n] = !gas && blood < 0.3f ? 1.0f : 0.0f;
   }
   solid_.assign(materials.fixed.size(), 0);

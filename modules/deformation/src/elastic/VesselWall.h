@@ -6,9 +6,14 @@
 
 namespace insonate::elastic {
 
-/// The collagen of a vein's wall resists from this relative area on: its pressure is kFull_kPa (A/A0 - kFullAbove)^2.
-/// In healthy people the internal jugular vein reaches about twice its area by Valsalva maneuver and head-down tilt.
-inline constexpr float kFullAbove = 1.8f, kFull_kPa = 10;
+/// The collagen of a vessel's wall resists from the relative area `above` on: its pressure is
+/// modulus_kPa (A/A0 - above)^2. Elastin alone carries a pulse, which changes the area of a carotid artery by 15 % or
+/// less; in healthy people the internal jugular vein reaches about twice its area by Valsalva maneuver and head-down
+/// tilt.
+struct Collagen {
+  float above, modulus_kPa;
+};
+inline constexpr Collagen kArteryCollagen{1.2f, 200}, kVeinCollagen{1.8f, 10};
 
 /// Stiffness that a vessel's curved wall adds. Without it, in plane strain, a vessel along the plane would be a slit
 /// whose walls are held only by the surrounding tissue, and an artery would swell to twice its width with each beat; in

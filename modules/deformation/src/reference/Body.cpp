@@ -118,7 +118,8 @@ Body makeBody(const elastic::Mesh& mesh, const elastic::Materials& materials, co
     cell.vein = materials.veinBlood[cell.node[0]];
     const bool gas = elastic::Materials::isGas(static_cast<float>(cell.mu));
     cell.shut = kShut_kPa * (gas ? 1 : std::max(cell.artery, cell.vein));
-    cell.full = elastic::kFull_kPa * cell.vein;
+    const elastic::Collagen& collagen = cell.artery > cell.vein ? elastic::kArteryCollagen : elastic::kVeinCollagen;
+    cell.full = collagen.modulus_kPa * std::max(cell.artery, cell.vein), cell.fullAbove = collagen.above;
   }
   body.struts = makeStruts(body);
   if (!materials.anyBlood) return body;

@@ -18,7 +18,7 @@ using Matrix = Eigen::SparseMatrix<double>;  ///< symmetric matrix; only the low
 /// A four-node cell in plane strain. With the positions x_a of its corners, the area A and J = A/A0, its energy is
 ///
 ///   W = 1/2 sum spring_ab x_a.x_b + (initial - blood) A + bulk/2 A0 (J-1)^2 + shut/2 A0 min(J - kShutBelow, 0)^2
-///     + hoop/2 A0 max(J-1, 0)^2 + full/3 A0 max(J - kFullAbove, 0)^3
+///     + hoop/2 A0 max(J-1, 0)^2 + full/3 A0 max(J - fullAbove, 0)^3
 ///
 /// With spring = mu L (L is the Laplacian at rest) and initial = -mu, W is mu/2 (|F|^2-2) - mu (J-1) + bulk/2 (J-1)^2.
 /// Prestress is added to spring and initial; `blood` is the pressure of the blood.
@@ -29,6 +29,7 @@ struct Cell {
   double area = 0;            ///< undeformed area A0, mm2
   Eigen::Matrix4d spring = Eigen::Matrix4d::Zero();
   double mu = 0, bulk = 0, hoop = 0, shut = 0, full = 0, initial = 0;  ///< moduli in the cell's energy W, kPa
+  double fullAbove = 0;
   double artery = 0, vein = 0;  ///< shares of the cell's area inside arterial and venous lumens
 };
 

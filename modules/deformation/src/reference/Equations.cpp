@@ -35,7 +35,7 @@ Eigen::Matrix<double, 8, 1> areaGradient(const Cell& cell, const Vector& at) {
 
 Tension tensionOf(const Cell& cell, const BloodPressure& blood, double area_mm2) {
   const double j = area_mm2 / cell.area, below = std::min(j - Cell::kShutBelow, 0.0),
-               above = std::max(j - double(elastic::kFullAbove), 0.0);
+               above = std::max(j - cell.fullAbove, 0.0);
   Tension tension;
   tension.value = cell.initial - blood.artery_kPa * cell.artery - blood.vein_kPa * cell.vein + cell.bulk * (j - 1) +
                   cell.hoop * std::max(j - 1, 0.0) + cell.shut * below + cell.full * above * above;
@@ -65,7 +65,7 @@ double energyOf(const Body& body, const Vector& at, const Load& load) {
     energy += (cell.initial - blood) * area + cell.bulk / 2 * cell.area * (j - 1) * (j - 1) +
               cell.hoop / 2 * cell.area * std::pow(std::max(j - 1, 0.0), 2) +
               cell.shut / 2 * cell.area * std::pow(std::min(j - Cell::kShutBelow, 0.0), 2) +
-              cell.full / 3 * cell.area * std::pow(std::max(j - double(elastic::kFullAbove), 0.0), 3);
+              cell.full / 3 * cell.area * std::pow(std::max(j - cell.fullAbove, 0.0), 3);
   }
   for (const Strut& strut : body.struts) energy += strut.stiffness_kPa / 2 * std::pow(missing(strut, at), 2);
   for (int column = 0; column < body.columns; ++column) {
