@@ -7,6 +7,7 @@
 #include "AttemptPanel.h"
 #include "AttemptStrip.h"
 #include "AttemptWords.h"
+#include "ControlMark.h"
 
 #include <insonate/ui/Workspace.h>
 
@@ -22,7 +23,8 @@ constexpr const char* kAttemptGroup = "attempt";
 AttemptFeature::AttemptFeature(TrainModel& model, TrainLayout& layout)
     : Feature(model, layout), control_(new AttemptControl(model, {}, this)) {
   addCommands();
-  panel_ = new AttemptPanel(model.disclosure, model.patientCase, model.imaging, model.live, *control_, commands());
+  panel_ = new AttemptPanel(model.disclosure, model.hands, model.patientCase, model.imaging, model.live, *control_,
+                            commands());
   layout.left().setHead(panel_, [this](int maximum_px) { panel_->setMostHeight(maximum_px); });
   layout.image().add(ImageColumn::Line, new AttemptStrip(model.disclosure, model.hands, model.patientCase, *control_,
                                                          commands(), &layout.image()));
@@ -34,6 +36,8 @@ AttemptFeature::AttemptFeature(TrainModel& model, TrainLayout& layout)
   connect(control_, &AttemptControl::viewChanged, this, [this] { showNeedle(); });
   connect(&model.tray, &NeedleTray::touched, control_, &AttemptControl::replaceNeedle);
   connect(&model.hands, &HandsControl::aspirateButtonChanged, control_, &AttemptControl::setAspirating);
+  auto* mark = new ControlMark(layout.workspace());
+  connect(panel_, &AttemptPanel::actControlNamed, mark, &ControlMark::pointAt);
   connect(panel_, &AttemptPanel::reviewWanted, &layout.workspace(), &ui::Workspace::attemptWanted);
 }
 

@@ -1,14 +1,16 @@
 #include "AttemptPanel.h"
 
-#include "../feature/CommandWords.h"
 #include "../model/CaseModel.h"
 #include "../model/Disclosure.h"
+#include "../model/HandsControl.h"
 #include "../model/ImagingModel.h"
 #include "../model/LiveModel.h"
 #include "AttemptControl.h"
 #include "AttemptWords.h"
+#include "StepAct.h"
 #include "StepList.h"
 
+#include <insonate/ui/Commands.h>
 #include <insonate/ui/StateColors.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
@@ -46,10 +48,12 @@ QComboBox* attemptChoice(const char* object, const QString& name, const QString&
 
 }  // namespace
 
-AttemptPanel::AttemptPanel(DisclosureModel& disclosure, CaseModel& patientCase, ImagingModel& imaging, LiveModel& live,
-                           AttemptControl& attempt, const ui::Commands& commands, QWidget* parent)
+AttemptPanel::AttemptPanel(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase,
+                           ImagingModel& imaging, LiveModel& live, AttemptControl& attempt,
+                           const ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
       disclosure_(disclosure),
+      hands_(hands),
       patientCase_(patientCase),
       imaging_(imaging),
       live_(live),
@@ -140,7 +144,7 @@ QWidget* AttemptPanel::buildRunning() {
   auto* box = pageColumn(page);
   auto* inner = new QWidget;
   auto* told = pageColumn(inner);
-  steps_ = new StepList(keysOf(commands_, "train.attempt.startOrFinish"));
+  steps_ = new StepList;
   numbers_ = ui::paragraph("attemptNumbers", "");
   numbers_->setTextFormat(Qt::RichText);
   numbers_->setToolTip(tr("Further metrics of the attempt so far"));
@@ -228,6 +232,11 @@ void AttemptPanel::refreshRunning() {
   const Disclosure& told = disclosure_.current();
   if (state == State::Idle || state == State::Starting) head_->setText(tr("Attempt"));
   if (state == State::Over || state == State::Writing) head_->setText(tr("Attempt, %1").arg(clockOf(view.time_s)));
+  const bool isGuided = state == State::Running && told.steps;
+  const StepAct act =
+      isGuided ? nextAct(attempt_.procedure(), view, handsNow(hands_, live_, attempt_.isAspirating()), commands_)
+               : StepAct();
+  Q_EMIT actControlNamed(act.control);
   if (state != State::Running) return;
   const std::size_t step = view.due ? *view.due + 1 : view.steps.size();
   head_->setText(told.steps ? tr("Step %1 of %2, %3").arg(step).arg(view.steps.size()).arg(clockOf(view.time_s))
@@ -237,10 +246,12 @@ void AttemptPanel::refreshRunning() {
   const double tilt_deg = imaging_.tissue().body.tilt_deg;
   position_->setCurrentIndex(position_->findData(tilt_deg));
   if (!told.findings) return fit();
-  const bool other = steps_->show(attempt_.procedure(), view, told.steps);
+  const bool other = steps_->show(attempt_.procedure(), view, told.steps, act.words);
   numbers_->setVisible(told.steps);
   if (told.steps) refreshNumbers();
-  if (other) fit();
+  if (!other) return;
+  fit();
+  if (told.steps) scroll_->ensureWidgetVisible(&steps_->act());
 }
 
 void AttemptPanel::refreshNumbers() {

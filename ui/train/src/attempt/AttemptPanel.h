@@ -19,6 +19,7 @@ class AttemptControl;
 class StepList;
 class CaseModel;
 class DisclosureModel;
+class HandsControl;
 class ImagingModel;
 class LiveModel;
 
@@ -28,8 +29,8 @@ class AttemptPanel final : public QWidget {
   Q_OBJECT
 
  public:
-  AttemptPanel(DisclosureModel& disclosure, CaseModel& patientCase, ImagingModel& imaging, LiveModel& live,
-               AttemptControl& attempt, const ui::Commands& commands, QWidget* parent = nullptr);
+  AttemptPanel(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase, ImagingModel& imaging,
+               LiveModel& live, AttemptControl& attempt, const ui::Commands& commands, QWidget* parent = nullptr);
 
   /// Adds a card above the choice of the procedure.
   void addCard(QWidget* card);
@@ -44,6 +45,9 @@ class AttemptPanel final : public QWidget {
  Q_SIGNALS:
   /// Emitted when the user wants to see the recording of a finished attempt.
   void reviewWanted(const QString& file);
+  /// Emitted repeatedly while an attempt runs. `object`: object name of the control for the next act; empty: no
+  /// control, or the act is not disclosed.
+  void actControlNamed(const QString& object);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -62,6 +66,7 @@ class AttemptPanel final : public QWidget {
   void fit();
 
   DisclosureModel& disclosure_;
+  HandsControl& hands_;
   CaseModel& patientCase_;
   ImagingModel& imaging_;
   LiveModel& live_;

@@ -51,21 +51,26 @@ bool write(QLabel& label, const QString& text) {
 
 }  // namespace
 
-StepList::StepList(const QString& finishKeys, QWidget* parent) : QWidget(parent), finishKeys_(finishKeys) {
+StepList::StepList(QWidget* parent) : QWidget(parent) {
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kSmallGap);
   findings_ = paragraph("attemptFindings", *box);
   steps_ = paragraph("attemptStepsDone", *box);
   say_ = paragraph("attemptDue", *box);
+  act_ = paragraph("attemptAct", *box);
   later_ = paragraph("attemptStepsLater", *box);
   ui::setRole(steps_, "quiet");
   ui::setRole(later_, "quiet");
 }
 
-bool StepList::show(const Procedure& procedure, const AttemptView& view, bool withSteps) {
+QWidget& StepList::act() {
+  return *act_;
+}
+
+bool StepList::show(const Procedure& procedure, const AttemptView& view, bool withSteps, const QString& act) {
   QStringList before, after;
-  QString due = QObject::tr("<b>All steps are done.</b> Finish the attempt (%1).").arg(finishKeys_);
+  QString due = QObject::tr("<b>All steps are done.</b>");
   for (std::size_t i = 0; i < view.steps.size(); ++i) {
     const ProcedureStep& step = procedure.steps[i];
     if (view.due == i)
@@ -90,6 +95,10 @@ bool StepList::show(const Procedure& procedure, const AttemptView& view, bool wi
   }
   other |= write(*steps_, before.join(QStringLiteral("<br>")));
   other |= write(*say_, due);
+  // The sign is that of the mark on the control.
+  other |= write(*act_, withSteps ? coloured(QStringLiteral("▼"), views::theme::kAccent) + QStringLiteral("&nbsp; ") +
+                                        act.toHtmlEscaped()
+                                  : QString());
   other |= write(*later_, after.join(QStringLiteral("<br>")));
   return other;
 }

@@ -15,15 +15,16 @@ namespace insonate::train {
 /// Lists the steps of a procedure: done steps, due steps with instructions, and errors, the latest first.
 class StepList final : public QWidget {
  public:
-  /// `finishKeys`: keys of the command that finishes an attempt.
-  explicit StepList(const QString& finishKeys, QWidget* parent = nullptr);
+  explicit StepList(QWidget* parent = nullptr);
 
-  /// Shows an attempt; if not `withSteps`, only its errors. Returns whether the list needs another height than before.
-  bool show(const Procedure& procedure, const AttemptView& view, bool withSteps);
+  /// Shows an attempt; if not `withSteps`, only its errors. `act`: the next act, shown with the due step. Returns
+  /// whether the list needs another height than before.
+  bool show(const Procedure& procedure, const AttemptView& view, bool withSteps, const QString& act);
+  /// The label of the next act, which must be in sight.
+  QWidget& act();
 
  private:
-  QString finishKeys_;
-  QLabel *steps_, *say_, *later_, *findings_;
+  QLabel *steps_, *say_, *act_, *later_, *findings_;
 };
 
 }  // namespace insonate::train

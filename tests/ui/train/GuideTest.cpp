@@ -1,0 +1,138 @@
+#include "AttemptWindow.h"
+#include "attempt/StepAct.h"
+
+#include <insonate/procedure/Procedure.h>
+
+#include <QRegularExpression>
+
+namespace insonate::train {
+namespace {
+
+/// A guided attempt in a window of a laptop's size.
+class TrainGuide : public AttemptWindow {
+ protected:
+  void begin() {
+    workspace_->resize(1366, 700);
+    openWide();
+    start();
+  }
+  bool says(const char* words) {
+    return waitFor([&] { return text("attemptAct").contains(words); });
+  }
+  /// Tells whether the mark lies around this control and leaves its clicks to it.
+  bool marks(const char* control) {
+    auto *mark = child<QWidget>("controlMark"), *target = child<QWidget>(control);
+    const QRect place(target->mapTo(workspace_.get(), QPoint()), target->size());
+    return waitFor([&] { return mark->isVisible() && mark->geometry().contains(place); }) &&
+           workspace_->childAt(place.center()) == target;
+  }
+  StepAct actOf(const char* step, const HandsNow& hands, NeedlePlace needle = NeedlePlace::Underway) {
+    const Procedure& procedure = attempt_->procedure();
+    AttemptView view;
+    view.needle = needle;
+    for (std::size_t i = 0; i < procedure.steps.size(); ++i)
+      if (procedure.steps[i].name == step) view.due = i;
+    EXPECT_TRUE(view.due) << step;
+    return nextAct(procedure, view, hands, workspace_->commands());
+  }
+};
+
+TEST_F(TrainGuide, EachActIsNamedWithItsKeyAndItsControlIsMarked) {
+  begin();
+  EXPECT_TRUE(says("Choose the position")) << text("attemptAct").toStdString();
+  EXPECT_TRUE(marks("attemptPosition"));
+  auto* positions = child<QComboBox>("attemptPosition");
+  Q_EMIT positions->activated(positions->findText("Trendelenburg 15"));
+  model_->imaging.setTilt(15);
+  EXPECT_TRUE(says("Compress with +, then release with -")) << text("attemptAct").toStdString();
+  EXPECT_EQ(actOf("scan", {}).control, "");
+  EXPECT_TRUE(workspace_->findChild<QWidget*>("press")) << "the field that the act marks while it is in sight";
+  for (int i = 0; i < 20; ++i) key(Qt::Key_Plus);
+  EXPECT_TRUE(says("press I, or click the button in-plane")) << text("attemptAct").toStdString();
+  EXPECT_TRUE(marks("stripAlong"));
+  for (int i = 0; i < 20; ++i) key(Qt::Key_Minus);
+
+  key(Qt::Key_I);
+  EXPECT_TRUE(says("steeper: press Alt+W"));
+  EXPECT_TRUE(marks("needleSteeper"));
+  hands().needleTo({0, 0, 12});
+  type("needle_angle", "90");
+  EXPECT_TRUE(says("flatter: press Alt+S"));
+  type("needle_angle", "58");
+  EXPECT_TRUE(says("press Page Down"));
+  EXPECT_TRUE(marks("needleAdvance"));
+  type("needle_angle", "90");
+  type("needle_depth", "5");
+  EXPECT_TRUE(says("Aspirate: press B"));
+  EXPECT_TRUE(marks("attemptDraw"));
+  key(Qt::Key_B);
+  EXPECT_TRUE(says("press Page Down"));
+  type("needle_depth", "12");
+  EXPECT_TRUE(says("Freeze: press Space"));
+  EXPECT_TRUE(marks("freeze"));
+  key(Qt::Key_Space);
+  EXPECT_TRUE(says("click Unfreeze")) << "a frozen needle cannot be withdrawn";
+  key(Qt::Key_Space);
+  EXPECT_TRUE(says("press Page Up"));
+  EXPECT_TRUE(marks("needleWithdraw"));
+  type("needle_depth", "-5");
+  EXPECT_TRUE(says("press Ctrl+Return"));
+  EXPECT_TRUE(marks("attemptFinish"));
+  finish();
+  EXPECT_FALSE(shown("controlMark"));
+}
+
+TEST_F(TrainGuide, HintsAndTestsNameAndMarkNothing) {
+  for (const Assistance one : {Assistance::Hints, Assistance::Test}) {
+    attempt_->setAssistance(one);
+    begin();
+    QTest::qWait(300);
+    EXPECT_FALSE(shown("attemptAct"));
+    EXPECT_FALSE(shown("controlMark"));
+    finish();
+    attempt_->leave();
+  }
+}
+
+TEST_F(TrainGuide, DevicesAreNamedOnlyIfTheyAreInUse) {
+  openWide();
+  HandsNow byKeys;
+  byKeys.hasNeedle = true;
+  HandsNow byDevice = byKeys;
+  byDevice.isNeedleInDevice = byDevice.isProbeInDevice = byDevice.hasPedal = true;
+  EXPECT_FALSE(actOf("inspect", byKeys).words.contains("pedal"));
+  EXPECT_TRUE(actOf("inspect", byDevice).words.contains("pedal"));
+  EXPECT_TRUE(actOf("withdraw", byKeys).words.contains("Page Up"));
+  EXPECT_EQ(actOf("withdraw", byDevice).words, "Withdraw the needle with its device.");
+  EXPECT_TRUE(actOf("scan", byKeys).words.contains("press Arrows"));
+  EXPECT_EQ(actOf("scan", byDevice).words, "Slide the probe with its device.");
+  EXPECT_TRUE(actOf("confirm", byDevice).words.contains("second button"));
+  EXPECT_FALSE(actOf("confirm", byKeys).words.contains("second button"));
+  byDevice.hasNeedle = false;
+  EXPECT_EQ(actOf("skin", byDevice, NeedlePlace::Clean).control, "showDevices") << "it is not connected";
+}
+
+TEST_F(TrainGuide, AfterAWrongPlaceTheNeedleIsWithdrawnAndReplaced) {
+  openWide();
+  HandsNow now;
+  now.hasNeedle = true;
+  EXPECT_EQ(actOf("vein", now, NeedlePlace::WrongPlace).control, "needleWithdraw");
+  EXPECT_EQ(actOf("confirm", now, NeedlePlace::WrongPlace).control, "needleWithdraw");
+  EXPECT_EQ(actOf("skin", now, NeedlePlace::Used).control, "attemptNewNeedle");
+  now.plane = NeedlePlane::Across, now.hasNeedle = false;
+  EXPECT_EQ(actOf("skin", now, NeedlePlace::Clean).control, "stripAcross");
+}
+
+TEST(TrainGuideTexts, OfProceduresNameNoKeysAndNoDevices) {
+  const QRegularExpression input("\\b(press|pedal|space|key|click|button)\\b",
+                                 QRegularExpression::CaseInsensitiveOption);
+  for (const std::string& name : procedurePresetNames()) {
+    const auto procedure = loadProcedure(name);
+    ASSERT_TRUE(procedure);
+    for (const ProcedureStep& step : procedure->steps)
+      EXPECT_FALSE(input.match(QString::fromStdString(step.say)).hasMatch()) << step.say;
+  }
+}
+
+}  // namespace
+}  // namespace insonate::train
