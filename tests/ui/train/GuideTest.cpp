@@ -1,7 +1,9 @@
 #include "AttemptWindow.h"
+#include "attempt/AimOverlay.h"
 #include "attempt/StepAct.h"
 
 #include <insonate/procedure/Procedure.h>
+#include <insonate/ui/Commands.h>
 
 #include <QRegularExpression>
 
@@ -121,6 +123,55 @@ TEST_F(TrainGuide, AfterAWrongPlaceTheNeedleIsWithdrawnAndReplaced) {
   EXPECT_EQ(actOf("skin", now, NeedlePlace::Used).control, "attemptNewNeedle");
   now.plane = NeedlePlane::Across, now.hasNeedle = false;
   EXPECT_EQ(actOf("skin", now, NeedlePlace::Clean).control, "stripAcross");
+}
+
+TEST_F(TrainGuide, TheAimIsALineInPlaneAndACrossOutOfPlane) {
+  openWide();
+  const ImagingSetup& setup = *model_->live.shown()->setup;
+  const Transform probe;  // its frame is that of the patient
+  Needle needle;
+  needle.tip_mm = {-5, 0, 10}, needle.direction = {0.6, 0, 0.8};
+  const views::PictureAim inPlane = aimOf(needle, probe, setup);
+  ASSERT_EQ(inPlane.line.size(), 2U);
+  EXPECT_EQ(inPlane.line[0], (views::PicturePoint{-5, 10}));
+  EXPECT_NEAR((inPlane.line[1].axial_mm - 10) / (inPlane.line[1].lateral_mm + 5), 0.8 / 0.6, 1e-9);
+  EXPECT_TRUE(inPlane.tip);
+  EXPECT_FALSE(inPlane.cross);
+
+  needle.tip_mm = {2, -12, 4}, needle.direction = {0, 0.8, 0.6};
+  const views::PictureAim before = aimOf(needle, probe, setup);
+  EXPECT_TRUE(before.line.empty());
+  EXPECT_FALSE(before.tip) << "12 mm beside the slice";
+  ASSERT_TRUE(before.cross);
+  EXPECT_NEAR(before.cross->lateral_mm, 2, 1e-9);
+  EXPECT_NEAR(before.cross->axial_mm, 4 + 12 * 0.6 / 0.8, 1e-9);
+  needle.tip_mm.y = 12;
+  EXPECT_FALSE(aimOf(needle, probe, setup).cross) << "it has crossed the slice";
+}
+
+TEST_F(TrainGuide, TheAimIsShownWhileGuidedUnlessItIsSwitchedOff) {
+  begin();
+  const views::UltrasoundView& image =
+      static_cast<const views::UltrasoundView&>(child<ui::ViewWidget>("ultrasoundView")->view());
+  const auto isShown = [&] { return image.aim().line.size() == 2; };
+  key(Qt::Key_I);
+  EXPECT_TRUE(waitFor(isShown));
+  auto* box = child<QCheckBox>("attemptAim");
+  EXPECT_TRUE(box->isVisible() && box->isChecked());
+  key(Qt::Key_G, Qt::ControlModifier);
+  EXPECT_FALSE(isShown());
+  EXPECT_FALSE(box->isChecked());
+  box->click();
+  EXPECT_TRUE(isShown());
+  finish();
+  EXPECT_FALSE(isShown()) << "after the attempt";
+  attempt_->setAssistance(Assistance::Test);
+  attempt_->leave();
+  start();
+  key(Qt::Key_I);
+  QTest::qWait(300);
+  EXPECT_FALSE(isShown());
+  EXPECT_FALSE(shown("attemptAim"));
 }
 
 TEST(TrainGuideTexts, OfProceduresNameNoKeysAndNoDevices) {

@@ -19,6 +19,7 @@
 #include <QGridLayout>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -157,6 +158,9 @@ QWidget* AttemptPanel::buildRunning() {
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll_->setFocusPolicy(Qt::NoFocus);
   box->addWidget(scroll_);
+  guideOptions_ = new QWidget;
+  pageColumn(guideOptions_);
+  box->addWidget(guideOptions_);
   box->addWidget(buildHands());
   auto* row = new QHBoxLayout;
   row->setSpacing(ui::kSmallGap);
@@ -243,6 +247,7 @@ void AttemptPanel::refreshRunning() {
                             : tr("%1, %2").arg(capital(wordOf(attempt_.assistance())), clockOf(view.time_s)));
   head_->setToolTip(told.anatomy ? procedure : QString());
   scroll_->setVisible(told.findings);
+  guideOptions_->setVisible(told.steps);
   const double tilt_deg = imaging_.tissue().body.tilt_deg;
   position_->setCurrentIndex(position_->findData(tilt_deg));
   if (!told.findings) return fit();
@@ -251,7 +256,8 @@ void AttemptPanel::refreshRunning() {
   if (told.steps) refreshNumbers();
   if (!other) return;
   fit();
-  if (told.steps) scroll_->ensureWidgetVisible(&steps_->act());
+  // After the layout.
+  if (told.steps) QTimer::singleShot(0, this, [this] { scroll_->ensureWidgetVisible(&steps_->act()); });
 }
 
 void AttemptPanel::refreshNumbers() {
@@ -296,6 +302,10 @@ void AttemptPanel::addToResult(QWidget* verdict, QWidget* button) {
   setTabOrder(resultButtons_->itemAt(0)->widget(), button);
 }
 
+void AttemptPanel::addGuideOption(QWidget* option) {
+  guideOptions_->layout()->addWidget(option);
+}
+
 void AttemptPanel::setProcedureFixed(bool isFixed) {
   isProcedureFixed_ = isFixed;
   refreshBegin();
@@ -314,7 +324,8 @@ void AttemptPanel::resizeEvent(QResizeEvent* event) {
 void AttemptPanel::fit() {
   QWidget* inner = scroll_->widget();
   const int width_px = width() - 24, needs_px = std::max(inner->layout()->heightForWidth(width_px), 40);
-  const int beside_px = 170;
+  int beside_px = 170;
+  if (!guideOptions_->isHidden()) beside_px += guideOptions_->sizeHint().height() + ui::kSmallGap;
   scroll_->setFixedHeight(std::min(needs_px, std::max(80, most_px_ - beside_px)));
 }
 

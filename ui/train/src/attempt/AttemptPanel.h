@@ -36,6 +36,8 @@ class AttemptPanel final : public QWidget {
   void addCard(QWidget* card);
   /// Adds a verdict below the result's errors, and a button to the result's buttons.
   void addToResult(QWidget* verdict, QWidget* button);
+  /// Adds a switch that concerns guided attempts only.
+  void addGuideOption(QWidget* option);
   /// Hides the choice of procedure and assistance while a level decides both.
   void setProcedureFixed(bool isFixed);
 
@@ -80,6 +82,7 @@ class AttemptPanel final : public QWidget {
   QLabel *unfit_ = nullptr, *head_ = nullptr, *numbers_ = nullptr, *headline_ = nullptr, *advice_ = nullptr,
          *errors_ = nullptr;
   QScrollArea* scroll_ = nullptr;
+  QWidget* guideOptions_ = nullptr;
   StepList* steps_ = nullptr;
   QVBoxLayout *beginBox_ = nullptr, *resultBox_ = nullptr;
   QHBoxLayout* resultButtons_ = nullptr;

@@ -21,6 +21,14 @@ struct PictureGuide {
   int chosen = -1;                 ///< index of the handle that is held or has the keyboard focus
 };
 
+/// The path that a needle would take if it were advanced.
+struct PictureAim {
+  std::optional<PicturePoint> tip;    ///< the needle's tip, if it lies within the slice
+  std::vector<PicturePoint> line;     ///< two points on the projection of the axis beyond the tip, or empty
+  std::optional<PicturePoint> cross;  ///< point in which the axis will cross the image plane
+  bool operator==(const PictureAim&) const = default;
+};
+
 /// A mesh of the tissue in the image plane, in its present deformation.
 struct PictureTissue {
   int columns = 0, rows = 0;        ///< number of nodes; no mesh if either is below 2
@@ -61,6 +69,10 @@ class UltrasoundView final : public View {
   /// Sets a guide, drawn over the image in the accent color; empty: no guide.
   void setGuide(PictureGuide guide);
 
+  /// Sets the needle's aim: the line dashed, a ring at the tip, a cross where the axis will cross the image.
+  void setAim(PictureAim aim);
+  const PictureAim& aim() const { return aim_; }
+
   /// Sets an overlay: some of the mesh's lines, and the pressure in its cells as colors with a color scale. Copies its
   /// arguments. Can be called with each image, since it does not cause a new layout.
   void setTissue(const PictureTissue& tissue, bool grid, bool pressure);
@@ -81,6 +93,7 @@ class UltrasoundView final : public View {
   PicturePlacement placement() const;
   void placePicture(const PictureBounds& shown);
   void drawGuide();
+  void drawAim();
   void drawTissue();
 
   BModeImage shape_;  ///< size and position of the image; its pixels are stored in the texture only
@@ -89,6 +102,7 @@ class UltrasoundView final : public View {
   std::vector<double> tgc_dB_;
   std::vector<Calliper> callipers_;
   PictureGuide guide_;
+  PictureAim aim_;
   PictureTissue tissue_;
   std::optional<PicturePoint> pointer_;
   std::string notice_;
