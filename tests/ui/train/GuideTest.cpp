@@ -1,11 +1,13 @@
 #include "AttemptWindow.h"
 #include "attempt/AimOverlay.h"
+#include "attempt/StandingError.h"
 #include "attempt/StepAct.h"
 
 #include <insonate/procedure/Procedure.h>
 #include <insonate/ui/Commands.h>
 
 #include <QRegularExpression>
+#include <QToolButton>
 
 namespace insonate::train {
 namespace {
@@ -172,6 +174,60 @@ TEST_F(TrainGuide, TheAimIsShownWhileGuidedUnlessItIsSwitchedOff) {
   QTest::qWait(300);
   EXPECT_FALSE(isShown());
   EXPECT_FALSE(shown("attemptAim"));
+}
+
+TEST(TrainStandingError, IsTheWorstOneThatIsNotDealtWith) {
+  Procedure procedure;
+  procedure.rules.resize(3);
+  procedure.rules[0].severity = Severity::Minor;
+  procedure.rules[1].severity = Severity::Major;
+  procedure.rules[2].severity = Severity::Critical;
+  AttemptView view;
+  StandingError standing;
+  const auto found = [&] { return standing.find(procedure, view); };
+  view.findings = {{.rule = 0, .time_us = 10}};
+  EXPECT_FALSE(found()) << "a minor one";
+  view.findings.push_back({.rule = 2, .time_us = 20});
+  view.findings.push_back({.rule = 1, .time_us = 30});
+  for (int i = 0; i < 5; ++i) view.findings.push_back({.rule = 0, .time_us = 40});
+  EXPECT_EQ(found(), 1U) << "critical before major, however many minor ones follow";
+  standing.dismiss(1);
+  EXPECT_EQ(found(), 2U);
+  view.events.push_back({.time_us = 25, .kind = AttemptEventKind::Withdrawn, .wall = kSkin});
+  EXPECT_EQ(found(), 2U) << "withdrawn before it";
+  view.events.push_back({.time_us = 35, .kind = AttemptEventKind::Withdrawn, .wall = kVein});
+  EXPECT_EQ(found(), 2U) << "still under the skin";
+  view.events.push_back({.time_us = 45, .kind = AttemptEventKind::Withdrawn, .wall = kSkin});
+  EXPECT_FALSE(found());
+  standing.reset();
+  EXPECT_FALSE(found()) << "withdrawn after both";
+}
+
+TEST_F(TrainGuide, ASevereErrorStaysUntilItIsDealtWith) {
+  begin();
+  overTheVein();
+  type("needle_depth", "22");
+  ASSERT_TRUE(waitFor([&] { return shown("attemptStanding"); }));
+  EXPECT_TRUE(text("attemptStanding").contains("through the posterior wall"));
+  EXPECT_FALSE(text("attemptFindings").contains("through the posterior wall")) << "once";
+  auto* label = child<QLabel>("attemptStanding");
+  EXPECT_TRUE(waitFor([&] { return label->height() >= label->heightForWidth(label->width()); })) << "cut";
+  key(Qt::Key_Backspace);
+  EXPECT_FALSE(shown("attemptStanding"));
+  EXPECT_TRUE(text("attemptFindings").contains("through the posterior wall"));
+  type("needle_depth", "-5");
+  ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Used; }));
+  type("needle_depth", "5");
+  ASSERT_TRUE(waitFor([&] { return text("attemptStanding").contains("in the skin before"); }));
+  EXPECT_TRUE(shown("attemptStanding"));
+  child<QToolButton>("attemptDismiss")->click();
+  EXPECT_FALSE(shown("attemptStanding"));
+  type("needle_depth", "-5");
+  ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Used; }));
+  type("needle_depth", "5");
+  ASSERT_TRUE(waitFor([&] { return shown("attemptStanding"); })) << "another one";
+  type("needle_depth", "-5");
+  EXPECT_TRUE(waitFor([&] { return !shown("attemptStanding"); })) << "the needle is out of the skin";
 }
 
 TEST(TrainGuideTexts, OfProceduresNameNoKeysAndNoDevices) {

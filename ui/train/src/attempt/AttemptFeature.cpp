@@ -97,6 +97,13 @@ void AttemptFeature::addCommands() {
               .keys = keys({Qt::Key_G}, Qt::ControlModifier),
               .perform = once([this] { aim_->setOn(!aim_->isOn()); }),
               .isAvailable = [this] { return isPatientShown() && model_.disclosure.current().steps; }});
+  addCommand({.id = "train.attempt.dismiss",
+              .text = {},
+              .does = tr("dismisses the error at the top of the attempt's panel"),
+              .listed = tr("Backspace"),
+              .keys = keys({Qt::Key_Backspace}),
+              .perform = once([this] { panel_->dismissError(); }),
+              .isAvailable = [this] { return isPatientShown() && control_->isRunning(); }});
 }
 
 void AttemptFeature::showNeedle() {

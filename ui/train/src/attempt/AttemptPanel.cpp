@@ -20,6 +20,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTimer>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -68,6 +69,7 @@ AttemptPanel::AttemptPanel(DisclosureModel& disclosure, HandsControl& hands, Cas
   box->addWidget(head_);
   for (QWidget* page : {begin_ = buildBegin(), running_ = buildRunning(), result_ = buildResult()})
     box->addWidget(page);
+  connect(&attempt_, &AttemptControl::begun, this, [this] { standing_.reset(); });
   connect(&attempt_, &AttemptControl::stateChanged, this, [this] { refresh(); });
   connect(&attempt_, &AttemptControl::viewChanged, this, [this] { refreshRunning(); });
   connect(&attempt_, &AttemptControl::aspiratingChanged, this, [this] { draw_->setChecked(attempt_.isAspirating()); });
@@ -140,9 +142,27 @@ QWidget* AttemptPanel::buildHands() {
   return page;
 }
 
+QWidget* AttemptPanel::buildStanding() {
+  standingBox_ = new QWidget;
+  auto* row = new QHBoxLayout(standingBox_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(ui::kSmallGap);
+  standingText_ = ui::paragraph("attemptStanding");
+  standingText_->setTextFormat(Qt::RichText);
+  auto* dismiss =
+      ui::named(new QToolButton, "attemptDismiss", tr("Dismiss"), commands_.toolTip("train.attempt.dismiss"));
+  dismiss->setText(QStringLiteral("✕"));
+  dismiss->setFocusPolicy(Qt::TabFocus);
+  row->addWidget(standingText_, 1);
+  row->addWidget(dismiss, 0, Qt::AlignTop);
+  connect(dismiss, &QToolButton::clicked, this, &AttemptPanel::dismissError);
+  return standingBox_;
+}
+
 QWidget* AttemptPanel::buildRunning() {
   auto* page = new QWidget;
   auto* box = pageColumn(page);
+  box->addWidget(buildStanding());
   auto* inner = new QWidget;
   auto* told = pageColumn(inner);
   steps_ = new StepList;
@@ -248,16 +268,37 @@ void AttemptPanel::refreshRunning() {
   head_->setToolTip(told.anatomy ? procedure : QString());
   scroll_->setVisible(told.findings);
   guideOptions_->setVisible(told.steps);
+  const bool otherStanding = refreshStanding();
   const double tilt_deg = imaging_.tissue().body.tilt_deg;
   position_->setCurrentIndex(position_->findData(tilt_deg));
   if (!told.findings) return fit();
-  const bool other = steps_->show(attempt_.procedure(), view, told.steps, act.words);
+  const bool other =
+      steps_->show(attempt_.procedure(), view, told.steps, act.words, standing_.find(attempt_.procedure(), view));
   numbers_->setVisible(told.steps);
   if (told.steps) refreshNumbers();
-  if (!other) return;
+  if (!other && !otherStanding) return;
   fit();
   // After the layout.
   if (told.steps) QTimer::singleShot(0, this, [this] { scroll_->ensureWidgetVisible(&steps_->act()); });
+}
+
+/// Returns whether the standing error is another one than before.
+bool AttemptPanel::refreshStanding() {
+  const Procedure& procedure = attempt_.procedure();
+  const auto standing = standing_.find(procedure, attempt_.view());
+  const bool isShown = standing && disclosure_.current().findings;
+  const QString words = isShown ? errorText(procedure, attempt_.view(), *standing) : QString();
+  standingBox_->setVisible(isShown);
+  if (standingText_->text() == words) return false;
+  standingText_->setText(words);
+  return true;
+}
+
+void AttemptPanel::dismissError() {
+  const auto standing = standing_.find(attempt_.procedure(), attempt_.view());
+  if (!standing || !disclosure_.current().findings) return;
+  standing_.dismiss(*standing);
+  refreshRunning();
 }
 
 void AttemptPanel::refreshNumbers() {
@@ -325,6 +366,7 @@ void AttemptPanel::fit() {
   QWidget* inner = scroll_->widget();
   const int width_px = width() - 24, needs_px = std::max(inner->layout()->heightForWidth(width_px), 40);
   int beside_px = 170;
+  if (!standingBox_->isHidden()) beside_px += standingBox_->layout()->heightForWidth(width_px) + ui::kSmallGap;
   if (!guideOptions_->isHidden()) beside_px += guideOptions_->sizeHint().height() + ui::kSmallGap;
   scroll_->setFixedHeight(std::min(needs_px, std::max(80, most_px_ - beside_px)));
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "StandingError.h"
+
 #include <QWidget>
 
 class QComboBox;
@@ -38,6 +40,8 @@ class AttemptPanel final : public QWidget {
   void addToResult(QWidget* verdict, QWidget* button);
   /// Adds a switch that concerns guided attempts only.
   void addGuideOption(QWidget* option);
+  /// Dismisses the standing error, if there is one.
+  void dismissError();
   /// Hides the choice of procedure and assistance while a level decides both.
   void setProcedureFixed(bool isFixed);
 
@@ -58,12 +62,14 @@ class AttemptPanel final : public QWidget {
   QWidget* buildBegin();
   QWidget* buildRunning();
   QWidget* buildHands();
+  QWidget* buildStanding();
   QWidget* buildResult();
   QPushButton* button(const char* object, const QString& text, const QString& says);
   void refresh();
   void refreshBegin();
   void refreshRunning();
   void refreshNumbers();
+  bool refreshStanding();
   void refreshResult();
   void fit();
 
@@ -82,7 +88,9 @@ class AttemptPanel final : public QWidget {
   QLabel *unfit_ = nullptr, *head_ = nullptr, *numbers_ = nullptr, *headline_ = nullptr, *advice_ = nullptr,
          *errors_ = nullptr;
   QScrollArea* scroll_ = nullptr;
-  QWidget* guideOptions_ = nullptr;
+  StandingError standing_;
+  QWidget *standingBox_ = nullptr, *guideOptions_ = nullptr;
+  QLabel* standingText_ = nullptr;
   StepList* steps_ = nullptr;
   QVBoxLayout *beginBox_ = nullptr, *resultBox_ = nullptr;
   QHBoxLayout* resultButtons_ = nullptr;

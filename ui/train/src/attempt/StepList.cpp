@@ -9,7 +9,6 @@
 #include <QLabel>
 #include <QStringList>
 #include <QVBoxLayout>
-#include <algorithm>
 
 namespace insonate::train {
 namespace {
@@ -64,11 +63,21 @@ StepList::StepList(QWidget* parent) : QWidget(parent) {
   ui::setRole(later_, "quiet");
 }
 
+QString errorText(const Procedure& procedure, const AttemptView& view, std::size_t finding) {
+  const ProcedureRun::Finding& one = view.findings[finding];
+  const ProcedureRule& rule = procedure.rules[one.rule];
+  return coloured(QStringLiteral("▲"), ui::colorOf(rule.severity)) + QStringLiteral("&nbsp; <b>%1, %2.</b> %3")
+                                                                         .arg(capital(ui::wordOf(rule.severity)),
+                                                                              clockOf(double(one.time_us) * 1e-6),
+                                                                              plain(sentenceOf(rule, one)));
+}
+
 QWidget& StepList::act() {
   return *act_;
 }
 
-bool StepList::show(const Procedure& procedure, const AttemptView& view, bool withSteps, const QString& act) {
+bool StepList::show(const Procedure& procedure, const AttemptView& view, bool withSteps, const QString& act,
+                    std::optional<std::size_t> standing) {
   QStringList before, after;
   QString due = QObject::tr("<b>All steps are done.</b>");
   for (std::size_t i = 0; i < view.steps.size(); ++i) {
@@ -80,17 +89,11 @@ bool StepList::show(const Procedure& procedure, const AttemptView& view, bool wi
       (view.due && i > *view.due ? after : before) << lineOf(step, view.steps[i].state);
   }
   QStringList findings;
-  const std::size_t count = view.findings.size(), first = count - std::min(count, kFindingsShown);
-  for (std::size_t i = count; i-- > first;) {
-    const ProcedureRule& rule = procedure.rules[view.findings[i].rule];
-    findings << coloured(QStringLiteral("▲"), ui::colorOf(rule.severity)) +
-                    QStringLiteral("&nbsp; <b>%1, %2.</b> %3")
-                        .arg(capital(ui::wordOf(rule.severity)), clockOf(double(view.findings[i].time_us) * 1e-6),
-                             plain(sentenceOf(rule, view.findings[i])));
-  }
+  for (std::size_t i = view.findings.size(); i-- > 0 && std::size_t(findings.size()) < kFindingsShown;)
+    if (standing != i) findings << errorText(procedure, view, i);
   bool other = write(*findings_, findings.join(QStringLiteral("<br>")));
   if (!withSteps) {
-    due = findings.isEmpty() ? QObject::tr("No errors so far.") : QString();
+    due = view.findings.empty() ? QObject::tr("No errors so far.") : QString();
     before.clear(), after.clear();
   }
   other |= write(*steps_, before.join(QStringLiteral("<br>")));
