@@ -230,6 +230,17 @@ TEST_F(TrainGuide, ASevereErrorStaysUntilItIsDealtWith) {
   EXPECT_TRUE(waitFor([&] { return !shown("attemptStanding"); })) << "the needle is out of the skin";
 }
 
+TEST_F(TrainGuide, PuttingTheNeedleDownReleasesThePlunger) {
+  begin();
+  overTheVein();
+  key(Qt::Key_B);
+  ASSERT_TRUE(attempt_->isAspirating());
+  key(Qt::Key_I);
+  ASSERT_FALSE(hands().needleHand());
+  EXPECT_FALSE(attempt_->isAspirating());
+  EXPECT_FALSE(child<QPushButton>("attemptDraw")->isChecked());
+}
+
 TEST(TrainGuideTexts, OfProceduresNameNoKeysAndNoDevices) {
   const QRegularExpression input("\\b(press|pedal|space|key|click|button)\\b",
                                  QRegularExpression::CaseInsensitiveOption);
