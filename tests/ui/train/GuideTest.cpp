@@ -6,8 +6,10 @@
 #include <insonate/procedure/Procedure.h>
 #include <insonate/ui/Commands.h>
 
+#include <QAction>
 #include <QRegularExpression>
 #include <QToolButton>
+#include <algorithm>
 
 namespace insonate::train {
 namespace {
@@ -239,6 +241,47 @@ TEST_F(TrainGuide, PuttingTheNeedleDownReleasesThePlunger) {
   ASSERT_FALSE(hands().needleHand());
   EXPECT_FALSE(attempt_->isAspirating());
   EXPECT_FALSE(child<QPushButton>("attemptDraw")->isChecked());
+}
+
+TEST_F(TrainGuide, TheStripIsWholeOnALaptop) {
+  begin();
+  overTheVein();
+  type("needle_depth", "12");
+  ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Vein; }));
+  key(Qt::Key_B);
+  ASSERT_TRUE(waitFor([&] { return text("attemptDrawn").contains("dark red"); }));
+  QTest::qWait(300);
+  EXPECT_GE(child<QWidget>("attemptNeedle")->y(), child<QWidget>("attemptTime")->geometry().bottom()) << "a second row";
+  for (const char* name : {"attemptTime", "attemptVein", "attemptArtery", "attemptDouble", "attemptToVein",
+                           "attemptUsed", "attemptNeedle", "attemptDrawn", "syringe"}) {
+    auto* one = child<QWidget>(name);
+    EXPECT_TRUE(one->isVisible()) << name;
+    EXPECT_EQ(one->visibleRegion().boundingRect(), one->rect()) << name << " is cut";
+    if (auto* label = qobject_cast<QLabel*>(one)) {
+      const bool isWrapped = label->wordWrap();
+      EXPECT_TRUE(isWrapped || label->width() >= label->sizeHint().width()) << name;
+      EXPECT_TRUE(!isWrapped || label->height() >= label->heightForWidth(label->width())) << name;
+    }
+  }
+}
+
+TEST_F(TrainGuide, NamesOfStructuresAreOverTheImageButNotInATest) {
+  openWide();
+  const auto& image = static_cast<const views::UltrasoundView&>(child<ui::ViewWidget>("ultrasoundView")->view());
+  EXPECT_TRUE(image.names().empty());
+  QAction* action = workspace_->commands().action("train.image.names");
+  key(Qt::Key_N, Qt::ControlModifier);
+  EXPECT_TRUE(action->isChecked());
+  const auto vein = [&] { return std::ranges::find(image.names(), "vein", &views::PictureName::words); };
+  ASSERT_TRUE(waitFor([&] { return vein() != image.names().end(); }));
+  EXPECT_NEAR(vein()->at.lateral_mm, 0, 1.5);
+  EXPECT_NEAR(vein()->at.axial_mm, 12, 1.5);
+  attempt_->setAssistance(Assistance::Test);
+  start();
+  EXPECT_TRUE(image.names().empty());
+  EXPECT_FALSE(action->isEnabled());
+  finish();
+  EXPECT_TRUE(waitFor([&] { return !image.names().empty(); })) << "they return";
 }
 
 TEST(TrainGuideTexts, OfProceduresNameNoKeysAndNoDevices) {

@@ -97,6 +97,12 @@ void UltrasoundView::setAim(PictureAim aim) {
   changed();
 }
 
+void UltrasoundView::setNames(std::vector<PictureName> names) {
+  if (names == names_) return;
+  names_ = std::move(names);
+  changed();
+}
+
 void UltrasoundView::setTissue(const PictureTissue& tissue, bool grid, bool pressure) {
   const bool shown = gridVisible_ || pressureVisible_;
   gridVisible_ = grid, pressureVisible_ = pressure;
@@ -167,6 +173,17 @@ void UltrasoundView::drawAim() {
     const DisplayPoint at = displayFromPicture(*aim_.tip);
     drawing_->lines.circle(at, 6 * scale(), {theme::kBlack, 3.5 * scale(), 0.5});
     drawing_->lines.circle(at, 6 * scale(), {theme::kAccent, 1.5 * scale(), 1});
+  }
+}
+
+void UltrasoundView::drawNames() {
+  for (const PictureName& name : names_) {
+    const DisplayPoint at = displayFromPicture(name.at);
+    if (!onPicture(at)) continue;
+    for (const double off : {-1.0, 1.0})
+      drawing_->texts.put({at.x + off * scale(), at.y + off * scale()}, name.words,
+                          {12 * scale(), theme::kBlack, false, Across::Centre, Along::Centre});
+    drawing_->texts.put(at, name.words, {12 * scale(), theme::kText, false, Across::Centre, Along::Centre});
   }
 }
 
@@ -243,6 +260,7 @@ void UltrasoundView::layout() {
     drawPictureFrame(frame, scale(), width_px(), lines, texts);
     if (pointer_) drawPointerMark(displayFromPicture(*pointer_), scale(), lines);
     const auto toDisplay = [this](PicturePoint point) { return displayFromPicture(point); };
+    drawNames();
     drawAim();
     drawGuide();
     const double line = 17 * scale();

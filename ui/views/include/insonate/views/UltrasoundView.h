@@ -29,6 +29,13 @@ struct PictureAim {
   bool operator==(const PictureAim&) const = default;
 };
 
+/// Name of a structure, written around its place in the image.
+struct PictureName {
+  PicturePoint at;
+  std::string words;
+  bool operator==(const PictureName&) const = default;
+};
+
 /// A mesh of the tissue in the image plane, in its present deformation.
 struct PictureTissue {
   int columns = 0, rows = 0;        ///< number of nodes; no mesh if either is below 2
@@ -72,6 +79,9 @@ class UltrasoundView final : public View {
   /// Sets the needle's aim: the line dashed, a ring at the tip, a cross where the axis will cross the image.
   void setAim(PictureAim aim);
   const PictureAim& aim() const { return aim_; }
+  /// Sets names of structures, written over the image.
+  void setNames(std::vector<PictureName> names);
+  const std::vector<PictureName>& names() const { return names_; }
 
   /// Sets an overlay: some of the mesh's lines, and the pressure in its cells as colors with a color scale. Copies its
   /// arguments. Can be called with each image, since it does not cause a new layout.
@@ -94,6 +104,7 @@ class UltrasoundView final : public View {
   void placePicture(const PictureBounds& shown);
   void drawGuide();
   void drawAim();
+  void drawNames();
   void drawTissue();
 
   BModeImage shape_;  ///< size and position of the image; its pixels are stored in the texture only
@@ -103,6 +114,7 @@ class UltrasoundView final : public View {
   std::vector<Calliper> callipers_;
   PictureGuide guide_;
   PictureAim aim_;
+  std::vector<PictureName> names_;
   PictureTissue tissue_;
   std::optional<PicturePoint> pointer_;
   std::string notice_;
