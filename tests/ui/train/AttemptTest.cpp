@@ -171,8 +171,8 @@ TEST_F(TrainAttempt, WhatWentWrongIsSaidWithWhatToDo) {
   start();
   overTheVein();
   type("needle_depth", "22");
-  EXPECT_TRUE(waitFor([&] { return text("attemptFindings").contains("through the posterior wall"); }));
-  EXPECT_TRUE(text("attemptFindings").contains("Major")) << text("attemptFindings").toStdString();
+  EXPECT_TRUE(waitFor([&] { return text("attemptStanding").contains("through the posterior wall"); }));
+  EXPECT_TRUE(text("attemptStanding").contains("Major")) << text("attemptStanding").toStdString();
   EXPECT_TRUE(waitFor([&] { return text("attemptNeedle").contains("wrong place"); }));
   key(Qt::Key_U);
   EXPECT_TRUE(workspace_->statusText().contains("Withdraw the needle"));

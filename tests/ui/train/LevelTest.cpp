@@ -314,7 +314,7 @@ TEST_F(TrainLevel, HintsSayOnlyWhatWentWrong) {
   EXPECT_TRUE(text("attemptHead").startsWith("Hints"));
   overTheVein();
   type("needle_depth", "22");
-  EXPECT_TRUE(waitFor([&] { return text("attemptFindings").contains("through the posterior wall"); }));
+  EXPECT_TRUE(waitFor([&] { return text("attemptStanding").contains("through the posterior wall"); }));
   EXPECT_FALSE(shown("attemptDue"));
   attempt_->abandon();
 }

@@ -239,7 +239,8 @@ TEST_F(TrainCommands, TooltipsAndMenusSayTheKeysOfTheCommands) {
   QStringList entries;
   for (const QAction* action : workspace_->actions()) entries << action->text();
   EXPECT_EQ(entries.join(", ").toStdString(),
-            "CT beside the image\tC, Left-handed layout, Devices ..., Levels and attempts\tJ");
+            "Names of structures\tCtrl+N, CT beside the image\tC, Left-handed layout, Devices ..., "
+            "Levels and attempts\tJ, Aim line\tCtrl+G");
   QStringList windows;
   for (const QAction* action : child<QToolButton>("sliceMenu")->menu()->actions()) windows << action->text();
   EXPECT_TRUE(windows.contains("soft tissue\tAlt+1") && windows.contains("brain\tAlt+5"));

@@ -49,6 +49,10 @@ AttemptControl::AttemptControl(TrainModel& model, QString folder, QObject* paren
   connect(&model_.live, &LiveModel::frozenChanged, this, [this] {
     if (isRunning()) attempt_->tell(model_.live.isFrozen() ? AttemptEventKind::Frozen : AttemptEventKind::Released);
   });
+  connect(&model_.hands, &HandsControl::needleChanged, this, [this] {
+    // The syringe is on the needle.
+    if (aspirating_ && !model_.hands.needle()) setAspirating(false);
+  });
   connect(&model_.imaging, &ImagingModel::tissueChanged, this, [this] {
     const double tilt_deg = model_.imaging.tissue().body.tilt_deg;
     if (std::exchange(tilt_deg_, tilt_deg) != tilt_deg && isRunning())

@@ -3,13 +3,17 @@
 #include "../layout/LeftColumn.h"
 #include "../layout/TrainLayout.h"
 #include "../model/TrainModel.h"
+#include "AimOverlay.h"
 #include "AttemptControl.h"
 #include "AttemptPanel.h"
 #include "AttemptStrip.h"
 #include "AttemptWords.h"
+#include "ControlMark.h"
 
 #include <insonate/ui/Workspace.h>
 
+#include <QAction>
+#include <QCheckBox>
 #include <QSettings>
 
 namespace insonate::train {
@@ -22,10 +26,12 @@ constexpr const char* kAttemptGroup = "attempt";
 AttemptFeature::AttemptFeature(TrainModel& model, TrainLayout& layout)
     : Feature(model, layout), control_(new AttemptControl(model, {}, this)) {
   addCommands();
-  panel_ = new AttemptPanel(model.disclosure, model.patientCase, model.imaging, model.live, *control_, commands());
+  panel_ = new AttemptPanel(model.disclosure, model.hands, model.patientCase, model.imaging, model.live, *control_,
+                            commands());
   layout.left().setHead(panel_, [this](int maximum_px) { panel_->setMostHeight(maximum_px); });
   layout.image().add(ImageColumn::Line, new AttemptStrip(model.disclosure, model.hands, model.patientCase, *control_,
                                                          commands(), &layout.image()));
+  buildAim();
   connect(control_, &AttemptControl::stateChanged, this, [this] {
     showNeedle();
     // Not from within the change itself: the case goes with what belongs to it.
@@ -34,12 +40,33 @@ AttemptFeature::AttemptFeature(TrainModel& model, TrainLayout& layout)
   connect(control_, &AttemptControl::viewChanged, this, [this] { showNeedle(); });
   connect(&model.tray, &NeedleTray::touched, control_, &AttemptControl::replaceNeedle);
   connect(&model.hands, &HandsControl::aspirateButtonChanged, control_, &AttemptControl::setAspirating);
+  auto* mark = new ControlMark(layout.workspace());
+  connect(panel_, &AttemptPanel::actControlNamed, mark, &ControlMark::pointAt);
   connect(panel_, &AttemptPanel::reviewWanted, &layout.workspace(), &ui::Workspace::attemptWanted);
 }
 
 AttemptFeature::~AttemptFeature() {
   // While those that listen to its end exist.
   delete control_;
+}
+
+void AttemptFeature::buildAim() {
+  aim_ = new AimOverlay(model_.disclosure, model_.live, *control_, layout_.views().image(), this);
+  QAction* action = addSwitch("train.attempt.aim", [this] { return aim_->isOn(); });
+  auto* box = new QCheckBox(tr("Aim line"));
+  box->setObjectName("attemptAim");
+  box->setFocusPolicy(Qt::TabFocus);
+  box->setToolTip(commands().toolTip("train.attempt.aim"));
+  panel_->addGuideOption(box);
+  const auto show = [action, box](bool isOn) {
+    action->setChecked(isOn);
+    box->setChecked(isOn);
+  };
+  show(aim_->isOn());
+  connect(aim_, &AimOverlay::switched, box, show);
+  connect(box, &QCheckBox::clicked, aim_, &AimOverlay::setOn);
+  connect(&model_.disclosure, &DisclosureModel::changed, action,
+          [this, action] { action->setEnabled(model_.disclosure.current().steps); });
 }
 
 void AttemptFeature::addCommands() {
@@ -62,6 +89,21 @@ void AttemptFeature::addCommands() {
               .listed = tr("U"),
               .keys = keys({Qt::Key_U}),
               .perform = once([this] { control_->replaceNeedle(); })});
+  addCommand({.id = "train.attempt.aim",
+              .text = tr("Aim line"),
+              .does = tr("shows over the image of a guided attempt where the needle would go if it were advanced, or "
+                         "hides it"),
+              .listed = tr("Ctrl+G"),
+              .keys = keys({Qt::Key_G}, Qt::ControlModifier),
+              .perform = once([this] { aim_->setOn(!aim_->isOn()); }),
+              .isAvailable = [this] { return isPatientShown() && model_.disclosure.current().steps; }});
+  addCommand({.id = "train.attempt.dismiss",
+              .text = {},
+              .does = tr("dismisses the error at the top of the attempt's panel"),
+              .listed = tr("Backspace"),
+              .keys = keys({Qt::Key_Backspace}),
+              .perform = once([this] { panel_->dismissError(); }),
+              .isAvailable = [this] { return isPatientShown() && control_->isRunning(); }});
 }
 
 void AttemptFeature::showNeedle() {
@@ -91,12 +133,14 @@ void AttemptFeature::stop() {
 void AttemptFeature::save(QSettings& settings) const {
   settings.beginGroup(kAttemptGroup);
   control_->save(settings);
+  settings.setValue("aim", aim_->isOn());
   settings.endGroup();
 }
 
 void AttemptFeature::restore(QSettings& settings) {
   settings.beginGroup(kAttemptGroup);
   control_->restore(settings);
+  aim_->setOn(settings.value("aim", true).toBool());
   settings.endGroup();
 }
 

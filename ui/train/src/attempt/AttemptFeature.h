@@ -6,6 +6,7 @@ namespace insonate::train {
 
 class AttemptControl;
 class AttemptPanel;
+class AimOverlay;
 
 /// The feature for attempts at procedures: AttemptControl, the panel above the controls, the strip under the image, and
 /// the keys.
@@ -29,10 +30,12 @@ class AttemptFeature final : public Feature {
 
  private:
   void addCommands();
+  void buildAim();
   void showNeedle();
 
   AttemptControl* control_;
   AttemptPanel* panel_ = nullptr;
+  AimOverlay* aim_ = nullptr;
 };
 
 }  // namespace insonate::train

@@ -1,14 +1,16 @@
 #include "AttemptPanel.h"
 
-#include "../feature/CommandWords.h"
 #include "../model/CaseModel.h"
 #include "../model/Disclosure.h"
+#include "../model/HandsControl.h"
 #include "../model/ImagingModel.h"
 #include "../model/LiveModel.h"
 #include "AttemptControl.h"
 #include "AttemptWords.h"
+#include "StepAct.h"
 #include "StepList.h"
 
+#include <insonate/ui/Commands.h>
 #include <insonate/ui/StateColors.h>
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
@@ -17,6 +19,8 @@
 #include <QGridLayout>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QTimer>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -46,10 +50,12 @@ QComboBox* attemptChoice(const char* object, const QString& name, const QString&
 
 }  // namespace
 
-AttemptPanel::AttemptPanel(DisclosureModel& disclosure, CaseModel& patientCase, ImagingModel& imaging, LiveModel& live,
-                           AttemptControl& attempt, const ui::Commands& commands, QWidget* parent)
+AttemptPanel::AttemptPanel(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase,
+                           ImagingModel& imaging, LiveModel& live, AttemptControl& attempt,
+                           const ui::Commands& commands, QWidget* parent)
     : QWidget(parent),
       disclosure_(disclosure),
+      hands_(hands),
       patientCase_(patientCase),
       imaging_(imaging),
       live_(live),
@@ -63,6 +69,7 @@ AttemptPanel::AttemptPanel(DisclosureModel& disclosure, CaseModel& patientCase, 
   box->addWidget(head_);
   for (QWidget* page : {begin_ = buildBegin(), running_ = buildRunning(), result_ = buildResult()})
     box->addWidget(page);
+  connect(&attempt_, &AttemptControl::begun, this, [this] { standing_.reset(); });
   connect(&attempt_, &AttemptControl::stateChanged, this, [this] { refresh(); });
   connect(&attempt_, &AttemptControl::viewChanged, this, [this] { refreshRunning(); });
   connect(&attempt_, &AttemptControl::aspiratingChanged, this, [this] { draw_->setChecked(attempt_.isAspirating()); });
@@ -135,12 +142,30 @@ QWidget* AttemptPanel::buildHands() {
   return page;
 }
 
+QWidget* AttemptPanel::buildStanding() {
+  standingBox_ = new QWidget;
+  auto* row = new QHBoxLayout(standingBox_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(ui::kSmallGap);
+  standingText_ = ui::paragraph("attemptStanding");
+  standingText_->setTextFormat(Qt::RichText);
+  auto* dismiss =
+      ui::named(new QToolButton, "attemptDismiss", tr("Dismiss"), commands_.toolTip("train.attempt.dismiss"));
+  dismiss->setText(QStringLiteral("✕"));
+  dismiss->setFocusPolicy(Qt::TabFocus);
+  row->addWidget(standingText_, 1);
+  row->addWidget(dismiss, 0, Qt::AlignTop);
+  connect(dismiss, &QToolButton::clicked, this, &AttemptPanel::dismissError);
+  return standingBox_;
+}
+
 QWidget* AttemptPanel::buildRunning() {
   auto* page = new QWidget;
   auto* box = pageColumn(page);
+  box->addWidget(buildStanding());
   auto* inner = new QWidget;
   auto* told = pageColumn(inner);
-  steps_ = new StepList(keysOf(commands_, "train.attempt.startOrFinish"));
+  steps_ = new StepList;
   numbers_ = ui::paragraph("attemptNumbers", "");
   numbers_->setTextFormat(Qt::RichText);
   numbers_->setToolTip(tr("Further metrics of the attempt so far"));
@@ -153,6 +178,9 @@ QWidget* AttemptPanel::buildRunning() {
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll_->setFocusPolicy(Qt::NoFocus);
   box->addWidget(scroll_);
+  guideOptions_ = new QWidget;
+  pageColumn(guideOptions_);
+  box->addWidget(guideOptions_);
   box->addWidget(buildHands());
   auto* row = new QHBoxLayout;
   row->setSpacing(ui::kSmallGap);
@@ -228,19 +256,49 @@ void AttemptPanel::refreshRunning() {
   const Disclosure& told = disclosure_.current();
   if (state == State::Idle || state == State::Starting) head_->setText(tr("Attempt"));
   if (state == State::Over || state == State::Writing) head_->setText(tr("Attempt, %1").arg(clockOf(view.time_s)));
+  const bool isGuided = state == State::Running && told.steps;
+  const StepAct act =
+      isGuided ? nextAct(attempt_.procedure(), view, handsNow(hands_, live_, attempt_.isAspirating()), commands_)
+               : StepAct();
+  Q_EMIT actControlNamed(act.control);
   if (state != State::Running) return;
   const std::size_t step = view.due ? *view.due + 1 : view.steps.size();
   head_->setText(told.steps ? tr("Step %1 of %2, %3").arg(step).arg(view.steps.size()).arg(clockOf(view.time_s))
                             : tr("%1, %2").arg(capital(wordOf(attempt_.assistance())), clockOf(view.time_s)));
   head_->setToolTip(told.anatomy ? procedure : QString());
   scroll_->setVisible(told.findings);
+  guideOptions_->setVisible(told.steps);
+  const bool otherStanding = refreshStanding();
   const double tilt_deg = imaging_.tissue().body.tilt_deg;
   position_->setCurrentIndex(position_->findData(tilt_deg));
   if (!told.findings) return fit();
-  const bool other = steps_->show(attempt_.procedure(), view, told.steps);
+  const bool other =
+      steps_->show(attempt_.procedure(), view, told.steps, act.words, standing_.find(attempt_.procedure(), view));
   numbers_->setVisible(told.steps);
   if (told.steps) refreshNumbers();
-  if (other) fit();
+  if (!other && !otherStanding) return;
+  fit();
+  // After the layout.
+  if (told.steps) QTimer::singleShot(0, this, [this] { scroll_->ensureWidgetVisible(&steps_->act()); });
+}
+
+/// Returns whether the standing error is another one than before.
+bool AttemptPanel::refreshStanding() {
+  const Procedure& procedure = attempt_.procedure();
+  const auto standing = standing_.find(procedure, attempt_.view());
+  const bool isShown = standing && disclosure_.current().findings;
+  const QString words = isShown ? errorText(procedure, attempt_.view(), *standing) : QString();
+  standingBox_->setVisible(isShown);
+  if (standingText_->text() == words) return false;
+  standingText_->setText(words);
+  return true;
+}
+
+void AttemptPanel::dismissError() {
+  const auto standing = standing_.find(attempt_.procedure(), attempt_.view());
+  if (!standing || !disclosure_.current().findings) return;
+  standing_.dismiss(*standing);
+  refreshRunning();
 }
 
 void AttemptPanel::refreshNumbers() {
@@ -285,6 +343,10 @@ void AttemptPanel::addToResult(QWidget* verdict, QWidget* button) {
   setTabOrder(resultButtons_->itemAt(0)->widget(), button);
 }
 
+void AttemptPanel::addGuideOption(QWidget* option) {
+  guideOptions_->layout()->addWidget(option);
+}
+
 void AttemptPanel::setProcedureFixed(bool isFixed) {
   isProcedureFixed_ = isFixed;
   refreshBegin();
@@ -303,7 +365,9 @@ void AttemptPanel::resizeEvent(QResizeEvent* event) {
 void AttemptPanel::fit() {
   QWidget* inner = scroll_->widget();
   const int width_px = width() - 24, needs_px = std::max(inner->layout()->heightForWidth(width_px), 40);
-  const int beside_px = 170;
+  int beside_px = 170;
+  if (!standingBox_->isHidden()) beside_px += standingBox_->layout()->heightForWidth(width_px) + ui::kSmallGap;
+  if (!guideOptions_->isHidden()) beside_px += guideOptions_->sizeHint().height() + ui::kSmallGap;
   scroll_->setFixedHeight(std::min(needs_px, std::max(80, most_px_ - beside_px)));
 }
 

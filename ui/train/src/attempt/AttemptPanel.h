@@ -1,5 +1,7 @@
 #pragma once
 
+#include "StandingError.h"
+
 #include <QWidget>
 
 class QComboBox;
@@ -19,6 +21,7 @@ class AttemptControl;
 class StepList;
 class CaseModel;
 class DisclosureModel;
+class HandsControl;
 class ImagingModel;
 class LiveModel;
 
@@ -28,13 +31,17 @@ class AttemptPanel final : public QWidget {
   Q_OBJECT
 
  public:
-  AttemptPanel(DisclosureModel& disclosure, CaseModel& patientCase, ImagingModel& imaging, LiveModel& live,
-               AttemptControl& attempt, const ui::Commands& commands, QWidget* parent = nullptr);
+  AttemptPanel(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase, ImagingModel& imaging,
+               LiveModel& live, AttemptControl& attempt, const ui::Commands& commands, QWidget* parent = nullptr);
 
   /// Adds a card above the choice of the procedure.
   void addCard(QWidget* card);
   /// Adds a verdict below the result's errors, and a button to the result's buttons.
   void addToResult(QWidget* verdict, QWidget* button);
+  /// Adds a switch that concerns guided attempts only.
+  void addGuideOption(QWidget* option);
+  /// Dismisses the standing error, if there is one.
+  void dismissError();
   /// Hides the choice of procedure and assistance while a level decides both.
   void setProcedureFixed(bool isFixed);
 
@@ -44,6 +51,9 @@ class AttemptPanel final : public QWidget {
  Q_SIGNALS:
   /// Emitted when the user wants to see the recording of a finished attempt.
   void reviewWanted(const QString& file);
+  /// Emitted repeatedly while an attempt runs. `object`: object name of the control for the next act; empty: no
+  /// control, or the act is not disclosed.
+  void actControlNamed(const QString& object);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -52,16 +62,19 @@ class AttemptPanel final : public QWidget {
   QWidget* buildBegin();
   QWidget* buildRunning();
   QWidget* buildHands();
+  QWidget* buildStanding();
   QWidget* buildResult();
   QPushButton* button(const char* object, const QString& text, const QString& says);
   void refresh();
   void refreshBegin();
   void refreshRunning();
   void refreshNumbers();
+  bool refreshStanding();
   void refreshResult();
   void fit();
 
   DisclosureModel& disclosure_;
+  HandsControl& hands_;
   CaseModel& patientCase_;
   ImagingModel& imaging_;
   LiveModel& live_;
@@ -75,6 +88,9 @@ class AttemptPanel final : public QWidget {
   QLabel *unfit_ = nullptr, *head_ = nullptr, *numbers_ = nullptr, *headline_ = nullptr, *advice_ = nullptr,
          *errors_ = nullptr;
   QScrollArea* scroll_ = nullptr;
+  StandingError standing_;
+  QWidget *standingBox_ = nullptr, *guideOptions_ = nullptr;
+  QLabel* standingText_ = nullptr;
   StepList* steps_ = nullptr;
   QVBoxLayout *beginBox_ = nullptr, *resultBox_ = nullptr;
   QHBoxLayout* resultButtons_ = nullptr;

@@ -17,9 +17,17 @@
 namespace insonate::train {
 namespace {
 
-/// From here on there is room for the time to the vein, which the panel tells, too, and for words about the syringe,
-/// and for the name of the vessel.
-constexpr int kWithTime_px = 640, kWithWords_px = 800, kWithVessel_px = 1000;
+/// From here on there is room for the time to the vein, which the panel tells, too, and for both rows beside each
+/// other.
+constexpr int kWithTime_px = 440, kOneRow_px = 1080;
+constexpr int kSpacing = 12;
+
+QHBoxLayout* stripRow(QBoxLayout& rows) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kSpacing);
+  rows.addLayout(row);
+  return row;
+}
 
 }  // namespace
 
@@ -31,10 +39,11 @@ AttemptStrip::AttemptStrip(DisclosureModel& disclosure, HandsControl& hands, Cas
       patientCase_(patientCase),
       attempt_(attempt),
       commands_(commands),
-      row_(new QHBoxLayout(this)) {
+      rows_(new QBoxLayout(QBoxLayout::TopToBottom, this)),
+      row_(stripRow(*rows_)) {
   setObjectName("attemptStrip");
-  row_->setContentsMargins(8, 4, 8, 0);
-  row_->setSpacing(12);
+  rows_->setContentsMargins(8, 4, 8, 0);
+  rows_->setSpacing(2);
   time_ = number("attemptTime", QStringLiteral("88:88"), tr("Time of the attempt, minutes and seconds"));
   vein_ = number("attemptVein", tr("vein 8"), tr("Punctures of the vein"));
   artery_ = number("attemptArtery", tr("artery 8"), tr("Punctures of the artery"));
@@ -44,10 +53,16 @@ AttemptStrip::AttemptStrip(DisclosureModel& disclosure, HandsControl& hands, Cas
                    tr("Time from skin puncture to vein puncture in the same needle pass, in s"));
   used_ = number("attemptUsed", tr("used 8"), tr("Insertions with a used needle"));
   row_->addStretch(1);
+  row_ = stripRow(*rows_);
   needle_ = number("attemptNeedle", QStringLiteral("▲ wrong place"), {});
   needle_->setTextFormat(Qt::RichText);
+  needle_->setWordWrap(true);
+  row_->setStretch(0, 1);
   drawn_ = number("attemptDrawn", {}, commands_.toolTip(tr("Content of the syringe"), "train.attempt.aspirate"));
   syringe_ = new SyringeView(disclosure_, hands_, patientCase_, attempt, commands_, this);
+  drawn_->setWordWrap(true);
+  drawn_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  row_->setStretch(1, 1);
   row_->addWidget(syringe_);
   // The wide one must not keep its column wide.
   setMinimumWidth(200);
@@ -70,8 +85,7 @@ QLabel* AttemptStrip::number(const char* object, const QString& widest, const QS
 
 void AttemptStrip::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  drawn_->setVisible(width() >= kWithWords_px);
-  row_->setSpacing(width() >= kWithTime_px ? 12 : 7);
+  rows_->setDirection(width() >= kOneRow_px ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   refresh();
 }
 
@@ -99,8 +113,7 @@ void AttemptStrip::refreshNeedle() {
   const NeedlePlace place = attempt_.view().needle;
   const Disclosure& told = disclosure_.current();
   const QString vessel = told.anatomy ? QString::fromStdString(attempt_.view().vessel) : QString();
-  const ui::PlaceWords named = ui::wordsOf(disclosed(place, told), vessel);
-  const ui::PlaceWords words = width() >= kWithVessel_px ? named : ui::wordsOf(disclosed(place, told));
+  const ui::PlaceWords words = ui::wordsOf(disclosed(place, told), vessel);
   needle_->setToolTip((told.anatomy ? tr("Needle position: green in the vein, red in a wrong place; yellow if the "
                                          "needle was already used (%1 takes a new one)")
                                     : tr("Whether the needle is new, inserted or used (%1 takes a new one)"))
@@ -108,7 +121,7 @@ void AttemptStrip::refreshNeedle() {
   // The sign has the color: words of that color would be hard to read.
   needle_->setText(QStringLiteral("<span style='color:%1'>%2</span> %3")
                        .arg(ui::colour(ui::colorOf(disclosed(place, told))).name(), words.sign, words.words));
-  needle_->setAccessibleName(tr("Needle: %1").arg(named.words));
+  needle_->setAccessibleName(tr("Needle: %1").arg(words.words));
 }
 
 }  // namespace insonate::train

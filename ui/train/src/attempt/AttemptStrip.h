@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+class QBoxLayout;
 class QHBoxLayout;
 class QLabel;
 
@@ -37,7 +38,8 @@ class AttemptStrip final : public QWidget {
   CaseModel& patientCase_;
   AttemptControl& attempt_;
   const ui::Commands& commands_;
-  QHBoxLayout* row_;
+  QBoxLayout* rows_;
+  QHBoxLayout* row_;  ///< row to which widgets are added
   QLabel *time_, *vein_, *artery_, *double_, *toVein_, *used_, *needle_, *drawn_;
   SyringeView* syringe_;
 };

@@ -9,7 +9,6 @@
 #include <QLabel>
 #include <QStringList>
 #include <QVBoxLayout>
-#include <algorithm>
 
 namespace insonate::train {
 namespace {
@@ -51,21 +50,36 @@ bool write(QLabel& label, const QString& text) {
 
 }  // namespace
 
-StepList::StepList(const QString& finishKeys, QWidget* parent) : QWidget(parent), finishKeys_(finishKeys) {
+StepList::StepList(QWidget* parent) : QWidget(parent) {
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kSmallGap);
   findings_ = paragraph("attemptFindings", *box);
   steps_ = paragraph("attemptStepsDone", *box);
   say_ = paragraph("attemptDue", *box);
+  act_ = paragraph("attemptAct", *box);
   later_ = paragraph("attemptStepsLater", *box);
   ui::setRole(steps_, "quiet");
   ui::setRole(later_, "quiet");
 }
 
-bool StepList::show(const Procedure& procedure, const AttemptView& view, bool withSteps) {
+QString errorText(const Procedure& procedure, const AttemptView& view, std::size_t finding) {
+  const ProcedureRun::Finding& one = view.findings[finding];
+  const ProcedureRule& rule = procedure.rules[one.rule];
+  return coloured(QStringLiteral("▲"), ui::colorOf(rule.severity)) + QStringLiteral("&nbsp; <b>%1, %2.</b> %3")
+                                                                         .arg(capital(ui::wordOf(rule.severity)),
+                                                                              clockOf(double(one.time_us) * 1e-6),
+                                                                              plain(sentenceOf(rule, one)));
+}
+
+QWidget& StepList::act() {
+  return *act_;
+}
+
+bool StepList::show(const Procedure& procedure, const AttemptView& view, bool withSteps, const QString& act,
+                    std::optional<std::size_t> standing) {
   QStringList before, after;
-  QString due = QObject::tr("<b>All steps are done.</b> Finish the attempt (%1).").arg(finishKeys_);
+  QString due = QObject::tr("<b>All steps are done.</b>");
   for (std::size_t i = 0; i < view.steps.size(); ++i) {
     const ProcedureStep& step = procedure.steps[i];
     if (view.due == i)
@@ -75,21 +89,19 @@ bool StepList::show(const Procedure& procedure, const AttemptView& view, bool wi
       (view.due && i > *view.due ? after : before) << lineOf(step, view.steps[i].state);
   }
   QStringList findings;
-  const std::size_t count = view.findings.size(), first = count - std::min(count, kFindingsShown);
-  for (std::size_t i = count; i-- > first;) {
-    const ProcedureRule& rule = procedure.rules[view.findings[i].rule];
-    findings << coloured(QStringLiteral("▲"), ui::colorOf(rule.severity)) +
-                    QStringLiteral("&nbsp; <b>%1, %2.</b> %3")
-                        .arg(capital(ui::wordOf(rule.severity)), clockOf(double(view.findings[i].time_us) * 1e-6),
-                             plain(sentenceOf(rule, view.findings[i])));
-  }
+  for (std::size_t i = view.findings.size(); i-- > 0 && std::size_t(findings.size()) < kFindingsShown;)
+    if (standing != i) findings << errorText(procedure, view, i);
   bool other = write(*findings_, findings.join(QStringLiteral("<br>")));
   if (!withSteps) {
-    due = findings.isEmpty() ? QObject::tr("No errors so far.") : QString();
+    due = view.findings.empty() ? QObject::tr("No errors so far.") : QString();
     before.clear(), after.clear();
   }
   other |= write(*steps_, before.join(QStringLiteral("<br>")));
   other |= write(*say_, due);
+  // The sign is that of the mark on the control.
+  other |= write(*act_, withSteps ? coloured(QStringLiteral("▼"), views::theme::kAccent) + QStringLiteral("&nbsp; ") +
+                                        act.toHtmlEscaped()
+                                  : QString());
   other |= write(*later_, after.join(QStringLiteral("<br>")));
   return other;
 }

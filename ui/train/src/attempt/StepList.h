@@ -2,6 +2,8 @@
 
 #include <QString>
 #include <QWidget>
+#include <cstddef>
+#include <optional>
 
 class QLabel;
 
@@ -15,15 +17,21 @@ namespace insonate::train {
 /// Lists the steps of a procedure: done steps, due steps with instructions, and errors, the latest first.
 class StepList final : public QWidget {
  public:
-  /// `finishKeys`: keys of the command that finishes an attempt.
-  explicit StepList(const QString& finishKeys, QWidget* parent = nullptr);
+  explicit StepList(QWidget* parent = nullptr);
 
-  /// Shows an attempt; if not `withSteps`, only its errors. Returns whether the list needs another height than before.
-  bool show(const Procedure& procedure, const AttemptView& view, bool withSteps);
+  /// Shows an attempt; if not `withSteps`, only its errors. `act`: the next act, shown with the due step. `standing`:
+  /// finding that is shown elsewhere. Returns whether the list needs another height than before.
+  bool show(const Procedure& procedure, const AttemptView& view, bool withSteps, const QString& act,
+            std::optional<std::size_t> standing);
+  /// The label of the next act, which must be in sight.
+  QWidget& act();
 
  private:
-  QString finishKeys_;
-  QLabel *steps_, *say_, *later_, *findings_;
+  QLabel *steps_, *say_, *act_, *later_, *findings_;
 };
+
+/// Returns an error as rich text: sign, severity, time, and the sentence of its rule. `finding`: index into
+/// AttemptView::findings.
+QString errorText(const Procedure& procedure, const AttemptView& view, std::size_t finding);
 
 }  // namespace insonate::train

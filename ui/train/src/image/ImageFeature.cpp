@@ -13,6 +13,7 @@
 #include "ImagePanel.h"
 #include "LinkedPointer.h"
 #include "Measurements.h"
+#include "StructureNames.h"
 
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/ViewWidget.h>
@@ -33,6 +34,7 @@ ImageFeature::ImageFeature(TrainModel& model, TrainLayout& layout, QWidget& prob
   addMeasuring();
   listGestures();
   besideAction_ = addSwitch("train.image.ctBeside", [this] { return beside_->isShown(); });
+  buildNames();
   panel_ = new ImagePanel(model.disclosure, model.imaging, probeChooser, commands());
   layout.controls().addSection(panel_);
   layout.controls().setFoot(new FreezeButton(model.patientCase, model.live, commands().toolTip("train.image.freeze")));
@@ -40,6 +42,15 @@ ImageFeature::ImageFeature(TrainModel& model, TrainLayout& layout, QWidget& prob
   buildInput();
   connectModel();
   showCase();
+}
+
+void ImageFeature::buildNames() {
+  names_ = new StructureNames(model_.disclosure, model_.hands, model_.patientCase, model_.live, layout_.views().image(),
+                              this);
+  QAction* action = addSwitch("train.image.names", [this] { return names_->isOn(); });
+  connect(names_, &StructureNames::switched, action, &QAction::setChecked);
+  connect(&model_.disclosure, &DisclosureModel::changed, action,
+          [this, action] { action->setEnabled(model_.disclosure.current().anatomy); });
 }
 
 void ImageFeature::buildColumn() {
@@ -134,6 +145,14 @@ void ImageFeature::addCommands() {
               .listed = tr("C"),
               .keys = keys({Qt::Key_C}),
               .perform = [this](ui::KeyPress) { setCtBeside(!beside_->isShown()); }});
+  addCommand({.id = "train.image.names",
+              .text = tr("Names of structures"),
+              .does = tr("shows the names of the structures over the image, or hides them"),
+              .listed = tr("Ctrl+N"),
+              .keys = keys({Qt::Key_N}, Qt::ControlModifier),
+              .perform = once([this] {
+                if (model_.disclosure.mayShowAnatomy()) names_->setOn(!names_->isOn());
+              })});
   addCommand({.id = "train.image.nextEffect",
               .text = {},
               .does = tr("shows the next or previous effect of the ultrasound model by itself"),
@@ -276,12 +295,14 @@ void ImageFeature::setCtBeside(bool isShown) {
 
 void ImageFeature::save(QSettings& settings) const {
   settings.setValue("ctBeside", beside_->isShown());
+  settings.setValue("structureNames", names_->isOn());
   exports_->save(settings);
   panel_->save(settings);
 }
 
 void ImageFeature::restore(QSettings& settings) {
   setCtBeside(settings.value("ctBeside", false).toBool());
+  names_->setOn(settings.value("structureNames", false).toBool());
   exports_->restore(settings);
   panel_->restore(settings);
 }

@@ -20,6 +20,7 @@ class EqualPanes;
 class ImageExports;
 class ImagePanel;
 class Measurements;
+class StructureNames;
 
 /// The feature for the ultrasound image: settings, measurements, the last seconds, the CT beside it, and export.
 class ImageFeature final : public Feature {
@@ -40,6 +41,7 @@ class ImageFeature final : public Feature {
   void addCommands();
   void addMeasuring();
   void listGestures();
+  void buildNames();
   void buildColumn();
   void buildInput();
   void connectModel();
@@ -56,6 +58,7 @@ class ImageFeature final : public Feature {
   EqualPanes* panes_ = nullptr;  ///< contains the image and the CT beside it
   CtBeside* beside_ = nullptr;
   CineBar* cine_ = nullptr;
+  StructureNames* names_ = nullptr;
   Measurements* measurements_ = nullptr;
   ImageExports* exports_ = nullptr;
   std::shared_ptr<const ImagingSetup> shape_;  ///< setup for which the image was laid out

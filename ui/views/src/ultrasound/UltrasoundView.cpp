@@ -91,6 +91,18 @@ void UltrasoundView::setGuide(PictureGuide guide) {
   changed();
 }
 
+void UltrasoundView::setAim(PictureAim aim) {
+  if (aim == aim_) return;
+  aim_ = std::move(aim);
+  changed();
+}
+
+void UltrasoundView::setNames(std::vector<PictureName> names) {
+  if (names == names_) return;
+  names_ = std::move(names);
+  changed();
+}
+
 void UltrasoundView::setTissue(const PictureTissue& tissue, bool grid, bool pressure) {
   const bool shown = gridVisible_ || pressureVisible_;
   gridVisible_ = grid, pressureVisible_ = pressure;
@@ -129,6 +141,49 @@ void UltrasoundView::drawGuide() {
     const bool before = at.x > width_px() - 120 * scale();
     drawing_->texts.put({at.x + (before ? -12 : 12) * scale(), at.y - 8 * scale()}, guide_.words[k],
                         {13 * scale(), theme::kText, false, before ? Across::Right : Across::Left, Along::Bottom});
+  }
+}
+
+void UltrasoundView::drawAim() {
+  // Light on dark, so that it is seen over any tissue.
+  const auto segment = [this](DisplayPoint from, DisplayPoint to) {
+    drawing_->lines.segment(from, to, {theme::kBlack, 3.5 * scale(), 0.5});
+    drawing_->lines.segment(from, to, {theme::kAccent, 1.5 * scale(), 1});
+  };
+  if (aim_.line.size() == 2) {
+    constexpr double kDash_mm = 1.5, kPeriod_mm = 3;
+    const PicturePoint &from = aim_.line[0], &to = aim_.line[1];
+    const double length_mm = std::hypot(to.lateral_mm - from.lateral_mm, to.axial_mm - from.axial_mm);
+    const auto at = [&](double way_mm) {
+      const double part = way_mm / length_mm;
+      return displayFromPicture({from.lateral_mm + part * (to.lateral_mm - from.lateral_mm),
+                                 from.axial_mm + part * (to.axial_mm - from.axial_mm)});
+    };
+    // The first gap leaves the tip in sight.
+    for (double way_mm = kDash_mm; way_mm + kDash_mm <= length_mm; way_mm += kPeriod_mm)
+      if (onPicture(at(way_mm)) && onPicture(at(way_mm + kDash_mm))) segment(at(way_mm), at(way_mm + kDash_mm));
+  }
+  if (aim_.cross && onPicture(displayFromPicture(*aim_.cross))) {
+    const DisplayPoint at = displayFromPicture(*aim_.cross);
+    const double arm = 7 * scale();
+    segment({at.x - arm, at.y - arm}, {at.x + arm, at.y + arm});
+    segment({at.x - arm, at.y + arm}, {at.x + arm, at.y - arm});
+  }
+  if (aim_.tip && onPicture(displayFromPicture(*aim_.tip))) {
+    const DisplayPoint at = displayFromPicture(*aim_.tip);
+    drawing_->lines.circle(at, 6 * scale(), {theme::kBlack, 3.5 * scale(), 0.5});
+    drawing_->lines.circle(at, 6 * scale(), {theme::kAccent, 1.5 * scale(), 1});
+  }
+}
+
+void UltrasoundView::drawNames() {
+  for (const PictureName& name : names_) {
+    const DisplayPoint at = displayFromPicture(name.at);
+    if (!onPicture(at)) continue;
+    for (const double off : {-1.0, 1.0})
+      drawing_->texts.put({at.x + off * scale(), at.y + off * scale()}, name.words,
+                          {12 * scale(), theme::kBlack, false, Across::Centre, Along::Centre});
+    drawing_->texts.put(at, name.words, {12 * scale(), theme::kText, false, Across::Centre, Along::Centre});
   }
 }
 
@@ -205,6 +260,8 @@ void UltrasoundView::layout() {
     drawPictureFrame(frame, scale(), width_px(), lines, texts);
     if (pointer_) drawPointerMark(displayFromPicture(*pointer_), scale(), lines);
     const auto toDisplay = [this](PicturePoint point) { return displayFromPicture(point); };
+    drawNames();
+    drawAim();
     drawGuide();
     const double line = 17 * scale();
     double y = place.bottom_px - 8 * scale() - line * (double(callipers_.size()) - 1);

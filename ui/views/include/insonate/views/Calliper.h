@@ -9,6 +9,7 @@ namespace insonate::views {
 /// A point of the ultrasound image in the probe's frame, in mm: lateral toward the marker, axial into the body.
 struct PicturePoint {
   double lateral_mm = 0, axial_mm = 0;
+  bool operator==(const PicturePoint&) const = default;
 };
 
 enum class CalliperKind {

@@ -21,6 +21,21 @@ struct PictureGuide {
   int chosen = -1;                 ///< index of the handle that is held or has the keyboard focus
 };
 
+/// The path that a needle would take if it were advanced.
+struct PictureAim {
+  std::optional<PicturePoint> tip;    ///< the needle's tip, if it lies within the slice
+  std::vector<PicturePoint> line;     ///< two points on the projection of the axis beyond the tip, or empty
+  std::optional<PicturePoint> cross;  ///< point in which the axis will cross the image plane
+  bool operator==(const PictureAim&) const = default;
+};
+
+/// Name of a structure, written around its place in the image.
+struct PictureName {
+  PicturePoint at;
+  std::string words;
+  bool operator==(const PictureName&) const = default;
+};
+
 /// A mesh of the tissue in the image plane, in its present deformation.
 struct PictureTissue {
   int columns = 0, rows = 0;        ///< number of nodes; no mesh if either is below 2
@@ -61,6 +76,13 @@ class UltrasoundView final : public View {
   /// Sets a guide, drawn over the image in the accent color; empty: no guide.
   void setGuide(PictureGuide guide);
 
+  /// Sets the needle's aim: the line dashed, a ring at the tip, a cross where the axis will cross the image.
+  void setAim(PictureAim aim);
+  const PictureAim& aim() const { return aim_; }
+  /// Sets names of structures, written over the image.
+  void setNames(std::vector<PictureName> names);
+  const std::vector<PictureName>& names() const { return names_; }
+
   /// Sets an overlay: some of the mesh's lines, and the pressure in its cells as colors with a color scale. Copies its
   /// arguments. Can be called with each image, since it does not cause a new layout.
   void setTissue(const PictureTissue& tissue, bool grid, bool pressure);
@@ -81,6 +103,8 @@ class UltrasoundView final : public View {
   PicturePlacement placement() const;
   void placePicture(const PictureBounds& shown);
   void drawGuide();
+  void drawAim();
+  void drawNames();
   void drawTissue();
 
   BModeImage shape_;  ///< size and position of the image; its pixels are stored in the texture only
@@ -89,6 +113,8 @@ class UltrasoundView final : public View {
   std::vector<double> tgc_dB_;
   std::vector<Calliper> callipers_;
   PictureGuide guide_;
+  PictureAim aim_;
+  std::vector<PictureName> names_;
   PictureTissue tissue_;
   std::optional<PicturePoint> pointer_;
   std::string notice_;

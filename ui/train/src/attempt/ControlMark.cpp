@@ -1,0 +1,54 @@
+#include "ControlMark.h"
+
+#include <insonate/ui/Theme.h>
+
+#include <QPainter>
+#include <QPolygonF>
+
+namespace insonate::train {
+namespace {
+
+constexpr int kFrame_px = 2;
+/// The arrow's tip ends inside the control, above its text.
+constexpr int kArrow_px = 8, kInside_px = 5;
+
+}  // namespace
+
+ControlMark::ControlMark(QWidget& window) : QWidget(&window) {
+  setObjectName("controlMark");
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAttribute(Qt::WA_NoSystemBackground);
+  setFocusPolicy(Qt::NoFocus);
+  hide();
+}
+
+void ControlMark::pointAt(const QString& control) {
+  QWidget& window = *parentWidget();
+  if (control.isEmpty() || !control_ || control_->objectName() != control)
+    control_ = control.isEmpty() ? nullptr : window.findChild<QWidget*>(control);
+  const bool isSeen = control_ && control_->isVisible() && control_->isEnabled() &&
+                      control_->visibleRegion().boundingRect() == control_->rect();
+  setVisible(isSeen);
+  if (!isSeen) return;
+  const QRect around(control_->mapTo(&window, QPoint()), control_->size());
+  const QRect place = around.adjusted(-kFrame_px, kInside_px - kArrow_px, kFrame_px, kFrame_px);
+  if (geometry() == place) return;
+  setGeometry(place);
+  raise();
+}
+
+void ControlMark::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QColor accent = ui::colour(views::theme::kAccent);
+  const int above_px = kArrow_px - kInside_px;
+  const QRectF frame = QRectF(rect()).adjusted(1, above_px - 1, -1, -1);
+  painter.setPen(QPen(accent, kFrame_px));
+  painter.drawRoundedRect(frame, 4, 4);
+  const double middle = width() / 2.0;
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(accent);
+  painter.drawPolygon(QPolygonF({{middle - kArrow_px, 0}, {middle + kArrow_px, 0}, {middle, double(kArrow_px)}}));
+}
+
+}  // namespace insonate::train

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QPointer>
+#include <QWidget>
+
+namespace insonate::train {
+
+/// Marks one control of the window with a frame and an arrow in the accent color. Takes neither focus nor clicks.
+class ControlMark final : public QWidget {
+ public:
+  /// `window`: widget over whose controls the mark is drawn.
+  explicit ControlMark(QWidget& window);
+
+  /// Marks the control with this object name while it is fully visible; empty: no control. Call it again after the
+  /// layout may have changed.
+  void pointAt(const QString& control);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QPointer<QWidget> control_;
+};
+
+}  // namespace insonate::train

@@ -1,0 +1,169 @@
+#include "StepAct.h"
+
+#include "../feature/CommandWords.h"
+#include "../model/HandsControl.h"
+#include "../model/LiveModel.h"
+
+#include <insonate/haptics/SimulatedDevice.h>
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <variant>
+
+namespace insonate::train {
+namespace {
+
+/// Finds the next act of one attempt at one moment.
+class ActFinder {
+  Q_DECLARE_TR_FUNCTIONS(ActFinder)
+
+ public:
+  ActFinder(const Procedure& procedure, const AttemptView& view, const HandsNow& hands, const ui::Commands& commands)
+      : procedure_(procedure), view_(view), hands_(hands), commands_(commands) {}
+
+  StepAct find() const {
+    const ProcedureStep* step = view_.due ? &procedure_.steps[*view_.due] : nullptr;
+    const auto* event = step ? std::get_if<Happening>(&step->until) : nullptr;
+    const bool isFreezeDue = event && event->kind == AttemptEventKind::Frozen;
+    // Probe and needle are held while the image is frozen.
+    if (hands_.isFrozen && step && !isFreezeDue)
+      return {tr("Make the image live again: press %1, or click Unfreeze.").arg(key("train.image.freeze")), "freeze"};
+    if (!step)
+      return {tr("Finish: press %1, or click Finish.").arg(key("train.attempt.startOrFinish")), "attemptFinish"};
+    if (!event) return holdingAct(std::get<Holding>(step->until).what);
+    switch (event->kind) {
+      case AttemptEventKind::Positioned:
+        return {tr("Choose the position in the list above Aspirate."), "attemptPosition"};
+      case AttemptEventKind::Centered:
+        return slide();
+      case AttemptEventKind::Compressed:
+        return isCentered() ? compress() : slide();
+      case AttemptEventKind::Frozen:
+        return freeze();
+      case AttemptEventKind::Withdrawn:
+        return hands_.hasNeedle ? withdraw() : take();
+      case AttemptEventKind::NeedleReplaced:
+        return newNeedle();
+      default:
+        return towardWall(*event);
+    }
+  }
+
+ private:
+  /// One key of a command, in the words of the list of keys.
+  QString key(const char* command, int index = 0) const {
+    return keysOf(commands_, QLatin1String(command)).split(QStringLiteral(", ")).value(index);
+  }
+
+  bool isCentered() const {
+    return std::ranges::any_of(view_.events,
+                               [](const AttemptEvent& one) { return one.kind == AttemptEventKind::Centered; });
+  }
+
+  StepAct holdingAct(Holding::What what) const {
+    if (what == Holding::What::ProbeOnSkin) return compress();
+    if (!hands_.hasNeedle || view_.needle == NeedlePlace::Used || view_.needle == NeedlePlace::Clean)
+      return towardWall({AttemptEventKind::Entered, kVein});
+    if (view_.needle == NeedlePlace::WrongPlace) return withdraw();
+    if (!hands_.isAspirating) return aspirate();
+    return view_.needle == NeedlePlace::Vein ? StepAct{tr("Aspirating: hold the tip in the vein."), {}} : advance();
+  }
+
+  StepAct towardWall(const Happening& event) const {
+    if (view_.needle == NeedlePlace::Used) return newNeedle();
+    if (!hands_.hasNeedle) return take();
+    if (view_.needle == NeedlePlace::WrongPlace) return withdraw();
+    if (hands_.angle_deg)
+      for (const ProcedureRule& rule : procedure_.rules) {
+        if (rule.limit.metric != Metric::InsertionAngle || !rule.limit.isBeyond(hands_.angle_deg)) continue;
+        return rule.limit.under
+                   ? StepAct{tr("Make the needle steeper: press %1, or hold the button steeper under the image.")
+                                 .arg(key("train.needle.angle", 0)),
+                             "needleSteeper"}
+                   : StepAct{tr("Make the needle flatter: press %1, or hold the button flatter under the image.")
+                                 .arg(key("train.needle.angle", 1)),
+                             "needleFlatter"};
+      }
+    const bool isUnderSkin = view_.needle == NeedlePlace::Underway;
+    if (event.wall != kSkin && isUnderSkin && !hands_.isAspirating) return aspirate();
+    return advance();
+  }
+
+  StepAct slide() const {
+    if (hands_.isProbeInDevice) return {tr("Slide the probe with its device."), {}};
+    return {tr("Slide the probe: press %1, or drag on the image.").arg(key("train.probe.slide")), {}};
+  }
+  StepAct compress() const {
+    if (hands_.isProbeInDevice) return {tr("Compress, then release, with the device of the probe."), "press"};
+    return {tr("Compress with %1, then release with %2, or turn the wheel over the image.")
+                .arg(key("train.probe.press", 0), key("train.probe.press", 1)),
+            "press"};
+  }
+  StepAct take() const {
+    if (hands_.isNeedleInDevice)
+      return {tr("The device of the needle is not connected. Connect it, or click Devices and choose mouse and keys."),
+              "showDevices"};
+    const bool isAlong = hands_.plane == NeedlePlane::Along;
+    return {tr("Take the needle: press %1, or click the button %2 under the image.")
+                .arg(key("train.needle.take"), isAlong ? tr("in-plane") : tr("out-of-plane")),
+            isAlong ? "stripAlong" : "stripAcross"};
+  }
+  StepAct newNeedle() const {
+    return {tr("Take a new needle: press %1, or click New needle.").arg(key("train.attempt.newNeedle")),
+            "attemptNewNeedle"};
+  }
+  StepAct advance() const {
+    if (hands_.isNeedleInDevice) return {tr("Advance the needle with its device."), {}};
+    return {tr("Advance the needle: press %1, or hold the button advance under the image.")
+                .arg(key("train.needle.advance", 0)),
+            "needleAdvance"};
+  }
+  StepAct withdraw() const {
+    if (hands_.isNeedleInDevice) return {tr("Withdraw the needle with its device."), {}};
+    return {tr("Withdraw the needle: press %1, or hold the button withdraw under the image.")
+                .arg(key("train.needle.advance", 1)),
+            "needleWithdraw"};
+  }
+  StepAct aspirate() const {
+    const QString words =
+        hands_.isNeedleInDevice
+            ? tr("Aspirate: hold the second button of the needle's device, press %1, or click Aspirate.")
+            : tr("Aspirate: press %1, or click Aspirate.");
+    return {words.arg(key("train.attempt.aspirate")), "attemptDraw"};
+  }
+  StepAct freeze() const {
+    const QString words = hands_.hasPedal ? tr("Freeze: press the first button of the pedal or %1, or click Freeze.")
+                                          : tr("Freeze: press %1, or click Freeze.");
+    return {words.arg(key("train.image.freeze")), "freeze"};
+  }
+
+  const Procedure& procedure_;
+  const AttemptView& view_;
+  const HandsNow& hands_;
+  const ui::Commands& commands_;
+};
+
+}  // namespace
+
+HandsNow handsNow(HandsControl& hands, const LiveModel& live, bool isAspirating) {
+  const DeviceChoice& choice = hands.choice();
+  // Mouse and keys move a simulated device.
+  const bool isSimulated = dynamic_cast<SimulatedDevice*>(hands.deviceOf(choice.device(kNeedleHand)).get()) != nullptr;
+  HandsNow now;
+  now.isProbeInDevice = hands.drivesProbe() && !hands.probeFollowsMouse();
+  now.isNeedleInDevice = !choice.isMouse(kNeedleHand) && !isSimulated;
+  now.hasNeedle = hands.needle().has_value();
+  now.hasPedal = !choice.pedal().isEmpty() && hands.deviceOf(choice.pedal());
+  now.isAspirating = isAspirating;
+  now.isFrozen = live.isFrozen();
+  now.plane = hands.needlePlane();
+  if (const NeedleHand* held = hands.needleHand(); held && !held->isIn()) now.angle_deg = held->state().angle_deg;
+  return now;
+}
+
+StepAct nextAct(const Procedure& procedure, const AttemptView& view, const HandsNow& hands,
+                const ui::Commands& commands) {
+  return ActFinder(procedure, view, hands, commands).find();
+}
+
+}  // namespace insonate::train
