@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QFile>
 #include <QImage>
@@ -16,7 +17,10 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
+#include <QThread>
 #include <algorithm>
+#include <atomic>
+#include <optional>
 
 namespace insonate::review {
 namespace {
@@ -146,10 +150,39 @@ TEST_F(ReportsTest, APortfolioIsSavedInTheBackground) {
   EXPECT_TRUE(action->isEnabled());
   EXPECT_EQ(action->shortcut(), QKeySequence("Ctrl+Shift+P"));
   const QString file = home_.filePath("anna portfolio.pdf");
+  const QSignalSpy failed(workspace_.get(), &ui::Workspace::failed);
+  std::atomic<bool> isDone = false;
+  std::optional<Result<bool>> other;
+  tasks_.run<bool>(
+      "Opening a case",
+      [&](const Progress&) -> Result<bool> {
+        while (!isDone) QThread::msleep(5);
+        return true;
+      },
+      [&](const Result<bool>& result) { other = result; });
+  menu("savePerson").savePortfolio(file);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() == 1; }, kPatience_ms));
+  EXPECT_TRUE(failed.first().first().toString().endsWith("another task is running: Opening a case."));
+  isDone = true;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return other.has_value(); }, kPatience_ms));
+  EXPECT_TRUE(*other) << "the other task is not cancelled";
   menu("savePerson").savePortfolio(file);
   EXPECT_FALSE(QFile::exists(file)) << "the window does not wait for it";
   ASSERT_TRUE(QTest::qWaitFor([&] { return written.count() == 1; }, kPatience_ms));
   EXPECT_TRUE(read(file).startsWith("%PDF"));
+}
+
+TEST_F(ReportsTest, ThePortfoliosKeyWorksOnThePageOfAPersonOnly) {
+  practise(school_->as(school_->anna), true);
+  enter("ina");
+  QAction* action = workspace_->commands().action(QStringLiteral("review.home.portfolio"));
+  ASSERT_TRUE(action);
+  EXPECT_TRUE(workspace_->findChild<ReviewHome*>()->actions().contains(action)) << "wherever the focus is";
+  EXPECT_FALSE(action->isEnabled()) << "on the page of the class";
+  openFirst();
+  EXPECT_TRUE(action->isEnabled());
+  child<QAbstractButton>("recordingsTab")->click();
+  EXPECT_FALSE(action->isEnabled());
 }
 
 TEST_F(ReportsTest, StatementsAreWrittenForAllWhoLearn) {

@@ -92,7 +92,14 @@ void ReviewHome::addPortfolio(ui::Commands& commands) {
   QAction& portfolio = savePerson_->addPortfolio();
   portfolio.setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+P")));
   portfolio.setShortcutContext(Qt::WidgetWithChildrenShortcut);
-  personPage_->addAction(&portfolio);
+  // The key works wherever the focus is, also in the tabs, but only on the page of the person whose data are saved.
+  addAction(&portfolio);
+  const auto enable = [this, &portfolio] {
+    portfolio.setEnabled(person_->facts() && pages_->currentIndex() == kPerson);
+  };
+  connect(pages_, &QStackedWidget::currentChanged, &portfolio, enable);
+  connect(person_, &PersonDesk::personChanged, &portfolio, enable);
+  enable();
   commands.add(QStringLiteral("review.home.portfolio"),
                tr("saves levels, tests, learning curves, checklists, ratings and attempts of the person as PDF"),
                portfolio);

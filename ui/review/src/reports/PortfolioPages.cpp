@@ -37,13 +37,14 @@ QString escaped(const std::string& text) {
   return QString::fromStdString(text).toHtmlEscaped();
 }
 
-/// A table with a head that each page repeats. Cells are HTML; the last column is about a third as wide as the page.
+/// A table with a head that each page repeats. Cells are HTML; the last column has the longest texts.
 class HtmlTable {
  public:
-  explicit HtmlTable(const QStringList& titles) {
+  HtmlTable(const QStringList& titles, int lastColumn_percent) {
     text_ = QStringLiteral("<table width=\"100%\" cellspacing=\"0\" cellpadding=\"2\"><thead><tr>");
     for (const QString& title : titles)
-      text_ += (title == titles.last() ? QStringLiteral("<th width=\"36%\">") : QStringLiteral("<th>")) +
+      text_ += (title == titles.last() ? QStringLiteral("<th width=\"%1%\">").arg(lastColumn_percent)
+                                       : QStringLiteral("<th>")) +
                escaped(title) + QStringLiteral("</th>");
     text_ += QStringLiteral("</tr></thead>");
   }
@@ -122,7 +123,7 @@ QString levelsOf(const Portfolio& portfolio) {
   QString text = headingHtml(tr("Levels"));
   const Curriculum* curriculum = curriculumIn(portfolio);
   if (!curriculum) return text + quietHtml(tr("The class has no curriculum yet."));
-  HtmlTable table({tr("Level"), tr("State"), tr("Since"), tr("Passed"), tr("Attempts"), tr("Reason")});
+  HtmlTable table({tr("Level"), tr("State"), tr("Since"), tr("Passed"), tr("Attempts"), tr("Reason")}, 46);
   for (const LevelProgress& one : portfolio.person.progress)
     table.add({escaped(levelTitle(curriculum, one.level)), escaped(wordOf(one.state)),
                one.since_us ? escaped(dayOf(*one.since_us)) : QString(), QString::number(one.passes),
@@ -132,7 +133,7 @@ QString levelsOf(const Portfolio& portfolio) {
 
 QString testsOf(const Portfolio& portfolio) {
   QString text = headingHtml(tr("Tests"));
-  HtmlTable table({tr("Begun"), tr("Level"), tr("Points"), tr("Outcome")});
+  HtmlTable table({tr("Begun"), tr("Level"), tr("Points"), tr("Outcome")}, 58);
   int count = 0;
   for (const KeptAttempt& one : portfolio.attempts) {
     const Level* level = levelIn(portfolio, one.facts);
@@ -175,7 +176,7 @@ QString judgementsOf(const Portfolio& portfolio) {
   text += quietHtml(tr("The last column lists each item below full points, and all notes of the rater."));
   std::map<std::string, const KeptAttempt*> byId;
   for (const KeptAttempt& one : portfolio.attempts) byId[one.facts.id] = &one;
-  HtmlTable table({tr("Submitted"), tr("Form"), tr("Rater"), tr("Attempt"), tr("Score"), tr("Remarks")});
+  HtmlTable table({tr("Submitted"), tr("Form"), tr("Rater"), tr("Attempt"), tr("Score"), tr("Remarks")}, 36);
   for (const KeptForm& one : portfolio.judgements) {
     const auto form = loadForm(one.filled.form);
     const auto answers = parseAnswers(one.filled.answers);
@@ -202,7 +203,7 @@ QString judgementsOf(const Portfolio& portfolio) {
 QString attemptsOf(const Portfolio& portfolio) {
   QString text = headingHtml(tr("All attempts"));
   if (portfolio.attempts.empty()) return text + quietHtml(tr("None yet."));
-  HtmlTable table({tr("No."), tr("Begun"), tr("Level"), tr("Points"), tr("Outcome")});
+  HtmlTable table({tr("No."), tr("Begun"), tr("Level"), tr("Points"), tr("Outcome")}, 56);
   int number = 0;
   for (const KeptAttempt& one : portfolio.attempts)
     table.add({QString::number(++number), escaped(ui::dayAndTimeOf(one.facts.begun_us)),

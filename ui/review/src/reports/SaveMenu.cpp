@@ -63,9 +63,6 @@ QAction& SaveMenu::addPortfolio() {
   QAction* action = add("savePortfolio", tr("Portfolio (PDF) ..."),
                         tr("Saves levels, tests, learning curves, checklists, ratings and all attempts"),
                         QStringLiteral("PDF (*.pdf)"), &SaveMenu::savePortfolio);
-  const auto enable = [this, action] { action->setEnabled(person_.facts() != nullptr); };
-  connect(&person_, &PersonDesk::personChanged, action, enable);
-  enable();
   return *action;
 }
 
@@ -129,6 +126,10 @@ void SaveMenu::savePortfolio(const QString& file) {
 }
 
 void SaveMenu::writePages(const QString& file, Portfolio portfolio) {
+  // The task bar runs one job; another one would cancel the opening of a case.
+  if (tasks_.isRunning())
+    return Q_EMIT failed(tr("The portfolio was not saved, because another task is running: %1.").arg(tasks_.title()),
+                         tr("Wait until it is done, or cancel it; then save the portfolio again."));
   const bool usesLetter = QLocale::system().measurementSystem() == QLocale::ImperialUSSystem;
   const auto paper = usesLetter ? QPageSize::Letter : QPageSize::A4;
   const QString title = tr("Writing the portfolio of %1").arg(QString::fromStdString(portfolio.person.person.fullName));

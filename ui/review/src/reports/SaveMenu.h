@@ -22,7 +22,7 @@ class SaveMenu final : public QMenu {
 
   SaveMenu(Subject subject, ClassDesk& room, PersonDesk& person, ui::TaskBar& tasks, QWidget* parent);
 
-  /// Adds the entry that saves the person's portfolio; it is disabled while no person is shown.
+  /// Adds the entry that saves the person's portfolio.
   QAction& addPortfolio();
 
   void savePage(const QString& file);
