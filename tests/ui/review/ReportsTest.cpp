@@ -1,5 +1,6 @@
 #include "Classroom.h"
 #include "class/ClassTable.h"
+#include "reports/Portfolio.h"
 #include "reports/ReportParts.h"
 #include "reports/SaveMenu.h"
 
@@ -7,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <QAbstractButton>
+#include <QAction>
 #include <QFile>
 #include <QImage>
 #include <QMenu>
@@ -14,7 +17,10 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
+#include <QThread>
 #include <algorithm>
+#include <atomic>
+#include <optional>
 
 namespace insonate::review {
 namespace {
@@ -89,6 +95,96 @@ TEST_F(ReportsTest, APersonIsSavedAsPageAndTable) {
   EXPECT_EQ(fieldOf(rows, 1, "voided"), "no");
 }
 
+TEST_F(ReportsTest, APortfolioHasAttemptsJudgementsAndCurves) {
+  practise(school_->as(school_->anna), false, 2);
+  const std::string voided = last_.id;
+  practise(school_->as(school_->anna), true, 40);
+  test::succeed(AttemptStore(school_->as(school_->ina)).voidAttempt(voided, "the <needle> came off"));
+  const Form checklist = test::valueOf(loadForm("jugular_checklist"));
+  const FormItem& item = checklist.sections.front().items.front();
+  FormAnswers answers;
+  for (const FormSection& section : checklist.sections)
+    for (const FormItem& one : section.items)
+      if (one.kind == FormItem::Kind::Choice) answers[one.name] = one.options.front().name;
+  answers[noteKey(item)] = "asked twice for help";
+  test::valueOf(FormStore(school_->as(school_->ina))
+                    .add({.form = checklist.name,
+                          .formVersion = checklist.version,
+                          .person = school_->anna.id,
+                          .attempt = last_.id,
+                          .answers = answersText(answers)}));
+  const SignedIn ina = school_->as(school_->ina);
+  const auto portfolio = test::valueOf(readPortfolio(ina, school_->anna.id, curriculum_, services().now_us()));
+  EXPECT_EQ(portfolio.attempts.size(), 42U) << "also more than a page of the list";
+  EXPECT_EQ(portfolio.attempts[1].facts.id, voided) << "in their order";
+  ASSERT_EQ(portfolio.judgements.size(), 1U);
+  const QString words = portfolioText(portfolio);
+  for (const char* expected :
+       {"Portfolio of Dr anna", "Voided, does not count: the <needle> came off", "Dr ina", "asked twice for help",
+        "42 attempts", "1 voided", "Learning curves", "mastered", "Jugular line without a guide"})
+    EXPECT_TRUE(words.contains(expected)) << expected << " in:\n" << words.toStdString();
+  const auto curves = curvesOf(portfolio);
+  EXPECT_EQ(curves.size(), 1U) << "one level has attempts";
+  for (const auto paper : {QPageSize::A4, QPageSize::Letter}) {
+    const QString file = home_.filePath(QStringLiteral("portfolio%1.pdf").arg(int(paper)));
+    test::succeed(writePortfolio(file, portfolio, curves, paper, {}));
+    const QByteArray pdf = read(file);
+    EXPECT_TRUE(pdf.startsWith("%PDF"));
+    EXPECT_GT(pdf.count("/Type /Page\n"), 1) << "several pages";
+    EXPECT_FALSE(pdf.contains("/Subtype /Image")) << "curves are vectors";
+  }
+  const QString none = home_.filePath("cancelled.pdf");
+  EXPECT_FALSE(writePortfolio(none, portfolio, curves, QPageSize::A4, [](auto, double) { return false; }));
+  EXPECT_FALSE(QFile::exists(none));
+  EXPECT_TRUE(QString::fromStdString(
+                  writePortfolio(home_.filePath("nowhere/a.pdf"), portfolio, curves, QPageSize::A4, {}).error().message)
+                  .contains("could not be written"));
+}
+
+TEST_F(ReportsTest, APortfolioIsSavedInTheBackground) {
+  practise(school_->as(school_->anna), true, 3);
+  enter("anna");
+  const QSignalSpy written(workspace_.get(), &ui::Workspace::written);
+  QAction* action = workspace_->commands().action(QStringLiteral("review.home.portfolio"));
+  ASSERT_TRUE(action);
+  EXPECT_TRUE(action->isEnabled());
+  EXPECT_EQ(action->shortcut(), QKeySequence("Ctrl+Shift+P"));
+  const QString file = home_.filePath("anna portfolio.pdf");
+  const QSignalSpy failed(workspace_.get(), &ui::Workspace::failed);
+  std::atomic<bool> isDone = false;
+  std::optional<Result<bool>> other;
+  tasks_.run<bool>(
+      "Opening a case",
+      [&](const Progress&) -> Result<bool> {
+        while (!isDone) QThread::msleep(5);
+        return true;
+      },
+      [&](const Result<bool>& result) { other = result; });
+  menu("savePerson").savePortfolio(file);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() == 1; }, kPatience_ms));
+  EXPECT_TRUE(failed.first().first().toString().endsWith("another task is running: Opening a case."));
+  isDone = true;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return other.has_value(); }, kPatience_ms));
+  EXPECT_TRUE(*other) << "the other task is not cancelled";
+  menu("savePerson").savePortfolio(file);
+  EXPECT_FALSE(QFile::exists(file)) << "the window does not wait for it";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return written.count() == 1; }, kPatience_ms));
+  EXPECT_TRUE(read(file).startsWith("%PDF"));
+}
+
+TEST_F(ReportsTest, ThePortfoliosKeyWorksOnThePageOfAPersonOnly) {
+  practise(school_->as(school_->anna), true);
+  enter("ina");
+  QAction* action = workspace_->commands().action(QStringLiteral("review.home.portfolio"));
+  ASSERT_TRUE(action);
+  EXPECT_TRUE(workspace_->findChild<ReviewHome*>()->actions().contains(action)) << "wherever the focus is";
+  EXPECT_FALSE(action->isEnabled()) << "on the page of the class";
+  openFirst();
+  EXPECT_TRUE(action->isEnabled());
+  child<QAbstractButton>("recordingsTab")->click();
+  EXPECT_FALSE(action->isEnabled());
+}
+
 TEST_F(ReportsTest, StatementsAreWrittenForAllWhoLearn) {
   practise(school_->as(school_->anna), true, 3);
   practise(school_->as(school_->ben), false, 2);
@@ -142,7 +238,8 @@ TEST_F(ReportsTest, WhatCannotBeWrittenIsSaid) {
   menu("saveClass").saveTable(home_.filePath("nowhere/class.csv"));
   EXPECT_EQ(failed.count(), 2);
   openFirst();
-  EXPECT_EQ(menu("savePerson").actions().size(), 3);
+  EXPECT_EQ(menu("saveClass").actions().size(), 3);
+  EXPECT_EQ(menu("savePerson").actions().size(), 4);
 }
 
 }  // namespace

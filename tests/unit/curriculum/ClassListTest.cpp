@@ -133,6 +133,24 @@ TEST(ClassList, TwoColumnsWithOneTitleAreRefusedByName) {
   EXPECT_EQ(listOf("name,notes,username,notes\nA,x,a,y").entries.size(), 1U) << "columns that are not read";
 }
 
+TEST(ClassList, TwoTitlesOfOneFieldAreRefused) {
+  EXPECT_EQ(
+      parseClassList("name,E-Mail,username,Mail\nA,a@x.org,a,b@x.org").error().message,
+      "The columns \"E-Mail\" and \"Mail\" of the class list have the same meaning. Delete one of them or give it "
+      "another title.");
+  EXPECT_THAT(parseClassList("Full name,Name,username\nA,B,a").error().message,
+              HasSubstr("\"Full name\" and \"Name\""));
+  EXPECT_EQ(listOf("first name,name,username\nAda,Lovelace,a").entries.at(0).person.fullName, "Ada Lovelace");
+}
+
+TEST(ClassList, MoodlesListOfAllUsersIsReadByIdNumber) {
+  for (const char* titles : {"id,fullname,idnumber", "ID number,fullname,id"}) {
+    const bool idFirst = titles[1] == 'd';
+    const auto list = listOf(std::string(titles) + (idFirst ? "\n17,Ada L,s-4711" : "\ns-4711,Ada L,17"));
+    EXPECT_EQ(list.entries.at(0).person.name, "s-4711") << titles;
+  }
+}
+
 TEST(ClassList, ANoBreakSpaceIsNoPartOfAName) {
   EXPECT_EQ(listOf("sep=;\nname;username\nMax;\u00A0-max\n").entries.at(0).person.name, "-max");
 }

@@ -289,6 +289,28 @@ TEST_P(StoreAccess, AnInstructorGainsNothingByACohort) {
   EXPECT_TRUE(AttemptStore(otto).voidAttempt(own.id, "device failed"));
 }
 
+TEST_P(StoreAccess, AnEmailAddressBelongsToOneAccount) {
+  const School school(rig->open());
+  const PeopleStore people(school.admin);
+  const std::string refusal = "belongs to another account. Use that account, or enter another address.";
+  EXPECT_EQ(refusalOf(people.add({"anna2", "Anna Two", "ANNA@example.org", Role::Trainee}, "first password")),
+            "The e-mail address ANNA@example.org " + refusal);
+  EXPECT_THAT(
+      refusalOf(PeopleStore(school.as(school.ina))
+                    .add({"carl2", "Carl Two", "carl@example.org", Role::Trainee}, "first password", school.spring.id)),
+      HasSubstr(refusal))
+      << "also of an account that the instructor cannot see";
+  Person ben = school.ben;
+  ben.email = school.anna.email;
+  EXPECT_THAT(refusalOf(people.change(ben)), HasSubstr(refusal));
+  const PeopleStore own(school.as(school.ben));
+  EXPECT_THAT(refusalOf(own.changeOwnDetails("Ben", school.anna.email)), HasSubstr(refusal));
+  EXPECT_EQ(valueOf(people.all()).size(), 6U);
+  EXPECT_TRUE(own.changeOwnDetails("Ben", "BEN@example.org")) << "the own address";
+  EXPECT_TRUE(people.add({"nomail1", "A", "", Role::Trainee}, "first password"));
+  EXPECT_TRUE(people.add({"nomail2", "B", "", Role::Trainee}, "first password")) << "no address is no address";
+}
+
 TEST_P(StoreAccess, AFormIsAboutAnAttemptOfItsPerson) {
   const School school(rig->open());
   const Target target(school);

@@ -10,6 +10,8 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace insonate {
 namespace {
@@ -69,27 +71,57 @@ std::string titleOf(const std::string& field) {
   return title;
 }
 
-/// A known title that two columns have, as the list writes it; empty if there is none.
-std::string repeatedTitle(const CsvRow& head) {
-  std::set<std::string> found;
-  for (const std::string& field : head.fields)
-    for (const Title& title : knownTitles())
-      if (std::ranges::find(title.words, titleOf(field)) != title.words.end() && !found.insert(titleOf(field)).second)
-        return trimmed(field);
+using Field = std::optional<std::size_t> Columns::*;
+
+bool hasTitle(const CsvRow& head, std::string_view word) {
+  return std::ranges::any_of(head.fields, [&](const std::string& field) { return titleOf(field) == word; });
+}
+bool hasColumnOf(const CsvRow& head, Field field) {
+  const Title& known = *std::ranges::find(knownTitles(), field, &Title::field);
+  return std::ranges::any_of(known.words, [&](std::string_view word) { return hasTitle(head, word); });
+}
+
+/// Field that a column with this title has; null if the column is not read.
+Field fieldTitled(const CsvRow& head, const std::string& title) {
+  const std::string words = titleOf(title);
+  // Moodle's list of all users has both; "id" is the number of the row in its database.
+  if (words == "id" && (hasTitle(head, "idnumber") || hasTitle(head, "id number"))) return nullptr;
+  // Beside first names, "Name" is the last name.
+  if (words == "name" && hasColumnOf(head, &Columns::first) && !hasColumnOf(head, &Columns::last))
+    return &Columns::last;
+  for (const Title& known : knownTitles())
+    if (std::ranges::find(known.words, words) != known.words.end()) return known.field;
+  return nullptr;
+}
+
+/// Fails if two columns have the same content, whether they have one title or two.
+Result<void> checkTitles(const CsvRow& head) {
+  std::vector<std::pair<Field, std::string>> found;
+  for (const std::string& title : head.fields) {
+    const Field field = fieldTitled(head, title);
+    if (!field) continue;
+    const auto first = std::ranges::find(found, field, &std::pair<Field, std::string>::first);
+    if (first == found.end()) {
+      found.emplace_back(field, title);
+      continue;
+    }
+    if (titleOf(first->second) == titleOf(title))
+      return fail("The class list has two columns with the title \"" + trimmed(title) +
+                  "\". Delete one of them or give it another title.");
+    return fail("The columns \"" + trimmed(first->second) + "\" and \"" + trimmed(title) +
+                "\" of the class list have the same meaning. Delete one of them or give it another title.");
+  }
   return {};
 }
 
 Columns columnsOf(const CsvRow& head) {
   Columns columns;
   for (std::size_t i = 0; i < head.fields.size(); ++i)
-    for (const Title& title : knownTitles())
-      if (std::ranges::find(title.words, titleOf(head.fields[i])) != title.words.end())
-        if (auto& field = columns.*title.field; !field) field = i;
+    if (const Field field = fieldTitled(head, head.fields[i])) columns.*field = i;
   const auto is = [&](const std::optional<std::size_t>& column, std::string_view title) {
     return column && titleOf(head.fields[*column]) == title;
   };
-  // Beside first names, "Name" is the last name; "Nombre" or "Nom" by itself is the full name.
-  if (columns.first && !columns.last && is(columns.full, "name")) std::swap(columns.last, columns.full);
+  // "Nombre" or "Nom" by itself is the full name.
   if (!columns.full && !columns.last && is(columns.first, "nombre")) std::swap(columns.first, columns.full);
   if (!columns.full && !columns.first && is(columns.last, "nom")) std::swap(columns.last, columns.full);
   return columns;
@@ -220,9 +252,7 @@ Result<ClassList> parseClassList(std::string_view csv) {
   const auto rows = foreign > 0 && !isUtf16 ? parseCsv(fromWindows1252(csv)) : parseCsv(csv);
   if (!rows) return tl::unexpected(rows.error());
   if (rows->empty()) return fail("The class list is empty; its first line names the columns.");
-  if (const std::string title = repeatedTitle(rows->front()); !title.empty())
-    return fail("The class list has two columns with the title \"" + title +
-                "\". Delete one of them or give it another title.");
+  if (const auto titles = checkTitles(rows->front()); !titles) return tl::unexpected(titles.error());
   const Columns columns = columnsOf(rows->front());
   if (!columns.full && !(columns.first && columns.last))
     return fail(

@@ -32,11 +32,21 @@ Result<void> checkNameIsFree(Transaction& transaction, const Person& person) {
   return {};
 }
 
+Result<void> checkEmailIsFree(Transaction& transaction, const Person& person) {
+  if (person.email.empty()) return {};
+  for (const Row& row : transaction.rows("SELECT email FROM people WHERE email <> '' AND id <> ?", person.id))
+    if (nameKey(row.text(0)) == nameKey(person.email))
+      return fail("The e-mail address " + person.email +
+                  " belongs to another account. Use that account, or enter another address.");
+  return {};
+}
+
 Result<Person> insertPerson(Transaction& transaction, const NewPerson& added, const std::string& hashed,
                             bool mustChange) {
   const Person person{freshUuid(), added.name, added.fullName, added.email, added.role, false};
   if (auto ok = checkPerson(person); !ok) return tl::unexpected(ok.error());
   if (auto ok = checkNameIsFree(transaction, person); !ok) return tl::unexpected(ok.error());
+  if (auto ok = checkEmailIsFree(transaction, person); !ok) return tl::unexpected(ok.error());
   transaction.run("INSERT INTO people VALUES (?, ?, ?, ?, ?, ?, 0)", person.id, person.name, nameKey(person.name),
                   person.fullName, person.email, nameOf(person.role));
   transaction.run("INSERT INTO credentials VALUES (?, ?, ?, 1)", person.id, hashed, mustChange);

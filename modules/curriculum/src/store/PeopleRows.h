@@ -20,7 +20,9 @@ std::optional<Person> findPerson(Transaction& transaction, const std::string& id
 Result<void> checkPerson(const Person& person);
 /// Fails if another person has the sign-in name.
 Result<void> checkNameIsFree(Transaction& transaction, const Person& person);
-/// Inserts a person with an already hashed password; fails on an invalid sign-in name or full name.
+/// Fails if another person has the e-mail address, ignoring case: two accounts would split the attempts of one person.
+Result<void> checkEmailIsFree(Transaction& transaction, const Person& person);
+/// Inserts a person with an already hashed password; fails on an invalid or used name or e-mail address.
 Result<Person> insertPerson(Transaction& transaction, const NewPerson& person, const std::string& hashed,
                             bool mustChange);
 

@@ -29,6 +29,9 @@ Result<void> changePerson(Transaction& transaction, const Person& person) {
   const auto before = store::findPerson(transaction, person.id);
   if (!before) return unknown();
   if (auto ok = store::checkNameIsFree(transaction, person); !ok) return ok;
+  // Accounts of earlier programs may share an address; their other data can still be changed.
+  if (store::nameKey(person.email) != store::nameKey(before->email))
+    if (auto ok = store::checkEmailIsFree(transaction, person); !ok) return ok;
   const bool staysAdministrator = person.role == Role::Administrator && !person.disabled;
   if (before->role == Role::Administrator && !before->disabled && !staysAdministrator &&
       isLastAdministrator(transaction, person.id))
@@ -98,6 +101,10 @@ Result<void> PeopleStore::changeOwnDetails(const std::string& fullName, const st
       {.act = Act::ChangeOwnDetails, .person = id}, [&](Transaction& transaction, const Actor&) -> Result<void> {
         if (auto ok = store::checkTitle("The full name", fullName); !ok) return ok;
         if (auto ok = store::checkEmail(email); !ok) return ok;
+        const auto before = store::findPerson(transaction, id);
+        if (!before) return unknown();
+        if (store::nameKey(email) != store::nameKey(before->email))
+          if (auto ok = store::checkEmailIsFree(transaction, Person{.id = id, .email = email}); !ok) return ok;
         transaction.run("UPDATE people SET full_name = ?, email = ? WHERE id = ?", fullName, email, id);
         return {};
       });

@@ -55,6 +55,13 @@ QString levelTitle(const Curriculum* curriculum, const std::string& level) {
   return QString::fromStdString(known ? known->title : level);
 }
 
+QString wordOf(LevelState state) {
+  return state == LevelState::Mastered ? tr("mastered")
+         : state == LevelState::Open   ? tr("open")
+         : state == LevelState::Lapsed ? tr("lapsed")
+                                       : tr("locked");
+}
+
 QString outcomeOf(const AttemptFacts& attempt, const Curriculum* curriculum) {
   switch (attempt.state) {
     case AttemptState::Open:

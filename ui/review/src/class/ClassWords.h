@@ -5,6 +5,7 @@
 
 #include <insonate/curriculum/Attention.h>
 #include <insonate/curriculum/Implausible.h>
+#include <insonate/curriculum/Unlocking.h>
 #include <insonate/ui/PlainToolTip.h>
 
 #include <QString>
@@ -30,6 +31,8 @@ QString attentionWords(const ClassFacts& facts, const Member& member);
 QString wordsOf(const AttemptFacts& attempt, const std::vector<Implausible>& flags);
 /// Returns a level's title, or its name if the curriculum is unknown or lacks the level.
 QString levelTitle(const Curriculum* curriculum, const std::string& level);
+/// Returns the word of a level's state: "mastered".
+QString wordOf(LevelState state);
 using ui::plainToolTip;
 /// Returns "Passed", "Failed because ...", "Abandoned" or "Voided: ...", by the level's rule if it is known.
 QString outcomeOf(const AttemptFacts& attempt, const Curriculum* curriculum);

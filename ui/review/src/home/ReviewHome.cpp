@@ -14,6 +14,7 @@
 #include <insonate/ui/Theme.h>
 #include <insonate/ui/Widgets.h>
 
+#include <QAction>
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -23,7 +24,7 @@
 
 namespace insonate::review {
 
-ReviewHome::ReviewHome(AttemptList& list, ui::Commands& commands, QWidget* parent)
+ReviewHome::ReviewHome(AttemptList& list, ui::Commands& commands, ui::TaskBar& tasks, QWidget* parent)
     : QWidget(parent),
       list_(list),
       room_(new ClassDesk(this)),
@@ -37,11 +38,12 @@ ReviewHome::ReviewHome(AttemptList& list, ui::Commands& commands, QWidget* paren
       personPage_(new PersonPage(*person_, *room_, commands)),
       comparePage_(new ComparePage(*room_)),
       ratersPage_(new RatersPage(*room_)),
-      saveClass_(new SaveMenu(SaveMenu::Subject::Class, *room_, *person_, this)),
-      savePerson_(new SaveMenu(SaveMenu::Subject::Person, *room_, *person_, this)) {
+      saveClass_(new SaveMenu(SaveMenu::Subject::Class, *room_, *person_, tasks, this)),
+      savePerson_(new SaveMenu(SaveMenu::Subject::Person, *room_, *person_, tasks, this)) {
   classPage_->setSaving(saveClass_);
   personPage_->setSaving(savePerson_);
   addTabs(commands);
+  addPortfolio(commands);
   notice_->setObjectName(QStringLiteral("accountNotice"));
   notice_->setWordWrap(true);
   notice_->setTextFormat(Qt::PlainText);
@@ -84,6 +86,23 @@ void ReviewHome::addTabs(ui::Commands& commands) {
   add(kRaters, "ratersTab", "review.home.raters", tr("Raters"), tr("shows the agreement of the raters of the class"));
   commands.addListed(tr("Ctrl+Shift+E"), tr("saves a plot as PNG, SVG or PDF"));
   row_->addStretch(1);
+}
+
+void ReviewHome::addPortfolio(ui::Commands& commands) {
+  QAction& portfolio = savePerson_->addPortfolio();
+  portfolio.setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+P")));
+  portfolio.setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  // The key works wherever the focus is, also in the tabs, but only on the page of the person whose data are saved.
+  addAction(&portfolio);
+  const auto enable = [this, &portfolio] {
+    portfolio.setEnabled(person_->facts() && pages_->currentIndex() == kPerson);
+  };
+  connect(pages_, &QStackedWidget::currentChanged, &portfolio, enable);
+  connect(person_, &PersonDesk::personChanged, &portfolio, enable);
+  enable();
+  commands.add(QStringLiteral("review.home.portfolio"),
+               tr("saves levels, tests, learning curves, checklists, ratings and attempts of the person as PDF"),
+               portfolio);
 }
 
 void ReviewHome::connectParts() {

@@ -10,6 +10,7 @@ class QStackedWidget;
 namespace insonate::ui {
 class Account;
 class Commands;
+class TaskBar;
 }  // namespace insonate::ui
 
 namespace insonate::review {
@@ -30,7 +31,7 @@ class ReviewHome final : public QWidget {
 
  public:
   /// The page of recordings shows `list`.
-  ReviewHome(AttemptList& list, ui::Commands& commands, QWidget* parent = nullptr);
+  ReviewHome(AttemptList& list, ui::Commands& commands, ui::TaskBar& tasks, QWidget* parent = nullptr);
 
   void setAccount(ui::Account& account);
   /// Tells whether all queries are answered.
@@ -52,6 +53,7 @@ class ReviewHome final : public QWidget {
 
   QWidget* buildTabs();
   void addTabs(ui::Commands& commands);
+  void addPortfolio(ui::Commands& commands);
   void connectParts();
   void showSignedInPages();
   void showSelf();

@@ -19,13 +19,6 @@ constexpr double kChartUnit = kScreen * 0.7;
 constexpr int kMostAttempts = 16;
 constexpr double kOutcomeLeft = 830, kOutcomeWidth = kWidth - 2 * kMargin - kOutcomeLeft;
 
-QString stateOf(LevelState state) {
-  return state == LevelState::Mastered ? tr("mastered")
-         : state == LevelState::Open   ? tr("open")
-         : state == LevelState::Lapsed ? tr("lapsed")
-                                       : tr("locked");
-}
-
 void chart(PaperColumn& page, double left, double width, const ui::ChartPicture& picture) {
   const QRectF place(left, page.y(), width - 20, kChartHeight);
   if (!picture.isEmpty()) return ui::paintChart(page.painter, place, kChartUnit, picture);
@@ -53,7 +46,7 @@ void levels(PaperColumn& page, const PersonFacts& facts) {
   page.heading(tr("Levels"));
   if (!facts.curriculum) page.paragraph(tr("The class has no curriculum yet."), page.ink.quiet);
   for (const LevelProgress& one : facts.progress) {
-    page.cell(kMargin, 200, stateOf(one.state), one.state == LevelState::Lapsed ? page.ink.danger : page.ink.quiet);
+    page.cell(kMargin, 200, wordOf(one.state), one.state == LevelState::Lapsed ? page.ink.danger : page.ink.quiet);
     page.cell(kMargin + 200, 420, levelTitle(&*facts.curriculum, one.level), page.ink.text);
     const QString why = QString::fromStdString(one.why);
     page.lines(kMargin + 620, kWidth - 2 * kMargin - 620, why, page.ink.quiet);

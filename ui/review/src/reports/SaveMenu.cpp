@@ -3,16 +3,21 @@
 #include "../person/PersonDesk.h"
 #include "../result/PaperPage.h"
 #include "CsvTables.h"
+#include "Portfolio.h"
 #include "ReportPages.h"
 
 #include <insonate/core/AtomicFile.h>
 #include <insonate/curriculum/XapiStatements.h>
 #include <insonate/ui/Account.h>
+#include <insonate/ui/TaskBar.h>
 
+#include <QDateTime>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
+#include <QLocale>
+#include <QPointer>
 #include <QSettings>
 #include <algorithm>
 #include <iterator>
@@ -40,8 +45,8 @@ Result<std::string> writeStatements(const SignedIn& by, const std::vector<Person
 
 }  // namespace
 
-SaveMenu::SaveMenu(Subject subject, ClassDesk& room, PersonDesk& person, QWidget* parent)
-    : QMenu(parent), subject_(subject), room_(room), person_(person) {
+SaveMenu::SaveMenu(Subject subject, ClassDesk& room, PersonDesk& person, ui::TaskBar& tasks, QWidget* parent)
+    : QMenu(parent), subject_(subject), room_(room), person_(person), tasks_(tasks) {
   setToolTipsVisible(true);
   add("savePage", tr("Page (PDF or PNG) ..."), tr("Saves one A4 page, to print or send"),
       QStringLiteral("PDF (*.pdf);;PNG (*.png)"), &SaveMenu::savePage);
@@ -54,8 +59,15 @@ SaveMenu::SaveMenu(Subject subject, ClassDesk& room, PersonDesk& person, QWidget
       &SaveMenu::askXapi);
 }
 
-void SaveMenu::add(const char* name, const QString& text, const QString& tip, const QString& ending,
-                   void (SaveMenu::*save)(const QString&)) {
+QAction& SaveMenu::addPortfolio() {
+  QAction* action = add("savePortfolio", tr("Portfolio (PDF) ..."),
+                        tr("Saves levels, tests, learning curves, checklists, ratings and all attempts"),
+                        QStringLiteral("PDF (*.pdf)"), &SaveMenu::savePortfolio);
+  return *action;
+}
+
+QAction* SaveMenu::add(const char* name, const QString& text, const QString& tip, const QString& ending,
+                       void (SaveMenu::*save)(const QString&)) {
   QAction* action = addAction(text);
   action->setObjectName(QLatin1String(name));
   action->setToolTip(tip);
@@ -65,6 +77,7 @@ void SaveMenu::add(const char* name, const QString& text, const QString& tip, co
         parentWidget(), tr("Save"), QDir::home().filePath(fileName() + QLatin1Char('.') + suffix), ending);
     if (!file.isEmpty()) (this->*save)(file);
   });
+  return action;
 }
 
 QString SaveMenu::fileName() const {
@@ -95,6 +108,43 @@ void SaveMenu::saveTable(const QString& file) {
   const std::string text = subject_ == Subject::Class ? classCsv(room_) : attemptsCsv(*person_.facts());
   const auto written = writeAtomically(file.toStdString(), text);
   written ? tell(file) : Q_EMIT failed(QString::fromStdString(written.error().message), {});
+}
+
+void SaveMenu::savePortfolio(const QString& file) {
+  const PersonFacts* facts = person_.facts();
+  if (!facts || !room_.account()) return;
+  const std::int64_t now_us = QDateTime::currentMSecsSinceEpoch() * 1000;
+  room_.account()->ask<Portfolio>(
+      this,
+      [person = facts->person.id, curriculum = facts->curriculum, now_us](const SignedIn& by) {
+        return readPortfolio(by, person, curriculum, now_us);
+      },
+      [this, file](Result<Portfolio> portfolio) {
+        portfolio ? writePages(file, std::move(*portfolio))
+                  : Q_EMIT failed(QString::fromStdString(portfolio.error().message), {});
+      });
+}
+
+void SaveMenu::writePages(const QString& file, Portfolio portfolio) {
+  // The task bar runs one job; another one would cancel the opening of a case.
+  if (tasks_.isRunning())
+    return Q_EMIT failed(tr("The portfolio was not saved, because another task is running: %1.").arg(tasks_.title()),
+                         tr("Wait until it is done, or cancel it; then save the portfolio again."));
+  const bool usesLetter = QLocale::system().measurementSystem() == QLocale::ImperialUSSystem;
+  const auto paper = usesLetter ? QPageSize::Letter : QPageSize::A4;
+  const QString title = tr("Writing the portfolio of %1").arg(QString::fromStdString(portfolio.person.person.fullName));
+  tasks_.run<bool>(
+      title,
+      [file, paper, curves = curvesOf(portfolio),
+       portfolio = std::move(portfolio)](const Progress& progress) -> Result<bool> {
+        if (const auto done = writePortfolio(file, portfolio, curves, paper, progress); !done)
+          return tl::unexpected(done.error());
+        return true;
+      },
+      [menu = QPointer<SaveMenu>(this), file](const Result<bool>& done) {
+        if (!menu || (!done && done.error().message == kCancelled)) return;
+        done ? menu->tell(file) : Q_EMIT menu->failed(QString::fromStdString(done.error().message), {});
+      });
 }
 
 void SaveMenu::askXapi(const QString& file) {

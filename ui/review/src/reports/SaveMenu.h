@@ -3,10 +3,15 @@
 #include <QMenu>
 #include <QString>
 
+namespace insonate::ui {
+class TaskBar;
+}
+
 namespace insonate::review {
 
 class ClassDesk;
 class PersonDesk;
+struct Portfolio;
 
 /// Menu that saves the class's or the person's data as a page, a table or xAPI statements.
 class SaveMenu final : public QMenu {
@@ -15,10 +20,15 @@ class SaveMenu final : public QMenu {
  public:
   enum class Subject { Class, Person };
 
-  SaveMenu(Subject subject, ClassDesk& room, PersonDesk& person, QWidget* parent);
+  SaveMenu(Subject subject, ClassDesk& room, PersonDesk& person, ui::TaskBar& tasks, QWidget* parent);
+
+  /// Adds the entry that saves the person's portfolio.
+  QAction& addPortfolio();
 
   void savePage(const QString& file);
   void saveTable(const QString& file);
+  /// Writes the person's portfolio as PDF in the background, with progress in the task bar.
+  void savePortfolio(const QString& file);
   /// Saves all attempts as statements of a site with this home page; the data are queried and written on the account's
   /// thread.
   void saveXapi(const QString& file, const QString& homePage);
@@ -28,15 +38,17 @@ class SaveMenu final : public QMenu {
   void failed(const QString& what, const QString& advice);
 
  private:
-  void add(const char* name, const QString& text, const QString& tip, const QString& ending,
-           void (SaveMenu::*save)(const QString&));
+  QAction* add(const char* name, const QString& text, const QString& tip, const QString& ending,
+               void (SaveMenu::*save)(const QString&));
   void askXapi(const QString& file);
+  void writePages(const QString& file, Portfolio portfolio);
   void tell(const QString& file, const QString& besides = {});
   QString fileName() const;
 
   const Subject subject_;
   ClassDesk& room_;
   PersonDesk& person_;
+  ui::TaskBar& tasks_;
 };
 
 }  // namespace insonate::review

@@ -25,7 +25,7 @@ class PeopleStore {
 
   /// Adds a person, who must change `password` at the first sign-in. An administrator may add anyone; an instructor may
   /// add trainees to `cohort`, which must be the instructor's own. With an empty `cohort`, which only administrators
-  /// may pass, the person joins no cohort.
+  /// may pass, the person joins no cohort. Fails if an account has the same name or e-mail address, ignoring case.
   Result<Person> add(const NewPerson& person, const std::string& password, const std::string& cohort = "") const;
   /// Changes a person's name, full name, e-mail, role and disabled state; administrators only. Fails if no
   /// administrator who can sign in would remain.

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QObject>
+#include <QPainter>
+#include <QPicture>
+#include <QTextFormat>
+#include <QTextObjectInterface>
+#include <utility>
+#include <vector>
+
+namespace insonate::review {
+
+/// Draws charts in the text of a document, each as one character whose format has its index.
+class ChartObject final : public QObject, public QTextObjectInterface {
+  Q_OBJECT
+  Q_INTERFACES(QTextObjectInterface)
+
+ public:
+  static constexpr int kType = QTextFormat::UserObject + 1;
+
+  explicit ChartObject(QSizeF size) : size_(size) {}
+  /// Adds a chart and returns the format of its character.
+  QTextCharFormat add(QPicture chart) {
+    QTextCharFormat format;
+    format.setObjectType(kType);
+    format.setProperty(kIndex, int(charts_.size()));
+    charts_.push_back(std::move(chart));
+    return format;
+  }
+
+  QSizeF intrinsicSize(QTextDocument*, int, const QTextFormat&) override { return size_; }
+  void drawObject(QPainter* painter, const QRectF& place, QTextDocument*, int, const QTextFormat& format) override {
+    painter->drawPicture(place.topLeft(), charts_[std::size_t(format.property(kIndex).toInt())]);
+  }
+
+ private:
+  static constexpr int kIndex = QTextFormat::UserProperty + 1;
+
+  const QSizeF size_;
+  std::vector<QPicture> charts_;
+};
+
+}  // namespace insonate::review
