@@ -253,6 +253,20 @@ TEST(CaseCheck, SidesAreNotJudgedInACutBody) {
 TEST(CaseCheck, AVeinLateralOfItsCarotidIsAsExpected) {
   PatientCase patient = test::cylinderNeck();
   patient.manifest.vessels.push_back(
+TEST(CaseCheck, NamesInOtherLanguagesAreChecked) {
+  for (const char* name : {"V. jugularis interna links", "veine jugulaire interne gauche",
+                           "vena yugular interna izquierda", "Vena jugularis interna sinistra"}) {
+    PatientCase patient = test::cylinderNeck();
+    patient.manifest.vessels[0].name = name;
+    EXPECT_TRUE(has(findingsOf(patient), "wrong_side", FindingSeverity::kError)) << name;
+  }
+  PatientCase patient = test::cylinderNeck();
+  patient.manifest.vessels[0].name = "Vena jugularis interna dextra";
+  patient.manifest.vessels.push_back(
+      {"A. carotis communis rechts", kArtery, {{{-40, -22, -20}, 4}, {{-40, -22, 20}, 4}}});
+  EXPECT_TRUE(has(findingsOf(patient), "vein_medial", FindingSeverity::kWarning));
+}
+
       {"right common carotid artery", kArtery, {{{-20, -22, -20}, 4}, {{-20, -22, 20}, 4}}});
   EXPECT_FALSE(has(findingsOf(patient), "vein_medial", FindingSeverity::kWarning));
 }
