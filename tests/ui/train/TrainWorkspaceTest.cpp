@@ -69,23 +69,6 @@ TEST_F(TrainWindow, KeysMoveTheProbe) {
   EXPECT_EQ(model_->live.shown()->patientFromProbe, model_->motion.pose());
 }
 
-TEST_F(TrainWindow, TheMarkedSidesOfTheImageFollowTheProbe) {
-  openCase();
-  settle();
-  auto* view = child<ui::ViewWidget>("ultrasoundView");
-  const auto strip = [&] {
-    const QImage image = view->grab().toImage();
-    return image.copy(0, 0, image.width(), int(24 * view->devicePixelRatioF()));
-  };
-  const QImage transverse = strip();
-  for (int n = 0; n < 10; ++n) key(Qt::Key_E);
-  settle();
-  EXPECT_EQ(strip(), transverse) << "20 degrees: R and L still";
-  for (int n = 0; n < 20; ++n) key(Qt::Key_E);
-  settle();
-  EXPECT_NE(strip(), transverse) << "60 degrees: head and foot";
-}
-
 TEST_F(TrainWindow, UndoAndHomeRestoreThePose) {
   openCase();
   const ProbeHandState start = model_->motion.state();
