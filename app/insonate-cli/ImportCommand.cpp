@@ -21,8 +21,12 @@ using nlohmann::json;
 struct ImportArguments {
   std::string input, folder, series;
   std::optional<int> shift_HU;
-  bool list = false, autoLabel = false, replace = false, asJson = false;
+  bool list = false, autoLabel = false, replace = false, saturate = false, asJson = false;
 };
+
+json textOrNull(const std::string& text) {
+  return text.empty() ? json(nullptr) : json(text);
+}
 
 /// `direction` lists the patient directions of i, j and k.
 json jsonOf(const SeriesInfo& s) {
@@ -31,14 +35,17 @@ json jsonOf(const SeriesInfo& s) {
   if (s.geometryKnown)
     for (Vec3 axis : g.direction.column) directions.push_back(jsonArray(axis));
   return {{"uid", s.uid},
-          {"modality", s.modality.empty() ? json(nullptr) : json(s.modality)},
-          {"kernel", s.kernel.empty() ? json(nullptr) : json(s.kernel)},
+          {"modality", textOrNull(s.modality)},
+          {"kernel", textOrNull(s.kernel)},
+          {"description", textOrNull(s.description)},
+          {"date", textOrNull(s.date)},
+          {"body_part", textOrNull(s.bodyPart)},
           {"size", g.size},
           {"spacing_mm", s.geometryKnown ? jsonArray(g.spacing_mm) : json(nullptr)},
           {"origin_mm", s.geometryKnown ? jsonArray(g.origin_mm) : json(nullptr)},
           {"direction", directions},
           {"warnings", s.warnings},
-          {"refusal", s.refusal.empty() ? json(nullptr) : json(s.refusal)}};
+          {"refusal", textOrNull(s.refusal)}};
 }
 
 json jsonOf(const SeriesListing& listing) {
@@ -76,6 +83,9 @@ Result<void> importCase(const ImportArguments& a) {
   if (auto ok = checkCaseTarget(a.folder, a.replace); !ok) return ok;
   auto imported = importSeries(a.input, a.series, terminalProgress());
   if (!imported) return tl::unexpected(imported.error());
+  if (imported->saturatedVoxels > 0 && !a.saturate)
+    return fail(saturationText(*imported) +
+                " Nothing was imported. Export the series again, or add --saturate to import it as it is.");
   if (a.shift_HU) shiftValues(*imported, *a.shift_HU);
   for (const std::string& warning : imported->series.warnings) std::cerr << "note: " << warning << '\n';
   const std::string advice =
@@ -124,6 +134,10 @@ void addImportCommand(CLI::App& app, Outcome& outcome) {
           "--shift", a->shift_HU,
           "Number to add to every value, e.g. -1024 if air is at 0 instead of -1024 HU; by default nothing is added")
       ->check(CLI::Range(-4096, 4096))
+      ->excludes(listOnly);
+  command
+      ->add_flag("--saturate", a->saturate,
+                 "Import also if values exceed the range of a case; they are limited to 32767 HU")
       ->excludes(listOnly);
   command->add_flag("--auto-label", a->autoLabel, "Label air, fat, muscle, bone and skin from Hounsfield units")
       ->excludes(listOnly);

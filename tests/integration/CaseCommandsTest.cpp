@@ -1,6 +1,7 @@
 #include "CommandLine.h"
 #include "support/SmallCase.h"
 #include "support/TestData.h"
+#include "unit/cases/DicomFiles.h"
 
 #include <insonate/cases/DicomWriter.h>
 
@@ -182,6 +183,32 @@ TEST_F(CaseCommands, NamesThatAreNotUtf8DoNotThrow) {
   const auto result = run("import " + at("s\xff") + " " + at("c\xff") + " --json");
   ASSERT_EQ(result.status, 0) << result.errors;
   EXPECT_TRUE(json::parse(result.output)["case"].is_string());
+}
+
+TEST_F(CaseCommands, AScaleThatSaturatesIsImportedOnlyOnRequest) {
+  makeSeries();
+  for (const auto& entry : fs::directory_iterator(folder_ / "series"))
+    test::editDicom(entry.path(),
+                    [](gdcm::DataSet& data) { test::setText(data, gdcm::Tag(0x0028, 0x1053), gdcm::VR::DS, "1000"); });
+  const std::string import = "import " + at("series") + " " + at("case");
+  expectRefusal(import, "exceed 32767 HU with the scale that the file states");
+  expectRefusal(import, "add --saturate to import it as it is");
+  const auto imported = run(import + " --saturate");
+  EXPECT_EQ(imported.status, 0) << imported.errors;
+  EXPECT_THAT(imported.errors, HasSubstr("were above 32767 HU and became 32767 HU"));
+}
+
+TEST_F(CaseCommands, TheListNamesWhatTheScannerCallsASeries) {
+  makeSeries();
+  for (const auto& entry : fs::directory_iterator(folder_ / "series"))
+    test::editDicom(entry.path(), [](gdcm::DataSet& data) {
+      test::setText(data, gdcm::Tag(0x0008, 0x103e), gdcm::VR::LO, "Neck 1.0 soft");
+      test::setText(data, gdcm::Tag(0x0008, 0x0021), gdcm::VR::DA, "20261124");
+    });
+  const json series = json::parse(run("import " + at("series") + " --list --json").output)["series"].at(0);
+  EXPECT_EQ(series["description"], "Neck 1.0 soft");
+  EXPECT_EQ(series["date"], "2026-11-24");
+  EXPECT_TRUE(series["body_part"].is_null()) << series;
 }
 
 TEST_F(CaseCommands, ARefusedSeriesShowsNoMadeUpGeometry) {

@@ -176,6 +176,26 @@ TEST_F(Guiding, WhatIsTooThinForAVeinIsDoubtful) {
   EXPECT_EQ(guide_->state(1), State::Done) << "the author has looked";
 }
 
+TEST_F(Guiding, AClickOutsideTheVeinCannotBeAcceptedAway) {
+  const test::TemporaryFolder folder;
+  choose("vein-right");
+  click({0, 12, -7});
+  click({0, 12, 7});
+  run();
+  const int vein = guide_->current();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return guide_->state(vein) == State::Done; }, kPatience_ms));
+  // The label is erased around the first click.
+  child<QPushButton>("guideCorrect")->click();
+  for (const double y_mm : {7.0, 9.0, 11.0, 13.0, 15.0, 17.0}) drag({-6, y_mm, -7}, {6, y_mm, -7}, Qt::ControlModifier);
+  child<QPushButton>("guideCorrect")->click();
+  child<QPushButton>("guideAccept")->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return guide_->state(vein) == State::Warning; }, kPatience_ms));
+  EXPECT_THAT(guide_->remarks(vein).join(' ').toStdString(), HasSubstr("Click 1 at ("));
+  saveAndOpenAgain(folder.path() / "case");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return guide_->state(vein) == State::Warning; }, kPatience_ms))
+      << "also on another day";
+}
+
 TEST_F(Guiding, OnALowScreenItsWordsAreScrolledAndNeverCut) {
   workspace_->resize(1280, 640);  // what a window of 1280 x 720 leaves
   makeVein(kArtery_x);

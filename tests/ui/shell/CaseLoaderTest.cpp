@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 #include <support/SmallCase.h>
+#include <unit/cases/DicomFiles.h>
 
 #include <QApplication>
 #include <QCheckBox>
@@ -118,7 +119,7 @@ TEST_F(CaseLoader, ImportsTheChosenSeries) {
   EXPECT_EQ(table->item(0, 1)->text(), "49 x 41 x 17");
   EXPECT_EQ(table->item(0, 2)->text(), "1.00 x 1.00 x 1.00");
   EXPECT_TRUE(table->isColumnHidden(3)) << "no kernel is told";
-  EXPECT_TRUE(table->item(0, 4)->text().startsWith("... ")) << "which of several";
+  EXPECT_TRUE(table->item(0, 7)->text().startsWith("... ")) << "which of several";
   choice->findChild<QCheckBox*>()->setChecked(false);
   QTest::mouseClick(button(choice, "Import"), Qt::LeftButton);
   ASSERT_TRUE(waitUntil([this] { return ended(); }));
@@ -158,6 +159,27 @@ TEST_F(CaseLoader, OffersHounsfieldUnitsWhereTheirOffsetIsMissing) {
     EXPECT_EQ(loaded->patient->ct.voxels, wanted ? test::smallCase().ct.voxels : stored.voxels);
     EXPECT_EQ(loaded->notes.join(" ").contains("-1024 was added to every value"), wanted);
   }
+}
+
+TEST_F(CaseLoader, AScaleThatSaturatesAsksBeforeTheImport) {
+  const QString folder = home.filePath("dense");
+  ASSERT_TRUE(writeDicomSeries(CtVolume(test::smallCase().ct.geometry, 400), folder.toStdString(), {.seed = "dense"}));
+  for (const QString& slice : QDir(folder).entryList(QDir::Files))
+    test::editDicom(QDir(folder).filePath(slice).toStdString(),
+                    [](gdcm::DataSet& data) { test::setText(data, gdcm::Tag(0x0028, 0x1053), gdcm::VR::DS, "100"); });
+  loader.open(folder);
+  QDialog* choice = dialog();
+  ASSERT_TRUE(choice) << failed.toStdString();
+  auto* saturate = choice->findChild<QCheckBox*>("saturate");
+  ASSERT_TRUE(waitUntil([&] { return saturate->isVisible(); }));
+  EXPECT_TRUE(saturate->text().startsWith("Limit ")) << saturate->text().toStdString();
+  EXPECT_TRUE(choice->findChild<QLabel*>("importNotes")->text().contains("exceed 32767 HU"));
+  EXPECT_FALSE(button(choice, "Import")->isEnabled());
+  saturate->click();
+  EXPECT_TRUE(button(choice, "Import")->isEnabled());
+  QTest::mouseClick(button(choice, "Import"), Qt::LeftButton);
+  ASSERT_TRUE(waitUntil([this] { return ended(); }));
+  ASSERT_TRUE(loaded) << failed.toStdString();
 }
 
 TEST_F(CaseLoader, ShowsWhatIsMadeAndWhatIsLeftOut) {
@@ -266,9 +288,14 @@ TEST(SeriesDialog, NamesTheKernelsThatTellReconstructionsApart) {
     series.geometry.size = {512, 512, 300};
     listing->series.push_back(series);
   }
+  listing->series[0].description = "Neck 1.0 soft", listing->series[0].date = "2026-11-24";
   ui::SeriesDialog dialog("neck", listing, nullptr);
   dialog.show();
   const auto* table = dialog.findChild<QTableWidget*>();
+  EXPECT_EQ(table->item(0, 4)->text(), "Neck 1.0 soft");
+  EXPECT_EQ(table->item(0, 5)->text(), "2026-11-24");
+  EXPECT_FALSE(table->isColumnHidden(4) || table->isColumnHidden(5));
+  EXPECT_TRUE(table->isColumnHidden(6)) << "no series states its body part";
   ASSERT_FALSE(table->isColumnHidden(3));
   EXPECT_EQ(table->horizontalHeaderItem(3)->text(), "Kernel");
   EXPECT_EQ(table->item(0, 3)->text(), "B30f");

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <support/ByteSearch.h>
 #include <support/MarkedSeries.h>
+#include <support/SmallCase.h>
 
 #include <QAction>
 #include <QDialog>
@@ -17,7 +18,9 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
+#include <QTableWidget>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QtTest/QTest>
 
 namespace {
@@ -75,7 +78,7 @@ TEST(WindowDeidentification, WherePatientsFilesLieIsNotKept) {
   window.show();
   test::answerFileDialog(window, series + QStringLiteral("/ZQXMARK slice 0.dcm"));
   for (auto* action : window.actions())
-    if (action->text() == QStringLiteral("Import file ...")) action->trigger();
+    if (action->text() == QStringLiteral("Import CT ...")) action->trigger();
   ASSERT_TRUE(waitUntil([&] { return window.findChild<QDialog*>() || window.current().patient; }));
   EXPECT_EQ(window.findChild<QFileDialog*>(), nullptr);
   if (auto* dialog = window.findChild<QDialog*>()) dialog->reject();
@@ -94,6 +97,35 @@ TEST(WindowDeidentification, WherePatientsFilesLieIsNotKept) {
   ASSERT_TRUE(waitUntil([&] { return QFile::exists(out.filePath("labels.seg.nrrd")); }));
   window.closeAtOnce();
   expectNoMarksInWhatIsKept();
+}
+
+/// A folder is taken by a button of the dialog, as it is shown or selected.
+TEST(ImportDialog, TakesTheFolderThatItShows) {
+  QTemporaryDir home;
+  ASSERT_TRUE(writeDicomSeries(test::smallCase().ct, home.filePath("series").toStdString(), {.seed = "s"}));
+  ui::MainWindow window;
+  window.show();
+  QTimer looking;
+  QObject::connect(&looking, &QTimer::timeout, [&] {
+    auto* dialog = window.findChild<QFileDialog*>();
+    if (!dialog || !dialog->isVisible()) return;
+    looking.stop();
+    dialog->setDirectory(home.filePath("series"));
+    auto* take = dialog->findChild<QPushButton*>("importFolder");
+    ASSERT_TRUE(take);
+    QTest::mouseClick(take, Qt::LeftButton);
+  });
+  looking.start(20);
+  window.commands().action("window.case.import")->trigger();
+  const auto* series = [&]() -> QTableWidget* {
+    QTableWidget* table = nullptr;
+    waitUntil([&] { return (table = window.findChild<QTableWidget*>()) != nullptr; });
+    return table;
+  }();
+  ASSERT_TRUE(series);
+  EXPECT_EQ(series->rowCount(), 1);
+  window.findChild<QDialog*>()->reject();
+  window.closeAtOnce();
 }
 
 }  // namespace

@@ -27,6 +27,15 @@ TEST(SlicePlane, LettersOfOblique) {
   EXPECT_EQ(orientationLetters({1, 1.1, 1.2}), "SPL");
 }
 
+TEST(SlicePlane, TheSideOfThePatientIsThatOfTheNearestAxis) {
+  EXPECT_EQ(patientSide({1, 0, 0}), "L");
+  EXPECT_EQ(patientSide({-0.8, 0.3, 0.7}), "R");
+  EXPECT_EQ(patientSide({-0.7, 0.3, 0.8}), "Head");
+  EXPECT_EQ(patientSide({0, 0.1, -1}), "Foot");
+  EXPECT_EQ(patientSide({0.1, -1, 0}), "A");
+  EXPECT_EQ(patientSide({0.1, 1, 0}), "P");
+}
+
 TEST(SlicePlane, ObliqueIsTheProbesPicture) {
   const Transform patientFromProbe{{{Vec3{0, 0, 1}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}}}, {10, 20, 30}};
   const SliceAxes axes = sliceAxes(SliceKind::Oblique, patientFromProbe);

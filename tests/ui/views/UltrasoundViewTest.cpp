@@ -64,6 +64,49 @@ TEST(UltrasoundView, TheMarkerStandsAtThePictureAlsoWithRoomAroundIt) {
   expectMarkerAt(12);
 }
 
+/// Number of light pixels above a corner of the image, where its side of the patient is marked.
+int inkAbove(const Picture& picture, DisplayPoint corner, bool isRight) {
+  int ink = 0;
+  for (int y = int(corner.y) - 20; y < int(corner.y) - 4; ++y)
+    for (int x = 12; x < 60; ++x) ink += picture.at(int(corner.x) + (isRight ? -x : x), y)[0] > 150;
+  return ink;
+}
+
+TEST(UltrasoundView, ItsSidesAreMarkedByTheDirectionOfTheProbe) {
+  UltrasoundView view;
+  view.setImage(dot(400, 300, 0, 0));
+  Screen screen(view, 900, 700);
+  const auto inkAt = [&](bool left) {
+    return inkAbove(screen.picture(), view.displayFromPicture({left ? -20.0 : 20.0, 0}), !left);
+  };
+  // Beside the corner's own letter: words are longer than letters.
+  EXPECT_EQ(inkAt(true) + inkAt(false), 0) << "no pose, no marks";
+  view.setLateral(Vec3{0, 0, 1});
+  const int foot = inkAt(true), head = inkAt(false);
+  EXPECT_GT(foot, 20);
+  EXPECT_GT(head, 20);
+  EXPECT_NE(foot, head);
+  view.setMirrored(true);
+  EXPECT_NEAR(inkAbove(screen.picture(), view.displayFromPicture({20, 0}), false), head, 12);
+  view.setMirrored(false);
+  view.setLateral(std::nullopt);
+  EXPECT_EQ(inkAt(true) + inkAt(false), 0);
+}
+
+TEST(UltrasoundView, ATurnWithinTheSameMarksIsNoNewLayout) {
+  UltrasoundView view;
+  view.setImage(dot(400, 300, 0, 0));
+  view.setLateral(Vec3{1, 0, 0});
+  Screen screen(view, 900, 700);
+  screen.picture();
+  int wanted = 0;
+  view.setRenderWanted([&] { ++wanted; });
+  view.setLateral(normalized(Vec3{1, 0.2, 0.9}));
+  EXPECT_EQ(wanted, 0);
+  view.setLateral(normalized(Vec3{0.9, 0.2, 1}));
+  EXPECT_EQ(wanted, 1) << "past 45 degrees";
+}
+
 TEST(UltrasoundView, AnEchoAppearsWhereItsMillimetresSay) {
   UltrasoundView view;
   const BModeImage image = dot(400, 300, 290, 71);

@@ -81,6 +81,11 @@ void widenVein(PatientCase& p, double halfWidth_mm, double halfHeight_mm) {
       }
 }
 
+void setHu(PatientCase& p, Label label, std::int16_t hu) {
+  for (std::size_t v = 0; v < p.ct.voxels.size(); ++v)
+    if (p.labels.voxels[v] == label) p.ct.voxels[v] = hu;
+}
+
 const Defect kDefects[] = {
     {"vessel_too_large", FindingSeverity::kError, [](PatientCase& p) { widenVein(p, 20, 11); }},
     {"vessel_large", FindingSeverity::kWarning, [](PatientCase& p) { widenVein(p, 12, 9.5); }},
@@ -142,6 +147,12 @@ const Defect kDefects[] = {
     {"vessel_direction", FindingSeverity::kWarning,
      [](PatientCase& p) {
        p.manifest.vessels[0].course = {{{-45, -22, 0}, 6}, {{-20, -22, 2}, 6}};
+     }},
+    {"lumen_hu", FindingSeverity::kError, [](PatientCase& p) { setHu(p, kVein, -95); }},
+    {"lumen_hu", FindingSeverity::kWarning, [](PatientCase& p) { setHu(p, kArtery, 700); }},
+    {"click_outside", FindingSeverity::kWarning,
+     [](PatientCase& p) {
+       p.manifest.vessels[0].clicks_mm = {{-30, -22, -5}, {-30, -10, 5}};
      }},
     {"no_start_pose", FindingSeverity::kInfo, [](PatientCase& p) { p.manifest.startPoses.clear(); }},
     {"pose_off_skin", FindingSeverity::kWarning,
@@ -242,6 +253,20 @@ TEST(CaseCheck, AVesselIsOnTheSideOfItsName) {
   EXPECT_TRUE(has(findingsOf(patient), "wrong_side", FindingSeverity::kError));
 }
 
+TEST(CaseCheck, NamesInOtherLanguagesAreChecked) {
+  for (const char* name : {"V. jugularis interna links", "veine jugulaire interne gauche",
+                           "vena yugular interna izquierda", "Vena jugularis interna sinistra"}) {
+    PatientCase patient = test::cylinderNeck();
+    patient.manifest.vessels[0].name = name;
+    EXPECT_TRUE(has(findingsOf(patient), "wrong_side", FindingSeverity::kError)) << name;
+  }
+  PatientCase patient = test::cylinderNeck();
+  patient.manifest.vessels[0].name = "Vena jugularis interna dextra";
+  patient.manifest.vessels.push_back(
+      {"A. carotis communis rechts", kArtery, {{{-40, -22, -20}, 4}, {{-40, -22, 20}, 4}}});
+  EXPECT_TRUE(has(findingsOf(patient), "vein_medial", FindingSeverity::kWarning));
+}
+
 /// The center of a body that the volume cuts is not its midline.
 TEST(CaseCheck, SidesAreNotJudgedInACutBody) {
   PatientCase patient = test::cylinderNeck();
@@ -255,6 +280,74 @@ TEST(CaseCheck, AVeinLateralOfItsCarotidIsAsExpected) {
   patient.manifest.vessels.push_back(
       {"right common carotid artery", kArtery, {{{-20, -22, -20}, 4}, {{-20, -22, 20}, 4}}});
   EXPECT_FALSE(has(findingsOf(patient), "vein_medial", FindingSeverity::kWarning));
+}
+
+const Finding* findingOf(const std::vector<Finding>& findings, const std::string& code) {
+  const auto found = std::ranges::find(findings, code, &Finding::code);
+  return found == findings.end() ? nullptr : &*found;
+}
+
+TEST(CaseCheck, ALumenIsNamedWithItsMedianAndWhatHasSuchValues) {
+  PatientCase patient = test::cylinderNeck();
+  for (const auto& [hu, like] : {std::pair{std::int16_t{-95}, "like fat"},
+                                 {std::int16_t{-900}, "like air or lung"},
+                                 {std::int16_t{5}, "like water"},
+                                 {std::int16_t{1200}, "like bone"}}) {
+    setHu(patient, kVein, hu);
+    const auto findings = findingsOf(patient);
+    const Finding* lumen = findingOf(findings, "lumen_hu");
+    ASSERT_TRUE(lumen) << hu;
+    EXPECT_THAT(lumen->text, testing::HasSubstr("The lumen of the right internal jugular vein has a median of " +
+                                                std::to_string(hu) + " HU, " + like));
+    EXPECT_EQ(lumen->label, kVein);
+    ASSERT_TRUE(lumen->place_mm);
+    EXPECT_EQ(sampleNearest(patient.labels, patient.labels.geometry.indexFromPatient() * *lumen->place_mm), kVein);
+  }
+}
+
+/// The voxels at the wall hold fat, too, and noise is symmetric.
+TEST(CaseCheck, NoiseAndPartialVolumeDoNotChangeALumen) {
+  PatientCase patient = test::cylinderNeck();
+  const VolumeGeometry& g = patient.labels.geometry;
+  for (int k = 0; k < g.size[2]; ++k)
+    for (int j = 0; j < g.size[1]; ++j)
+      for (int i = 0; i < g.size[0]; ++i) {
+        const double off_mm = std::hypot(i - 60 + 30, j - 60 + 22);
+        if (patient.labels.at(i, j, k) != kVein) continue;
+        patient.ct.at(i, j, k) = std::int16_t(off_mm > 6 ? -60 : 45 - 60 + (31 * i + 17 * j + 7 * k) % 121);
+      }
+  EXPECT_EQ(codes(findingsOf(patient)), "");
+}
+
+TEST(CaseCheck, EnhancedAndUnenhancedBloodAreAsExpected) {
+  PatientCase patient = test::cylinderNeck();
+  for (const std::int16_t hu : {30, 60, 180, 590}) {
+    setHu(patient, kVein, hu);
+    EXPECT_EQ(codes(findingsOf(patient)), "") << hu;
+  }
+}
+
+TEST(CaseCheck, AVesselWithoutANameIsCheckedApartFromNamedOnes) {
+  PatientCase patient = test::cylinderNeck();
+  for (int k = 0; k < 61; ++k)
+    for (int j = 60; j < 70; ++j)
+      for (int i = 90; i < 100; ++i) patient.labels.at(i, j, k) = kVein, patient.ct.at(i, j, k) = -95;
+  const auto findings = findingsOf(patient);
+  const Finding* lumen = findingOf(findings, "lumen_hu");
+  ASSERT_TRUE(lumen);
+  EXPECT_THAT(lumen->text, testing::HasSubstr("the vein without a name"));
+}
+
+TEST(CaseCheck, AClickOutsideItsVesselIsNamedWithItsPosition) {
+  PatientCase patient = test::cylinderNeck();
+  patient.manifest.vessels[0].clicks_mm = {{-30, -22, -5}, {-38, -22, 0}};  // the second is 1 mm beside the vein
+  EXPECT_EQ(codes(findingsOf(patient)), "");
+  patient.manifest.vessels[0].clicks_mm.push_back({-30, -10, 5});
+  const auto findings = findingsOf(patient);
+  const Finding* click = findingOf(findings, "click_outside");
+  ASSERT_TRUE(click);
+  EXPECT_THAT(click->text, testing::HasSubstr("(-30.0, -10.0, 5.0) mm lies on muscle, outside the vein"));
+  EXPECT_EQ(click->place_mm, (Vec3{-30, -10, 5}));
 }
 
 TEST(CaseCheck, OneSliceIsTooThin) {

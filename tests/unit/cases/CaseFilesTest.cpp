@@ -43,7 +43,7 @@ TEST_P(CaseRoundTrip, KeepsVoxelsGridAndManifest) {
   patient.manifest.states = {{kVein, LabelState::Completed}, {101, LabelState::Flagged}};
   patient.manifest.importNotes = {"The slices were tilted.", "Padding was named."};
   patient.manifest.targets = {{"vein", kVein, {1.5, -2.25, 1e-3}}};
-  patient.manifest.vessels = {{"left \u00c4ste", kArtery, {{{1, 2, 3.5}, 2.25}, {{4, 5, 6}, 0}}}};
+  patient.manifest.vessels = {{"left \u00c4ste", kArtery, {{{1, 2, 3.5}, 2.25}, {{4, 5, 6}, 0}}, {{1, 2, 4.5}}}};
   patient.manifest.startPoses = {{"start", {0, 1, 2}, {0, 0.6, 0.8}, {1, 0, 0}}};
   const auto written = writeCase(patient, folder / "case");
   ASSERT_TRUE(written) << written.error().message;

@@ -186,6 +186,13 @@ void withoutRescaleInOne(const fs::path& folder) {
   editDicom(folder / "i1-1-2", [](DataSet& data) { data.Remove(Tag(0x0028, 0x1052)); });
 }
 
+void otherScaleInOne(const fs::path& folder) {
+  auto slices = plain();
+  for (HospitalSlice& s : slices) s.slope = 1, s.intercept = -1024, s.isSigned = false;
+  slices[2].slope = 2, slices[2].intercept = -1000;
+  writeSlices(folder, slices);
+}
+
 void withSlopeOfZero(const fs::path& folder) {
   writeSlices(folder, plain());
   editAll(folder, [](DataSet& data) { setText(data, Tag(0x0028, 0x1053), VR::DS, "0"); });
@@ -271,6 +278,7 @@ const std::vector<HospitalCase>& hospitalCases() {
       {"intercept-minus-1024", [](const fs::path& f) { withRescale(f, 1, -1024, false); }},
       {"padding-minus-3024", padded},
       {"slope-of-each-slice", slopeOfEachSlice},
+      {"other-scale-in-one", otherScaleInOne},
       {"rescale-missing-in-one", withoutRescaleInOne},
       {"slope-of-zero", withSlopeOfZero},
       {"lookup-table", withLookupTable},

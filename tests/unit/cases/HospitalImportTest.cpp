@@ -183,6 +183,58 @@ INSTANTIATE_TEST_SUITE_P(, TransferSyntax,
                                          std::pair{"Jpeg2000", Syntax::JPEG2000Lossless}),
                          syntaxName);
 
+/// Texts by which a series is recognized in a list; a case holds none of them.
+TEST(SeriesText, IsReadAsALineOfUtf8) {
+  test::TemporaryFolder folder;
+  test::writeSlices(folder.path(), test::axial(test::levels(4, 2)));
+  for (const auto& entry : fs::directory_iterator(folder.path()))
+    test::editDicom(entry.path(), [](gdcm::DataSet& data) {
+      using gdcm::Tag;
+      test::setText(data, Tag(0x0008, 0x0005), gdcm::VR::CS, "ISO_IR 100");
+      test::setText(data, Tag(0x0008, 0x103e), gdcm::VR::LO,
+                    "Hals n\xfc"
+                    "chtern\n1.0");
+      test::setText(data, Tag(0x0018, 0x0015), gdcm::VR::CS, "NECK");
+      test::setText(data, Tag(0x0008, 0x0021), gdcm::VR::DA, "20261124");
+    });
+  const auto listing = listSeries(folder.path());
+  ASSERT_TRUE(listing) << listing.error().message;
+  EXPECT_EQ(listing->series[0].description, "Hals n\u00fcchtern 1.0");
+  EXPECT_EQ(listing->series[0].bodyPart, "NECK");
+  EXPECT_EQ(listing->series[0].date, "2026-11-24");
+  EXPECT_THAT(describe(*listing), HasSubstr("2026-11-24  NECK  \"Hals n\u00fcchtern 1.0\""));
+}
+
+TEST(SeriesText, OfAnotherCharacterSetIsNoBrokenUtf8) {
+  test::TemporaryFolder folder;
+  test::writeSlices(folder.path(), test::axial(test::levels(2, 2)));
+  for (const auto& entry : fs::directory_iterator(folder.path()))
+    test::editDicom(entry.path(), [](gdcm::DataSet& data) {
+      test::setText(data, gdcm::Tag(0x0008, 0x0005), gdcm::VR::CS, "ISO_IR 144");
+      test::setText(data, gdcm::Tag(0x0008, 0x103e), gdcm::VR::LO, "\xc8\xd5\xef CT");
+      test::setText(data, gdcm::Tag(0x0008, 0x0021), gdcm::VR::DA, "1.5.2020");
+    });
+  const auto listing = listSeries(folder.path());
+  ASSERT_TRUE(listing) << listing.error().message;
+  EXPECT_EQ(listing->series[0].description, "??? CT");
+  EXPECT_EQ(listing->series[0].date, "");
+}
+
+TEST(Saturation, IsCounted) {
+  test::TemporaryFolder folder;
+  test::writeSlices(folder.path(), test::axial(test::levels(4, 2)));
+  EXPECT_EQ(importSeries(folder.path())->saturatedVoxels, 0u);
+  for (const auto& entry : fs::directory_iterator(folder.path()))
+    test::editDicom(entry.path(),
+                    [](gdcm::DataSet& data) { test::setText(data, gdcm::Tag(0x0028, 0x1053), gdcm::VR::DS, "100"); });
+  const auto imported = importSeries(folder.path());
+  ASSERT_TRUE(imported) << imported.error().message;
+  const auto limited = std::size_t(std::ranges::count(imported->ct.voxels, 32767));
+  EXPECT_GT(limited, 0u);
+  EXPECT_EQ(imported->saturatedVoxels, limited);
+  EXPECT_THAT(saturationText(*imported), HasSubstr(std::to_string(limited) + " voxels exceed 32767 HU"));
+}
+
 TEST(TransferSyntaxUnknown, IsNamedAsThat) {
   test::TemporaryFolder folder;
   test::writeSlices(folder / "ct", test::axial({50}));

@@ -1,5 +1,7 @@
 #include "CaseSamples.h"
+#include "support/TestData.h"
 
+#include <insonate/cases/Import.h>
 #include <insonate/cases/StartPose.h>
 
 #include <gmock/gmock.h>
@@ -117,6 +119,25 @@ TEST(StartPose, TheFaceLiesOnSkin) {
   const auto over = proposeStartPose(patient);
   ASSERT_TRUE(over) << over.error().message;
   EXPECT_GE(contactOf(patient, *over), 0.9) << "x = " << over->position_mm.x;
+}
+
+/// Without labels, the body is what is denser than air. The neck is short here, with the arms up: above the shoulder a
+/// probe could fall into a groove.
+TEST(StartPose, OnARealNeckTheFaceLiesOnSkin) {
+  INSONATE_NEEDS_DATA("neck-ct-dicom");
+  auto imported = importSeries(test::testData("neck-ct-dicom"));
+  ASSERT_TRUE(imported) << imported.error().message;
+  PatientCase patient;
+  patient.ct = std::move(imported->ct);
+  patient.labels = LabelMap(patient.ct.geometry);
+  const auto pose = proposeStartPose(patient);
+  ASSERT_TRUE(pose) << pose.error().message;
+  for (std::size_t v = 0; v < patient.ct.voxels.size(); ++v)
+    if (patient.ct.voxels[v] > -300) patient.labels.voxels[v] = kSoftTissue;
+  EXPECT_GE(contactOf(patient, *pose), 0.9) << pose->name;
+  StartPose above = *pose;
+  above.position_mm = above.position_mm - 10.0 * above.axial;
+  EXPECT_LT(contactOf(patient, above), 0.2) << "at the skin, not in the body";
 }
 
 TEST(StartPose, AWaistIsNoNeck) {

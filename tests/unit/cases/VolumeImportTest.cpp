@@ -36,6 +36,15 @@ TEST(VolumeImport, NiftiSlopeAndIntercept) {
   EXPECT_EQ(imported->ct.at(1, 1, 1), -800);
 }
 
+TEST(VolumeImport, ASlopeThatSaturatesIsCounted) {
+  test::TemporaryFolder folder;
+  test::writeText(folder / "a.nii", test::niftiOf(CtVolume(kGrid, 400), test::kRas, 100, 0));
+  const auto imported = importSeries(folder / "a.nii");
+  ASSERT_TRUE(imported) << imported.error().message;
+  EXPECT_EQ(imported->saturatedVoxels, imported->ct.voxels.size());
+  EXPECT_EQ(imported->ct.at(1, 1, 1), 32767);
+}
+
 /// A body in air as a scanner of 12 bits stores it: HU + 1024, nothing below 0.
 CtVolume storedWithOffset() {
   CtVolume ct(test::grid({20, 20, 10}, {2, 2, 2}, {0, 0, 0}), 0);

@@ -129,12 +129,18 @@ class GuideDoubts : public test::OnGrids {
 };
 INSONATE_ON_GRIDS(GuideDoubts);
 
+std::vector<std::string> textsAbout(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels) {
+  std::vector<std::string> texts;
+  for (const GuideFinding& finding : findingsAbout(step, clicks_mm, labels)) texts.push_back(finding.text);
+  return texts;
+}
+
 TEST_P(GuideDoubts, AVeinOfUsualWidthIsNotDoubted) {
-  EXPECT_THAT(findingsAbout(vein, clicks_mm, veinOf(5)), IsEmpty());
+  EXPECT_THAT(textsAbout(vein, clicks_mm, veinOf(5)), IsEmpty());
 }
 
 TEST_P(GuideDoubts, AThinOneIsDoubtedWithItsDiameter) {
-  EXPECT_THAT(findingsAbout(vein, clicks_mm, veinOf(1.6)), ElementsAre(HasSubstr("usual are 5 to 25 mm.")));
+  EXPECT_THAT(textsAbout(vein, clicks_mm, veinOf(1.6)), ElementsAre(HasSubstr("usual are 5 to 25 mm.")));
 }
 
 TEST_P(GuideDoubts, OneThatLiesAgainstTheAirwayIsDoubted) {
@@ -142,7 +148,7 @@ TEST_P(GuideDoubts, OneThatLiesAgainstTheAirwayIsDoubted) {
   const Selection airway = shape([](Vec3 p) { return p.x > 5 || (p.x > 2 && std::hypot(p.x, p.y) > 5); });
   for (std::size_t v = 0; v < labels.voxels.size(); ++v)
     if (airway.mask.voxels[v] && labels.voxels[v] != kVein) labels.voxels[v] = kAirway;
-  EXPECT_THAT(findingsAbout(vein, clicks_mm, labels), ElementsAre(HasSubstr("of its surface touch the airway")));
+  EXPECT_THAT(textsAbout(vein, clicks_mm, labels), ElementsAre(HasSubstr("of its surface touch the airway")));
 }
 
 TEST_P(GuideDoubts, ClicksOnTheOtherSideOfTheAirwayAreDoubted) {
@@ -153,23 +159,34 @@ TEST_P(GuideDoubts, ClicksOnTheOtherSideOfTheAirwayAreDoubted) {
       if (there.mask.voxels[v]) labels.voxels[v] = kAirway;
     return labels;
   };
-  EXPECT_THAT(findingsAbout(vein, clicks_mm, withAirway(1)), IsEmpty()) << "the airway is to the left of a right vein";
-  EXPECT_THAT(findingsAbout(vein, clicks_mm, withAirway(-1)),
+  EXPECT_THAT(textsAbout(vein, clicks_mm, withAirway(1)), IsEmpty()) << "the airway is to the left of a right vein";
+  EXPECT_THAT(textsAbout(vein, clicks_mm, withAirway(-1)),
               ElementsAre(HasSubstr("on the patient's left; this step is for the right")));
 }
 
 TEST_P(GuideDoubts, ClicksWithoutTheVeinAreDoubted) {
-  EXPECT_THAT(findingsAbout(vein, clicks_mm, LabelMap(grid(), kMuscle)),
+  EXPECT_THAT(textsAbout(vein, clicks_mm, LabelMap(grid(), kMuscle)),
               ElementsAre("Nothing is labeled where you clicked."));
   const std::array aside{Vec3{0, 0, -14}, Vec3{12, 0, 0}, Vec3{0, 0, 14}};
-  EXPECT_THAT(findingsAbout(vein, aside, veinOf(6)), testing::Contains("A click lies outside the result."));
+  EXPECT_THAT(textsAbout(vein, aside, veinOf(6)),
+              testing::Contains(HasSubstr("Click 2 at (12.0, 0.0, 0.0) mm lies outside the result. Move it")));
+}
+
+TEST_P(GuideDoubts, AVesselWithoutItsClicksCannotBeAccepted) {
+  const auto canBeAccepted = [](const std::vector<GuideFinding>& findings) {
+    return std::ranges::all_of(findings, &GuideFinding::canBeAccepted);
+  };
+  EXPECT_FALSE(canBeAccepted(findingsAbout(vein, clicks_mm, LabelMap(grid(), kMuscle))));
+  const std::array aside{Vec3{0, 0, -14}, Vec3{12, 0, 0}, Vec3{0, 0, 14}};
+  EXPECT_FALSE(canBeAccepted(findingsAbout(vein, aside, veinOf(6))));
+  EXPECT_TRUE(canBeAccepted(findingsAbout(vein, clicks_mm, veinOf(1.6)))) << "thin, but where the author clicked";
 }
 
 TEST(GuideDoubtsOfAll, WhatTheAutomaticStepShouldHaveFoundIsNamed) {
   const Guide guide = neck();
   LabelMap labels(test::toolGrids()[0].geometry, kMuscle);
   labels.voxels[0] = kSkin, labels.voxels[1] = kFat, labels.voxels[2] = kBone;
-  EXPECT_THAT(findingsAbout(guide.steps.front(), {}, labels), ElementsAre(HasSubstr("There is no airway")));
+  EXPECT_THAT(textsAbout(guide.steps.front(), {}, labels), ElementsAre(HasSubstr("There is no airway")));
 }
 
 }  // namespace

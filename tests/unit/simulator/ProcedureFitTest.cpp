@@ -31,6 +31,16 @@ TEST(ProcedureFit, ABuiltInNeckIsForOneProcedureAndSaysWhichForTheOther) {
   }
 }
 
+TEST(ProcedureFit, ATargetMayBeNamedInAnotherLanguage) {
+  auto neck = makePhantom("textbook", 1);
+  ASSERT_TRUE(neck) << neck.error().message;
+  for (const char* name : {"V. jugularis interna rechts", "veine jugulaire interne droite"}) {
+    for (Target& target : neck->manifest.targets) target.name = name;
+    EXPECT_TRUE(fits("internal_jugular", *neck)) << name;
+    EXPECT_FALSE(fits("subclavian", *neck)) << name;
+  }
+}
+
 TEST(ProcedureFit, WhatIsNotLabelledIsNamedWithWhatWouldBeLost) {
   PatientCase block = test::attemptBlock();  // its target, "vein", states no procedure
   for (const char* name : {"internal_jugular", "subclavian"}) EXPECT_TRUE(fits(name, block)) << name;

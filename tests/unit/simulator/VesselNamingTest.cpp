@@ -64,12 +64,17 @@ TEST(VesselNaming, APlaceInNoVesselIsRefused) {
 }
 
 TEST(VesselNaming, AVesselIsSplitWhereItsNameChanges) {
-  const NamedVessel whole{"right internal jugular vein", kVein, {{{0, 0, 0}, 5}, {{0, 0, 10}, 5}, {{0, 0, 20}, 6}}};
+  const NamedVessel whole{"right internal jugular vein",
+                          kVein,
+                          {{{0, 0, 0}, 5}, {{0, 0, 10}, 5}, {{0, 0, 20}, 6}},
+                          {{1, 0, 3}, {0, 0, 18}}};
   const auto parts = splitVessel(whole, {3, 0, 11});
   ASSERT_TRUE(parts) << parts.error().message;
   EXPECT_THAT(parts->first.course, SizeIs(2));
   EXPECT_THAT(parts->second.course, SizeIs(2));
   EXPECT_EQ(parts->first.course.back(), parts->second.course.front());
+  EXPECT_EQ(parts->first.clicks_mm, (std::vector<Vec3>{{1, 0, 3}}));
+  EXPECT_EQ(parts->second.clicks_mm, (std::vector<Vec3>{{0, 0, 18}}));
   EXPECT_THAT(splitVessel(whole, {0, 0, 21}).error().message,
               HasSubstr("at an end of the right internal jugular vein"));
 }
@@ -87,6 +92,7 @@ TEST(VesselNaming, AGuidesStepNamesTheVesselThatItLabelled) {
   ASSERT_THAT(*vessels, SizeIs(1));
   EXPECT_EQ(vessels->front().name, "right internal jugular vein");
   EXPECT_NEAR(vessels->front().course[20].position_mm.x, -12, 0.5);
+  EXPECT_EQ(vessels->front().clicks_mm, (std::vector<Vec3>{{-12, 0, -20}, {-12, 0, 20}}));
 }
 
 TEST(VesselNaming, AVesselNamedAgainReplacesTheFirst) {

@@ -41,6 +41,7 @@ Result<std::vector<Finding>> checkCase(const CaseView& authors, const Progress& 
   if (cancelled(0.7)) return stop();
   for (const std::uint8_t vessel : {kVein, kArtery})
     if (statistics.has(vessel)) checkVessel(patient, vessel, findings);
+  checkLumens(patient, statistics, findings);
   if (statistics.has(kVein) && statistics.has(kArtery)) checkWall(patient, findings);
   if (cancelled(0.8)) return stop();
   checkIslands(patient, findings);

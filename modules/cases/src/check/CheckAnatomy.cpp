@@ -1,9 +1,9 @@
 #include "Checks.h"
 
+#include <insonate/cases/VesselName.h>
 #include <insonate/tissue/Labels.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -34,24 +34,11 @@ constexpr double kMedial_mm = 3;
 /// that is this far from the head-foot direction is a warning; the angle and the length that it needs are our choice.
 constexpr double kSteepest_deg = 60, kShortest_mm = 15;
 
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
-bool hasWord(const std::string& name, const std::string& word) {
-  const std::string text = lower(name);
-  const auto isLetter = [&](std::size_t i) {
-    return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0;
-  };
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
-    if (!isLetter(at + word.size()) && (at == 0 || !isLetter(at - 1))) return true;
-  return false;
-}
-
 /// Returns -1 for right, 1 for left (the sign of x in LPS), and 0 if the name states no side or both.
 int sideIn(const std::string& name) {
-  return int{hasWord(name, "left")} - int{hasWord(name, "right")};
+  const auto side = parsedVesselName(name).side;
+  if (!side) return 0;
+  return side == BodySide::Left ? 1 : -1;
 }
 
 std::string sideName(int side) {
@@ -196,9 +183,13 @@ void checkAnatomy(const CaseView& patient, Findings& findings) {
               {"The target \"" + target.name + "\"", target.name, target.label, target.position_mm,
                target.position_mm.z, target.position_mm.z},
               findings);
-  const auto isJugular = [](const NamedVessel& v) { return v.label == kVein && hasWord(v.name, "internal jugular"); };
+  const auto isJugular = [](const NamedVessel& v) {
+    return v.label == kVein && parsedVesselName(v.name).vessel == NeckVessel::InternalJugular;
+  };
   const auto isCarotid = [](const NamedVessel& v) {
-    return v.label == kArtery && hasWord(v.name, "carotid") && !hasWord(v.name, "external");
+    const auto vessel = parsedVesselName(v.name).vessel;
+    return v.label == kArtery && (vessel == NeckVessel::Carotid || vessel == NeckVessel::CommonCarotid ||
+                                  vessel == NeckVessel::InternalCarotid);
   };
   for (const NamedVessel& vessel : m.vessels) {
     if (vessel.course.empty()) continue;

@@ -30,11 +30,10 @@ std::optional<HuRange> plausibleHu(int label) {
       return HuRange{-50, 3071};  // fatty marrow to enamel
     case kCartilage:
       return HuRange{-20, 1200};  // laryngeal cartilage ossifies
-    case kVein:
-    case kArtery:
-      return HuRange{-100, 900};
     case kOesophagus:
       return HuRange{-1024, 400};
+    case kVein:  // checkLumens() checks both
+    case kArtery:
     case kBackground:
       return std::nullopt;
     case kSoftTissue:

@@ -9,6 +9,21 @@
 namespace insonate::check {
 namespace {
 
+/// Tells whether a voxel with this label lies within 2 mm, the accuracy of a click by hand.
+bool isBeside(const LabelMap& labels, Vec3 place_mm, std::uint8_t label) {
+  constexpr double kBeside_mm = 2, kStep_mm = 0.5;
+  constexpr int kSteps = static_cast<int>(kBeside_mm / kStep_mm);
+  const Transform indexFromPatient = labels.geometry.indexFromPatient();
+  for (int k = -kSteps; k <= kSteps; ++k)
+    for (int j = -kSteps; j <= kSteps; ++j)
+      for (int i = -kSteps; i <= kSteps; ++i) {
+        const Vec3 offset_mm = kStep_mm * Vec3{double(i), double(j), double(k)};
+        if (norm(offset_mm) <= kBeside_mm && sampleNearest(labels, indexFromPatient * (place_mm + offset_mm)) == label)
+          return true;
+      }
+  return false;
+}
+
 void checkTarget(const CaseView& patient, const Target& target, Findings& findings) {
   const VolumeGeometry& g = patient.labels.geometry;
   const std::string what = "The target \"" + target.name + "\" at " + placeText(target.position_mm);
@@ -103,6 +118,20 @@ void checkNames(const CaseView& patient, Findings& findings) {
   }
 }
 
+/// Finds the author's clicks that do not lie in the vessel that was made from them.
+void checkClicks(const CaseView& patient, const NamedVessel& vessel, Findings& findings) {
+  const VolumeGeometry& g = patient.labels.geometry;
+  for (const Vec3& click_mm : vessel.clicks_mm) {
+    if (!inVolume(g, click_mm) || isBeside(patient.labels, click_mm, vessel.label)) continue;
+    const int label = sampleNearest(patient.labels, g.indexFromPatient() * click_mm);
+    findings.push_back({FindingSeverity::kWarning, "click_outside",
+                        "The click for the " + vessel.name + " at " + placeText(click_mm) + " lies on " +
+                            labelName(label) + ", outside the " + labelName(vessel.label) +
+                            ". Click in the vessel instead and repeat the step, or label the vessel there.",
+                        click_mm, vessel.label});
+  }
+}
+
 void checkPlaces(const CaseView& patient, Findings& findings) {
   const CaseManifest& m = patient.manifest;
   const bool labelled = std::ranges::any_of(patient.labels.voxels, [](std::uint8_t v) { return v != 0; });
@@ -111,6 +140,7 @@ void checkPlaces(const CaseView& patient, Findings& findings) {
                         "The case has no target, so an attempt has nothing to puncture. Mark a target in the vein."});
   for (const Target& target : m.targets) checkTarget(patient, target, findings);
   checkNames(patient, findings);
+  for (const NamedVessel& vessel : m.vessels) checkClicks(patient, vessel, findings);
   for (const StartPose& pose : m.startPoses) checkPose(patient, pose, labelled, findings);
   if (!m.startPoses.empty()) return;
   if (const auto proposed = proposeStartPose(patient))

@@ -43,6 +43,8 @@ void checkBody(const CaseView& patient, Findings& findings);
 /// Checks a vessel (the label of vein or artery) for fragments and thin parts, and whether a vessel to be punctured can
 /// be followed.
 void checkVessel(const CaseView& patient, std::uint8_t label, Findings& findings);
+/// Finds veins and arteries whose lumen has CT values that blood cannot have.
+void checkLumens(const CaseView& patient, const LabelStatistics& statistics, Findings& findings);
 /// Finds vein and artery that touch each other.
 void checkWall(const CaseView& patient, Findings& findings);
 /// Finds labels outside the body and very small connected parts.

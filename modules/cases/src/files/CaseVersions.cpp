@@ -184,6 +184,7 @@ std::string contentHashOf(const PatientCase& patient) {
       add(fingerprint, point.position_mm);
       add(fingerprint, Vec3{point.radius_mm, 0, 0});
     }
+    for (const Vec3& click_mm : vessel.clicks_mm) add(fingerprint, click_mm);
   }
   for (const StartPose& pose : patient.manifest.startPoses) {
     fingerprint.add(pose.name);

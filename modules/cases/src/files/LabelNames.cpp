@@ -1,5 +1,7 @@
 #include "LabelNames.h"
 
+#include <insonate/cases/VesselName.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -20,7 +22,7 @@ constexpr std::array<std::pair<std::string_view, Label>, 6> kPartCodes{{{"121230
 // The first match determines the label, so that "jugular lymph node" is a lymph node and "vagus nerve" is not an
 // artery.
 constexpr std::array<std::pair<std::string_view, Label>, 42> kWords{{{"lymph", kLymphNode},
-                                                                     {"nerve", kNerve},
+                                                                     {"nerv", kNerve},
                                                                      {"vagus", kNerve},
                                                                      {"plexus", kNerve},
                                                                      {"vein", kVein},
@@ -77,9 +79,14 @@ std::optional<Label> labelFromAnyName(std::string_view name) {
   std::string lower(name);
   std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (const auto exact = labelFromName(lower)) return exact;
-  for (const auto& [word, label] : kWords)
-    if (lower.find(word) != std::string::npos) return label;
-  return std::nullopt;
+  const auto matching =
+      std::ranges::find_if(kWords, [&](const auto& known) { return lower.find(known.first) != std::string::npos; });
+  const bool isBesideVessels =
+      matching != kWords.end() && (matching->second == kLymphNode || matching->second == kNerve);
+  // "A. vertebralis" is no vertebra.
+  if (const VesselName vessel = parsedVesselName(name); vessel.vessel && vessel.label && !isBesideVessels)
+    return vessel.label;
+  return matching == kWords.end() ? std::nullopt : std::optional(matching->second);
 }
 
 }  // namespace insonate

@@ -35,7 +35,9 @@ json toJson(const NamedVessel& vessel) {
     entry.push_back(point.radius_mm);
     course.push_back(std::move(entry));
   }
-  return {{"name", vessel.name}, {"label", labelToJson(vessel.label)}, {"course_mm", course}};
+  json object{{"name", vessel.name}, {"label", labelToJson(vessel.label)}, {"course_mm", course}};
+  for (const Vec3& click_mm : vessel.clicks_mm) object["clicks_mm"].push_back(toJson(click_mm));
+  return object;
 }
 
 /// All entries of each label.
@@ -118,9 +120,19 @@ NamedVessel::Point pointFrom(const json& list, const std::string& where, std::st
   return {};
 }
 
+Vec3 clickFrom(const json& list, const std::string& where, std::string& trouble) {
+  const bool numbers = list.is_array() && list.size() == 3 &&
+                       std::ranges::all_of(list, [](const json& value) { return value.is_number(); });
+  if (const Vec3 click_mm = numbers ? Vec3{list[0], list[1], list[2]} : Vec3{}; numbers && isFinite(click_mm))
+    return click_mm;
+  trouble = where + " needs [x, y, z] in mm.";
+  return {};
+}
+
 NamedVessel vesselFrom(const json& object, const std::string& where, std::string& trouble) {
   Entry entry(object, where, trouble);
-  NamedVessel vessel{entry.text("name"), entry.label(), entry.list("course_mm", "point", pointFrom)};
+  NamedVessel vessel{entry.text("name"), entry.label(), entry.list("course_mm", "point", pointFrom),
+                     entry.list("clicks_mm", "click", clickFrom)};
   if (vessel.course.empty()) entry.refuse("needs a list of points [x, y, z, radius] as 'course_mm', at least one.");
   return vessel;
 }

@@ -1,5 +1,7 @@
 #include "DicomElements.h"
 
+#include <insonate/tissue/OwnLabels.h>
+
 #include <gdcmByteValue.h>
 #include <gdcmSequenceOfItems.h>
 
@@ -34,6 +36,24 @@ std::string textOf(const gdcm::DataSet& data, gdcm::Tag tag) {
   const gdcm::ByteValue* bytes = data.GetDataElement(tag).GetByteValue();
   if (!bytes || !bytes->GetPointer()) return {};
   return std::string(trimmed({bytes->GetPointer(), bytes->GetLength()}));
+}
+
+std::string lineOf(const gdcm::DataSet& data, gdcm::Tag tag) {
+  const std::string characterSet = textOf(data, gdcm::Tag(0x0008, 0x0005));
+  const bool isUtf8 = characterSet.starts_with("ISO_IR 192"), isLatin1 = characterSet.starts_with("ISO_IR 100");
+  std::string line;
+  for (const char letter : textOf(data, tag)) {
+    const auto c = static_cast<unsigned char>(letter);
+    if (c < 0x20 || c == 0x7F)
+      line += ' ';
+    else if (c < 0x80 || isUtf8)
+      line += letter;
+    else if (isLatin1)
+      line += {static_cast<char>(0xC0 | (c >> 6)), static_cast<char>(0x80 | (c & 0x3F))};
+    else
+      line += '?';
+  }
+  return tidyLabelName(line);
 }
 
 std::vector<double> numbersOf(const gdcm::DataSet& data, gdcm::Tag tag) {

@@ -10,6 +10,8 @@ namespace insonate {
 
 /// Returns an element's text without padding; empty if the element is absent.
 std::string textOf(const gdcm::DataSet& data, gdcm::Tag tag);
+/// Returns an element's text as one line of UTF-8; letters of character sets other than Latin-1 and UTF-8 become "?".
+std::string lineOf(const gdcm::DataSet& data, gdcm::Tag tag);
 /// Returns the numbers of a decimal or integer string; empty if absent or malformed.
 std::vector<double> numbersOf(const gdcm::DataSet& data, gdcm::Tag tag);
 std::optional<double> numberOf(const gdcm::DataSet& data, gdcm::Tag tag);

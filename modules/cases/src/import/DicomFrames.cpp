@@ -30,6 +30,15 @@ void readFunctionalGroups(const DataSet& groups, DicomSlice& slice) {
     for (const DataSet& item : itemsOf(groups, tag)) readPlane(item, slice);
 }
 
+/// The day of a series, "2026-11-24"; the study's day if it has none.
+std::string dateOf(const DataSet& data) {
+  for (const Tag& tag : {Tag(0x0008, 0x0021), Tag(0x0008, 0x0020)})
+    if (const std::string day = textOf(data, tag);
+        day.size() == 8 && std::ranges::all_of(day, [](unsigned char c) { return std::isdigit(c) != 0; }))
+      return day.substr(0, 4) + "-" + day.substr(4, 2) + "-" + day.substr(6);
+  return {};
+}
+
 std::optional<std::array<int, 2>> paddingOf(const DataSet& data) {
   const auto first = shortOf(data, Tag(0x0028, 0x0120));
   if (!first) return std::nullopt;
@@ -59,6 +68,9 @@ std::vector<DicomSlice> framesOf(const std::filesystem::path& file, const DataSe
   slice.rows = static_cast<int>(shortOf(data, Tag(0x0028, 0x0010)).value_or(0));
   slice.columns = static_cast<int>(shortOf(data, Tag(0x0028, 0x0011)).value_or(0));
   slice.padding = paddingOf(data);
+  slice.description = lineOf(data, Tag(0x0008, 0x103e));
+  slice.bodyPart = lineOf(data, Tag(0x0018, 0x0015));
+  slice.date = dateOf(data);
   slice.burnedInText = upper(textOf(data, Tag(0x0028, 0x0301))) == "YES";
   slice.lossy = textOf(data, Tag(0x0028, 0x2110)) == "01";
   const std::string unit = upper(textOf(data, Tag(0x0028, 0x1054)));

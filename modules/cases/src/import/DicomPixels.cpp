@@ -116,8 +116,7 @@ void toHu(const StoredPixels& pixels, const DicomSlice& slice, std::int16_t* out
 
 }  // namespace
 
-Result<std::vector<std::int16_t>> readSlices(const DicomSeries& series, std::vector<std::string>& notes,
-                                             const Progress& progress) {
+Result<SliceValues> readSlices(const DicomSeries& series, std::vector<std::string>& notes, const Progress& progress) {
   const std::size_t sliceSize = static_cast<std::size_t>(series.stack.columns) * series.stack.rows;
   const std::size_t size = sliceSize * series.slices.size();
   std::vector<std::int16_t> hu;  // allocated when a first slice has the size of its header
@@ -144,7 +143,7 @@ Result<std::vector<std::int16_t>> readSlices(const DicomSeries& series, std::vec
                     " voxels were padding or below -1024 HU and became -1024 HU (air).");
   if (changes.tooDense > 0)
     notes.push_back(std::to_string(changes.tooDense) + " voxels were above 32767 HU and became 32767 HU.");
-  return hu;
+  return SliceValues{std::move(hu), changes.tooDense};
 }
 
 }  // namespace insonate

@@ -11,10 +11,14 @@
 
 namespace insonate {
 
+struct SliceValues {
+  std::vector<std::int16_t> hu;  ///< of all slices, in the series' order
+  std::size_t saturated = 0;     ///< values above the range of 16 bits, which were limited
+};
+
 /// Decodes every slice of a series, in the series' order, to HU, with each slice's own slope and intercept; padding and
 /// everything below -1024 become -1024. Fails on missing or truncated pixels and on formats that a CT does not have.
 /// Adds a note for each kind of change.
-Result<std::vector<std::int16_t>> readSlices(const DicomSeries& series, std::vector<std::string>& notes,
-                                             const Progress& progress);
+Result<SliceValues> readSlices(const DicomSeries& series, std::vector<std::string>& notes, const Progress& progress);
 
 }  // namespace insonate

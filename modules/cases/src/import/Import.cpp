@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <limits>
 #include <map>
 
 namespace insonate {
@@ -59,21 +60,25 @@ CtVolume assemble(const StackPlan& plan, const SliceStack& stack, std::vector<st
   return ct;
 }
 
-Result<CtVolume> read(const DicomSeries& series, std::vector<std::string>& notes, const Progress& progress) {
+struct ReadCt {
+  CtVolume ct;
+  std::size_t saturated = 0;
+};
+
+Result<ReadCt> read(const DicomSeries& series, std::vector<std::string>& notes, const Progress& progress) {
   auto slices = readSlices(series, notes, progress);
   if (!slices) return tl::unexpected(slices.error());
-  return assemble(series.plan, series.stack, std::move(*slices));
+  return ReadCt{assemble(series.plan, series.stack, std::move(slices->hu)), slices->saturated};
 }
 
-Result<CtVolume> read(const VolumeSeries& series, const SeriesInfo& info, std::vector<std::string>& notes) {
-  const auto raw = readVolumeFile(series.file);
-  if (!raw) return tl::unexpected(raw.error());
-  if (!series.stack) return toHounsfield(*raw, info.geometry, notes);
+Result<CtVolume> assembled(const VolumeSeries& series, const SeriesInfo& info, const RawVolume& raw,
+                           std::vector<std::string>& notes) {
+  if (!series.stack) return toHounsfield(raw, info.geometry, notes);
   VolumeGeometry asStored;
-  asStored.size = raw->size;
-  auto stored = toHounsfield(*raw, asStored, notes);
+  asStored.size = raw.size;
+  auto stored = toHounsfield(raw, asStored, notes);
   if (!stored) return stored;
-  const std::size_t sliceSize = static_cast<std::size_t>(raw->size[0]) * raw->size[1];
+  const std::size_t sliceSize = static_cast<std::size_t>(raw.size[0]) * raw.size[1];
   std::vector<std::int16_t> ordered;
   ordered.reserve(stored->voxels.size());
   for (const int n : series.plan.order) {
@@ -81,6 +86,16 @@ Result<CtVolume> read(const VolumeSeries& series, const SeriesInfo& info, std::v
     ordered.insert(ordered.end(), slice, slice + static_cast<std::ptrdiff_t>(sliceSize));
   }
   return assemble(series.plan, *series.stack, std::move(ordered));
+}
+
+Result<ReadCt> read(const VolumeSeries& series, const SeriesInfo& info, std::vector<std::string>& notes) {
+  const auto raw = readVolumeFile(series.file);
+  if (!raw) return tl::unexpected(raw.error());
+  auto ct = assembled(series, info, *raw, notes);
+  if (!ct) return tl::unexpected(ct.error());
+  const auto saturated =
+      std::ranges::count_if(raw->values, [](float value) { return value > std::numeric_limits<std::int16_t>::max(); });
+  return ReadCt{std::move(*ct), static_cast<std::size_t>(saturated)};
 }
 
 /// The header of a label map that was stored in 16 bits resembles that of a CT.
@@ -122,11 +137,20 @@ void warnOfDamagedFiles(const InputScan& scan, std::vector<std::string>& warning
 
 }  // namespace
 
+std::string saturationText(const ImportedCt& imported) {
+  return std::to_string(imported.saturatedVoxels) +
+         (imported.saturatedVoxels == 1 ? " voxel exceeds" : " voxels exceed") +
+         " 32767 HU with the scale that the file states, so the scale is probably wrong: metal has 3000 to 30000 HU. "
+         "An import limits them to 32767 HU.";
+}
+
 std::string describe(const SeriesListing& listing) {
   std::string text;
   for (const SeriesInfo& s : listing.series) {
     text += "  " + s.uid + "  " + (s.modality.empty() ? "-" : s.modality) + "  " +
-            sizeText(s.geometry, s.geometryKnown) + (s.kernel.empty() ? "" : "  kernel " + s.kernel) + "\n";
+            sizeText(s.geometry, s.geometryKnown) + (s.kernel.empty() ? "" : "  kernel " + s.kernel) +
+            (s.date.empty() ? "" : "  " + s.date) + (s.bodyPart.empty() ? "" : "  " + s.bodyPart) +
+            (s.description.empty() ? "" : "  \"" + s.description + "\"") + "\n";
     for (const std::string& warning : s.warnings) text += "    note: " + warning + "\n";
     if (!s.refusal.empty()) text += "    cannot be imported: " + s.refusal + "\n";
   }
@@ -168,11 +192,13 @@ Result<ImportedCt> importSeries(const fs::path& input, const std::string& uid, c
                 " to import the series without this file.");
   const DicomSeries* dicom = std::get_if<DicomSeries>(&found.data);
   if (dicom) warnOfDamagedFiles(*scan, warnings);
-  auto ct = dicom ? read(*dicom, warnings, progress) : read(std::get<VolumeSeries>(found.data), found.info, warnings);
-  if (!ct) return tl::unexpected(ct.error());
-  if (auto ok = dicom ? Result<void>{} : checkIsNoLabelMap(*ct); !ok)
+  auto values =
+      dicom ? read(*dicom, warnings, progress) : read(std::get<VolumeSeries>(found.data), found.info, warnings);
+  if (!values) return tl::unexpected(values.error());
+  if (auto ok = dicom ? Result<void>{} : checkIsNoLabelMap(values->ct); !ok)
     return fail("The file " + found.info.uid + " cannot be imported: " + ok.error().message);
-  imported.ct = std::move(*ct);
+  imported.ct = std::move(values->ct);
+  imported.saturatedVoxels = values->saturated;
   judgeValues(imported);
   imported.source = dicom ? "Imported from a DICOM CT series of " + std::to_string(dicom->slices.size()) +
                                 " slices; its UID was replaced by " + derivedUid(dicom->uid) + "."

@@ -112,17 +112,20 @@ void addVolume(const fs::path& file, const fs::path& input, InputScan& scan) {
   scan.series.push_back(std::move(found));
 }
 
-std::string kernelOf(const DicomSeries& series) {
-  const std::string& first = series.slices.front().kernel;
-  const bool same = std::ranges::all_of(series.slices, [&](const DicomSlice& s) { return s.kernel == first; });
+/// A text that all slices share; empty if they differ.
+std::string sharedText(const DicomSeries& series, std::string DicomSlice::*text) {
+  const std::string& first = series.slices.front().*text;
+  const bool same = std::ranges::all_of(series.slices, [&](const DicomSlice& s) { return s.*text == first; });
   return same ? first : std::string{};
 }
 
 void addDicom(const std::vector<DicomSlice>& slices, InputScan& scan) {
   for (DicomSeries& series : groupSlices(slices)) {
     const bool known = series.refusal.empty() || !series.plan.order.empty();
-    FoundSeries found{
-        {series.uid, series.modality, kernelOf(series), series.plan.grid, known, series.warnings, series.refusal}, {}};
+    FoundSeries found{{series.uid, series.modality, sharedText(series, &DicomSlice::kernel), series.plan.grid, known,
+                       series.warnings, series.refusal, sharedText(series, &DicomSlice::description),
+                       sharedText(series, &DicomSlice::date), sharedText(series, &DicomSlice::bodyPart)},
+                      {}};
     if (!scan.unreadable.empty())
       found.info.warnings.push_back(std::to_string(scan.unreadable.size()) +
                                     (scan.unreadable.size() == 1 ? " file or folder" : " files or folders") +

@@ -1,9 +1,12 @@
 #include "SeriesGroups.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <map>
 #include <set>
 #include <tuple>
+#include <utility>
 
 namespace insonate {
 namespace {
@@ -190,6 +193,45 @@ std::string whyNot(const DicomSlice& s) {
   return {};
 }
 
+using Scale = std::pair<double, double>;  // slope, intercept
+
+Scale scaleOf(const DicomSlice& s) {
+  return {s.slope.value_or(1), s.intercept.value_or(0)};
+}
+
+std::string textOf(Scale scale) {
+  std::array<char, 64> text;
+  std::snprintf(text.data(), text.size(), "%.6g and %.6g", scale.first, scale.second);
+  return text.data();
+}
+
+/// Names the slices whose scale differs from that of most slices. Some scanners scale each slice by itself.
+void warnOfScales(DicomSeries& series) {
+  constexpr std::size_t kNamed = 3;
+  std::map<Scale, std::size_t> counts;
+  for (const DicomSlice& s : series.slices) ++counts[scaleOf(s)];
+  if (counts.size() < 2) return;
+  const auto usual = std::ranges::max_element(counts, {}, [](const auto& entry) { return entry.second; });
+  const std::size_t others = series.slices.size() - usual->second;
+  if (usual->second <= series.slices.size() / 2)
+    return series.warnings.push_back("The slices have " + std::to_string(counts.size()) +
+                                     " different scales (Rescale Slope and Intercept). Each slice is converted with "
+                                     "its own; check that all look alike.");
+  std::string named;
+  std::size_t count = 0;
+  for (const DicomSlice& s : series.slices) {
+    if (scaleOf(s) == usual->first || count++ >= kNamed) continue;
+    std::array<char, 64> level;
+    std::snprintf(level.data(), level.size(), " in the slice at z = %.1f mm", s.position_mm->z);
+    named += ", but " + textOf(scaleOf(s)) + level.data() +
+             (s.instance ? " (instance " + std::to_string(*s.instance) + ")" : "");
+  }
+  if (others > kNamed) named += ", and differ in " + std::to_string(others - kNamed) + " more slices";
+  series.warnings.push_back("Rescale Slope and Intercept are " + textOf(usual->first) + " in " +
+                            std::to_string(usual->second) + " slices" + named +
+                            ". Each slice is converted with its own; compare these slices with their neighbors.");
+}
+
 bool isScaled(const DicomSlice& s) {
   return s.slope && s.intercept;
 }
@@ -234,6 +276,7 @@ void addWarnings(DicomSeries& series) {
   if (splitByKernel(series.slices).size() > 1)
     series.warnings.push_back(
         "The slices were reconstructed with several kernels, so their sharpness and noise differ.");
+  warnOfScales(series);
   if (!std::ranges::all_of(series.slices, isScaled))
     series.warnings.push_back("Slices lack Rescale Slope or Intercept; 1 and 0 are used. Air should be near -1000 HU.");
   if (std::ranges::any_of(series.slices, &DicomSlice::otherUnit))

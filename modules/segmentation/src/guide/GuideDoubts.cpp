@@ -5,7 +5,9 @@
 #include <insonate/tissue/Labels.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <sstream>
 
@@ -17,10 +19,10 @@ constexpr double kMaxOfSurface = 0.02;  // share of the surface that may touch s
 constexpr double kAside_mm = 5;         // clicks nearer to the midline have no side
 constexpr double kAround_mm = 25;       // distance from the clicks at which a structure ends that may continue beyond
 
-/// Components of a label in or beside which clicks lie, and the number of clicks beside all of them.
+/// Components of a label in or beside which clicks lie, and the clicks beside all of them, counted from 1.
 struct Found {
   Selection pieces;
-  int clicksBeside = 0;
+  std::vector<int> clicksBeside{};
 };
 
 Found foundAt(const LabelMap& labels, std::uint8_t label, std::span<const Vec3> clicks_mm) {
@@ -32,7 +34,8 @@ Found foundAt(const LabelMap& labels, std::uint8_t label, std::span<const Vec3> 
   const segmentation::Components pieces(chosen.mask, segmentation::Components::Reach::Volume, work);
   std::vector<bool> reached(pieces.count(), false);
   const Transform patientFromIndex = labels.geometry.patientFromIndex();
-  for (const Vec3& click_mm : clicks_mm) {
+  for (std::size_t n = 0; n < clicks_mm.size(); ++n) {
+    const Vec3& click_mm = clicks_mm[n];
     bool inside = false;
     const VoxelBox near = boxAround(labels.geometry, std::array{click_mm}, kBeside_mm);
     for (int k = near.first[2]; k < near.end[2]; ++k)
@@ -42,7 +45,7 @@ Found foundAt(const LabelMap& labels, std::uint8_t label, std::span<const Vec3> 
           if (norm(patientFromIndex * Vec3{double(i), double(j), double(k)} - click_mm) > kBeside_mm) continue;
           reached[pieces.componentAt(i - box.first[0], j - box.first[1], k - box.first[2])] = inside = true;
         }
-    found.clicksBeside += !inside;
+    if (!inside) found.clicksBeside.push_back(int(n) + 1);
   }
   std::ranges::fill(chosen.mask.voxels, std::uint8_t{0});
   pieces.paint(reached, 1, chosen.mask);
@@ -106,6 +109,23 @@ double length_mm(std::span<const Vec3> line) {
   return sum;
 }
 
+/// An example of a click that the result does not contain, with its place as the status line shows it.
+GuideFinding clickBeside(const GuideStep& step, const std::vector<int>& beside, std::span<const Vec3> clicks_mm) {
+  const Vec3 p = clicks_mm[std::size_t(beside.front() - 1)];
+  std::array<char, 96> place;
+  std::snprintf(place.data(), place.size(), "(%.1f, %.1f, %.1f) mm", p.x, p.y, p.z);
+  const std::string others = beside.size() == 1   ? " lies"
+                             : beside.size() == 2 ? " and 1 other lie"
+                                                  : " and " + std::to_string(beside.size() - 1) + " others lie";
+  const bool isVessel = step.label == kVein || step.label == kArtery;
+  return {
+      "Click " + std::to_string(beside.front()) + " at " + place.data() + others + " outside the result." +
+          (isVessel ? " Move it into the vessel and repeat the step, or edit the result; until then the step is not "
+                      "done."
+                    : ""),
+      !isVessel};
+}
+
 std::string number(double value) {
   std::ostringstream text;
   text.precision(value < 10 ? 2 : 3);
@@ -122,35 +142,34 @@ std::optional<std::string> offRange(const std::optional<GuideRange>& usual, doub
 
 }  // namespace
 
-std::vector<std::string> findingsAbout(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels) {
-  std::vector<std::string> doubts;
+std::vector<GuideFinding> findingsAbout(const GuideStep& step, std::span<const Vec3> clicks_mm,
+                                        const LabelMap& labels) {
+  std::vector<GuideFinding> findings;
+  const auto add = [&](std::optional<std::string> text) {
+    if (text) findings.push_back({std::move(*text)});
+  };
   for (const std::uint8_t label : step.makes)
-    if (extentOf(labels, label).empty())
-      doubts.push_back("There is no " + labelName(label) + "; check whether the CT shows any.");
-  if (clicks_mm.empty() || step.label == 0) return doubts;
-  if (auto doubt = offSide(step, clicks_mm, labels)) doubts.push_back(std::move(*doubt));
+    if (extentOf(labels, label).empty()) add("There is no " + labelName(label) + "; check whether the CT shows any.");
+  if (clicks_mm.empty() || step.label == 0) return findings;
+  add(offSide(step, clicks_mm, labels));
   const Found found = foundAt(labels, step.label, clicks_mm);
   const std::size_t voxels = found.pieces.count();
   if (voxels == 0) {
-    doubts.push_back("Nothing is labeled where you clicked.");
-    return doubts;
+    findings.push_back({"Nothing is labeled where you clicked.", step.label != kVein && step.label != kArtery});
+    return findings;
   }
-  if (found.clicksBeside > 0)
-    doubts.push_back(found.clicksBeside == 1 ? "A click lies outside the result."
-                                             : std::to_string(found.clicksBeside) + " clicks lie outside the result.");
+  if (!found.clicksBeside.empty()) findings.push_back(clickBeside(step, found.clicksBeside, clicks_mm));
   const Vec3& spacing_mm = labels.geometry.spacing_mm;
   const double volume_mm3 = double(voxels) * spacing_mm.x * spacing_mm.y * spacing_mm.z;
   const double along_mm = length_mm(clicks_mm);
   if (along_mm > 0)
-    if (auto doubt = offRange(step.diameter_mm, 2 * std::sqrt(volume_mm3 / along_mm / std::numbers::pi),
-                              "a mean diameter", "mm"))
-      doubts.push_back(std::move(*doubt));
-  if (auto doubt = offRange(step.volume_ml, volume_mm3 / 1000, "a volume", "ml")) doubts.push_back(std::move(*doubt));
+    add(offRange(step.diameter_mm, 2 * std::sqrt(volume_mm3 / along_mm / std::numbers::pi), "a mean diameter", "mm"));
+  add(offRange(step.volume_ml, volume_mm3 / 1000, "a volume", "ml"));
   for (const std::uint8_t other : step.apart)
     if (const double share = shareTouching(found.pieces, labels, other); share > kMaxOfSurface)
-      doubts.push_back(number(100 * share) + " % of its surface touch the " + labelName(other) +
-                       ". Other tissue should lie between them.");
-  return doubts;
+      add(number(100 * share) + " % of its surface touch the " + labelName(other) +
+          ". Other tissue should lie between them.");
+  return findings;
 }
 
 }  // namespace insonate

@@ -1,3 +1,4 @@
+#include <insonate/cases/VesselName.h>
 #include <insonate/core/Words.h>
 #include <insonate/simulator/ProcedureFit.h>
 
@@ -8,7 +9,7 @@ namespace insonate {
 namespace {
 
 bool isTargetOf(const Procedure& procedure, const Target& target) {
-  return !procedure.target.empty() && target.name.find(procedure.target) != std::string::npos;
+  return !procedure.target.empty() && namesVessel(target.name, procedure.target);
 }
 
 /// The built-in procedure for a case's target.

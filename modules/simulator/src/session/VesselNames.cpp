@@ -1,3 +1,4 @@
+#include <insonate/cases/VesselName.h>
 #include <insonate/procedure/AttemptEvent.h>
 #include <insonate/simulator/VesselNames.h>
 
@@ -65,7 +66,7 @@ VesselNames::VesselNames(const CaseManifest& manifest, const Procedure& procedur
   std::ranges::copy_if(manifest.targets, std::back_inserter(targets_),
                        [](const Target& target) { return target.label == kVein; });
   const auto rank = [&](const Target& target) {
-    const bool fits = !procedure.target.empty() && target.name.find(procedure.target) != std::string::npos;
+    const bool fits = !procedure.target.empty() && namesVessel(target.name, procedure.target);
     return std::tuple(!fits, norm(target.position_mm - near_mm));
   };
   std::ranges::stable_sort(targets_, {}, rank);

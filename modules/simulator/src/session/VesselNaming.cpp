@@ -98,8 +98,13 @@ Result<std::pair<NamedVessel, NamedVessel>> splitVessel(const NamedVessel& vesse
       vessel.course, {}, [&](const NamedVessel::Point& point) { return norm(point.position_mm - place_mm); });
   if (cut == vessel.course.begin() || cut >= vessel.course.end() - 1)
     return fail("The crosshair is at an end of the " + vessel.name + ". Put it where the name changes.");
-  return std::pair{NamedVessel{vessel.name, vessel.label, {vessel.course.begin(), cut + 1}},
-                   NamedVessel{vessel.name, vessel.label, {cut, vessel.course.end()}}};
+  std::pair parts{NamedVessel{vessel.name, vessel.label, {vessel.course.begin(), cut + 1}},
+                  NamedVessel{vessel.name, vessel.label, {cut, vessel.course.end()}}};
+  for (const Vec3& click_mm : vessel.clicks_mm) {
+    const bool isFirst = distanceToCourse_mm(parts.first, click_mm) <= distanceToCourse_mm(parts.second, click_mm);
+    (isFirst ? parts.first : parts.second).clicks_mm.push_back(click_mm);
+  }
+  return parts;
 }
 
 Result<std::vector<NamedVessel>> vesselsOf(const Guide& guide, const Recipe& recipe, const LabelMap& labels,
@@ -113,7 +118,9 @@ Result<std::vector<NamedVessel>> vesselsOf(const Guide& guide, const Recipe& rec
     if (inside == clicks_mm.end()) continue;
     auto vessel = nameVessel(labels, own, *inside, step.vessel, progress);
     if (!vessel && vessel.error().message == kCancelled) return tl::unexpected(vessel.error());
-    if (vessel) vessels.push_back(std::move(*vessel));
+    if (!vessel) continue;
+    vessel->clicks_mm = clicks_mm;
+    vessels.push_back(std::move(*vessel));
   }
   return vessels;
 }

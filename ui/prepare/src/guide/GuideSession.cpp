@@ -55,6 +55,10 @@ void restore(const AuthoredState& state, PrepareModel& shared) {
 
 }  // namespace
 
+bool GuideSession::StepProgress::isWrong() const {
+  return std::ranges::any_of(findings, [](const GuideFinding& finding) { return !finding.canBeAccepted; });
+}
+
 GuideSession::GuideSession(PrepareModel& shared, QObject* parent)
     : QObject(parent),
       shared_(shared),
@@ -67,6 +71,7 @@ GuideSession::GuideSession(PrepareModel& shared, QObject* parent)
   connect(&shared_.openCase, &OpenCase::saved, this, [this] { saveRecipe(); });
   connect(&labels, &LabelSession::changed, this, [this] {
     recipe_ = shared_.labelling.recipe();
+    findWarningsAgain();
     Q_EMIT changed();
   });
   connect(&shared_.measuring, &CaseMeasuring::changed, this, [this] { beginAtFirstToDo(); });
@@ -96,6 +101,7 @@ void GuideSession::takeUpRecipe() {
     if (std::ranges::find(before_.steps, step.name, &LabelStep::of) == before_.steps.end()) continue;
     progress_[n].restored = true;
     progress_[n].clicks_mm = clicksOf(step, before_);
+    if (!step.vessel.empty()) findWarnings(int(n));
   }
   goToNext();
 }
@@ -147,8 +153,9 @@ bool GuideSession::isThere(int index) const {
 GuideSession::State GuideSession::state(int index) const {
   const StepProgress& p = progress_[std::size_t(index)];
   if (index == working_) return State::Working;
-  if (isMade(index)) return p.doubts.isEmpty() || p.accepted ? State::Done : State::Warning;
-  if (p.restored || isThere(index)) return State::Done;
+  if (isMade(index)) return p.findings.empty() || (p.accepted && !p.isWrong()) ? State::Done : State::Warning;
+  if (p.restored) return p.isWrong() ? State::Warning : State::Done;
+  if (isThere(index)) return State::Done;
   return p.skipped ? State::Skipped : State::ToDo;
 }
 
@@ -161,8 +168,12 @@ bool GuideSession::goesOn() const {
 
 QStringList GuideSession::remarks(int index) const {
   const StepProgress& p = progress_[std::size_t(index)];
-  if (isMade(index)) return p.caution.isEmpty() ? p.doubts : p.doubts + QStringList{p.caution};
-  if (p.restored) return {tr("This step was done when the case was saved.")};
+  QStringList words;
+  for (const GuideFinding& finding : p.findings)
+    // The author has accepted the others before the case was saved.
+    if (isMade(index) || !finding.canBeAccepted) words << QString::fromStdString(finding.text);
+  if (isMade(index)) return p.caution.isEmpty() ? words : words + QStringList{p.caution};
+  if (p.restored) return words.isEmpty() ? QStringList{tr("This step was done when the case was saved.")} : words;
   if (isThere(index)) return {tr("The case has these labels already.")};
   const std::uint8_t label = guide_.steps[std::size_t(index)].label;
   if (label != kBackground && shared_.measuring.hasVoxels(label) && before_.steps.empty() && recipe_.steps.empty())
@@ -248,7 +259,7 @@ void GuideSession::finished(int index, bool well) {
     StepProgress& p = progress_[std::size_t(index)];
     p.made = spanOf(index).count;
     p.accepted = p.skipped = false;
-    p.doubts.clear();
+    p.findings.clear();
     if (p.made == 0)
       Q_EMIT told(p.clicks_mm.empty() ? tr("Nothing changed: all voxels had this label already.")
                                       : tr("Nothing changed: check whether the clicks lie in the structure."));
@@ -263,14 +274,18 @@ void GuideSession::findWarnings(int index) {
   p.look = ++looks_;
   QtConcurrent::run([self = QPointer(this), about, clicks_mm = p.clicks_mm, labels = shared_.labelling.snapshot(),
                      index, look = p.look] {
-    QStringList doubts;
-    for (const std::string& doubt : findingsAbout(about, clicks_mm, *labels)) doubts << QString::fromStdString(doubt);
-    QMetaObject::invokeMethod(qApp, [self, doubts, index, look] {
+    auto findings = findingsAbout(about, clicks_mm, *labels);
+    QMetaObject::invokeMethod(qApp, [self, findings = std::move(findings), index, look] {
       if (!self || look != self->progress_[std::size_t(index)].look) return;
-      self->progress_[std::size_t(index)].doubts = doubts;
+      self->progress_[std::size_t(index)].findings = findings;
       Q_EMIT self->changed();
     });
   });
+}
+
+void GuideSession::findWarningsAgain() {
+  for (std::size_t n = 0; n < progress_.size(); ++n)
+    if (progress_[n].isWrong() && !isBusy()) findWarnings(int(n));
 }
 
 void GuideSession::goToNext() {
@@ -286,6 +301,8 @@ void GuideSession::goToNext() {
 void GuideSession::accept() {
   if (const State now = state(current_); now != State::Done && now != State::Warning) return;
   progress_[std::size_t(current_)].accepted = true;
+  // The author may have edited the labels since the step was run.
+  if (!step().vessel.empty()) findWarnings(current_);
   if (!step().vessel.empty() && isMade(current_))
     nameVesselAt(shared_, clicks_mm(), QString::fromStdString(step().vessel));
   goToNext();

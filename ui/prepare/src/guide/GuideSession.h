@@ -84,9 +84,10 @@ class GuideSession : public QObject {
     std::size_t made = 0;   ///< number of recorded steps of this guide step
     bool restored = false;  ///< was done before the case was opened
     bool accepted = false, skipped = false;
-    QStringList doubts{};
+    bool isWrong() const;  ///< a finding remains that cannot be accepted
+    std::vector<GuideFinding> findings{};
     QString caution{};  ///< warning about the method by which the step was made
-    int look = 0;       ///< number of the last search for doubts; earlier results are dropped
+    int look = 0;       ///< number of the last search for findings; earlier results are dropped
   };
 
   void beginCase();
@@ -98,6 +99,8 @@ class GuideSession : public QObject {
   void finished(int index, bool well);
   void goToNext();
   void findWarnings(int index);
+  /// Searches again where a finding cannot be accepted, since an edit of the labels may have corrected it.
+  void findWarningsAgain();
   /// Writes a recipe beside the saved case: all steps that made its labels since the CT was imported, for replay.
   void saveRecipe();
 

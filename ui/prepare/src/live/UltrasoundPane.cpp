@@ -86,6 +86,7 @@ UltrasoundPane::UltrasoundPane(PrepareModel& shared, const ui::Commands& command
 void UltrasoundPane::showPicture() {
   const LiveFrame& frame = *shared_.live.shown();
   view_->setImage(frame.image);
+  view_->setLateral(frame.patientFromProbe.linear.column[0]);
   showPress();
   if (frame.setup == shape_) return;
   shape_ = frame.setup;

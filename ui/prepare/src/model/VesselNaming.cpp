@@ -26,7 +26,9 @@ Result<NamedVessel> namedAt(const LabelMap& labels, const OwnLabels& own, const 
     return tissue == kVein || tissue == kArtery;
   };
   const auto inside = std::ranges::find_if(places_mm, isVessel);
-  return nameVessel(labels, own, inside == places_mm.end() ? places_mm.front() : *inside, name);
+  auto vessel = nameVessel(labels, own, inside == places_mm.end() ? places_mm.front() : *inside, name);
+  if (vessel) vessel->clicks_mm = places_mm;
+  return vessel;
 }
 
 }  // namespace

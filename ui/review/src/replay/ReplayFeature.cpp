@@ -139,6 +139,7 @@ void ReplayFeature::showFrame() {
   if (frame == shown_) return;
   shown_ = frame;
   view_->setImage(frame ? frame->image : BModeImage{});
+  view_->setLateral(frame ? std::optional(frame->patientFromProbe.linear.column[0]) : std::nullopt);
 }
 
 }  // namespace insonate::review

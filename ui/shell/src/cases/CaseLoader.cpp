@@ -45,6 +45,9 @@ Result<LoadedCase> importCase(const fs::path& input, const ImportChoice& choice,
   Result<ImportedCt> imported =
       choice.read ? Result<ImportedCt>(*choice.read) : importSeries(input, choice.uid, part(progress, 0, parts));
   if (!imported) return tl::unexpected(imported.error());
+  // The user may import before the series was read for the preview.
+  if (imported->saturatedVoxels > 0 && !choice.saturate)
+    return fail(saturationText(*imported) + " Import the series again and confirm this in the dialog.");
   if (choice.shift_HU) shiftValues(*imported, *choice.shift_HU);
   LoadedCase result;
   auto patient = std::make_shared<PatientCase>();

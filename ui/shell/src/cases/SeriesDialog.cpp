@@ -23,7 +23,9 @@
 namespace insonate::ui {
 namespace {
 
-constexpr int kPicture_px = 260, kLeftOut_px = 72, kKernelColumn = 3, kSeriesColumn = 4;
+constexpr int kPicture_px = 260, kLeftOut_px = 72, kWidestColumn_px = 220;
+constexpr int kKernelColumn = 3, kDescriptionColumn = 4, kDateColumn = 5, kBodyPartColumn = 6, kSeriesColumn = 7,
+              kNotesColumn = 8;
 
 QString sizeOf(const VolumeGeometry& grid) {
   return QStringLiteral("%1 x %2 x %3").arg(grid.size[0]).arg(grid.size[1]).arg(grid.size[2]);
@@ -77,11 +79,12 @@ SeriesDialog::SeriesDialog(const QString& path, std::shared_ptr<const SeriesList
     : QDialog(parent),
       path_(path),
       listing_(std::move(listing)),
-      table_(new QTableWidget(int(listing_->series.size()), 6)),
+      table_(new QTableWidget(int(listing_->series.size()), kNotesColumn + 1)),
       notes_(new QLabel),
       picture_(new QLabel),
       label_(new QCheckBox(tr("Label air, fat, muscle, bone and skin automatically"))),
       shift_(new QCheckBox),
+      saturate_(new QCheckBox),
       import_(new QPushButton(tr("Import"))),
       tasks_(new TaskBar) {
   setWindowTitle(tr("Import"));
@@ -90,6 +93,7 @@ SeriesDialog::SeriesDialog(const QString& path, std::shared_ptr<const SeriesList
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SeriesDialog::showChosen);
   connect(table_, &QTableWidget::itemActivated, import_, &QPushButton::click);
   connect(shift_, &QCheckBox::toggled, this, &SeriesDialog::showPicture);
+  connect(saturate_, &QCheckBox::toggled, this, &SeriesDialog::refreshImport);
   connect(import_, &QPushButton::clicked, this, [this] {
     // The Enter key in the table arrives in two ways.
     if (result() != Accepted) accept();
@@ -98,30 +102,40 @@ SeriesDialog::SeriesDialog(const QString& path, std::shared_ptr<const SeriesList
 }
 
 void SeriesDialog::fill() {
-  table_->setHorizontalHeaderLabels(
-      {tr("Modality"), tr("Voxels"), tr("Spacing, mm"), tr("Kernel"), tr("Series"), tr("Notes")});
+  table_->setHorizontalHeaderLabels({tr("Modality"), tr("Voxels"), tr("Spacing, mm"), tr("Kernel"), tr("Description"),
+                                     tr("Date"), tr("Body part"), tr("Series"), tr("Notes")});
   for (int row = 0; row < table_->rowCount(); ++row) {
     const SeriesInfo& series = listing_->series[std::size_t(row)];
     const QString modality = series.modality.empty() ? tr("unknown") : QString::fromStdString(series.modality);
-    const QStringList cells{modality,          sizeOf(series.geometry),
-                            spacingOf(series), QString::fromStdString(series.kernel),
-                            nameOf(series),    stateOf(series)};
+    const QStringList cells{modality,
+                            sizeOf(series.geometry),
+                            spacingOf(series),
+                            QString::fromStdString(series.kernel),
+                            QString::fromStdString(series.description),
+                            QString::fromStdString(series.date),
+                            QString::fromStdString(series.bodyPart),
+                            nameOf(series),
+                            stateOf(series)};
     for (int column = 0; column < cells.size(); ++column) {
       auto* item = new QTableWidgetItem(cells[column]);
-      item->setToolTip(plainToolTip(QString::fromStdString(series.uid)));
+      item->setToolTip(plainToolTip(column == kDescriptionColumn ? cells[column] : QString::fromStdString(series.uid)));
       item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
       if (!series.refusal.empty()) item->setForeground(colour(views::theme::kQuiet));
       table_->setItem(row, column, item);
     }
   }
-  table_->setColumnHidden(kKernelColumn,
-                          std::ranges::all_of(listing_->series, &std::string::empty, &SeriesInfo::kernel));
+  for (const auto& [column, text] : {std::pair{kKernelColumn, &SeriesInfo::kernel},
+                                     {kDescriptionColumn, &SeriesInfo::description},
+                                     {kDateColumn, &SeriesInfo::date},
+                                     {kBodyPartColumn, &SeriesInfo::bodyPart}})
+    table_->setColumnHidden(column, std::ranges::all_of(listing_->series, &std::string::empty, text));
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setShowGrid(false);
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setMaximumSectionSize(kWidestColumn_px);
   // Names of files may be long; notes are shown completely.
   table_->horizontalHeader()->setSectionResizeMode(kSeriesColumn, QHeaderView::Stretch);
   table_->setTextElideMode(Qt::ElideMiddle);
@@ -152,6 +166,10 @@ void SeriesDialog::setUpWidgets() {
   // Its text states the amount, for which the file must be read.
   shift_->setAccessibleName(tr("Convert to HU"));
   shift_->hide();
+  saturate_->setObjectName(QStringLiteral("saturate"));
+  saturate_->setToolTip(tr("Allows the import although the scale of the series is probably wrong"));
+  saturate_->setAccessibleName(tr("Limit to 32767 HU"));
+  saturate_->hide();
   import_->setToolTip(tr("Makes a case from the selected series; data that identify the patient are removed"));
   setRole(import_, "primary");
   import_->setDefault(true);
@@ -192,11 +210,12 @@ void SeriesDialog::arrange() {
   grid->addWidget(aside, 3, 0, 1, 2);
   grid->addWidget(leftOut, 4, 0, 1, 2);
   grid->addWidget(shift_, 5, 0, 1, 2);
-  grid->addWidget(tasks_, 6, 0, 1, 2);
+  grid->addWidget(saturate_, 6, 0, 1, 2);
+  grid->addWidget(tasks_, 7, 0, 1, 2);
   auto* last = new QHBoxLayout;
   last->addWidget(label_, 1);
   last->addWidget(buttons);
-  grid->addLayout(last, 7, 0, 1, 2);
+  grid->addLayout(last, 8, 0, 1, 2);
   grid->setRowStretch(1, 1);
   grid->setColumnStretch(0, 1);
   resize(980, 480);
@@ -235,16 +254,18 @@ std::optional<int> SeriesDialog::wantedShift() const {
 }
 
 ImportChoice SeriesDialog::choice() const {
-  return {chosenUid(), label_->isChecked(), wantedShift(), read_};
+  return {chosenUid(), label_->isChecked(), wantedShift(), saturate_->isChecked(), read_};
 }
 
 void SeriesDialog::showChosen() {
   const SeriesInfo& series = listing_->series[std::size_t(chosenRow())];
   read_.reset();
   notes_->setText(notesOf(series));
-  import_->setEnabled(series.refusal.empty());
   picture_->setPixmap({});
   shift_->hide();
+  saturate_->hide();
+  saturate_->setChecked(false);
+  refreshImport();
   if (series.refusal.empty())
     preview();
   else
@@ -268,9 +289,20 @@ void SeriesDialog::preview() {
       });
 }
 
+void SeriesDialog::refreshImport() {
+  const bool asks = read_ && read_->saturatedVoxels > 0 && !saturate_->isChecked();
+  import_->setEnabled(listing_->series[std::size_t(chosenRow())].refusal.empty() && !asks);
+}
+
 void SeriesDialog::showWhatWasRead() {
-  notes_->setText(notesOf(read_->series));
-  table_->item(chosenRow(), table_->columnCount() - 1)->setText(stateOf(read_->series));
+  QString notes = notesOf(read_->series);
+  if (read_->saturatedVoxels > 0) notes += QLatin1Char('\n') + QString::fromStdString(saturationText(*read_));
+  notes_->setText(notes);
+  saturate_->setVisible(read_->saturatedVoxels > 0);
+  saturate_->setText(read_->saturatedVoxels == 1 ? tr("Limit 1 voxel to 32767 HU")
+                                                 : tr("Limit %1 voxels to 32767 HU").arg(read_->saturatedVoxels));
+  refreshImport();
+  table_->item(chosenRow(), kNotesColumn)->setText(stateOf(read_->series));
   const std::optional<int> likely = read_->likelyShift_HU;
   shift_->setVisible(likely.has_value());
   if (likely) shift_->setText(tr("Add %1 to every value, so that air is at %1 HU").arg(*likely));

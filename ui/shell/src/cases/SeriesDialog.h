@@ -21,11 +21,12 @@ struct ImportChoice {
   std::string uid;
   bool label = true;                   ///< label the case automatically
   std::optional<int> shift_HU{};       ///< value for shiftValues(), if a shift was offered and accepted
+  bool saturate = false;               ///< import also if values exceed the range of a case
   std::shared_ptr<ImportedCt> read{};  ///< the series, if it was already read for the preview
 };
 
-/// Lets the user choose a series of a folder to import. Lists modality, size, spacing and warnings, and shows the
-/// middle slice of the selected series.
+/// Lets the user choose a series of a folder to import. Lists what the scanner calls the series, its date, size,
+/// spacing and warnings, and shows the middle slice of the selected series.
 class SeriesDialog : public QDialog {
   Q_OBJECT
 
@@ -43,6 +44,7 @@ class SeriesDialog : public QDialog {
   /// Shows data that are known only after the voxels were read.
   void showWhatWasRead();
   void showPicture();
+  void refreshImport();
   std::string chosenUid() const;
   std::optional<int> wantedShift() const;
   int likeliestRow() const;
@@ -54,7 +56,7 @@ class SeriesDialog : public QDialog {
   std::shared_ptr<ImportedCt> read_;
   QTableWidget* table_;
   QLabel *notes_, *picture_;
-  QCheckBox *label_, *shift_;
+  QCheckBox *label_, *shift_, *saturate_;
   QPushButton* import_;
   TaskBar* tasks_;
 };

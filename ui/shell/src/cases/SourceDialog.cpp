@@ -2,8 +2,11 @@
 
 #include <insonate/ui/RecentCases.h>
 
+#include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
+#include <QPushButton>
 
 namespace insonate::ui {
 namespace {
@@ -33,6 +36,27 @@ QString askForSourceFolder(QWidget* window, const QString& title) {
 
 QString askForSourceFile(QWidget* window, const QString& title, const QString& filter) {
   return remembered(QFileDialog::getOpenFileName(window, title, startFolder(), filter));
+}
+
+QString askForSourceFileOrFolder(QWidget* window, const QString& title, const QString& filter) {
+  QFileDialog dialog(window, title, startFolder(), filter);
+  dialog.setFileMode(QFileDialog::ExistingFile);
+  dialog.setOption(QFileDialog::DontUseNativeDialog);  // takes no button of ours
+  QString folder;
+  auto* takeFolder = new QPushButton(QFileDialog::tr("Import Folder"));
+  takeFolder->setObjectName(QStringLiteral("importFolder"));
+  takeFolder->setToolTip(
+      QFileDialog::tr("Imports from the selected folder, or from the one shown, with its subfolders"));
+  takeFolder->setAutoDefault(false);
+  dialog.findChild<QDialogButtonBox*>()->addButton(takeFolder, QDialogButtonBox::ActionRole);
+  QObject::connect(takeFolder, &QPushButton::clicked, &dialog, [&] {
+    const QStringList selected = dialog.selectedFiles();
+    const bool isFolder = selected.size() == 1 && QFileInfo(selected.first()).isDir();
+    folder = isFolder ? selected.first() : dialog.directory().absolutePath();
+    dialog.reject();
+  });
+  const bool isFile = dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty();
+  return remembered(isFile ? dialog.selectedFiles().first() : folder);
 }
 
 }  // namespace insonate::ui

@@ -11,5 +11,7 @@ namespace insonate::ui {
 /// patients' names.
 QString askForSourceFolder(QWidget* window, const QString& title);
 QString askForSourceFile(QWidget* window, const QString& title, const QString& filter);
+/// Asks for a file, or for the folder that is selected or shown, which a button of its own takes.
+QString askForSourceFileOrFolder(QWidget* window, const QString& title, const QString& filter);
 
 }  // namespace insonate::ui

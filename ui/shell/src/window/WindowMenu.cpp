@@ -48,8 +48,8 @@ void WindowMenu::addCases() {
       tr("Ctrl+B"), [this] { Q_EMIT libraryWanted(); });
   add("window.case.open", "folder", tr("Open case ..."), tr("opens a case folder, or a folder of DICOM files"),
       QKeySequence::Open, [this] { chooseCase(); });
-  add("window.case.import", "import", tr("Import file ..."),
-      tr("imports the whole DICOM series to which the chosen file belongs, or an NRRD, NIfTI or MetaImage file"),
+  add("window.case.import", "import", tr("Import CT ..."),
+      tr("imports a folder of DICOM files, the series of one such file, or an NRRD, NIfTI or MetaImage file"),
       tr("Ctrl+I"), [this] { chooseImport(); });
   add("window.case.textbook", "neck", tr("Built-in neck"), tr("opens the built-in case, a typical neck"), tr("Ctrl+T"),
       [this] { desk_.openBuiltIn(builtInNames().front()); });
@@ -117,11 +117,11 @@ void WindowMenu::chooseCase() {
 }
 
 void WindowMenu::chooseImport() {
-  const QString file =
-      askForSourceFile(window_, tr("Import a CT: any file of a DICOM series, or a volume file"),
-                       // DICOM files from hospitals often have no extension.
-                       tr("DICOM and volumes (*);;Volumes (*.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd)"));
-  if (!file.isEmpty()) Q_EMIT openWanted(file);
+  const QString source =
+      askForSourceFileOrFolder(window_, tr("Import a CT: a folder, any file of a DICOM series, or a volume file"),
+                               // DICOM files from hospitals often have no extension.
+                               tr("DICOM and volumes (*);;Volumes (*.nrrd *.nhdr *.nii *.nii.gz *.mha *.mhd)"));
+  if (!source.isEmpty()) Q_EMIT openWanted(source);
 }
 
 void WindowMenu::chooseAttempt() {

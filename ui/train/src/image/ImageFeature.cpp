@@ -251,6 +251,7 @@ void ImageFeature::showImage() {
   views::UltrasoundView& image = layout_.views().image();
   const bool isFirst = !std::exchange(isImageThere_, true);
   image.setImage(frame.image);
+  image.setLateral(frame.patientFromProbe.linear.column[0]);
   if (frame.setup != shape_) {
     const BeamGrid grid(frame.setup->probe, frame.setup->settings);
     const auto bounds =

@@ -48,6 +48,13 @@ std::string orientationLetters(Vec3 direction) {
   return letters;
 }
 
+std::string patientSide(Vec3 direction) {
+  const Vec3 size{std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)};
+  if (size.z > size.x && size.z > size.y) return direction.z > 0 ? "Head" : "Foot";
+  if (size.y > size.x) return direction.y > 0 ? "P" : "A";
+  return direction.x > 0 ? "L" : "R";
+}
+
 double sliceStep_mm(const VolumeGeometry& grid, Vec3 normal) {
   int best = 0;
   for (int axis = 1; axis < 3; ++axis)

@@ -4,6 +4,7 @@
 #include "PictureFrame.h"
 #include "TissueDrawing.h"
 
+#include <insonate/views/SlicePlane.h>
 #include <insonate/views/UltrasoundView.h>
 
 #include <algorithm>
@@ -51,6 +52,13 @@ void UltrasoundView::setBounds(std::optional<PictureBounds> bounds) {
 }
 void UltrasoundView::setMirrored(bool mirrored) {
   mirrored_ = mirrored;
+  changed();
+}
+void UltrasoundView::setLateral(std::optional<Vec3> lateral) {
+  const std::string marker = lateral ? patientSide(*lateral) : std::string();
+  const std::string other = lateral ? patientSide(-*lateral) : std::string();
+  if (marker == markerSide_ && other == otherSide_) return;
+  markerSide_ = marker, otherSide_ = other;
   changed();
 }
 void UltrasoundView::setFocus(std::optional<double> focus_mm) {
@@ -236,6 +244,32 @@ void UltrasoundView::placePicture(const PictureBounds& shown) {
                        displayFromPicture({mirrored_ ? left : right, bottom}), height_px(), part);
 }
 
+DisplayPoint UltrasoundView::cornerOf(bool marker) const {
+  const PictureBounds shown = bounds();
+  // The view may have a margin around the image.
+  const double left_mm = shape_.left_mm - shape_.pixel_mm / 2;
+  double side_mm = marker ? left_mm + shape_.width * shape_.pixel_mm : left_mm;
+  // A field of view that is being edited may be narrower than the image.
+  if (!guide_.outline.empty()) {
+    const auto [least, most] = std::ranges::minmax(guide_.outline, {}, &PicturePoint::lateral_mm);
+    side_mm = marker ? most.lateral_mm : least.lateral_mm;
+  }
+  return displayFromPicture({std::clamp(side_mm, shown.minLateral_mm, shown.maxLateral_mm),
+                             std::max(shape_.top_mm - shape_.pixel_mm / 2, shown.minAxial_mm)});
+}
+
+void UltrasoundView::drawSides() {
+  for (const bool marker : {true, false}) {
+    const DisplayPoint corner = cornerOf(marker);
+    const bool isRight = marker != mirrored_;
+    // The probe's marker is in the corner itself.
+    const double inward_px = (marker ? 16 : 2) * scale();
+    drawing_->texts.put({corner.x + (isRight ? -inward_px : inward_px), corner.y - 12 * scale()},
+                        marker ? markerSide_ : otherSide_,
+                        {13 * scale(), theme::kText, true, isRight ? Across::Right : Across::Left, Along::Centre});
+  }
+}
+
 void UltrasoundView::layout() {
   const PicturePlacement place = placement();
   const PictureBounds shown = bounds();
@@ -251,13 +285,9 @@ void UltrasoundView::layout() {
     frame.focus_mm = focus_mm_, frame.tgc_dB = tgc_dB_;
     frame.scale = scaleVisible_, frame.greyBar = greyBarVisible_, frame.frozen = frozen_,
     frame.markerRight = !mirrored_, frame.notice = notice_;
-    // The view may have a margin around the image.
-    double side_mm = shape_.left_mm + (shape_.width - 0.5) * shape_.pixel_mm;
-    // A field of view that is being edited may be narrower than the image.
-    if (!guide_.outline.empty()) side_mm = std::ranges::max(guide_.outline, {}, &PicturePoint::lateral_mm).lateral_mm;
-    frame.marker_px = displayFromPicture(
-        {std::min(side_mm, shown.maxLateral_mm), std::max(shape_.top_mm - shape_.pixel_mm / 2, shown.minAxial_mm)});
+    frame.marker_px = cornerOf(true);
     drawPictureFrame(frame, scale(), width_px(), lines, texts);
+    drawSides();
     if (pointer_) drawPointerMark(displayFromPicture(*pointer_), scale(), lines);
     const auto toDisplay = [this](PicturePoint point) { return displayFromPicture(point); };
     drawNames();

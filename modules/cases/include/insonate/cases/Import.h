@@ -22,6 +22,9 @@ struct SeriesInfo {
   bool geometryKnown = true;          ///< false if a refused series lacks its geometry; only the size is valid then
   std::vector<std::string> warnings;  ///< warnings about the series, one sentence each, without file names
   std::string refusal;                ///< reason why the series cannot be imported; empty if it can
+  /// Description, date ("2026-11-24") and body part as the scanner states them, to recognize the series in a list;
+  /// never stored in a case. Empty if missing or different between slices.
+  std::string description{}, date{}, bodyPart{};
 };
 
 /// A file that belongs to no series, with the reason.
@@ -45,6 +48,9 @@ struct ImportedCt {
   /// Offset for shiftValues() that the conversion to HU seems to lack: -1024 if air lies at 0 and soft tissue above
   /// 1000. Only applied on request. No value if the HU look right or match no known pattern.
   std::optional<int> likelyShift_HU{};
+  /// Number of voxels whose values, as the file scales them, exceed the range of a case; they were limited to 32767 HU.
+  /// Above 0 the scale is probably wrong: ask before a case is made.
+  std::size_t saturatedVoxels = 0;
 };
 
 /// Lists the series in a folder (with its subfolders) or a single file; reads headers only. A single DICOM slice stands
@@ -62,6 +68,9 @@ Result<ImportedCt> importSeries(const std::filesystem::path& input, const std::s
 
 /// Adds `shift_HU` to every value except padding (-1024), limits the result to -1024..32767 HU, and adds a warning.
 void shiftValues(ImportedCt& imported, int shift_HU);
+
+/// Returns the sentence that asks whether a CT with saturated voxels shall be imported.
+std::string saturationText(const ImportedCt& imported);
 
 /// Writes the listing as lines of text, e.g. for the error of an ambiguous import.
 std::string describe(const SeriesListing& listing);

@@ -39,7 +39,8 @@ struct NamedVessel {
   };
   std::string name;  ///< name of the vessel, e.g. "right internal jugular vein"
   std::uint8_t label = 0;
-  std::vector<Point> course;  ///< center line from one end to the other, at least one point
+  std::vector<Point> course;      ///< center line from one end to the other, at least one point
+  std::vector<Vec3> clicks_mm{};  ///< places that the author clicked in the lumen, if any
 
   bool operator==(const NamedVessel&) const = default;
 };

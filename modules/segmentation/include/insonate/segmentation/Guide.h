@@ -69,9 +69,16 @@ Result<GuideWay> wayFor(const GuideStep& step, std::span<const Vec3> clicks_mm, 
 /// guide and has points. Empty if there is no such step.
 std::vector<Vec3> clicksOf(const GuideStep& step, const Recipe& recipe);
 
-/// Checks the result of a step and returns findings, one sentence each: the result does not contain the clicks, has an
+/// A sentence about the result of a step.
+struct GuideFinding {
+  std::string text;
+  /// False if the result is wrong even though an author accepts it: a vessel without the clicks that are to lie in it.
+  bool canBeAccepted = true;
+};
+
+/// Checks the result of a step and returns findings: the result does not contain the clicks, has an
 /// unusual width or volume, or touches structures that it must not touch. Takes a fraction of a second. The labels may
 /// have been edited since the step.
-std::vector<std::string> findingsAbout(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels);
+std::vector<GuideFinding> findingsAbout(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels);
 
 }  // namespace insonate

@@ -33,7 +33,7 @@ Result<NamedVessel> nameVessel(const LabelMap& labels, const OwnLabels& own, Vec
                                const Progress& progress = {});
 
 /// Cuts a vessel in two at the point of its center line nearest to `place_mm`. Both parts keep the name and contain the
-/// point of the cut. Fails if that point is an end of the center line.
+/// point of the cut; each click stays with the part that is nearer. Fails if that point is an end of the center line.
 Result<std::pair<NamedVessel, NamedVessel>> splitVessel(const NamedVessel& vessel, Vec3 place_mm);
 
 /// Returns the named vessels that result from the segmentation guide: each step of `guide` that names a vessel has

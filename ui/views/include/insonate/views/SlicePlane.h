@@ -40,6 +40,9 @@ struct SlicePlane {
 /// Returns letters for a direction in the patient: L or R, P or A, S or I, the strongest component first, weaker ones
 /// only if they are significant ("A", "RA", "SPL").
 std::string orientationLetters(Vec3 direction);
+/// Returns the side of the patient toward which a direction (LPS) mainly points, at most 55 degrees away: "R", "L",
+/// "A", "P", "Head" or "Foot".
+std::string patientSide(Vec3 direction);
 
 /// Distance between a grid's slices along a direction.
 double sliceStep_mm(const VolumeGeometry& grid, Vec3 normal);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <insonate/core/Vec3.h>
 #include <insonate/ultrasound/Frames.h>
 #include <insonate/views/Calliper.h>
 #include <insonate/views/PictureBounds.h>
@@ -58,6 +59,9 @@ class UltrasoundView final : public View {
   /// Sets whether the image is mirrored. Normally the marker's side (+lateral) is on the right; mirrored, on the left.
   void setMirrored(bool mirrored);
 
+  /// Sets the direction of +lateral in the patient (LPS), from which the image's sides are marked: R and L, A and P, or
+  /// Head and Foot; empty: no marks. Causes a new layout only if a mark changes.
+  void setLateral(std::optional<Vec3> lateral);
   void setFocus(std::optional<double> focus_mm);
   void setFrozen(bool frozen);
   void setScaleVisible(bool visible);
@@ -105,6 +109,9 @@ class UltrasoundView final : public View {
   void drawGuide();
   void drawAim();
   void drawNames();
+  /// The upper corner of the image, or of the field of view that is being edited, on the marker's side or the other.
+  DisplayPoint cornerOf(bool marker) const;
+  void drawSides();
   void drawTissue();
 
   BModeImage shape_;  ///< size and position of the image; its pixels are stored in the texture only
@@ -118,6 +125,7 @@ class UltrasoundView final : public View {
   PictureTissue tissue_;
   std::optional<PicturePoint> pointer_;
   std::string notice_;
+  std::string markerSide_, otherSide_;  ///< sides of the patient toward which +lateral and -lateral point
   bool mirrored_ = false, frozen_ = false, scaleVisible_ = true, greyBarVisible_ = true;
   bool gridVisible_ = false, pressureVisible_ = false;
   std::unique_ptr<Drawing> drawing_;

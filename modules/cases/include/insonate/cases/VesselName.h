@@ -1,0 +1,43 @@
+#pragma once
+
+#include <insonate/tissue/Labels.h>
+
+#include <optional>
+#include <string_view>
+
+namespace insonate {
+
+/// Vessels of the neck and the upper chest that the program distinguishes by their names.
+enum class NeckVessel {
+  Jugular,  ///< a jugular vein whose name does not say which
+  InternalJugular,
+  ExternalJugular,
+  AnteriorJugular,
+  Subclavian,
+  Axillary,
+  Brachiocephalic,
+  Carotid,  ///< a carotid artery whose name does not say which
+  CommonCarotid,
+  InternalCarotid,
+  ExternalCarotid,
+  Vertebral
+};
+
+enum class BodySide { Right, Left };
+
+/// Meaning of a vessel's name; an entry is empty if the name does not state it.
+struct VesselName {
+  std::optional<NeckVessel> vessel{};
+  std::optional<BodySide> side{};  ///< also empty if the name states both sides
+  std::optional<Label> label{};    ///< kVein or kArtery
+};
+
+/// Reads a name in English, German, French, Spanish or Latin (Terminologia Anatomica), e.g. "V. jugularis interna
+/// rechts", regardless of case and accents. `name` is UTF-8.
+VesselName parsedVesselName(std::string_view name);
+
+/// Tells whether a name contains this text, or names the same vessel in another language. A side that only one of them
+/// states does not matter, nor does "vein" or "artery".
+bool namesVessel(std::string_view name, std::string_view vessel);
+
+}  // namespace insonate

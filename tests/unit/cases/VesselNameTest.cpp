@@ -1,0 +1,83 @@
+#include "files/LabelNames.h"
+
+#include <insonate/cases/VesselName.h>
+
+#include <gtest/gtest.h>
+
+namespace insonate {
+namespace {
+
+struct Named {
+  const char* name;
+  NeckVessel vessel;
+  BodySide side;
+  Label label;
+};
+
+class VesselNames : public testing::TestWithParam<Named> {};
+
+TEST_P(VesselNames, AreReadInFiveLanguages) {
+  const Named& expected = GetParam();
+  const VesselName parsed = parsedVesselName(expected.name);
+  EXPECT_EQ(parsed.vessel, expected.vessel) << expected.name;
+  EXPECT_EQ(parsed.side, expected.side) << expected.name;
+  EXPECT_EQ(parsed.label, expected.label) << expected.name;
+  EXPECT_EQ(labelFromAnyName(expected.name), expected.label) << expected.name;
+}
+
+constexpr auto kRight = BodySide::Right, kLeft = BodySide::Left;
+constexpr auto kInternalJugular = NeckVessel::InternalJugular, kCommonCarotid = NeckVessel::CommonCarotid;
+
+const Named kNames[] = {
+    {"right internal jugular vein", kInternalJugular, kRight, kVein},
+    {"Internal_jugular_vein_left", kInternalJugular, kLeft, kVein},
+    {"V. jugularis interna rechts", kInternalJugular, kRight, kVein},
+    {"linke innere Jugularvene", kInternalJugular, kLeft, kVein},
+    {"Vena jugularis interna dextra", kInternalJugular, kRight, kVein},
+    {"VENA JUGULARIS INTERNA SINISTRA", kInternalJugular, kLeft, kVein},
+    {"veine jugulaire interne droite", kInternalJugular, kRight, kVein},
+    {"Veine jugulaire interne gauche", kInternalJugular, kLeft, kVein},
+    {"vena yugular interna derecha", kInternalJugular, kRight, kVein},
+    {"vena yugular interna izquierda", kInternalJugular, kLeft, kVein},
+    {"\u00c4u\u00dfere Drosselvene links, Vene", NeckVessel::ExternalJugular, kLeft, kVein},
+    {"v. jugularis externa dextra", NeckVessel::ExternalJugular, kRight, kVein},
+    {"A. carotis communis re.", kCommonCarotid, kRight, kArtery},
+    {"Arteria carotis communis sinistra", kCommonCarotid, kLeft, kArtery},
+    {"art\u00e8re carotide commune droite", kCommonCarotid, kRight, kArtery},
+    {"arte\u0300re carotide commune droite", kCommonCarotid, kRight, kArtery},
+    {"arteria car\u00f3tida com\u00fan izquierda", kCommonCarotid, kLeft, kArtery},
+    {"Arteria carotis externa dextra", NeckVessel::ExternalCarotid, kRight, kArtery},
+    {"car\u00f3tida interna derecha", NeckVessel::InternalCarotid, kRight, kArtery},
+    {"veine sous-clavi\u00e8re gauche", NeckVessel::Subclavian, kLeft, kVein},
+    {"vena subclavia dextra", NeckVessel::Subclavian, kRight, kVein},
+    {"vena braquiocef\u00e1lica izquierda", NeckVessel::Brachiocephalic, kLeft, kVein},
+    {"A. vertebralis sinistra", NeckVessel::Vertebral, kLeft, kArtery},
+};
+INSTANTIATE_TEST_SUITE_P(Each, VesselNames, testing::ValuesIn(kNames));
+
+TEST(VesselNameParts, ThatAreNotStatedAreEmpty) {
+  EXPECT_FALSE(parsedVesselName("leftover vein").side);
+  EXPECT_FALSE(parsedVesselName("vein left of the right lobe").side);
+  EXPECT_FALSE(parsedVesselName("Vene").vessel);
+  EXPECT_EQ(parsedVesselName("jugular vein").vessel, NeckVessel::Jugular) << "internal or external";
+  EXPECT_FALSE(parsedVesselName("").label);
+}
+
+TEST(VesselNameParts, WhatLiesBesideVesselsIsNoVessel) {
+  EXPECT_EQ(labelFromAnyName("left jugular lymph node"), kLymphNode);
+  EXPECT_EQ(labelFromAnyName("Nervus vertebralis"), kNerve);
+  EXPECT_EQ(labelFromAnyName("seventh cervical vertebra"), kBone);
+  EXPECT_FALSE(labelFromAnyName("Musculus subclavius"));
+}
+
+TEST(NamesVessel, TheSameVesselInAnotherLanguage) {
+  EXPECT_TRUE(namesVessel("right internal jugular vein", "internal jugular"));
+  EXPECT_TRUE(namesVessel("Vena jugularis interna dextra", "internal jugular"));
+  EXPECT_TRUE(namesVessel("veine sous-clavi\u00e8re gauche", "subclavian"));
+  EXPECT_FALSE(namesVessel("Vena jugularis externa dextra", "internal jugular"));
+  EXPECT_FALSE(namesVessel("Arteria subclavia", "subclavian vein"));
+  EXPECT_FALSE(namesVessel("vein", "internal jugular"));
+}
+
+}  // namespace
+}  // namespace insonate
