@@ -9,6 +9,7 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
+#include <QDate>
 #include <QLocale>
 #include <QPdfWriter>
 #include <QSaveFile>

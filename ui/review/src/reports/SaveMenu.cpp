@@ -133,9 +133,10 @@ void SaveMenu::writePages(const QString& file, Portfolio portfolio) {
   const bool usesLetter = QLocale::system().measurementSystem() == QLocale::ImperialUSSystem;
   const auto paper = usesLetter ? QPageSize::Letter : QPageSize::A4;
   const QString title = tr("Writing the portfolio of %1").arg(QString::fromStdString(portfolio.person.person.fullName));
+  auto curves = curvesOf(portfolio);
   tasks_.run<bool>(
       title,
-      [file, paper, curves = curvesOf(portfolio),
+      [file, paper, curves = std::move(curves),
        portfolio = std::move(portfolio)](const Progress& progress) -> Result<bool> {
         if (const auto done = writePortfolio(file, portfolio, curves, paper, progress); !done)
           return tl::unexpected(done.error());
