@@ -16,7 +16,6 @@ namespace insonate::train {
 namespace {
 
 using State = AttemptControl::State;
-using testing::ElementsAre;
 
 class TrainLevel : public LevelWindow {
  protected:
