@@ -141,6 +141,10 @@ TEST_F(TrainGuide, TheAimIsALineInPlaneAndACrossOutOfPlane) {
   EXPECT_NEAR((inPlane.line[1].axial_mm - 10) / (inPlane.line[1].lateral_mm + 5), 0.8 / 0.6, 1e-9);
   EXPECT_TRUE(inPlane.tip);
   EXPECT_FALSE(inPlane.cross);
+  for (const double beside_mm : {6.0, -6.0}) {
+    needle.tip_mm.y = beside_mm;
+    EXPECT_EQ(aimOf(needle, probe, setup), views::PictureAim()) << "it would aim at a vessel that the needle passes";
+  }
 
   needle.tip_mm = {2, -12, 4}, needle.direction = {0, 0.8, 0.6};
   const views::PictureAim before = aimOf(needle, probe, setup);

@@ -19,10 +19,11 @@ views::PictureAim aimOf(const Needle& needle, const Transform& patientFromProbe,
   views::PictureAim aim;
   const double thickness_mm = sliceLaw(setup.probe, setup.settings.frequency_MHz).thickness_mm(std::max(0.0, tip.z));
   if (std::abs(tip.y) <= thickness_mm / 2) aim.tip = {tip.x, tip.z};
-  if (std::abs(way.y) < kInPlane) {
+  // Beside the slice, a projected line would aim at what the needle misses.
+  if (aim.tip && std::abs(way.y) < kInPlane) {
     const Vec3 end = tip + way * needle.length_mm;
     aim.line = {{tip.x, tip.z}, {end.x, end.z}};
-  } else if (const double ahead_mm = -tip.y / way.y; ahead_mm > 0) {
+  } else if (const double ahead_mm = -tip.y / way.y; ahead_mm > 0 && ahead_mm <= needle.length_mm) {
     const Vec3 crossed = tip + way * ahead_mm;
     aim.cross = {crossed.x, crossed.z};
   }

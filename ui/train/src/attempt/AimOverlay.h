@@ -16,8 +16,8 @@ class AttemptControl;
 class DisclosureModel;
 class LiveModel;
 
-/// Returns the aim of a needle in an image plane. A needle that is nearer than 30 degrees to the plane is aimed
-/// in-plane and has a line; otherwise it has the point in which it will cross the plane.
+/// Returns the aim of a needle in an image plane. A needle that is nearer than 30 degrees to the plane, with its tip in
+/// the slice, is aimed in-plane and has a line; otherwise it has the point in which it will cross the plane, if any.
 views::PictureAim aimOf(const Needle& needle, const Transform& patientFromProbe, const ImagingSetup& setup);
 
 /// The needle's aim over the image during a guided attempt, while it is switched on.
