@@ -13,7 +13,7 @@ FLOORS = {
     "simulator": 4, "teaching": 4,
     "bench": 4.5,
     # The rooms of ui stand on views and on the shell, whose headers are insonate/ui/.
-    "views": 5, "ui": 5.1, "prepare": 5.2, "train": 5.2, "review": 5.2,
+    "views": 5, "ui": 5.1, "prepare": 5.2, "train": 5.2, "review": 5.2, "web": 5.2,
     "app": 6,
 }
 # Made by the build from resources/: below every floor, and private.

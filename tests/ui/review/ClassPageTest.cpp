@@ -1,5 +1,6 @@
 #include "Classroom.h"
 #include "class/ClassTable.h"
+#include "class/HeatColors.h"
 
 #include <insonate/ui/DayWatch.h>
 

@@ -1,6 +1,7 @@
 #include "Classroom.h"
 #include "compare/ClassComparison.h"
 
+#include <insonate/teaching/MetricBook.h>
 #include <insonate/ui/Chart.h>
 
 #include <QComboBox>

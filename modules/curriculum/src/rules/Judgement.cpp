@@ -134,4 +134,17 @@ std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt) {
   return "it had " + (points ? shown(*points) : "no") + " points and " + shown(*rule.leastPoints) + " are needed";
 }
 
+std::string outcomeWords(const AttemptFacts& attempt, const Curriculum* curriculum) {
+  if (attempt.state == AttemptState::Open) return "Not ended";
+  if (attempt.state == AttemptState::Voided) return "Voided";
+  if (!counts(attempt)) return "Abandoned before skin puncture; does not count";
+  const Level* level = curriculum ? levelOf(*curriculum, attempt) : nullptr;
+  if (!level && hasBrokenOff(attempt)) return "Abandoned: its recording broke off";
+  if (!level)
+    return attempt.state == AttemptState::Abandoned ? "Abandoned" : attempt.succeeded ? "Succeeded" : "Did not succeed";
+  if (!counts(attempt, level->pass)) return "Would pass, not proven; does not count";
+  const std::string reason = reasonOfFailure(level->pass, attempt);
+  return reason.empty() ? "Passed" : "Failed because " + reason;
+}
+
 }  // namespace insonate

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "ClassReading.h"
-#include "HeatMap.h"
+
+#include <insonate/teaching/HeatMap.h>
 
 #include <QObject>
 #include <QString>

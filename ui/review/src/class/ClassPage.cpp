@@ -3,7 +3,7 @@
 #include "ClassDesk.h"
 #include "ClassTable.h"
 #include "ClassWords.h"
-#include "HeatMap.h"
+#include "HeatColors.h"
 
 #include <insonate/ui/Commands.h>
 #include <insonate/ui/Theme.h>

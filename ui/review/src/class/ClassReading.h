@@ -1,11 +1,10 @@
 #pragma once
 
-#include "HeatMap.h"
-
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/Implausible.h>
 #include <insonate/curriculum/SignedIn.h>
+#include <insonate/teaching/HeatMap.h>
 
 #include <cstdint>
 #include <optional>

@@ -2,6 +2,7 @@
 
 #include "ClassDesk.h"
 #include "ClassWords.h"
+#include "HeatColors.h"
 
 #include <insonate/ui/Theme.h>
 
@@ -105,7 +106,7 @@ QVariant ClassTable::aboutMetric(const Member& member, std::size_t metric, int r
       if (!cell.value) return tr("No data in the last %1 attempts at levels.").arg(kLastAttempts);
       return tr("%1: %2, mean of %3, %4")
           .arg(titleWithUnit(meaning), numberOf(*cell.value), countOf(cell.attempts, tr("attempt"), tr("attempts")),
-               heatWords(cell.share));
+               QString::fromStdString(heatWords(cell.share)));
     default:
       return {};
   }

@@ -63,24 +63,7 @@ QString wordOf(LevelState state) {
 }
 
 QString outcomeOf(const AttemptFacts& attempt, const Curriculum* curriculum) {
-  switch (attempt.state) {
-    case AttemptState::Open:
-      return tr("Not ended");
-    case AttemptState::Voided:
-      return tr("Voided");
-    default:
-      break;
-  }
-  if (!counts(attempt)) return tr("Abandoned before skin puncture; does not count");
-  const Level* level = curriculum ? levelOf(*curriculum, attempt) : nullptr;
-  if (!level && hasBrokenOff(attempt)) return tr("Abandoned: its recording broke off");
-  if (!level)
-    return attempt.state == AttemptState::Abandoned ? tr("Abandoned")
-           : attempt.succeeded                      ? tr("Succeeded")
-                                                    : tr("Did not succeed");
-  const std::string reason = reasonOfFailure(level->pass, attempt);
-  if (!counts(attempt, level->pass)) return tr("Would pass, not proven; does not count");
-  return reason.empty() ? tr("Passed") : tr("Failed because %1").arg(QString::fromStdString(reason));
+  return QString::fromStdString(outcomeWords(attempt, curriculum));
 }
 
 }  // namespace insonate::review

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "ClassReading.h"
-#include "MetricBook.h"
 
 #include <insonate/curriculum/Attention.h>
 #include <insonate/curriculum/Implausible.h>
 #include <insonate/curriculum/Unlocking.h>
+#include <insonate/teaching/MetricBook.h>
 #include <insonate/ui/PlainToolTip.h>
 
 #include <QString>

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "../class/HeatMap.h"
-
+#include <insonate/teaching/HeatMap.h>
 #include <insonate/ui/Chart.h>
 
 #include <QString>

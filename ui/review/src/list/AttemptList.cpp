@@ -21,7 +21,7 @@
 namespace insonate::review {
 namespace {
 
-constexpr int kWidest_px = 1100, kRow_px = 30;
+constexpr int kWidest_px = 1100, kAttemptRow_px = 30;
 constexpr int kDate_px = 170, kLength_px = 90, kStatus_px = 280;
 enum Column { kDate, kCase, kProcedure, kLength, kStatus, kColumns };
 
@@ -83,7 +83,7 @@ QWidget* AttemptList::buildTable() {
   table_->setAccessibleName(tr("Attempts, the latest first"));
   table_->setColumnCount(kColumns);
   table_->setHorizontalHeaderLabels({tr("Date"), tr("Case"), tr("Procedure"), tr("Length"), tr("Status")});
-  ui::makeRowTable(*table_, kRow_px);
+  ui::makeRowTable(*table_, kAttemptRow_px);
   QHeaderView* header = table_->horizontalHeader();
   header->setSectionResizeMode(kCase, QHeaderView::Stretch);
   header->setSectionResizeMode(kProcedure, QHeaderView::Stretch);

@@ -1,7 +1,6 @@
 #include "PersonCharts.h"
 
 #include "../class/ClassWords.h"
-#include "../class/HeatMap.h"
 
 #include <insonate/curriculum/Comparison.h>
 #include <insonate/curriculum/Judgement.h>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "../class/MetricBook.h"
 #include "PersonReading.h"
 
+#include <insonate/teaching/MetricBook.h>
 #include <insonate/ui/LearningChart.h>
 
 #include <optional>

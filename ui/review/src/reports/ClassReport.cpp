@@ -1,4 +1,5 @@
 #include "../class/ClassWords.h"
+#include "../class/HeatColors.h"
 #include "ReportPages.h"
 #include "ReportParts.h"
 
@@ -45,7 +46,8 @@ void tableRow(PaperColumn& page, const ClassDesk& desk, const Member& member, do
   page.cell(kMargin + kName + kLevel, kNeeds, attentionWords(*desk.facts(), member), page.ink.danger);
   const auto row = desk.heat().find(member.person.id);
   for (std::size_t i = 0; i < MetricBook::here().comparable(); ++i) {
-    const HeatCell one = row == desk.heat().end() ? HeatCell{} : row->second[i];
+    static const HeatCell kNone;
+    const HeatCell& one = row == desk.heat().end() ? kNone : row->second[i];
     const QRectF place(kMargin + kName + kLevel + kNeeds + cell * double(i), page.y() + 2, cell - 3, kRow - 4);
     const QColor ground = one.share ? heatColour(*one.share) : page.ink.ground;
     page.painter.fillRect(place, ground);

@@ -74,6 +74,7 @@ class CurriculumStore {
   SignedIn guest() const;
 
  private:
+  friend class BrowserSessions;
   friend class SiteUpload;
   explicit CurriculumStore(std::shared_ptr<store::Core> core);
   std::shared_ptr<store::Core> core_;

@@ -64,4 +64,8 @@ std::vector<std::string> missedStandards(const PassRule& rule, const AttemptFact
 /// missed standard; without any of these, too few points. "" if the attempt passes.
 std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt);
 
+/// Returns the outcome of an attempt in words: "Passed", "Failed because ...", "Voided", by the rule of its level. An
+/// attempt without a level in `curriculum`, which may be null, has "Succeeded", "Did not succeed" or "Abandoned".
+std::string outcomeWords(const AttemptFacts& attempt, const Curriculum* curriculum);
+
 }  // namespace insonate

@@ -1,13 +1,11 @@
-#include "MetricBook.h"
-
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/procedure/Procedure.h>
+#include <insonate/teaching/MetricBook.h>
 #include <insonate/teaching/TeachingHere.h>
 
-#include <QCoreApplication>
 #include <algorithm>
 
-namespace insonate::review {
+namespace insonate {
 namespace {
 
 constexpr const char* kPoints = "points";
@@ -25,12 +23,12 @@ MetricBook::MetricBook() : all_(metricMeanings()) {
     return std::ranges::any_of(byProcedure_,
                                [&](const auto& one) { return one.second.at(meaning.id).expert.has_value(); });
   };
-  const auto rest = std::ranges::stable_partition(all_, hasNorm);
+  const auto rest = std::stable_partition(all_.begin(), all_.end(), hasNorm);
   MetricMeaning points;
   points.id = kPoints, points.better = MetricMeaning::Better::Higher;
   points.kind = ValueKind::Percent;
-  points.title = QCoreApplication::translate("Review", "Points").toStdString();
-  comparable_ = std::size_t(rest.begin() - all_.begin()) + 1;
+  points.title = "Points";
+  comparable_ = std::size_t(rest - all_.begin()) + 1;
   all_.insert(all_.begin(), std::move(points));
 }
 
@@ -56,4 +54,4 @@ std::optional<double> shareIn(const AttemptFacts& attempt, const MetricMeaning& 
   return value ? MetricBook::here().in(attempt.procedure, meaning).share(*value) : std::nullopt;
 }
 
-}  // namespace insonate::review
+}  // namespace insonate

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace insonate::review {
+namespace insonate {
 
 /// Meanings of the metrics, with the norms of novices and experts in each built-in procedure. Points are listed as
 /// "points", although they are not a metric and have no norm.
@@ -37,4 +37,4 @@ std::optional<double> valueIn(const AttemptFacts& attempt, const MetricMeaning& 
 /// themselves.
 std::optional<double> shareIn(const AttemptFacts& attempt, const MetricMeaning& meaning);
 
-}  // namespace insonate::review
+}  // namespace insonate

@@ -1,0 +1,117 @@
+#include <insonate/curriculum/Curriculum.h>
+#include <insonate/teaching/MadeUpClass.h>
+#include <insonate/web/WebServer.h>
+
+#include <CLI/CLI.hpp>
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <charconv>
+#include <chrono>
+#include <csignal>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+namespace {
+
+using namespace insonate;
+
+struct Arguments {
+  std::string database;
+  std::string listen = "127.0.0.1:8443";
+  web::WebOptions options;
+  bool demo = false;
+};
+
+constexpr const char* kDemoPassword = "made-up password";
+constexpr int kDemoTrainees = 12, kDemoAttempts = 20;
+
+Result<void> readListen(Arguments& arguments) {
+  const std::size_t colon = arguments.listen.rfind(':');
+  const std::string port = colon == std::string::npos ? arguments.listen : arguments.listen.substr(colon + 1);
+  if (colon != std::string::npos) arguments.options.address = arguments.listen.substr(0, colon);
+  const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), arguments.options.port);
+  if (error != std::errc() || end != port.data() + port.size() || arguments.options.port < 0 ||
+      arguments.options.port > 65535)
+    return fail("--listen takes ADDRESS:PORT, such as 127.0.0.1:8443, not '" + arguments.listen + "'.");
+  return {};
+}
+
+/// Fills a new database with an invented class, and says how to sign in.
+Result<void> makeDemo(const CurriculumStore& store) {
+  const auto curriculum = loadCurriculum("central_line");
+  if (!curriculum) return tl::unexpected(curriculum.error());
+  MadeUpPlan plan{.trainees = kDemoTrainees, .attempts = kDemoAttempts};
+  plan.until_us =
+      std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
+          .count();
+  if (auto made = makeUpClass(store, *curriculum, plan, kDemoPassword); !made) return made;
+  std::cout << "All people of this demonstration are made up. Sign in as " << kMadeUpTeacher << ", "
+            << kMadeUpAdministrator << " or made-up-001, with the password '" << kDemoPassword << "'.\n";
+  return {};
+}
+
+/// Waits until the process is asked to end. The signals must be blocked before any other thread begins.
+void waitForEnd(const sigset_t& signals) {
+  int signal = 0;
+  sigwait(&signals, &signal);
+}
+
+Result<void> serve(Arguments& arguments) {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+
+  if (auto ok = readListen(arguments); !ok) return ok;
+  if (arguments.demo == !arguments.database.empty())
+    return fail("Name the database to serve, or give --demo for a made-up class, but not both.");
+  std::optional<QTemporaryDir> folder;
+  if (arguments.demo) {
+    // In memory where the system has such a folder, so that the class is made at once.
+    folder.emplace(QDir(QStringLiteral("/dev/shm")).exists() ? QStringLiteral("/dev/shm/insonate-XXXXXX") : QString());
+    if (!folder->isValid())
+      return fail("There is no folder for temporary files: " + folder->errorString().toStdString());
+    arguments.database = folder->filePath(QStringLiteral("demonstration.db")).toStdString();
+  }
+  StoreServices services;
+  // Passwords of made-up people need no protection against guessing, which costs 0.1 s for each.
+  if (arguments.demo) services.passwordCost = PasswordCost::Least;
+  const auto store = CurriculumStore::open(arguments.database, services);
+  if (!store) return tl::unexpected(store.error());
+  if (arguments.demo)
+    if (auto made = makeDemo(*store); !made) return made;
+  const auto server = web::WebServer::start(*store, arguments.options);
+  if (!server) return tl::unexpected(server.error());
+  std::cout << "Serving " << (arguments.demo ? "the demonstration" : store->place()) << " at " << server->url()
+            << " (Ctrl+C ends)" << std::endl;
+  waitForEnd(signals);
+  return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Insonate's server shows levels, attempts and classes in a browser."};
+  app.set_version_flag("--version", std::string(INSONATE_VERSION));
+  Arguments arguments;
+  app.add_option("DATABASE", arguments.database, "File, or postgresql://USER@HOST/DATABASE");
+  app.add_flag("--demo", arguments.demo, "Serve a made-up class, which is deleted at the end");
+  app.add_option("--listen", arguments.listen, "Address and port")->capture_default_str();
+  app.add_option("--certificate", arguments.options.certificate, "File (PEM) with the certificate chain, for HTTPS");
+  app.add_option("--key", arguments.options.key, "File (PEM) with the certificate's private key");
+  app.add_flag("--behind-proxy", arguments.options.behindProxy,
+               "A proxy on this computer receives HTTPS and passes requests on");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 2;
+  }
+  if (const auto served = serve(arguments); !served) {
+    std::cerr << "insonate-server: " << served.error().message << '\n';
+    return 1;
+  }
+  return 0;
+}

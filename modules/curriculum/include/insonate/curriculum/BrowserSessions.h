@@ -1,0 +1,41 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/CurriculumStore.h>
+#include <insonate/curriculum/SignedIn.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace insonate {
+
+/// Sessions of people who use the pages of a server in a browser. A session is identified by a secret, which only the
+/// browser keeps (in a cookie); the database keeps its SHA-256 hash. Since sessions are in the database, each of
+/// several servers that share it can answer each request. For any thread.
+class BrowserSessions {
+ public:
+  /// A session ends after this time without a request, and after kLongest_us in any case.
+  static constexpr std::int64_t kLongestIdle_us = std::int64_t{60} * 60 * 1'000'000;
+  static constexpr std::int64_t kLongest_us = std::int64_t{12} * 60 * 60 * 1'000'000;
+
+  explicit BrowserSessions(CurriculumStore store) : store_(std::move(store)) {}
+
+  /// Begins a session of a person who has just signed in with a password, and returns its secret: 64
+  /// hexadecimal digits. Sessions that have ended are removed from the database.
+  Result<std::string> begin(const SignedIn& by) const;
+  /// Returns the person of a session, with the permissions that this person has now; empty if the session is unknown or
+  /// has ended, if another password was set since, or if the account is disabled. The time of the request is stored to
+  /// the minute. Fails only if the database cannot be read.
+  Result<std::optional<SignedIn>> resume(const std::string& secret) const;
+  /// Ends a session; an unknown secret is no error.
+  Result<void> end(const std::string& secret) const;
+  /// Continues a session after its person has changed the password, which ends all other sessions of this person.
+  Result<void> continueWithNewPassword(const std::string& secret) const;
+
+ private:
+  CurriculumStore store_;
+};
+
+}  // namespace insonate

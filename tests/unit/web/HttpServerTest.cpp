@@ -1,0 +1,173 @@
+#include "http/HttpServer.h"
+
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+namespace insonate::web {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// A connection of a client that sends what no browser would.
+class RawClient {
+ public:
+  explicit RawClient(int port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(port));
+    inet_pton(AF_INET, "127.0.0.1", &address.sin_addr);
+    connected_ = ::connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0;
+    timeval patience{20, 0};
+    ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+  }
+  ~RawClient() { ::close(socket_); }
+  RawClient(const RawClient&) = delete;
+  RawClient& operator=(const RawClient&) = delete;
+
+  bool connected() const { return connected_; }
+  void send(const std::string& bytes) { (void)!::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL); }
+  /// Everything until the server closes the connection.
+  std::string receive() {
+    std::string all;
+    char part[4096];
+    for (ssize_t count; (count = ::recv(socket_, part, sizeof part, 0)) > 0;) all.append(part, std::size_t(count));
+    return all;
+  }
+  std::string ask(const std::string& bytes) {
+    send(bytes);
+    return receive();
+  }
+
+ private:
+  int socket_;
+  bool connected_ = false;
+};
+
+std::unique_ptr<HttpServer> serving(const HttpServer::Answer& answer) {
+  auto server = HttpServer::start({.port = 0}, answer);
+  if (!server) throw std::runtime_error(server.error().message);
+  return std::move(*server);
+}
+
+Response echo(const Request& request) {
+  std::string body = request.method + " " + request.path;
+  for (const auto& [name, value] : request.query) body += " ?" + name + "=" + value;
+  for (const auto& [name, value] : request.form) body += " " + name + "=" + value;
+  for (const auto& [name, value] : request.cookies) body += " cookie:" + name + "=" + value;
+  return {.type = "text/plain", .body = body + " from " + request.client};
+}
+
+const std::string kClose = "Host: localhost\r\nConnection: close\r\n";
+
+TEST(WebHttpServer, PassesTheRequestOn) {
+  const auto server = serving(&echo);
+  const std::string got =
+      RawClient(server->port())
+          .ask("GET /classes/a%20b?x=1%262&y=%C3%A4 HTTP/1.1\r\n" + kClose + "Cookie: insonate=abc; z=1\r\n\r\n");
+  EXPECT_THAT(got, StartsWith("HTTP/1.1 200"));
+  EXPECT_THAT(got, HasSubstr("GET /classes/a b ?x=1&2 ?y=\xC3\xA4 cookie:insonate=abc cookie:z=1 from 127.0.0.1"));
+  const std::string form = "name=Ada+L&password=%3Cx%3E";
+  EXPECT_THAT(RawClient(server->port())
+                  .ask("POST /sign-in HTTP/1.1\r\n" + kClose + "Content-Type: application/x-www-form-urlencoded\r\n" +
+                       "Content-Length: " + std::to_string(form.size()) + "\r\n\r\n" + form),
+              HasSubstr("POST /sign-in name=Ada L password=<x>"));
+  const std::string head = RawClient(server->port()).ask("HEAD / HTTP/1.1\r\n" + kClose + "\r\n");
+  EXPECT_THAT(head, StartsWith("HTTP/1.1 200"));
+  EXPECT_THAT(head, testing::EndsWith("\r\n\r\n")) << "without a body";
+}
+
+TEST(WebHttpServer, RefusesWhatIsTooLargeOrNoRequest) {
+  std::atomic<int> answered = 0;
+  const auto server = serving([&](const Request& request) {
+    ++answered;
+    return echo(request);
+  });
+  const std::string large(HttpServer::kLargestBody_bytes + 1, 'a');
+  EXPECT_THAT(
+      RawClient(server->port())
+          .ask("POST / HTTP/1.1\r\n" + kClose + "Content-Length: " + std::to_string(large.size()) + "\r\n\r\n" + large),
+      StartsWith("HTTP/1.1 413"));
+  std::string chunked = "POST / HTTP/1.1\r\n" + kClose + "Transfer-Encoding: chunked\r\n\r\n";
+  for (int i = 0; i < 20; ++i) chunked += "1000\r\n" + std::string(4096, 'a') + "\r\n";
+  EXPECT_THAT(RawClient(server->port()).ask(chunked + "0\r\n\r\n"), StartsWith("HTTP/1.1 413"));
+  EXPECT_EQ(answered, 0);
+  EXPECT_THAT(
+      RawClient(server->port()).ask("GET / HTTP/1.1\r\n" + kClose + "X: " + std::string(40'000, 'a') + "\r\n\r\n"),
+      HasSubstr(" 4"));
+  RawClient(server->port()).ask(std::string("\x16\x03\x01\0\xff garbage\r\n\r\n", 18));
+  EXPECT_THAT(RawClient(server->port()).ask("GET /still HTTP/1.1\r\n" + kClose + "\r\n"), HasSubstr("GET /still"));
+}
+
+TEST(WebHttpServer, SlowClientsHoldNobodyUp) {
+  const auto server = serving(&echo);
+  std::vector<std::unique_ptr<RawClient>> slow;
+  for (int i = 0; i < 100; ++i) {
+    slow.push_back(std::make_unique<RawClient>(server->port()));
+    ASSERT_TRUE(slow.back()->connected());
+    slow.back()->send(i % 2 == 0 ? "GET /slow HT" : "POST /slow HTTP/1.1\r\nHost: x\r\nContent-Length: 10\r\n\r\nabc");
+  }
+  EXPECT_THAT(RawClient(server->port()).ask("GET /quick HTTP/1.1\r\n" + kClose + "\r\n"), HasSubstr("GET /quick"));
+}
+
+TEST(WebHttpServer, SlowAnswersHoldUpOnlyTheirWorkers) {
+  std::atomic<int> atOnce = 0, most = 0;
+  const auto server = serving([&](const Request& request) {
+    int now = ++atOnce, seen = most;
+    while (now > seen && !most.compare_exchange_weak(seen, now)) {
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    --atOnce;
+    return echo(request);
+  });
+  std::atomic<int> right = 0;
+  std::vector<std::thread> clients;
+  for (int i = 0; i < 24; ++i)
+    clients.emplace_back([&, i] {
+      const std::string path = "/" + std::to_string(i);
+      if (RawClient(server->port()).ask("GET " + path + " HTTP/1.1\r\n" + kClose + "\r\n").find("GET " + path + " ") !=
+          std::string::npos)
+        ++right;
+    });
+  for (std::thread& client : clients) client.join();
+  EXPECT_EQ(right, 24);
+  EXPECT_GT(most, 1) << "requests are answered at the same time";
+}
+
+TEST(WebHttpServer, EndsWhileClientsWait) {
+  auto server = serving([](const Request& request) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    return echo(request);
+  });
+  std::vector<std::unique_ptr<RawClient>> clients;
+  for (int i = 0; i < 8; ++i) {
+    clients.push_back(std::make_unique<RawClient>(server->port()));
+    clients.back()->send("GET / HTTP/1.1\r\n" + kClose + "\r\n");
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  server.reset();
+  for (const auto& client : clients) (void)client->receive();
+}
+
+TEST(WebHttpServer, SaysWhyItCannotStart) {
+  const auto first = serving(&echo);
+  const auto second = HttpServer::start({.port = first->port()}, &echo);
+  ASSERT_FALSE(second);
+  EXPECT_THAT(second.error().message, HasSubstr("cannot listen at 127.0.0.1:" + std::to_string(first->port())));
+  const auto named = HttpServer::start({.address = "somewhere"}, &echo);
+  ASSERT_FALSE(named);
+  EXPECT_THAT(named.error().message, HasSubstr("no IPv4 address"));
+  const auto uncertified = HttpServer::start({.port = 0, .certificate = "/nowhere.pem", .key = "/nowhere.pem"}, &echo);
+  ASSERT_FALSE(uncertified);
+  EXPECT_THAT(uncertified.error().message, HasSubstr("/nowhere.pem"));
+}
+
+}  // namespace
+}  // namespace insonate::web

@@ -1,0 +1,139 @@
+#include "WebRig.h"
+#include "page/Charts.h"
+
+#include <insonate/curriculum/Unlocking.h>
+#include <insonate/teaching/HeatMap.h>
+
+namespace insonate::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class WebPages : public ::testing::Test {
+ protected:
+  StoreRig rig;
+};
+
+TEST_F(WebPages, OwnTrainingGivesEachLevelWithItsReasonAndItsFewestAttempts) {
+  const WebSchool school(rig.open());
+  const std::string page = school.get("/me", school.signIn("anna")).body;
+  const Curriculum curriculum = valueOf(loadCurriculum("central_line"));
+  const auto progress =
+      progressOf(curriculum, valueOf(AttemptStore(school.as(school.anna)).history(school.anna.id)), rig.now_us);
+  for (const LevelProgress& one : progress) EXPECT_THAT(page, HasSubstr(web::text(one.why).html()));
+  EXPECT_THAT(page, HasSubstr("Takes at least " + std::to_string(fewestAttempts(curriculum.levels[0].mastery))));
+  EXPECT_THAT(page, HasSubstr("/attempts/" + school.annas)) << "the attempts lead to their results";
+}
+
+TEST_F(WebPages, AnAttemptSaysWhatItsLevelAsksFor) {
+  const WebSchool school(rig.open());
+  const std::string page = school.get("/attempts/" + school.annas, school.signIn("anna")).body;
+  EXPECT_THAT(page, AllOf(HasSubstr("Failed because"), HasSubstr("81.3"), HasSubstr("Vein punctures")));
+  EXPECT_THAT(page, Not(HasSubstr("Implausible"))) << "flags are for instructors";
+}
+
+TEST_F(WebPages, AVoidedAttemptSaysWhy) {
+  const WebSchool school(rig.open());
+  succeed(AttemptStore(school.as(school.ina)).voidAttempt(school.annas, "the device lost its zero"));
+  const std::string page = school.get("/attempts/" + school.annas, school.signIn("anna")).body;
+  EXPECT_THAT(page, AllOf(HasSubstr("Voided"), HasSubstr("the device lost its zero")));
+}
+
+TEST_F(WebPages, AClassShowsItsMembersAndWhoHasNotBegun) {
+  const WebSchool school(rig.open());
+  const std::string page = school.get("/classes/" + school.spring.id, school.signIn("ina")).body;
+  EXPECT_THAT(page, AllOf(HasSubstr("Dr anna"), HasSubstr("Dr ben"), Not(HasSubstr("Dr carl"))));
+  const std::string attention = page.substr(0, page.find("Members"));
+  EXPECT_THAT(attention, HasSubstr("Dr ben"));
+  EXPECT_THAT(page, HasSubstr("/people/" + school.anna.id));
+}
+
+TEST_F(WebPages, HostileNamesStayNames) {
+  const WebSchool school(rig.open());
+  const std::string hostile = "\"><script>alert(1)</script><img src=x onerror='y'>";
+  Person anna = school.anna;
+  anna.fullName = hostile;
+  succeed(PeopleStore(school.admin).change(anna));
+  succeed(CohortStore(school.admin).rename(school.spring.id, hostile));
+  succeed(AttemptStore(school.as(school.ina)).voidAttempt(school.annas, hostile));
+  const std::string ina = school.signIn("ina"), admin = school.signIn("admin"), own = school.signIn("anna");
+  for (const std::string& path :
+       {std::string("/classes"), "/classes/" + school.spring.id,
+        "/classes/" + school.spring.id + "/people/" + school.anna.id, "/attempts/" + school.annas,
+        std::string("/audit"), std::string("/me"), std::string("/me?level=<script>&metric=<script>&class=<script>")})
+    for (const std::string& secret : {ina, admin, own}) {
+      const std::string page = school.get(path, secret).body;
+      EXPECT_THAT(page, AllOf(Not(HasSubstr("<script")), Not(HasSubstr("<img")), Not(HasSubstr("onerror='")))) << path;
+    }
+}
+
+TEST_F(WebPages, PagesAreWellFormedAndNameTheirParts) {
+  const WebSchool school(rig.open());
+  const std::string admin = school.signIn("admin");
+  for (const std::string& path : {std::string("/me"), std::string("/classes"), "/classes/" + school.spring.id,
+                                  "/attempts/" + school.annas, std::string("/audit"), std::string("/password")}) {
+    const std::string page = school.get(path, admin).body;
+    for (const std::string part : {"<html lang=\"en\">", "<title>", "<main id=\"main\"><h1>", "href=\"#main\""})
+      EXPECT_THAT(page, HasSubstr(part)) << path;
+    for (const std::string tag : {"table", "section", "form", "ul", "figure", "svg", "details"}) {
+      const auto count = [&](const std::string& what) {
+        int found = 0;
+        for (std::size_t at = page.find(what); at != std::string::npos; at = page.find(what, at + 1)) ++found;
+        return found;
+      };
+      EXPECT_EQ(count("<" + tag + ">") + count("<" + tag + " "), count("</" + tag + ">")) << path << " " << tag;
+    }
+  }
+}
+
+TEST(WebCharts, ShowEachValueOnceInTheDrawingAndOnceInTheTable) {
+  using Mark = web::AttemptChart::Mark;
+  web::AttemptChart values{.title = "Points <at> A", .unit = "%"};
+  values.points = {web::AttemptChart::Point{40, Mark::Failed}, std::nullopt,
+                   web::AttemptChart::Point{80.5, Mark::Passed}};
+  values.limit = 62, values.limitName = "limit 62";
+  const std::string html = web::chart(values).html();
+  EXPECT_THAT(html, AllOf(HasSubstr("Points &lt;at&gt; A"), HasSubstr("<circle"), HasSubstr("class=\"failed\""),
+                          HasSubstr("<td>80.5</td><td>passed</td>"), HasSubstr("<td>no value</td>"),
+                          HasSubstr("limit 62"), HasSubstr("Value, %")));
+  EXPECT_THAT(web::chart({}).html(), HasSubstr("no values yet"));
+}
+
+TEST(WebCharts, PlaceValuesToScale) {
+  web::AttemptChart values{.title = "x"};
+  values.points = {web::AttemptChart::Point{0}, web::AttemptChart::Point{50}, web::AttemptChart::Point{100}};
+  const std::string html = web::chart(values).html();
+  const auto attribute = [&](std::size_t from, const std::string& name) {
+    const std::size_t at = html.find(name + "=\"", from) + name.size() + 2;
+    return std::stod(html.substr(at));
+  };
+  std::vector<double> x, y;
+  for (std::size_t at = html.find("<circle"); at != std::string::npos; at = html.find("<circle", at + 1)) {
+    x.push_back(attribute(at, "cx"));
+    y.push_back(attribute(at, "cy"));
+  }
+  ASSERT_EQ(x.size(), 3U);
+  EXPECT_NEAR(x[1], (x[0] + x[2]) / 2, 0.6);
+  EXPECT_NEAR(y[1], (y[0] + y[2]) / 2, 0.6);
+  EXPECT_LT(y[2], y[0]) << "more is higher";
+}
+
+TEST(WebHeat, ColorsKeepTheContrastOfText) {
+  const auto luminance = [](const HeatColor& color) {
+    const auto linear = [](int channel) {
+      const double c = channel / 255.0;
+      return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(color[0]) + 0.7152 * linear(color[1]) + 0.0722 * linear(color[2]);
+  };
+  for (int share = 0; share <= 100; share += 10) {
+    const HeatColor color = heatColorOf(share);
+    const double ground = luminance(color), ink = needsBlackText(color) ? 0 : 1;
+    EXPECT_GE((std::max(ground, ink) + 0.05) / (std::min(ground, ink) + 0.05), 4.5) << share << ": WCAG 2 AA";
+  }
+}
+
+}  // namespace
+}  // namespace insonate::test

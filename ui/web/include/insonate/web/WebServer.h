@@ -1,0 +1,45 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/CurriculumStore.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace insonate::web {
+
+/// Address of a server, and how its connections are protected.
+struct WebOptions {
+  std::string address = "127.0.0.1";  ///< IPv4 address at which the server listens
+  int port = 8443;                    ///< 1..65535, or 0: any free port
+  /// Files (PEM) with the server's certificate chain and its private key. Both empty: HTTP without encryption, which is
+  /// allowed at a loopback address only.
+  std::filesystem::path certificate{}, key{};
+  /// true: a proxy on this computer receives HTTPS and passes requests on by HTTP; cookies are then for HTTPS only, and
+  /// the header X-Forwarded-For names the client.
+  bool behindProxy = false;
+};
+
+/// Serves the pages of a curriculum database to browsers: trainees see their levels and attempts, instructors their
+/// classes, administrators the audit log. Each request has the permissions of its signed-in user, as in all programs
+/// that open the database. Owns its threads; ends with the object.
+class WebServer {
+ public:
+  /// Starts a server. Fails with a sentence if the address is in use, the certificate cannot be read, or the options
+  /// would send passwords without encryption over a network.
+  static Result<WebServer> start(const CurriculumStore& store, const WebOptions& options);
+  ~WebServer();
+  WebServer(WebServer&&) noexcept;
+  WebServer& operator=(WebServer&&) noexcept;
+
+  /// Returns the address for a browser: "http://127.0.0.1:8443/".
+  std::string url() const;
+
+ private:
+  struct Impl;
+  explicit WebServer(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace insonate::web

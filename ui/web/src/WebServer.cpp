@@ -1,0 +1,51 @@
+#include "Site.h"
+#include "http/HttpServer.h"
+
+#include <insonate/web/WebServer.h>
+
+namespace insonate::web {
+namespace {
+
+Result<void> checkOptions(const WebOptions& options) {
+  if (options.certificate.empty() != options.key.empty())
+    return fail("A certificate and its private key belong together; give both, or neither.");
+  const bool isLoopback = options.address.starts_with("127.");
+  if (options.certificate.empty() && !isLoopback)
+    return fail(
+        "Without a certificate, passwords would cross the network unencrypted. Give --certificate and --key, or listen "
+        "at "
+        "127.0.0.1 behind a proxy that receives HTTPS.");
+  return {};
+}
+
+}  // namespace
+
+struct WebServer::Impl {
+  Impl(const CurriculumStore& store, WebOptions serverOptions) : options(serverOptions), site(store, serverOptions) {}
+
+  WebOptions options;
+  Site site;
+  std::unique_ptr<HttpServer> http;
+};
+
+WebServer::WebServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+WebServer::~WebServer() = default;
+WebServer::WebServer(WebServer&&) noexcept = default;
+WebServer& WebServer::operator=(WebServer&&) noexcept = default;
+
+Result<WebServer> WebServer::start(const CurriculumStore& store, const WebOptions& options) {
+  if (auto ok = checkOptions(options); !ok) return tl::unexpected(ok.error());
+  auto impl = std::make_unique<Impl>(store, options);
+  auto http =
+      HttpServer::start(options, [site = &impl->site](const Request& request) { return site->answer(request); });
+  if (!http) return tl::unexpected(http.error());
+  impl->http = std::move(*http);
+  return WebServer(std::move(impl));
+}
+
+std::string WebServer::url() const {
+  return (impl_->options.certificate.empty() ? "http://" : "https://") + impl_->options.address + ":" +
+         std::to_string(impl_->http->port()) + "/";
+}
+
+}  // namespace insonate::web

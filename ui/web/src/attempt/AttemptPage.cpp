@@ -1,0 +1,98 @@
+#include "attempt/AttemptPage.h"
+
+#include "person/PersonPage.h"
+
+#include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/AttemptTable.h>
+#include <insonate/curriculum/Implausible.h>
+#include <insonate/curriculum/Judgement.h>
+#include <insonate/curriculum/PeopleStore.h>
+#include <insonate/teaching/HeatMap.h>
+#include <insonate/teaching/MetricBook.h>
+
+#include <algorithm>
+
+namespace insonate::web {
+namespace {
+
+/// The curriculum of the class that the address names, if the user sees this class; else the version of the attempt.
+std::optional<Curriculum> rulesFor(const Visit& visit, const AttemptFacts& attempt) {
+  Cohort cohort{.curriculum = attempt.curriculum, .curriculumVersion = attempt.curriculumVersion};
+  if (const auto cohorts = CohortStore(*visit.by).cohorts()) {
+    const auto found = std::ranges::find(*cohorts, valueOf(visit.request.query, "class"), &Cohort::id);
+    if (found != cohorts->end() && found->curriculum == attempt.curriculum) cohort = *found;
+  }
+  return curriculumOf(*visit.by, cohort).value_or(std::nullopt);
+}
+
+Markup term(std::string_view name, const Markup& value) {
+  return element("dt", {}, name) + element("dd", {}, value);
+}
+
+Markup attemptFacts(const AttemptFacts& attempt, const Person& person, const Level* level) {
+  Markup list = term("Person", text(displayName(person))) + term("Begun", timeOf(attempt.begun_us)) +
+                term("Level", text(level                   ? level->title
+                                   : attempt.level.empty() ? "Free practice"
+                                                           : attempt.level)) +
+                term("Case", text(attempt.caseName)) +
+                term("Duration", text(numberOf(double(attempt.length_us / 100'000) / 10) + " s"));
+  if (attempt.points) list += term("Points", text(numberOf(*attempt.points) + " of 100"));
+  list += term("Origin", text(wordOf(attempt.proof)));
+  return element("dl", {}, list);
+}
+
+std::string limitOf(const MetricStandard& standard, const std::string& unit) {
+  std::string limit = standard.least ? "at least " + numberOf(*standard.least) : "at most " + numberOf(*standard.most);
+  if (!unit.empty()) limit += " " + unit;
+  return standard.critical ? limit + ", critical" : limit;
+}
+
+Markup metricSection(const AttemptFacts& attempt, const Level* level) {
+  const Judgement judgement = level ? judge(level->pass, attempt) : Judgement{};
+  std::vector<std::vector<Markup>> rows;
+  for (const MetricMeaning& meaning : MetricBook::here().all()) {
+    const auto value = valueIn(attempt, meaning);
+    if (!value) continue;
+    Markup standardCell, metCell;
+    for (std::size_t i = 0; level && i < level->pass.standards.size(); ++i) {
+      const MetricStandard& standard = level->pass.standards[i];
+      if (standard.metric != meaning.id) continue;
+      standardCell = text(limitOf(standard, meaning.unit));
+      metCell = element("span", {{"class", judgement.standardsMet[i] ? "met" : "missed"}},
+                        judgement.standardsMet[i] ? "\u2713 met" : "\u2717 missed");
+    }
+    const auto share = shareIn(attempt, meaning);
+    rows.push_back({text(meaning.title), text(numberOf(*value) + (meaning.unit.empty() ? "" : " " + meaning.unit)),
+                    standardCell, metCell, text(share && meaning.id != "points" ? heatWords(share) : "")});
+  }
+  if (rows.empty()) return section("Metrics", paragraph("No values were measured."));
+  return section("Metrics",
+                 table("Metrics of the attempt",
+                       {"Metric", "Value", "Standard of the level", "Result", "Compared with published values"}, rows));
+}
+
+Markup flagSection(const AttemptFacts& attempt) {
+  Markup items;
+  for (const Implausible flag : implausibilities(attempt)) items += element("li", {}, wordsOf(flag, attempt));
+  if (items.empty()) return {};
+  return section("Implausible", paragraph("An instructor should look at this attempt:") + element("ul", {}, items));
+}
+
+}  // namespace
+
+Response showAttempt(const Visit& visit, const Parts& parts) {
+  const auto kept = AttemptStore(*visit.by).attempt(parts[0]);
+  if (!kept) return refusal(visit, 404, kept.error().message);
+  const auto person = PeopleStore(*visit.by).person(kept->facts.person);
+  if (!person) return refusal(visit, 403, person.error().message);
+  const auto rules = rulesFor(visit, kept->facts);
+  const Level* level = rules ? levelOf(*rules, kept->facts) : nullptr;
+  const std::string outcome = outcomeWords(kept->facts, rules ? &*rules : nullptr);
+  Markup content = element("p", {{"class", "outcome"}}, outcome);
+  if (!kept->voidReason.empty()) content += paragraph("Reason: " + kept->voidReason);
+  content += attemptFacts(kept->facts, *person, level) + metricSection(kept->facts, level);
+  if (visit.by->person().role != Role::Trainee) content += flagSection(kept->facts);
+  return page(visit, "Attempt", content);
+}
+
+}  // namespace insonate::web

@@ -1,0 +1,153 @@
+#include "classes/ClassPages.h"
+
+#include "person/PersonPage.h"
+
+#include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/Attention.h>
+#include <insonate/curriculum/CohortStore.h>
+#include <insonate/curriculum/Judgement.h>
+#include <insonate/teaching/HeatMap.h>
+#include <insonate/teaching/MetricBook.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace insonate::web {
+namespace {
+
+struct ClassFacts {
+  Cohort cohort{};
+  std::optional<Curriculum> curriculum{};
+  std::vector<Member> learners{};
+  HeatMap heat{};
+  std::int64_t now_us = 0;
+};
+
+/// Replaces outdated standings, so that the page never shows a level that has lapsed since.
+Result<void> bringUpToDate(const SignedIn& by, ClassFacts& facts) {
+  std::vector<std::string> outdated;
+  for (const Member& one : facts.learners)
+    if (!one.standingIsCurrent) outdated.push_back(one.person.id);
+  if (outdated.empty() || !facts.curriculum) return {};
+  const auto standings = CohortStore(by).standings(facts.cohort.id, outdated);
+  if (!standings) return tl::unexpected(standings.error());
+  for (Member& one : facts.learners)
+    if (const auto found = standings->find(one.person.id); found != standings->end()) {
+      one.standing = found->second;
+      one.standingIsCurrent = true;
+    }
+  return {};
+}
+
+Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort) {
+  ClassFacts facts{.cohort = cohort, .now_us = by.now_us()};
+  auto members = CohortStore(by).members(cohort.id);
+  if (!members) return tl::unexpected(members.error());
+  std::ranges::copy_if(*members, std::back_inserter(facts.learners), [](const Member& one) { return !one.teaches; });
+  auto curriculum = curriculumOf(by, cohort);
+  if (!curriculum) return tl::unexpected(curriculum.error());
+  facts.curriculum = std::move(*curriculum);
+  const auto last = AttemptStore(by).lastOfCohort(cohort.id, kLastAttempts);
+  if (!last) return tl::unexpected(last.error());
+  facts.heat = heatMapOf(*last);
+  if (auto done = bringUpToDate(by, facts); !done) return tl::unexpected(done.error());
+  return facts;
+}
+
+Markup linkTo(const ClassFacts& facts, const Member& member) {
+  return link("/classes/" + encoded(facts.cohort.id) + "/people/" + encoded(member.person.id),
+              displayName(member.person));
+}
+
+Markup attentionSection(const ClassFacts& facts) {
+  std::vector<const Member*> needing;
+  for (const Member& one : facts.learners)
+    if (attentionOf(one, facts.now_us) != Attention::None) needing.push_back(&one);
+  std::ranges::stable_sort(needing, std::ranges::greater(),
+                           [&](const Member* one) { return attentionOf(*one, facts.now_us); });
+  Markup items;
+  for (const Member* one : needing) {
+    const std::string words = wordsOf(attentionOf(*one, facts.now_us), *one, facts.now_us);
+    const std::string why = one->standing ? " - " + one->standing->sentence : "";
+    items += element("li", {}, linkTo(facts, *one) + text(": " + words) + element("span", {{"class", "quiet"}}, why));
+  }
+  if (items.empty()) return section("Who needs attention", paragraph("None of the members."));
+  return section("Who needs attention", element("ul", {}, items));
+}
+
+Markup memberSection(const ClassFacts& facts) {
+  std::vector<std::vector<Markup>> rows;
+  const std::size_t levels = facts.curriculum ? facts.curriculum->levels.size() : 0;
+  for (const Member& one : facts.learners) {
+    const Level* level = one.standing && facts.curriculum ? facts.curriculum->level(one.standing->level) : nullptr;
+    rows.push_back({linkTo(facts, one),
+                    text(level                                         ? level->title
+                         : one.standing && one.standing->level.empty() ? "all levels mastered"
+                                                                       : "not begun"),
+                    text(one.standing ? std::to_string(one.standing->mastered) + " of " + std::to_string(levels) : ""),
+                    text(std::to_string(one.attempts)), one.lastAttempt_us ? timeOf(*one.lastAttempt_us) : text("none"),
+                    text(wordsOf(attentionOf(one, facts.now_us), one, facts.now_us))});
+  }
+  if (rows.empty()) return section("Members", paragraph("The class has no trainees yet."));
+  return section("Members",
+                 table("Trainees of the class",
+                       {"Name", "Present level", "Levels mastered", "Attempts", "Last attempt", "Attention"}, rows));
+}
+
+Markup heatCell(const HeatCell& cell) {
+  if (!cell.value) return element("span", {{"class", "quiet"}}, "none");
+  if (!cell.share) return text(numberOf(*cell.value));
+  const int step = static_cast<int>(std::lround(*cell.share / 10));
+  return element("span", {{"class", "heat heat" + std::to_string(step)}},
+                 text(numberOf(*cell.value)) + element("span", {{"class", "hidden"}}, ", " + heatWords(cell.share)));
+}
+
+Markup skillSection(const ClassFacts& facts) {
+  const MetricBook& book = MetricBook::here();
+  std::vector<std::string> titles{"Name"};
+  for (std::size_t i = 0; i < book.comparable(); ++i) {
+    const MetricMeaning& meaning = book.all()[i];
+    titles.push_back(meaning.unit.empty() ? meaning.title : meaning.title + ", " + meaning.unit);
+  }
+  std::vector<std::vector<Markup>> rows;
+  for (const Member& one : facts.learners) {
+    const auto row = facts.heat.find(one.person.id);
+    if (row == facts.heat.end()) continue;
+    rows.push_back({linkTo(facts, one)});
+    for (std::size_t i = 0; i < book.comparable(); ++i) rows.back().push_back(heatCell(row->second[i]));
+  }
+  if (rows.empty()) return section("Skill", paragraph("No attempts at levels yet."));
+  return section("Skill",
+                 element("p", {{"class", "quiet"}},
+                         "Means of the last " + std::to_string(kLastAttempts) +
+                             " attempts at levels. Dark blue: as a novice; yellow: as an expert (published values).") +
+                     table("Skill by metric", titles, rows));
+}
+
+}  // namespace
+
+Response showClasses(const Visit& visit, const Parts& /*parts*/) {
+  const auto cohorts = CohortStore(*visit.by).cohorts();
+  if (!cohorts) return refusal(visit, 403, cohorts.error().message);
+  std::vector<std::vector<Markup>> rows;
+  for (const Cohort& one : *cohorts)
+    rows.push_back(
+        {link("/classes/" + encoded(one.id), one.name),
+         text(one.curriculum.empty() ? "none"
+                                     : one.curriculum + ", version " + std::to_string(one.curriculumVersion))});
+  if (rows.empty())
+    return page(visit, "Classes", paragraph("No classes. An administrator adds classes and their instructors."));
+  return page(visit, "Classes", table("Classes", {"Class", "Curriculum"}, rows));
+}
+
+Response showClass(const Visit& visit, const Parts& parts) {
+  const auto cohorts = CohortStore(*visit.by).cohorts();
+  if (!cohorts) return refusal(visit, 403, cohorts.error().message);
+  const auto cohort = std::ranges::find(*cohorts, parts[0], &Cohort::id);
+  if (cohort == cohorts->end()) return refusal(visit, 404, "There is no such class, or it is not yours.");
+  const auto facts = readClass(*visit.by, *cohort);
+  if (!facts) return refusal(visit, 403, facts.error().message);
+  return page(visit, facts->cohort.name, attentionSection(*facts) + memberSection(*facts) + skillSection(*facts));
+}
+
+}  // namespace insonate::web

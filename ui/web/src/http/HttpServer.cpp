@@ -1,0 +1,241 @@
+#include "http/HttpServer.h"
+
+#include <arpa/inet.h>
+#include <microhttpd.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <condition_variable>
+#include <cstring>
+#include <deque>
+#include <fstream>
+#include <iterator>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace insonate::web {
+namespace {
+
+constexpr int kWorkers = 4;
+constexpr unsigned kIdleTimeout_s = 30, kMostConnections = 1000, kMostConnectionsOfOneAddress = 200;
+constexpr std::size_t kHeaderMemory_bytes = 32 << 10;
+/// Requests that wait for a worker; further ones are told to come back, since a queue without limit only grows.
+constexpr std::size_t kMostWaiting = 500;
+
+/// A request that is being received or answered. Owned by its connection.
+struct Exchange {
+  MHD_Connection* connection = nullptr;
+  Request request{};
+  std::string body{};
+  bool submitted = false;
+  Response response{};
+};
+
+Result<std::string> readFile(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  if (!in || text.empty()) return fail(file.string() + " cannot be read, or is empty. Name a readable file in PEM.");
+  return text;
+}
+
+std::string lowerCase(std::string_view text) {
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+std::string addressOf(MHD_Connection* connection) {
+  const auto* info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CLIENT_ADDRESS);
+  if (!info || !info->client_addr || info->client_addr->sa_family != AF_INET) return {};
+  std::array<char, INET_ADDRSTRLEN> text{};
+  const auto* address = reinterpret_cast<const sockaddr_in*>(info->client_addr);
+  return inet_ntop(AF_INET, &address->sin_addr, text.data(), text.size()) ? text.data() : "";
+}
+
+MHD_Result addField(void* fields, MHD_ValueKind /*kind*/, const char* key, const char* value) {
+  static_cast<Fields*>(fields)->emplace(key, value ? value : "");
+  return MHD_YES;
+}
+
+MHD_Result addHeader(void* fields, MHD_ValueKind /*kind*/, const char* key, const char* value) {
+  static_cast<Fields*>(fields)->emplace(lowerCase(key), value ? value : "");
+  return MHD_YES;
+}
+
+Request requestOf(MHD_Connection* connection, const char* url, const char* method) {
+  Request request;
+  request.method = std::strcmp(method, "HEAD") == 0 ? "GET" : method;
+  request.path = decoded(url, false);
+  Fields query;
+  MHD_get_connection_values(connection, MHD_GET_ARGUMENT_KIND, &addField, &query);
+  for (const auto& [key, value] : query) request.query.emplace(decoded(key, false), decoded(value, false));
+  MHD_get_connection_values(connection, MHD_HEADER_KIND, &addHeader, &request.headers);
+  request.cookies = fieldsOfCookies(valueOf(request.headers, "cookie"));
+  request.client = addressOf(connection);
+  return request;
+}
+
+MHD_Result send(MHD_Connection* connection, const Response& answer) {
+  MHD_Response* response =
+      MHD_create_response_from_buffer(answer.body.size(), const_cast<char*>(answer.body.data()), MHD_RESPMEM_MUST_COPY);
+  if (!response) return MHD_NO;
+  MHD_add_response_header(response, MHD_HTTP_HEADER_CONTENT_TYPE, answer.type.c_str());
+  for (const auto& [name, value] : answer.headers) MHD_add_response_header(response, name.c_str(), value.c_str());
+  const MHD_Result queued = MHD_queue_response(connection, static_cast<unsigned>(answer.status), response);
+  MHD_destroy_response(response);
+  return queued;
+}
+
+Response plain(int status, std::string sentence) {
+  return {.status = status, .type = "text/plain; charset=utf-8", .body = std::move(sentence) + "\n"};
+}
+
+}  // namespace
+
+struct HttpServer::Impl {
+  Answer answer;
+  std::string certificate, key;
+  MHD_Daemon* daemon = nullptr;
+  std::mutex mutex;
+  std::condition_variable wake;
+  std::deque<Exchange*> waiting;
+  bool stopping = false;
+  std::vector<std::thread> workers;
+
+  void work();
+  bool submit(Exchange* exchange);
+  MHD_Result begin(MHD_Connection* connection, const char* url, const char* method, void** state);
+  MHD_Result take(Exchange& exchange, const char* data, std::size_t* size);
+
+  static MHD_Result onRequest(void* self, MHD_Connection* connection, const char* url, const char* method,
+                              const char* version, const char* data, std::size_t* size, void** state);
+  static void onEnd(void* self, MHD_Connection* connection, void** state, MHD_RequestTerminationCode code);
+};
+
+void HttpServer::Impl::work() {
+  for (;;) {
+    Exchange* exchange = nullptr;
+    {
+      std::unique_lock lock(mutex);
+      wake.wait(lock, [this] { return stopping || !waiting.empty(); });
+      if (waiting.empty()) return;
+      exchange = waiting.front();
+      waiting.pop_front();
+    }
+    exchange->response = answer(exchange->request);
+    MHD_resume_connection(exchange->connection);
+  }
+}
+
+bool HttpServer::Impl::submit(Exchange* exchange) {
+  const std::lock_guard lock(mutex);
+  if (stopping || waiting.size() >= kMostWaiting) return false;
+  exchange->submitted = true;
+  // Before a worker can see the exchange, since it may resume the connection at once.
+  MHD_suspend_connection(exchange->connection);
+  waiting.push_back(exchange);
+  wake.notify_one();
+  return true;
+}
+
+MHD_Result HttpServer::Impl::begin(MHD_Connection* connection, const char* url, const char* method, void** state) {
+  const char* length = MHD_lookup_connection_value(connection, MHD_HEADER_KIND, MHD_HTTP_HEADER_CONTENT_LENGTH);
+  std::size_t announced_bytes = 0;
+  if (length) std::from_chars(length, length + std::strlen(length), announced_bytes);
+  if (announced_bytes > kLargestBody_bytes) return send(connection, plain(413, "The request is too large."));
+  auto* exchange = new Exchange{.connection = connection, .request = requestOf(connection, url, method)};
+  *state = exchange;
+  return MHD_YES;
+}
+
+/// Takes a part of the body; after the last part, hands the request to a worker, which resumes the connection.
+MHD_Result HttpServer::Impl::take(Exchange& exchange, const char* data, std::size_t* size) {
+  if (*size > 0) {
+    if (exchange.body.size() <= kLargestBody_bytes) exchange.body.append(data, *size);
+    *size = 0;
+    return MHD_YES;
+  }
+  if (exchange.submitted) return send(exchange.connection, exchange.response);
+  if (exchange.body.size() > kLargestBody_bytes)
+    return send(exchange.connection, plain(413, "The request is too large."));
+  exchange.request.form = fieldsOfForm(exchange.body);
+  if (submit(&exchange)) return MHD_YES;
+  Response busy = plain(503, "The server is busy. Try again in a few seconds.");
+  busy.headers.emplace_back("Retry-After", "5");
+  return send(exchange.connection, busy);
+}
+
+MHD_Result HttpServer::Impl::onRequest(void* self, MHD_Connection* connection, const char* url, const char* method,
+                                       const char* /*version*/, const char* data, std::size_t* size, void** state) {
+  auto& server = *static_cast<Impl*>(self);
+  if (!*state) return server.begin(connection, url, method, state);
+  return server.take(*static_cast<Exchange*>(*state), data, size);
+}
+
+void HttpServer::Impl::onEnd(void* /*self*/, MHD_Connection* /*connection*/, void** state,
+                             MHD_RequestTerminationCode /*code*/) {
+  delete static_cast<Exchange*>(*state);
+  *state = nullptr;
+}
+
+HttpServer::HttpServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+Result<std::unique_ptr<HttpServer>> HttpServer::start(const WebOptions& options, Answer answer) {
+  auto impl = std::make_unique<Impl>();
+  impl->answer = std::move(answer);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(options.port));
+  if (inet_pton(AF_INET, options.address.c_str(), &address.sin_addr) != 1)
+    return fail("'" + options.address + "' is no IPv4 address; give one of this computer, such as 127.0.0.1.");
+  unsigned flags = MHD_USE_EPOLL | MHD_USE_INTERNAL_POLLING_THREAD | MHD_ALLOW_SUSPEND_RESUME;
+  std::vector<MHD_OptionItem> more;
+  if (!options.certificate.empty()) {
+    const auto certificate = readFile(options.certificate);
+    if (!certificate) return tl::unexpected(certificate.error());
+    const auto key = readFile(options.key);
+    if (!key) return tl::unexpected(key.error());
+    impl->certificate = *certificate, impl->key = *key;
+    flags |= MHD_USE_TLS;
+    more.push_back({MHD_OPTION_HTTPS_MEM_CERT, 0, impl->certificate.data()});
+    more.push_back({MHD_OPTION_HTTPS_MEM_KEY, 0, impl->key.data()});
+    static char priorities[] = "NORMAL:-VERS-ALL:+VERS-TLS1.3:+VERS-TLS1.2";
+    more.push_back({MHD_OPTION_HTTPS_PRIORITIES, 0, priorities});
+  }
+  more.push_back({MHD_OPTION_END, 0, nullptr});
+  impl->daemon = MHD_start_daemon(
+      flags, 0, nullptr, nullptr, &Impl::onRequest, impl.get(), MHD_OPTION_SOCK_ADDR, &address,
+      MHD_OPTION_NOTIFY_COMPLETED, &Impl::onEnd, impl.get(), MHD_OPTION_CONNECTION_TIMEOUT, kIdleTimeout_s,
+      MHD_OPTION_CONNECTION_LIMIT, kMostConnections, MHD_OPTION_PER_IP_CONNECTION_LIMIT,
+      options.behindProxy ? kMostConnections : kMostConnectionsOfOneAddress, MHD_OPTION_CONNECTION_MEMORY_LIMIT,
+      kHeaderMemory_bytes, MHD_OPTION_ARRAY, more.data(), MHD_OPTION_END);
+  if (!impl->daemon)
+    return fail("The server cannot listen at " + options.address + ":" + std::to_string(options.port) +
+                (options.certificate.empty() ? "" : ", or its certificate and key do not belong together") +
+                ". Another program may use this port; choose another with --listen.");
+  for (int i = 0; i < kWorkers; ++i) impl->workers.emplace_back([server = impl.get()] { server->work(); });
+  return std::unique_ptr<HttpServer>(new HttpServer(std::move(impl)));
+}
+
+HttpServer::~HttpServer() {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->stopping = true;
+  }
+  impl_->wake.notify_all();
+  // Workers answer what waits, so that no suspended connection is left, which the library does not allow.
+  for (std::thread& worker : impl_->workers) worker.join();
+  MHD_stop_daemon(impl_->daemon);
+}
+
+int HttpServer::port() const {
+  const auto* info = MHD_get_daemon_info(impl_->daemon, MHD_DAEMON_INFO_BIND_PORT);
+  return info ? info->port : 0;
+}
+
+}  // namespace insonate::web

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "http/Messages.h"
+
+#include <insonate/core/Result.h>
+#include <insonate/web/WebServer.h>
+
+#include <functional>
+#include <memory>
+
+namespace insonate::web {
+
+/// Accepts HTTP or HTTPS connections and answers each request by `answer`, on a few worker threads: one thread waits
+/// for all connections (epoll), so that a slow client holds no worker. Bodies above kLargestBody_bytes are refused.
+class HttpServer {
+ public:
+  using Answer = std::function<Response(const Request&)>;
+  static constexpr std::size_t kLargestBody_bytes = 64 << 10;
+
+  /// Starts to listen. Fails if the address is in use or if certificate and key cannot be used. `answer` is called on
+  /// several threads at the same time and must not throw.
+  static Result<std::unique_ptr<HttpServer>> start(const WebOptions& options, Answer answer);
+  /// Finishes the requests in progress, then stops.
+  ~HttpServer();
+  HttpServer(const HttpServer&) = delete;
+  HttpServer& operator=(const HttpServer&) = delete;
+
+  /// Returns the port at which the server listens.
+  int port() const;
+
+ private:
+  struct Impl;
+  explicit HttpServer(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace insonate::web

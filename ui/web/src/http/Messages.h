@@ -1,0 +1,41 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace insonate::web {
+
+using Fields = std::map<std::string, std::string, std::less<>>;
+
+/// Returns the value of a field, or "" if there is none.
+const std::string& valueOf(const Fields& fields, std::string_view name);
+
+/// An HTTP request. Names of headers are in lower case; of fields that occur more than once the first counts.
+struct Request {
+  std::string method{};  ///< "GET", "POST", ...; HEAD arrives as GET
+  std::string path{};    ///< decoded path without query: "/classes/5"
+  Fields query{}, form{}, cookies{}, headers{};
+  std::string client{};  ///< IP address of the client, or of the proxy in front of this server
+};
+
+struct Response {
+  int status = 200;
+  std::string type = "text/html; charset=utf-8";
+  std::string body{};
+  std::vector<std::pair<std::string, std::string>> headers{};
+};
+
+/// Reads "a=1&b=x%20y" (application/x-www-form-urlencoded). Text that is no valid UTF-8 and control characters other
+/// than line breaks are left out.
+Fields fieldsOfForm(std::string_view text);
+/// Reads the header Cookie: "a=1; b=2".
+Fields fieldsOfCookies(std::string_view text);
+/// Decodes %XX; `plusIsSpace` also decodes + as in forms. An incomplete code stays as it is.
+std::string decoded(std::string_view text, bool plusIsSpace);
+/// Encodes a text as one part of a path or as a value of a query.
+std::string encoded(std::string_view text);
+
+}  // namespace insonate::web

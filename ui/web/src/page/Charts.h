@@ -1,0 +1,29 @@
+#pragma once
+
+#include "page/Markup.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace insonate::web {
+
+/// Values by attempt number, as a chart (SVG) with the same numbers as a table below, which screen readers and
+/// text browsers show.
+struct AttemptChart {
+  enum class Mark { Passed, Failed, Other };
+  struct Point {
+    double value = 0;
+    Mark mark = Mark::Other;
+  };
+  std::string title{};                         ///< caption: "Points at Textbook neck"
+  std::string unit{};                          ///< unit of the values, or empty
+  std::vector<std::optional<Point>> points{};  ///< for each attempt, from number 1; empty where there is no value
+  std::optional<double> limit{};               ///< a horizontal line, such as the limit of LC-CUSUM
+  std::string limitName{};                     ///< name of this line
+};
+
+/// Draws the chart; a sentence if there are no values.
+Markup chart(const AttemptChart& values);
+
+}  // namespace insonate::web

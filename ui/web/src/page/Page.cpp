@@ -1,0 +1,115 @@
+#include "page/Page.h"
+
+#include <QDateTime>
+#include <QLocale>
+#include <QMessageAuthenticationCode>
+#include <cmath>
+
+namespace insonate::web {
+namespace {
+
+Markup navigation(const Visit& visit) {
+  if (!visit.by) return {};
+  Markup items = element("li", {}, link("/me", "My training"));
+  if (visit.by->person().role != Role::Trainee) items += element("li", {}, link("/classes", "Classes"));
+  if (visit.by->person().role == Role::Administrator) items += element("li", {}, link("/audit", "Audit log"));
+  items += element("li", {{"class", "user"}}, displayName(visit.by->person()));
+  items += element("li", {}, link("/password", "Change password"));
+  items += element("li", {}, postForm(visit, "/sign-out", {}, "Sign out"));
+  return element("nav", {{"aria-label", "Pages"}}, element("ul", {}, items));
+}
+
+}  // namespace
+
+Response page(const Visit& visit, std::string_view title, const Markup& content, int status) {
+  const std::string inTitle = std::string(title) + " - Insonate";
+  const Markup head = element("meta", {{"charset", "utf-8"}}, "") +
+                      element("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}}, "") +
+                      element("meta", {{"name", "color-scheme"}, {"content", "dark light"}}, "") +
+                      element("title", {}, inTitle) + element("link", {{"rel", "stylesheet"}, {"href", "/style.css"}}) +
+                      element("link", {{"rel", "icon"}, {"href", "/icon.svg"}});
+  const Markup skip = element("a", {{"class", "skip"}, {"href", "#main"}}, "Skip to the content");
+  const Markup top =
+      element("header", {}, element("a", {{"class", "brand"}, {"href", "/"}}, "Insonate") + navigation(visit));
+  const Markup main = element("main", {{"id", "main"}}, element("h1", {}, title) + content);
+  Response response{.status = status};
+  response.body =
+      "<!DOCTYPE html>\n" +
+      element("html", {{"lang", "en"}}, element("head", {}, head) + element("body", {}, skip + top + main)).html() +
+      "\n";
+  return response;
+}
+
+Response refusal(const Visit& visit, int status, std::string_view sentence) {
+  const std::string_view title = status == 404   ? "Not found"
+                                 : status == 403 ? "Not permitted"
+                                 : status < 500  ? "Request refused"
+                                                 : "Not available";
+  return page(visit, title, paragraph(sentence), status);
+}
+
+Response redirect(const std::string& address) {
+  return {.status = 303, .headers = {{"Location", address}}};
+}
+
+Markup postForm(const Visit& visit, const std::string& address, const Markup& content, std::string_view button) {
+  Markup inside;
+  if (!visit.secret.empty())
+    inside += element("input", {{"type", "hidden"}, {"name", "code"}, {"value", formCode(visit.secret)}}, "");
+  inside += content + element("button", {{"type", "submit"}}, button);
+  return element("form", {{"method", "post"}, {"action", address}}, inside);
+}
+
+Markup inputField(std::string_view label, const std::string& name, const std::string& type,
+                  const std::string& completion, const std::string& value) {
+  return element("label", {},
+                 text(label) + element("input", {{"type", type},
+                                                 {"name", name},
+                                                 {"value", value},
+                                                 {"required", ""},
+                                                 {"maxlength", "200"},
+                                                 {"autocomplete", completion}}));
+}
+
+Markup choiceField(std::string_view label, const std::string& name,
+                   const std::vector<std::pair<std::string, std::string>>& choices, std::string_view chosen) {
+  Markup options;
+  for (const auto& [value, words] : choices) {
+    Attributes attributes{{"value", value}};
+    if (value == chosen) attributes.emplace_back("selected", "");
+    options += element("option", attributes, words);
+  }
+  return element("label", {}, text(label) + element("select", {{"name", name}}, options));
+}
+
+std::string formCode(const std::string& secret) {
+  return QMessageAuthenticationCode::hash("form", QByteArray::fromStdString(secret), QCryptographicHash::Sha256)
+      .toHex()
+      .toStdString();
+}
+
+Markup section(std::string_view heading, const Markup& content) {
+  return element("section", {}, element("h2", {}, heading) + content);
+}
+
+Markup paragraph(std::string_view sentence) {
+  return element("p", {}, sentence);
+}
+
+Markup timeOf(std::int64_t time_us) {
+  const QDateTime time = QDateTime::fromMSecsSinceEpoch(time_us / 1000);
+  return element("time", {{"datetime", time.toUTC().toString(Qt::ISODate).toStdString()}},
+                 QLocale(QLocale::English).toString(time, QStringLiteral("d MMM yyyy, HH:mm")).toStdString());
+}
+
+std::string displayName(const Person& person) {
+  return person.fullName.empty() ? person.name : person.fullName;
+}
+
+std::string numberOf(double value) {
+  const double size = std::abs(value);
+  const int digits = size >= 100 || value == std::round(value) ? 0 : size >= 10 ? 1 : 2;
+  return QString::number(value, 'f', digits).toStdString();
+}
+
+}  // namespace insonate::web

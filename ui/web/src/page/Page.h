@@ -1,0 +1,61 @@
+#pragma once
+
+#include "http/Messages.h"
+#include "page/Markup.h"
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/CurriculumStore.h>
+#include <insonate/curriculum/SignedIn.h>
+#include <insonate/web/WebServer.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace insonate::web {
+
+/// One request, with the user who makes it.
+struct Visit {
+  const Request& request;
+  const CurriculumStore& store;
+  const WebOptions& options;
+  std::optional<SignedIn> by{};  ///< empty: nobody is signed in; never empty in pages that require sign-in
+  std::string secret{};          ///< secret of the browser's session (BrowserSessions); empty if there is none
+};
+
+/// Values of the variable parts of a path, in order: {"5"} for /classes/5.
+using Parts = std::vector<std::string>;
+
+/// Returns a whole page: head, navigation for the user's role, title as heading, and content.
+Response page(const Visit& visit, std::string_view title, const Markup& content, int status = 200);
+/// Returns a page that states in one sentence why there is nothing else to see.
+Response refusal(const Visit& visit, int status, std::string_view sentence);
+/// Returns an answer that sends the browser to another address of this server by GET.
+Response redirect(const std::string& address);
+
+/// Returns a form that sends POST to `address`, with the code of the user's session.
+Markup postForm(const Visit& visit, const std::string& address, const Markup& content, std::string_view button);
+/// Returns a labeled field. `type`: "text" or "password"; `completion`: value of the attribute autocomplete;
+/// `value`: text that the field shows at first.
+Markup inputField(std::string_view label, const std::string& name, const std::string& type,
+                  const std::string& completion, const std::string& value = {});
+/// Returns a labeled list of choices (value, text), of which `chosen` is selected.
+Markup choiceField(std::string_view label, const std::string& name,
+                   const std::vector<std::pair<std::string, std::string>>& choices, std::string_view chosen);
+/// Returns the code that forms of a session carry. It proves that a form comes from a page of this session, and does
+/// not reveal the session's secret.
+std::string formCode(const std::string& secret);
+
+/// Returns a section with a heading.
+Markup section(std::string_view heading, const Markup& content);
+Markup paragraph(std::string_view sentence);
+/// Returns a time in the server's time zone, "20 Nov 2026, 14:05", with the exact time for programs.
+Markup timeOf(std::int64_t time_us);
+/// Returns the full name of a person, or the name for signing in if there is none.
+std::string displayName(const Person& person);
+/// Formats a number with the digits suitable for a table.
+std::string numberOf(double value);
+
+}  // namespace insonate::web

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "page/Page.h"
+
+#include <insonate/curriculum/CohortStore.h>
+#include <insonate/curriculum/Curriculum.h>
+
+#include <optional>
+
+namespace insonate::web {
+
+/// Shows the user's own levels, learning curve and attempts, in the class named by the query's "class".
+Response showOwnTraining(const Visit& visit, const Parts& parts);
+/// Shows the same of a member of a class: parts are the ids of class and person.
+Response showMember(const Visit& visit, const Parts& parts);
+
+/// Returns the curriculum by which a class is taught; empty if it has none.
+Result<std::optional<Curriculum>> curriculumOf(const SignedIn& by, const Cohort& cohort);
+
+}  // namespace insonate::web

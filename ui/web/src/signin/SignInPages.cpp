@@ -1,0 +1,99 @@
+#include "signin/SignInPages.h"
+
+#include <insonate/curriculum/BrowserSessions.h>
+#include <insonate/curriculum/PeopleStore.h>
+
+namespace insonate::web {
+namespace {
+
+bool hasHttps(const WebOptions& options) {
+  return options.behindProxy || !options.certificate.empty();
+}
+
+std::pair<std::string, std::string> cookie(const WebOptions& options, const std::string& secret) {
+  std::string value = sessionCookie(options) + "=" + secret + "; Path=/; HttpOnly; SameSite=Lax";
+  if (secret.empty()) value += "; Max-Age=0";
+  if (hasHttps(options)) value += "; Secure";
+  return {"Set-Cookie", value};
+}
+
+/// Only addresses of this server: "//host" and "/\host" would lead elsewhere.
+std::string localAddress(const std::string& next) {
+  const bool isLocal = next.starts_with('/') && !next.starts_with("//") && next.find('\\') == std::string::npos &&
+                       next.find_first_of("\r\n") == std::string::npos;
+  return isLocal ? next : "/";
+}
+
+Response signInPage(const Visit& visit, const std::string& trouble, int status) {
+  if (const auto people = visit.store.hasPeople(); people && !*people)
+    return refusal(visit, 503,
+                   "This database has no accounts yet. Create the first administrator with insonate-cli curriculum "
+                   "setup, or on a workstation that opens this database.");
+  Markup fields;
+  if (!trouble.empty()) fields += element("p", {{"class", "trouble"}, {"role", "alert"}}, trouble);
+  fields += inputField("Name", "name", "text", "username", valueOf(visit.request.form, "name")) +
+            inputField("Password", "password", "password", "current-password");
+  const std::string& asked = valueOf(visit.request.method == "POST" ? visit.request.form : visit.request.query, "next");
+  fields += element("input", {{"type", "hidden"}, {"name", "next"}, {"value", localAddress(asked)}});
+  return page(visit, "Sign in", postForm(visit, "/sign-in", fields, "Sign in"), status);
+}
+
+Response passwordPage(const Visit& visit, const std::string& trouble, int status) {
+  Markup fields;
+  if (visit.by->mustChangePassword())
+    fields += paragraph("Your password was set by another person. Choose one that only you know.");
+  if (!trouble.empty()) fields += element("p", {{"class", "trouble"}, {"role", "alert"}}, trouble);
+  fields += inputField("Present password", "old", "password", "current-password") +
+            inputField("New password (8 to 200 characters)", "new", "password", "new-password") +
+            inputField("New password again", "again", "password", "new-password");
+  return page(visit, "Change password", postForm(visit, "/password", fields, "Change password"), status);
+}
+
+}  // namespace
+
+std::string sessionCookie(const WebOptions& options) {
+  return hasHttps(options) ? "__Host-insonate" : "insonate";
+}
+
+Response showSignIn(const Visit& visit, const Parts& /*parts*/) {
+  return signInPage(visit, "", 200);
+}
+
+Response signIn(const Visit& visit, const Parts& /*parts*/) {
+  const Fields& form = visit.request.form;
+  const auto by = visit.store.signIn(valueOf(form, "name"), valueOf(form, "password"));
+  if (!by) return signInPage(visit, by.error().message, 401);
+  const BrowserSessions sessions(visit.store);
+  const auto secret = sessions.begin(*by);
+  if (!secret) return signInPage(visit, secret.error().message, 503);
+  // A session that the browser had before ends, so that nobody continues it.
+  if (!visit.secret.empty()) (void)sessions.end(visit.secret);
+  Response response = redirect(by->mustChangePassword() ? "/password" : localAddress(valueOf(form, "next")));
+  response.headers.push_back(cookie(visit.options, *secret));
+  return response;
+}
+
+Response signOut(const Visit& visit, const Parts& /*parts*/) {
+  if (const auto ended = BrowserSessions(visit.store).end(visit.secret); !ended)
+    return refusal(visit, 503, ended.error().message);
+  Response response = redirect("/sign-in");
+  response.headers.push_back(cookie(visit.options, ""));
+  return response;
+}
+
+Response showPasswordForm(const Visit& visit, const Parts& /*parts*/) {
+  return passwordPage(visit, "", 200);
+}
+
+Response changePassword(const Visit& visit, const Parts& /*parts*/) {
+  const Fields& form = visit.request.form;
+  if (valueOf(form, "new") != valueOf(form, "again"))
+    return passwordPage(visit, "The two new passwords differ. Enter the same password twice.", 400);
+  if (auto changed = PeopleStore(*visit.by).changeOwnPassword(valueOf(form, "old"), valueOf(form, "new")); !changed)
+    return passwordPage(visit, changed.error().message, 400);
+  if (auto kept = BrowserSessions(visit.store).continueWithNewPassword(visit.secret); !kept)
+    return refusal(visit, 503, kept.error().message);
+  return redirect("/");
+}
+
+}  // namespace insonate::web
