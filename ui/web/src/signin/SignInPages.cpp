@@ -39,7 +39,12 @@ Response signInPage(const Visit& visit, const std::string& trouble, int status) 
 }
 
 Response passwordPage(const Visit& visit, const std::string& trouble, int status) {
-  Markup fields;
+  // Password managers need the name beside the passwords.
+  Markup fields = element("input", {{"type", "text"},
+                                    {"name", "username"},
+                                    {"value", visit.by->person().name},
+                                    {"autocomplete", "username"},
+                                    {"hidden", ""}});
   if (visit.by->mustChangePassword())
     fields += paragraph("Your password was set by another person. Choose one that only you know.");
   if (!trouble.empty()) fields += element("p", {{"class", "trouble"}, {"role", "alert"}}, trouble);

@@ -1,0 +1,143 @@
+"""Opens each page of insonate-server in a headless Chromium, in each role and at the widths of phone, laptop and desktop.
+
+browser_test.py SERVER [FOLDER]: SERVER is the program; screenshots go to FOLDER. Exit status 77: no browser here.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.by import By
+except ImportError:
+    print("Skipped: python3-selenium is not installed")
+    sys.exit(77)
+
+DRIVER = pathlib.Path("/usr/bin/chromedriver")
+WIDTHS = {"phone": 390, "laptop": 1366, "desktop": 1920}
+ROLES = {"made-up-001": "trainee", "made-up-teacher": "instructor", "made-up-administrator": "administrator"}
+PASSWORD = "made-up password"
+# Pages that differ only by person or attempt are opened this often for each role and width.
+MOST_OF_A_KIND = 1
+
+# What a screen reader and a person with weak sight need: names of controls, labels of fields, one main heading, contrast.
+CHECKS = """
+const found = [];
+for (const field of document.querySelectorAll('input:not([type=hidden], [hidden]), select'))
+  if (!field.labels || !field.labels.length || !field.labels[0].textContent.trim()) found.push('no label: ' + field.outerHTML);
+for (const one of document.querySelectorAll('a[href], button, summary'))
+  if (!one.textContent.trim()) found.push('no name: ' + one.outerHTML);
+for (const image of document.querySelectorAll('svg[role=img], img'))
+  if (!image.getAttribute('aria-label') && !image.getAttribute('alt')) found.push('no description: ' + image.outerHTML.slice(0, 80));
+if (document.querySelectorAll('h1').length != 1) found.push('not one main heading');
+if (!document.documentElement.lang) found.push('no language');
+const ids = [...document.querySelectorAll('[id]')].map(one => one.id);
+if (new Set(ids).size != ids.length) found.push('an id occurs twice');
+if (document.documentElement.scrollWidth > document.documentElement.clientWidth) found.push('wider than the window');
+const parts = color => color.match(/[\\d.]+/g).map(Number);
+const luminance = color => parts(color).slice(0, 3).map(c => c / 255)
+  .map(c => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)
+  .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+const ground = node => {
+  for (; node; node = node.parentElement) {
+    const color = getComputedStyle(node).backgroundColor;
+    if (parts(color).length < 4 || parts(color)[3] > 0) return color;
+  }
+  return 'rgb(255, 255, 255)';
+};
+for (const one of document.querySelectorAll('p, a, li, th, td, dt, dd, h1, h2, h3, span, label, button, summary, caption, time')) {
+  if (one.closest('.hidden, .skip') || ![...one.childNodes].some(node => node.nodeType == 3 && node.textContent.trim())) continue;
+  const a = luminance(getComputedStyle(one).color), b = luminance(ground(one));
+  const contrast = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+  if (contrast < 4.5) found.push('contrast ' + contrast.toFixed(1) + ': ' + one.outerHTML.slice(0, 120));
+}
+for (const one of document.querySelectorAll('button, nav a, input:not([type=hidden], [hidden]), select')) {
+  const box = one.getBoundingClientRect();
+  if (box.height < 24) found.push('lower than 24 pixels: ' + one.outerHTML.slice(0, 80));
+}
+return found;
+"""
+
+
+def browser(width, scheme):
+    options = webdriver.ChromeOptions()
+    for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--disable-dev-shm-usage",
+                     f"--window-size={width},1000", f"--blink-settings=preferredColorScheme={0 if scheme == 'dark' else 1}"):
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    return webdriver.Chrome(service=Service(str(DRIVER)), options=options)
+
+
+def kind(path):
+    return re.sub(r"[0-9a-f]{8}-[0-9a-f-]{27}", "ID", path.split("?")[0])
+
+
+def sign_in(driver, base, name):
+    driver.delete_all_cookies()
+    driver.get(base + "sign-in")
+    driver.find_element(By.NAME, "name").send_keys(name)
+    driver.find_element(By.NAME, "password").send_keys(PASSWORD)
+    driver.find_element(By.CSS_SELECTOR, "main button").click()
+
+
+def walk(driver, base, label, folder):
+    """Opens what the links of the home page lead to, and what those lead to. Yields what is wrong."""
+    waiting, opened, seen = [base], {}, set()
+    while waiting:
+        address = waiting.pop(0)
+        path = "/" + address.removeprefix(base)
+        if path in seen or opened.get(kind(path), 0) >= MOST_OF_A_KIND:
+            continue
+        seen.add(path)
+        opened[kind(path)] = opened.get(kind(path), 0) + 1
+        driver.get(address)
+        title = driver.title
+        for error in driver.get_log("browser"):
+            yield f"{label} {path}: {error['message']}"
+        if title.startswith(("Not ", "Request refused")):
+            yield f"{label} {path}: a link leads to '{title}'"
+        for sentence in driver.execute_script(CHECKS):
+            yield f"{label} {path}: {sentence}"
+        if folder:
+            name = label + kind(path).replace("/", "_") + str(opened[kind(path)])
+            driver.save_screenshot(str(folder / (name.replace(" ", "-") + ".png")))
+        waiting += [link.get_attribute("href") for link in driver.find_elements(By.CSS_SELECTOR, "main a[href], nav a[href]")
+                    if link.get_attribute("href").startswith(base)]
+    if not any("/attempts/ID" in one for one in opened):
+        yield f"{label}: no attempt was reached, only {sorted(opened)}"
+
+
+def main():
+    if not DRIVER.exists():
+        print("Skipped: chromium-driver is not installed")
+        return 77
+    folder = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
+    if folder:
+        folder.mkdir(parents=True, exist_ok=True)
+    server = subprocess.Popen([sys.argv[1], "--demo", "--listen", "127.0.0.1:0"], stdout=subprocess.PIPE, text=True)
+    try:
+        base = next(match.group(0) for line in server.stdout if (match := re.search(r"http://\S+", line)))
+        troubles = []
+        for width_name, width in WIDTHS.items():
+            driver = browser(width, "dark" if width_name == "laptop" else "light")
+            try:
+                for name, role in ROLES.items():
+                    sign_in(driver, base, name)
+                    troubles += walk(driver, base, f"{width_name} {role}", folder)
+                driver.find_element(By.XPATH, "//button[text()='Sign out']").click()
+                if "Sign in" not in driver.title:
+                    troubles.append(f"{width_name}: signing out leads to '{driver.title}'")
+            finally:
+                driver.quit()
+    finally:
+        server.terminate()
+        if server.wait(timeout=20) != 0:
+            troubles.append(f"The server ended with status {server.returncode}")
+    print("\n".join(troubles) if troubles else "All pages of all roles are as they should be.")
+    return 1 if troubles else 0
+
+
+sys.exit(main())
