@@ -2,7 +2,7 @@
 
 #include <insonate/core/AtomicFile.h>
 #include <insonate/core/Fingerprint.h>
-#include <insonate/simulator/PictureFiles.h>
+#include <insonate/simulator/ImageFiles.h>
 
 #include <algorithm>
 #include <bit>

@@ -111,11 +111,11 @@ Result<void> scoreRatings(const RealismOptions& options) {
   }
   std::printf(
       "%d images, %d readers: sensitivity %.2f, specificity %.2f, ROC area %.2f (95 %% interval %.2f to %.2f)\n",
-      result->images, result->readers, result->sensitivity, result->specificity, result->told.area, result->told.low,
-      result->told.high);
+      result->images, result->readers, result->sensitivity, result->specificity, result->separation.area,
+      result->separation.low, result->separation.high);
   for (const BlindGroup& group : result->groups)
     std::printf("  %s, %d real and %d simulated: ROC area %.2f (%.2f to %.2f)\n", group.name.c_str(), group.real,
-                group.simulated, group.told.area, group.told.low, group.told.high);
+                group.simulated, group.separation.area, group.separation.low, group.separation.high);
   return {};
 }
 

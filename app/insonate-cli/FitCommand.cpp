@@ -1,6 +1,6 @@
 #include "Commands.h"
 
-#include <insonate/simulator/PictureFiles.h>
+#include <insonate/simulator/ImageFiles.h>
 #include <insonate/ultrasound/FovFit.h>
 #include <insonate/ultrasound/SetupText.h>
 
@@ -105,14 +105,14 @@ void print(const FitReport& report, const FitOptions& options) {
 Result<FitReport> fitPicture(const FitOptions& options) {
   if (const auto& p = options.points; p.size() == 5 && (p[4] <= 0 || (p[0] == p[2] && p[1] == p[3])))
     return fail("--points needs two different points and a distance above 0.");
-  const auto picture = readPicture(options.picture);
+  const auto picture = readGrayImage(options.picture);
   if (!picture) return tl::unexpected(picture.error());
   auto fit = fitFov(*picture);
   if (!fit) return tl::unexpected(Error{options.picture + ": " + fit.error().message});
   FitReport report{std::move(*fit), 0, {}, {}};
   findScale(options, report);
   if (!options.overlay.empty())
-    if (auto ok = writeFitPicture(*picture, report.fit, options.overlay); !ok) return tl::unexpected(ok.error());
+    if (auto ok = writeFitImage(*picture, report.fit, options.overlay); !ok) return tl::unexpected(ok.error());
   if (!options.out.empty())
     if (auto ok = writeProbe(options, report); !ok) return tl::unexpected(ok.error());
   return report;

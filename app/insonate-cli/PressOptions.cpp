@@ -92,7 +92,7 @@ Result<PressPlan> readPress(const PressOptions& options, bool displacementWanted
   }
   plan.mechanics.footprint_mm = options.footprint_mm.value_or(plan.mechanics.footprint_mm);
   plan.mechanics.sticking = options.sticking;
-  plan.mechanics.settings.mostIterations = kPatience;
+  plan.mechanics.settings.maxIterations = kPatience;
   if (auto ok = validate(plan.mechanics); !ok) return tl::unexpected(ok.error());
   return plan;
 }

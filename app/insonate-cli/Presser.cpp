@@ -79,7 +79,7 @@ PlaneDisplacement Presser::field() const {
   still.left_mm = grid.minLateral_mm(), still.top_mm = grid.minAxial_mm();
   still.columns = 1 + static_cast<int>(std::ceil(grid.maxLateral_mm() - still.left_mm));
   still.rows = 1 + static_cast<int>(std::ceil(grid.maxAxial_mm() - still.top_mm));
-  still.restFromSeen.resize(std::size_t(still.columns) * still.rows);
+  still.restFromDisplayed.resize(std::size_t(still.columns) * still.rows);
   return still;
 }
 

@@ -87,7 +87,8 @@ Result<RenderJob> readJob(const RenderOptions& options) {
   if (!path) return tl::unexpected(path.error());
   RenderJob job{std::move(read->patient), std::move(*setup), std::move(*path),
                 std::move(*press),        *needle,           std::move(read->notes)};
-  if (auto ok = checkReach(job.patient, job.setup, job.path.patientFromProbe); !ok) return tl::unexpected(ok.error());
+  if (auto ok = checkPosesTouchVolume(job.patient, job.setup, job.path.patientFromProbe); !ok)
+    return tl::unexpected(ok.error());
   auto onSkin = Presser::onSkin(job.press, job.patient.labels, job.setup, job.path.patientFromProbe);
   if (!onSkin) return tl::unexpected(onSkin.error());
   job.path.patientFromProbe = std::move(*onSkin);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <insonate/simulator/PictureFiles.h>
+#include <insonate/simulator/ImageFiles.h>
 
 #include <map>
 #include <string>

@@ -161,7 +161,7 @@ Result<void> replay(const ReplayArguments& a) {
   for (std::size_t i = 0; i < recording->stretches(); ++i) {
     const auto stretch = recording->stretch(i);
     if (!stretch) return tl::unexpected(stretch.error());
-    for (const Stretch::Happened& happened : stretch->events)
+    for (const Stretch::PlacedEvent& happened : stretch->events)
       if (happened.event.time_us <= until_us) events.push_back(happened.event);
   }
   nlohmann::json pictures;

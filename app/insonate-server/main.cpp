@@ -1,5 +1,5 @@
 #include <insonate/curriculum/Curriculum.h>
-#include <insonate/teaching/MadeUpClass.h>
+#include <insonate/teaching/DemoClass.h>
 #include <insonate/web/WebServer.h>
 
 #include <CLI/CLI.hpp>
@@ -42,13 +42,13 @@ Result<void> readListen(Arguments& arguments) {
 Result<void> makeDemo(const CurriculumStore& store) {
   const auto curriculum = loadCurriculum("central_line");
   if (!curriculum) return tl::unexpected(curriculum.error());
-  MadeUpPlan plan{.trainees = kDemoTrainees, .attempts = kDemoAttempts};
+  DemoClassPlan plan{.trainees = kDemoTrainees, .attempts = kDemoAttempts};
   plan.until_us =
       std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
           .count();
-  if (auto made = makeUpClass(store, *curriculum, plan, kDemoPassword); !made) return made;
-  std::cout << "All people of this demonstration are made up. Sign in as " << kMadeUpTeacher << ", "
-            << kMadeUpAdministrator << " or made-up-001, with the password '" << kDemoPassword << "'.\n";
+  if (auto made = makeDemoClass(store, *curriculum, plan, kDemoPassword); !made) return made;
+  std::cout << "All people of this demonstration are made up. Sign in as " << kDemoInstructor << ", "
+            << kDemoAdministrator << " or made-up-001, with the password '" << kDemoPassword << "'.\n";
   return {};
 }
 

@@ -116,12 +116,12 @@ TEST_P(Compounding, AnglesInTurnCostOneFrameAndSettle) {
   const ScenePtr scene =
       sceneOf(paint(alignedGridOver(region, 5), [](Vec3) { return kSoftTissue; }), plainTable(), region);
   settings.compoundingAngles = 3;
-  const auto make = [&](CompoundedAngles angles) {
+  const auto make = [&](CompoundingSchedule angles) {
     auto engine = *makeEngineFor(GetParam(), probe, settings, angles);
     engine->prepare(probe, settings);
     return engine;
   };
-  const auto all = make(CompoundedAngles::InEachFrame), inTurn = make(CompoundedAngles::InTurn);
+  const auto all = make(CompoundingSchedule::AllAnglesPerFrame), inTurn = make(CompoundingSchedule::OneAnglePerFrame);
   EnvelopeFrame there, moved, frame;
   all->render(*scene, {}, there);
   all->render(*scene, beside, moved);

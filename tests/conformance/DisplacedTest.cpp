@@ -274,8 +274,9 @@ TEST_P(Displaced, LargeAndWildDisplacementsAreSurvived) {
           displacementOver(probe, settings, 2, [&](double, double) { return shiftBy(random(), random()); });
       EXPECT_TRUE(allFinite(render(probe, settings, scene, {}, wild))) << name;
       for (const double by_mm : {-20.0, 20.0}) {
-        PlaneDisplacement even{.left_mm = 5, .top_mm = 5, .step_mm = 1, .columns = 1, .rows = 1, .restFromSeen = {}};
-        even.restFromSeen = {shiftBy(-by_mm, by_mm)};
+        PlaneDisplacement even{
+            .left_mm = 5, .top_mm = 5, .step_mm = 1, .columns = 1, .rows = 1, .restFromDisplayed = {}};
+        even.restFromDisplayed = {shiftBy(-by_mm, by_mm)};
         EXPECT_TRUE(allFinite(render(probe, settings, scene, {}, even))) << name;
       }
     }

@@ -64,7 +64,7 @@ PlaneDisplacement displacementOver(const Probe& probe, const ImagingSettings& se
   d.rows = static_cast<int>((grid.maxAxial_mm() + 3 - d.top_mm) / step_mm) + 2;
   for (int k = 0; k < d.rows; ++k)
     for (int i = 0; i < d.columns; ++i)
-      d.restFromSeen.push_back(shiftAt(d.left_mm + i * step_mm, d.top_mm + k * step_mm));
+      d.restFromDisplayed.push_back(shiftAt(d.left_mm + i * step_mm, d.top_mm + k * step_mm));
   return d;
 }
 inline PlaneDisplacement::Shift shiftBy(double x_mm, double z_mm) {

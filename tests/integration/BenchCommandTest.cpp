@@ -1,7 +1,7 @@
 #include "integration/CommandLine.h"
 #include "support/TestData.h"
 
-#include <insonate/simulator/PictureFiles.h>
+#include <insonate/simulator/ImageFiles.h>
 
 #include <gmock/gmock.h>
 

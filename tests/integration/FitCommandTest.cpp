@@ -3,7 +3,7 @@
 #include "support/SmallCase.h"
 #include "support/TestData.h"
 
-#include <insonate/simulator/PictureFiles.h>
+#include <insonate/simulator/ImageFiles.h>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -55,7 +55,7 @@ TEST_F(FitCommand, PictureBecomesAProbeThatRenders) {
   EXPECT_EQ(probe->name, "ward");
   EXPECT_NEAR(probe->faceRadius_mm, 40, 0.8);
   EXPECT_NEAR(probe->defaultDepth_mm, 130, 2.6);
-  const auto over = readPicture(path("over.png"));
+  const auto over = readGrayImage(path("over.png"));
   ASSERT_TRUE(over);
   EXPECT_EQ(over->width, 960);
 

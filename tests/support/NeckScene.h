@@ -51,7 +51,7 @@ struct Folds {
 inline Folds foldsOf(const PlaneDisplacement& d) {
   Folds folds;
   const auto rest = [&](int c, int r) {
-    const auto& shift = d.restFromSeen[std::size_t(r) * d.columns + c];
+    const auto& shift = d.restFromDisplayed[std::size_t(r) * d.columns + c];
     return PlaneDisplacement::Shift{float(c * d.step_mm + shift.x_mm), float(r * d.step_mm + shift.z_mm)};
   };
   for (int r = 0; r + 1 < d.rows; ++r)

@@ -12,7 +12,7 @@
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/SiteUpload.h>
 #include <insonate/curriculum/Statistics.h>
-#include <insonate/teaching/MadeUpClass.h>
+#include <insonate/teaching/DemoClass.h>
 
 #include <unistd.h>
 
@@ -100,14 +100,14 @@ struct Seats {
 };
 
 Result<Seats> takeSeats(const CurriculumStore& store, const Curriculum& curriculum) {
-  const auto teacher = store.signIn(kMadeUpTeacher, kPassword), trainee = store.signIn("made-up-001", kPassword),
-             administrator = store.signIn(kMadeUpAdministrator, kPassword);
+  const auto teacher = store.signIn(kDemoInstructor, kPassword), trainee = store.signIn("made-up-001", kPassword),
+             administrator = store.signIn(kDemoAdministrator, kPassword);
   for (const auto* by : {&teacher, &trainee, &administrator})
     if (!*by) return tl::unexpected(by->error());
   const auto cohorts = CohortStore(*teacher).cohorts();
   if (!cohorts) return tl::unexpected(cohorts.error());
-  const auto cohort = std::ranges::find(*cohorts, kMadeUpClass, &Cohort::name),
-             half = std::ranges::find(*cohorts, kMadeUpHalf, &Cohort::name);
+  const auto cohort = std::ranges::find(*cohorts, kDemoClass, &Cohort::name),
+             half = std::ranges::find(*cohorts, kDemoHalfClass, &Cohort::name);
   const auto checklist = loadForm("jugular_checklist");
   if (!checklist) return tl::unexpected(checklist.error());
   const auto members = CohortStore(*teacher).members(cohort->id);
@@ -219,8 +219,8 @@ Result<CurriculumBench> runCurriculumBench(bool quick, const Progress& progress)
   const auto store = CurriculumStore::open((folder.path() / "made-up.sqlite").string(), services);
   if (!store) return tl::unexpected(store.error());
   const auto begin = Clock::now();
-  const MadeUpPlan plan{.trainees = bench.trainees, .attempts = bench.attempts};
-  if (auto made = makeUpClass(*store, *curriculum, plan, kPassword, progress); !made)
+  const DemoClassPlan plan{.trainees = bench.trainees, .attempts = bench.attempts};
+  if (auto made = makeDemoClass(*store, *curriculum, plan, kPassword, progress); !made)
     return tl::unexpected(made.error());
   bench.filled_s = secondsSince(begin);
   const auto seats = takeSeats(*store, *curriculum);

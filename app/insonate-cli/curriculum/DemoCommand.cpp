@@ -3,7 +3,7 @@
 
 #include <insonate/cases/Phantom.h>
 #include <insonate/simulator/ScriptedSession.h>
-#include <insonate/teaching/MadeUpClass.h>
+#include <insonate/teaching/DemoClass.h>
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ constexpr std::uint32_t kSeed = 1;  // the neck that the window shows
 
 struct DemoArguments {
   std::string database;
-  MadeUpPlan plan;
+  DemoClassPlan plan;
   int recorded = kDemonstrations;
   NewPasswordOption password;
 };
@@ -58,10 +58,11 @@ std::filesystem::path recordingsOf(const std::string& database) {
 Result<std::vector<std::filesystem::path>> makeUp(const CurriculumStore& store, const Curriculum& curriculum,
                                                   const DemoArguments& a, const std::string& password) {
   const Progress progress = terminalProgress();
-  MadeUpPlan plan = a.plan;
+  DemoClassPlan plan = a.plan;
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   plan.until_us = std::chrono::duration_cast<std::chrono::microseconds>(now).count();
-  if (auto made = makeUpClass(store, curriculum, plan, password, progress); !made) return tl::unexpected(made.error());
+  if (auto made = makeDemoClass(store, curriculum, plan, password, progress); !made)
+    return tl::unexpected(made.error());
   const std::string name = isServer(a.database) ? "made-up" : std::filesystem::path(a.database).stem().string();
   auto recordings = recordDemonstrations(curriculum.levels.front(), recordingsOf(a.database), name,
                                          std::min(a.recorded, plan.trainees), progress);
@@ -96,13 +97,13 @@ Result<Answer> demonstrate(const DemoArguments& a) {
                  {"recordings", files},
                  {"seed", a.plan.seed},
                  {"made_up", true},
-                 {"administrator", kMadeUpAdministrator},
-                 {"teacher", kMadeUpTeacher},
-                 {"classes", {kMadeUpClass, kMadeUpHalf}}},
+                 {"administrator", kDemoAdministrator},
+                 {"teacher", kDemoInstructor},
+                 {"classes", {kDemoClass, kDemoHalfClass}}},
                 std::to_string(a.plan.trainees) + " made-up trainees with " + std::to_string(a.plan.attempts) +
                     " attempts each are in " + store->place() + ", and " + std::to_string(recordings->size()) +
                     " that were recorded, to be replayed in Review; next: insonate-cli curriculum classes members '" +
-                    kMadeUpClass + "' --as " + kMadeUpTeacher + " --database " + a.database};
+                    kDemoClass + "' --as " + kDemoInstructor + " --database " + a.database};
 }
 
 }  // namespace

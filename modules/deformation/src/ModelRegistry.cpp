@@ -25,7 +25,7 @@ const std::vector<KnownModel>& knownModels() {
 Result<void> checkSettings(const DeformationSettings& settings) {
   if (auto ok = checkRange(settings.mesh_mm, 0.1, 4, "Deformation: mesh_mm"); !ok) return ok;
   if (auto ok = checkRange(settings.depth_mm, 10, 200, "Deformation: depth_mm"); !ok) return ok;
-  if (auto ok = checkRange(settings.mostIterations, 1, 1000, "Deformation: mostIterations"); !ok) return ok;
+  if (auto ok = checkRange(settings.maxIterations, 1, 1000, "Deformation: maxIterations"); !ok) return ok;
   return checkRange(settings.tolerance_mm, 0, 1, "Deformation: tolerance_mm");
 }
 

@@ -11,7 +11,7 @@ Vec3 shiftAt(const PlaneDisplacement& displacement, double x_mm, double z_mm) {
   const Interval i = intervalAt((x_mm - displacement.left_mm) / displacement.step_mm, displacement.columns);
   const Interval k = intervalAt((z_mm - displacement.top_mm) / displacement.step_mm, displacement.rows);
   const auto at = [&](int column, int row) {
-    const auto& shift = displacement.restFromSeen[std::size_t(row) * displacement.columns + column];
+    const auto& shift = displacement.restFromDisplayed[std::size_t(row) * displacement.columns + column];
     return Vec3{shift.x_mm, 0, shift.z_mm};
   };
   const auto along = [&](int row) { return at(i.low, row) * (1 - i.fraction) + at(i.high, row) * i.fraction; };

@@ -129,8 +129,8 @@ std::optional<double> pointsOf(const ProcedureRun& run, const AttemptScore& scor
   if (shares == 0 || run.metrics().values()[Metric::Passes] == 0) return std::nullopt;
   if (!score.criticalErrors.empty()) return 0;
   for (const ProcedureRun::Finding& finding : run.findings())
-    cost += ruleOf(run, finding).severity == Severity::Major ? kMajorCost : kMinorCost;
-  return std::clamp(sum / shares - cost, 0.0, score.succeeded ? 100 : kMostWithoutSuccess);
+    cost += ruleOf(run, finding).severity == Severity::Major ? kMajorDeduction : kMinorDeduction;
+  return std::clamp(sum / shares - cost, 0.0, score.succeeded ? 100 : kMaxPointsWithoutSuccess);
 }
 
 /// Advice of the earliest finding of this severity.

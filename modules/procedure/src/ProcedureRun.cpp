@@ -44,7 +44,7 @@ void ProcedureRun::take(const AttemptSample& sample) {
   metrics_.take(sample);
   follow(probeOnSkin_us_, sample.patientFromProbe && sample.probeForce_N > 0, sample.time_us);
   const bool draws = sample.aspirating && metrics_.needle() == NeedlePlace::Vein;
-  aspirating_us_ = draws ? metrics_.drawingBlood_us() : std::nullopt;
+  aspirating_us_ = draws ? metrics_.aspiratingBloodSince_us() : std::nullopt;
   complete(sample.time_us, nullptr);
   watchRules(sample.time_us, {});
 }

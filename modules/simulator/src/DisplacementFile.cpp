@@ -42,8 +42,8 @@ Result<void> writeDisplacement(const PlaneDisplacement& displacement, const Tran
                                const std::filesystem::path& file) {
   if (displacement.empty()) return fail("Could not write " + file.string() + ": nothing has moved.");
   std::string bytes = header(displacement, patientFromProbe);
-  bytes.reserve(bytes.size() + displacement.restFromSeen.size() * 3 * sizeof(float));
-  for (const PlaneDisplacement::Shift& shift : displacement.restFromSeen) {
+  bytes.reserve(bytes.size() + displacement.restFromDisplayed.size() * 3 * sizeof(float));
+  for (const PlaneDisplacement::Shift& shift : displacement.restFromDisplayed) {
     const Vec3 vector = patientFromProbe.linear * Vec3{shift.x_mm, 0, shift.z_mm};
     const float components[3] = {static_cast<float>(vector.x), static_cast<float>(vector.y),
                                  static_cast<float>(vector.z)};

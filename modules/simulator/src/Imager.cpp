@@ -1,7 +1,7 @@
 #include <insonate/simulator/Imager.h>
 #include <insonate/simulator/PointScene.h>
 #include <insonate/tissue/PatientVariation.h>
-#include <insonate/ultrasound/FrameWork.h>
+#include <insonate/ultrasound/FrameCost.h>
 
 #include <algorithm>
 #include <chrono>
@@ -58,7 +58,7 @@ Result<std::shared_ptr<const AcousticScene>> sceneOf(const SceneSource& source, 
 
 }  // namespace
 
-Result<Imager> Imager::make(const ImagingSetup& setup, CompoundedAngles angles) {
+Result<Imager> Imager::make(const ImagingSetup& setup, CompoundingSchedule angles) {
   if (auto ok = validate(setup.probe); !ok) return tl::unexpected(ok.error());
   if (auto ok = validate(setup.settings, setup.probe); !ok) return tl::unexpected(ok.error());
   auto engine = makeEngineFor(setup.engine, setup.probe, setup.settings, angles);
@@ -93,7 +93,7 @@ void Imager::render(const AcousticScene& scene, const Transform& patientFromProb
 Region sceneRegion(const ImagingSetup& setup, const Transform& patientFromProbe, double further_mm) {
   Region box = regionOf(setup.probe, setup.settings, Transform{});
   if (setup.mechanics.model != kNoDeformation) {
-    const PressWindow window = pressWindow(setup.probe, setup.settings, setup.mechanics);
+    const DeformationWindow window = deformationWindow(setup.probe, setup.settings, setup.mechanics);
     box = united(box,
                  {{-window.half_mm, box.low_mm.y, window.top_mm}, {window.half_mm, box.high_mm.y, window.bottom_mm}});
   }
@@ -151,7 +151,8 @@ Result<std::shared_ptr<const AcousticScene>> makePointScene(const CaseView& pati
   return sceneOf(**source, setup, region, std::move(points), progress);
 }
 
-Result<void> checkReach(const PatientCase& patient, const ImagingSetup& setup, std::span<const Transform> path) {
+Result<void> checkPosesTouchVolume(const PatientCase& patient, const ImagingSetup& setup,
+                                   std::span<const Transform> path) {
   const Region bounds_mm = boundsOf(patient.labels.geometry);
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Region needed_mm = regionOf(setup.probe, setup.settings, path[i]);

@@ -67,7 +67,7 @@ Result<std::string> handsHash(const AttemptRecording& recording) {
       hasher.put(sample);
     }
     samples += stretch->samples.size();
-    for (const Stretch::Happened& happened : stretch->events) events.push_back(happened.event);
+    for (const Stretch::PlacedEvent& happened : stretch->events) events.push_back(happened.event);
   }
   if (!isMoving && events.empty()) return std::string();
   hasher.put(samples);

@@ -25,7 +25,7 @@ Result<std::unique_ptr<Engine>> makeEngine(std::string_view name) {
 }
 
 Result<std::unique_ptr<Engine>> makeEngineFor(std::string_view name, const Probe& probe,
-                                              const ImagingSettings& settings, CompoundedAngles angles) {
+                                              const ImagingSettings& settings, CompoundingSchedule angles) {
   const std::size_t count = steeringAngles_deg(probe, settings).size();
   if (count == 1) return makeEngine(name);
   std::vector<std::unique_ptr<Engine>> engines;

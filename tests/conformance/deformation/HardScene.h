@@ -44,8 +44,8 @@ class HardScene : public testing::Test {
   }
 
   void bloodAsInTheCt() { input.pressure = {table.of(kArtery).pressure_kPa, table.of(kVein).pressure_kPa}; }
-  void make(int mostIterations = 60, double mesh_mm = 1) {
-    model = makeDeformationModel(name, table, {.mesh_mm = mesh_mm, .mostIterations = mostIterations}).value();
+  void make(int maxIterations = 60, double mesh_mm = 1) {
+    model = makeDeformationModel(name, table, {.mesh_mm = mesh_mm, .maxIterations = maxIterations}).value();
   }
 
   const Deformation& ask(double press_mm) {

@@ -125,8 +125,8 @@ void addDisplaced(Cases& cases, const ScenePtr& scene, Look look) {
   beyond.displacement =
       displacementOver(beyond.probe, beyond.settings, 1, [](double, double) { return shiftBy(12, 14); });
   CompactCase& even = cases.add("one point", "linear", scene, onSkin(), [=](auto& s) { s.look = look; });
-  even.displacement = {.left_mm = 5, .top_mm = 5, .step_mm = 1, .columns = 1, .rows = 1, .restFromSeen = {}};
-  even.displacement.restFromSeen = {shiftBy(1, 2)};
+  even.displacement = {.left_mm = 5, .top_mm = 5, .step_mm = 1, .columns = 1, .rows = 1, .restFromDisplayed = {}};
+  even.displacement.restFromDisplayed = {shiftBy(1, 2)};
 }
 
 void addNeedles(Cases& cases, const ScenePtr& scene) {

@@ -4,7 +4,7 @@
 #include "class/ClassTable.h"
 
 #include <insonate/curriculum/FormStore.h>
-#include <insonate/teaching/MadeUpClass.h>
+#include <insonate/teaching/DemoClass.h>
 
 #include <QDir>
 #include <QLabel>
@@ -23,7 +23,7 @@ class DemoClass : public Classroom {
   void SetUp() override {
     curriculum_ = test::valueOf(loadCurriculum("central_line"));
     store_ = std::make_unique<CurriculumStore>(test::valueOf(CurriculumStore::open(file().toStdString(), services())));
-    test::succeed(makeUpClass(*store_, curriculum_, {.trainees = 3, .attempts = 6}, test::kPassword));
+    test::succeed(makeDemoClass(*store_, curriculum_, {.trainees = 3, .attempts = 6}, test::kPassword));
     ASSERT_TRUE(QDir(home_.path()).mkdir("attempts"));
     const QString recording = recorded(home_.filePath("attempts/people clean-success.attempt"));
     test::succeed(addRecordedAttempts(*store_, curriculum_, {recording.toStdString()}, test::kPassword));
@@ -31,7 +31,7 @@ class DemoClass : public Classroom {
 };
 
 TEST_F(DemoClass, IsReplayedFromTheListAndJudged) {
-  enter(kMadeUpTeacher);
+  enter(kDemoInstructor);
   auto& people = *child<QTableView>("classTable");
   people.setCurrentIndex(people.model()->index(0, ClassTable::kName));
   people.setFocus();

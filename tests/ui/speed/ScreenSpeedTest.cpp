@@ -1,7 +1,7 @@
 #include "SpeedClass.h"
 
 #include <insonate/review/ReviewWorkspace.h>
-#include <insonate/teaching/MadeUpClass.h>
+#include <insonate/teaching/DemoClass.h>
 #include <insonate/train/TrainWorkspace.h>
 #include <insonate/ui/Account.h>
 #include <insonate/ui/Attempts.h>
@@ -109,7 +109,7 @@ class ScreenSpeed : public testing::Test {
     time(
         "people window, of a teacher", [&] { trigger("accountPeople"); }, [&] { return listedInPeopleWindow() > 0; });
     closeDialogs();
-    enter(kMadeUpAdministrator);
+    enter(kDemoAdministrator);
     time(
         "people window, everyone", [&] { trigger("accountPeople"); },
         [&] { return listedInPeopleWindow() == kSpeedTrainees + 2; });
@@ -149,7 +149,7 @@ double load() {
 TEST_F(ScreenSpeed, OfAHundredThousandAttempts) {
   std::printf("%d trainees with %d attempts each, load %.1f; from the click to the painted screen, aim %lld ms\n",
               kSpeedTrainees, kSpeedAttemptsEach, load(), kAim_ms);
-  enter(kMadeUpTeacher);
+  enter(kDemoInstructor);
   auto& people = child<QTableView>("classTable");
   // Standings are worked out once, from all attempts, since these were not made one by one.
   ASSERT_TRUE(shows([&] { return people.model()->rowCount() == kSpeedTrainees && review_->isReady(); }));
@@ -163,13 +163,13 @@ TEST_F(ScreenSpeed, OfAHundredThousandAttempts) {
   since.start();
   beat.start(1);
   time(
-      "signing in, and the class", [&] { enter(kMadeUpTeacher); }, [&] { return listed(people) == kSpeedTrainees; });
+      "signing in, and the class", [&] { enter(kDemoInstructor); }, [&] { return listed(people) == kSpeedTrainees; });
   ASSERT_TRUE(shows([&] { return review_->isReady(); }));
   for (const bool levels : {false, true}) {
-    choose("cohorts", kMadeUpHalf);
+    choose("cohorts", kDemoHalfClass);
     ASSERT_TRUE(shows([&] { return listed(people) == kSpeedTrainees / 2 && review_->isReady(); }));
     time(
-        levels ? "class, with all levels" : "class", [&] { choose("cohorts", kMadeUpClass); },
+        levels ? "class, with all levels" : "class", [&] { choose("cohorts", kDemoClass); },
         [&] { return listed(people) == kSpeedTrainees && (!levels || review_->isReady()); });
   }
   auto& history = child<QTableWidget>("history");

@@ -5,7 +5,7 @@
 #include <insonate/curriculum/Form.h>
 #include <insonate/curriculum/FormStore.h>
 #include <insonate/simulator/ScriptedSession.h>
-#include <insonate/teaching/MadeUpClass.h>
+#include <insonate/teaching/DemoClass.h>
 #include <insonate/ui/Attempts.h>
 
 #include <support/SmallCase.h>
@@ -50,10 +50,10 @@ void judgeNewest(const CurriculumStore& store) {
   FormAnswers answers;
   for (const FormSection& section : form.sections)
     for (const FormItem& item : section.items) answers[item.name] = "done";
-  for (const char* rater : {kMadeUpTeacher, kMadeUpAdministrator}) {
+  for (const char* rater : {kDemoInstructor, kDemoAdministrator}) {
     const SignedIn by = valueOf(store.signIn(rater, kSpeedPassword));
     for (const Cohort& cohort : valueOf(CohortStore(by).cohorts())) {
-      if (cohort.name != kMadeUpClass) continue;
+      if (cohort.name != kDemoClass) continue;
       for (const Member& member : valueOf(CohortStore(by).members(cohort.id))) {
         if (member.teaches) continue;
         const auto newest = valueOf(AttemptStore(by).page(member.person.id, 1));
@@ -71,8 +71,8 @@ void judgeNewest(const CurriculumStore& store) {
 
 void fillSpeedClass(const QString& file, const StoreServices& services) {
   const CurriculumStore store = valueOf(CurriculumStore::open(file.toStdString(), services));
-  const MadeUpPlan plan{.trainees = kSpeedTrainees, .attempts = kMadeUp};
-  succeed(makeUpClass(store, valueOf(loadCurriculum("central_line")), plan, kSpeedPassword));
+  const DemoClassPlan plan{.trainees = kSpeedTrainees, .attempts = kMadeUp};
+  succeed(makeDemoClass(store, valueOf(loadCurriculum("central_line")), plan, kSpeedPassword));
   copyAttempts(file);
   QSqlDatabase::removeDatabase(kConnection);
   judgeNewest(store);

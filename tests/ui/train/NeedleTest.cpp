@@ -33,7 +33,7 @@ TEST_F(TrainNeedle, KeysTakeItUpAimItAndLayItDown) {
   EXPECT_NEAR(hands().needleHand()->heading_deg(), heading_deg + 10, 0.5);
   EXPECT_EQ(model_->motion.numbers().rotation_deg, 0) << "the probe stays";
   child<QPushButton>("needleAcross")->click();
-  EXPECT_EQ(held().angle_deg, NeedleHand::kTaken_deg);
+  EXPECT_EQ(held().angle_deg, NeedleHand::kInitialAngle_deg);
   key(Qt::Key_I);
   EXPECT_FALSE(hands().needleHand());
   EXPECT_FALSE(child<QLineEdit>("needle_depth")->isVisible());

@@ -4,9 +4,9 @@
 #include "support/FovCapture.h"
 #include "support/TestData.h"
 
-#include <insonate/bench/LookFeatures.h>
+#include <insonate/bench/AppearanceFeatures.h>
 #include <insonate/bench/RealismBench.h>
-#include <insonate/simulator/PictureFiles.h>
+#include <insonate/simulator/ImageFiles.h>
 
 #include <gmock/gmock.h>
 
@@ -52,8 +52,8 @@ TEST(FanInside, FindsTheLargestRectangle) {
   cv::Mat mask = cv::Mat::zeros(40, 60, CV_8U);
   mask(cv::Rect(5, 10, 50, 6)) = 1;
   mask(cv::Rect(20, 4, 18, 30)) = 1;
-  EXPECT_EQ(bench::largestRectangle(mask), (PictureBox{20, 4, 18, 30}));
-  EXPECT_EQ(bench::boundsOf(mask), (PictureBox{5, 4, 50, 30}));
+  EXPECT_EQ(bench::largestRectangle(mask), (PixelBox{20, 4, 18, 30}));
+  EXPECT_EQ(bench::boundsOf(mask), (PixelBox{5, 4, 50, 30}));
   EXPECT_EQ(bench::largestRectangle(cv::Mat::zeros(5, 5, CV_8U)).width, 0);
 }
 
@@ -114,7 +114,7 @@ TEST(RealClips, AreTheMiddleSecondOfAFolder) {
 
 TEST(MotionFeatures, TellStillnessFromNoise) {
   const auto value = [](const std::vector<GreyPicture>& frames, const std::string& name) {
-    for (const LookFeature& feature : motionFeatures(frames))
+    for (const AppearanceFeature& feature : motionFeatures(frames))
       if (feature.name == "motion: " + name) return feature.value;
     throw std::runtime_error("no feature " + name);
   };
@@ -212,9 +212,9 @@ TEST(BlindClips, AreScoredByGroup) {
   const auto result = scoreBlindTest(folder / "new/key.csv", {folder / "ratings.csv"});
   ASSERT_TRUE(result) << result.error().message;
   EXPECT_DOUBLE_EQ(result->sensitivity, 0.5);
-  EXPECT_DOUBLE_EQ(result->told.area, 0.75);
+  EXPECT_DOUBLE_EQ(result->separation.area, 0.75);
   std::map<std::string, double> areas;
-  for (const BlindGroup& group : result->groups) areas[group.name] = group.told.area;
+  for (const BlindGroup& group : result->groups) areas[group.name] = group.separation.area;
   EXPECT_EQ(areas, (std::map<std::string, double>{{"clips", 1}, {"linear", 0.5}, {"phased", 1}, {"stills", 0.5}}));
 }
 

@@ -1,9 +1,9 @@
 #include "realism/SourceClassifier.h"
 #include "support/TestData.h"
 
-#include <insonate/bench/LookFeatures.h>
+#include <insonate/bench/AppearanceFeatures.h>
 #include <insonate/bench/RealismBench.h>
-#include <insonate/simulator/PictureFiles.h>
+#include <insonate/simulator/ImageFiles.h>
 
 #include <gmock/gmock.h>
 
@@ -63,22 +63,22 @@ TEST(RocArea, ReadersThatGuessAreNotBelieved) {
 
 GreyPicture painted(const std::function<double(double x_mm, double z_mm)>& gray, double width_mm = 30,
                     double depth_mm = 30) {
-  GreyPicture picture{int(width_mm * kLookPixelsPer_mm), int(depth_mm * kLookPixelsPer_mm), {}};
+  GreyPicture picture{int(width_mm * kFeaturePixelsPer_mm), int(depth_mm * kFeaturePixelsPer_mm), {}};
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x)
       picture.grey.push_back(
-          std::uint8_t(std::clamp(std::lround(gray(x / kLookPixelsPer_mm, y / kLookPixelsPer_mm)), 0L, 255L)));
+          std::uint8_t(std::clamp(std::lround(gray(x / kFeaturePixelsPer_mm, y / kFeaturePixelsPer_mm)), 0L, 255L)));
   return picture;
 }
 
 double valueOf(const GreyPicture& picture, const std::string& name) {
-  const auto features = lookFeatures(picture);
-  const auto found = std::ranges::find(features, name, &LookFeature::name);
+  const auto features = appearanceFeatures(picture);
+  const auto found = std::ranges::find(features, name, &AppearanceFeature::name);
   if (found == features.end()) throw std::runtime_error("no feature " + name);
   return found->value;
 }
 
-TEST(LookFeatures, PowerLiesAtTheFrequencyOfThePattern) {
+TEST(AppearanceFeatures, PowerLiesAtTheFrequencyOfThePattern) {
   const auto wave = [](double perMm, bool lateral) {
     return painted(
         [=](double x, double z) { return 100 + 50 * std::sin(2 * std::numbers::pi * perMm * (lateral ? x : z)); });
@@ -89,7 +89,7 @@ TEST(LookFeatures, PowerLiesAtTheFrequencyOfThePattern) {
   EXPECT_LT(valueOf(wave(0.5, false), "axial power above 1/mm"), 0.02);
 }
 
-TEST(LookFeatures, RailsCorrelateAlongTheFaceAndGrainsDoNot) {
+TEST(AppearanceFeatures, RailsCorrelateAlongTheFaceAndGrainsDoNot) {
   const auto rails = painted([](double, double z) { return std::fmod(z, 5) < 0.4 ? 200 : 30; });
   EXPECT_GT(valueOf(rails, "ridge correlation at 4 mm"), 0.99);
   EXPECT_NEAR(valueOf(rails, "ridge length, mm"), 30, 0.1);
@@ -105,7 +105,7 @@ TEST(LookFeatures, RailsCorrelateAlongTheFaceAndGrainsDoNot) {
 
 /// White noise blurred by a Gaussian has a Gaussian autocorrelation, wider by the root of two: a full width at half
 /// height of 2.355 sqrt(2) sigma.
-TEST(LookFeatures, GrainHasTheWidthOfItsBlur) {
+TEST(AppearanceFeatures, GrainHasTheWidthOfItsBlur) {
   std::mt19937 random(2);
   std::normal_distribution<double> normal;
   constexpr int kSide = 300, kReach = 12;
@@ -127,15 +127,15 @@ TEST(LookFeatures, GrainHasTheWidthOfItsBlur) {
   EXPECT_NEAR(valueOf(image, "grain axial, mm at 10 to 20 mm"), 2.355 * std::sqrt(2) * kAxial_px / 10, 0.05);
 }
 
-TEST(LookFeatures, ImagesAreBroughtToOneScaleAndCut) {
+TEST(AppearanceFeatures, ImagesAreBroughtToOneScaleAndCut) {
   GreyPicture picture{400, 1000, std::vector<std::uint8_t>(400 * 1000, 80)};
-  const auto scaled = atLookScale(picture, 20);
+  const auto scaled = atFeatureScale(picture, 20);
   ASSERT_TRUE(scaled) << scaled.error().message;
   EXPECT_EQ(scaled->width, 200);
   EXPECT_EQ(scaled->height, 300) << "30 mm of 50";
   EXPECT_EQ(scaled->grey[777], 80);
-  EXPECT_THAT(atLookScale(picture, 0).error().message, HasSubstr("1 to 100 pixels per mm"));
-  EXPECT_THAT(atLookScale(picture, 80).error().message, HasSubstr("smaller than 10 x 10 mm"));
+  EXPECT_THAT(atFeatureScale(picture, 0).error().message, HasSubstr("1 to 100 pixels per mm"));
+  EXPECT_THAT(atFeatureScale(picture, 80).error().message, HasSubstr("smaller than 10 x 10 mm"));
 }
 
 /// Real and simulated rows of several sources; each source has an offset of its own, a third feature tells.
@@ -196,7 +196,7 @@ TEST(BlindTest, NothingThatReadersGetTellsWhichIsWhich) {
     EXPECT_THAT(textOf(entry.path()), testing::Not(HasSubstr("textbook"))) << name;
     EXPECT_THAT(textOf(entry.path()), testing::Not(HasSubstr("machine 1"))) << name;
     if (entry.path().extension() != ".jpg") continue;
-    const auto picture = readPicture(entry.path());
+    const auto picture = readGrayImage(entry.path());
     ASSERT_TRUE(picture) << picture.error().message;
     sizes.emplace(picture->width, picture->height), ++images;
   }
@@ -229,7 +229,7 @@ TEST_F(Ratings, AreScoredOverReaders) {
   EXPECT_EQ(result->images, 4);
   EXPECT_DOUBLE_EQ(result->sensitivity, (1 + 0.5) / 2);
   EXPECT_DOUBLE_EQ(result->specificity, (1 + 0.5) / 2);
-  EXPECT_DOUBLE_EQ(result->told.area, (1 + 0.5) / 2);
+  EXPECT_DOUBLE_EQ(result->separation.area, (1 + 0.5) / 2);
 }
 
 TEST_F(Ratings, ThatAreMissingDoubledOrWrongAreNamed) {

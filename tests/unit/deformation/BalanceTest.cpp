@@ -51,7 +51,7 @@ TEST_F(Balance, TheFacePressesWithWhatTheBottomHolds) {
   elastic::Solver solver;
   solver.prepare(mesh, materials, table);
   solver.setPressure(blood);
-  const auto outcome = solver.solve(profile, {}, {.mostIterations = 100, .tolerance_mm = 1e-3f});
+  const auto outcome = solver.solve(profile, {}, {.maxIterations = 100, .tolerance_mm = 1e-3f});
   ASSERT_TRUE(outcome.converged);
   elastic::GridMatrix matrix;
   matrix.resize(mesh.columns(), mesh.rows());

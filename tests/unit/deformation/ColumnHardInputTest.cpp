@@ -12,15 +12,15 @@ namespace {
 void expectSane(const Deformation& answer) {
   EXPECT_TRUE(std::isfinite(answer.force_N) && std::isfinite(answer.faceShift_mm));
   const PlaneDisplacement& d = answer.displacement;
-  ASSERT_EQ(d.restFromSeen.size(), std::size_t(d.columns) * d.rows);
+  ASSERT_EQ(d.restFromDisplayed.size(), std::size_t(d.columns) * d.rows);
   ASSERT_EQ(answer.mesh.size(), std::size_t(answer.meshColumns) * answer.meshRows);
   EXPECT_EQ(answer.moved, !d.empty());
   int wrong = 0;
   for (int c = 0; c < d.columns; ++c)
     for (int r = 0; r < d.rows; ++r) {
       const std::size_t i = std::size_t(r) * d.columns + c;
-      wrong += !std::isfinite(d.restFromSeen[i].z_mm) || d.restFromSeen[i].x_mm != 0;
-      wrong += r > 0 && !(d.step_mm + d.restFromSeen[i].z_mm - d.restFromSeen[i - d.columns].z_mm > 0);
+      wrong += !std::isfinite(d.restFromDisplayed[i].z_mm) || d.restFromDisplayed[i].x_mm != 0;
+      wrong += r > 0 && !(d.step_mm + d.restFromDisplayed[i].z_mm - d.restFromDisplayed[i - d.columns].z_mm > 0);
       wrong += r > 0 && !(answer.mesh[i].z_mm > answer.mesh[i - d.columns].z_mm);
     }
   for (const float pressure : answer.pressure_kPa) wrong += !(pressure >= 0) || std::isinf(pressure);

@@ -149,7 +149,7 @@ TEST_F(Column, TheBottomDoesNotMove) {
   const Deformation answer = solved();
   const PlaneDisplacement& d = answer.displacement;
   ASSERT_NEAR(seenZ(answer, d.rows - 1), 40, 1e-9);
-  for (int c = 0; c < d.columns; ++c) EXPECT_EQ(d.restFromSeen[std::size_t(d.rows - 1) * d.columns + c].z_mm, 0);
+  for (int c = 0; c < d.columns; ++c) EXPECT_EQ(d.restFromDisplayed[std::size_t(d.rows - 1) * d.columns + c].z_mm, 0);
 }
 
 TEST_F(Column, InverseOfForwardWithinATenthOfAMicrometreOfThePoint) {

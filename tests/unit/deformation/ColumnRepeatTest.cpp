@@ -26,9 +26,9 @@ TEST_F(ColumnRepeat, TheSameQuestionHasTheSameAnswer) {
   plane.press_mm = 5;
   model->solve(input, again);
   EXPECT_EQ(again.force_N, first.force_N);
-  ASSERT_EQ(again.displacement.restFromSeen.size(), first.displacement.restFromSeen.size());
-  for (std::size_t i = 0; i < first.displacement.restFromSeen.size(); ++i)
-    ASSERT_EQ(again.displacement.restFromSeen[i].z_mm, first.displacement.restFromSeen[i].z_mm);
+  ASSERT_EQ(again.displacement.restFromDisplayed.size(), first.displacement.restFromDisplayed.size());
+  for (std::size_t i = 0; i < first.displacement.restFromDisplayed.size(); ++i)
+    ASSERT_EQ(again.displacement.restFromDisplayed[i].z_mm, first.displacement.restFromDisplayed[i].z_mm);
 }
 
 TEST_F(ColumnRepeat, ReleaseLeavesNothingBehind) {

@@ -49,7 +49,7 @@ class ColumnRig : public testing::Test {
   /// Rest position of the tissue that is seen at (x of the column, z).
   static double restOf(const Deformation& answer, int column, int row) {
     const PlaneDisplacement& d = answer.displacement;
-    return d.top_mm + row * d.step_mm + d.restFromSeen[std::size_t(row) * d.columns + column].z_mm;
+    return d.top_mm + row * d.step_mm + d.restFromDisplayed[std::size_t(row) * d.columns + column].z_mm;
   }
   static double seenZ(const Deformation& answer, int row) {
     return answer.displacement.top_mm + row * answer.displacement.step_mm;

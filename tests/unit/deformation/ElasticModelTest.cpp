@@ -125,9 +125,9 @@ class ElasticOnTheWay : public testing::Test {
     std::vector<Deformation> pictures;
     int steps = 0;
   };
-  static Way go(double enough_mm, int pictures) {
+  static Way go(double movingTolerance_mm, int pictures) {
     const MechanicalTable table = loadMechanicalTable("measured").value();
-    const auto model = makeDeformationModel("elastic", table, {.enough_mm = enough_mm}).value();
+    const auto model = makeDeformationModel("elastic", table, {.movingTolerance_mm = movingTolerance_mm}).value();
     AnalyticPlane plane = neckScene();
     DeformationInput input;
     input.plane = &plane;

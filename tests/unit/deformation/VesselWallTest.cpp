@@ -16,7 +16,8 @@ class LongVessel : public AnalyticPlane {
     blocks = {{-200, 10, 200, 10 + 2 * kRadius_mm, label}};
     below = kMuscle;
   }
-  void bend(std::span<const PlanePoint> at, float PlaneTissue::*, std::span<OutlineBend> bends) const override {
+  void sampleCurvature(std::span<const PlanePoint> at, float PlaneTissue::*,
+                       std::span<OutlineCurvature> bends) const override {
     for (std::size_t n = 0; n < at.size(); ++n) bends[n] = {0, toldAcross ? float(1 / kRadius_mm) : 0};
   }
 };

@@ -1,4 +1,4 @@
-#include <insonate/haptics/HapticEvidence.h>
+#include <insonate/haptics/HapticMeasurements.h>
 #include <insonate/haptics/SimulatedDevice.h>
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace insonate {
 namespace {
 
 struct Curve {
-  explicit Curve(double speed_mmps = 5) : points(forceDepth(*loadNeedleTable("measured"), speed_mmps, 2, 42)) {}
+  explicit Curve(double speed_mmps = 5) : points(needleForceCurve(*loadNeedleTable("measured"), speed_mmps, 2, 42)) {}
   /// On the way in.
   double most(double from_mm, double to_mm) const {
     double most_N = 0;
@@ -76,7 +76,7 @@ TEST(StableStiffness, AFreeDeviceReachesColgatesBoundAndLittleMore) {
   for (const double b : {0.1, 0.2, 0.5}) {
     DeviceLimits device;
     device.maxForce_N = 1000, device.rate_Hz = 1000, device.mass_kg = 0.2, device.damping_Nspm = b;
-    const double found = greatestStableStiffness_Npmm(device, {0, 0, 0}, false);
+    const double found = maxStableStiffness_Npmm(device, {0, 0, 0}, false);
     const double bound = passiveStiffness_Npmm(device, 0, 1e9);
     EXPECT_GT(found, 0.92 * bound) << b;
     EXPECT_LT(found, 1.08 * bound) << b;
@@ -88,13 +88,13 @@ TEST(StableStiffness, EveryHandIsStableBelowTheBound) {
   device.maxForce_N = 1000, device.rate_Hz = 1000, device.mass_kg = 0.1, device.damping_Nspm = 0.2;
   const double bound = passiveStiffness_Npmm(device, 0, 1e9);
   for (const Grip& grip : {Grip{0.02, 0, 1}, Grip{0.1, 0.2, 2}, Grip{0.3, 1, 10}, Grip{0.5, 0.1, 1}})
-    EXPECT_GE(greatestStableStiffness_Npmm(device, grip, false), 0.92 * bound) << grip.mass_kg;
+    EXPECT_GE(maxStableStiffness_Npmm(device, grip, false), 0.92 * bound) << grip.mass_kg;
 }
 
 TEST(StableStiffness, TheAccountKeepsHandsStableBeyondThem) {
   for (const DeviceProfile& profile : deviceProfiles()) {
-    const double plain = greatestStableStiffness_Npmm(profile.limits, {}, false);
-    const double kept = greatestStableStiffness_Npmm(profile.limits, {}, true);
+    const double plain = maxStableStiffness_Npmm(profile.limits, {}, false);
+    const double kept = maxStableStiffness_Npmm(profile.limits, {}, true);
     EXPECT_GE(kept, 0.9 * plain) << profile.name;
     EXPECT_GE(kept, profile.limits.maxStiffness_Npmm) << profile.name;
   }

@@ -56,7 +56,7 @@ struct LoopRig {
     const std::array<HandPath::Point, 2> want{probe, needle};
     for (int h = 0; h < 2; ++h) {
       hands[h].move(want[h], out.hands[h].force, 0.001);
-      observers[h].look(hands[h].intoLoop_J() + hands[h].lost_J(), norm(out.hands[h].force.force_N) > 0);
+      observers[h].add(hands[h].intoLoop_J() + hands[h].lost_J(), norm(out.hands[h].force.force_N) > 0);
     }
     return out;
   }

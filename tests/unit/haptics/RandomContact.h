@@ -28,9 +28,9 @@ inline Least leastEnergy(const DeviceProfile& profile, Label filling, const char
     const ServoOutput out = rig.tick(probe.next(), needle.next());
     const double sum_J =
         rig.hands[0].intoLoop_J() + rig.hands[0].lost_J() + rig.hands[1].intoLoop_J() + rig.hands[1].lost_J();
-    both.look(sum_J, norm(out.hands[0].force.force_N) + norm(out.hands[1].force.force_N) > 0);
+    both.add(sum_J, norm(out.hands[0].force.force_N) + norm(out.hands[1].force.force_N) > 0);
   }
-  return {rig.observers[0].least_J(), rig.observers[1].least_J(), both.least_J(), rig.events.size()};
+  return {rig.observers[0].minEnergy_J(), rig.observers[1].minEnergy_J(), both.minEnergy_J(), rig.events.size()};
 }
 
 inline void expectPassive(const DeviceProfile& profile, int ticks) {

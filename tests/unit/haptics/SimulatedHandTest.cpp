@@ -72,13 +72,13 @@ TEST(PassiveStiffness, ColgateAndFriction) {
 
 TEST(PassivityObserver, SeesWhatComesBackAndForgetsWhatWasLost) {
   PassivityObserver observer;
-  observer.look(0, false);
-  observer.look(2, true);
-  observer.look(1, true);
-  EXPECT_EQ(observer.least_J(), 0);
-  observer.look(1, false);
-  observer.look(0.5, true);
-  EXPECT_DOUBLE_EQ(observer.least_J(), -0.5);
+  observer.add(0, false);
+  observer.add(2, true);
+  observer.add(1, true);
+  EXPECT_EQ(observer.minEnergy_J(), 0);
+  observer.add(1, false);
+  observer.add(0.5, true);
+  EXPECT_DOUBLE_EQ(observer.minEnergy_J(), -0.5);
 }
 
 TEST(HandPath, GoesFromPointToPoint) {

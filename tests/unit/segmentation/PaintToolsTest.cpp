@@ -126,7 +126,7 @@ TEST(Brush, IntensityLimitedPaintsOnlyWhatIsInRange) {
   const CtVolume ct = noisyCt(test::toolGrids()[1].geometry);
   Selection dab = brushed(ct.geometry, std::array{Vec3{0, 0, 0}}, {.radius_mm = 9});
   const std::size_t all = dab.count();
-  limitTo(ct, {0, 800}, dab);
+  removeOutside(ct, {0, 800}, dab);
   EXPECT_GT(dab.count(), all / 10);
   EXPECT_LT(dab.count(), all / 2);
   for (int k = dab.box.first[2]; k < dab.box.end[2]; ++k)

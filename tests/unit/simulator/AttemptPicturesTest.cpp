@@ -34,10 +34,10 @@ class AttemptPicturesTest : public testing::Test {
   void SetUp() override {
     const auto script = readSessionScript("{\"acts\": [" + std::string(kActs) + "]}", *patient);
     ASSERT_TRUE(script) << script.error().message;
-    SessionPictures pictures{.every_us = 100'000, .take = [&](const LiveFrame& frame) -> Result<void> {
-                               shown[std::llround(frame.time_s * 1e6)] = std::make_shared<LiveFrame>(frame);
-                               return {};
-                             }};
+    SessionImages pictures{.every_us = 100'000, .take = [&](const LiveFrame& frame) -> Result<void> {
+                             shown[std::llround(frame.time_s * 1e6)] = std::make_shared<LiveFrame>(frame);
+                             return {};
+                           }};
     const auto outcome = runSession(*script, *patient, "insonate test", folder / "attempt", {}, pictures);
     ASSERT_TRUE(outcome) << outcome.error().message;
     metrics = outcome->metrics;
@@ -117,10 +117,10 @@ TEST_F(AttemptPicturesTest, AFrozenPictureStandsInTheSessionAndInItsReplay) {
                                         *patient);
   ASSERT_TRUE(script) << script.error().message;
   std::map<std::int64_t, Frame> taken;
-  const SessionPictures wanted{.every_us = 100'000, .take = [&](const LiveFrame& frame) -> Result<void> {
-                                 taken[std::llround(frame.time_s * 1e6)] = std::make_shared<LiveFrame>(frame);
-                                 return {};
-                               }};
+  const SessionImages wanted{.every_us = 100'000, .take = [&](const LiveFrame& frame) -> Result<void> {
+                               taken[std::llround(frame.time_s * 1e6)] = std::make_shared<LiveFrame>(frame);
+                               return {};
+                             }};
   ASSERT_TRUE(runSession(*script, *patient, "insonate test", folder / "frozen", {}, wanted));
   std::vector<std::int64_t> times_us;
   for (const auto& [time_us, frame] : taken) times_us.push_back(time_us);

@@ -17,7 +17,7 @@ AttemptSettings settings() {
   all.setup.tissues = *loadAcousticTable("thesis");
   all.setup.engine = "cpu";
   all.setup.mechanics.tissues = *loadMechanicalTable("thesis");
-  all.setup.mechanics.sticking = true, all.setup.mechanics.settings.mostIterations = 7;
+  all.setup.mechanics.sticking = true, all.setup.mechanics.settings.maxIterations = 7;
   all.setup.mechanics.settings.mesh_mm = 0.7;
   all.physiology.tilt_deg = 15, all.physiology.centralVenous_mmHg = 1.0 / 3;
   all.pulsating = true, all.bloodTime_s = 12.5, all.needle = "measured", all.needleLength_mm = 60;

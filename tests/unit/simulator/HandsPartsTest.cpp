@@ -71,11 +71,12 @@ TEST(FacePatches, BesideTheBodyNothingIsFeltAndNothingAllocated) {
 }
 
 TEST(RestNear, ALinearDisplacementIsTakenOverAndFadesBesideThePlane) {
-  PlaneDisplacement d{.left_mm = -20, .top_mm = -10, .step_mm = 0.5, .columns = 81, .rows = 101, .restFromSeen = {}};
+  PlaneDisplacement d{
+      .left_mm = -20, .top_mm = -10, .step_mm = 0.5, .columns = 81, .rows = 101, .restFromDisplayed = {}};
   for (int row = 0; row < d.rows; ++row)
     for (int column = 0; column < d.columns; ++column) {
       const float x = -20 + 0.5F * column, z = -10 + 0.5F * row;
-      d.restFromSeen.push_back({0.02F * x, -0.1F * z - 1});
+      d.restFromDisplayed.push_back({0.02F * x, -0.1F * z - 1});
     }
   const Transform pose = *patientFromProbe({10, -40, 5}, {0.3, 1, 0}, {1, -0.3, 0});
   const Vec3 point = pose * Vec3{4, 0, 12};
@@ -108,9 +109,9 @@ TEST(NeedleHand, InPlaneItLiesBesideTheProbeAndFlat) {
   const Transform pose = needle.patientFromNeedle();
   EXPECT_NEAR(needle.state().entry_mm.x, -24, 0.1);
   EXPECT_NEAR(needle.state().entry_mm.z, 0, 0.1);
-  EXPECT_NEAR(pose.linear.column[2].x, std::cos(NeedleHand::kTaken_deg * kDegree), 0.02);
-  EXPECT_NEAR(pose.linear.column[2].y, std::sin(NeedleHand::kTaken_deg * kDegree), 0.02);
-  EXPECT_NEAR(pose.linear.column[1].y, std::cos(NeedleHand::kTaken_deg * kDegree), 0.02)
+  EXPECT_NEAR(pose.linear.column[2].x, std::cos(NeedleHand::kInitialAngle_deg * kDegree), 0.02);
+  EXPECT_NEAR(pose.linear.column[2].y, std::sin(NeedleHand::kInitialAngle_deg * kDegree), 0.02);
+  EXPECT_NEAR(pose.linear.column[1].y, std::cos(NeedleHand::kInitialAngle_deg * kDegree), 0.02)
       << "the bevel, along -y, looks out of the skin";
   EXPECT_NEAR(norm(pose.offset - needle.state().entry_mm), 5, 1e-9);
   EXPECT_NEAR(determinant(pose.linear), 1, 1e-9);
@@ -167,7 +168,7 @@ TEST(NeedleHand, AcrossItComesFromTheSideOfThePlane) {
   const Vec3 from = needle.state().entry_mm - held.probe.pose().offset;
   EXPECT_NEAR(std::abs(dot(from, held.probe.pose().linear.column[1])), 12, 0.1);
   EXPECT_LT(dot(needle.state().heading, from), -11.9) << "toward the probe";
-  EXPECT_EQ(needle.state().angle_deg, NeedleHand::kTaken_deg);
+  EXPECT_EQ(needle.state().angle_deg, NeedleHand::kInitialAngle_deg);
 }
 
 TEST(NeedleHand, TurnsAboutItsEntryUntilTissueHoldsIt) {

@@ -34,7 +34,7 @@ TEST(HandsSession, TheProbeFeelsWithWhatForceTheTissueOfThePicturePressesBack) {
   // The hand's target and the place that the tissue permits differ by the force over the grip's stiffness.
   const double wanted_mm = pressedBy(4).offset.y, is_mm = bench.live->latest()->patientFromProbe.offset.y;
   EXPECT_LT(is_mm, wanted_mm - 0.3);
-  EXPECT_GE(device->leastEnergy_J(), 0);
+  EXPECT_GE(device->minEnergy_J(), 0);
 }
 
 TEST(HandsSession, UnpluggedInContactLeavesNoForceAndThePictureWhereItWas) {

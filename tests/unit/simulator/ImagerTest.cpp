@@ -41,7 +41,7 @@ ImagingFrame rendered(const ImagingSetup& setup, const Transform& pose) {
   return frame;
 }
 
-double meanGrey(const BModeImage& image, double lateral_mm, double depth_mm, double radius_mm) {
+double meanGray(const BModeImage& image, double lateral_mm, double depth_mm, double radius_mm) {
   double sum = 0;
   int count = 0;
   for (int row = 0; row < image.height; ++row)
@@ -62,7 +62,7 @@ TEST(Imager, ShowsTheVeinDarkAndWhereItIs) {
   ASSERT_EQ(frame.image.height, 120);
   EXPECT_EQ(frame.envelope.scanlines, 48);
   EXPECT_EQ(frame.envelope.samples, 200);
-  const double vein = meanGrey(frame.image, -3, 12, 3), besides = meanGrey(frame.image, 8, 12, 3);
+  const double vein = meanGray(frame.image, -3, 12, 3), besides = meanGray(frame.image, 8, 12, 3);
   EXPECT_GT(besides, 20);
   EXPECT_LT(vein, besides / 2);
 }
@@ -151,11 +151,11 @@ TEST(SceneRuns, CoverEveryFramesRegion) {
 TEST(CheckReach, NamesThePoseThatSeesNothing) {
   const PatientCase patient = test::smallCase();
   const ImagingSetup setup = smallSetup();
-  EXPECT_TRUE(checkReach(patient, setup, std::vector{poseAt({}), poseAt({20, 5, 3})}));
-  const auto lost = checkReach(patient, setup, std::vector{poseAt({}), poseAt({1000, 0, 0})});
+  EXPECT_TRUE(checkPosesTouchVolume(patient, setup, std::vector{poseAt({}), poseAt({20, 5, 3})}));
+  const auto lost = checkPosesTouchVolume(patient, setup, std::vector{poseAt({}), poseAt({1000, 0, 0})});
   ASSERT_FALSE(lost);
   EXPECT_THAT(lost.error().message, testing::AllOf(HasSubstr("Pose 1"), HasSubstr("1000"), HasSubstr("auto")));
-  EXPECT_FALSE(checkReach(patient, setup, std::vector{poseAt({0, 1e300, 0})}));
+  EXPECT_FALSE(checkPosesTouchVolume(patient, setup, std::vector{poseAt({0, 1e300, 0})}));
 }
 
 }  // namespace

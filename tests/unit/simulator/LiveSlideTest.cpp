@@ -1,6 +1,6 @@
 #include "LiveProbe.h"
 
-#include <insonate/ultrasound/FrameWork.h>
+#include <insonate/ultrasound/FrameCost.h>
 
 #include <cmath>
 
@@ -48,7 +48,7 @@ TEST(LiveSlide, ScenesOfWhatWasMadeAheadAreTheSame) {
   ASSERT_TRUE(source && imager);
   const Region everywhere{{-120, -30, -40}, {120, 60, 40}};
   int made = 0;
-  while ((*source)->makeAhead(everywhere, sceneDetail_mm(setup.probe, setup.settings))) ++made;
+  while ((*source)->precompute(everywhere, sceneDetail_mm(setup.probe, setup.settings))) ++made;
   EXPECT_GE(made, 2) << "pictures below must cross from one part to the next";
   ImagingFrame fresh, ahead;
   for (double x_mm = 20; x_mm <= 36; x_mm += 4) {
@@ -68,9 +68,9 @@ TEST(LiveSlide, WorkAheadStopsWhenTold) {
   ASSERT_TRUE(source);
   const Region everywhere{{-120, -30, -40}, {120, 60, 40}};
   int asked = 0;
-  EXPECT_FALSE((*source)->makeAhead(everywhere, 0.7, [&] { return ++asked > 0; }));
+  EXPECT_FALSE((*source)->precompute(everywhere, 0.7, [&] { return ++asked > 0; }));
   EXPECT_GT(asked, 0);
-  EXPECT_FALSE((*source)->makeAhead({{500, 500, 500}, {600, 600, 600}}, 0.7)) << "nothing lies there";
+  EXPECT_FALSE((*source)->precompute({{500, 500, 500}, {600, 600, 600}}, 0.7)) << "nothing lies there";
 }
 
 }  // namespace

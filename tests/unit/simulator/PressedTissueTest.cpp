@@ -47,7 +47,7 @@ Vec3 restOf(const PlaneDisplacement& d, const Transform& pose, double x_mm, doub
   const double c = std::clamp((x_mm - d.left_mm) / d.step_mm, 0.0, d.columns - 1.001);
   const double r = std::clamp((z_mm - d.top_mm) / d.step_mm, 0.0, d.rows - 1.001);
   const int i = static_cast<int>(c), j = static_cast<int>(r);
-  const auto shift = [&](int a, int b) { return d.restFromSeen[std::size_t(j + b) * d.columns + i + a]; };
+  const auto shift = [&](int a, int b) { return d.restFromDisplayed[std::size_t(j + b) * d.columns + i + a]; };
   const double u = c - i, v = r - j;
   const auto blend = [&](auto of) {
     return (1 - v) * ((1 - u) * of(shift(0, 0)) + u * of(shift(1, 0))) +
@@ -116,7 +116,7 @@ TEST_F(PressedBlock, BoneStopsTheFace) {
   pressed.push(*scene(at(-1)), at(-1), mean(), 45);
   EXPECT_LT(pressed.pose().offset.y, kBone_mm);
   EXPECT_TRUE(pressed.stopped());
-  for (const auto& shift : pressed.deformation().displacement.restFromSeen)
+  for (const auto& shift : pressed.deformation().displacement.restFromDisplayed)
     ASSERT_TRUE(std::isfinite(shift.x_mm) && std::isfinite(shift.z_mm));
 }
 
@@ -152,7 +152,7 @@ TEST(BloodPressureOf, AtRestIsExactlyThatOfTheCt) {
 TEST(DisplacementFile, IsAVectorVolumeInPatientSpace) {
   const test::TemporaryFolder folder;
   const PlaneDisplacement field{
-      .left_mm = -1, .top_mm = -2, .step_mm = 0.5, .columns = 2, .rows = 1, .restFromSeen = {{1, 2}, {0, -3}}};
+      .left_mm = -1, .top_mm = -2, .step_mm = 0.5, .columns = 2, .rows = 1, .restFromDisplayed = {{1, 2}, {0, -3}}};
   // Lateral to the left (+x), axial to the back (+y): columns run along x, rows along y.
   const Transform pose = *patientFromProbe({10, 20, 30}, {0, 1, 0}, {1, 0, 0});
   ASSERT_TRUE(writeDisplacement(field, pose, folder / "u.nrrd"));

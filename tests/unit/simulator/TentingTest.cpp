@@ -19,7 +19,7 @@ Vec3 shiftOf(const PlaneDisplacement& field, Vec3 seen_mm) {
 /// folds.
 double leastVolume(const PlaneDisplacement& d) {
   double least = 1e9;
-  const auto at = [&](int i, int k) { return d.restFromSeen[std::size_t(k) * d.columns + i]; };
+  const auto at = [&](int i, int k) { return d.restFromDisplayed[std::size_t(k) * d.columns + i]; };
   for (int k = 0; k + 1 < d.rows; ++k)
     for (int i = 0; i + 1 < d.columns; ++i)
       for (int corner = 0; corner < 4; ++corner) {
@@ -34,12 +34,13 @@ double leastVolume(const PlaneDisplacement& d) {
 
 /// Waves that squeeze by half here and there.
 PlaneDisplacement wavy() {
-  PlaneDisplacement d{.left_mm = -30, .top_mm = -10, .step_mm = 0.5, .columns = 121, .rows = 121, .restFromSeen = {}};
+  PlaneDisplacement d{
+      .left_mm = -30, .top_mm = -10, .step_mm = 0.5, .columns = 121, .rows = 121, .restFromDisplayed = {}};
   for (int k = 0; k < d.rows; ++k)
     for (int i = 0; i < d.columns; ++i) {
       const double x = d.left_mm + i * d.step_mm, z = d.top_mm + k * d.step_mm;
-      d.restFromSeen.push_back({static_cast<float>(1.5 * std::sin(0.3 * x + 0.1 * z)),
-                                static_cast<float>(-2 + 1.5 * std::cos(0.25 * z - 0.1 * x))});
+      d.restFromDisplayed.push_back({static_cast<float>(1.5 * std::sin(0.3 * x + 0.1 * z)),
+                                     static_cast<float>(-2 + 1.5 * std::cos(0.25 * z - 0.1 * x))});
     }
   return d;
 }
@@ -93,8 +94,9 @@ TEST(Tenting, NeverFolds) {
 }
 
 TEST(Tenting, DentsWhatTheProbeHasPressed) {
-  PlaneDisplacement pressed{.left_mm = -20, .top_mm = 0, .step_mm = 0.5, .columns = 81, .rows = 81, .restFromSeen = {}};
-  pressed.restFromSeen.assign(std::size_t(81) * 81, {0.5F, -3});
+  PlaneDisplacement pressed{
+      .left_mm = -20, .top_mm = 0, .step_mm = 0.5, .columns = 81, .rows = 81, .restFromDisplayed = {}};
+  pressed.restFromDisplayed.assign(std::size_t(81) * 81, {0.5F, -3});
   const Tenting tenting{.tip_mm = {0, 0, 20}, .direction = {0, 0, 1}, .depth_mm = 2, .radius_mm = 3};
   TentedTissue tissue;
   const PlaneDisplacement& both = tissue.with(pressed, {}, tenting);
@@ -129,8 +131,8 @@ TEST(Tenting, WithoutADentIsTheTissueItself) {
 TEST(Tenting, UsesItsMemoryAgain) {
   TentedTissue tissue;
   const Tenting tenting{.tip_mm = {0, 0, 20}, .depth_mm = 3};
-  const auto* first = tissue.with({}, {}, tenting).restFromSeen.data();
-  EXPECT_EQ(tissue.with({}, {.linear = {}, .offset = {1, 0, 2}}, tenting).restFromSeen.data(), first);
+  const auto* first = tissue.with({}, {}, tenting).restFromDisplayed.data();
+  EXPECT_EQ(tissue.with({}, {.linear = {}, .offset = {1, 0, 2}}, tenting).restFromDisplayed.data(), first);
 }
 
 }  // namespace

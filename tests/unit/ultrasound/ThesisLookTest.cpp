@@ -115,7 +115,7 @@ TEST_P(ThesisLook, DisplaysWithTissueGreyAndVesselsDark) {
   const EnvelopeFrame frame = thesisFrame(GetParam(), probe, settings, *scene);
   BModeImage image;
   Display(probe, settings).process(frame, image);
-  const auto meanGrey = [&](double lateral_mm, double axial_mm) {
+  const auto meanGray = [&](double lateral_mm, double axial_mm) {
     double sum = 0;
     int count = 0;
     for (int row = 0; row < image.height; ++row)
@@ -125,7 +125,7 @@ TEST_P(ThesisLook, DisplaysWithTissueGreyAndVesselsDark) {
           sum += image.grey[std::size_t(row) * image.width + column], ++count;
     return sum / count;
   };
-  const double muscle = meanGrey(-15, 16), lumen = meanGrey(-6, 16), shadow = meanGrey(9, 28);
+  const double muscle = meanGray(-15, 16), lumen = meanGray(-6, 16), shadow = meanGray(9, 28);
   EXPECT_GT(muscle, 20);
   EXPECT_LT(muscle, 110);
   EXPECT_LT(lumen, 0.5 * muscle);

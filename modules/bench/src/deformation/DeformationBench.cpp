@@ -75,11 +75,11 @@ Result<Bench> prepareBench(const Progress& progress) {
   return bench;
 }
 
-Result<PressedTissue> makeModel(const Bench& bench, const std::string& model, double mesh_mm, int mostIterations) {
+Result<PressedTissue> makeModel(const Bench& bench, const std::string& model, double mesh_mm, int maxIterations) {
   TissueMechanics mechanics = bench.setup.mechanics;
   mechanics.model = model;
   mechanics.settings.mesh_mm = mesh_mm;
-  return PressedTissue::make(bench.setup.probe, bench.setup.settings, mechanics, mostIterations, true);
+  return PressedTissue::make(bench.setup.probe, bench.setup.settings, mechanics, maxIterations, true);
 }
 
 /// Poses of a hand that compresses, releases and slides back and forth.

@@ -85,7 +85,7 @@ Result<HapticsBenchRow> runServo(const std::string& scenario, double seconds, co
   ServoSetup setup;
   setup.needle = *table;
   for (HandSetup& hand : setup.hands) hand.limits = profile.limits;
-  const auto grid = benchLayers();
+  const auto grid = layeredPhantom();
   ServoThread servo;
   servo.setup(setup);
   servo.show(flatSkin(grid));
@@ -113,12 +113,12 @@ Result<HapticsBenchRow> runServo(const std::string& scenario, double seconds, co
                          .wakeP99_us = timing.wakeP99_us,
                          .wakeMax_us = timing.wakeMax_us,
                          .pictures = 0,
-                         .passivityMin_J = std::min(probe->leastEnergy_J(), needle->leastEnergy_J())};
+                         .passivityMin_J = std::min(probe->minEnergy_J(), needle->minEnergy_J())};
 }
 
 StiffnessRow stiffnessOf(const std::string& name, const DeviceLimits& device, const Grip& grip) {
   return {name, device.maxStiffness_Npmm, passiveStiffness_Npmm(device, 0, kPassiveSpeed_mmps),
-          greatestStableStiffness_Npmm(device, grip, false), greatestStableStiffness_Npmm(device, grip, true)};
+          maxStableStiffness_Npmm(device, grip, false), maxStableStiffness_Npmm(device, grip, true)};
 }
 
 void addStiffness(HapticsBench& bench) {
@@ -133,7 +133,7 @@ Result<void> addCurves(HapticsBench& bench) {
   for (const std::string& name : needlePresetNames()) {
     const auto table = loadNeedleTable(name);
     if (!table) return tl::unexpected(table.error());
-    bench.curves.push_back({name, forceDepth(*table, 5, 2, 41.5)});
+    bench.curves.push_back({name, needleForceCurve(*table, 5, 2, 41.5)});
   }
   return {};
 }

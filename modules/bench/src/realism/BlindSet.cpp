@@ -4,7 +4,7 @@
 
 #include <insonate/core/AtomicFile.h>
 #include <insonate/core/Fingerprint.h>
-#include <insonate/simulator/PictureFiles.h>
+#include <insonate/simulator/ImageFiles.h>
 
 #include <jpeglib.h>
 #include <opencv2/imgproc.hpp>
@@ -132,7 +132,7 @@ Result<std::vector<GreyPicture>> writeImages(const std::vector<BlindImage>& imag
       if (auto ok = writeAtomically(folder / item.files[frame], jpegOf(large, kQuality)); !ok)
         return tl::unexpected(ok.error());
     }
-    auto compressed = readPicture(folder / item.files[item.files.size() / 2]);
+    auto compressed = readGrayImage(folder / item.files[item.files.size() / 2]);
     if (!compressed) return tl::unexpected(compressed.error());
     middles.push_back(std::move(*compressed));
   }

@@ -11,8 +11,8 @@ namespace insonate::bench {
 
 /// For each row, the heights of the columns of set pixels that end in it make a histogram, in which a stack finds the
 /// largest rectangle.
-PictureBox largestRectangle(const cv::Mat& mask) {
-  PictureBox best{};
+PixelBox largestRectangle(const cv::Mat& mask) {
+  PixelBox best{};
   std::vector<int> height(std::size_t(mask.cols) + 1, 0), left;
   for (int y = 0; y < mask.rows; ++y) {
     const auto* row = mask.ptr<std::uint8_t>(y);
@@ -31,7 +31,7 @@ PictureBox largestRectangle(const cv::Mat& mask) {
   return best;
 }
 
-PictureBox boundsOf(const cv::Mat& mask) {
+PixelBox boundsOf(const cv::Mat& mask) {
   const cv::Rect box = cv::boundingRect(mask);
   return {box.x, box.y, box.width, box.height};
 }
@@ -39,7 +39,7 @@ PictureBox boundsOf(const cv::Mat& mask) {
 GreyPicture onlyInside(const GreyPicture& image, const cv::Mat& mask) {
   cv::Mat inside = cv::Mat::zeros(mask.size(), CV_8U);
   bytesOf(image).copyTo(inside, mask);
-  const PictureBox box = boundsOf(mask);
+  const PixelBox box = boundsOf(mask);
   return pictureOf(inside(cv::Rect(box.column, box.row, box.width, box.height)));
 }
 

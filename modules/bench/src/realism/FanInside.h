@@ -5,10 +5,10 @@
 namespace insonate::bench {
 
 /// Returns the largest rectangle of pixels that are not 0; without such pixels, its size is 0.
-PictureBox largestRectangle(const cv::Mat& mask);
+PixelBox largestRectangle(const cv::Mat& mask);
 
 /// Returns the smallest rectangle around all pixels that are not 0.
-PictureBox boundsOf(const cv::Mat& mask);
+PixelBox boundsOf(const cv::Mat& mask);
 
 /// An image whose pixels outside a mask are black, cropped to the mask.
 GreyPicture onlyInside(const GreyPicture& image, const cv::Mat& mask);

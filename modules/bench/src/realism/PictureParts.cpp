@@ -5,7 +5,7 @@
 
 namespace insonate::bench {
 
-GreyPicture cutOut(const std::vector<std::uint8_t>& grey, int width, const PictureBox& box) {
+GreyPicture cutOut(const std::vector<std::uint8_t>& grey, int width, const PixelBox& box) {
   GreyPicture cut{box.width, box.height, {}};
   cut.grey.reserve(std::size_t(box.width) * std::size_t(box.height));
   for (int y = box.row; y < box.row + box.height; ++y) {

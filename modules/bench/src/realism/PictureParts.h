@@ -1,6 +1,6 @@
 #pragma once
 
-#include <insonate/bench/PictureMeasures.h>
+#include <insonate/bench/ImageMeasures.h>
 #include <insonate/ultrasound/FovFit.h>
 
 #include <opencv2/core.hpp>
@@ -10,7 +10,7 @@
 namespace insonate::bench {
 
 /// Returns the part of a gray image (`grey`, `width` columns) inside a box, which must lie in the image.
-GreyPicture cutOut(const std::vector<std::uint8_t>& grey, int width, const PictureBox& box);
+GreyPicture cutOut(const std::vector<std::uint8_t>& grey, int width, const PixelBox& box);
 
 /// Returns an image as an OpenCV matrix of bytes without copying: for reading only, valid as long as the image.
 inline cv::Mat bytesOf(const GreyPicture& picture) {

@@ -1,8 +1,8 @@
 #include "realism/FanInside.h"
 
-#include <insonate/bench/LookFeatures.h>
+#include <insonate/bench/AppearanceFeatures.h>
 #include <insonate/bench/SourceImage.h>
-#include <insonate/simulator/PictureFiles.h>
+#include <insonate/simulator/ImageFiles.h>
 #include <insonate/ultrasound/SetupText.h>
 
 #include <opencv2/imgproc.hpp>
@@ -126,7 +126,7 @@ Result<std::vector<std::filesystem::path>> framesIn(const Entry& entry) {
 }
 
 Result<GreyPicture> readBox(const std::filesystem::path& file, const std::vector<std::string>& box) {
-  auto image = readPicture(file);
+  auto image = readGrayImage(file);
   if (image && !box.empty()) image = insideOf(*image, box);
   return image;
 }
@@ -158,14 +158,14 @@ Result<SourceImage> imageOf(const Entry& entry) {
   const auto middle = readBox(files[files.size() / 2], entry.box);
   if (!middle) return tl::unexpected(middle.error());
   cv::Mat mask;
-  PictureBox measured{0, 0, middle->width, middle->height};
+  PixelBox measured{0, 0, middle->width, middle->height};
   if (entry.probe != ProbeShape::Linear) {
     auto fan = fanMask(*middle, entry.probe);
     if (!fan) return tl::unexpected(fan.error());
     mask = std::move(*fan), measured = bench::largestRectangle(mask);
   }
   const auto measuredPart = [&](const GreyPicture& image) {
-    return atLookScale(bench::cutOut(image.grey, image.width, measured), entry.pixelsPer_mm);
+    return atFeatureScale(bench::cutOut(image.grey, image.width, measured), entry.pixelsPer_mm);
   };
   auto scaled = measuredPart(*middle);
   if (!scaled) return tl::unexpected(scaled.error());

@@ -1,7 +1,7 @@
 #include "realism/PictureParts.h"
 #include "realism/SourceClassifier.h"
 
-#include <insonate/bench/LookFeatures.h>
+#include <insonate/bench/AppearanceFeatures.h>
 #include <insonate/bench/RealismBench.h>
 #include <insonate/ultrasound/SetupText.h>
 
@@ -68,12 +68,12 @@ std::vector<RealismFeature> featuresOf(const std::vector<FeatureRow>& rows, cons
                         .simulated = quantile(made, 0.5),
                         .simulatedLow = quantile(made, 0.1),
                         .simulatedHigh = quantile(made, 0.9),
-                        .told = rocArea(made, real),
+                        .separation = rocArea(made, real),
                         .floor = floorOf(rows, n),
                         .p = rocP(made, real)});
   }
   std::ranges::stable_sort(features, std::greater{},
-                           [](const RealismFeature& feature) { return std::abs(feature.told.area - 0.5); });
+                           [](const RealismFeature& feature) { return std::abs(feature.separation.area - 0.5); });
   return features;
 }
 
@@ -106,8 +106,9 @@ RealismComparison compared(const RealismBench& bench, ProbeShape shape) {
       if (image.probe != shape) continue;
       FeatureRow row{image.source, images == &bench.simulated, {}};
       names.clear();
-      for (const auto& features : {lookFeatures(image.image), motionFeatures(image.frames)})
-        for (const LookFeature& feature : features) row.values.push_back(feature.value), names.push_back(feature.name);
+      for (const auto& features : {appearanceFeatures(image.image), motionFeatures(image.frames)})
+        for (const AppearanceFeature& feature : features)
+          row.values.push_back(feature.value), names.push_back(feature.name);
       ++(row.simulated ? comparison.simulated : comparison.real);
       rows.push_back(std::move(row));
     }
@@ -120,8 +121,8 @@ RealismComparison compared(const RealismBench& bench, ProbeShape shape) {
 
 }  // namespace
 
-bool RealismFeature::isBeyondFloor() const {
-  return p < 0.05 && !(0.5 + std::abs(told.area - 0.5) <= floor);
+bool RealismFeature::exceedsFloor() const {
+  return p < 0.05 && !(0.5 + std::abs(separation.area - 0.5) <= floor);
 }
 
 Result<RealismBench> runRealismBench(std::vector<SourceImage> real, const SimulatedSet& set, const Progress& progress) {
@@ -156,10 +157,10 @@ nlohmann::json toJson(const RealismBench& bench) {
       features.push_back({{"name", f.name},
                           {"real", {number(f.real), number(f.realLow), number(f.realHigh)}},
                           {"simulated", {number(f.simulated), number(f.simulatedLow), number(f.simulatedHigh)}},
-                          {"roc", toJson(f.told)},
+                          {"roc", toJson(f.separation)},
                           {"floor", number(f.floor)},
                           {"p", number(f.p)},
-                          {"beyond_floor", f.isBeyondFloor()}});
+                          {"beyond_floor", f.exceedsFloor()}});
     comparisons.push_back({{"probe", nameOf(comparison.probe)},
                            {"real_images", comparison.real},
                            {"simulated_images", comparison.simulated},
@@ -178,12 +179,12 @@ nlohmann::json toJson(const BlindResult& result) {
     groups.push_back({{"name", group.name},
                       {"real_images", group.real},
                       {"simulated_images", group.simulated},
-                      {"roc", toJson(group.told)}});
+                      {"roc", toJson(group.separation)}});
   return {{"readers", result.readers},
           {"images", result.images},
           {"sensitivity", number(result.sensitivity)},
           {"specificity", number(result.specificity)},
-          {"roc", toJson(result.told)},
+          {"roc", toJson(result.separation)},
           {"groups", std::move(groups)}};
 }
 

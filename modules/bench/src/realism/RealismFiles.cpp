@@ -40,8 +40,8 @@ std::string comparisonText(const RealismComparison& comparison) {
       "|\n|---|---|---|---|---|---|---|\n";
   for (const RealismFeature& f : comparison.features)
     text += "| " + f.name + " | " + rangeOf(f.real, f.realLow, f.realHigh) + " | " +
-            rangeOf(f.simulated, f.simulatedLow, f.simulatedHigh) + " | " + areaOf(f.told) + " | " +
-            fixedOrNone(f.floor, 2) + " | " + fixedOrNone(f.p, 4) + " | " + (f.isBeyondFloor() ? "yes" : "no") + " |\n";
+            rangeOf(f.simulated, f.simulatedLow, f.simulatedHigh) + " | " + areaOf(f.separation) + " | " +
+            fixedOrNone(f.floor, 2) + " | " + fixedOrNone(f.p, 4) + " | " + (f.exceedsFloor() ? "yes" : "no") + " |\n";
   return text + "\n";
 }
 
@@ -69,10 +69,10 @@ std::string table(const RealismBench& bench) {
   for (const RealismComparison& comparison : bench.comparisons)
     for (const RealismFeature& f : comparison.features) {
       text += std::string(nameOf(comparison.probe)) + ",\"" + f.name + '"';
-      for (const double v : {f.real, f.realLow, f.realHigh, f.simulated, f.simulatedLow, f.simulatedHigh, f.told.area,
-                             f.told.low, f.told.high, f.floor, f.p})
+      for (const double v : {f.real, f.realLow, f.realHigh, f.simulated, f.simulatedLow, f.simulatedHigh,
+                             f.separation.area, f.separation.low, f.separation.high, f.floor, f.p})
         text += "," + (std::isfinite(v) ? fixedOrNone(v, 5) : "");
-      text += f.isBeyondFloor() ? ",yes\n" : ",no\n";
+      text += f.exceedsFloor() ? ",yes\n" : ",no\n";
     }
   return text;
 }
@@ -139,7 +139,7 @@ std::vector<BlindGroup> groupResults(const std::map<int, NumberedLine>& key,
     for (const std::string& group : groupsOf(image)) members[group].push_back(number);
   std::vector<BlindGroup> groups;
   for (const auto& [name, numbers] : members) {
-    BlindGroup group{.name = name, .told = {}};
+    BlindGroup group{.name = name, .separation = {}};
     for (const int number : numbers) ++(key.at(number).value ? group.simulated : group.real);
     if (numbers.size() == key.size() || group.real == 0 || group.simulated == 0) continue;
     std::vector<ReaderRatings> readers;
@@ -148,7 +148,7 @@ std::vector<BlindGroup> groupResults(const std::map<int, NumberedLine>& key,
       for (const int number : numbers)
         (key.at(number).value ? reader.positive : reader.negative).push_back(rated.at(number).value);
     }
-    group.told = readersRocArea(readers);
+    group.separation = readersRocArea(readers);
     groups.push_back(std::move(group));
   }
   return groups;
@@ -225,7 +225,7 @@ Result<BlindResult> scoreBlindTest(const fs::path& key, const std::vector<fs::pa
     readers.push_back(std::move(reader));
     all.push_back(std::move(*rated));
   }
-  result.told = readersRocArea(readers);
+  result.separation = readersRocArea(readers);
   result.groups = groupResults(*which, all);
   return result;
 }

@@ -54,9 +54,10 @@ std::string track(const RealismFeature& f) {
   if (std::isfinite(f.floor))
     html +=
         "<i class=\"floor\" style=\"left:" + percent(1 - f.floor) + ";width:" + percent(2 * f.floor - 1) + "\"></i>";
-  return html + "<i class=\"middle\" style=\"left:50%\"></i><i class=\"interval\" style=\"left:" + percent(f.told.low) +
-         ";width:" + percent(f.told.high - f.told.low) +
-         "\"></i><i class=\"area\" style=\"left:" + percent(f.told.area) + "\"></i></div>";
+  return html +
+         "<i class=\"middle\" style=\"left:50%\"></i><i class=\"interval\" style=\"left:" + percent(f.separation.low) +
+         ";width:" + percent(f.separation.high - f.separation.low) +
+         "\"></i><i class=\"area\" style=\"left:" + percent(f.separation.area) + "\"></i></div>";
 }
 
 /// About three digits.
@@ -72,7 +73,7 @@ std::string rangeText(double median, double low, double high) {
 std::string comparisonHtml(const RealismComparison& comparison) {
   std::string name(nameOf(comparison.probe));
   name.front() = char(std::toupper(name.front()));
-  const auto beyond = std::ranges::count_if(comparison.features, &RealismFeature::isBeyondFloor);
+  const auto beyond = std::ranges::count_if(comparison.features, &RealismFeature::exceedsFloor);
   std::string html =
       "<h2>" + name + " probe: " + std::to_string(comparison.real) + " real and " +
       std::to_string(comparison.simulated) + " simulated images</h2>\n<p>" + std::to_string(beyond) + " of " +
@@ -84,10 +85,10 @@ std::string comparisonHtml(const RealismComparison& comparison) {
       ".</p>\n<table><tr><th>feature</th><th>real: median [p10, p90]</th><th>simulated</th><th>ROC area, "
       "0 to 1</th><th></th><th>floor</th><th>p</th></tr>\n";
   for (const RealismFeature& f : comparison.features)
-    html += std::string(f.isBeyondFloor() ? "<tr class=\"beyond\"><td><b>" : "<tr><td>") + escapedHtml(f.name) +
-            (f.isBeyondFloor() ? "</b>" : "") + "</td><td class=\"n\">" + rangeText(f.real, f.realLow, f.realHigh) +
+    html += std::string(f.exceedsFloor() ? "<tr class=\"beyond\"><td><b>" : "<tr><td>") + escapedHtml(f.name) +
+            (f.exceedsFloor() ? "</b>" : "") + "</td><td class=\"n\">" + rangeText(f.real, f.realLow, f.realHigh) +
             "</td><td class=\"n\">" + rangeText(f.simulated, f.simulatedLow, f.simulatedHigh) + "</td><td>" + track(f) +
-            "</td><td class=\"n\">" + areaText(f.told) + "</td><td class=\"n\">" +
+            "</td><td class=\"n\">" + areaText(f.separation) + "</td><td class=\"n\">" +
             (std::isfinite(f.floor) ? fixed(f.floor, 2) : "no data") + "</td><td class=\"n\">" + fixed(f.p, 4) +
             "</td></tr>\n";
   return html + "</table>\n";

@@ -1,7 +1,7 @@
 #include "realism/FanInside.h"
 #include "realism/ImagePlan.h"
 
-#include <insonate/bench/LookFeatures.h>
+#include <insonate/bench/AppearanceFeatures.h>
 #include <insonate/bench/RealismBench.h>
 #include <insonate/cases/Phantom.h>
 #include <insonate/cases/StartPose.h>
@@ -26,7 +26,7 @@ constexpr int kBlackest = 13;
 
 /// Parts of a displayed image that are measured and shown.
 struct ImageParts {
-  PictureBox measured;
+  PixelBox measured;
   cv::Mat mask;  ///< inside of a fan; empty for linear probes
 
   static ImageParts of(const BModeImage& image, const ImagingSetup& setup) {
@@ -42,7 +42,7 @@ struct ImageParts {
   }
 
  private:
-  static PictureBox insideOfLinear(const BModeImage& image, const ImagingSetup& setup) {
+  static PixelBox insideOfLinear(const BModeImage& image, const ImagingSetup& setup) {
     const double half_mm = setup.probe.width_mm / 2;
     const auto column = [&](double mm) { return int(std::lround((mm - image.left_mm) / image.pixel_mm)); };
     const int first = std::max(0, column(-half_mm) + 1), last = std::min(image.width, column(half_mm) - 1);
@@ -117,7 +117,7 @@ class Filming {
   }
   /// Renders all frames with the gain of still(). As on a machine, compounding and persistence use earlier frames.
   Result<std::vector<BModeImage>> clip(std::uint32_t noiseSeed) {
-    auto imager = Imager::make(plan_.setup, CompoundedAngles::InTurn);
+    auto imager = Imager::make(plan_.setup, CompoundingSchedule::OneAnglePerFrame);
     if (!imager) return tl::unexpected(imager.error());
     std::vector<BModeImage> images;
     for (std::size_t n = 0; n < plan_.patientFromProbe.size(); ++n) {
@@ -161,7 +161,7 @@ Result<SourceImage> simulatedImageOf(const PatientCase& patient, const std::stri
   const ProbeShape shape = plan.setup.probe.shape;
   const double pixelsPer_mm = 1 / images.front().pixel_mm;
   const auto measured = [&](const BModeImage& image) -> Result<GreyPicture> {
-    auto scaled = atLookScale(filming->parts().measuredPart(image), pixelsPer_mm);
+    auto scaled = atFeatureScale(filming->parts().measuredPart(image), pixelsPer_mm);
     if (scaled && like && shape == ProbeShape::Linear) return cutLike(*scaled, like->image);
     return scaled;
   };

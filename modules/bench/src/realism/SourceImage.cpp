@@ -1,4 +1,4 @@
-#include <insonate/bench/LookFeatures.h>
+#include <insonate/bench/AppearanceFeatures.h>
 #include <insonate/bench/SourceImage.h>
 
 #include <array>
@@ -29,7 +29,7 @@ std::optional<ScanPlane> scanPlaneNamed(std::string_view name) {
 }
 
 double shownPixelsPer_mm(ProbeShape probe) {
-  return probe == ProbeShape::Linear ? kLookPixelsPer_mm : kLookPixelsPer_mm / 2;
+  return probe == ProbeShape::Linear ? kFeaturePixelsPer_mm : kFeaturePixelsPer_mm / 2;
 }
 
 }  // namespace insonate

@@ -78,7 +78,7 @@ Result<void> scoreMask(const CtVolume& ct, const Mask& mask, const LabelMap& lab
     SegmentationScoreRow row;
     row.variant = "chest CTA", row.contrast = "arterial", row.structure = mask.name;
     row.exactLumen = *exact;
-    if (clicks == 4) row.bar = kChestVesselBar;
+    if (clicks == 4) row.targetDice = kChestVesselBar;
     auto scored = scoreClicks(ct, vessel, clicks, {.largest_mm = mask.largest_mm}, row, progress);
     if (!scored) return tl::unexpected(scored.error());
     rows.push_back(std::move(*scored));

@@ -41,7 +41,8 @@ std::vector<Cells> scores(const SegmentationBench& results) {
   for (const SegmentationScoreRow& r : results.rows)
     rows.push_back({r.variant, r.contrast, r.noise_HU ? fixed(*r.noise_HU, 0) : "", r.structure,
                     std::to_string(r.clicks), fixed(r.dice, 3), orNothing(r.meanSurface_mm), orNothing(r.p95Surface_mm),
-                    orNothing(r.bar), r.bar ? against(r.dice >= *r.bar) : "", withWalls(r.exactLumen)});
+                    orNothing(r.targetDice), r.targetDice ? against(r.dice >= *r.targetDice) : "",
+                    withWalls(r.exactLumen)});
   return rows;
 }
 
@@ -50,8 +51,8 @@ std::vector<Cells> times(const SegmentationBench& results) {
       {"task", "million_voxels", "median_ms", "most_ms", "cpu_ms", "silence_ms", "aimed_at_ms", "bar"}};
   for (const SegmentationTimeRow& r : results.times)
     rows.push_back({r.task, fixed(r.voxels * 1e-6, 1), fixed(r.median_ms, 1), fixed(r.most_ms, 1), fixed(r.cpu_ms, 1),
-                    fixed(r.silence_ms, 1), r.bar_ms ? fixed(*r.bar_ms, 0) : "",
-                    r.bar_ms ? against(r.median_ms <= *r.bar_ms) : ""});
+                    fixed(r.cancelCheckInterval_ms, 1), r.target_ms ? fixed(*r.target_ms, 0) : "",
+                    r.target_ms ? against(r.median_ms <= *r.target_ms) : ""});
   return rows;
 }
 
@@ -78,7 +79,7 @@ std::vector<Cells> summary(const SegmentationBench& results) {
     if (!r.noise_HU) continue;
     const Key key{kindOf(r), r.clicks, r.contrast, *r.noise_HU};
     dice[key].push_back(r.dice);
-    bars[key] = r.bar;
+    bars[key] = r.targetDice;
   }
   std::vector<Cells> rows{
       {"structure", "clicks", "contrast", "noise_HU", "scores", "least", "median", "aimed_at", "met by"}};
@@ -132,7 +133,7 @@ nlohmann::json toJson(const SegmentationBench& results) {
                     {"dice", r.dice},
                     {"mean_surface_mm", orNull(r.meanSurface_mm)},
                     {"p95_surface_mm", orNull(r.p95Surface_mm)},
-                    {"aimed_at", orNull(r.bar)},
+                    {"aimed_at", orNull(r.targetDice)},
                     {"exact_lumen", walls(r.exactLumen)}});
   for (const SegmentationTimeRow& r : results.times)
     tasks.push_back({{"task", r.task},
@@ -140,8 +141,8 @@ nlohmann::json toJson(const SegmentationBench& results) {
                      {"median_ms", r.median_ms},
                      {"max_ms", r.most_ms},
                      {"cpu_ms", r.cpu_ms},
-                     {"silence_ms", r.silence_ms},
-                     {"aimed_at_ms", orNull(r.bar_ms)}});
+                     {"silence_ms", r.cancelCheckInterval_ms},
+                     {"aimed_at_ms", orNull(r.target_ms)}});
   nlohmann::json object{{"rows", rows}, {"times", tasks}, {"notes", results.notes}, {"memory", nullptr}};
   if (const auto& memory = results.memory)
     object["memory"] = {

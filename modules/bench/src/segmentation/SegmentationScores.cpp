@@ -27,7 +27,7 @@ Result<void> scoreAutomatic(const CtVolume& ct, const LabelMap& truth, const Seg
     SegmentationScoreRow row = about;
     row.structure = labelName(score.label);
     row.dice = score.dice, row.meanSurface_mm = score.meanSurface_mm, row.p95Surface_mm = score.p95Surface_mm;
-    row.bar = barOf(score.label);
+    row.targetDice = barOf(score.label);
     rows.push_back(row);
   }
   return {};
@@ -56,7 +56,7 @@ Result<void> scoreVessels(const CtVolume& ct, const std::vector<NamedVessel>& ve
     for (const int clicks : {2, 4}) {
       SegmentationScoreRow row = about;
       row.structure = name;
-      if (clicks == 4) row.bar = kVesselBar;
+      if (clicks == 4) row.targetDice = kVesselBar;
       auto scored = scoreClicks(ct, vessel, clicks, {}, row, progress);
       if (!scored) return tl::unexpected(scored.error());
       rows.push_back(std::move(*scored));

@@ -31,14 +31,14 @@ double cpuMs() {
 
 void TaskTimer::time(const Task& task, int repeats, const std::function<void(const Progress&)>& work) {
   SegmentationTimeRow row;
-  row.task = task.name, row.voxels = task.voxels, row.bar_ms = task.bar_ms;
+  row.task = task.name, row.voxels = task.voxels, row.target_ms = task.target_ms;
   std::vector<double> ms;
   const double cpuBefore = cpuMs();
   for (int n = 0; n < repeats; ++n) {
     const auto start = Clock::now();
     auto asked = start;
     const auto hear = [&] {
-      row.silence_ms = std::max(row.silence_ms, sinceMs(asked));
+      row.cancelCheckInterval_ms = std::max(row.cancelCheckInterval_ms, sinceMs(asked));
       asked = Clock::now();
     };
     work([&](std::string_view doing, double fraction) {

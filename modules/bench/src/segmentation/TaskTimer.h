@@ -15,7 +15,7 @@ class TaskTimer {
   struct Task {
     std::string name;
     double voxels = 0;
-    std::optional<double> bar_ms;
+    std::optional<double> target_ms;
   };
 
   /// `bench` and `progress` must outlive the timer.

@@ -3,7 +3,7 @@
 #include "ultrasound/BenchTables.h"
 
 #include <insonate/core/AtomicFile.h>
-#include <insonate/simulator/PictureFiles.h>
+#include <insonate/simulator/ImageFiles.h>
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -98,7 +98,7 @@ std::string indexPage(const UltrasoundBench& results) {
                      ", processor " + fixed(results.plainLoop.cpu_ms, 1) + ").\n\n" + rowsText(results) + "\n";
   for (const auto& [name, svg] : plotsOf(results)) text += "![" + name + "](" + name + ")\n";
   text += "\n## Stages of W1\n\n" + stagesText(results) + "\n## Realism\n\n" + realismText(results) + "\n";
-  for (const BenchPicture& picture : results.pictures) text += "![" + picture.name + "](" + picture.name + ".png)\n";
+  for (const BenchImage& picture : results.pictures) text += "![" + picture.name + "](" + picture.name + ".png)\n";
   if (!results.penetration.empty()) text += "\n## Penetration\n\n" + penetrationText(results);
   text += "\n## Notes\n\n";
   for (const std::string& note : results.notes) text += "- " + note + "\n";
@@ -138,7 +138,7 @@ Result<void> writeUltrasoundBench(const UltrasoundBench& results, const fs::path
   return writeFolderAtomically(folder, [&](const fs::path& beside) -> Result<void> {
     for (const auto& [name, text] : files)
       if (auto ok = writeAtomically(beside / name, text); !ok) return ok;
-    for (const BenchPicture& picture : results.pictures)
+    for (const BenchImage& picture : results.pictures)
       if (auto ok = writePng(picture.image, beside / (picture.name + ".png")); !ok) return ok;
     return {};
   });

@@ -59,7 +59,7 @@ json jsonOf(const StageLimits& s) {
 }
 
 json jsonOf(const RealismRow& r) {
-  const PictureBox& b = r.box;
+  const PixelBox& b = r.box;
   const json box = b.width > 0 ? json{b.column, b.row, b.width, b.height} : json();
   return {{"variant", r.variant}, {"view", r.view},
           {"measure", r.measure}, {"patch", r.patch},

@@ -2,9 +2,9 @@
 
 #include "ultrasound/FrameTimer.h"
 
-#include <insonate/bench/PictureMeasures.h>
+#include <insonate/bench/ImageMeasures.h>
 #include <insonate/ultrasound/BeamGrid.h>
-#include <insonate/ultrasound/FrameWork.h>
+#include <insonate/ultrasound/FrameCost.h>
 #include <insonate/ultrasound/Frames.h>
 
 #include <tbb/info.h>
@@ -110,15 +110,15 @@ PlaneDisplacement pressedTissue(const Probe& probe, const ImagingSettings& setti
                       .step_mm = kStep_mm,
                       .columns = 0,
                       .rows = 0,
-                      .restFromSeen = {}};
+                      .restFromDisplayed = {}};
   d.columns = 1 + static_cast<int>(std::ceil((grid.maxLateral_mm() - grid.minLateral_mm()) / kStep_mm));
   d.rows = 1 + static_cast<int>(std::ceil((grid.maxAxial_mm() - grid.minAxial_mm()) / kStep_mm));
   for (int k = 0; k < d.rows; ++k)
     for (int i = 0; i < d.columns; ++i) {
       const double depth_mm = std::max(0.0, d.top_mm + k * kStep_mm), left = std::exp(-depth_mm / kReach_mm);
       const double x_mm = d.left_mm + i * kStep_mm;
-      d.restFromSeen.push_back({static_cast<float>(-kIndentation_mm * left * x_mm / (2 * kReach_mm)),
-                                static_cast<float>(-kIndentation_mm * left)});
+      d.restFromDisplayed.push_back({static_cast<float>(-kIndentation_mm * left * x_mm / (2 * kReach_mm)),
+                                     static_cast<float>(-kIndentation_mm * left)});
     }
   return d;
 }

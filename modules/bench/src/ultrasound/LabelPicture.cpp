@@ -120,8 +120,8 @@ std::vector<PixelMask> parts(const PixelMask& mask, int leastPixels) {
   return sorted;
 }
 
-PictureBox largestBox(const PixelMask& mask, int mostWidth, int mostHeight) {
-  PictureBox best;
+PixelBox largestBox(const PixelMask& mask, int mostWidth, int mostHeight) {
+  PixelBox best;
   std::vector<int> tall(mask.width, 0);  // chosen pixels from this row upward, at most mostHeight
   for (int row = 0; row < mask.height; ++row) {
     for (int column = 0; column < mask.width; ++column)

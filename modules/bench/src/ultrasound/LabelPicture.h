@@ -1,6 +1,6 @@
 #pragma once
 
-#include <insonate/bench/PictureMeasures.h>
+#include <insonate/bench/ImageMeasures.h>
 #include <insonate/simulator/Imager.h>
 
 #include <vector>
@@ -25,12 +25,12 @@ class LabelPicture {
   PixelMask maskOf(const std::vector<std::uint8_t>& labels) const;
   double pixel_mm() const { return pixel_mm_; }
   /// Returns the bounding box of the pixels inside the field of view.
-  PictureBox fieldOfView() const { return fieldOfView_; }
+  PixelBox fieldOfView() const { return fieldOfView_; }
 
  private:
   int width_, height_;
   double pixel_mm_ = 0;
-  PictureBox fieldOfView_;
+  PixelBox fieldOfView_;
   std::vector<std::uint8_t> label_;
 };
 
@@ -39,6 +39,6 @@ PixelMask eroded(const PixelMask& mask, int pixels);
 /// Returns the connected components (4 neighbors) of a mask with at least `leastPixels` pixels, largest first.
 std::vector<PixelMask> parts(const PixelMask& mask, int leastPixels);
 /// Returns the largest box inside the mask, limited to `mostWidth` x `mostHeight`; empty if there is none.
-PictureBox largestBox(const PixelMask& mask, int mostWidth, int mostHeight);
+PixelBox largestBox(const PixelMask& mask, int mostWidth, int mostHeight);
 
 }  // namespace insonate::bench

@@ -3,7 +3,7 @@
 #include "ultrasound/LabelPicture.h"
 #include "ultrasound/RealismRanges.h"
 
-#include <insonate/bench/PictureMeasures.h>
+#include <insonate/bench/ImageMeasures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +56,7 @@ class PictureScore {
 
   int pixels(double mm) const { return static_cast<int>(std::lround(mm / labels_.pixel_mm())); }
 
-  void add(std::string_view measure, double value, const std::string& patch, const PictureBox& box = {}) {
+  void add(std::string_view measure, double value, const std::string& patch, const PixelBox& box = {}) {
     const auto range = std::find_if(std::begin(kRealismRanges), std::end(kRealismRanges),
                                     [&](const RealismRange& r) { return r.measure == measure; });
     if (!std::isfinite(value) || range == std::end(kRealismRanges)) return;
@@ -65,17 +65,16 @@ class PictureScore {
   }
 
   /// A box of at most this size, inside the labels with a margin; empty if there is no room.
-  PictureBox patchIn(const std::vector<std::uint8_t>& labels, double margin_mm, double width_mm,
-                     double height_mm) const {
+  PixelBox patchIn(const std::vector<std::uint8_t>& labels, double margin_mm, double width_mm, double height_mm) const {
     const PixelMask inside = eroded(labels_.maskOf(labels), pixels(margin_mm));
-    const PictureBox box = largestBox(inside, pixels(width_mm), pixels(height_mm));
+    const PixelBox box = largestBox(inside, pixels(width_mm), pixels(height_mm));
     const int least = pixels(kLeastPatch_mm);
-    return box.width >= least && box.height >= least ? box : PictureBox{};
+    return box.width >= least && box.height >= least ? box : PixelBox{};
   }
 
   void measureGrey() {
-    const PictureBox box = labels_.fieldOfView();
-    const GreyShares g = greyShares(image_, box);
+    const PixelBox box = labels_.fieldOfView();
+    const GrayStatistics g = grayStatistics(image_, box);
     const std::string patch = "field of view";
     add("grey p25", g.p25, patch, box);
     add("grey p50", g.p50, patch, box);
@@ -93,10 +92,10 @@ class PictureScore {
   void measureEvenPatch() {
     // The only sufficiently large tissues without structure of their own.
     std::string patch = "thyroid";
-    PictureBox box = patchIn({kThyroid}, 0.8, 8, 6);
+    PixelBox box = patchIn({kThyroid}, 0.8, 8, 6);
     if (box.width == 0) patch = "gland", box = patchIn({kGland}, 0.8, 8, 6);
     if (box.width == 0) return;
-    const Grain grain = grainOf(image_, box);
+    const SpeckleStatistics grain = speckleStatistics(image_, box);
     if (patch == "thyroid") thyroidMean_ = grain.mean;
     add("grain axial FWHM, mm", grain.axial_mm, patch, box);
     add("grain lateral FWHM, mm", grain.lateral_mm, patch, box);
@@ -106,9 +105,9 @@ class PictureScore {
   }
 
   void measureMuscle() {
-    const PictureBox box = patchIn({kSternocleidomastoid}, 1.0, 12, 5);
+    const PixelBox box = patchIn({kSternocleidomastoid}, 1.0, 12, 5);
     if (box.width == 0) return;
-    const Grain grain = grainOf(image_, box);
+    const SpeckleStatistics grain = speckleStatistics(image_, box);
     add("muscle mean", grain.mean, "sternocleidomastoid", box);
     add("muscle SD over mean", grain.sd / std::max(grain.mean, 1.0), "sternocleidomastoid", box);
   }
@@ -117,7 +116,7 @@ class PictureScore {
     std::vector<Lumen> lumens;
     for (const std::uint8_t label : {kVein, kArtery})
       for (const PixelMask& part : parts(labels_.maskOf({label}), pixels(3) * pixels(3))) {
-        const PictureBox box = largestBox(eroded(part, pixels(0.5)), pixels(30), pixels(10));
+        const PixelBox box = largestBox(eroded(part, pixels(0.5)), pixels(30), pixels(10));
         if (std::min(box.width, box.height) >= pixels(1.5)) lumens.push_back(lumenOf(image_, box));
       }
     const auto addMedian = [&](std::string_view measure, double Lumen::*field) {
@@ -144,9 +143,9 @@ class PictureScore {
   }
 
   /// The widest piece of bone surface that stays within 2 mm of depth, as its bounding box.
-  PictureBox flatBone() const {
+  PixelBox flatBone() const {
     const std::vector<int> surface = boneSurface();
-    PictureBox best;
+    PixelBox best;
     for (int first = 0; first < image_.width; ++first) {
       if (surface[first] < 0) continue;
       int top = surface[first], bottom = top;
@@ -160,14 +159,14 @@ class PictureScore {
   }
 
   void measureBone() {
-    const PictureBox bone = flatBone();
+    const PixelBox bone = flatBone();
     const int bottom = labels_.fieldOfView().row + labels_.fieldOfView().height;
     const int shadowTop = bone.row + bone.height + pixels(1.5);
     if (bone.width < pixels(4) || bone.row < pixels(5) || bottom - shadowTop < pixels(2)) return;
-    const double line = lineGrey(image_, {bone.column, bone.row - pixels(0.5), bone.width, bone.height + pixels(1.2)});
-    const double above = meanGrey(image_, {bone.column, bone.row - pixels(3.5), bone.width, pixels(2)});
+    const double line = lineGray(image_, {bone.column, bone.row - pixels(0.5), bone.width, bone.height + pixels(1.2)});
+    const double above = meanGray(image_, {bone.column, bone.row - pixels(3.5), bone.width, pixels(2)});
     const double shadow =
-        meanGrey(image_, {bone.column, shadowTop, bone.width, std::min(pixels(4), bottom - shadowTop)});
+        meanGray(image_, {bone.column, shadowTop, bone.width, std::min(pixels(4), bottom - shadowTop)});
     add("bone or pleura line grey", line, "bone", bone);
     add("line over tissue above", line / std::max(above, 1.0), "bone", bone);
     add("shadow over tissue above", shadow / std::max(above, 1.0), "bone", bone);
@@ -183,9 +182,9 @@ class PictureScore {
         const int above = row - pixels(4);
         airway.chosen[std::size_t(row) * airway.width + column] &= above >= 0 && all.at(column, above);
       }
-    const PictureBox box = largestBox(eroded(airway, pixels(0.4)), pixels(8), pixels(8));
+    const PixelBox box = largestBox(eroded(airway, pixels(0.4)), pixels(8), pixels(8));
     if (std::min(box.width, box.height) < pixels(1.5)) return;
-    add("air shadow over thyroid", meanGrey(image_, box) / thyroidMean_, "airway", box);
+    add("air shadow over thyroid", meanGray(image_, box) / thyroidMean_, "airway", box);
   }
 
   const BModeImage& image_;

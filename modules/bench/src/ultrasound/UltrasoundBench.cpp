@@ -8,7 +8,7 @@
 #include <insonate/cases/Phantom.h>
 #include <insonate/cases/StartPose.h>
 #include <insonate/simulator/ProbePose.h>
-#include <insonate/ultrasound/FrameWork.h>
+#include <insonate/ultrasound/FrameCost.h>
 
 #include <hwy/targets.h>
 #include <tbb/info.h>
@@ -59,7 +59,7 @@ BenchComputer describeMachine(double seconds) {
 }
 
 /// Stages of W1; those of processors compared with the limits of the same number of threads.
-std::vector<StageLimits> stageLimits(const UltrasoundBench& bench, const std::vector<StageWork>& work) {
+std::vector<StageLimits> stageLimits(const UltrasoundBench& bench, const std::vector<StageCost>& work) {
   std::vector<StageLimits> all;
   const UltrasoundBenchRow& w1 = bench.rows.front();
   for (const UltrasoundBenchRow& row : bench.rows) {
@@ -70,7 +70,7 @@ std::vector<StageLimits> stageLimits(const UltrasoundBench& bench, const std::ve
                                      [&](const BenchComputer::Limits& l) { return l.threads == row.threads; });
     for (const StageTime& stage : row.stages) {
       StageLimits s{.engine = row.engine, .stage = stage.name, .threads = row.threads, .time = stage};
-      const auto known = row.engine == kW1Engine ? std::ranges::find(work, stage.name, &StageWork::name) : work.end();
+      const auto known = row.engine == kW1Engine ? std::ranges::find(work, stage.name, &StageCost::name) : work.end();
       if (known != work.end() && stage.min_ms > 0 && limits != bench.machine.limits.end()) {
         // Times of the engine are sums over threads, so that rates apply to one thread.
         const bool summed = known - work.begin() < 4;
@@ -194,7 +194,7 @@ Result<UltrasoundBench> runUltrasoundBench(const UltrasoundBenchPlan& plan, cons
   setup.tissues = withMarks(setup.tissues);
   if (auto imager = Imager::make(setup); !imager) return tl::unexpected(imager.error());
   const std::vector<Transform> path = movingProbe(plan.start);
-  if (auto ok = checkReach(plan.patient, setup, path); !ok) return tl::unexpected(ok.error());
+  if (auto ok = checkPosesTouchVolume(plan.patient, setup, path); !ok) return tl::unexpected(ok.error());
   Region region = regionOf(setup.probe, setup.settings, path.front());
   for (const SceneRun& run : sceneRuns(setup, path))
     for (int axis = 0; axis < 3; ++axis) {
@@ -220,7 +220,7 @@ Result<UltrasoundBench> runUltrasoundBench(const UltrasoundBenchPlan& plan, cons
     if (auto ok = rows->measureNeedle(bench.rows); !ok) return tl::unexpected(ok.error());
   }
   bench.plainLoop = timePlainLoop(marked, path);
-  bench.stages = stageLimits(bench, frameWork(setup.probe, setup.settings, **scene));
+  bench.stages = stageLimits(bench, frameCost(setup.probe, setup.settings, **scene));
 
   if (!report(progress, "measuring images", done++ / steps)) return fail(std::string(kCancelled));
   const std::vector<StartPose> views = viewsOf(plan.patient, false);

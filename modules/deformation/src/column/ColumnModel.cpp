@@ -23,7 +23,7 @@ double sane(double value, double low, double high, double otherwise) {
 /// Resets the answer to no motion; keeps its memory.
 void rest(Deformation& answer) {
   answer.displacement.columns = answer.displacement.rows = 0;
-  answer.displacement.restFromSeen.clear();
+  answer.displacement.restFromDisplayed.clear();
   answer.mesh.clear();
   answer.pressure_kPa.clear();
   answer.lumens.clear();
@@ -118,8 +118,8 @@ class ColumnModel : public DeformationModel {
     field.step_mm = grid.step_mm();
     field.columns = answer.meshColumns = grid.columns();
     field.rows = answer.meshRows = grid.rows() + 1;
-    field.restFromSeen.assign(std::size_t(field.columns) * field.rows, {});
-    answer.mesh.resize(field.restFromSeen.size());
+    field.restFromDisplayed.assign(std::size_t(field.columns) * field.rows, {});
+    answer.mesh.resize(field.restFromDisplayed.size());
     seen_mm.resize(field.rows);
     for (int c = 0; c < grid.columns(); ++c) {
       placeSprings(c);
@@ -167,7 +167,7 @@ class ColumnModel : public DeformationModel {
         const double left = 1 - springs.strain(grid.label(c, spring), loads[c].pressure_kPa);
         shift_mm = grid.z_mm(spring + 1) - (seen_mm[spring + 1] - z_mm) / left - z_mm;
       }
-      field.restFromSeen[std::size_t(r) * field.columns + c].z_mm = static_cast<float>(shift_mm);
+      field.restFromDisplayed[std::size_t(r) * field.columns + c].z_mm = static_cast<float>(shift_mm);
     }
   }
 
@@ -176,8 +176,8 @@ class ColumnModel : public DeformationModel {
   void fillAirColumns(PlaneDisplacement& field) const {
     const auto copy = [&](int from, int to) {
       for (int r = 0; r < field.rows; ++r)
-        field.restFromSeen[std::size_t(r) * field.columns + to] =
-            field.restFromSeen[std::size_t(r) * field.columns + from];
+        field.restFromDisplayed[std::size_t(r) * field.columns + to] =
+            field.restFromDisplayed[std::size_t(r) * field.columns + from];
     };
     for (int c = 0; c < field.columns; ++c) {
       if (grid.column(c).met) continue;

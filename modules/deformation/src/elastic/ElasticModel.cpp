@@ -38,9 +38,9 @@ class ElasticModel final : public DeformationModel {
     load.force_kPa_mm = static_cast<float>(input.force_N * 1000 / input.face.footprint_mm);
     load.shift_mm = load.force_kPa_mm > 0 ? shift_ : 0;
     load.sticking = input.face.sticking;
-    const Solver::Patience patience{settings_.mostIterations,
+    const Solver::Patience patience{settings_.maxIterations,
                                     settings_.tolerance_mm > 0 ? float(settings_.tolerance_mm) : kTolerance_mm,
-                                    static_cast<float>(settings_.enough_mm)};
+                                    static_cast<float>(settings_.movingTolerance_mm)};
     bool found = carried && attempt(input, face, load, patience, answer);
     if (!found) {
       // Starts from rest: in the first solution, or if the transferred solution failed.
@@ -145,7 +145,7 @@ class ElasticModel final : public DeformationModel {
             solved_ ? -solver_.cellPressure()[std::size_t(j) * mesh_.columns() + i] : 0;
     if (!solved_) {
       answer.displacement.columns = answer.displacement.rows = 0;
-      answer.displacement.restFromSeen.clear();
+      answer.displacement.restFromDisplayed.clear();
       return true;
     }
     InverseMapExtent extent;

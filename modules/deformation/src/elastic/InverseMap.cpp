@@ -38,7 +38,7 @@ void fillTriangle(const Corner& a, const Corner& b, const Corner& c, PlaneDispla
       const float x = left + k * step - a.x, z = top + r * step - a.z;
       const float u = x * uByX + z * uByZ, v = x * vByX + z * vByZ;
       if (u < -kTolerance || v < -kTolerance || u + v > 1 + kTolerance) continue;
-      out.restFromSeen[std::size_t(r) * out.columns + k] = {
+      out.restFromDisplayed[std::size_t(r) * out.columns + k] = {
           a.shiftX + u * (b.shiftX - a.shiftX) + v * (c.shiftX - a.shiftX),
           a.shiftZ + u * (b.shiftZ - a.shiftZ) + v * (c.shiftZ - a.shiftZ)};
     }
@@ -51,13 +51,13 @@ void fillRest(PlaneDisplacement& out) {
     PlaneDisplacement::Shift last{};
     for (int pass = 0; pass < 2; ++pass)
       for (int i = 0; i < out.rows; ++i) {
-        auto& here = out.restFromSeen[std::size_t(pass == 0 ? out.rows - 1 - i : i) * out.columns + k];
+        auto& here = out.restFromDisplayed[std::size_t(pass == 0 ? out.rows - 1 - i : i) * out.columns + k];
         if (here.x_mm != kNone)
           last = here;
         else if (i > 0)
           here = last;
       }
-    if (auto& bottom = out.restFromSeen[std::size_t(out.rows - 1) * out.columns + k]; bottom.x_mm == kNone)
+    if (auto& bottom = out.restFromDisplayed[std::size_t(out.rows - 1) * out.columns + k]; bottom.x_mm == kNone)
       bottom = last;
   }
 }
@@ -83,16 +83,16 @@ bool unfold(PlaneDisplacement& out, std::vector<int>& folded) {
     folded.clear();
     for (int r = 0; r + 1 < out.rows; ++r)
       for (int c = 0; c + 1 < nx; ++c)
-        if (const int k = r * nx + c; turned(&out.restFromSeen[k]))
+        if (const int k = r * nx + c; turned(&out.restFromDisplayed[k]))
           folded.insert(folded.end(), {k, k + 1, k + nx, k + nx + 1});
     if (folded.empty()) return true;
     for (const int k : folded) {
       const int c = k % nx, r = k / nx;
-      const auto* at = &out.restFromSeen[k];
+      const auto* at = &out.restFromDisplayed[k];
       const auto &left = at[c > 0 ? -1 : 0], &right = at[c + 1 < nx ? 1 : 0];
       const auto &above = at[r > 0 ? -nx : 0], &below = at[r + 1 < out.rows ? nx : 0];
-      out.restFromSeen[k] = {(left.x_mm + right.x_mm + above.x_mm + below.x_mm) / 4,
-                             (left.z_mm + right.z_mm + above.z_mm + below.z_mm) / 4};
+      out.restFromDisplayed[k] = {(left.x_mm + right.x_mm + above.x_mm + below.x_mm) / 4,
+                                  (left.z_mm + right.z_mm + above.z_mm + below.z_mm) / 4};
     }
   }
   return false;
@@ -107,7 +107,7 @@ bool invertMesh(const Mesh& mesh, const Nodes& now, const InverseMapExtent& exte
   out.top_mm = extent.top_mm;
   out.columns = static_cast<int>(std::lround(2 * extent.half_mm / extent.step_mm)) + 1;
   out.rows = static_cast<int>(std::lround((extent.bottom_mm - extent.top_mm) / extent.step_mm)) + 1;
-  out.restFromSeen.assign(std::size_t(out.columns) * out.rows, {kNone, 0});
+  out.restFromDisplayed.assign(std::size_t(out.columns) * out.rows, {kNone, 0});
   const Nodes& rest = mesh.rest();
   const int nx = mesh.columns();
   const auto corner = [&](std::size_t n) {

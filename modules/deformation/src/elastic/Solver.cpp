@@ -263,7 +263,7 @@ Solver::Outcome Solver::solve(const FaceProfile& face, Load load, const Patience
   const bool carried = std::exchange(carried_, false);
   float shiftChange = 0, downhill = 0;
   bool toAndFro = false;
-  for (; out.iterations < patience.mostIterations && !out.converged; ++out.iterations) {
+  for (; out.iterations < patience.maxIterations && !out.converged; ++out.iterations) {
     pressed(load, out.shift_mm);
     if (toAndFro) drawBack(load, downhill, shiftChange, out.shift_mm);
     step_ = force_;
@@ -287,7 +287,7 @@ Solver::Outcome Solver::solve(const FaceProfile& face, Load load, const Patience
     out.shift_mm += share * shiftChange;
     // A cautious step is shorter than the remaining distance.
     out.converged = share == 1 && out.iterations > 0 && longest < (caution_ > 0 ? 0.5f : 1.0f) * patience.tolerance_mm;
-    if (carried && share == 1 && longest < patience.enough_mm) {
+    if (carried && share == 1 && longest < patience.movingTolerance_mm) {
       ++out.iterations;
       break;
     }

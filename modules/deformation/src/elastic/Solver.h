@@ -47,9 +47,10 @@ class Solver {
     bool sticking = false;
   };
   struct Patience {
-    int mostIterations = 60;
+    int maxIterations = 60;
     float tolerance_mm = 0.01f;
-    float enough_mm = 0;  ///< a solution that continues an earlier one is accepted when a step is shorter than this
+    float movingTolerance_mm =
+        0;  ///< a solution that continues an earlier one is accepted when a step is shorter than this
   };
   struct Outcome {
     int iterations = 0;

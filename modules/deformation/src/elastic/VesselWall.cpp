@@ -11,10 +11,10 @@ constexpr float kLeastRadius_mm = 0.5f, kMostRadius_mm = 20;
 
 }  // namespace
 
-TubeStiffness tubeStiffness(const MechanicalTissue& vessel, const OutlineBend& bend) {
-  const float both = bend.within_permm + bend.across_permm;
-  if (both <= 0 || bend.across_permm <= 0) return {};
-  const float share = std::min(bend.across_permm / both, 1.0f);
+TubeStiffness tubeStiffness(const MechanicalTissue& vessel, const OutlineCurvature& bend) {
+  const float both = bend.inPlane_permm + bend.outOfPlane_permm;
+  if (both <= 0 || bend.outOfPlane_permm <= 0) return {};
+  const float share = std::min(bend.outOfPlane_permm / both, 1.0f);
   const float radius_mm = std::clamp(1 / both, kLeastRadius_mm, kMostRadius_mm);
   constexpr double kPoisson = 0.49;
   const double tube = vessel.wallYoung_kPa / (1 - kPoisson * kPoisson) * vessel.wall_mm / radius_mm;
@@ -23,8 +23,8 @@ TubeStiffness tubeStiffness(const MechanicalTissue& vessel, const OutlineBend& b
   return {wider, std::min(wider, static_cast<float>(share * 3 * std::max(vessel.pressure_kPa, 0.0)))};
 }
 
-OutlineBend TubeFinder::meanBend(const Mesh& mesh, const TissuePlane& plane, float PlaneTissue::*outline,
-                                 const std::vector<float>& shares) {
+OutlineCurvature TubeFinder::meanBend(const Mesh& mesh, const TissuePlane& plane, float PlaneTissue::*outline,
+                                      const std::vector<float>& shares) {
   const std::size_t nx = mesh.columns();
   const Nodes& rest = mesh.rest();
   points_.clear();
@@ -37,11 +37,12 @@ OutlineBend TubeFinder::meanBend(const Mesh& mesh, const TissuePlane& plane, flo
     points_.resize((points_.size() + step - 1) / step);
   }
   bends_.resize(points_.size());
-  plane.bend(points_, outline, bends_);
-  OutlineBend mean;
-  for (const OutlineBend& b : bends_) mean.within_permm += b.within_permm, mean.across_permm += b.across_permm;
+  plane.sampleCurvature(points_, outline, bends_);
+  OutlineCurvature mean;
+  for (const OutlineCurvature& b : bends_)
+    mean.inPlane_permm += b.inPlane_permm, mean.outOfPlane_permm += b.outOfPlane_permm;
   const auto count = static_cast<float>(points_.size());
-  return {std::max(mean.within_permm / count, 0.0f), std::max(mean.across_permm / count, 0.0f)};
+  return {std::max(mean.inPlane_permm / count, 0.0f), std::max(mean.outOfPlane_permm / count, 0.0f)};
 }
 
 void TubeFinder::find(const Mesh& mesh, const TissuePlane& plane, float PlaneTissue::*outline,

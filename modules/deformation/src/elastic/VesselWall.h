@@ -32,7 +32,7 @@ struct TubeStiffness {
 
 /// Returns the stiffness that the curved wall of one vessel adds, under the pressure at which the CT was taken; `bend`
 /// is the mean curvature of the vessel's outline.
-TubeStiffness tubeStiffness(const MechanicalTissue& vessel, const OutlineBend& bend);
+TubeStiffness tubeStiffness(const MechanicalTissue& vessel, const OutlineCurvature& bend);
 
 /// Finds the stiffness that vessel walls add to each cell, numbered as in Mesh::middle(): all cells of a connected part
 /// of a vessel in this plane get the same value. `shares` are the shares of the cells' areas that are lumen.
@@ -42,13 +42,13 @@ class TubeFinder {
             const std::vector<float>& shares, std::vector<TubeStiffness>& stiffness);
 
  private:
-  OutlineBend meanBend(const Mesh& mesh, const TissuePlane& plane, float PlaneTissue::*outline,
-                       const std::vector<float>& shares);
+  OutlineCurvature meanBend(const Mesh& mesh, const TissuePlane& plane, float PlaneTissue::*outline,
+                            const std::vector<float>& shares);
 
   std::vector<char> seen_;
   std::vector<std::size_t> part_;
   std::vector<PlanePoint> points_;
-  std::vector<OutlineBend> bends_;
+  std::vector<OutlineCurvature> bends_;
 };
 
 }  // namespace insonate::elastic

@@ -125,12 +125,12 @@ void Equilibrium::advance(const Load& load, const Vector& step) {
   state.at += step;
 }
 
-Equilibrium::Outcome Equilibrium::solve(Load& load, double force_kPa_mm, double tolerance_mm, int mostIterations) {
+Equilibrium::Outcome Equilibrium::solve(Load& load, double force_kPa_mm, double tolerance_mm, int maxIterations) {
   Outcome out;
   if (load.meeting.size() == 0) load.meeting = state.at;
   if (force_kPa_mm > 0) load.shift_mm = state.shift_mm;
   int cautious = 0;
-  for (; out.iterations < mostIterations && !out.converged; ++out.iterations) {
+  for (; out.iterations < maxIterations && !out.converged; ++out.iterations) {
     if (!factor(load, cautious > 0)) {
       if (cautious > 0) return out;
       cautious = kCautiousRounds + 1;

@@ -28,7 +28,7 @@ class Equilibrium {
   };
   /// Finds the equilibrium with the face at load.shift_mm or, if force_kPa_mm is above 0, at the shift at which the
   /// face presses with that force. Stores in `load` the positions at which nodes met the face, and the shift.
-  Outcome solve(Load& load, double force_kPa_mm, double tolerance_mm, int mostIterations);
+  Outcome solve(Load& load, double force_kPa_mm, double tolerance_mm, int maxIterations);
 
   /// Returns the full Newton step from the present state without applying it; zero if the tangent is not positive
   /// definite.

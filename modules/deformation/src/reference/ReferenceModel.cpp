@@ -76,7 +76,7 @@ class ReferenceModel final : public DeformationModel {
     const double steps = input.force_N > 0 ? input.force_N / kForceStep_N : deepest_mm_ / kPressStep_mm;
     double missed_mm = 0;
     const auto solve = [&](Load load, double part, double tolerance_mm) {
-      const auto out = equilibrium.solve(load, part * force_kPa_mm, tolerance_mm, settings_.mostIterations);
+      const auto out = equilibrium.solve(load, part * force_kPa_mm, tolerance_mm, settings_.maxIterations);
       answer.iterations += out.iterations;
       missed_mm = out.missed_mm;
       if (!out.converged || !equilibrium.inOrder()) return false;
@@ -131,7 +131,7 @@ class ReferenceModel final : public DeformationModel {
       answer.pressure_kPa[n] = static_cast<float>(tensionOf(cell, load.blood, cell.area).value - value);
     }
     answer.displacement.columns = answer.displacement.rows = 0;
-    answer.displacement.restFromSeen.clear();
+    answer.displacement.restFromDisplayed.clear();
     if (!answer.moved) return;
     elastic::InverseMapExtent extent;
     extent.half_mm = mesh.lines().across.end_mm() + 5;

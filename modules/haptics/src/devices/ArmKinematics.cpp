@@ -48,8 +48,8 @@ std::array<double, 3> ArmKinematics::currents_mA(const std::array<double, 3>& an
     current[i] = dot(wayPerAngle[i], force) * arm_.bodyTurnsPerMotorTurn[i] / arm_.torque_NmmPermA[i];
     most = std::max(most, std::abs(current[i]));
   }
-  if (most > arm_.mostCurrent_mA)
-    for (double& i : current) i *= arm_.mostCurrent_mA / most;
+  if (most > arm_.maxCurrent_mA)
+    for (double& i : current) i *= arm_.maxCurrent_mA / most;
   return current;
 }
 

@@ -108,7 +108,7 @@ ArmTable readArm(const Json& json, std::string& trouble) {
   arm.torque_NmmPermA = threeIn(entry, "torque_Nmm_per_mA", 1e-6, 10);
   arm.homeAngle_deg = threeIn(entry, "home_angle_deg", -360, 360);
   arm.centre_mm = vectorIn(entry, "centre_mm", -2000, 2000);
-  arm.mostCurrent_mA = entry.number("most_current_mA", 1, 32767);
+  arm.maxCurrent_mA = entry.number("most_current_mA", 1, 32767);
   for (const double turns : arm.bodyTurnsPerMotorTurn)
     if (turns == 0) entry.refuse("has a 0 in 'body_turns_per_motor_turn'.");
   return arm;

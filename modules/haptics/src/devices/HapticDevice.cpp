@@ -29,7 +29,7 @@ std::string_view nameOf(DevicePhase phase) {
   return "";
 }
 
-Force heldWithin(const DeviceLimits& limits, const Force& force) noexcept {
+Force limitedForce(const DeviceLimits& limits, const Force& force) noexcept {
   Force held;
   if (limits.forceAxes >= 3) held.force_N = shortened(force.force_N, limits.maxForce_N);
   if (limits.forceAxes >= 6) held.torque_Nmm = shortened(force.torque_Nmm, limits.maxTorque_Nmm);

@@ -136,7 +136,7 @@ bool HidDevice::readAll(std::int64_t& now_ns) {
 
 void HidDevice::receive(std::span<const std::uint8_t> report, std::int64_t now_ns) {
   if (recorder_ && recorder_->isRunning()) recorder_->put(info_.id, table_->name, true, report);
-  if (decoder_.take(report) != ReportFate::kTaken) {
+  if (decoder_.take(report) != ReportOutcome::kDecoded) {
     refused_.fetch_add(1, std::memory_order_relaxed);
     return;
   }
@@ -164,7 +164,7 @@ bool HidDevice::sendForce(std::int64_t now_ns) {
   // Without positions no force: a silent device is no longer at the place for which the force was computed.
   const bool alive = age_ns < kForceLife_ns && reported_ns_ != 0 && now_ns - reported_ns_ < kForceLife_ns;
   sent_ns_ = now_ns;
-  return write(alive ? heldWithin(info_.limits, latest_->force) : Force{});
+  return write(alive ? limitedForce(info_.limits, latest_->force) : Force{});
 }
 
 bool HidDevice::write(const Force& force) {

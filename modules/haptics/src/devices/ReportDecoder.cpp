@@ -67,25 +67,25 @@ void ReportDecoder::reset() noexcept {
   counters_ = {};
 }
 
-const ReportLayout* ReportDecoder::layoutOf(int id, std::size_t bytes, ReportFate& fate) const noexcept {
+const ReportLayout* ReportDecoder::layoutOf(int id, std::size_t bytes, ReportOutcome& fate) const noexcept {
   const ReportLayout* best = nullptr;
-  fate = ReportFate::kUnknown;
+  fate = ReportOutcome::kUnknown;
   for (const ReportLayout& layout : table_.input) {
     if (layout.id != id) continue;
     const auto wanted = static_cast<std::size_t>(layout.bytes);
     if (bytes < wanted || (layout.exact && bytes > wanted)) {
-      if (!best) fate = bytes < wanted ? ReportFate::kShort : ReportFate::kLong;
+      if (!best) fate = bytes < wanted ? ReportOutcome::kShort : ReportOutcome::kLong;
     } else if (!best || layout.bytes > best->bytes) {
       best = &layout;
-      fate = ReportFate::kTaken;
+      fate = ReportOutcome::kDecoded;
     }
   }
   return best;
 }
 
-ReportFate ReportDecoder::take(std::span<const std::uint8_t> report) noexcept {
-  if (report.empty()) return ReportFate::kUnknown;
-  ReportFate fate{};
+ReportOutcome ReportDecoder::take(std::span<const std::uint8_t> report) noexcept {
+  if (report.empty()) return ReportOutcome::kUnknown;
+  ReportOutcome fate{};
   const ReportLayout* layout = nullptr;
   std::span<const std::uint8_t> payload = report;
   if (numbered_) {
@@ -94,7 +94,7 @@ ReportFate ReportDecoder::take(std::span<const std::uint8_t> report) noexcept {
   }
   // A table may contain both forms of a device, with and without ids.
   if (!layout) {
-    ReportFate plain{};
+    ReportOutcome plain{};
     layout = layoutOf(0, report.size(), plain);
     if (!numbered_ || layout) fate = plain;
     if (layout) payload = report;

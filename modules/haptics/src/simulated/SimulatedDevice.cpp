@@ -44,8 +44,8 @@ bool SimulatedDevice::take(DeviceState& state) noexcept {
   time_ns_ = now_ns;
   if (phase_ == DevicePhase::kLost) force_ = {};
   if (step_s > 0) hand_.move(intent.path.at(time_s), force_, step_s);
-  observer_.look(hand_.intoLoop_J() + hand_.lost_J(), norm(force_.force_N) > 0);
-  least_J_ = observer_.least_J();
+  observer_.add(hand_.intoLoop_J() + hand_.lost_J(), norm(force_.force_N) > 0);
+  minEnergy_J_ = observer_.minEnergy_J();
   if (phase_ == DevicePhase::kLost) return false;
   state = hand_.state(now_ns);
   ++taken_;
@@ -53,7 +53,7 @@ bool SimulatedDevice::take(DeviceState& state) noexcept {
 }
 
 void SimulatedDevice::push(const Force& force) noexcept {
-  force_ = heldWithin(info_.limits, force);
+  force_ = limitedForce(info_.limits, force);
   ++pushed_;
 }
 

@@ -48,9 +48,9 @@ DeviceState SimulatedHand::state(std::int64_t time_ns) const {
   return state;
 }
 
-void PassivityObserver::look(double into_J, bool felt) {
+void PassivityObserver::add(double into_J, bool felt) {
   if (!felt) begin_J_ = into_J;
-  least_J_ = std::min(least_J_, into_J - begin_J_);
+  minEnergy_J_ = std::min(minEnergy_J_, into_J - begin_J_);
 }
 
 }  // namespace insonate

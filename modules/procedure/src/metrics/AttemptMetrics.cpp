@@ -244,7 +244,7 @@ NeedlePlace AttemptMetrics::needle() const {
   return s.vein.inside() ? NeedlePlace::Vein : NeedlePlace::Underway;
 }
 
-std::optional<std::int64_t> AttemptMetrics::drawingBlood_us() const {
+std::optional<std::int64_t> AttemptMetrics::aspiratingBloodSince_us() const {
   return state_->drawing ? std::optional(state_->drawing->since_us) : std::nullopt;
 }
 

@@ -117,7 +117,7 @@ Bytes encoded(const Stretch& stretch) {
     });
     putChannel(bytes, values);
   }
-  for (const Stretch::Happened& happened : stretch.events) {
+  for (const Stretch::PlacedEvent& happened : stretch.events) {
     record::put(bytes, happened.afterSamples);
     putEvent(bytes, happened.event);
   }

@@ -64,7 +64,7 @@ class Proposer {
   }
   Result<Proposal> operator()(const step::Paint& s) const {
     Selection chosen = brushed(ct_.geometry, s.points_mm, {.radius_mm = s.radius_mm, .sliceAxis = s.sliceAxis});
-    if (s.only_HU) limitTo(ct_, *s.only_HU, chosen);
+    if (s.only_HU) removeOutside(ct_, *s.only_HU, chosen);
     return painted(std::move(chosen), step_.label);
   }
   Result<Proposal> operator()(const step::Draw& s) const {

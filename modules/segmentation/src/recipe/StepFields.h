@@ -117,7 +117,7 @@ void fields(Io& io, step::GrowSeeds& s) {
   io("seeds", s.seeds);
   io("into", s.over);
   io("smoothing_mm", s.competition.smoothing_mm, 0, 10);
-  io("per_mm_HU", s.competition.perMm_HU, 0, kMaxHuPerMm);
+  io("per_mm_HU", s.competition.lengthCost_HUpmm, 0, kMaxHuPerMm);
 }
 template <class Io>
 void fields(Io& io, step::Watershed& s) {

@@ -48,7 +48,7 @@ Seeds seedsOf(const LabelMap& labels, const VoxelBox& box, const LabelSet& which
   return seeds;
 }
 
-Result<Proposal> grownFromSeeds(const CtVolume& ct, const Seeds& seeds, const Competition& competition,
+Result<Proposal> grownFromSeeds(const CtVolume& ct, const Seeds& seeds, const SeedCompetition& competition,
                                 const Progress& progress) {
   if (auto ok = checkSeeds(seeds); !ok) return tl::unexpected(ok.error());
   return guarded([&] {
@@ -59,7 +59,7 @@ Result<Proposal> grownFromSeeds(const CtVolume& ct, const Seeds& seeds, const Co
     SeedFront front(grown, seeds.contested);
     front.run(work, [&](std::uint32_t cost, std::uint32_t from, std::uint32_t to, int axis) {
       const double way_HU =
-          std::abs(hu.voxels[to] - hu.voxels[from]) + competition.perMm_HU * hu.geometry.spacing_mm[axis];
+          std::abs(hu.voxels[to] - hu.voxels[from]) + competition.lengthCost_HUpmm * hu.geometry.spacing_mm[axis];
       return cost + whole(kStepsPerHu * way_HU);
     });
     return grown;

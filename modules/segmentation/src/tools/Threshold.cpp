@@ -95,7 +95,7 @@ void proposeThreshold(const CtVolume& ct, HuRange range, std::uint8_t label, con
   });
 }
 
-void limitTo(const CtVolume& ct, HuRange range, Selection& chosen) {
+void removeOutside(const CtVolume& ct, HuRange range, Selection& chosen) {
   rows(ct, chosen.box, chosen.mask, [=](const std::int16_t* hu, std::uint8_t* out, int count, std::size_t) {
     for (int i = 0; i < count; ++i) out[i] &= static_cast<std::uint8_t>(range.contains(hu[i]));
   });

@@ -57,7 +57,7 @@ NeedleHand NeedleHand::beside(const ProbeHand& probe, double halfWidth_mm, Needl
   const bool isAlong = plane == NeedlePlane::Along;
   const Vec3 aside = isAlong ? -lateral * (halfWidth_mm + kBesideFace_mm) : elevation * kBesideHousing_mm;
   needle.state_.inward = probe.state().inward;
-  needle.state_.angle_deg = kTaken_deg;
+  needle.state_.angle_deg = kInitialAngle_deg;
   // If the scan ends there, the needle starts under the probe.
   needle.state_.entry_mm = probe.state().skin_mm;
   if (isAlong && needle.putInPlane(pose, pose.offset + aside, -aside)) return needle;

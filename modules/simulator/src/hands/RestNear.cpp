@@ -33,11 +33,11 @@ Transform restNear(const PlaneDisplacement& displacement, const Transform& patie
   };
   const Vec3 acrossX = (shift(at.x + kHalf_mm, at.z) - shift(at.x - kHalf_mm, at.z)) / (2 * kHalf_mm);
   const Vec3 acrossZ = (shift(at.x, at.z + kHalf_mm) - shift(at.x, at.z - kHalf_mm)) / (2 * kHalf_mm);
-  Transform restFromSeen{{{Vec3{1, 0, 0} + acrossX, Vec3{0, 1, 0}, Vec3{0, 0, 1} + acrossZ}}, {}};
-  const double stretch = determinant(restFromSeen.linear);
-  if (!(stretch > kMinStretch && stretch < kMaxStretch)) restFromSeen.linear = {};
-  restFromSeen.offset = at + shift(at.x, at.z) - restFromSeen.linear * at;
-  return patientFromProbe * restFromSeen * probeFromPatient;
+  Transform restFromDisplayed{{{Vec3{1, 0, 0} + acrossX, Vec3{0, 1, 0}, Vec3{0, 0, 1} + acrossZ}}, {}};
+  const double stretch = determinant(restFromDisplayed.linear);
+  if (!(stretch > kMinStretch && stretch < kMaxStretch)) restFromDisplayed.linear = {};
+  restFromDisplayed.offset = at + shift(at.x, at.z) - restFromDisplayed.linear * at;
+  return patientFromProbe * restFromDisplayed * probeFromPatient;
 }
 
 void restAlongMiddle(const PlaneDisplacement& displacement, const Transform& patientFromProbe, double depth_mm,

@@ -8,7 +8,7 @@ std::size_t bytesOf(const LiveFrame& frame) {
          frame.press.mesh.pressure_kPa.capacity() * sizeof(float);
 }
 
-Cine::Cine(std::size_t mostBytes) : mostBytes_(mostBytes), ring_(kMaxFrames) {}
+Cine::Cine(std::size_t maxBytes) : maxBytes_(maxBytes), ring_(kMaxFrames) {}
 
 void Cine::dropOldest() {
   bytes_ -= bytesOf(*ring_[first_]);
@@ -19,7 +19,7 @@ void Cine::dropOldest() {
 
 void Cine::push(Frame frame) {
   const std::size_t added = bytesOf(*frame);
-  while (count_ > 0 && (bytes_ + added > mostBytes_ || count_ == kMaxFrames)) dropOldest();
+  while (count_ > 0 && (bytes_ + added > maxBytes_ || count_ == kMaxFrames)) dropOldest();
   bytes_ += added;
   ring_[(first_ + count_++) % kMaxFrames] = std::move(frame);
 }

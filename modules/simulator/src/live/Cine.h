@@ -13,7 +13,7 @@ class Cine {
  public:
   using Frame = std::shared_ptr<const LiveFrame>;
 
-  explicit Cine(std::size_t mostBytes);
+  explicit Cine(std::size_t maxBytes);
 
   /// Adds an image and drops the oldest ones until all fit; the latest image is kept even if it does not fit.
   void push(Frame frame);
@@ -27,7 +27,7 @@ class Cine {
   const Frame& at(std::size_t i) const { return ring_[(first_ + i) % kMaxFrames]; }
   void dropOldest();
 
-  std::size_t mostBytes_, bytes_ = 0;
+  std::size_t maxBytes_, bytes_ = 0;
   std::size_t first_ = 0, count_ = 0;
   std::vector<Frame> ring_;
 };

@@ -97,7 +97,7 @@ Result<std::unique_ptr<LiveImaging>> LiveImaging::make(CaseVolumes patient, cons
     return fail(
         "The probe's pose is not a rotation with a position. Use a pose from patientFromProbe() or a start pose.");
   if (auto ok = checkPhysiology(options.physiology); !ok) return tl::unexpected(ok.error());
-  auto imager = Imager::make(setup, CompoundedAngles::InTurn);
+  auto imager = Imager::make(setup, CompoundingSchedule::OneAnglePerFrame);
   if (!imager) return tl::unexpected(imager.error());
   auto tissue = PressedTissue::make(setup.probe, setup.settings, setup.mechanics, Impl::kIterations);
   if (!tissue) return tl::unexpected(tissue.error());

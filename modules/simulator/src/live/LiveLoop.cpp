@@ -125,7 +125,7 @@ void LiveImaging::Impl::takeInputs() {
   if (const auto needle = needles_.take()) needle_ = *needle;
   if (auto setup = setups_.take()) {
     jobFailed_ = false;
-    auto imager = Imager::make(**setup, CompoundedAngles::InTurn);
+    auto imager = Imager::make(**setup, CompoundingSchedule::OneAnglePerFrame);
     auto tissue = PressedTissue::make((*setup)->probe, (*setup)->settings, (*setup)->mechanics, kIterations);
     if (imager && tissue)
       next_.emplace(std::move(*setup), std::move(*imager), std::move(*tissue), patient_.labels->geometry);

@@ -12,7 +12,7 @@ constexpr double kPulse_s = 1.0 / 30;
 bool samePress(const ImagingSetup& a, const ImagingSetup& b) {
   const ProbeFace faceA = faceOf(a.probe, a.mechanics), faceB = faceOf(b.probe, b.mechanics);
   return a.mechanics == b.mechanics && faceA.width_mm == faceB.width_mm && faceA.radius_mm == faceB.radius_mm &&
-         pressWindow(a.probe, a.settings, a.mechanics) == pressWindow(b.probe, b.settings, b.mechanics);
+         deformationWindow(a.probe, a.settings, a.mechanics) == deformationWindow(b.probe, b.settings, b.mechanics);
 }
 
 }  // namespace

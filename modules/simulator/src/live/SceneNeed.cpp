@@ -1,6 +1,6 @@
 #include "live/SceneNeed.h"
 
-#include <insonate/ultrasound/FrameWork.h>
+#include <insonate/ultrasound/FrameCost.h>
 
 #include <algorithm>
 #include <cmath>

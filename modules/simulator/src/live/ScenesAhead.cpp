@@ -45,7 +45,7 @@ void ScenesAhead::work() {
     bool more = false;
     try {
       more = arena.execute(
-          [&] { return source_->makeAhead(wanted.region_mm, wanted.detail_mm, [this] { return stopping_.load(); }); });
+          [&] { return source_->precompute(wanted.region_mm, wanted.detail_mm, [this] { return stopping_.load(); }); });
     } catch (const std::bad_alloc&) {
       // On failure, scenes are computed when they are needed.
     }

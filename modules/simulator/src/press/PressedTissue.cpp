@@ -34,7 +34,7 @@ bool isSane(const Deformation& answer) {
   const auto sane = [](const PlaneDisplacement::Shift& shift) {
     return std::abs(shift.x_mm) < kFarthest_mm && std::abs(shift.z_mm) < kFarthest_mm;
   };
-  return std::isfinite(answer.force_N) && std::ranges::all_of(answer.displacement.restFromSeen, sane);
+  return std::isfinite(answer.force_N) && std::ranges::all_of(answer.displacement.restFromDisplayed, sane);
 }
 
 bool near(double force_N, double wanted_N) {
@@ -44,7 +44,7 @@ bool near(double force_N, double wanted_N) {
 /// Keeps the allocated memory.
 void clear(Deformation& answer) {
   answer.displacement.columns = answer.displacement.rows = 0;
-  answer.displacement.restFromSeen.clear();
+  answer.displacement.restFromDisplayed.clear();
   answer.force_N = answer.faceShift_mm = 0;
   answer.lumens.clear();
   answer.iterations = answer.meshColumns = answer.meshRows = 0;
@@ -99,7 +99,7 @@ BloodPressure bloodPressure(const Physiology& physiology, const MechanicalTable&
 
 class PressedTissue::Impl {
  public:
-  Impl(const ProbeFace& face, const PressWindow& window, const MechanicalTable& tissues,
+  Impl(const ProbeFace& face, const DeformationWindow& window, const MechanicalTable& tissues,
        std::unique_ptr<DeformationModel> model, bool tellsRest)
       : tellsRest_(tellsRest),
         plane_(window),
@@ -247,17 +247,17 @@ PressedTissue& PressedTissue::operator=(PressedTissue&&) noexcept = default;
 PressedTissue::~PressedTissue() = default;
 
 Result<PressedTissue> PressedTissue::make(const Probe& probe, const ImagingSettings& settings,
-                                          const TissueMechanics& mechanics, int mostIterations, bool lumensAtRest) {
+                                          const TissueMechanics& mechanics, int maxIterations, bool lumensAtRest) {
   if (auto ok = validate(mechanics); !ok) return tl::unexpected(ok.error());
   std::unique_ptr<DeformationModel> model;
   if (mechanics.model != kNoDeformation) {
     DeformationSettings own = mechanics.settings;
-    if (mostIterations > 0) own.mostIterations = mostIterations, own.enough_mm = kEnough_mm;
+    if (maxIterations > 0) own.maxIterations = maxIterations, own.movingTolerance_mm = kEnough_mm;
     auto made = makeDeformationModel(mechanics.model, mechanics.tissues, own);
     if (!made) return tl::unexpected(made.error());
     model = std::move(*made);
   }
-  return PressedTissue(std::make_unique<Impl>(faceOf(probe, mechanics), pressWindow(probe, settings, mechanics),
+  return PressedTissue(std::make_unique<Impl>(faceOf(probe, mechanics), deformationWindow(probe, settings, mechanics),
                                               mechanics.tissues, std::move(model), lumensAtRest));
 }
 

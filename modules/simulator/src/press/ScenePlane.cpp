@@ -15,21 +15,22 @@ void ScenePlane::sample(std::span<const PlanePoint> at, std::span<PlaneTissue> t
   sampleBeside(at, {}, tissue);
 }
 
-void ScenePlane::bend(std::span<const PlanePoint> at, float PlaneTissue::*outline, std::span<OutlineBend> bends) const {
+void ScenePlane::sampleCurvature(std::span<const PlanePoint> at, float PlaneTissue::*outline,
+                                 std::span<OutlineCurvature> bends) const {
   // Wide enough that the roughness of the outline (some hundredths of a millimeter) has no effect.
   constexpr double kAside_mm = 2;
   here_.resize(at.size()), beside_.resize(at.size());
   sampleBeside(at, {}, here_);
-  std::fill(bends.begin(), bends.end(), OutlineBend{});
-  const auto add = [&](Vec3 aside_mm, float OutlineBend::*part) {
+  std::fill(bends.begin(), bends.end(), OutlineCurvature{});
+  const auto add = [&](Vec3 aside_mm, float OutlineCurvature::*part) {
     sampleBeside(at, aside_mm, beside_);
     for (std::size_t n = 0; n < at.size(); ++n)
       bends[n].*part += (beside_[n].*outline - here_[n].*outline) / float(kAside_mm * kAside_mm);
   };
   for (const double aside_mm : {-kAside_mm, kAside_mm}) {
-    add({aside_mm, 0, 0}, &OutlineBend::within_permm);
-    add({0, 0, aside_mm}, &OutlineBend::within_permm);
-    add({0, aside_mm, 0}, &OutlineBend::across_permm);
+    add({aside_mm, 0, 0}, &OutlineCurvature::inPlane_permm);
+    add({0, 0, aside_mm}, &OutlineCurvature::inPlane_permm);
+    add({0, aside_mm, 0}, &OutlineCurvature::outOfPlane_permm);
   }
 }
 

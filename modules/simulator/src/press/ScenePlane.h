@@ -12,18 +12,20 @@ namespace insonate::press {
 /// the window, the tissue at the window's edge is continued, so that results do not depend on the extent of the scene.
 class ScenePlane final : public TissuePlane {
  public:
-  explicit ScenePlane(const PressWindow& window) : window_(window) {}
+  explicit ScenePlane(const DeformationWindow& window) : window_(window) {}
 
-  /// Sets scene and probe pose. The scene must cover the window and outlive all calls of sample() and bend().
+  /// Sets scene and probe pose. The scene must cover the window and outlive all calls of sample() and
+  /// sampleCurvature().
   void look(const AcousticScene& scene, const Transform& patientFromProbe);
 
   void sample(std::span<const PlanePoint> at, std::span<PlaneTissue> tissue) const override;
-  void bend(std::span<const PlanePoint> at, float PlaneTissue::*outline, std::span<OutlineBend> bends) const override;
+  void sampleCurvature(std::span<const PlanePoint> at, float PlaneTissue::*outline,
+                       std::span<OutlineCurvature> bends) const override;
 
  private:
   void sampleBeside(std::span<const PlanePoint> at, Vec3 aside_mm, std::span<PlaneTissue> tissue) const;
 
-  PressWindow window_;
+  DeformationWindow window_;
   const AcousticScene* scene_ = nullptr;
   Transform patientFromProbe_;
   mutable std::vector<PlanePoint> points_;

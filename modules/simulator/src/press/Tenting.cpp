@@ -67,8 +67,8 @@ const PlaneDisplacement& TentedTissue::with(const PlaneDisplacement& pressed, co
   dented_.left_mm = pressed.left_mm, dented_.top_mm = pressed.top_mm, dented_.step_mm = pressed.step_mm;
   dented_.columns = pressed.columns, dented_.rows = pressed.rows;
   if (pressed.empty()) layAround(dent, dented_);
-  dented_.restFromSeen.resize(std::size_t(dented_.columns) * dented_.rows);
-  auto shift = dented_.restFromSeen.begin();
+  dented_.restFromDisplayed.resize(std::size_t(dented_.columns) * dented_.rows);
+  auto shift = dented_.restFromDisplayed.begin();
   for (int row = 0; row < dented_.rows; ++row)
     for (int column = 0; column < dented_.columns; ++column, ++shift) {
       const Vec3 seen{dented_.left_mm + column * dented_.step_mm, 0, dented_.top_mm + row * dented_.step_mm};

@@ -26,7 +26,7 @@ const MechanicalTable& measuredMechanics() {
 bool operator==(const TissueMechanics& a, const TissueMechanics& b) {
   return a.model == b.model && a.tissues.tissues == b.tissues.tissues && a.footprint_mm == b.footprint_mm &&
          a.sticking == b.sticking && a.settings.mesh_mm == b.settings.mesh_mm &&
-         a.settings.depth_mm == b.settings.depth_mm && a.settings.mostIterations == b.settings.mostIterations &&
+         a.settings.depth_mm == b.settings.depth_mm && a.settings.maxIterations == b.settings.maxIterations &&
          a.settings.tolerance_mm == b.settings.tolerance_mm;
 }
 
@@ -58,7 +58,8 @@ ProbeFace faceOf(const Probe& probe, const TissueMechanics& mechanics) {
   return face;
 }
 
-PressWindow pressWindow(const Probe& probe, const ImagingSettings& settings, const TissueMechanics& mechanics) {
+DeformationWindow deformationWindow(const Probe& probe, const ImagingSettings& settings,
+                                    const TissueMechanics& mechanics) {
   const BeamGrid grid(probe, settings);
   return {faceOf(probe, mechanics).width_mm / 2 + kBeside_mm, -kAbove_mm, std::max(grid.maxAxial_mm(), kMinDepth_mm)};
 }

@@ -34,7 +34,7 @@ constexpr std::array kDeformation{
     Field<DeformationSettings>{"mesh_mm", &DeformationSettings::mesh_mm},
     Field<DeformationSettings>{"depth_mm", &DeformationSettings::depth_mm},
     Field<DeformationSettings>{"tolerance_mm", &DeformationSettings::tolerance_mm},
-    Field<DeformationSettings>{"enough_mm", &DeformationSettings::enough_mm},
+    Field<DeformationSettings>{"enough_mm", &DeformationSettings::movingTolerance_mm},
 };
 
 template <class T, std::size_t N>
@@ -54,7 +54,7 @@ json mechanicsJson(const TissueMechanics& mechanics) {
   object.update({{"model", mechanics.model},
                  {"footprint_mm", mechanics.footprint_mm},
                  {"sticking", mechanics.sticking},
-                 {"mostIterations", mechanics.settings.mostIterations},
+                 {"mostIterations", mechanics.settings.maxIterations},
                  {"tissues", json::parse(textOf(mechanics.tissues))}});
   return object;
 }
@@ -64,7 +64,7 @@ Result<TissueMechanics> mechanicsFrom(const json& object) {
   mechanics.model = object.at("model");
   mechanics.footprint_mm = object.at("footprint_mm");
   mechanics.sticking = object.at("sticking");
-  mechanics.settings.mostIterations = object.at("mostIterations");
+  mechanics.settings.maxIterations = object.at("mostIterations");
   readNumbers(object, kDeformation, mechanics.settings);
   auto tissues = parseMechanicalTable(object.at("tissues").dump());
   if (!tissues) return tl::unexpected(tissues.error());

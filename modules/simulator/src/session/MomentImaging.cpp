@@ -50,7 +50,7 @@ MomentImaging::~MomentImaging() = default;
 Result<void> MomentImaging::use(const AttemptSettings& settings) {
   ImagingSetup setup = settings.setup;
   setup.settings.persistence = 0;
-  setup.mechanics.settings.mostIterations = kPatience;
+  setup.mechanics.settings.maxIterations = kPatience;
   auto imager = Imager::make(setup);
   if (!imager) return tl::unexpected(imager.error());
   if (auto ok = validate(setup.mechanics); !ok) return ok;
@@ -73,7 +73,7 @@ Result<void> MomentImaging::takeScene(const Transform& patientFromProbe) {
     return {};
   }
   if (++scenesMade_ > kScenesAlone)
-    while (source_->makeAhead(region, need_->detail_mm())) {
+    while (source_->precompute(region, need_->detail_mm())) {
     }
   auto scene = makeScene(*source_, *setup_, region);
   if (!scene) return tl::unexpected(scene.error());

@@ -37,7 +37,7 @@ Transform needleAt(Vec3 tip_mm, Vec3 axis) {
 class Session {
  public:
   Session(std::shared_ptr<const TissueGrid> grid, SkinSurface skin, std::vector<CentreLine> veins, VesselNames vessels,
-          AttemptSettings settings, MomentImaging& imaging, const SessionPictures& pictures, AttemptRecorder& recorder,
+          AttemptSettings settings, MomentImaging& imaging, const SessionImages& pictures, AttemptRecorder& recorder,
           SessionOutcome& outcome)
       : grid_(std::move(grid)),
         skin_(std::move(skin)),
@@ -191,7 +191,7 @@ class Session {
   VeinWatch watch_;
   AttemptSettings settings_;
   MomentImaging& imaging_;
-  const SessionPictures& pictures_;
+  const SessionImages& pictures_;
   std::int64_t imageAt_us_, tissueAt_us_ = 0;  ///< times of the next ones
   double force_N_ = 0;
   Transform restFromPatient_;
@@ -234,7 +234,7 @@ Vec3 placeOf(const SessionScript& script) {
 
 Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase& patient, std::string_view software,
                                   const std::filesystem::path& recording, const Progress& progress,
-                                  const SessionPictures& pictures) {
+                                  const SessionImages& pictures) {
   auto procedure = loadProcedure(script.procedure);
   if (!procedure) return tl::unexpected(procedure.error());
   if (auto ok = checkFits(*procedure, patient); !ok) return tl::unexpected(ok.error());

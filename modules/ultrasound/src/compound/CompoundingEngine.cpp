@@ -6,8 +6,8 @@
 
 namespace insonate {
 
-CompoundingEngine::CompoundingEngine(std::vector<std::unique_ptr<Engine>> engines, CompoundedAngles angles)
-    : engines_(std::move(engines)), inTurn_(angles == CompoundedAngles::InTurn) {}
+CompoundingEngine::CompoundingEngine(std::vector<std::unique_ptr<Engine>> engines, CompoundingSchedule angles)
+    : engines_(std::move(engines)), inTurn_(angles == CompoundingSchedule::OneAnglePerFrame) {}
 
 void CompoundingEngine::prepare(const Probe& probe, const ImagingSettings& settings) {
   const std::vector<double> angles_deg = steeringAngles_deg(probe, settings);

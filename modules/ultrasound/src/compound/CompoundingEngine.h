@@ -11,7 +11,7 @@ namespace insonate {
 class CompoundingEngine final : public Engine {
  public:
   /// `engines` must be of the same kind, one for each steering angle of the settings; see makeEngineFor().
-  CompoundingEngine(std::vector<std::unique_ptr<Engine>> engines, CompoundedAngles angles);
+  CompoundingEngine(std::vector<std::unique_ptr<Engine>> engines, CompoundingSchedule angles);
 
   std::string_view name() const override { return engines_.front()->name(); }
   std::string_view note() const override { return engines_.front()->note(); }

@@ -47,7 +47,7 @@ HWY_INLINE PlaneShifts<V> latticeShifts(D d, const PlaneDisplacement& displaceme
   const auto i = lowPoint(d, x_mm, displacement.left_mm, displacement.step_mm, displacement.columns, right);
   const auto k = lowPoint(d, z_mm, displacement.top_mm, displacement.step_mm, displacement.rows, down);
   static_assert(sizeof(PlaneDisplacement::Shift) == 2 * sizeof(float));
-  const auto* parts = &displacement.restFromSeen.front().x_mm;
+  const auto* parts = &displacement.restFromDisplayed.front().x_mm;
   const auto corner = hn::ShiftLeft<1>(hn::Add(hn::Mul(k, hn::Set(di, displacement.columns)), i));
   const int toRight = displacement.columns > 1 ? 2 : 0, toBottom = displacement.rows > 1 ? 2 * displacement.columns : 0;
   const auto bilinear = [&](int part) {

@@ -11,7 +11,7 @@ constexpr unsigned kSceneSlot = 0, kTilesSlot = 1, kPlanSlot = 2, kContactsSlot 
 
 /// A displacement with one point and no motion.
 const PlaneDisplacement kAtRest{
-    .left_mm = 0, .top_mm = 0, .step_mm = 1, .columns = 1, .rows = 1, .restFromSeen = {{0, 0}}};
+    .left_mm = 0, .top_mm = 0, .step_mm = 1, .columns = 1, .rows = 1, .restFromDisplayed = {{0, 0}}};
 
 using Clock = std::chrono::steady_clock;
 
@@ -134,7 +134,7 @@ void CardFrame::uploadNeedle(const gpu::Current& current) {
 Result<void> CardFrame::uploadDisplacement(const gpu::Current& current, const PlaneDisplacement& displacement) {
   static_assert(sizeof(PlaneDisplacement::Shift) == 2 * sizeof(float));
   setDisplacement(displacement, tables_.block);
-  const std::span pairs(&displacement.restFromSeen[0].x_mm, 2 * displacement.restFromSeen.size());
+  const std::span pairs(&displacement.restFromDisplayed[0].x_mm, 2 * displacement.restFromDisplayed.size());
   return displacement_.write(current, displacement.columns, displacement.rows, pairs);
 }
 

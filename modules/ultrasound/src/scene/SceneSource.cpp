@@ -22,10 +22,10 @@ std::uint32_t SceneSource::patient() const {
   return impl_->facts.patient;
 }
 
-bool SceneSource::makeAhead(const Region& region, double detail_mm, const std::function<bool()>& stopped) const {
+bool SceneSource::precompute(const Region& region, double detail_mm, const std::function<bool()>& stopped) const {
   TissueTiles& tiles = impl_->tilesOf(detail_mm);
   const NodeBox box = tiles.lattice().boxOf(region);
-  return box.count() > 0 && tiles.makeAhead(box, stopped);
+  return box.count() > 0 && tiles.precompute(box, stopped);
 }
 
 }  // namespace insonate

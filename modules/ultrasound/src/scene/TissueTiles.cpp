@@ -164,7 +164,7 @@ Result<std::vector<TissueTiles::TilePtr>> TissueTiles::covering(const NodeBox& b
   return tiles;
 }
 
-bool TissueTiles::makeAhead(const NodeBox& box, const Stopped& stopped) {
+bool TissueTiles::precompute(const NodeBox& box, const Stopped& stopped) {
   std::optional<std::uint64_t> nearest;
   double least = 0;
   std::size_t wantedBytes = 0, greatest = 0;

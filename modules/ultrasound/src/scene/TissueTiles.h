@@ -44,7 +44,7 @@ class TissueTiles {
   Result<std::vector<TilePtr>> covering(const NodeBox& box, const Progress& progress);
   /// Makes and caches the one missing tile of a box that is nearest to the box's center. Returns false if none is
   /// missing, if there is no room for another tile, or if stopped.
-  bool makeAhead(const NodeBox& box, const Stopped& stopped);
+  bool precompute(const NodeBox& box, const Stopped& stopped);
 
  private:
   /// A cached tile, divided into small cubes, since in each cube only few structures are within reach.

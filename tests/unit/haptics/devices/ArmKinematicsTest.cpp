@@ -42,7 +42,7 @@ TEST(ArmKinematics, AMotorsTurnTurnsItsBodyByTheReduction) {
 
 TEST(ArmKinematics, CurrentsDoTheWorkThatTheForceDoes) {
   ArmTable table = arm();
-  table.mostCurrent_mA = 1e9;
+  table.maxCurrent_mA = 1e9;
   const ArmKinematics k(table);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> any(-1, 1);
@@ -63,10 +63,10 @@ TEST(ArmKinematics, CurrentsDoTheWorkThatTheForceDoes) {
 
 TEST(ArmKinematics, TooMuchIsWeakerInTheSameDirection) {
   ArmTable table = arm();
-  table.mostCurrent_mA = 1e9;
+  table.maxCurrent_mA = 1e9;
   const std::array<double, 3> angles{0.2, 0.3, 1};
   const auto all = ArmKinematics(table).currents_mA(angles, {30, 20, -10});
-  table.mostCurrent_mA = 100;
+  table.maxCurrent_mA = 100;
   const auto held = ArmKinematics(table).currents_mA(angles, {30, 20, -10});
   double most = 0;
   for (std::size_t i = 0; i < 3; ++i) {

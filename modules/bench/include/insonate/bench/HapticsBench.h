@@ -2,7 +2,7 @@
 
 #include <insonate/core/Progress.h>
 #include <insonate/core/Result.h>
-#include <insonate/haptics/HapticEvidence.h>
+#include <insonate/haptics/HapticMeasurements.h>
 
 #include <nlohmann/json_fwd.hpp>
 

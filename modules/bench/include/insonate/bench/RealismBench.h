@@ -38,13 +38,13 @@ struct RealismFeature {
   std::string name;
   double real = 0, realLow = 0, realHigh = 0;                 ///< median, 10th and 90th percentile
   double simulated = 0, simulatedLow = 0, simulatedHigh = 0;  ///< likewise for simulated images
-  RocArea told;      ///< separation of the sets by this feature; greater values count as simulated
-  double floor = 0;  ///< ROC area, 0.5 to 1, by which real sources differ: median over real sources with at least 4
-                     ///< images of the area that separates the source from all others; NaN without two such sources
-  double p = 1;      ///< probability of such a difference between equal sets, corrected for the number of features of
-                     ///< all comparisons (Holm, Scand J Stat 1979, 6:65)
+  RocArea separation;  ///< separation of the sets by this feature; greater values count as simulated
+  double floor = 0;    ///< ROC area, 0.5 to 1, by which real sources differ: median over real sources with at least 4
+                       ///< images of the area that separates the source from all others; NaN without two such sources
+  double p = 1;        ///< probability of such a difference between equal sets, corrected for the number of features of
+                       ///< all comparisons (Holm, Scand J Stat 1979, 6:65)
   /// The sets are told apart better than real sources are told from each other, with p below 0.05.
-  bool isBeyondFloor() const;
+  bool exceedsFloor() const;
 };
 
 /// Comparison of the images of one probe shape, as far as there are real and simulated ones.
@@ -75,14 +75,14 @@ Result<void> writeRealismBench(const RealismBench& bench, const std::filesystem:
 struct BlindGroup {
   std::string name;             ///< e.g. "linear", "transverse", "clips"
   int real = 0, simulated = 0;  ///< numbers of images
-  RocArea told;
+  RocArea separation;
 };
 
 /// Result of a blind test by several readers.
 struct BlindResult {
   int readers = 0, images = 0;
   double sensitivity = 0, specificity = 0;  ///< means over readers; an image rated 4 or more counts as judged simulated
-  RocArea told;
+  RocArea separation;
   std::vector<BlindGroup> groups;  ///< by probe, plane, still or clip, if the set has several of them
 };
 

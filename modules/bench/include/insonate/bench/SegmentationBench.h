@@ -37,7 +37,7 @@ struct SegmentationScoreRow {
   int clicks = 0;  ///< number of clicks from which the structure was tracked; 0: found automatically
   double dice = 0;
   std::optional<double> meanSurface_mm, p95Surface_mm;
-  std::optional<double> bar;  ///< target Dice score, if there is one
+  std::optional<double> targetDice;  ///< target Dice score, if there is one
   /// Dice scores of an exact lumen, alone and with walls of kWalls_mm, against a reference mask drawn by others: upper
   /// limits of `dice`.
   std::optional<WallScores> exactLumen;
@@ -48,9 +48,9 @@ struct SegmentationTimeRow {
   std::string task;
   double voxels = 0;  ///< number of voxels in the region that the tool processes
   double median_ms = 0, most_ms = 0;
-  double cpu_ms = 0;             ///< processor time of all threads in one run
-  std::optional<double> bar_ms;  ///< target for median_ms
-  double silence_ms = 0;         ///< longest interval between two checks for cancellation
+  double cpu_ms = 0;                  ///< processor time of all threads in one run
+  std::optional<double> target_ms;    ///< target for median_ms
+  double cancelCheckInterval_ms = 0;  ///< longest interval between two checks for cancellation
 };
 
 /// Peak memory of the process during automatic segmentation.

@@ -25,8 +25,8 @@ inline constexpr int kClipFrames = 30, kClipFrames_perSecond = 30;
 struct SourceImage {
   std::string source;  ///< real image: machine or data set; simulated image: neck
   std::string about;   ///< file, or neck, view and settings
-  /// The part that is measured, at kLookPixelsPer_mm and at most 30 mm deep. Linear probe: the inside of the field of
-  /// view. Fan: the largest rectangle in it. Clip: this part of the middle frame.
+  /// The part that is measured, at kFeaturePixelsPer_mm and at most 30 mm deep. Linear probe: the inside of the field
+  /// of view. Fan: the largest rectangle in it. Clip: this part of the middle frame.
   GreyPicture image;
   ProbeShape probe = ProbeShape::Linear;
   std::optional<ScanPlane> plane = std::nullopt;  ///< empty if the list does not state it

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <insonate/bench/PictureMeasures.h>
+#include <insonate/bench/ImageMeasures.h>
 #include <insonate/core/Progress.h>
 #include <insonate/simulator/Imager.h>
 
@@ -78,7 +78,7 @@ struct StageLimits {
   std::string engine, stage;
   int threads = 1;
   StageTime time;
-  /// operations and bytes of the stage by formula (ultrasound/FrameWork.h); 0: unknown
+  /// operations and bytes of the stage by formula (ultrasound/FrameCost.h); 0: unknown
   double operations = 0, bytes = 0;
   double giga_operationsPerSecond = 0, gigabytesPerSecond = 0;
   double percentOfArithmetic = 0, percentOfCache = 0, percentOfMemory = 0;
@@ -97,7 +97,7 @@ struct BenchComputer {
 /// One measured property of a simulated image, compared with its values in 15 real neck images.
 struct RealismRow {
   std::string variant, view, measure, patch;
-  PictureBox box;  ///< part of the image that was measured; empty if several parts were used
+  PixelBox box;  ///< part of the image that was measured; empty if several parts were used
   double value = 0;
   double low = 0, median = 0, high = 0;
   bool inRange = false;
@@ -115,7 +115,7 @@ struct PenetrationRow {
 };
 
 /// An image for which realism was measured.
-struct BenchPicture {
+struct BenchImage {
   std::string name;  ///< file name of the image, without extension
   BModeImage image;
 };
@@ -128,7 +128,7 @@ struct UltrasoundBench {
   std::vector<StageLimits> stages;
   std::vector<RealismRow> realism;
   std::vector<PenetrationRow> penetration;
-  std::vector<BenchPicture> pictures;
+  std::vector<BenchImage> pictures;
   std::vector<std::string> notes;
 };
 

@@ -73,15 +73,15 @@ struct Deformation {
 
 /// Resolution of a model, and depth of the part of the plane that it covers.
 struct DeformationSettings {
-  double mesh_mm = 0.5;     ///< edge of the mesh's cells near vessels and face; 0.1..4
-  double depth_mm = 50;     ///< depth below the face at which tissue does not move; 10..200
-  int mostIterations = 60;  ///< maximum number of iterations per solution; live imaging sets it low, and the next image
-                            ///< continues the solution
+  double mesh_mm = 0.5;    ///< edge of the mesh's cells near vessels and face; 0.1..4
+  double depth_mm = 50;    ///< depth below the face at which tissue does not move; 10..200
+  int maxIterations = 60;  ///< maximum number of iterations per solution; live imaging sets it low, and the next image
+                           ///< continues the solution
   /// Longest node movement in the last step of a converged solution; 0 for the model's default.
   double tolerance_mm = 0;
   /// If above 0: while the probe moves, a solution is accepted once its last step moves no node by more than this; the
   /// next image continues from the accepted solution.
-  double enough_mm = 0;
+  double movingTolerance_mm = 0;
 };
 
 /// Computes the displacement of tissue from the contact of the probe. One object must not be used concurrently.

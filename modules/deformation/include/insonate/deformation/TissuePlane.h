@@ -21,8 +21,8 @@ struct PlaneTissue {
 /// Curvature of a vessel's outline at a point near it, 1/mm: second derivatives of the distance to the outline, in the
 /// plane (`within`) and perpendicular to it (`across`). A round vessel perpendicular to the plane has (1/radius, 0),
 /// one along the plane (0, 1/radius).
-struct OutlineBend {
-  float within_permm = 0, across_permm = 0;
+struct OutlineCurvature {
+  float inPlane_permm = 0, outOfPlane_permm = 0;
 };
 
 /// Undeformed tissue in the image plane, in the form in which deformation models query it. The plane belongs to a pose
@@ -34,9 +34,10 @@ class TissuePlane {
   virtual void sample(std::span<const PlanePoint> at, std::span<PlaneTissue> tissue) const = 0;
   /// Returns the curvature of the artery's or the vein's outline. The default implementation, for planes without data
   /// on the tissue to either side, treats all vessels as perpendicular to the plane.
-  virtual void bend(std::span<const PlanePoint> at, float PlaneTissue::*outline, std::span<OutlineBend> bends) const {
+  virtual void sampleCurvature(std::span<const PlanePoint> at, float PlaneTissue::*outline,
+                               std::span<OutlineCurvature> bends) const {
     static_cast<void>(outline);
-    std::ranges::fill(bends.first(at.size()), OutlineBend{});
+    std::ranges::fill(bends.first(at.size()), OutlineCurvature{});
   }
 };
 

@@ -80,8 +80,8 @@ struct ArmTable {
   std::array<double, 3> torque_NmmPermA{};        ///< torque per current of each motor
   /// angles of turret, upper and lower bar in the home posture, from which the encoders count
   std::array<double, 3> homeAngle_deg{};
-  Vec3 centre_mm;             ///< center of the workspace, in the arm's frame
-  double mostCurrent_mA = 0;  ///< maximum current of each motor
+  Vec3 centre_mm;            ///< center of the workspace, in the arm's frame
+  double maxCurrent_mA = 0;  ///< maximum current of each motor
 };
 
 /// Description of one device model as data: how it is recognized, what its reports mean, and its limits.

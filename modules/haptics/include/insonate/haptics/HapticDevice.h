@@ -81,6 +81,6 @@ inline constexpr std::int64_t kForceLife_ns = 100'000'000;
 
 /// Returns `force` reduced to what a device can exert: magnitudes clamped to `limits`, axes without a motor and
 /// non-finite values set to zero.
-Force heldWithin(const DeviceLimits& limits, const Force& force) noexcept;
+Force limitedForce(const DeviceLimits& limits, const Force& force) noexcept;
 
 }  // namespace insonate

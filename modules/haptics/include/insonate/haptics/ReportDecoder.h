@@ -24,8 +24,8 @@ struct DeviceReading {
 };
 
 /// Outcome of decoding one report.
-enum class ReportFate : std::uint8_t {
-  kTaken,
+enum class ReportOutcome : std::uint8_t {
+  kDecoded,
   kShort,    ///< rejected: shorter than every layout with the report's id
   kLong,     ///< rejected: longer than a layout with ReportLayout::exact allows
   kUnknown,  ///< rejected: no layout has the report's id, or the report is empty
@@ -40,7 +40,7 @@ class ReportDecoder {
   /// Decodes a report as hidapi returns it: the first byte is the report id if the device numbers its reports. Of
   /// several layouts with this id, the longest that fits is used; further bytes are padding. A rejected report changes
   /// nothing.
-  ReportFate take(std::span<const std::uint8_t> report) noexcept;
+  ReportOutcome take(std::span<const std::uint8_t> report) noexcept;
   const DeviceReading& reading() const noexcept { return reading_; }
   /// Resets the decoder after the device was plugged in again: counters start at zero, and no button is pressed.
   void reset() noexcept;
@@ -52,7 +52,7 @@ class ReportDecoder {
     std::int64_t way = 0;
   };
 
-  const ReportLayout* layoutOf(int id, std::size_t bytes, ReportFate& fate) const noexcept;
+  const ReportLayout* layoutOf(int id, std::size_t bytes, ReportOutcome& fate) const noexcept;
   double valueOf(const ReportField& field, std::uint32_t raw) noexcept;
   void apply(const ReportField& field, std::span<const std::uint8_t> payload) noexcept;
 

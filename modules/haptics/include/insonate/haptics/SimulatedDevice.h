@@ -32,7 +32,7 @@ class SimulatedDevice : public HapticDevice {
 
   /// Minimum over time of the energy that the hand has put into device and force loop since a contact began; 0 or above
   /// if the loop is passive, negative if it returned more energy than it received.
-  double leastEnergy_J() const { return least_J_; }
+  double minEnergy_J() const { return minEnergy_J_; }
 
  private:
   struct Intent {
@@ -48,7 +48,7 @@ class SimulatedDevice : public HapticDevice {
   Force force_;
   std::int64_t time_ns_ = 0;
   std::atomic<std::uint64_t> taken_ = 0, pushed_ = 0;
-  std::atomic<double> least_J_ = 0;
+  std::atomic<double> minEnergy_J_ = 0;
 };
 
 }  // namespace insonate

@@ -90,11 +90,11 @@ class PassivityObserver {
  public:
   /// Adds a measurement: `into_J` is the net energy put into the loop so far; `felt` tells whether the loop exerts a
   /// force now.
-  void look(double into_J, bool felt);
-  double least_J() const { return least_J_; }
+  void add(double into_J, bool felt);
+  double minEnergy_J() const { return minEnergy_J_; }
 
  private:
-  double begin_J_ = 0, least_J_ = 0;
+  double begin_J_ = 0, minEnergy_J_ = 0;
 };
 
 }  // namespace insonate

@@ -19,7 +19,8 @@ struct PlaneDisplacement {
   struct Shift {
     float x_mm = 0, z_mm = 0;  ///< undeformed position minus displayed position of the tissue
   };
-  std::vector<Shift> restFromSeen;  ///< displacement of the tissue displayed at each lattice point, index [row][column]
+  std::vector<Shift>
+      restFromDisplayed;  ///< displacement of the tissue displayed at each lattice point, index [row][column]
 
   bool empty() const { return columns == 0 || rows == 0; }
 };

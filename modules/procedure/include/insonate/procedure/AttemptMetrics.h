@@ -102,7 +102,7 @@ class AttemptMetrics {
   NeedlePlace needle() const;
   /// Returns the time of the recording since which the syringe has aspirated venous blood with the tip in one place
   /// (see the definition of the metric tip_in_vein). Empty while no blood is aspirated.
-  std::optional<std::int64_t> drawingBlood_us() const;
+  std::optional<std::int64_t> aspiratingBloodSince_us() const;
 
  private:
   struct State;

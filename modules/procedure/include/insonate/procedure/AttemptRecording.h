@@ -26,12 +26,12 @@ struct PlacedBlock;
 /// Samples and events of about one second of an attempt: one block of a recording.
 struct Stretch {
   using Entry = std::variant<AttemptSample, AttemptEvent>;
-  struct Happened {
+  struct PlacedEvent {
     std::uint32_t afterSamples = 0;  ///< number of samples of this stretch that precede the event
     AttemptEvent event;
   };
   std::vector<QuantisedSample> samples;
-  std::vector<Happened> events;
+  std::vector<PlacedEvent> events;
   /// Number of samples lost in this stretch or just before it, since the recorder's queue was full.
   std::uint32_t samplesLost = 0;
 

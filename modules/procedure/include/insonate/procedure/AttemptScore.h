@@ -44,7 +44,7 @@ struct AttemptScore {
   std::string advice;
 };
 
-inline constexpr double kMinorCost = 5, kMajorCost = 20, kMostWithoutSuccess = 50;
+inline constexpr double kMinorDeduction = 5, kMajorDeduction = 20, kMaxPointsWithoutSuccess = 50;
 
 /// Returns the name of the vessel whose wall an event concerns: "right internal jugular vein"; "another vein" for an
 /// unnamed vein; empty if the wall is not a vessel's or the vessel is unknown. `vessels`: AttemptHeader::vessels.

@@ -16,9 +16,9 @@ struct Seeds {
 /// Returns the seeds of all labels in `which`; the contested voxels are those of labels in `over`.
 Seeds seedsOf(const LabelMap& labels, const VoxelBox& box, const LabelSet& which, const LabelSet& over);
 
-struct Competition {
-  double smoothing_mm = 0.7;  ///< standard deviation of the Gaussian blur that is applied to the CT first
-  double perMm_HU = 3;        ///< cost of a millimeter of path, in addition to the change of the CT along the path
+struct SeedCompetition {
+  double smoothing_mm = 0.7;    ///< standard deviation of the Gaussian blur that is applied to the CT first
+  double lengthCost_HUpmm = 3;  ///< cost of a millimeter of path, in addition to the change of the CT along the path
 };
 
 /// Assigns each contested voxel to the seed with the cheapest path to the voxel, where each step costs the change of
@@ -26,7 +26,7 @@ struct Competition {
 /// "GrowCut", Graphicon 2005, solved as shortest paths (L. Zhu et al., "An effective interactive medical image
 /// segmentation method using fast GrowCut", MICCAI IMIC 2014). Voxels that no seed reaches are not changed. Refuses
 /// seeds of fewer than two labels; fails when cancelled.
-Result<Proposal> grownFromSeeds(const CtVolume& ct, const Seeds& seeds, const Competition& competition,
+Result<Proposal> grownFromSeeds(const CtVolume& ct, const Seeds& seeds, const SeedCompetition& competition,
                                 const Progress& progress = {});
 
 /// Marker-controlled watershed: floods the CT's gradient from the seeds and assigns each contested voxel to the seed

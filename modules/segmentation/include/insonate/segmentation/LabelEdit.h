@@ -48,9 +48,9 @@ struct LabelChange {
 class LabelEdit {
  public:
   static constexpr std::size_t kMostSteps = 100;
-  static constexpr std::size_t kMostBytes = std::size_t{256} << 20;
+  static constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
 
-  LabelEdit(const CtVolume& ct, LabelMap& labels, std::size_t mostBytes = kMostBytes);
+  LabelEdit(const CtVolume& ct, LabelMap& labels, std::size_t maxBytes = kMaxBytes);
 
   const CtVolume& ct() const { return *ct_; }
   /// Sets the CT's new address after the CT was copied; its voxels must be identical.
@@ -103,7 +103,7 @@ class LabelEdit {
 
   const CtVolume* ct_;
   LabelMap& labels_;
-  std::size_t mostBytes_;
+  std::size_t maxBytes_;
   std::deque<Step> done_;
   std::vector<Step> undone_;
   std::optional<std::string> stroke_;

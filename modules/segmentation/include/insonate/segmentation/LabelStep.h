@@ -97,7 +97,7 @@ struct ConfidenceConnected {
 };
 struct GrowSeeds {
   std::vector<std::uint8_t> seeds{}, over{};
-  Competition competition{};
+  SeedCompetition competition{};
 };
 struct Watershed {
   std::vector<std::uint8_t> seeds{}, over{};

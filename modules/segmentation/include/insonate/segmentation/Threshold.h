@@ -16,6 +16,6 @@ void proposeThreshold(const CtVolume& ct, HuRange range, std::uint8_t label, con
                       const LabelMap& labels, const VoxelBox& box, Proposal& into);
 
 /// Removes from a selection the voxels whose CT is outside the range, e.g. for an intensity-limited brush.
-void limitTo(const CtVolume& ct, HuRange range, Selection& chosen);
+void removeOutside(const CtVolume& ct, HuRange range, Selection& chosen);
 
 }  // namespace insonate

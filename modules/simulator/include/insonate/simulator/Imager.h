@@ -46,7 +46,8 @@ struct ImagingFrame {
 class Imager {
  public:
   /// Makes an imager for a setup. Fails on an unknown engine, and on a probe or settings out of range.
-  static Result<Imager> make(const ImagingSetup& setup, CompoundedAngles angles = CompoundedAngles::InEachFrame);
+  static Result<Imager> make(const ImagingSetup& setup,
+                             CompoundingSchedule angles = CompoundingSchedule::AllAnglesPerFrame);
 
   /// Renders an image of undeformed tissue without a needle. Allocates nothing if `frame` has been used before.
   /// `patientFromProbe` is rigid (see ProbePose.h).
@@ -89,6 +90,7 @@ Result<std::shared_ptr<const AcousticScene>> makeScene(const SceneSource& source
                                                        const Region& region, const Progress& progress = {});
 
 /// Fails with a sentence that names the pose if a frame would lie entirely outside the patient's volume.
-Result<void> checkReach(const PatientCase& patient, const ImagingSetup& setup, std::span<const Transform> path);
+Result<void> checkPosesTouchVolume(const PatientCase& patient, const ImagingSetup& setup,
+                                   std::span<const Transform> path);
 
 }  // namespace insonate

@@ -39,10 +39,10 @@ class NeedleHand {
   static constexpr double kTurnsUntil_mm = 10;
 
   /// Angle of a new needle to the skin. Every target needs a steeper angle, so that the trainee has to aim.
-  static constexpr double kTaken_deg = 20;
+  static constexpr double kInitialAngle_deg = 20;
 
-  /// Places a needle beside a probe, outside the skin, at the angle kTaken_deg to the skin. Along: in the image plane,
-  /// at the end of the probe's face opposite the marker; if the skin's shape does not allow that, as for Across.
+  /// Places a needle beside a probe, outside the skin, at the angle kInitialAngle_deg to the skin. Along: in the image
+  /// plane, at the end of the probe's face opposite the marker; if the skin's shape does not allow that, as for Across.
   /// Across: beside the middle of the face. `halfWidth_mm`: half the width of the face.
   static NeedleHand beside(const ProbeHand& probe, double halfWidth_mm, NeedlePlane plane);
 

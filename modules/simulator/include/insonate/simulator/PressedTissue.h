@@ -25,12 +25,11 @@ Result<Transform> poseOnSkin(const LabelMap& labels, const ProbeFace& face, cons
 /// undeformed tissue, the depth of the face is its indentation. Not for concurrent use of one object.
 class PressedTissue {
  public:
-  /// Makes the model for a probe. Fails as validate() does. `mostIterations`: maximum number of iterations per
+  /// Makes the model for a probe. Fails as validate() does. `maxIterations`: maximum number of iterations per
   /// solution; 0: that of `mechanics`. `lumensAtRest`: vessel cross-sections are computed even if the tissue is
   /// undeformed.
   static Result<PressedTissue> make(const Probe& probe, const ImagingSettings& settings,
-                                    const TissueMechanics& mechanics, int mostIterations = 0,
-                                    bool lumensAtRest = false);
+                                    const TissueMechanics& mechanics, int maxIterations = 0, bool lumensAtRest = false);
   PressedTissue(PressedTissue&&) noexcept;
   PressedTissue& operator=(PressedTissue&&) noexcept;
   ~PressedTissue();

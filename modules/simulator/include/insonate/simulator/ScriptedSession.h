@@ -75,7 +75,7 @@ struct SessionOutcome {
 
 /// Request for ultrasound images during a scripted attempt; they equal those that AttemptPictures makes from the
 /// recording.
-struct SessionPictures {
+struct SessionImages {
   /// Interval between images in script time, a multiple of 1000; the first image is made after one interval.
   std::int64_t every_us = 1'000'000;
   /// Receives each image while the probe is on the patient; a frozen image only once. An error that it returns ends the
@@ -92,6 +92,6 @@ struct SessionPictures {
 /// scripted. If cancelled, no file is left.
 Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase& patient, std::string_view software,
                                   const std::filesystem::path& recording, const Progress& progress = {},
-                                  const SessionPictures& pictures = {});
+                                  const SessionImages& pictures = {});
 
 }  // namespace insonate

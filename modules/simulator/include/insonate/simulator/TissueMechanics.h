@@ -33,11 +33,12 @@ ProbeFace faceOf(const Probe& probe, const TissueMechanics& mechanics);
 
 /// Part of the image plane, in the probe frame, for which the tissue deformation is computed. Outside, the tissue at
 /// the part's edge is continued.
-struct PressWindow {
+struct DeformationWindow {
   double half_mm = 0;  ///< lateral extent to either side of the probe's axis
   double top_mm = 0, bottom_mm = 0;
-  bool operator==(const PressWindow&) const = default;
+  bool operator==(const DeformationWindow&) const = default;
 };
-PressWindow pressWindow(const Probe& probe, const ImagingSettings& settings, const TissueMechanics& mechanics);
+DeformationWindow deformationWindow(const Probe& probe, const ImagingSettings& settings,
+                                    const TissueMechanics& mechanics);
 
 }  // namespace insonate

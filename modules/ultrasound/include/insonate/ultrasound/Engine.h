@@ -63,16 +63,17 @@ std::vector<std::string> engineNames();
 /// `glsl` fails with a sentence if OpenGL 4.3 is not available.
 Result<std::unique_ptr<Engine>> makeEngine(std::string_view name);
 
-/// Schedule of the angles of spatial compounding. InTurn: as on a machine, each frame transmits one angle and averages
-/// the last angles. A frame then costs as much as without compounding, and moving structures also show at earlier
-/// places; the first frame renders all angles. InEachFrame: each frame renders all angles, for still images.
-enum class CompoundedAngles { InEachFrame, InTurn };
+/// Schedule of the angles of spatial compounding. OneAnglePerFrame: as on a machine, each frame transmits one angle and
+/// averages the last angles. A frame then costs as much as without compounding, and moving structures also show at
+/// earlier places; the first frame renders all angles. AllAnglesPerFrame: each frame renders all angles, for still
+/// images.
+enum class CompoundingSchedule { AllAnglesPerFrame, OneAnglePerFrame };
 
 /// Makes the engine for a probe and settings: with spatial compounding, one engine for each angle, else a single
 /// engine.
 Result<std::unique_ptr<Engine>> makeEngineFor(std::string_view name, const Probe& probe,
                                               const ImagingSettings& settings,
-                                              CompoundedAngles angles = CompoundedAngles::InEachFrame);
+                                              CompoundingSchedule angles = CompoundingSchedule::AllAnglesPerFrame);
 
 /// Returns the region that a scene must cover for a frame at this pose if tissue is displaced by up to
 /// `largestShift_mm` (0 or above).

@@ -25,7 +25,7 @@ class SceneSource {
   /// Computes and caches one missing part of the data that a scene of this region will need, the part nearest to the
   /// region's center. Takes about a second of one processor; `stopped` is called repeatedly, and true cancels the
   /// computation. Returns false if nothing is missing, or if the cache is full.
-  bool makeAhead(const Region& region, double detail_mm, const std::function<bool()>& stopped = {}) const;
+  bool precompute(const Region& region, double detail_mm, const std::function<bool()>& stopped = {}) const;
 
   struct Impl;  ///< contents of the source, read by scenes
   Impl& impl() const { return *impl_; }

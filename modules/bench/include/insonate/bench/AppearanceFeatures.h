@@ -8,28 +8,28 @@
 namespace insonate {
 
 /// A number that describes the appearance of an ultrasound image, computed without labels.
-struct LookFeature {
+struct AppearanceFeature {
   std::string name;
   double value = 0;  ///< value of the feature; NaN if the image does not allow the measurement
 };
 
 /// Resolution in pixels per mm to which images are resampled before they are measured.
-inline constexpr double kLookPixelsPer_mm = 10;
+inline constexpr double kFeaturePixelsPer_mm = 10;
 
 /// Resamples an image to 10 pixels per mm and crops it to the upper `depth_mm`. Fails if the image is smaller than 10 x
 /// 10 mm or if its scale is not in 1 to 100 pixels per mm.
-Result<GreyPicture> atLookScale(const GreyPicture& image, double pixelsPer_mm, double depth_mm = 30);
+Result<GreyPicture> atFeatureScale(const GreyPicture& image, double pixelsPer_mm, double depth_mm = 30);
 
-/// Measures a rectangle inside a field of view, without text, as atLookScale() returns it. Features: gray
+/// Measures a rectangle inside a field of view, without text, as atFeatureScale() returns it. Features: gray
 /// percentiles, local contrast, lateral and axial detail by spatial frequency, edges, correlation of ridges (skin,
 /// fascia, vessel walls) along the face, and length of ridges. By depth (0 to 10, 10 to 20, 20 to 30 mm of the
 /// rectangle) also: the full width at half maximum of the detail's autocorrelation, axial and lateral, and the pixel
 /// noise.
-std::vector<LookFeature> lookFeatures(const GreyPicture& image);
+std::vector<AppearanceFeature> appearanceFeatures(const GreyPicture& image);
 
 /// Measures motion in a clip of kClipFrames frames of equal size: correlation of the fine detail between frames 1/30 s
 /// and 1/3 s apart, mean change of gray from frame to frame relative to the mean gray, and standard deviation of the
 /// frames' mean gray relative to it. NaN for stills.
-std::vector<LookFeature> motionFeatures(const std::vector<GreyPicture>& frames);
+std::vector<AppearanceFeature> motionFeatures(const std::vector<GreyPicture>& frames);
 
 }  // namespace insonate

@@ -2,7 +2,7 @@
 #include "scene/SceneData.h"
 
 #include <insonate/ultrasound/Display.h>
-#include <insonate/ultrasound/FrameWork.h>
+#include <insonate/ultrasound/FrameCost.h>
 #include <insonate/ultrasound/PointSpread.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 constexpr double kFloat = 4, kDistance = 2;  // bytes
 
 /// Trilinear look-up of every structure's distance at each node, and the two nearest structures of each cell.
-StageWork structures(const FramePlan& plan, const TissueField& field) {
+StageCost structures(const FramePlan& plan, const TissueField& field) {
   const double nodes = double(plan.nodeRows) * plan.nodeColumns * plan.settings.elevationPlanes;
   constexpr double kPosition = 30, kCorners = 30;              // patient to lattice; eight weights
   constexpr double kPair = 5, kBoundary = 4 * 8, kAngle = 40;  // a channel; distances of the pair; cosine, averages
@@ -25,7 +25,7 @@ StageWork structures(const FramePlan& plan, const TissueField& field) {
 }
 
 /// One scatterer cell of four corners, hashed, for each gate of each plane.
-StageWork echoes(const FramePlan& plan) {
+StageCost echoes(const FramePlan& plan) {
   const double looks = plan.settings.looks;
   const double points = double(plan.gates) * plan.lines * plan.settings.elevationPlanes;
   constexpr double kPlace = 20, kLevels = 20, kPower = 15;      // position; pair, loss, layers; 10^(dB/20)
@@ -40,14 +40,14 @@ double kernelOperations(double radius) {
   return 1 + 3 * radius;
 }
 
-StageWork axialBeam(const FramePlan& plan) {
+StageCost axialBeam(const FramePlan& plan) {
   const double rows = 2.0 * plan.settings.looks * plan.lines;
   double perRow = 0;
   for (const int radius : plan.axialRadius) perRow += kernelOperations(radius);
   return {"axial beam", rows * perRow, rows * plan.gates * 2 * kFloat};
 }
 
-StageWork lateralBeam(const FramePlan& plan) {
+StageCost lateralBeam(const FramePlan& plan) {
   const double looks = plan.settings.looks, samples = double(plan.grid.samples()) * plan.lines;
   double perLine = 0;
   for (const int radius : plan.lateralRadius) perLine += kernelOperations(radius);
@@ -68,14 +68,14 @@ double gateDistance_mm(const Probe& probe, const ImagingSettings& settings) {
   return FramePlan(probe, settings).gate_mm;
 }
 
-std::vector<StageWork> frameWork(const Probe& probe, const ImagingSettings& settings, const AcousticScene& scene) {
+std::vector<StageCost> frameCost(const Probe& probe, const ImagingSettings& settings, const AcousticScene& scene) {
   const FramePlan plan(probe, settings);
   const double samples = double(settings.samples) * settings.scanlines, looks = settings.looks;
   const std::vector<std::uint8_t> mask = fieldOfViewMask(probe, settings);
   const double pixels = std::accumulate(mask.begin(), mask.end(), 0.0);
   constexpr double kLogarithm = 25, kSmoothing = 110, kGrey = 8;  // an operation count each, a sample
   constexpr double kBilinear = 12;                                // a pixel
-  std::vector<StageWork> work{structures(plan, scene.impl().field), echoes(plan), axialBeam(plan), lateralBeam(plan)};
+  std::vector<StageCost> work{structures(plan, scene.impl().field), echoes(plan), axialBeam(plan), lateralBeam(plan)};
   work.push_back({"compound", samples * (2 * looks + 6), samples * (looks + 1) * kFloat});
   work.push_back({"compress", samples * kLogarithm, samples * 2 * kFloat});
   work.push_back(

@@ -1,5 +1,5 @@
 #include <insonate/core/AtomicFile.h>
-#include <insonate/simulator/PictureFiles.h>
+#include <insonate/simulator/ImageFiles.h>
 
 #include <png.h>
 

@@ -1,4 +1,4 @@
-#include <insonate/simulator/PictureFiles.h>
+#include <insonate/simulator/ImageFiles.h>
 
 #include <jpeglib.h>
 #include <png.h>
@@ -77,7 +77,7 @@ JpegEnd decodeJpeg(const std::string& bytes, GreyPicture& picture) {
 
 }  // namespace
 
-Result<GreyPicture> readPicture(const std::filesystem::path& file) {
+Result<GreyPicture> readGrayImage(const std::filesystem::path& file) {
   const std::string name = file.string();
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return fail("There is no image file named " + name + ".");

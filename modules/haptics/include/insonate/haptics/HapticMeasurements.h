@@ -12,7 +12,7 @@ namespace insonate {
 
 /// Makes a tissue phantom of plane layers. z points into the body: skin at 0, fat from 2 mm, muscle from 10 mm, a vein
 /// from 18 to 28 mm, muscle, bone from 40 mm.
-std::shared_ptr<const TissueGrid> benchLayers();
+std::shared_ptr<const TissueGrid> layeredPhantom();
 
 /// One point of a force-depth curve of needle insertion.
 struct ForceDepthPoint {
@@ -21,15 +21,15 @@ struct ForceDepthPoint {
   Label in = kBackground;
 };
 
-/// Computes the force on a needle that a rigid testing machine drives perpendicularly through benchLayers() to
+/// Computes the force on a needle that a rigid testing machine drives perpendicularly through layeredPhantom() to
 /// `deepest_mm` and back at constant speed. `steepest_Npmm`: maximum stiffness that the haptic device can render.
-std::vector<ForceDepthPoint> forceDepth(const NeedleTable& table, double speed_mmps, double steepest_Npmm,
-                                        double deepest_mm);
+std::vector<ForceDepthPoint> needleForceCurve(const NeedleTable& table, double speed_mmps, double steepest_Npmm,
+                                              double deepest_mm);
 
 /// Returns the maximum stiffness (N/mm) of a virtual wall at which a hand-held device is stable, searched in steps of 7
 /// % up to 20 N/mm. The device hits the wall at 50 mm/s. It counts as stable if it moves more slowly in the second
 /// second than in the first, or by less than a quarter of an encoder step per tick. `account`: the servo limits the
 /// energy that it returns to the hand (passivity control).
-double greatestStableStiffness_Npmm(const DeviceLimits& device, const Grip& grip, bool account);
+double maxStableStiffness_Npmm(const DeviceLimits& device, const Grip& grip, bool account);
 
 }  // namespace insonate

@@ -1,6 +1,6 @@
 #include "support/Ssim.h"
 
-#include <insonate/bench/PictureMeasures.h>
+#include <insonate/bench/ImageMeasures.h>
 
 #include <gtest/gtest.h>
 
@@ -45,9 +45,9 @@ std::vector<double> smoothNoise(int width, int height, double lateralSd, double 
   return values;
 }
 
-TEST(PictureMeasures, SharesAndPercentilesOfARamp) {
+TEST(ImageMeasures, SharesAndPercentilesOfARamp) {
   const BModeImage ramp = paint(256, 80, 0.1, [](int column, int) { return column; });
-  const GreyShares g = greyShares(ramp, {0, 0, 256, 80});
+  const GrayStatistics g = grayStatistics(ramp, {0, 0, 256, 80});
   EXPECT_NEAR(g.mean, 127.5, 1e-9);
   EXPECT_NEAR(g.p25, 64, 1);
   EXPECT_NEAR(g.p50, 128, 1);
@@ -59,14 +59,14 @@ TEST(PictureMeasures, SharesAndPercentilesOfARamp) {
   EXPECT_NEAR(g.deepOverShallow, 1, 1e-9);
 }
 
-TEST(PictureMeasures, DeepOverShallowComparesTheRightBands) {
+TEST(ImageMeasures, DeepOverShallowComparesTheRightBands) {
   const BModeImage steps = paint(20, 160, 0.1, [](int, int row) {
     return row >= 120 ? 30 : row >= 20 && row < 60 ? 100 : 7;
   });
-  EXPECT_NEAR(greyShares(steps, {0, 0, 20, 160}).deepOverShallow, 0.3, 1e-9);
+  EXPECT_NEAR(grayStatistics(steps, {0, 0, 20, 160}).deepOverShallow, 0.3, 1e-9);
 }
 
-TEST(PictureMeasures, GrainHasTheWidthOfItsAutocorrelation) {
+TEST(ImageMeasures, GrainHasTheWidthOfItsAutocorrelation) {
   // The autocorrelation of noise after a Gaussian of SD s is one of SD s sqrt(2).
   constexpr double kLateral = 5, kAxial = 2.5, kPixel_mm = 0.06;
   const int width = 400, height = 300;
@@ -76,14 +76,14 @@ TEST(PictureMeasures, GrainHasTheWidthOfItsAutocorrelation) {
     const double shade = 20.0 * column / width + 30.0 * row * row / (height * double(height));
     return 90 + shade + 12 * noise[std::size_t(row) * width + column];
   });
-  const Grain grain = grainOf(image, {0, 0, width, height});
+  const SpeckleStatistics grain = speckleStatistics(image, {0, 0, width, height});
   EXPECT_NEAR(grain.lateral_mm, 2.3548 * std::sqrt(2.0) * kLateral * kPixel_mm, 0.06);
   EXPECT_NEAR(grain.axial_mm, 2.3548 * std::sqrt(2.0) * kAxial * kPixel_mm, 0.03);
   EXPECT_NEAR(grain.sd, 12, 0.5);
   EXPECT_NEAR(grain.skewness, 0, 0.15);
 }
 
-TEST(PictureMeasures, LumenIsComparedWithItsSurroundings) {
+TEST(ImageMeasures, LumenIsComparedWithItsSurroundings) {
   const BModeImage vessel = paint(300, 300, 0.06, [](int column, int row) {
     const double r = std::hypot(column - 150, row - 120);
     if (r < 50) return row < 120 ? 14 : 10;
@@ -98,20 +98,20 @@ TEST(PictureMeasures, LumenIsComparedWithItsSurroundings) {
   EXPECT_GT(lumen.overSurroundings, 12.0 / 120);
 }
 
-TEST(PictureMeasures, LongAxisVesselsHaveBandsForSurroundings) {
+TEST(ImageMeasures, LongAxisVesselsHaveBandsForSurroundings) {
   const BModeImage vessel = paint(300, 200, 0.06, [](int, int row) { return row >= 80 && row < 120 ? 10 : 50; });
   const Lumen lumen = lumenOf(vessel, {50, 82, 200, 36});
   EXPECT_NEAR(lumen.overSurroundings, 0.2, 1e-9);
   EXPECT_TRUE(std::isnan(lumen.belowOverSides));
 }
 
-TEST(PictureMeasures, LineIsTheMedianOfTheColumnsBrightest) {
+TEST(ImageMeasures, LineIsTheMedianOfTheColumnsBrightest) {
   const BModeImage line = paint(21, 20, 0.1, [](int column, int row) { return row == 10 ? 150 + column : 20; });
-  EXPECT_EQ(lineGrey(line, {0, 5, 21, 10}), 160);
-  EXPECT_EQ(meanGrey(line, {0, 0, 21, 5}), 20);
+  EXPECT_EQ(lineGray(line, {0, 5, 21, 10}), 160);
+  EXPECT_EQ(meanGray(line, {0, 0, 21, 5}), 20);
 }
 
-TEST(PictureMeasures, SimilarityMeetsItsDefinition) {
+TEST(ImageMeasures, SimilarityMeetsItsDefinition) {
   const std::vector<double> noise = smoothNoise(120, 90, 3, 2);
   const auto picture = [&](double gain, double shift) {
     return paint(120, 90, 0.1, [&](int column, int row) {

@@ -15,11 +15,11 @@ Result<void> writePng(const BModeImage& image, const std::filesystem::path& file
 
 /// Reads the gray values of a PNG or JPEG file, which is recognized by its first bytes; transparent parts are black.
 /// Fails with a sentence on any other file, on a damaged file, and on more than 16384 pixels in either direction.
-Result<GreyPicture> readPicture(const std::filesystem::path& file);
+Result<GreyPicture> readGrayImage(const std::filesystem::path& file);
 
 /// Writes an image as PNG with the fitted field of view drawn over it in color: its outline, and the marks of the depth
 /// scale. Written atomically; fails with a sentence.
-Result<void> writeFitPicture(const GreyPicture& picture, const FovFit& fit, const std::filesystem::path& file);
+Result<void> writeFitImage(const GreyPicture& picture, const FovFit& fit, const std::filesystem::path& file);
 
 /// Writes the envelope of a frame as NRRD, for one compounding angle (`look`, its index): float32, samples fastest,
 /// then scanlines; linear amplitude before compounding, gain, compression and scan conversion. Spacing is in mm along a

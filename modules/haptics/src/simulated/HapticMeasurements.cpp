@@ -1,7 +1,7 @@
 #include "needle/NeedleMechanics.h"
 #include "servo/EnergyTank.h"
 
-#include <insonate/haptics/HapticEvidence.h>
+#include <insonate/haptics/HapticMeasurements.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +54,7 @@ bool comesToRest(DeviceLimits device, const Grip& grip, bool account, double sti
 
 }  // namespace
 
-std::shared_ptr<const TissueGrid> benchLayers() {
+std::shared_ptr<const TissueGrid> layeredPhantom() {
   VolumeGeometry grid;
   grid.size = {9, 9, 161};
   grid.spacing_mm = {4, 4, 0.5};
@@ -62,9 +62,9 @@ std::shared_ptr<const TissueGrid> benchLayers() {
   return *TissueGrid::make(grid, layerAt);
 }
 
-std::vector<ForceDepthPoint> forceDepth(const NeedleTable& table, double speed_mmps, double steepest_Npmm,
-                                        double deepest_mm) {
-  const auto grid = benchLayers();
+std::vector<ForceDepthPoint> needleForceCurve(const NeedleTable& table, double speed_mmps, double steepest_Npmm,
+                                              double deepest_mm) {
+  const auto grid = layeredPhantom();
   haptics::NeedleMechanics needle;
   needle.configure(table, steepest_Npmm);
   std::vector<ForceDepthPoint> curve;
@@ -80,7 +80,7 @@ std::vector<ForceDepthPoint> forceDepth(const NeedleTable& table, double speed_m
   return curve;
 }
 
-double greatestStableStiffness_Npmm(const DeviceLimits& device, const Grip& grip, bool account) {
+double maxStableStiffness_Npmm(const DeviceLimits& device, const Grip& grip, bool account) {
   double stable = 0;
   for (double k = 0.01; k <= 20; k *= 1.07) {
     if (!comesToRest(device, grip, account, k)) break;

@@ -18,7 +18,7 @@ double sceneDetail_mm(const Probe& probe, const ImagingSettings& settings);
 
 /// Number of operations and bytes of one stage of a frame, computed by formula from the sizes of its grids: an estimate
 /// for comparison with measured times, not a count of instructions.
-struct StageWork {
+struct StageCost {
   std::string_view name;  ///< name of the stage as in Engine::stages(); stages of the display: compound, compress,
                           ///< smooth, scan_convert
   double operations = 0;  ///< single-precision and 32-bit integer operations; a multiply-add counts as two
@@ -27,6 +27,6 @@ struct StageWork {
 
 /// Returns the work of the stages of the `cpu` engine and the display, without stages whose cost depends on the scene's
 /// shape (contact). The settings must be valid for the probe.
-std::vector<StageWork> frameWork(const Probe& probe, const ImagingSettings& settings, const AcousticScene& scene);
+std::vector<StageCost> frameCost(const Probe& probe, const ImagingSettings& settings, const AcousticScene& scene);
 
 }  // namespace insonate

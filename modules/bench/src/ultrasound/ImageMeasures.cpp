@@ -1,4 +1,4 @@
-#include <insonate/bench/PictureMeasures.h>
+#include <insonate/bench/ImageMeasures.h>
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ struct Moments {
 };
 
 template <class Use>
-void overBox(const BModeImage& image, const PictureBox& box, const Use& use) {
+void overBox(const BModeImage& image, const PixelBox& box, const Use& use) {
   const int endRow = std::min(box.row + box.height, image.height);
   const int endColumn = std::min(box.column + box.width, image.width);
   for (int row = std::max(box.row, 0); row < endRow; ++row)
@@ -28,7 +28,7 @@ void overBox(const BModeImage& image, const PictureBox& box, const Use& use) {
       use(column, row, double(image.grey[std::size_t(row) * image.width + column]));
 }
 
-Moments momentsOf(const BModeImage& image, const PictureBox& box) {
+Moments momentsOf(const BModeImage& image, const PixelBox& box) {
   Moments m;
   overBox(image, box, [&](int, int, double grey) { m.add(grey); });
   return m;
@@ -56,7 +56,7 @@ Quadratic solved(std::array<Quadratic, 6> a, Quadratic b) {
 }
 
 /// Grey values minus the quadratic surface that fits them best, [row][column].
-std::vector<double> detrended(const BModeImage& image, const PictureBox& box) {
+std::vector<double> detrended(const BModeImage& image, const PixelBox& box) {
   std::array<Quadratic, 6> normal{};
   Quadratic right{};
   const auto terms = [&](int column, int row) {
@@ -104,9 +104,9 @@ double ratio(double a, double b) {
 
 }  // namespace
 
-GreyShares greyShares(const BModeImage& image, const PictureBox& fieldOfView) {
+GrayStatistics grayStatistics(const BModeImage& image, const PixelBox& fieldOfView) {
   std::array<double, 256> histogram{};
-  GreyShares shares;
+  GrayStatistics shares;
   double upper = 0, count = 0, sum = 0;
   const int upperRows = static_cast<int>(0.6 * fieldOfView.height);
   overBox(image, fieldOfView, [&](int, int row, double grey) {
@@ -136,11 +136,11 @@ GreyShares greyShares(const BModeImage& image, const PictureBox& fieldOfView) {
   return shares;
 }
 
-Grain grainOf(const BModeImage& image, const PictureBox& patch) {
+SpeckleStatistics speckleStatistics(const BModeImage& image, const PixelBox& patch) {
   const std::vector<double> rest = detrended(image, patch);
   Moments m;
   for (const double v : rest) m.add(v);
-  Grain grain;
+  SpeckleStatistics grain;
   grain.mean = momentsOf(image, patch).mean();
   grain.sd = m.sd();
   for (const double v : rest) grain.skewness += std::pow(v / std::max(grain.sd, 1e-9), 3) / double(rest.size());
@@ -149,15 +149,15 @@ Grain grainOf(const BModeImage& image, const PictureBox& patch) {
   return grain;
 }
 
-Lumen lumenOf(const BModeImage& image, const PictureBox& box) {
+Lumen lumenOf(const BModeImage& image, const PixelBox& box) {
   const double w = box.width, h = box.height;
   const bool along = w > 2.5 * h;
   const auto part = [&](double x, double y, double width, double height) {
     const int left = static_cast<int>(box.column + x * w), top = static_cast<int>(box.row + y * h);
-    return PictureBox{left, top, static_cast<int>(width * w), static_cast<int>(height * h)};
+    return PixelBox{left, top, static_cast<int>(width * w), static_cast<int>(height * h)};
   };
   Moments around;
-  const auto addTo = [&](Moments& m, const PictureBox& b) {
+  const auto addTo = [&](Moments& m, const PixelBox& b) {
     overBox(image, b, [&](int, int, double grey) { m.add(grey); });
   };
   if (along) {
@@ -184,7 +184,7 @@ Lumen lumenOf(const BModeImage& image, const PictureBox& box) {
   return lumen;
 }
 
-double lineGrey(const BModeImage& image, const PictureBox& box) {
+double lineGray(const BModeImage& image, const PixelBox& box) {
   std::vector<double> brightest(std::max(box.width, 1), 0.0);
   overBox(image, box, [&](int column, int, double grey) {
     double& most = brightest[column - box.column];
@@ -194,7 +194,7 @@ double lineGrey(const BModeImage& image, const PictureBox& box) {
   return brightest[brightest.size() / 2];
 }
 
-double meanGrey(const BModeImage& image, const PictureBox& box) {
+double meanGray(const BModeImage& image, const PixelBox& box) {
   return momentsOf(image, box).mean();
 }
 
@@ -205,7 +205,7 @@ double structuralSimilarity(const BModeImage& a, const BModeImage& b) {
   int windows = 0;
   for (int row = 0; row + kWindow <= a.height; row += kHop)
     for (int column = 0; column + kWindow <= a.width; column += kHop) {
-      const PictureBox window{column, row, kWindow, kWindow};
+      const PixelBox window{column, row, kWindow, kWindow};
       const Moments p = momentsOf(a, window), q = momentsOf(b, window);
       double products = 0;
       overBox(a, window, [&](int x, int y, double grey) { products += grey * b.grey[std::size_t(y) * b.width + x]; });

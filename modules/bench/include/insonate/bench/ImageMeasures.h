@@ -5,30 +5,30 @@
 namespace insonate {
 
 /// A box of pixels: columns column .. column + width - 1, rows row .. row + height - 1.
-struct PictureBox {
+struct PixelBox {
   int column = 0, row = 0, width = 0, height = 0;
-  bool operator==(const PictureBox&) const = default;
+  bool operator==(const PixelBox&) const = default;
 };
 
 /// Statistics of the gray values 0..255 of the displayed image inside a box; the box must lie in the image and not be
 /// empty.
-struct GreyShares {
+struct GrayStatistics {
   double p25 = 0, p50 = 0, p75 = 0, p95 = 0, p99 = 0, mean = 0;
   double black = 0, blackUpper60 = 0;  ///< fractions of pixels with gray <= 5: in the whole box, and in its upper 60 %
   double bright = 0, saturated = 0;    ///< fractions of pixels with gray >= 200 (bright) and >= 250 (saturated)
   /// mean gray of the deepest quarter over that of the second and third eighths of the depth
   double deepOverShallow = 0;
 };
-GreyShares greyShares(const BModeImage& image, const PictureBox& fieldOfView);
+GrayStatistics grayStatistics(const BModeImage& image, const PixelBox& fieldOfView);
 
 /// Properties of speckle in a patch of homogeneous tissue, after subtraction of a quadratic surface (slow shading).
-struct Grain {
+struct SpeckleStatistics {
   /// Speckle size: axial and lateral full width at half maximum of the autocorrelation; NaN if it stays above half.
   double axial_mm = 0, lateral_mm = 0;
   double mean = 0, sd = 0, skewness = 0;
 };
 /// Measures the speckle of a patch, which must have at least 8 x 8 pixels.
-Grain grainOf(const BModeImage& image, const PictureBox& patch);
+SpeckleStatistics speckleStatistics(const BModeImage& image, const PixelBox& patch);
 
 /// Gray levels in and around a vessel's lumen, measured from a box well inside the lumen. A box more than 2.5 times as
 /// wide as tall is a long-axis view: its surroundings are the bands above and below, and the enhancement behind it is
@@ -42,11 +42,11 @@ struct Lumen {
   /// Enhancement: mean gray 0.4 to 1 box heights below the box over that beside this region; NaN in long-axis views.
   double belowOverSides = 0;
 };
-Lumen lumenOf(const BModeImage& image, const PictureBox& box);
+Lumen lumenOf(const BModeImage& image, const PixelBox& box);
 
 /// Returns the gray of a bright line (bone, pleura) in a box: the median over columns of each column's brightest pixel.
-double lineGrey(const BModeImage& image, const PictureBox& box);
-double meanGrey(const BModeImage& image, const PictureBox& box);
+double lineGray(const BModeImage& image, const PixelBox& box);
+double meanGray(const BModeImage& image, const PixelBox& box);
 
 /// Returns the mean structural similarity of two images of equal size (Wang, Bovik, Sheikh, Simoncelli, IEEE Trans.
 /// Image Process. 13(4), 2004), over 8 x 8 windows every 4 pixels; 1 for equal images.

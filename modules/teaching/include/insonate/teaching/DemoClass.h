@@ -14,7 +14,7 @@
 namespace insonate {
 
 /// Size and random seed of a class of invented people, for demonstrations and benchmarks.
-struct MadeUpPlan {
+struct DemoClassPlan {
   int trainees = 20;
   int attempts = 50;  ///< number of attempts of each trainee
   std::uint32_t seed = 1;
@@ -26,20 +26,20 @@ struct MadeUpPlan {
 /// an attainable skill and a learning rate. With rising skill, each metric moves from the novice's to the expert's
 /// value (the procedure's norms, else round numbers), with random scatter. After every five attempts the trainee goes
 /// on to the first open level. The same trainee and seed give the same attempts.
-Result<std::vector<AttemptFacts>> madeUpAttempts(const Curriculum& curriculum, int trainee, const MadeUpPlan& plan);
+Result<std::vector<AttemptFacts>> demoAttempts(const Curriculum& curriculum, int trainee, const DemoClassPlan& plan);
 
-inline constexpr const char *kMadeUpAdministrator = "made-up-administrator", *kMadeUpTeacher = "made-up-teacher",
-                            *kMadeUpClass = "Made-up class", *kMadeUpHalf = "Made-up class, second half";
+inline constexpr const char *kDemoAdministrator = "made-up-administrator", *kDemoInstructor = "made-up-teacher",
+                            *kDemoClass = "Made-up class", *kDemoHalfClass = "Made-up class, second half";
 
 /// Fills an empty database with an invented class: an administrator, an instructor, the published curriculum, a class
 /// of all trainees and a class of the second half. All names begin with "made-up", and all accounts have this password.
 /// Fails if the database has people, or if cancelled; what was added until then stays.
-Result<void> makeUpClass(const CurriculumStore& store, const Curriculum& curriculum, const MadeUpPlan& plan,
-                         const std::string& password, const Progress& progress = {});
+Result<void> makeDemoClass(const CurriculumStore& store, const Curriculum& curriculum, const DemoClassPlan& plan,
+                           const std::string& password, const Progress& progress = {});
 
-/// Adds each recording as the newest attempt of a trainee of makeUpClass(), one for each trainee from the first on, at
-/// the curriculum's first level, with the metrics and points of the recording. Fails if there are fewer trainees than
-/// recordings, if a recording cannot be scored, or if its procedure is not the level's.
+/// Adds each recording as the newest attempt of a trainee of makeDemoClass(), one for each trainee from the first on,
+/// at the curriculum's first level, with the metrics and points of the recording. Fails if there are fewer trainees
+/// than recordings, if a recording cannot be scored, or if its procedure is not the level's.
 Result<void> addRecordedAttempts(const CurriculumStore& store, const Curriculum& curriculum,
                                  const std::vector<std::filesystem::path>& recordings, const std::string& password);
 

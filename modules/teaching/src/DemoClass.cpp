@@ -3,7 +3,7 @@
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/teaching/AttemptFactsOf.h>
-#include <insonate/teaching/MadeUpClass.h>
+#include <insonate/teaching/DemoClass.h>
 
 #include <cstdio>
 
@@ -35,11 +35,12 @@ Result<SignedIn> enrol(const CurriculumStore& store, const SignedIn& administrat
 }
 
 Result<Classes> makeClasses(const CurriculumStore& store, const SignedIn& administrator, const std::string& password) {
-  const auto teacher = enrol(store, administrator, {kMadeUpTeacher, "Made-up teacher", "", Role::Instructor}, password);
+  const auto teacher =
+      enrol(store, administrator, {kDemoInstructor, "Made-up teacher", "", Role::Instructor}, password);
   if (!teacher) return tl::unexpected(teacher.error());
   const CohortStore cohorts(administrator);
   std::vector<std::string> ids;
-  for (const char* name : {kMadeUpClass, kMadeUpHalf}) {
+  for (const char* name : {kDemoClass, kDemoHalfClass}) {
     const auto cohort = cohorts.add(name);
     if (!cohort) return tl::unexpected(cohort.error());
     if (auto joined = cohorts.join(cohort->id, teacher->person().id, true); !joined)
@@ -68,10 +69,10 @@ Result<void> practise(const SignedIn& trainee, const std::vector<AttemptFacts>& 
 
 }  // namespace
 
-Result<void> makeUpClass(const CurriculumStore& store, const Curriculum& curriculum, const MadeUpPlan& plan,
-                         const std::string& password, const Progress& progress) {
-  const auto administrator = store.createFirstAdministrator(
-      {kMadeUpAdministrator, "Made-up administrator", "", Role::Administrator}, password);
+Result<void> makeDemoClass(const CurriculumStore& store, const Curriculum& curriculum, const DemoClassPlan& plan,
+                           const std::string& password, const Progress& progress) {
+  const auto administrator =
+      store.createFirstAdministrator({kDemoAdministrator, "Made-up administrator", "", Role::Administrator}, password);
   if (!administrator) return tl::unexpected(administrator.error());
   const auto classes = makeClasses(store, *administrator, password);
   if (!classes) return tl::unexpected(classes.error());
@@ -82,7 +83,7 @@ Result<void> makeUpClass(const CurriculumStore& store, const Curriculum& curricu
     const auto trainee =
         enrol(store, *administrator, {kMadeUpName + number, "Made-up trainee " + number, "", Role::Trainee}, password);
     if (!trainee) return tl::unexpected(trainee.error());
-    const auto attempts = madeUpAttempts(curriculum, i, plan);
+    const auto attempts = demoAttempts(curriculum, i, plan);
     if (!attempts) return tl::unexpected(attempts.error());
     if (auto practised = practise(*trainee, *attempts); !practised) return practised;
     // Joins only now: for a member of a cohort, the store computes a standing after each attempt.

@@ -1,5 +1,5 @@
 #include <insonate/core/AtomicFile.h>
-#include <insonate/simulator/PictureFiles.h>
+#include <insonate/simulator/ImageFiles.h>
 
 #include <png.h>
 
@@ -52,7 +52,7 @@ bool near(PixelPoint p, const GreyPicture& picture) {
 
 }  // namespace
 
-Result<void> writeFitPicture(const GreyPicture& picture, const FovFit& fit, const std::filesystem::path& file) {
+Result<void> writeFitImage(const GreyPicture& picture, const FovFit& fit, const std::filesystem::path& file) {
   Canvas canvas(picture);
   const std::vector<PixelPoint> outline = outlineOf(fit.shape);
   for (std::size_t k = 0; k < outline.size(); ++k) {

@@ -7,7 +7,7 @@
 #include <insonate/curriculum/Unlocking.h>
 #include <insonate/procedure/AttemptRecorder.h>
 #include <insonate/teaching/AttemptFactsOf.h>
-#include <insonate/teaching/MadeUpClass.h>
+#include <insonate/teaching/DemoClass.h>
 
 #include <gmock/gmock.h>
 
@@ -30,8 +30,8 @@ Curriculum centralLine() {
   return curriculum ? *curriculum : Curriculum();
 }
 
-std::vector<AttemptFacts> attemptsOf(int trainee, const MadeUpPlan& plan) {
-  const auto attempts = madeUpAttempts(centralLine(), trainee, plan);
+std::vector<AttemptFacts> attemptsOf(int trainee, const DemoClassPlan& plan) {
+  const auto attempts = demoAttempts(centralLine(), trainee, plan);
   EXPECT_TRUE(attempts);
   return *attempts;
 }
@@ -42,14 +42,14 @@ double pointsOf(const std::vector<AttemptFacts>& attempts, std::size_t from, std
   return *meanValue(points);
 }
 
-TEST(MadeUpClassTest, TheSameSeedMakesUpTheSame) {
-  const MadeUpPlan plan{.attempts = 40};
+TEST(DemoClassTest, TheSameSeedMakesUpTheSame) {
+  const DemoClassPlan plan{.attempts = 40};
   EXPECT_EQ(attemptsOf(3, plan), attemptsOf(3, plan));
   EXPECT_NE(attemptsOf(3, plan), attemptsOf(4, plan));
   EXPECT_NE(attemptsOf(3, plan), attemptsOf(3, {.attempts = 40, .seed = 2}));
 }
 
-TEST(MadeUpClassTest, MostLearnAndLevelsOpen) {
+TEST(DemoClassTest, MostLearnAndLevelsOpen) {
   const Curriculum curriculum = centralLine();
   int better = 0, past = 0;
   for (int trainee = 0; trainee < 20; ++trainee) {
@@ -62,7 +62,7 @@ TEST(MadeUpClassTest, MostLearnAndLevelsOpen) {
   EXPECT_GE(past, 10) << "of 20 were through the first level once";
 }
 
-TEST(MadeUpClassTest, ValuesAreOnesThatCouldBe) {
+TEST(DemoClassTest, ValuesAreOnesThatCouldBe) {
   std::int64_t before_us = 0;
   for (const AttemptFacts& facts : attemptsOf(1, {.attempts = 100})) {
     EXPECT_GT(facts.begun_us, before_us);
@@ -79,20 +79,21 @@ TEST(MadeUpClassTest, ValuesAreOnesThatCouldBe) {
   }
 }
 
-TEST(MadeUpClassTest, AStoreIsFilledOnceAndSaysThatItIsMadeUp) {
+TEST(DemoClassTest, AStoreIsFilledOnceAndSaysThatItIsMadeUp) {
   const test::TemporaryFolder folder;
   StoreServices services;
   services.passwordCost = PasswordCost::Least;
   const auto store = CurriculumStore::open((folder / "made-up.sqlite").string(), services);
   ASSERT_TRUE(store) << store.error().message;
-  const MadeUpPlan plan{.trainees = 4, .attempts = 6};
-  const auto made = makeUpClass(*store, centralLine(), plan, "made up");
+  const DemoClassPlan plan{.trainees = 4, .attempts = 6};
+  const auto made = makeDemoClass(*store, centralLine(), plan, "made up");
   EXPECT_FALSE(made) << "of 7 characters";
-  const auto again = makeUpClass(*store, centralLine(), plan, "made up too");
+  const auto again = makeDemoClass(*store, centralLine(), plan, "made up too");
   ASSERT_TRUE(again) << again.error().message;
-  EXPECT_THAT(makeUpClass(*store, centralLine(), plan, "made up too").error().message, HasSubstr("has people already"));
+  EXPECT_THAT(makeDemoClass(*store, centralLine(), plan, "made up too").error().message,
+              HasSubstr("has people already"));
 
-  const auto teacher = store->signIn(kMadeUpTeacher, "made up too");
+  const auto teacher = store->signIn(kDemoInstructor, "made up too");
   ASSERT_TRUE(teacher);
   const auto cohorts = CohortStore(*teacher).cohorts();
   ASSERT_EQ(cohorts->size(), 2u);
@@ -111,7 +112,7 @@ TEST(MadeUpClassTest, AStoreIsFilledOnceAndSaysThatItIsMadeUp) {
   EXPECT_EQ(attempts, 36u);
 }
 
-TEST(MadeUpClassTest, EachMadeTheirLastAttemptBeforeTheTimeThatIsAskedFor) {
+TEST(DemoClassTest, EachMadeTheirLastAttemptBeforeTheTimeThatIsAskedFor) {
   constexpr std::int64_t kDay_us = 86'400'000'000;
   for (int trainee = 0; trainee < 20; ++trainee) {
     const std::int64_t last_us = attemptsOf(trainee, {.attempts = 7, .until_us = 300 * kDay_us}).back().begun_us;
@@ -122,7 +123,7 @@ TEST(MadeUpClassTest, EachMadeTheirLastAttemptBeforeTheTimeThatIsAskedFor) {
 
 class MadeUpRecordings : public testing::Test {
  protected:
-  void SetUp() override { ASSERT_TRUE(makeUpClass(store, curriculum, {.trainees = 2, .attempts = 6}, kPassword)); }
+  void SetUp() override { ASSERT_TRUE(makeDemoClass(store, curriculum, {.trainees = 2, .attempts = 6}, kPassword)); }
 
   static std::string now() {
     const std::time_t time = std::time(nullptr);

@@ -1,7 +1,7 @@
 #include <insonate/core/Hash.h>
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/Unlocking.h>
-#include <insonate/teaching/MadeUpClass.h>
+#include <insonate/teaching/DemoClass.h>
 #include <insonate/teaching/TeachingHere.h>
 
 #include <algorithm>
@@ -130,7 +130,7 @@ const Level& levelNow(const Curriculum& curriculum, const std::vector<AttemptFac
 
 }  // namespace
 
-Result<std::vector<AttemptFacts>> madeUpAttempts(const Curriculum& curriculum, int trainee, const MadeUpPlan& plan) {
+Result<std::vector<AttemptFacts>> demoAttempts(const Curriculum& curriculum, int trainee, const DemoClassPlan& plan) {
   std::map<std::string, Course> courses;
   for (const Level& level : curriculum.levels) {
     auto course = courseOf(level.procedure);

@@ -1,6 +1,6 @@
 #include "support/TestData.h"
 
-#include <insonate/simulator/PictureFiles.h>
+#include <insonate/simulator/ImageFiles.h>
 
 #include <gmock/gmock.h>
 #include <png.h>

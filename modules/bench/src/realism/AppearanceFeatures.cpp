@@ -1,6 +1,6 @@
 #include "realism/PictureParts.h"
 
-#include <insonate/bench/LookFeatures.h>
+#include <insonate/bench/AppearanceFeatures.h>
 #include <insonate/bench/SourceImage.h>
 
 #include <opencv2/imgproc.hpp>
@@ -73,7 +73,7 @@ class Measuring {
         smooth_(blurred(image_)),
         mean_(std::max(1e-6, meanOf(image_))) {}
 
-  std::vector<LookFeature> features() {
+  std::vector<AppearanceFeature> features() {
     grays();
     contrast();
     detail("lateral", image_);
@@ -128,7 +128,7 @@ class Measuring {
       for (int x = 0; x <= spectrum.cols / 2; ++x) {
         const auto& c = spectrum.at<cv::Vec2f>(y, x);
         const double power = double(c[0]) * c[0] + double(c[1]) * c[1];
-        const double perMm = x * kLookPixelsPer_mm / spectrum.cols;
+        const double perMm = x * kFeaturePixelsPer_mm / spectrum.cols;
         if (perMm > 0.1) all += power;
         if (perMm > 1) above1 += power;
         if (perMm > 2) above2 += power;
@@ -172,13 +172,14 @@ class Measuring {
       const double pixels = about.at<int>(n, cv::CC_STAT_AREA);
       sum += pixels * about.at<int>(n, cv::CC_STAT_WIDTH), area += pixels;
     }
-    return area > 0 ? sum / area / kLookPixelsPer_mm : kUndefined;
+    return area > 0 ? sum / area / kFeaturePixelsPer_mm : kUndefined;
   }
 
   void depthBand(int band) {
     const std::string at =
         " at " + std::to_string(band * kBand_mm) + " to " + std::to_string((band + 1) * kBand_mm) + " mm";
-    const int first = int(band * kBand_mm * kLookPixelsPer_mm), last = int((band + 1) * kBand_mm * kLookPixelsPer_mm);
+    const int first = int(band * kBand_mm * kFeaturePixelsPer_mm),
+              last = int((band + 1) * kBand_mm * kFeaturePixelsPer_mm);
     const bool isThere = image_.rows >= last;
     const cv::Mat rows = isThere ? image_.rowRange(first, last) : cv::Mat();
     const cv::Mat fine = isThere ? cv::Mat(rows - wide(rows)) : cv::Mat();
@@ -204,7 +205,7 @@ class Measuring {
       const cv::Mat here = fine(cv::Rect(0, 0, fine.cols - dx, fine.rows - dy)),
                     there = fine(cv::Rect(dx, dy, fine.cols - dx, fine.rows - dy));
       const double now = meanOf(here.mul(there)) / power;
-      if (now < 0.5) return 2 * (lag - 1 + (before - 0.5) / (before - now)) / kLookPixelsPer_mm;
+      if (now < 0.5) return 2 * (lag - 1 + (before - 0.5) / (before - now)) / kFeaturePixelsPer_mm;
       before = now;
     }
     return kUndefined;
@@ -222,33 +223,33 @@ class Measuring {
 
   cv::Mat image_, smooth_;
   double mean_;
-  std::vector<LookFeature> features_;
+  std::vector<AppearanceFeature> features_;
 };
 
 }  // namespace
 
-Result<GreyPicture> atLookScale(const GreyPicture& image, double pixelsPer_mm, double depth_mm) {
+Result<GreyPicture> atFeatureScale(const GreyPicture& image, double pixelsPer_mm, double depth_mm) {
   if (!(pixelsPer_mm >= 1 && pixelsPer_mm <= 100))
     return fail("The scale of an image must be 1 to 100 pixels per mm, not " + std::to_string(pixelsPer_mm) + ".");
   if (image.width < 10 * pixelsPer_mm || image.height < 10 * pixelsPer_mm)
     return fail("The image is smaller than 10 x 10 mm.");
-  const double factor = kLookPixelsPer_mm / pixelsPer_mm;
+  const double factor = kFeaturePixelsPer_mm / pixelsPer_mm;
   cv::Mat scaled;
   // Shrinking averages over the area of each new pixel, which avoids aliasing.
   cv::resize(bench::bytesOf(image), scaled, {}, factor, factor, factor < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
-  return bench::pictureOf(scaled.rowRange(0, std::min(scaled.rows, int(std::lround(depth_mm * kLookPixelsPer_mm)))));
+  return bench::pictureOf(scaled.rowRange(0, std::min(scaled.rows, int(std::lround(depth_mm * kFeaturePixelsPer_mm)))));
 }
 
-std::vector<LookFeature> lookFeatures(const GreyPicture& image) {
+std::vector<AppearanceFeature> appearanceFeatures(const GreyPicture& image) {
   return Measuring(image).features();
 }
 
-std::vector<LookFeature> motionFeatures(const std::vector<GreyPicture>& frames) {
+std::vector<AppearanceFeature> motionFeatures(const std::vector<GreyPicture>& frames) {
   constexpr int kFar = kClipFrames / 3;
-  std::vector<LookFeature> features{{"motion: correlation of detail after 1/30 s", kUndefined},
-                                    {"motion: correlation of detail after 1/3 s", kUndefined},
-                                    {"motion: change from frame to frame / mean", kUndefined},
-                                    {"motion: flicker of the mean gray", kUndefined}};
+  std::vector<AppearanceFeature> features{{"motion: correlation of detail after 1/30 s", kUndefined},
+                                          {"motion: correlation of detail after 1/3 s", kUndefined},
+                                          {"motion: change from frame to frame / mean", kUndefined},
+                                          {"motion: flicker of the mean gray", kUndefined}};
   if (frames.size() <= std::size_t(kFar)) return features;
   std::vector<cv::Mat> images, details;
   double mean = 0, square = 0, change = 0, near = 0, far = 0;
