@@ -80,6 +80,32 @@ TEST_F(CurriculumCourse, AClassIsTaughtByCommandsAlone) {
   EXPECT_EQ(members[2]["attempts"], 1);
 }
 
+TEST_F(CurriculumCourse, CommentsAreWrittenReadAndRemoved) {
+  makeClass();
+  const std::string attempt =
+      told("attempts add " + record("a", Ending::InVein, 1) + " --level first --as alice")["attempt"]["id"];
+  const std::string comments = "attempts comments ";
+  EXPECT_THAT(refused(comments + "add " + attempt + " mine --at 0 --as alice"), HasSubstr("permission"));
+  EXPECT_THAT(refused(comments + "add " + attempt + " late --at 9999 --as miller"), HasSubstr("outside the attempt"));
+  const std::string id =
+      told(comments + "add " + attempt + " 'Withdraw first' --at 0.5 --as miller")["id"].get<std::string>();
+  EXPECT_EQ(told("attempts list --as alice")["attempts"][0]["unread_comments"], 1);
+  EXPECT_THAT(run("attempts list alice --as miller").output, HasSubstr("1, 1 unread"));
+  const json read = told(comments + "list " + attempt + " --csv " + path("comments.csv") + " --as alice")["comments"];
+  ASSERT_EQ(read.size(), 1u);
+  EXPECT_EQ(read[0]["at_s"], 0.5);
+  EXPECT_EQ(read[0]["text"], "Withdraw first");
+  EXPECT_EQ(read[0]["author"], "Full miller");
+  EXPECT_EQ(read[0]["read"], false);
+  EXPECT_EQ((*parseCsv(bytesOf(folder / "comments.csv")))[1].fields[2], "0.5");
+  EXPECT_EQ(told("attempts list --as alice")["attempts"][0]["unread_comments"], 0) << "alice has read it";
+  EXPECT_EQ(told("export json " + path("all.json") + " --as boss").is_object(), true);
+  EXPECT_THAT(bytesOf(folder / "all.json"), HasSubstr("Withdraw first"));
+  EXPECT_THAT(refused(comments + "remove " + attempt + " " + id + " --as alice"), HasSubstr("permission"));
+  told(comments + "remove " + attempt + " " + id + " --as miller");
+  EXPECT_TRUE(told(comments + "list " + attempt + " --as alice")["comments"].empty());
+}
+
 TEST_F(CurriculumCourse, StatisticsSayWhatTheyCannotTell) {
   makeClass();
   told("attempts add " + record("a", Ending::InVein, 1) + " --level first --as alice");

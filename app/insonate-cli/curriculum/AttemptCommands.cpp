@@ -5,6 +5,7 @@
 
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/curriculum/AttemptTable.h>
+#include <insonate/curriculum/CommentStore.h>
 #include <insonate/curriculum/Implausible.h>
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/RepeatedValues.h>
@@ -187,6 +188,11 @@ Json flagsOf(const AttemptFacts& facts, const std::set<std::string>& repeated) {
   return {{"flags", ids}, {"flagged", words}};
 }
 
+/// Numbers of comments, and their words for a table.
+Json commentsJson(const CommentStore::Count& count) {
+  return {{"comments", count.all}, {"unread_comments", count.unread}, {"commented", commentWords(count)}};
+}
+
 Result<Answer> listAttempts(const SignedIn& by, const ListArguments& a) {
   const auto person = personNamed(by, a.person);
   if (!person) return tl::unexpected(person.error());
@@ -194,6 +200,8 @@ Result<Answer> listAttempts(const SignedIn& by, const ListArguments& a) {
   if (!page) return tl::unexpected(page.error());
   const auto curricula = curriculaOf(by, *person);
   if (!curricula) return tl::unexpected(curricula.error());
+  const auto comments = CommentStore(by).countsOf(person->id);
+  if (!comments) return tl::unexpected(comments.error());
   // For who teaches: of one's own attempts nothing is said.
   const bool isOwn = person->id == by.person().id;
   const auto repeated = isOwn ? Result<std::set<std::string>>() : repeatedValues(by, person->id);
@@ -203,23 +211,20 @@ Result<Answer> listAttempts(const SignedIn& by, const ListArguments& a) {
     rows.push_back(factsJson(attempt.facts));
     rows.back().update(judgedBy(*curricula, attempt.facts));
     if (!isOwn) rows.back().update(flagsOf(attempt.facts, *repeated));
+    const auto commented = comments->find(attempt.facts.id);
+    rows.back().update(commentsJson(commented == comments->end() ? CommentStore::Count{} : commented->second));
     rows.back().update(
         {{"arrival", attempt.arrival},
          {"crashed", attempt.crashed},
          {"recording_file", attempt.recordingFile.empty() ? Json(nullptr) : Json(attempt.recordingFile.string())},
          {"void_reason", attempt.voidReason.empty() ? Json(nullptr) : Json(attempt.voidReason)}});
   }
-  std::vector<Column> columns{{"begun", "begun"},
-                              {"level", "level"},
-                              {"assistance", "assistance"},
-                              {"state", "state"},
-                              {"broke_off", "broke off"},
-                              {"succeeded", "succeeded"},
-                              {"passed", "passed"},
-                              {"critical_errors", "critical"},
-                              {"points", "points"},
-                              {"proof", "proof"},
-                              {"id", "attempt"}};
+  std::vector<Column> columns{{"begun", "begun"},           {"level", "level"},
+                              {"assistance", "assistance"}, {"state", "state"},
+                              {"broke_off", "broke off"},   {"succeeded", "succeeded"},
+                              {"passed", "passed"},         {"critical_errors", "critical"},
+                              {"points", "points"},         {"proof", "proof"},
+                              {"commented", "comments"},    {"id", "attempt"}};
   if (!isOwn) columns.push_back({"flagged", "needs attention"});
   return Answer{{{"person", toJson(*person)}, {"attempts", rows}},
                 rows.empty() ? "No attempts yet. Add one from its recording with 'curriculum attempts add'."
@@ -276,6 +281,7 @@ void addAttemptCommands(CLI::App& curriculum, Outcome& outcome) {
                          [voided](const SignedIn& by) { return voidOne(by, *voided); });
   voiding->add_option("ATTEMPT", voided->attempt, "The attempt's id, from 'attempts list'")->required();
   voiding->add_option("--reason", voided->reason, "Reason, which the trainee can read")->required();
+  addCommentCommands(attempts, outcome);
 }
 
 }  // namespace insonate::cli

@@ -10,6 +10,7 @@ void addClassCommands(CLI::App& curriculum, Outcome& outcome);
 void addClassImport(CLI::App& classes, Outcome& outcome);
 void addLevelsCommand(CLI::App& curriculum, Outcome& outcome);
 void addCurriculaCommands(CLI::App& curriculum, Outcome& outcome);
+void addCommentCommands(CLI::App& attempts, Outcome& outcome);
 void addAttemptCommands(CLI::App& curriculum, Outcome& outcome);
 void addPersonStatistics(CLI::App& statistics, Outcome& outcome);
 void addClassStatistics(CLI::App& statistics, Outcome& outcome);

@@ -1,6 +1,7 @@
 #include "LevelWindow.h"
 #include "levels/LevelWords.h"
 
+#include <insonate/curriculum/CommentStore.h>
 #include <insonate/curriculum/Form.h>
 #include <insonate/curriculum/FormStore.h>
 #include <insonate/ui/Chart.h>
@@ -104,6 +105,24 @@ TEST_F(TrainCourse, AnAttemptWhoseRecordingBrokeOffIsAbandonedAndSaysWhy) {
   EXPECT_TRUE(history().item(0, 2)->toolTip().contains("Abandoned: its recording broke off"))
       << history().item(0, 2)->toolTip().toStdString();
   EXPECT_FALSE(history().item(1, 2)->toolTip().contains("Abandoned"));
+}
+
+TEST_F(TrainCourse, UnreadCommentsAreCountedUntilTheyAreRead) {
+  addAttempts({40.0, 80.0});
+  const SignedIn tess = at(kTrainee);
+  const std::string attempt = AttemptStore(tess).page(tess.person().id, 1)->front().facts.id;
+  const auto written = CommentStore(at("admin")).add(attempt, 0, "Hold the probe still");
+  ASSERT_TRUE(written) << written.error().message;
+  signIn();
+  open("courseAttempts");
+  ASSERT_TRUE(waitFor([&] { return history().rowCount() == 2 && cell(0, 5) == "1, 1 unread"; }));
+  EXPECT_EQ(cell(1, 5), "");
+  EXPECT_EQ(text("historyWords"), "You have 1 unread comment. Open its attempt in Review to read it.");
+  child<QPushButton>("courseBack")->click();
+  ASSERT_TRUE(CommentStore(tess).markRead(attempt));
+  open("courseAttempts");
+  ASSERT_TRUE(waitFor([&] { return cell(0, 5) == "1"; }));
+  EXPECT_FALSE(shown("historyWords"));
 }
 
 TEST(LevelWords, ALevelSaysHowManyAttemptsItTakesAtLeast) {

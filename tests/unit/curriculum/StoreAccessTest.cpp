@@ -3,6 +3,7 @@
 
 #include <insonate/curriculum/AuditLog.h>
 #include <insonate/curriculum/ClassImport.h>
+#include <insonate/curriculum/CommentStore.h>
 #include <insonate/curriculum/FormStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/SiteUpload.h>
@@ -128,6 +129,16 @@ std::vector<Call> attemptCalls(const Target& target) {
        [=](const SignedIn& by) {
          return outcome(FormStore(by).add({"", "rating", 1, anna, attempt, "", 0, "{}"}));
        }},
+      {"write comment", "im",
+       [=](const SignedIn& by) { return outcome(CommentStore(by).add(attempt, 0, "look here")); }},
+      {"remove comment", "im",
+       [=](const SignedIn& by) {
+         const std::string said = outcome(CommentStore(by).remove(attempt, freshUuid()));
+         return said.find("no such comment") == std::string::npos ? said : "";
+       }},
+      {"see comments", "aim", [=](const SignedIn& by) { return outcome(CommentStore(by).ofAttempt(attempt)); }},
+      {"see counts of comments", "aim", [=](const SignedIn& by) { return outcome(CommentStore(by).countsOf(anna)); }},
+      {"mark comments as read", "a", [=](const SignedIn& by) { return outcome(CommentStore(by).markRead(attempt)); }},
       {"accept attempt", "im",
        [=](const SignedIn& by) {
          // A person's own attempt is refused; for those of others the answer is that acceptance is not needed.

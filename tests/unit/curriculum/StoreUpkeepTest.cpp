@@ -3,6 +3,7 @@
 #include "store/sql/Connection.h"
 
 #include <insonate/curriculum/AuditLog.h>
+#include <insonate/curriculum/CommentStore.h>
 #include <insonate/curriculum/FormStore.h>
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/PublishedCurricula.h>
@@ -284,7 +285,7 @@ TEST(StoreUpkeepOfFile, AnOddFileNameIsAFileName) {
 
 /// A store that an earlier program left, one file for each schema that was ever published: `sqlite3 FILE .dump`.
 class StoreUpkeepOfEarlier : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Schemas, StoreUpkeepOfEarlier, ::testing::Range(1, 7));
+INSTANTIATE_TEST_SUITE_P(Schemas, StoreUpkeepOfEarlier, ::testing::Range(1, 8));
 
 std::string dumpOf(int schema) {
   return bytesOf(fs::path(INSONATE_SOURCE_DIR) / "tests/unit/curriculum/schemas" / (std::to_string(schema) + ".sql"));
@@ -316,7 +317,7 @@ void copyToServer(const std::string& file, const std::string& server, int schema
   }
 }
 
-void expectAllThatItHeld(const CurriculumStore& store) {
+void expectAllThatItHeld(const CurriculumStore& store, int schema) {
   const SignedIn admin = valueOf(store.signIn("admin", kPassword));
   const insonate::StoreFacts facts = valueOf(StoreUpkeep(admin).facts());
   EXPECT_EQ(facts.schema, store::newestSchema());
@@ -331,12 +332,13 @@ void expectAllThatItHeld(const CurriculumStore& store) {
   EXPECT_EQ(history[0].metrics, endedFacts({}).metrics);
   EXPECT_EQ(history[1].state, AttemptState::Voided);
   EXPECT_EQ(history[0].proof, AttemptProof::Earlier) << "it counts as it did";
+  EXPECT_EQ(valueOf(CommentStore(anna).countsOf(anna.person().id)).size(), schema < 7 ? 0U : 1U);
 }
 
 TEST_P(StoreUpkeepOfEarlier, IsBroughtUpToDateWithAllThatItHeld) {
   const StoreRig rig;
   runSql(rig.address, dumpOf(GetParam()));
-  expectAllThatItHeld(rig.open());
+  expectAllThatItHeld(rig.open(), GetParam());
   EXPECT_EQ(fs::exists(store::copyBeforeMigration(rig.address, GetParam())), GetParam() != store::newestSchema());
 }
 
@@ -360,7 +362,7 @@ TEST_P(StoreUpkeepOfEarlier, IsBroughtUpToDateOnAServerToo) {
   const StoreRig file, server(Place::Server);
   runSql(file.address, dumpOf(GetParam()));
   copyToServer(file.address, server.address, GetParam());
-  expectAllThatItHeld(server.open());
+  expectAllThatItHeld(server.open(), GetParam());
 }
 
 TEST(StoreUpkeepOfNewest, HasAnEarlierStoreToTestWith) {

@@ -78,7 +78,7 @@ TEST_P(StoreUpload, AttemptsAndFormsArriveOnceHoweverOftenAndInWhateverOrderThey
   sendAllAgain(ward);
   EXPECT_THAT(valueOf(upload().exchange()).troubles, IsEmpty());
   EXPECT_EQ(serverHas(), first);
-  const StoreFacts facts = valueOf(StoreUpkeep(school->admin).facts());
+  const insonate::StoreFacts facts = valueOf(StoreUpkeep(school->admin).facts());
   EXPECT_EQ(facts.attempts, 5);
   EXPECT_EQ(facts.forms, 1);
   succeed(StoreUpkeep(school->admin).verify());

@@ -1,5 +1,6 @@
 #include "ReviewSession.h"
 #include "case/CaseFeature.h"
+#include "comments/CommentFeature.h"
 #include "home/HomeFeature.h"
 #include "judge/JudgeDesk.h"
 #include "judge/JudgeFeature.h"
@@ -51,9 +52,10 @@ struct ReviewWorkspace::Parts {
         scene(model, *attemptPage),
         result(model, *attemptPage, scene),
         judge(model, *attemptPage, replay),
+        comments(model, *attemptPage, replay),
         patientCase(model, *attemptPage) {}
 
-  std::array<Feature*, 6> features() { return {&home, &replay, &scene, &result, &judge, &patientCase}; }
+  std::array<Feature*, 7> features() { return {&home, &replay, &scene, &result, &judge, &comments, &patientCase}; }
 
   ReviewSession& session;
   JudgeDesk judging;
@@ -64,6 +66,7 @@ struct ReviewWorkspace::Parts {
   SceneFeature scene;
   ResultFeature result;
   JudgeFeature judge;
+  CommentFeature comments;
   CaseFeature patientCase;
   bool ready = false;
 };
@@ -120,6 +123,7 @@ void ReviewWorkspace::setCase(std::shared_ptr<const PatientCase> patient) {
 
 void ReviewWorkspace::setAccount(ui::Account& account) {
   parts_->home.setAccount(account);
+  parts_->comments.setAccount(account);
   parts_->judging.setAccount(account);
 }
 

@@ -41,6 +41,10 @@ enum class Act {
   FillForm,
   SeeForms,
   SeeCohortForms,
+  WriteComment,
+  RemoveComment,
+  SeeComments,
+  ReadComments,
   SeeAudit,
   SeeUploads,
   LookAfterStore

@@ -71,6 +71,10 @@ const std::vector<Table>& tables() {
        {"arrival", "id", "form", "form_version", "person", "attempt", "filled_by", "filled_us", "answers"},
        "SELECT arrival, id, form, form_version, person, attempt, filled_by, filled_us, answers FROM forms ORDER BY "
        "arrival"},
+      {"comments",
+       {"id", "attempt", "at_us", "author", "written_us", "text", "read_us", "removed_us", "removed_by"},
+       "SELECT id, attempt, at_us, author, written_us, text, read_us, removed_us, removed_by FROM comments ORDER BY "
+       "attempt, at_us, id"},
       {"audit",
        {"number", "time_us", "actor", "workstation", "act", "person", "detail", "allowed", "hash"},
        "SELECT number, time_us, actor, workstation, act, person, detail, allowed, hash FROM audit ORDER BY number"}};

@@ -68,7 +68,7 @@ bool unfold(PlaneDisplacement& out, std::vector<int>& folded) {
   constexpr int kMostRounds = 200;
   const int nx = out.columns;
   // Room for the largest number of them, so that no later frame allocates.
-  folded.reserve(4 * out.restFromSeen.size());
+  folded.reserve(4 * out.restFromDisplayed.size());
   const auto step = static_cast<float>(out.step_mm);
   const auto turned = [&](const PlaneDisplacement::Shift* at) {
     const auto &a = at[0], &b = at[1], &c = at[nx], &d = at[nx + 1];

@@ -22,7 +22,9 @@ HomeFeature::HomeFeature(const ReviewModel& model)
   connect(home_, &ReviewHome::failed, this,
           [this](const QString& what, const QString& advice) { Q_EMIT model_.workspace.failed(what, advice, {}); });
   connect(&model_.session, &ReviewSession::attemptChanged, this, [this] {
-    if (!model_.session.attempt()) refresh();
+    if (model_.session.attempt()) return;
+    refresh();
+    home_->refreshComments();
   });
 }
 

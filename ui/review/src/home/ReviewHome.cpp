@@ -138,6 +138,10 @@ void ReviewHome::setAccount(ui::Account& account) {
   showSignedInPages();
 }
 
+void ReviewHome::refreshComments() {
+  person_->refreshComments();
+}
+
 /// Shows the tabs and pages of the present user, and no data of the former one.
 void ReviewHome::showSignedInPages() {
   const bool somebody = room_->isSomebody();

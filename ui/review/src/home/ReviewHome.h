@@ -34,6 +34,8 @@ class ReviewHome final : public QWidget {
   ReviewHome(AttemptList& list, ui::Commands& commands, ui::TaskBar& tasks, QWidget* parent = nullptr);
 
   void setAccount(ui::Account& account);
+  /// Queries the numbers of comments on the person's page again.
+  void refreshComments();
   /// Tells whether all queries are answered.
   bool isSettled() const;
   /// Sentence about the next thing to do.

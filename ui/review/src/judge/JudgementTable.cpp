@@ -19,7 +19,7 @@
 namespace insonate::review {
 namespace {
 
-constexpr int kRow_px = 24, kAnswer_px = 130;
+constexpr int kAnswerRow_px = 24, kAnswer_px = 130;
 
 /// Text of a cell: the answer, and its note.
 QString cellOf(const FormItem& item, const FormAnswers& answers) {
@@ -48,7 +48,7 @@ JudgementTable::JudgementTable(QWidget* parent)
   connect(onlyDiffering_, &QCheckBox::toggled, this, [this] { fill(); });
   table_->setObjectName(QStringLiteral("judgements"));
   table_->setAccessibleName(tr("Answers item by item, a column for each form that was handed in"));
-  ui::makeRowTable(*table_, kRow_px);
+  ui::makeRowTable(*table_, kAnswerRow_px);
   table_->setWordWrap(true);
   table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);

@@ -30,6 +30,13 @@ QHBoxLayout* rowOf(int spacing_px) {
   return row;
 }
 
+/// The upper widget has more height than those below it.
+void shareHeight(QSplitter& column) {
+  QList<int> sizes;
+  for (int i = 0; i < column.count(); ++i) sizes << (i == 0 ? 600 : 400);
+  column.setSizes(sizes);
+}
+
 }  // namespace
 
 AttemptPage::AttemptPage(const ReviewModel& model)
@@ -42,6 +49,7 @@ AttemptPage::AttemptPage(const ReviewModel& model)
       buttonRow_(rowOf(ui::kGap)),
       tabs_(new QButtonGroup(this)),
       columns_(new QSplitter(Qt::Horizontal)),
+      leftColumn_(new QSplitter(Qt::Vertical)),
       rightColumn_(new QSplitter(Qt::Vertical)),
       centre_(new QStackedWidget),
       right_(new QStackedWidget),
@@ -96,10 +104,17 @@ QWidget* AttemptPage::buildBar() {
 QWidget* AttemptPage::buildColumns() {
   columns_->setObjectName(QStringLiteral("reviewColumns"));
   columns_->setChildrenCollapsible(false);
+  leftColumn_->setChildrenCollapsible(false);
+  leftColumn_->setMinimumWidth(kMoments_px * 3 / 4);
   rightColumn_->setChildrenCollapsible(false);
   right_->addWidget(rightColumn_);
+  columns_->addWidget(leftColumn_);
   columns_->addWidget(centre_);
   columns_->addWidget(right_);
+  columns_->setStretchFactor(0, 0);
+  columns_->setStretchFactor(1, 3);
+  columns_->setStretchFactor(2, 2);
+  columns_->setSizes({kMoments_px, kCentre_px, kScene_px});
   ui::markViewRoom(columns_);
   return columns_;
 }
@@ -130,21 +145,14 @@ void AttemptPage::addButton(QWidget* button) {
   buttonRow_->addWidget(button);
 }
 
-void AttemptPage::setMoments(QWidget* moments) {
-  moments->setMinimumWidth(kMoments_px * 3 / 4);
-  columns_->insertWidget(0, moments);
-  columns_->setStretchFactor(0, 0);
-  columns_->setStretchFactor(1, 3);
-  columns_->setStretchFactor(2, 2);
-  columns_->setSizes({kMoments_px, kCentre_px, kScene_px});
+void AttemptPage::addLeft(QWidget* widget) {
+  leftColumn_->addWidget(widget);
+  shareHeight(*leftColumn_);
 }
 
 void AttemptPage::addBelow(QWidget* widget) {
   rightColumn_->addWidget(widget);
-  // The upper widget has more height than those below it.
-  QList<int> sizes;
-  for (int i = 0; i < rightColumn_->count(); ++i) sizes << (i == 0 ? 600 : 400);
-  rightColumn_->setSizes(sizes);
+  shareHeight(*rightColumn_);
 }
 
 void AttemptPage::setForms(QWidget* forms) {

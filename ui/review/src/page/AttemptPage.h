@@ -36,8 +36,8 @@ class AttemptPage final : public QWidget {
   QToolButton* addToggle(const QString& command, const char* object, const QString& text);
   /// Adds a button at the right end of the bar.
   void addButton(QWidget* button);
-  /// Sets the widget of the left column.
-  void setMoments(QWidget* moments);
+  /// Adds a widget at the lower end of the left column.
+  void addLeft(QWidget* widget);
   /// Adds a widget at the lower end of the right column.
   void addBelow(QWidget* widget);
   /// Sets the widget that showForms() shows in place of the right column.
@@ -63,7 +63,7 @@ class AttemptPage final : public QWidget {
   QLabel *title_, *facts_, *notice_;
   QHBoxLayout *tabRow_, *toggleRow_, *buttonRow_;
   QButtonGroup* tabs_;
-  QSplitter *columns_, *rightColumn_;
+  QSplitter *columns_, *leftColumn_, *rightColumn_;
   QStackedWidget *centre_, *right_;
   QVBoxLayout* box_;
 };

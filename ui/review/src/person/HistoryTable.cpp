@@ -25,7 +25,7 @@ namespace insonate::review {
 namespace {
 
 constexpr int kHistoryRow_px = 26, kHistoryDate_px = 172, kHistoryLevel_px = 200, kHistoryLength_px = 80,
-              kHistoryPoints_px = 64, kHistoryRecording_px = 150;
+              kHistoryPoints_px = 64, kHistoryRecording_px = 150, kHistoryComments_px = 110;
 enum HistoryColumn {
   kHistoryDate,
   kHistoryLevel,
@@ -33,6 +33,7 @@ enum HistoryColumn {
   kHistoryPoints,
   kHistoryLength,
   kHistoryRecording,
+  kHistoryComments,
   kHistoryColumns
 };
 
@@ -89,7 +90,7 @@ QWidget* HistoryTable::buildTable() {
   table_->setAccessibleName(tr("Attempts of this person, the latest first"));
   table_->setColumnCount(kHistoryColumns);
   table_->setHorizontalHeaderLabels(
-      {tr("Attempt"), tr("Level"), tr("Outcome"), tr("Points"), tr("Length"), tr("Recording")});
+      {tr("Attempt"), tr("Level"), tr("Outcome"), tr("Points"), tr("Length"), tr("Recording"), tr("Comments")});
   ui::makeRowTable(*table_, kHistoryRow_px);
   table_->setMinimumHeight(4 * kHistoryRow_px);
   QHeaderView* header = table_->horizontalHeader();
@@ -99,6 +100,9 @@ QWidget* HistoryTable::buildTable() {
   header->resizeSection(kHistoryPoints, kHistoryPoints_px);
   header->resizeSection(kHistoryLength, kHistoryLength_px);
   header->resizeSection(kHistoryRecording, kHistoryRecording_px);
+  header->resizeSection(kHistoryComments, kHistoryComments_px);
+  table_->horizontalHeaderItem(kHistoryComments)
+      ->setToolTip(tr("Comments on the replay; unread: the trainee has not opened them yet"));
   connect(table_, &QTableWidget::itemActivated, this, [this] { replay(); });
   connect(table_, &QTableWidget::itemSelectionChanged, this, [this] { showChosen(); });
   return table_;
@@ -197,10 +201,17 @@ void HistoryTable::fill(int row, const KeptAttempt& attempt) {
   set(kHistoryPoints, facts.points ? QString::number(std::lround(*facts.points)) : tr("n/a"));
   set(kHistoryLength, clockOf(facts.length_us));
   set(kHistoryRecording, placeOf(attempt, recordingPath(attempt)));
+  set(kHistoryComments, commentsOf(facts.id));
 }
 
 QString HistoryTable::recordingPath(const KeptAttempt& attempt) const {
   return ui::recordingHere(attempt, desk_.storeAddress());
+}
+
+QString HistoryTable::commentsOf(const std::string& attempt) const {
+  if (!desk_.facts()) return {};
+  const auto found = desk_.facts()->comments.find(attempt);
+  return found == desk_.facts()->comments.end() ? QString() : QString::fromStdString(commentWords(found->second));
 }
 
 const KeptAttempt* HistoryTable::chosen() const {

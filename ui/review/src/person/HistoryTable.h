@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <string>
 
 class QLabel;
 class QLineEdit;
@@ -41,6 +42,7 @@ class HistoryTable final : public QWidget {
   void showChosen();
   /// Returns the path of the recording; empty if it is not on this computer.
   QString recordingPath(const KeptAttempt& attempt) const;
+  QString commentsOf(const std::string& attempt) const;
   const KeptAttempt* chosen() const;
   void replay();
   /// Change for which the user is asked a reason.

@@ -54,6 +54,18 @@ void PersonDesk::refresh() {
                    });
 }
 
+void PersonDesk::refreshComments() {
+  if (!facts_) return;
+  using Counts = std::map<std::string, CommentStore::Count>;
+  ask<Counts>([person = person_](const SignedIn& by) { return CommentStore(by).countsOf(person); },
+              [this](Result<Counts> counts) {
+                if (!counts) return Q_EMIT failed(QString::fromStdString(counts.error().message));
+                if (!facts_ || facts_->comments == *counts) return;
+                facts_->comments = std::move(*counts);
+                Q_EMIT attemptsChanged();
+              });
+}
+
 void PersonDesk::readEarlier() {
   if (!earlier_ || attempts_.empty()) return;
   earlier_ = false;

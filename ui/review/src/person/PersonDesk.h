@@ -26,6 +26,8 @@ class PersonDesk : public QObject {
   /// Queries everything about a person; "" shows no person.
   void show(const std::string& person, const std::optional<Curriculum>& curriculum);
   void refresh();
+  /// Queries the numbers of comments alone, for example after some were read.
+  void refreshComments();
   /// Facts of the person; null until they are read.
   const PersonFacts* facts() const { return facts_ ? &*facts_ : nullptr; }
   /// The attempts that were read so far, newest first.

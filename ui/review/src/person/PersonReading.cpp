@@ -28,6 +28,9 @@ Result<PersonFacts> readPerson(const SignedIn& by, const std::string& person,
   auto newest = attempts.page(person, kPage);
   if (!newest) return tl::unexpected(newest.error());
   facts.newest = std::move(*newest);
+  auto comments = CommentStore(by).countsOf(person);
+  if (!comments) return tl::unexpected(comments.error());
+  facts.comments = std::move(*comments);
   if (!curriculum) return facts;
   facts.progress = progressOf(*curriculum, facts.history, now_us);
   facts.standing = standingOf(*curriculum, facts.history, facts.progress, now_us, *changes);

@@ -3,6 +3,7 @@
 #include "../class/ClassReading.h"
 
 #include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/CommentStore.h>
 #include <insonate/curriculum/Implausible.h>
 
 #include <cstdint>
@@ -26,6 +27,7 @@ struct PersonFacts {
   std::vector<KeptAttempt> newest{};   ///< the first kPage attempts, newest first
   /// Reasons by attempt id, for attempts that an instructor should look at.
   std::map<std::string, std::vector<Implausible>> implausible{};
+  std::map<std::string, CommentStore::Count> comments{};  ///< numbers of comments, by attempt id
 };
 Result<PersonFacts> readPerson(const SignedIn& by, const std::string& person,
                                const std::optional<Curriculum>& curriculum, std::int64_t now_us);

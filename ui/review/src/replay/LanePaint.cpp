@@ -36,7 +36,7 @@ QFont smallFont(const QFont& font) {
 
 }  // namespace
 
-LaneLayout::LaneLayout(int width_px) {
+LaneLayout::LaneLayout(int width_px, bool hasComments) {
   const int left = kNames_px, width = std::max(1, width_px - kNames_px - kRight_px);
   int top = 0;
   const auto next = [&](int height) {
@@ -45,6 +45,7 @@ LaneLayout::LaneLayout(int width_px) {
     return lane;
   };
   marks = next(kMarks_px);
+  if (hasComments) comments = next(kComments_px);
   probe = next(kBar_px);
   depth = next(kDepth_px);
   aspirating = next(kBar_px);
@@ -174,6 +175,28 @@ void LanePaint::marks() {
   // Errors are drawn over other events.
   paint(false);
   paint(true);
+}
+
+void LanePaint::comments(const std::vector<TimelineComment>& comments) {
+  for (const TimelineComment& one : comments)
+    if (one.time_us >= first_us_ && one.time_us <= last_us_)
+      paintComment(painter_, {x(one.time_us), layout_.comments.center().y() + 0.0}, one.isUnread);
+  name(layout_.comments, tr("comments"));
+}
+
+void paintComment(QPainter& painter, QPointF middle, bool isUnread) {
+  const double x = middle.x(), y = middle.y();
+  painter.setPen(QPen(colour(theme::kLink), 1.4));
+  painter.setBrush(isUnread ? QBrush(colour(theme::kLink)) : QBrush(Qt::NoBrush));
+  // The tip of the balloon's tail is at the comment's time.
+  painter.drawPolygon(QPolygonF(
+      {{x - 6, y - 7}, {x + 6, y - 7}, {x + 6, y + 2}, {x + 2, y + 2}, {x, y + 7}, {x - 2, y + 2}, {x - 6, y + 2}}));
+  painter.setBrush(Qt::NoBrush);
+  if (!isUnread) return;
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colour(theme::kBlack));
+  painter.drawEllipse(QPointF(x, y - 2.5), 2, 2);
+  painter.setBrush(Qt::NoBrush);
 }
 
 void paintMark(QPainter& painter, QPointF middle, const std::optional<Severity>& severity) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QListWidget>
+#include "WrappedList.h"
 
 namespace insonate::review {
 
@@ -8,7 +8,7 @@ class ReviewSession;
 
 /// Lists the important moments with their marks of the timeline. A click moves the time to a moment; the last moment
 /// before the present time is the current row.
-class MomentList : public QListWidget {
+class MomentList : public WrappedList {
   Q_OBJECT
 
  public:
@@ -18,12 +18,8 @@ class MomentList : public QListWidget {
   /// Emitted after Enter or a double click, when the user also wants to see the moment's image.
   void entered();
 
- protected:
-  void resizeEvent(QResizeEvent* event) override;
-
  private:
   void fill();
-  void fit();
   void follow();
 
   ReviewSession& session_;

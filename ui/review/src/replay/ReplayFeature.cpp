@@ -29,7 +29,7 @@ ReplayFeature::ReplayFeature(const ReviewModel& model, AttemptPage& page)
   image_->setObjectName(QStringLiteral("replayPicture"));
   auto* moments = new MomentList(model_.session);
   page_.addCentre(QStringLiteral("review.replay.show"), "replayTab", tr("Replay"), image_);
-  page_.setMoments(moments);
+  page_.addLeft(moments);
   page_.addFoot(new Transport(model_.session, model_.workspace.commands()));
   page_.addFoot(timeline_);
   for (QWidget* one : std::initializer_list<QWidget*>{moments, image_->focusProxy(), timeline_}) passKeysOf(*one);

@@ -25,6 +25,7 @@ class ReplayFeature final : public Feature {
 
   /// Shows the image in the center.
   void showImage();
+  Timeline& timeline() { return *timeline_; }
 
  private:
   void addCommands();

@@ -2,9 +2,9 @@
 
 #include "../ReviewSession.h"
 #include "../attempt/Words.h"
-#include "LanePaint.h"
 
 #include <insonate/ui/AttemptWords.h>
+#include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/Theme.h>
 
 #include <QHelpEvent>
@@ -29,7 +29,7 @@ Timeline::Timeline(ReviewSession& session, QWidget* parent) : QWidget(parent), s
   setToolTip(tr("Click or drag to go to a time; the wheel zooms, a double click shows all"));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
-  setFixedHeight(LaneLayout::kHeight_px);
+  setFixedHeight(layout().height_px());
   connect(&session_, &ReviewSession::attemptChanged, this, [this] { showAll(); });
   connect(&session_, &ReviewSession::timeChanged, this, [this] {
     follow();
@@ -38,7 +38,7 @@ Timeline::Timeline(ReviewSession& session, QWidget* parent) : QWidget(parent), s
 }
 
 QSize Timeline::sizeHint() const {
-  return {800, LaneLayout::kHeight_px};
+  return {800, layout().height_px()};
 }
 
 void Timeline::showAll() {
@@ -63,13 +63,13 @@ void Timeline::follow() {
 }
 
 int Timeline::xOf(std::int64_t time_us) const {
-  const QRect axis = LaneLayout(width()).axis;
+  const QRect axis = layout().axis;
   if (last_us_ <= first_us_) return axis.left();
   return axis.left() + int(std::lround(double(time_us - first_us_) / double(last_us_ - first_us_) * axis.width()));
 }
 
 std::int64_t Timeline::timeAt(int x) const {
-  const QRect axis = LaneLayout(width()).axis;
+  const QRect axis = layout().axis;
   return first_us_ + std::int64_t(double(x - axis.left()) / axis.width() * double(last_us_ - first_us_));
 }
 
@@ -85,6 +85,41 @@ int Timeline::momentAt(QPoint at) const {
   return nearest;
 }
 
+int Timeline::commentAt(QPoint at) const {
+  const QRect lane = layout().comments;
+  if (lane.isNull() || at.y() < lane.top() || at.y() > lane.bottom()) return -1;
+  int nearest = -1, least = kMomentMark_px + 1;
+  for (std::size_t i = 0; i < comments_.size(); ++i)
+    if (const int off = std::abs(xOf(comments_[i].time_us) - at.x()); off < least) least = off, nearest = int(i);
+  return nearest;
+}
+
+void Timeline::setComments(std::vector<TimelineComment> comments) {
+  comments_ = std::move(comments);
+  setFixedHeight(layout().height_px());
+  lanes_ = {};
+  update();
+}
+
+/// Time of the mark at this point.
+std::optional<std::int64_t> Timeline::markAt(QPoint at) const {
+  if (const int moment = momentAt(at); moment >= 0) return session_.attempt()->moments[std::size_t(moment)].time_us;
+  if (const int comment = commentAt(at); comment >= 0) return comments_[std::size_t(comment)].time_us;
+  return std::nullopt;
+}
+
+QString Timeline::wordsAt(QPoint at) const {
+  if (const int number = commentAt(at); number >= 0) {
+    const TimelineComment& comment = comments_[std::size_t(number)];
+    return ui::plainToolTip(tr("%1  %2").arg(clockOf(comment.time_us), comment.words));
+  }
+  const int number = momentAt(at);
+  if (number < 0) return toolTip();
+  const AttemptMoment& moment = session_.attempt()->moments[std::size_t(number)];
+  const QString words = tr("%1  %2").arg(clockOf(moment.time_us), QString::fromStdString(moment.say));
+  return moment.severity ? words + tr(" (%1)").arg(ui::wordOf(*moment.severity)) : words;
+}
+
 void Timeline::paintLanes() {
   const double ratio = devicePixelRatioF();
   lanes_ = QPixmap(size() * ratio);
@@ -92,8 +127,10 @@ void Timeline::paintLanes() {
   lanes_.fill(ui::colour(views::theme::kPanel));
   QPainter painter(&lanes_);
   painter.setFont(font());
-  const LaneLayout layout(width());
-  LanePaint(painter, layout, *session_.attempt(), first_us_, last_us_).all();
+  const LaneLayout lanes = layout();
+  LanePaint paint(painter, lanes, *session_.attempt(), first_us_, last_us_);
+  paint.all();
+  if (!comments_.empty()) paint.comments(comments_);
 }
 
 void Timeline::paintEvent(QPaintEvent*) {
@@ -104,15 +141,15 @@ void Timeline::paintEvent(QPaintEvent*) {
   }
   if (lanes_.isNull()) paintLanes();
   painter.drawPixmap(0, 0, lanes_);
-  const LaneLayout layout(width());
+  const QRect axis = layout().axis;
   const int x = xOf(session_.time_us());
-  if (x < layout.axis.left() || x > layout.axis.right() + 1) return;
+  if (x < axis.left() || x > axis.right() + 1) return;
   painter.setPen(QPen(ui::colour(views::theme::kText), hasFocus() ? 2 : 1));
-  painter.drawLine(x, 0, x, layout.axis.top());
+  painter.drawLine(x, 0, x, axis.top());
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(ui::colour(hasFocus() ? views::theme::kAccent : views::theme::kText));
   painter.setPen(Qt::NoPen);
-  const double y = layout.axis.top();
+  const double y = axis.top();
   painter.drawPolygon(QPolygonF({QPointF(x, y - 6), QPointF(x + 5.5, y + 3), QPointF(x - 5.5, y + 3)}));
 }
 
@@ -123,15 +160,14 @@ void Timeline::resizeEvent(QResizeEvent*) {
 void Timeline::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !session_.attempt()) return;
   session_.setPlaying(false);
-  if (const int moment = momentAt(event->pos()); moment >= 0)
-    return session_.setTime(session_.attempt()->moments[std::size_t(moment)].time_us);
+  if (const auto time_us = markAt(event->pos())) return session_.setTime(*time_us);
   dragging_ = true;
   session_.setTime(timeAt(event->x()));
 }
 
 void Timeline::mouseMoveEvent(QMouseEvent* event) {
   if (dragging_) return session_.setTime(timeAt(event->x()));
-  setCursor(momentAt(event->pos()) >= 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
+  setCursor(markAt(event->pos()) ? Qt::PointingHandCursor : Qt::ArrowCursor);
 }
 
 void Timeline::mouseReleaseEvent(QMouseEvent*) {
@@ -155,14 +191,7 @@ void Timeline::wheelEvent(QWheelEvent* event) {
 bool Timeline::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     auto* help = static_cast<QHelpEvent*>(event);
-    const int number = momentAt(help->pos());
-    QString words = toolTip();
-    if (number >= 0) {
-      const AttemptMoment& moment = session_.attempt()->moments[std::size_t(number)];
-      words = tr("%1  %2").arg(clockOf(moment.time_us), QString::fromStdString(moment.say));
-      if (moment.severity) words += tr(" (%1)").arg(ui::wordOf(*moment.severity));
-    }
-    QToolTip::showText(help->globalPos(), words, this);
+    QToolTip::showText(help->globalPos(), wordsAt(help->pos()), this);
     return true;
   }
   return QWidget::event(event);

@@ -31,7 +31,7 @@ namespace insonate::train {
 namespace {
 
 constexpr int kPage = 200, kRow_px = 28;
-enum Column { kDate, kLevel, kOutcome, kPoints, kLength, kColumns };
+enum Column { kDate, kLevel, kOutcome, kPoints, kLength, kComments, kColumns };
 
 QString levelOf(const Curriculum* curriculum, const AttemptFacts& facts) {
   const Level* level = curriculum && facts.curriculum == curriculum->name ? curriculum->level(facts.level) : nullptr;
@@ -79,11 +79,13 @@ QWidget* HistoryPage::buildList() {
   table_->setAccessibleName(tr("Your attempts, the newest first"));
   table_->setToolTip(tr("Enter opens the attempt in Review"));
   table_->setColumnCount(kColumns);
-  table_->setHorizontalHeaderLabels({tr("Begun"), tr("Level"), tr("Result"), tr("Points"), tr("Length")});
+  table_->setHorizontalHeaderLabels(
+      {tr("Begun"), tr("Level"), tr("Result"), tr("Points"), tr("Length"), tr("Comments")});
   ui::makeRowTable(*table_, kRow_px);
   QHeaderView* header = table_->horizontalHeader();
   header->setSectionResizeMode(kLevel, QHeaderView::Stretch);
-  for (const auto& [column, px] : {std::pair{kDate, 158}, {kOutcome, 96}, {kPoints, 58}, {kLength, 62}})
+  for (const auto& [column, px] :
+       {std::pair{kDate, 158}, {kOutcome, 96}, {kPoints, 58}, {kLength, 62}, {kComments, 84}})
     header->resizeSection(column, px);
   open_ = ui::pushButton("historyOpen", tr("Open in Review"), tr("Replay the selected attempt (Enter)"));
   older_ = ui::pushButton("historyOlder", tr("Older attempts"), tr("Lists the attempts before the last one shown"));
@@ -130,6 +132,7 @@ QWidget* HistoryPage::buildCurve() {
 void HistoryPage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   if (!std::exchange(asked_, true)) ask(0);
+  askComments();
 }
 
 /// The list is asked anew when somebody looks.
@@ -139,6 +142,28 @@ void HistoryPage::refresh() {
   asked_ = isVisible();
   if (asked_) ask(0);
   if (!course_.isSomebodys()) append({});
+  if (!course_.isSomebodys()) comments_.clear();
+  if (isVisible()) askComments();
+}
+
+/// Comments are read in Review, and written there by others: each time the page is shown.
+void HistoryPage::askComments() {
+  if (!course_.isSomebodys()) return;
+  account_->ask<std::map<std::string, CommentStore::Count>>(
+      this, [](const SignedIn& by) { return CommentStore(by).countsOf(by.person().id); },
+      [this](Result<std::map<std::string, CommentStore::Count>> counts) {
+        if (!counts) return;  // the list of attempts states why the store does not answer
+        comments_ = std::move(*counts);
+        showComments();
+        refreshWords();
+      });
+}
+
+void HistoryPage::showComments() {
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    const auto found = comments_.find(attempts_[std::size_t(row)].facts.id);
+    table_->item(row, kComments)->setText(found == comments_.end() ? QString() : ui::qt(commentWords(found->second)));
+  }
 }
 
 void HistoryPage::ask(std::int64_t before) {
@@ -165,16 +190,17 @@ void HistoryPage::append(const std::vector<KeptAttempt>& page) {
   for (int row = int(attempts_.size() - page.size()); row < int(attempts_.size()); ++row) {
     const KeptAttempt& one = attempts_[std::size_t(row)];
     const AttemptFacts& facts = one.facts;
-    const QString texts[kColumns] = {ui::dayAndTimeOf(facts.begun_us), levelOf(course_.curriculum(), facts),
-                                     outcomeOf(course_.curriculum(), facts),
-                                     facts.points ? QString::number(std::lround(*facts.points)) : tr("n/a"),
-                                     clockOf(double(facts.length_us) * 1e-6)};
+    const QString texts[kColumns] = {
+        ui::dayAndTimeOf(facts.begun_us),        levelOf(course_.curriculum(), facts),
+        outcomeOf(course_.curriculum(), facts),  facts.points ? QString::number(std::lround(*facts.points)) : tr("n/a"),
+        clockOf(double(facts.length_us) * 1e-6), {}};
     for (int column = 0; column < kColumns; ++column) {
       auto* item = new QTableWidgetItem(texts[column]);
       item->setToolTip(tipOf(one));
       table_->setItem(row, column, item);
     }
   }
+  showComments();
   open_->setEnabled(!table_->selectedItems().isEmpty());
   if (fresh && !attempts_.empty()) table_->selectRow(0);
 }
@@ -188,6 +214,11 @@ void HistoryPage::refreshWords() {
     words = tr("Sign in (Ctrl+L) to see your attempts. Recordings of guests are listed under Review (Ctrl+3).");
   else if (words.isEmpty() && !any)
     words = tr("You have no attempts yet. Choose a level and practice it; each attempt is listed here.");
+  int unread = 0;
+  for (const auto& [attempt, count] : comments_) unread += count.unread;
+  if (words.isEmpty() && unread > 0)
+    words = unread == 1 ? tr("You have 1 unread comment. Open its attempt in Review to read it.")
+                        : tr("You have %1 unread comments. Open their attempts in Review to read them.").arg(unread);
   words_->setText(words);
   words_->setVisible(!words.isEmpty());
 }

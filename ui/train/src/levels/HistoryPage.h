@@ -1,10 +1,13 @@
 #pragma once
 
 #include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/CommentStore.h>
 
 #include <QString>
 #include <QWidget>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 class QComboBox;
@@ -44,6 +47,8 @@ class HistoryPage final : public QWidget {
   void refresh();
   void ask(std::int64_t before);
   void append(const std::vector<KeptAttempt>& page);
+  void askComments();
+  void showComments();
   void refreshWords();
   void refreshChoices();
   void refreshCurve();
@@ -51,7 +56,8 @@ class HistoryPage final : public QWidget {
 
   Course& course_;
   ui::Account* account_;
-  std::vector<KeptAttempt> attempts_;  ///< the attempts in the order of the table's rows
+  std::vector<KeptAttempt> attempts_;                    ///< the attempts in the order of the table's rows
+  std::map<std::string, CommentStore::Count> comments_;  ///< by attempt id
   bool asked_ = false, more_ = false;
   int asking_ = 0;  ///< number of the last query; results of earlier queries are dropped
   QString trouble_;

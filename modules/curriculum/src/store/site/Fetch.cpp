@@ -1,3 +1,4 @@
+#include "store/CommentRows.h"
 #include "store/CurriculumRows.h"
 #include "store/Proofs.h"
 #include "store/StandingRows.h"
@@ -25,7 +26,7 @@ constexpr std::string_view kMemberships = "SELECT cohort || ' ' || person, cohor
 struct Taught {
   Rows people{}, cohorts{}, memberships{};
   std::vector<KeptCurriculum> curricula{};
-  std::vector<Row> voided{}, accepted{};
+  std::vector<Row> voided{}, accepted{}, comments{};
 };
 
 Rows rowsByKey(Transaction& transaction, std::string_view sql) {
@@ -51,6 +52,10 @@ Result<Taught> readServer(Core& server, const std::string& workstation) {
     taught.accepted = transaction.rows(
         "SELECT attempt, accepted_by FROM proofs JOIN attempts ON attempts.id = attempt WHERE workstation = ? AND "
         "proofs.state = 'accepted'",
+        workstation);
+    taught.comments = transaction.rows(
+        "SELECT " INSONATE_COMMENT_COLUMNS
+        " FROM comments JOIN attempts ON attempts.id = attempt WHERE workstation = ? ORDER BY comments.id",
         workstation);
     return taught;
   });
@@ -168,6 +173,8 @@ Result<void> fetchFromServer(Core& here, Core& server, UploadReport& report) {
     report.curricula = takeCurricula(transaction, taught->curricula, report.troubles);
     takeVoided(transaction, taught->voided);
     takeAccepted(transaction, taught->accepted, here.now_us());
+    for (const Row& comment : taught->comments)
+      if (transaction.row("SELECT id FROM attempts WHERE id = ?", comment.text(1))) mergeComment(transaction, comment);
     return {};
   });
 }

@@ -1,5 +1,6 @@
 #include "store/AttemptRows.h"
 #include "store/AuditChain.h"
+#include "store/CommentRows.h"
 #include "store/FormRows.h"
 #include "store/Hands.h"
 #include "store/StandingRows.h"
@@ -18,6 +19,7 @@ struct SentAttempt {
   AttemptFacts ended{};  ///< the state before the attempt was voided
   std::optional<std::int64_t> voided_us{};
   std::string voidedBy{}, acceptedBy{};
+  std::vector<Row> comments{};
 };
 
 /// A fact that waits for the server, in its present state.
@@ -43,8 +45,11 @@ std::optional<SentAttempt> readAttempt(Transaction& here, const std::string& id)
                             "FROM attempts WHERE id = ?",
                             id);
   if (!row) return std::nullopt;
-  SentAttempt sent{
-      .kept = keptOf(*row), .voided_us = row->time(17), .voidedBy = row->text(25), .acceptedBy = row->text(26)};
+  SentAttempt sent{.kept = keptOf(*row),
+                   .voided_us = row->time(17),
+                   .voidedBy = row->text(25),
+                   .acceptedBy = row->text(26),
+                   .comments = commentRows(here, id)};
   sent.ended = sent.kept.facts;
   sent.ended.state = stateOfEnd(*row);
   return sent;
@@ -109,6 +114,7 @@ Result<void> mergeAttempt(Transaction& server, const SentAttempt& sent, std::int
   if (sent.voided_us && !there->voided_us)
     server.run("UPDATE attempts SET voided_us = ?, voided_by = ?, void_reason = ? WHERE id = ?", *sent.voided_us,
                sent.voidedBy, sent.kept.voidReason, facts.id);
+  for (const Row& comment : sent.comments) mergeComment(server, comment);
   return {};
 }
 

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "../feature/Feature.h"
+#include "CommentDesk.h"
+
+namespace insonate::ui {
+class Account;
+}
+
+namespace insonate::review {
+
+class AttemptPage;
+class CommentPane;
+class ReplayFeature;
+
+/// Comments at a time of the replay: their marks on the timeline, the list, and the commands to write and remove one.
+class CommentFeature final : public Feature {
+ public:
+  CommentFeature(const ReviewModel& model, AttemptPage& page, ReplayFeature& replay);
+  void setAccount(ui::Account& account) { desk_.setAccount(account); }
+
+  bool isReady() const override { return !desk_.isReading(); }
+
+ private:
+  void addCommands();
+  void addStep(int by, int key, const QString& text, const QString& does);
+  void showOn(ReplayFeature& replay) const;
+
+  CommentDesk desk_;
+  CommentPane* pane_ = nullptr;
+};
+
+}  // namespace insonate::review

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <QWidget>
+#include <cstdint>
+#include <map>
+#include <string>
+
+class QLabel;
+class QListWidgetItem;
+class QPlainTextEdit;
+class QPushButton;
+
+namespace insonate::ui {
+class Commands;
+}
+
+namespace insonate::review {
+
+class CommentDesk;
+class CommentList;
+class ReviewSession;
+
+/// The comments on the open attempt, below the moments. A click moves the time to a comment. An instructor writes one
+/// at the time shown; its author or an administrator removes it, after a question. Hidden if the user can neither read
+/// nor write any.
+class CommentPane final : public QWidget {
+  Q_OBJECT
+
+ public:
+  CommentPane(ReviewSession& session, CommentDesk& desk, const ui::Commands& commands, QWidget* parent = nullptr);
+
+  CommentList& list() { return *list_; }
+  /// Opens the field for a comment at the present time, with the text that was left unsaved.
+  void startWriting();
+  /// Asks whether to remove the selected comment.
+  void askRemoval();
+  bool canRemove() const;
+
+ protected:
+  /// Enter saves, Shift+Enter begins a line, Esc closes the field. Backspace in the field never leaves the attempt.
+  bool eventFilter(QObject* field, QEvent* event) override;
+
+ private:
+  /// A comment that is not saved yet.
+  struct Draft {
+    std::int64_t at_us = 0;
+    QString text{};
+  };
+
+  QWidget* buildField();
+  QWidget* buildQuestion();
+  QWidget* buildButtons(const ui::Commands& commands);
+  void showDesk();
+  void showChosen();
+  void showTime();
+  void closeField();
+  void keepDraft();
+  void save();
+  void removeChosen();
+
+  ReviewSession& session_;
+  CommentDesk& desk_;
+  QLabel *head_, *time_;
+  CommentList* list_;
+  QWidget *field_, *question_, *buttons_;
+  QPlainTextEdit* text_;
+  QPushButton *save_, *write_, *remove_;
+  std::string attempt_;                  ///< attempt that the field belongs to
+  std::map<std::string, Draft> drafts_;  ///< by attempt
+  std::int64_t at_us_ = 0;               ///< time of the comment in the field
+};
+
+}  // namespace insonate::review
