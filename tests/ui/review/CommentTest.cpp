@@ -161,8 +161,10 @@ TEST_F(CommentTest, AnUnsavedTextIsKeptWithItsTime) {
   QTest::keyClicks(&field(), "Half a sen");
   QTest::keyClick(&field(), Qt::Key_Backspace);
   EXPECT_TRUE(session().attempt()) << "Backspace edits the text";
+  EXPECT_FALSE(isSeen("writeComment")) << "the field has buttons of its own";
   QTest::keyClick(&field(), Qt::Key_Escape);
   EXPECT_FALSE(field().isVisible());
+  EXPECT_TRUE(isSeen("writeComment"));
   EXPECT_TRUE(stored().empty());
   close();
   open();

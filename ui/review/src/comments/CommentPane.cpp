@@ -18,7 +18,7 @@
 namespace insonate::review {
 namespace {
 
-constexpr int kText_px = 66;
+constexpr int kText_px = 66, kList_px = 104;
 
 }  // namespace
 
@@ -32,6 +32,7 @@ CommentPane::CommentPane(ReviewSession& session, CommentDesk& desk, const ui::Co
       field_(buildField()),
       question_(buildQuestion()),
       buttons_(buildButtons(commands)) {
+  list_->setMinimumHeight(kList_px);
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(ui::kSmallGap, ui::kSmallGap, ui::kSmallGap, ui::kSmallGap);
   box->setSpacing(ui::kSmallGap);
@@ -94,10 +95,10 @@ QWidget* CommentPane::buildQuestion() {
   auto* box = new QVBoxLayout(part);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kSmallGap);
-  box->addWidget(ui::paragraph("commentQuestion", "", tr("Remove the selected comment? This cannot be undone.")));
+  box->addWidget(ui::paragraph("commentQuestion", "", tr("Remove the selected comment?")));
   box->addLayout(row);
   connect(remove, &QPushButton::clicked, this, [this] { removeChosen(); });
-  connect(keep, &QPushButton::clicked, this, [this] { question_->hide(); });
+  connect(keep, &QPushButton::clicked, this, [this] { closeQuestion(); });
   part->setFocusProxy(keep);
   part->hide();
   return part;
@@ -125,7 +126,6 @@ void CommentPane::showDesk() {
     attempt_ = desk_.attempt();
     text_->clear();
     closeField();
-    question_->hide();
   }
   const auto& comments = desk_.comments();
   const auto unread = std::ranges::count(comments, false, &AttemptComment::isRead);
@@ -134,7 +134,6 @@ void CommentPane::showDesk() {
   head_->setText(words);
   list_->show(comments);
   list_->setVisible(!comments.empty());
-  buttons_->setVisible(desk_.mayWrite());
   setVisible(desk_.mayWrite() || !comments.empty());
   showChosen();
 }
@@ -144,12 +143,18 @@ bool CommentPane::canRemove() const {
 }
 
 void CommentPane::showChosen() {
-  question_->hide();
+  closeQuestion();
   remove_->setEnabled(canRemove());
 }
 
-void CommentPane::showTime() {
-  time_->setText(tr("Comment at %1").arg(clockOf(at_us_)));
+/// The buttons make room for the field and the question, which have their own.
+void CommentPane::showButtons() {
+  buttons_->setVisible(desk_.mayWrite() && field_->isHidden() && question_->isHidden());
+}
+
+void CommentPane::closeQuestion() {
+  question_->hide();
+  showButtons();
 }
 
 void CommentPane::startWriting() {
@@ -161,9 +166,9 @@ void CommentPane::startWriting() {
     text_->setPlainText(draft->second.text);
     text_->moveCursor(QTextCursor::End);
   }
-  showTime();
-  question_->hide();
+  time_->setText(tr("Comment at %1").arg(clockOf(at_us_)));
   field_->show();
+  closeQuestion();
   text_->setFocus();
 }
 
@@ -175,8 +180,9 @@ void CommentPane::keepDraft() {
 
 void CommentPane::closeField() {
   keepDraft();
-  const bool hadFocus = text_->hasFocus();
+  const bool hadFocus = field_->isAncestorOf(window()->focusWidget());
   field_->hide();
+  showButtons();
   if (hadFocus) list_->isVisible() ? list_->setFocus() : write_->setFocus();
 }
 
@@ -188,12 +194,14 @@ void CommentPane::save() {
 
 void CommentPane::askRemoval() {
   if (!canRemove()) return;
+  closeField();
   question_->show();
+  showButtons();
   question_->setFocus();
 }
 
 void CommentPane::removeChosen() {
-  question_->hide();
+  closeQuestion();
   if (canRemove()) desk_.remove(*list_->chosen());
 }
 

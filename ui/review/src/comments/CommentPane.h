@@ -52,7 +52,8 @@ class CommentPane final : public QWidget {
   QWidget* buildButtons(const ui::Commands& commands);
   void showDesk();
   void showChosen();
-  void showTime();
+  void showButtons();
+  void closeQuestion();
   void closeField();
   void keepDraft();
   void save();

@@ -30,10 +30,10 @@ QHBoxLayout* rowOf(int spacing_px) {
   return row;
 }
 
-/// The upper widget has more height than those below it.
-void shareHeight(QSplitter& column) {
+/// Gives the upper widget `upper` parts of the height, and each widget below it 400.
+void shareHeight(QSplitter& column, int upper) {
   QList<int> sizes;
-  for (int i = 0; i < column.count(); ++i) sizes << (i == 0 ? 600 : 400);
+  for (int i = 0; i < column.count(); ++i) sizes << (i == 0 ? upper : 400);
   column.setSizes(sizes);
 }
 
@@ -147,12 +147,12 @@ void AttemptPage::addButton(QWidget* button) {
 
 void AttemptPage::addLeft(QWidget* widget) {
   leftColumn_->addWidget(widget);
-  shareHeight(*leftColumn_);
+  shareHeight(*leftColumn_, 500);
 }
 
 void AttemptPage::addBelow(QWidget* widget) {
   rightColumn_->addWidget(widget);
-  shareHeight(*rightColumn_);
+  shareHeight(*rightColumn_, 600);
 }
 
 void AttemptPage::setForms(QWidget* forms) {

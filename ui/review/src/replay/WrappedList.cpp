@@ -43,7 +43,9 @@ void WrappedList::fitRows() {
   const QRect room(0, 0, std::max(1, viewport()->width() - kBeside_px), QWIDGETSIZE_MAX);
   for (int row = 0; row < count(); ++row) {
     const int height = fontMetrics().boundingRect(room, Qt::TextWordWrap, item(row)->text()).height();
-    item(row)->setSizeHint({room.width(), std::max(height, kMark_px) + kAround_px});
+    // Qt elides the last line if the fractions of the lines' heights do not fit.
+    const int fractions = height / fontMetrics().height();
+    item(row)->setSizeHint({room.width(), std::max(height + fractions, kMark_px) + kAround_px});
   }
 }
 
