@@ -7,6 +7,8 @@ namespace insonate {
 namespace {
 
 constexpr double kAimStep_mm = 0.5;
+/// Shorter paths through a vein that is not the target are taken for the border of the target.
+constexpr double kOtherVein_mm = 1.5;
 
 int wallOf(Label label) {
   return static_cast<int>(std::ranges::find(kNeedleWalls, label) - kNeedleWalls.begin());
@@ -21,6 +23,7 @@ NeedleAim aimOf(const Needle& needle, const TissueGrid& grid, const VesselNames&
   const Transform indexFromPatient = volume.indexFromPatient();
   const bool isIn = grid.at(needle.tip_mm).distance_mm[skin] < 0;
   bool isNear = false;
+  double otherVein_mm = 0;
   for (double ahead_mm = 0; ahead_mm <= needle.length_mm; ahead_mm += kAimStep_mm) {
     const Vec3 at_mm = needle.tip_mm + needle.direction * ahead_mm;
     const Vec3 index = indexFromPatient * at_mm;
@@ -29,7 +32,10 @@ NeedleAim aimOf(const Needle& needle, const TissueGrid& grid, const VesselNames&
       continue;
     const TissueSample sample = grid.at(at_mm);
     if (sample.label == kArtery) return isNear ? NeedleAim::Vein : NeedleAim::Artery;
-    if (sample.label == kVein && vessels.isTarget(at_mm, veins)) return NeedleAim::Vein;
+    if (sample.label == kVein) {
+      if (vessels.isTarget(at_mm, veins)) return NeedleAim::Vein;
+      if ((otherVein_mm += kAimStep_mm) > kOtherVein_mm) return NeedleAim::Beside;
+    }
     isNear |= isIn && std::abs(sample.distance_mm[vein]) <= kAimTolerance_mm;
   }
   return isNear ? NeedleAim::Vein : NeedleAim::Beside;

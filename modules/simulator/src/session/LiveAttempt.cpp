@@ -146,7 +146,7 @@ void LiveAttempt::see(const std::shared_ptr<const LiveFrame>& frame, const Surro
   if (hasImage && (s.seen.lock() != frame || s.seenIn != around.grid)) {
     const std::span<const CentreLine> veins = around.veins ? std::span(*around.veins) : std::span<const CentreLine>{};
     s.sight = VeinWatch::sightOf(frame->press.middleAtRest_mm, *around.grid, s.vessels, veins);
-    s.aim = frame->needle ? aimOf(*frame->needle, *around.grid, s.vessels, veins) : NeedleAim::Unknown;
+    s.aim = frame->needle && around.veins ? aimOf(*frame->needle, *around.grid, s.vessels, veins) : NeedleAim::Unknown;
     s.seen = frame, s.seenIn = around.grid;
   }
   s.isVeinCentered = isLive && s.sight && s.sight->isCentered;
