@@ -1,5 +1,6 @@
 #include "Classroom.h"
 #include "class/ClassTable.h"
+#include "reports/PaperSlices.h"
 #include "reports/Portfolio.h"
 #include "reports/ReportParts.h"
 #include "reports/SaveMenu.h"
@@ -9,15 +10,23 @@
 #include <nlohmann/json.hpp>
 
 #include <QAbstractButton>
+#include <QAbstractTextDocumentLayout>
 #include <QAction>
+#include <QApplication>
 #include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QImage>
 #include <QMenu>
 #include <QPainter>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
+#include <QTextBlock>
+#include <QTextDocument>
+#include <QTextLayout>
 #include <QThread>
+#include <QTimer>
 #include <algorithm>
 #include <atomic>
 #include <optional>
@@ -150,7 +159,6 @@ TEST_F(ReportsTest, APortfolioIsSavedInTheBackground) {
   EXPECT_TRUE(action->isEnabled());
   EXPECT_EQ(action->shortcut(), QKeySequence("Ctrl+Shift+P"));
   const QString file = home_.filePath("anna portfolio.pdf");
-  const QSignalSpy failed(workspace_.get(), &ui::Workspace::failed);
   std::atomic<bool> isDone = false;
   std::optional<Result<bool>> other;
   tasks_.run<bool>(
@@ -161,15 +169,101 @@ TEST_F(ReportsTest, APortfolioIsSavedInTheBackground) {
       },
       [&](const Result<bool>& result) { other = result; });
   menu("savePerson").savePortfolio(file);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() == 1; }, kPatience_ms));
-  EXPECT_TRUE(failed.first().first().toString().endsWith("another task is running: Opening a case."));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return written.count() == 1; }, kPatience_ms));
+  EXPECT_EQ(written.first().first().toString(),
+            "The portfolio of Dr anna will be written when this task is done: Opening a case.");
+  EXPECT_FALSE(QFile::exists(file)) << "the window does not wait for it";
   isDone = true;
   ASSERT_TRUE(QTest::qWaitFor([&] { return other.has_value(); }, kPatience_ms));
   EXPECT_TRUE(*other) << "the other task is not cancelled";
-  menu("savePerson").savePortfolio(file);
-  EXPECT_FALSE(QFile::exists(file)) << "the window does not wait for it";
-  ASSERT_TRUE(QTest::qWaitFor([&] { return written.count() == 1; }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return written.count() == 2; }, kPatience_ms));
   EXPECT_TRUE(read(file).startsWith("%PDF"));
+}
+
+TEST_F(ReportsTest, APortfolioIsOfferedUnderANameOfItsOwn) {
+  practise(school_->as(school_->anna), true);
+  enter("anna");
+  const auto offered = [&](const char* action) {
+    QString name;
+    QTimer::singleShot(0, [&] {
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      if (!dialog) return;
+      name = QFileInfo(dialog->selectedFiles().value(0)).fileName();
+      dialog->reject();
+    });
+    menu("savePerson").findChild<QAction*>(action)->trigger();
+    return name;
+  };
+  EXPECT_EQ(offered("savePortfolio"), "Dr-anna-portfolio.pdf");
+  EXPECT_EQ(offered("savePage"), "Dr-anna.pdf");
+}
+
+class PaperSlicesTest : public testing::Test {
+ protected:
+  static constexpr double kWidth = 400, kHeight = 300;
+
+  static QString rowOf(int lines) {
+    return QStringLiteral("<tr><td>n</td><td>%1</td></tr>")
+        .arg(QStringList(QVector<QString>(lines, "line").toList()).join("<br>"));
+  }
+  std::vector<PaperSlice> divided(const QString& html) {
+    document_.setHtml(html);
+    document_.setTextWidth(kWidth);
+    return slicesOf(document_, kHeight);
+  }
+  QRectF placeOf(const QTextBlock& block) const { return document_.documentLayout()->blockBoundingRect(block); }
+
+  QTextDocument document_;
+};
+
+TEST_F(PaperSlicesTest, RowsStayWholeAndTheHeadIsRepeated) {
+  QString html = "<h2>Attempts</h2><table cellspacing=\"0\" cellpadding=\"2\"><tr><th>No.</th><th>Outcome</th></tr>";
+  for (int i = 0; i < 30; ++i) html += rowOf(1 + i * 7 % 5);
+  const auto pages = divided(html + "</table>");
+  ASSERT_GT(pages.size(), 3U);
+  for (QTextBlock block = document_.begin(); block.isValid(); block = block.next()) {
+    const QRectF place = placeOf(block);
+    const auto holds = [&](const PaperSlice& page) {
+      return place.top() >= page.part.top && place.bottom() <= page.part.bottom;
+    };
+    EXPECT_EQ(std::ranges::count_if(pages, holds), 1) << block.text().toStdString() << " at " << place.top();
+  }
+  EXPECT_FALSE(pages[0].head);
+  for (std::size_t i = 1; i < pages.size(); ++i) {
+    ASSERT_TRUE(pages[i].head) << i;
+    EXPECT_DOUBLE_EQ(pages[i].part.top, pages[i - 1].part.bottom) << "nothing is left out";
+    const double height = pages[i].part.bottom - pages[i].part.top + pages[i].head->bottom - pages[i].head->top;
+    EXPECT_LE(height, kHeight);
+  }
+}
+
+TEST_F(PaperSlicesTest, AHeadingStaysWithItsTable) {
+  for (int lines = 8; lines < 22; ++lines) {
+    SCOPED_TRACE(lines);
+    const QString before = QStringList(QVector<QString>(lines, "text").toList()).join("<br>");
+    const auto pages =
+        divided("<p>" + before + "</p><h2>Tests</h2><table><tr><th>No.</th></tr>" + rowOf(1) + "</table>");
+    QTextBlock heading = document_.begin().next(), row = heading;
+    while (row.isValid() && row.text() != "n") row = row.next();
+    ASSERT_TRUE(row.isValid() && heading.text() == "Tests");
+    for (const PaperSlice& page : pages)
+      EXPECT_EQ(placeOf(heading).center().y() < page.part.bottom && placeOf(heading).center().y() > page.part.top,
+                placeOf(row).center().y() < page.part.bottom && placeOf(row).center().y() > page.part.top);
+  }
+}
+
+TEST_F(PaperSlicesTest, ARowHigherThanAPageIsDividedBetweenLines) {
+  const auto pages = divided("<table><tr><th>No.</th><th>Remarks</th></tr>" + rowOf(60) + rowOf(1) + "</table>");
+  ASSERT_GT(pages.size(), 2U);
+  for (std::size_t i = 1; i < pages.size(); ++i) {
+    EXPECT_DOUBLE_EQ(pages[i].part.top, pages[i - 1].part.bottom);
+    for (QTextBlock block = document_.begin(); block.isValid(); block = block.next())
+      for (int n = 0; n < block.layout()->lineCount(); ++n) {
+        const double top = placeOf(block).top() + block.layout()->lineAt(n).y();
+        const double bottom = top + block.layout()->lineAt(n).height();
+        EXPECT_FALSE(top < pages[i].part.top - 1 && bottom > pages[i].part.top + 1) << "a line is cut";
+      }
+  }
 }
 
 TEST_F(ReportsTest, ThePortfoliosKeyWorksOnThePageOfAPersonOnly) {

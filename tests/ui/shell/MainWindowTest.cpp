@@ -20,10 +20,14 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextDocument>
 #include <QToolButton>
+#include <QUrl>
 #include <QtTest/QTest>
 #include <algorithm>
 #include <memory>
@@ -304,6 +308,54 @@ TEST_F(MainWindow, ListsAllKeysUnderTheQuestionMark) {
   EXPECT_GT(text.indexOf("freeze the picture"), text.indexOf("Everywhere"));
   QTest::keyClick(&w.window, Qt::Key_F1);
   EXPECT_TRUE(page->toPlainText().contains("Getting started"));
+}
+
+TEST_F(MainWindow, GettingStartedIsThePageOfTheWorkspaceForAGuest) {
+  Window w;
+  const auto title = [&] {
+    QTest::keyClick(&w.window, Qt::Key_F1, Qt::ShiftModifier);
+    return w.window.findChild<QTextBrowser*>()->document()->firstBlock().text();
+  };
+  EXPECT_EQ(title(), "Your first case");
+  w.window.showWorkspace("train");
+  EXPECT_EQ(title(), "Your first central line");
+  w.window.showWorkspace("review");
+  EXPECT_EQ(title(), "Your first central line") << "a guest has no class";
+}
+
+TEST_F(MainWindow, TheHelpFollowsItsLinksAndHasItsImages) {
+  Window w;
+  w.window.showWorkspace("train");
+  QTest::keyClick(&w.window, Qt::Key_F1, Qt::ShiftModifier);
+  auto* page = w.window.findChild<QTextBrowser*>();
+  int images = 0;
+  QStringList links;
+  for (QTextBlock block = page->document()->begin(); block.isValid(); block = block.next())
+    for (auto it = block.begin(); !it.atEnd(); ++it) {
+      const QTextCharFormat format = it.fragment().charFormat();
+      if (format.isAnchor()) links << format.anchorHref();
+      if (!format.isImageFormat()) continue;
+      ++images;
+      const QString name = format.toImageFormat().name();
+      const auto image = page->document()->resource(QTextDocument::ImageResource, name).value<QImage>();
+      EXPECT_FALSE(image.isNull()) << name.toStdString();
+    }
+  EXPECT_EQ(images, 3);
+  EXPECT_TRUE(waitUntil([&] { return page->verticalScrollBar()->maximum() > 0; }));
+  EXPECT_EQ(page->horizontalScrollBar()->maximum(), 0) << "the images are not wider than the page";
+  ASSERT_TRUE(links.contains("glossary")) << links.join(", ").toStdString();
+  Q_EMIT page->anchorClicked(QUrl("glossary"));
+  EXPECT_EQ(page->document()->firstBlock().text(), "Glossary");
+}
+
+TEST_F(MainWindow, AClickOnHelpLeavesTheKeyboardToTheImage) {
+  Window w;
+  w.window.showWorkspace("train");
+  w.train->setFocusPolicy(Qt::StrongFocus);
+  w.train->setFocus();
+  for (auto* button : w.window.findChildren<QToolButton*>())
+    if (button->accessibleName() == "Help") QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_EQ(w.window.focusWidget(), w.train);
 }
 
 TEST_F(MainWindow, ClosesWhileACaseIsBeingMade) {

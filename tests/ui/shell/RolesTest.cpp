@@ -4,10 +4,14 @@
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/ui/Commands.h>
 
 #include <QComboBox>
 #include <QFile>
 #include <QListWidget>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QTextDocument>
 
 namespace {
 
@@ -90,6 +94,18 @@ TEST_F(Roles, AnAdministratorSeesAllClasses) {
   EXPECT_EQ(classesOfCurricula(), (QStringList{"Mine", "Other"}));
   EXPECT_EQ(classesOfPeople().size(), 3) << "everyone, and each class";
   EXPECT_TRUE(action("accountServer").isVisible());
+}
+
+TEST_F(Roles, GettingStartedIsThePageOfTheRole) {
+  const auto title = [&] {
+    window->commands().action("window.help.start")->trigger();
+    return window->findChild<QTextBrowser*>()->document()->firstBlock().text();
+  };
+  EXPECT_EQ(title(), "Your first central line") << "an administrator in Train";
+  become("ivy");
+  EXPECT_EQ(title(), "Your first class");
+  become("tim");
+  EXPECT_EQ(title(), "Your first central line");
 }
 
 TEST_F(Roles, AnInstructorSeesTheOwnClassAndNoOther) {

@@ -4,7 +4,9 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QPushButton>
 #include <QStyle>
+#include <QStyleOptionButton>
 #include <QStyleOptionComboBox>
 #include <QToolButton>
 #include <string>
@@ -17,6 +19,14 @@ inline int roomForWords(const QComboBox& box) {
   option.initFrom(&box);
   option.editable = box.isEditable();
   return box.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box).width();
+}
+
+/// Width that a button has for words: a QPushButton has its padding beside them.
+inline int roomForWords(const QAbstractButton& button) {
+  if (!qobject_cast<const QPushButton*>(&button)) return button.width() - 4;
+  QStyleOptionButton option;
+  option.initFrom(&button);
+  return button.style()->subElementRect(QStyle::SE_PushButtonContents, &option, &button).width();
 }
 
 /// No choice and no button that is seen in `root` cuts its words; how many were looked at.
@@ -33,7 +43,7 @@ inline int expectWholeWords(QWidget* root) {
     if (auto* tool = qobject_cast<QToolButton*>(button); tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly)
       continue;
     ++seen;
-    EXPECT_GE(button->width(), button->fontMetrics().horizontalAdvance(button->text()) + 4)
+    EXPECT_GE(roomForWords(*button), button->fontMetrics().horizontalAdvance(button->text()))
         << button->objectName().toStdString() << ": " << button->text().toStdString();
   }
   return seen;

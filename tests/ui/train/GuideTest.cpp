@@ -32,10 +32,11 @@ class TrainGuide : public AttemptWindow {
     return waitFor([&] { return mark->isVisible() && mark->geometry().contains(place); }) &&
            workspace_->childAt(place.center()) == target;
   }
-  StepAct actOf(const char* step, const HandsNow& hands, NeedlePlace needle = NeedlePlace::Underway) {
+  StepAct actOf(const char* step, const HandsNow& hands, NeedlePlace needle = NeedlePlace::Underway,
+                NeedleAim aim = NeedleAim::Unknown) {
     const Procedure& procedure = attempt_->procedure();
     AttemptView view;
-    view.needle = needle;
+    view.needle = needle, view.aim = aim;
     for (std::size_t i = 0; i < procedure.steps.size(); ++i)
       if (procedure.steps[i].name == step) view.due = i;
     EXPECT_TRUE(view.due) << step;
@@ -52,6 +53,10 @@ TEST_F(TrainGuide, EachActIsNamedWithItsKeyAndItsControlIsMarked) {
   model_->imaging.setTilt(15);
   EXPECT_TRUE(says("Compress with +, then release with -")) << text("attemptAct").toStdString();
   EXPECT_EQ(actOf("scan", {}).control, "");
+  for (int i = 0; i < 8; ++i) key(Qt::Key_Right);
+  EXPECT_TRUE(says("Slide the probe")) << "the vein is no longer in the middle";
+  for (int i = 0; i < 8; ++i) key(Qt::Key_Left);
+  EXPECT_TRUE(says("Compress with +, then release with -"));
   EXPECT_TRUE(workspace_->findChild<QWidget*>("press")) << "the field that the act marks while it is in sight";
   for (int i = 0; i < 20; ++i) key(Qt::Key_Plus);
   EXPECT_TRUE(says("press I, or click the button in-plane")) << text("attemptAct").toStdString();
@@ -65,8 +70,14 @@ TEST_F(TrainGuide, EachActIsNamedWithItsKeyAndItsControlIsMarked) {
   type("needle_angle", "90");
   EXPECT_TRUE(says("flatter: press Alt+S"));
   type("needle_angle", "58");
-  EXPECT_TRUE(says("press Page Down"));
+  EXPECT_TRUE(
+      says("The needle misses the vein. Aim at the vein: slide the entry with Alt+arrows, or change heading with "
+           "Alt+Q and Alt+E or angle with Alt+W and Alt+S."))
+      << text("attemptAct").toStdString();
+  hands().needleTo({-7.5, 0, 12});
+  EXPECT_TRUE(says("press Page Down")) << text("attemptAct").toStdString();
   EXPECT_TRUE(marks("needleAdvance"));
+  hands().needleTo({0, 0, 12});
   type("needle_angle", "90");
   type("needle_depth", "5");
   EXPECT_TRUE(says("Aspirate: press B"));
@@ -110,7 +121,7 @@ TEST_F(TrainGuide, DevicesAreNamedOnlyIfTheyAreInUse) {
   EXPECT_TRUE(actOf("inspect", byDevice).words.contains("pedal"));
   EXPECT_TRUE(actOf("withdraw", byKeys).words.contains("Page Up"));
   EXPECT_EQ(actOf("withdraw", byDevice).words, "Withdraw the needle with its device.");
-  EXPECT_TRUE(actOf("scan", byKeys).words.contains("press Arrows"));
+  EXPECT_TRUE(actOf("scan", byKeys).words.contains("with the arrows"));
   EXPECT_EQ(actOf("scan", byDevice).words, "Slide the probe with its device.");
   EXPECT_TRUE(actOf("confirm", byDevice).words.contains("second button"));
   EXPECT_FALSE(actOf("confirm", byKeys).words.contains("second button"));
@@ -127,6 +138,22 @@ TEST_F(TrainGuide, AfterAWrongPlaceTheNeedleIsWithdrawnAndReplaced) {
   EXPECT_EQ(actOf("skin", now, NeedlePlace::Used).control, "attemptNewNeedle");
   now.plane = NeedlePlane::Across, now.hasNeedle = false;
   EXPECT_EQ(actOf("skin", now, NeedlePlace::Clean).control, "stripAcross");
+}
+
+TEST_F(TrainGuide, ANeedleThatMissesTheVeinIsAimedOrWithdrawn) {
+  openWide();
+  HandsNow now;
+  now.hasNeedle = true;
+  const auto under = [&](NeedleAim aim) { return actOf("vein", now, NeedlePlace::Underway, aim); };
+  EXPECT_EQ(under(NeedleAim::Beside).control, "needleWithdraw") << "the tissue holds it";
+  now.canTurnNeedle = true;
+  EXPECT_EQ(under(NeedleAim::Artery).words,
+            "The needle points at the artery. Aim at the vein: change heading with Alt+Q and Alt+E or angle with Alt+W "
+            "and Alt+S.");
+  EXPECT_EQ(under(NeedleAim::Vein).control, "attemptDraw");
+  now.isNeedleInDevice = true;
+  EXPECT_EQ(under(NeedleAim::Beside).words,
+            "The needle misses the vein. Withdraw it to the skin with its device, and aim at the vein.");
 }
 
 TEST_F(TrainGuide, TheAimIsALineInPlaneAndACrossOutOfPlane) {

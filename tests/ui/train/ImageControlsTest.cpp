@@ -1,5 +1,10 @@
 #include "TrainWindow.h"
 
+#include <insonate/ultrasound/BeamGrid.h>
+#include <insonate/views/UltrasoundView.h>
+
+#include <cmath>
+
 namespace insonate::train {
 namespace {
 
@@ -29,6 +34,33 @@ TEST_F(TrainWindow, EachSliderChangesItsSetting) {
   QTest::mouseClick(tgc, Qt::LeftButton, {}, {tgc->width() - 1, tgc->height() - 1});
   EXPECT_EQ(settings.tgc_dB[7], 20);
   EXPECT_EQ(settings.tgc_dB[0], 0);
+}
+
+/// Width of the mark over the left end of the image, in pixels: a letter or a word.
+int widthOfLeftMark(const QImage& canvas, const views::UltrasoundView& view, const ImagingSetup& setup) {
+  const BeamGrid grid(setup.probe, setup.settings);
+  const views::DisplayPoint corner = view.displayFromPicture({grid.minLateral_mm(), grid.minAxial_mm()});
+  int first = canvas.width(), last = 0;
+  for (int y = std::max(0, int(corner.y) - 22); y < int(corner.y) - 3; ++y)
+    for (int x = int(corner.x); x < int(corner.x) + 60; ++x)
+      if (qGray(canvas.pixel(x, y)) > 130) first = std::min(first, x), last = std::max(last, x);
+  return std::max(0, last - first + 1);
+}
+
+TEST_F(TrainWindow, TheSidesOfTheImageFollowTheTurnOfTheProbe) {
+  openCase();
+  settle();
+  const auto& view = static_cast<const views::UltrasoundView&>(child<ui::ViewWidget>("ultrasoundView")->view());
+  const auto width = [&] { return widthOfLeftMark(canvas_->grab().toImage(), view, *model_->live.shown()->setup); };
+  EXPECT_TRUE(QTest::qWaitFor([&] { return width() > 3 && width() < 16; }, kPatience_ms)) << width() << ": R";
+  auto* rotation = child<QLineEdit>("rotation");
+  rotation->setFocus();
+  rotation->selectAll();
+  QTest::keyClicks(rotation, "90");
+  QTest::keyClick(rotation, Qt::Key_Return);
+  ASSERT_NEAR(std::abs(model_->motion.pose().linear.column[0].z), 1, 0.2);
+  settle();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return width() > 24; }, kPatience_ms)) << width() << ": Head or Foot";
 }
 
 TEST_F(TrainWindow, LateralGainIsDrawnFromLeftToRight) {

@@ -2,6 +2,7 @@
 #include "DicomFiles.h"
 #include "support/TestData.h"
 
+#include <insonate/cases/CaseStatistics.h>
 #include <insonate/cases/DicomWriter.h>
 #include <insonate/cases/Import.h>
 
@@ -9,6 +10,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace insonate {
 namespace {
@@ -172,6 +174,36 @@ TEST_F(DicomImport, PaddingBecomesAir) {
   EXPECT_EQ(back.ct.at(1, 0, 0), -1024) << "Pixel Padding Value";
   EXPECT_EQ(back.ct.at(2, 0, 0), 50);
   EXPECT_THAT(back.series.warnings, testing::Contains(HasSubstr("2 voxels were padding")));
+}
+
+TEST_F(DicomImport, OutsideTheScannersCircleIsAirInEachResult) {
+  const auto rim = [](int i, int j) { return std::hypot(i - 15.5, j - 15.5) > 15.5; };
+  for (const int padding_HU : {-2000, -3024}) {
+    SCOPED_TRACE(padding_HU);
+    CtVolume padded(test::grid({32, 32, 6}, {1, 1, 2}), -1000);
+    for (int k = 0; k < 6; ++k)
+      for (int j = 0; j < 32; ++j)
+        for (int i = 0; i < 32; ++i) {
+          if (std::hypot(i - 15.5, j - 15.5) < 10) padded.at(i, j, k) = 40;
+          if (rim(i, j)) padded.at(i, j, k) = std::int16_t(padding_HU);
+        }
+    fs::remove_all(series);
+    write(padded);
+    const ImportedCt back = imported();
+    EXPECT_FALSE(back.likelyShift_HU) << "the values are no HU plus 1024";
+    EXPECT_EQ(back.saturatedVoxels, 0U);
+    for (int j = 0; j < 32; ++j)
+      for (int i = 0; i < 32; ++i)
+        if (rim(i, j))
+          ASSERT_EQ(back.ct.at(i, j, 3), -1024);
+        else
+          ASSERT_EQ(back.ct.at(i, j, 3), padded.at(i, j, 3));
+    PatientCase made{{}, back.ct, LabelMap(back.ct.geometry)};
+    const auto statistics = caseStatistics(made);
+    ASSERT_TRUE(statistics);
+    EXPECT_EQ(statistics->least_HU, -1024);
+    EXPECT_EQ(statistics->most_HU, 40);
+  }
 }
 
 TEST_F(DicomImport, OverlayInHighBitsIsMasked) {

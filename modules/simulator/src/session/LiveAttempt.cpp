@@ -1,3 +1,4 @@
+#include "session/AimWatch.h"
 #include "session/VeinWatch.h"
 
 #include <insonate/haptics/LatestValue.h>
@@ -88,6 +89,9 @@ struct LiveAttempt::State {
   std::optional<VeinWatch::Sight> sight;
   std::weak_ptr<const LiveFrame> seen;
   std::shared_ptr<const TissueGrid> seenIn;
+  // Written by see().
+  std::atomic<bool> isVeinCentered{false};
+  std::atomic<NeedleAim> aim{NeedleAim::Unknown};
   // Orders finish() and a tick: the first is visible to the other.
   std::atomic<bool> closed{false}, inTick{false};
 
@@ -137,12 +141,15 @@ void LiveAttempt::show(Surroundings around) {
 
 void LiveAttempt::see(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around) {
   State& s = *state_;
-  const bool isLive = frame && around.grid && !s.frozen && frame->press.force_N > 0;
-  if (isLive && (s.seen.lock() != frame || s.seenIn != around.grid)) {
+  const bool hasImage = frame && around.grid && !s.frozen;
+  const bool isLive = hasImage && frame->press.force_N > 0;
+  if (hasImage && (s.seen.lock() != frame || s.seenIn != around.grid)) {
     const std::span<const CentreLine> veins = around.veins ? std::span(*around.veins) : std::span<const CentreLine>{};
     s.sight = VeinWatch::sightOf(frame->press.middleAtRest_mm, *around.grid, s.vessels, veins);
+    s.aim = frame->needle && around.veins ? aimOf(*frame->needle, *around.grid, s.vessels, veins) : NeedleAim::Unknown;
     s.seen = frame, s.seenIn = around.grid;
   }
+  s.isVeinCentered = isLive && s.sight && s.sight->isCentered;
   const std::int64_t time_us = (monotonic_ns() - s.begun_ns) / 1000;
   const Vec3 axial = isLive ? frame->patientFromProbe.linear.column[2] : Vec3{};
   const auto event = s.watch.look(time_us, isLive ? s.sight : std::nullopt, axial);
@@ -180,6 +187,8 @@ const std::filesystem::path& LiveAttempt::file() const {
 AttemptView LiveAttempt::view() const {
   AttemptView view = state_->following->view();
   const std::int64_t ended_ns = state_->ended_ns;
+  view.isVeinCentered = state_->isVeinCentered;
+  view.aim = state_->aim;
   view.time_s = static_cast<double>((ended_ns ? ended_ns : monotonic_ns()) - state_->begun_ns) * 1e-9;
   return view;
 }

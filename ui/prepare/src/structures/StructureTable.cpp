@@ -128,7 +128,7 @@ QWidget* StructureTable::buildButtons() {
   auto* box = new QHBoxLayout(row);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kSmallGap);
-  only_ = new QPushButton(tr("Only this"));
+  only_ = new QPushButton(tr("Isolate"));
   only_->setObjectName(QStringLiteral("showOnly"));
   only_->setToolTip(tr("Hides every structure but the selected one"));
   all_ = new QPushButton(tr("All"));

@@ -1,6 +1,7 @@
 #include "../class/ClassWords.h"
 #include "../judge/JudgeWords.h"
 #include "ChartObject.h"
+#include "PaperSlices.h"
 #include "Portfolio.h"
 
 #include <insonate/curriculum/Judgement.h>
@@ -38,7 +39,7 @@ QString escaped(const std::string& text) {
   return QString::fromStdString(text).toHtmlEscaped();
 }
 
-/// A table with a head that each page repeats. Cells are HTML; the last column has the longest texts.
+/// A table with a head row, which slicesOf() repeats. Cells are HTML; the last column has the longest texts.
 class HtmlTable {
  public:
   HtmlTable(const QStringList& titles, int lastColumn_percent) {
@@ -247,25 +248,38 @@ void fillDocument(QTextDocument& document, ChartObject& charts, const Portfolio&
   add(attemptsOf(portfolio));
 }
 
-/// Paints one page of the document, and its foot.
-void paintPortfolioPage(QPainter& painter, const QTextDocument& document, int page, const QString& foot, double perMm) {
-  const QSizeF text = document.pageSize();
+/// Paints a part of the document with its top at the painter's origin.
+void paintSpan(QPainter& painter, const QTextDocument& document, const PaperSpan& span) {
+  QAbstractTextDocumentLayout::PaintContext context;
+  context.clip = QRectF(0, span.top, document.textWidth(), span.bottom - span.top);
+  context.palette.setColor(QPalette::Text, Qt::black);
+  painter.save();
+  painter.translate(0, -span.top);
+  painter.setClipRect(context.clip);
+  document.documentLayout()->draw(&painter, context);
+  painter.restore();
+}
+
+/// Paints one page of the document, and its foot: left the words, right the number of the page.
+void paintPortfolioPage(QPainter& painter, const QTextDocument& document, const PaperSlice& page, const QString& words,
+                        const QString& number, double perMm) {
+  const QSizeF text(document.textWidth(), kTextHeight_mm * perMm);
   const QPointF corner((painter.device()->width() - text.width()) / 2,
                        (painter.device()->height() - text.height() - kFoot_mm * perMm) / 2);
   painter.save();
-  painter.translate(corner.x(), corner.y() - page * text.height());
-  QAbstractTextDocumentLayout::PaintContext context;
-  context.clip = QRectF(0, page * text.height(), text.width(), text.height());
-  context.palette.setColor(QPalette::Text, Qt::black);
-  painter.setClipRect(context.clip);
-  document.documentLayout()->draw(&painter, context);
+  painter.translate(corner);
+  if (page.head) {
+    paintSpan(painter, document, *page.head);
+    painter.translate(0, page.head->bottom - page.head->top);
+  }
+  paintSpan(painter, document, page.part);
   painter.restore();
   QFont font(QStringLiteral("sans-serif"));
   font.setPointSizeF(kFoot_pt);
   painter.setFont(font);
   const QRectF below(corner.x(), corner.y() + text.height(), text.width(), kFoot_mm * perMm);
-  painter.drawText(below, Qt::AlignLeft | Qt::AlignBottom, foot);
-  painter.drawText(below, Qt::AlignRight | Qt::AlignBottom, tr("%1 of %2").arg(page + 1).arg(document.pageCount()));
+  painter.drawText(below, Qt::AlignLeft | Qt::AlignBottom, words);
+  painter.drawText(below, Qt::AlignRight | Qt::AlignBottom, number);
 }
 
 }  // namespace
@@ -295,17 +309,18 @@ Result<void> writePortfolio(const QString& file, const Portfolio& portfolio, con
   QTextDocument document;
   document.documentLayout()->setPaintDevice(&pdf);
   fillDocument(document, charts, portfolio, curves);
-  document.setPageSize(QSizeF(kTextWidth_mm, kTextHeight_mm) * perMm);
+  document.setTextWidth(kTextWidth_mm * perMm);
+  const std::vector<PaperSlice> pages = slicesOf(document, kTextHeight_mm * perMm);
   const QString day = QLocale(QLocale::English).toString(QDate::currentDate(), QStringLiteral("d MMM yyyy"));
   const QString foot =
       tr("%1. Insonate, %2, for %3. For training; points are no measure of competence.")
           .arg(QString::fromStdString(portfolio.person.person.fullName), day, QString::fromStdString(portfolio.reader));
   {
     QPainter painter(&pdf);
-    for (int page = 0; page < document.pageCount(); ++page) {
-      if (!report(progress, "Pages", double(page) / document.pageCount())) return fail(std::string(kCancelled));
-      if (page > 0) pdf.newPage();
-      paintPortfolioPage(painter, document, page, foot, perMm);
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+      if (!report(progress, "Pages", double(i) / double(pages.size()))) return fail(std::string(kCancelled));
+      if (i > 0) pdf.newPage();
+      paintPortfolioPage(painter, document, pages[i], foot, tr("%1 of %2").arg(i + 1).arg(pages.size()), perMm);
     }
   }
   QSaveFile out(file);

@@ -62,19 +62,20 @@ SaveMenu::SaveMenu(Subject subject, ClassDesk& room, PersonDesk& person, ui::Tas
 QAction& SaveMenu::addPortfolio() {
   QAction* action = add("savePortfolio", tr("Portfolio (PDF) ..."),
                         tr("Saves levels, tests, learning curves, checklists, ratings and all attempts"),
-                        QStringLiteral("PDF (*.pdf)"), &SaveMenu::savePortfolio);
+                        QStringLiteral("PDF (*.pdf)"), &SaveMenu::savePortfolio, tr("-portfolio"));
   return *action;
 }
 
 QAction* SaveMenu::add(const char* name, const QString& text, const QString& tip, const QString& ending,
-                       void (SaveMenu::*save)(const QString&)) {
+                       void (SaveMenu::*save)(const QString&), const QString& part) {
   QAction* action = addAction(text);
   action->setObjectName(QLatin1String(name));
   action->setToolTip(tip);
-  connect(action, &QAction::triggered, this, [this, ending, save] {
+  connect(action, &QAction::triggered, this, [this, ending, save, part] {
     const QString suffix = ending.section(QStringLiteral("*."), 1, 1).section(QLatin1Char(')'), 0, 0);
-    const QString file = QFileDialog::getSaveFileName(
-        parentWidget(), tr("Save"), QDir::home().filePath(fileName() + QLatin1Char('.') + suffix), ending);
+    const QString offered = fileName() + part + QLatin1Char('.') + suffix;
+    const QString file =
+        QFileDialog::getSaveFileName(parentWidget(), tr("Save"), QDir::home().filePath(offered), ending);
     if (!file.isEmpty()) (this->*save)(file);
   });
   return action;
@@ -127,9 +128,7 @@ void SaveMenu::savePortfolio(const QString& file) {
 
 void SaveMenu::writePages(const QString& file, Portfolio portfolio) {
   // The task bar runs one job; another one would cancel the opening of a case.
-  if (tasks_.isRunning())
-    return Q_EMIT failed(tr("The portfolio was not saved, because another task is running: %1.").arg(tasks_.title()),
-                         tr("Wait until it is done, or cancel it; then save the portfolio again."));
+  if (tasks_.isRunning()) return writeLater(file, std::move(portfolio));
   const bool usesLetter = QLocale::system().measurementSystem() == QLocale::ImperialUSSystem;
   const auto paper = usesLetter ? QPageSize::Letter : QPageSize::A4;
   const QString title = tr("Writing the portfolio of %1").arg(QString::fromStdString(portfolio.person.person.fullName));
@@ -146,6 +145,21 @@ void SaveMenu::writePages(const QString& file, Portfolio portfolio) {
         if (!menu || (!done && done.error().message == kCancelled)) return;
         done ? menu->tell(file) : Q_EMIT menu->failed(QString::fromStdString(done.error().message), {});
       });
+}
+
+void SaveMenu::writeLater(const QString& file, Portfolio portfolio) {
+  const QString name = QString::fromStdString(portfolio.person.person.fullName);
+  Q_EMIT written(tr("The portfolio of %1 will be written when this task is done: %2.").arg(name, tasks_.title()), {});
+  auto* end = new QObject(this);
+  connect(
+      &tasks_, &ui::TaskBar::runningChanged, end,
+      [this, end, file, portfolio = std::move(portfolio)](bool isRunning) mutable {
+        if (isRunning) return;
+        end->deleteLater();
+        writePages(file, std::move(portfolio));
+      },
+      // After the reaction to the end of that task, which may begin another one.
+      Qt::QueuedConnection);
 }
 
 void SaveMenu::askXapi(const QString& file) {

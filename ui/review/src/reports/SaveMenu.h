@@ -27,22 +27,26 @@ class SaveMenu final : public QMenu {
 
   void savePage(const QString& file);
   void saveTable(const QString& file);
-  /// Writes the person's portfolio as PDF in the background, with progress in the task bar.
+  /// Writes the person's portfolio as PDF in the background, with progress in the task bar, after the task that runs
+  /// there.
   void savePortfolio(const QString& file);
   /// Saves all attempts as statements of a site with this home page; the data are queried and written on the account's
   /// thread.
   void saveXapi(const QString& file, const QString& homePage);
 
  Q_SIGNALS:
+  /// Emitted when a file was written. `folder` is empty if it is written later.
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice);
 
  private:
   QAction* add(const char* name, const QString& text, const QString& tip, const QString& ending,
-               void (SaveMenu::*save)(const QString&));
+               void (SaveMenu::*save)(const QString&), const QString& part = {});
   void askXapi(const QString& file);
   void writePages(const QString& file, Portfolio portfolio);
+  void writeLater(const QString& file, Portfolio portfolio);
   void tell(const QString& file, const QString& besides = {});
+  /// Name of the class or person; letters that are special in file names are replaced.
   QString fileName() const;
 
   const Subject subject_;

@@ -111,9 +111,10 @@ void AccountMenu::refresh() {
   if (state == State::Unreachable) Q_EMIT said(account_.trouble());
 }
 
-void AccountMenu::welcome() {
+void AccountMenu::welcome(const QString& hint) {
   QSettings().setValue(kLastName, QString::fromStdString(account_.person().name));
-  Q_EMIT said(tr("Signed in as %1.").arg(QString::fromStdString(account_.person().fullName)));
+  const QString words = tr("Signed in as %1.").arg(QString::fromStdString(account_.person().fullName));
+  Q_EMIT said(hint.isEmpty() ? words : words + QLatin1Char(' ') + hint);
   if (account_.mustChangePassword()) askPassword();
 }
 
@@ -148,7 +149,7 @@ void AccountMenu::askAlone() {
     if (const auto equal = bothEqual(texts[1], texts[2]); !equal) return done(equal);
     account_.setUpAlone(texts[0], texts[1], [this, done](const Result<void>& result) {
       done(result);
-      if (result) welcome();
+      if (result) welcome(tr("Shift+F1 shows the first steps."));
     });
   };
   auto* dialog = new EntryDialog(
@@ -174,12 +175,12 @@ void AccountMenu::askSetUp() {
                                   .role = Role::Administrator};
     account_.setUp(administrator, texts[3], [this, done](const Result<void>& result) {
       done(result);
-      if (result) welcome();
+      if (result) welcome(tr("Shift+F1 shows the first steps."));
     });
   };
   (new EntryDialog(tr("Set up people and levels"),
                    tr("You become the administrator: you add instructors, classes and trainees. Everything is stored "
-                      "in %1. Nobody can read or reset your password; keep it safe.")
+                      "in %1. Your password cannot be read or reset; keep it safe.")
                        .arg(account_.place()),
                    {{"setUpName", tr("Name to sign in"), tr("Letters, digits and . _ - + @")},
                     {"setUpFullName", tr("Full name"), tr("Shown to other users")},

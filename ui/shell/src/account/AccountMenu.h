@@ -39,7 +39,7 @@ class AccountMenu : public QMenu {
 
  private:
   void refresh();
-  void welcome();
+  void welcome(const QString& hint = {});
 
   Account& account_;
   SiteExchange& site_;

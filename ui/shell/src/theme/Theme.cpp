@@ -16,6 +16,7 @@
 // Resources of a static library are linked only if they are initialized, which must be outside a namespace.
 static void useResources() {
   Q_INIT_RESOURCE(theme);
+  Q_INIT_RESOURCE(help);
 }
 
 namespace insonate::ui {

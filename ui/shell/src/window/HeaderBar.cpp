@@ -26,7 +26,8 @@ QToolButton* menuButton(QMenu* menu, const char* iconName, const QString& text, 
   button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   button->setPopupMode(QToolButton::InstantPopup);
   button->setMenu(menu);
-  button->setFocusPolicy(Qt::StrongFocus);
+  // A click must leave the keyboard to the image.
+  button->setFocusPolicy(Qt::TabFocus);
   return button;
 }
 

@@ -4,9 +4,11 @@
 #include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 
+#include <QDesktopServices>
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QTextBrowser>
+#include <QUrl>
 
 namespace insonate::ui {
 namespace {
@@ -31,7 +33,8 @@ HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), list_(new QListWidget
   list_->setAccessibleName(tr("Help pages"));
   for (const auto& file : embedded::help::files()) list_->addItem(titleOf(file));
   list_->addItem(tr("Keys"));
-  page_->setOpenExternalLinks(true);
+  page_->setOpenLinks(false);
+  page_->setSearchPaths({QStringLiteral(":/insonate/help")});
   page_->setAccessibleName(tr("Help page"));
   page_->document()->setDefaultStyleSheet(
       QStringLiteral("th { text-align: left; color: %1 } td { padding-right: 24px; padding-bottom: 6px }")
@@ -42,6 +45,9 @@ HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), list_(new QListWidget
   row->addWidget(list_);
   row->addWidget(page_, 1);
   connect(list_, &QListWidget::currentRowChanged, this, &HelpWindow::showRow);
+  connect(page_, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {
+    link.scheme().isEmpty() ? showPage(link.path()) : void(QDesktopServices::openUrl(link));
+  });
   resize(880, 620);
 }
 

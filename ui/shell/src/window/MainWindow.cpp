@@ -129,6 +129,7 @@ void MainWindow::connectParts() {
   connect(menu_, &WindowMenu::attemptWanted, this, &MainWindow::openAttempt);
   connect(menu_, &WindowMenu::libraryWanted, this, &MainWindow::showLibrary);
   connect(menu_, &WindowMenu::helpWanted, this, [this] { help().showPage(currentWorkspace()->helpPage()); });
+  connect(menu_, &WindowMenu::startWanted, this, [this] { help().showPage(startPage()); });
   connect(menu_, &WindowMenu::glossaryWanted, this, [this] { help().showPage(QStringLiteral("glossary")); });
   connect(menu_, &WindowMenu::keysWanted, this, [this] { help().showKeys(); });
 }
@@ -382,6 +383,16 @@ std::vector<ShortcutGroup> MainWindow::keyList() const {
     }
   }
   return groups;
+}
+
+/// The page of the user's first steps. An author is no role of the store, and one person who trains alone is the
+/// administrator, so the workspace decides, too.
+QString MainWindow::startPage() const {
+  if (currentId() == QStringLiteral("prepare")) return QStringLiteral("first-case");
+  const Role role = account_->isSignedIn() ? account_->person().role : Role::Trainee;
+  const bool teaches =
+      role == Role::Instructor || (role == Role::Administrator && currentId() == QStringLiteral("review"));
+  return teaches ? QStringLiteral("first-class") : QStringLiteral("first-line");
 }
 
 /// The help window with the present list of keys.

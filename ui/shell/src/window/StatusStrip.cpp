@@ -31,7 +31,8 @@ StatusStrip::StatusStrip(QWidget* parent)
   help->setText(tr(" Help"));
   help->setAccessibleName(tr("Help"));
   help->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  help->setFocusPolicy(Qt::StrongFocus);
+  // A click must leave the keyboard to the image.
+  help->setFocusPolicy(Qt::TabFocus);
   help->setToolTip(tr("Help for this view (F1), all keys (?)"));
 
   auto* row = new QHBoxLayout(this);

@@ -71,6 +71,8 @@ void WindowMenu::addWindow() {
       QKeySequence(Qt::Key_F11), [this] { window_->setWindowState(window_->windowState() ^ Qt::WindowFullScreen); });
   add("window.help.page", "help", tr("Help"), tr("shows help for this view"), QKeySequence(Qt::Key_F1),
       [this] { Q_EMIT helpWanted(); });
+  add("window.help.start", "help", tr("Getting started"), tr("shows the first steps for your role"), tr("Shift+F1"),
+      [this] { Q_EMIT startWanted(); });
   add("window.help.glossary", "help", tr("Glossary"), tr("explains each number and how it is measured"), {},
       [this] { Q_EMIT glossaryWanted(); });
   QAction* keys = add("window.help.keys", "help", tr("Keys"), tr("lists all keys"), QKeySequence(Qt::Key_Question),

@@ -28,6 +28,7 @@ class WindowMenu : public QMenu {
   void attemptWanted(const QString& file);
   void libraryWanted();
   void helpWanted();
+  void startWanted();
   void glossaryWanted();
   void keysWanted();
 

@@ -37,7 +37,7 @@ class ActFinder {
       case AttemptEventKind::Centered:
         return slide();
       case AttemptEventKind::Compressed:
-        return isCentered() ? compress() : slide();
+        return view_.isVeinCentered ? compress() : slide();
       case AttemptEventKind::Frozen:
         return freeze();
       case AttemptEventKind::Withdrawn:
@@ -55,10 +55,8 @@ class ActFinder {
     return keysOf(commands_, QLatin1String(command)).split(QStringLiteral(", ")).value(index);
   }
 
-  bool isCentered() const {
-    return std::ranges::any_of(view_.events,
-                               [](const AttemptEvent& one) { return one.kind == AttemptEventKind::Centered; });
-  }
+  /// Both keys of a command: "Alt+Q and Alt+E".
+  QString keys(const char* command) const { return tr("%1 and %2").arg(key(command, 0), key(command, 1)); }
 
   StepAct holdingAct(Holding::What what) const {
     if (what == Holding::What::ProbeOnSkin) return compress();
@@ -84,6 +82,7 @@ class ActFinder {
                                  .arg(key("train.needle.angle", 1)),
                              "needleFlatter"};
       }
+    if (view_.aim == NeedleAim::Beside || view_.aim == NeedleAim::Artery) return aimAtVein();
     const bool isUnderSkin = view_.needle == NeedlePlace::Underway;
     if (event.wall != kSkin && isUnderSkin && !hands_.isAspirating) return aspirate();
     return advance();
@@ -91,7 +90,7 @@ class ActFinder {
 
   StepAct slide() const {
     if (hands_.isProbeInDevice) return {tr("Slide the probe with its device."), {}};
-    return {tr("Slide the probe: press %1, or drag on the image.").arg(key("train.probe.slide")), {}};
+    return {tr("Slide the probe with the %1, or drag on the image.").arg(key("train.probe.slide").toLower()), {}};
   }
   StepAct compress() const {
     if (hands_.isProbeInDevice) return {tr("Compress, then release, with the device of the probe."), "press"};
@@ -123,6 +122,24 @@ class ActFinder {
     return {tr("Withdraw the needle: press %1, or hold the button withdraw under the image.")
                 .arg(key("train.needle.advance", 1)),
             "needleWithdraw"};
+  }
+  StepAct aimAtVein() const {
+    const QString error = view_.aim == NeedleAim::Artery ? tr("The needle points at the artery. %1")
+                                                         : tr("The needle misses the vein. %1");
+    if (hands_.isNeedleInDevice)
+      return {error.arg(tr("Withdraw it to the skin with its device, and aim at the vein.")), {}};
+    if (!hands_.canTurnNeedle)
+      return {error.arg(tr("Withdraw it to less than 10 mm and aim again: press %1, or hold the button withdraw under "
+                           "the image.")
+                            .arg(key("train.needle.advance", 1))),
+              "needleWithdraw"};
+    const QString heading = keys("train.needle.heading"), angle = keys("train.needle.angle");
+    const QString words =
+        view_.needle == NeedlePlace::Underway
+            ? tr("Aim at the vein: change heading with %1 or angle with %2.").arg(heading, angle)
+            : tr("Aim at the vein: slide the entry with %1, or change heading with %2 or angle with %3.")
+                  .arg(key("train.needle.entry"), heading, angle);
+    return {error.arg(words), {}};
   }
   StepAct aspirate() const {
     const QString words =
@@ -157,7 +174,10 @@ HandsNow handsNow(HandsControl& hands, const LiveModel& live, bool isAspirating)
   now.isAspirating = isAspirating;
   now.isFrozen = live.isFrozen();
   now.plane = hands.needlePlane();
-  if (const NeedleHand* held = hands.needleHand(); held && !held->isIn()) now.angle_deg = held->state().angle_deg;
+  if (const NeedleHand* held = hands.needleHand()) {
+    if (!held->isIn()) now.angle_deg = held->state().angle_deg;
+    now.canTurnNeedle = held->state().advance_mm <= NeedleHand::kTurnsUntil_mm;
+  }
   return now;
 }
 

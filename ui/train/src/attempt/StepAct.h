@@ -29,6 +29,7 @@ struct HandsNow {
   NeedlePlane plane = NeedlePlane::Along;  ///< in which mouse and keys take the needle
   /// Angle between skin and needle; empty: the needle cannot be turned by mouse and keys now.
   std::optional<double> angle_deg;
+  bool canTurnNeedle = false;  ///< mouse and keys can turn the needle about its entry
 };
 HandsNow handsNow(HandsControl& hands, const LiveModel& live, bool isAspirating);
 

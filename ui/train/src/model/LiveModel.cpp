@@ -91,7 +91,7 @@ void LiveModel::show(std::shared_ptr<const LiveFrame> frame) {
   if (!frame || frame == shown_) return;
   const bool first = !shown_;
   shown_ = std::move(frame);
-  if (first) status_.say(tr("Drag on the image to slide the probe, press with + and -. Keys: ?"));
+  if (first) status_.say(tr("Drag on the image to slide the probe, compress with + and -. Keys: ?"));
   Q_EMIT pictureShown();
   if (!first) return;
   case_.wantSurfaces();

@@ -13,7 +13,7 @@ StatusLine::StatusLine(QObject* parent) : QObject(parent) {
 
 QString StatusLine::standing() const {
   if (const auto state = state_ ? state_() : std::nullopt) return *state;
-  return hint_.isEmpty() ? tr("Drag on the image to slide the probe, press with + and -. Keys: ?") : hint_;
+  return hint_.isEmpty() ? tr("Drag on the image to slide the probe, compress with + and -. Keys: ?") : hint_;
 }
 
 void StatusLine::setHint(const QString& hint) {

@@ -18,6 +18,14 @@ namespace insonate {
 
 class SkinSurface;
 
+/// Vessel that the needle would meet first if it were advanced along its axis by its whole length.
+enum class NeedleAim {
+  Unknown,  ///< no needle, or no live image
+  Vein,     ///< the target vein; any vein in a case without a target
+  Artery,
+  Beside,  ///< neither
+};
+
 /// State of an attempt in progress; all values are of one moment, some milliseconds ago.
 struct AttemptView {
   double time_s = 0;                      ///< wall-clock time since the attempt began
@@ -29,6 +37,8 @@ struct AttemptView {
   NeedlePlace needle = NeedlePlace::Clean;
   std::string vessel;  ///< vessel in which the needle's tip is: ProcedureRun::vesselIn()
   bool succeeded = false;
+  bool isVeinCentered = false;  ///< the target vein is in the middle of the live image now
+  NeedleAim aim = NeedleAim::Unknown;
 };
 
 /// Records an attempt: HandsSession passes it each tick of the force loop, and a ProcedureRun processes the recorded
@@ -58,8 +68,8 @@ class LiveAttempt final : public TickListener {
   /// Sets the tissue and vessels for the following ticks. Call it on one thread, whenever the force loop receives new
   /// tissue.
   void show(Surroundings around);
-  /// Passes the latest live image, from which the attempt detects that the target vein is centered or compressed; null:
-  /// no live image. Call it as often as show(), on the same thread.
+  /// Passes the latest live image, from which the attempt detects that the target vein is centered or compressed, and
+  /// where the needle aims; null: no live image. Call it as often as show(), on the same thread.
   void see(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around);
 
   /// Records an event that the user interface reports: needle replaced, image frozen or released, patient positioned.

@@ -109,6 +109,7 @@ class MainWindow : public QMainWindow {
   void fail(const QString& what, const QString& advice, const QString& details);
   void updateStatus();
   const Room* attemptRoom() const;
+  QString startPage() const;
   HelpWindow& help();
 
   std::unique_ptr<Account> account_;

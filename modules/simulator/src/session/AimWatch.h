@@ -1,0 +1,21 @@
+#pragma once
+
+#include <insonate/haptics/TissueGrid.h>
+#include <insonate/simulator/LiveAttempt.h>
+#include <insonate/simulator/VesselNames.h>
+#include <insonate/ultrasound/Needle.h>
+
+#include <span>
+
+namespace insonate {
+
+/// Finds what the needle would meet first if it were advanced along its axis by its whole length. The tissue is taken
+/// as undeformed, which moves a vein by a few millimeters at most; a needle whose tip is in the body and that passes
+/// within kAimTolerance_mm of a vein therefore aims at it. With another vein before the target, it aims beside the
+/// target. Beyond the grid nothing is met. Neither waits nor allocates.
+NeedleAim aimOf(const Needle& needle, const TissueGrid& grid, const VesselNames& vessels,
+                std::span<const CentreLine> veins) noexcept;
+
+inline constexpr double kAimTolerance_mm = 1.5;
+
+}  // namespace insonate
