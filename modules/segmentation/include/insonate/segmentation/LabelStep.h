@@ -23,7 +23,7 @@ namespace insonate {
 /// Parameters of all labeling tools, with the names that recipes use. Points are in patient space, mm.
 namespace step {
 
-struct Auto {  ///< writes the labels that autoLabel() finds; only those in `take`
+struct Auto {  ///< writes the labels that autoLabel() finds; if `take` is not empty, only those in `take`
   std::vector<std::uint8_t> take{};
 };
 /// Selects voxels by CT value (threshold()).

@@ -10,8 +10,8 @@ namespace insonate {
 // beyond the box are unknown: they neither grow into the box nor erode the shape. All functions fail if the result of a
 // non-empty shape would be empty, and when cancelled.
 
-/// Sets each voxel to the value of the majority of voxels in the cube with edges of 2 radius_mm around it. This removes
-/// bumps, fills dents and keeps edges.
+/// Sets each voxel to the value of the majority of voxels in the cube of edge length 2 radius_mm around it. This
+/// removes bumps, fills dents and keeps edges.
 Result<Selection> medianSmoothed(const Selection& shape, double radius_mm, const Progress& progress = {});
 
 /// Removes parts of the shape, such as thin bridges and spikes, into which a ball of this radius does not fit.
