@@ -121,8 +121,7 @@ Result<void> importCase(const ImportArguments& a) {
 void addImportCommand(CLI::App& app, Outcome& outcome) {
   auto* command = app.add_subcommand("import", "Make a case from a CT: DICOM, NRRD, NIfTI or MetaImage");
   auto a = std::make_shared<ImportArguments>();
-  command
-      ->add_option("INPUT", a->input, "A folder (subfolders are included) or a file; a DICOMDIR stands for its folder")
+  command->add_option("INPUT", a->input, "A folder (subfolders are included), a file, or the DICOMDIR of a folder")
       ->required()
       ->check(notEmpty());
   auto* folder = command->add_option("CASE", a->folder, "Folder to write the case to")->check(notEmpty());

@@ -49,7 +49,7 @@ bool saysPhysiology(const PressOptions& o) {
 }  // namespace
 
 void PressOptions::addTo(CLI::App& command) {
-  auto* force = command.add_option("--force", force_N, "Compress until the tissue pushes back with this force, N");
+  auto* force = command.add_option("--force", force_N, "Contact force to which the tissue is compressed, N");
   command.add_option("--indent", indent_mm, "Indentation from first contact, mm")->excludes(force);
   command.add_option("--deformation", deformation,
                      "Deformation model: none, column, elastic or reference; by default elastic if an option needs the "
@@ -60,7 +60,7 @@ void PressOptions::addTo(CLI::App& command) {
                      "Width of the probe's housing perpendicular to the image plane, mm; by default 10");
   command.add_flag("--sticking", sticking, "Let the tissue stick to the probe's face instead of sliding along it");
   command.add_option("--cvp", cvp_mmHg, "Central venous pressure, mmHg; by default 4");
-  command.add_option("--trendelenburg", trendelenburg_deg, "Tilt of the table in degrees; above 0 the head is down");
+  command.add_option("--trendelenburg", trendelenburg_deg, "Tilt of the table, degrees; positive: head down");
   command.add_option("--map", map_mmHg, "Mean arterial pressure, mmHg");
   command.add_option("--pressure", pressure, "Arterial pressure, systolic over diastolic, mmHg; by default 120/80");
   command.add_option("--time", time_s,

@@ -37,6 +37,7 @@ GOOD = {
     # Words: continued comments, code, and texts that are not shown may say what they like.
     "ui/shell/src/H.cpp": "// The probe's pose,\n// of which more below.\nint of = 1;  ///< of the probe\n"
         'auto* b = new QPushButton(tr("Save case"));\nf("picture", tr("Image"));\n',
+    "modules/core/include/insonate/core/B.h": "#pragma once\n/// Saves `picture` as \"colour\", see savePicture().\nint x;\n",
     "resources/help/h.md": "The image. `picture`\n",
     "README.md": "An image, [here](picture.png)\n\n```\npicture\n```\n",
 }
@@ -89,6 +90,13 @@ BAD = [
     ("check_comments", "modules/core/src/X.cpp", "/// Of the probe, in mm.\nint x;\n", 'begins with "Of"'),
     ("check_comments", "ui/shell/src/X.cpp", "int x;  ///< What it holds\n", 'X.cpp:1: a comment begins with "What"'),
     ("check_comments", "shaders/x.glsl", "// Where gates lie.\n", 'begins with "Where"'),
+    ("check_header_comments", "modules/core/include/insonate/core/X.h", "#pragma once\n/// As in `A.h`.\nint x;\n",
+     'X.h:2: the comment begins with "As"'),
+    ("check_header_comments", "modules/core/include/insonate/core/X.h", "#pragma once\nint x;  ///< Without unit\n", '"Without"'),
+    ("check_header_comments", "modules/core/include/insonate/core/X.h", "#pragma once\n/// Saves a\n/// picture.\nint x;\n",
+     'X.h:2: "picture"'),
+    ("check_header_comments", "modules/core/include/insonate/core/X.h", "#pragma once\nint x;  ///< x in the probe's frame\n",
+     "probe frame"),
     ("check_window_texts", "ui/shell/src/X.cpp", 'f(tr("The picture"\n     " is lost"));\n', '"picture" in a window text'),
     ("check_window_texts", "ui/shell/src/X.cpp", '\n\nf(tr("Take back"));\n', "X.cpp:3"),
     ("check_window_texts", "ui/shell/src/X.cpp", 'f(tr("Colour of the vein"));\n', "US spelling"),

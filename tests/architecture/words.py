@@ -29,6 +29,17 @@ BANNED = [
 ]
 BANNED = [(re.compile(rf"\b{pattern}\b", re.I), instead) for pattern, instead in BANNED]
 
+# Comments of public headers: openers that leave the reader without a subject, and terms that have one word only.
+HEADER_OPENER = re.compile(r"(As|If|Another|Something|Must|Like|With|Without|For|Given|Made|Drawn|Written|Also|It|They)\b")
+HEADER_TERMS = [
+    (r"imaging planes?", "image plane"),
+    (r"(patient|probe|device|stylus)'s frame", "patient space, probe frame, device frame or stylus frame"),
+    (r"at right angles", "perpendicular"),
+    (r"running numbers?", "number, consecutive from 1"),
+]
+HEADER_TERMS = BANNED + [(re.compile(rf"\b{pattern}\b", re.I), instead) for pattern, instead in HEADER_TERMS]
+CODE = re.compile(r"`[^`]*`|\"[^\"]*\"|\b\w*(?:[a-z][A-Z]|_|::|\.h\b|\()\w*")
+
 TR = re.compile(r'\btr\(((?:\s*"(?:[^"\\]|\\.)*")+)')
 LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
 BUTTON = re.compile(r'(?:new\s+QPushButton|new\s+QToolButton|addAction|addButton|new\s+QAction)\(\s*(?:\w+\s*,\s*)?tr\(\s*"((?:[^"\\]|\\.)*)"')
@@ -64,6 +75,33 @@ def check_comments(root):
             before = comment is not None
 
 
+def comments_of(source):
+    """(line, text) of each comment of a header, with the lines that continue it."""
+    lines = source.splitlines()
+    number = 0
+    while number < len(lines):
+        if match := re.search(r"(?:^|\s)//[/!]?<?(.*)", lines[number]):
+            first, text = number + 1, [match.group(1).strip()]
+            while number + 1 < len(lines) and (more := COMMENT.match(lines[number + 1])):
+                text.append(more.group(1))
+                number += 1
+            yield first, " ".join(text).strip()
+        number += 1
+
+
+def check_header_comments(root):
+    for file in files(root, ["modules", "ui"], {".h"}):
+        if "include" not in file.relative_to(root).parts:
+            continue
+        for number, text in comments_of(file.read_text(encoding="utf-8", errors="replace")):
+            if opener := HEADER_OPENER.match(text):
+                yield (f'{file.relative_to(root)}:{number}: the comment begins with "{opener.group(1)}"; begin with a verb or with a '
+                       "noun that names the thing")
+            for pattern, instead in HEADER_TERMS:
+                if match := pattern.search(CODE.sub("", text)):
+                    yield f'{file.relative_to(root)}:{number}: "{match.group(0)}" in a comment; say: {instead}'
+
+
 def check_window_texts(root):
     for file in files(root, ["ui", "app"], {".h", ".cpp"}):
         source = file.read_text(encoding="utf-8", errors="replace")
@@ -97,4 +135,4 @@ def check_pages(root):
                     yield f'{page.relative_to(root)}:{number}: "{match.group(0)}"; say: {instead}'
 
 
-RULES = [check_comments, check_window_texts, check_buttons, check_pages]
+RULES = [check_comments, check_header_comments, check_window_texts, check_buttons, check_pages]

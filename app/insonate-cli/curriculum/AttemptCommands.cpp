@@ -257,7 +257,7 @@ void addAttemptCommands(CLI::App& curriculum, Outcome& outcome) {
       ->required()
       ->check(notEmpty());
   adding->add_option("--level", added->level, "Level of the attempt (default: free practice)");
-  adding->add_option("--class", added->className, "Class in which it counts, if several have the level");
+  adding->add_option("--class", added->className, "Class in which the attempt counts, if several have the level");
 
   auto listed = std::make_shared<ListArguments>();
   CLI::App* listing = addSignedInCommand(attempts, outcome, "list", "List a person's attempts, newest first",

@@ -127,8 +127,8 @@ void addMemberships(CLI::App& classes, Outcome& outcome) {
     command->add_option("NAME", a->person, "Name of the person")->required();
     return std::pair(command, a);
   };
-  const auto [command, a] = add("join", "Add a person to a class, as a trainee or a teacher", true);
-  command->add_flag("--teaches", a->teaches, "Add the person as a teacher");
+  const auto [command, a] = add("join", "Add a person to a class, as a trainee or an instructor", true);
+  command->add_flag("--teaches", a->teaches, "Add the person as an instructor");
   add("leave", "Remove a person from a class", false);
 }
 

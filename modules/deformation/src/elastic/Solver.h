@@ -49,8 +49,8 @@ class Solver {
   struct Patience {
     int maxIterations = 60;
     float tolerance_mm = 0.01f;
-    float movingTolerance_mm =
-        0;  ///< a solution that continues an earlier one is accepted when a step is shorter than this
+    /// A solution that continues an earlier one is accepted when a step is shorter than this.
+    float movingTolerance_mm = 0;
   };
   struct Outcome {
     int iterations = 0;

@@ -21,7 +21,7 @@ struct HapticsBenchRow {
   double p50_us = 0, p99_us = 0, p999_us = 0, max_us = 0;
   /// 99th percentile and maximum of the delay from a tick's due time to its beginning
   double wakeP99_us = 0, wakeMax_us = 0;
-  int pictures = 0;  ///< number of ultrasound images made during the measurement
+  int pictures = 0;  ///< number of ultrasound images that were rendered during the measurement
   /// minimum over time of the net energy that a hand has put into the force loop since a contact began; below 0: not
   /// passive
   double passivityMin_J = 0;
@@ -32,8 +32,9 @@ struct StiffnessRow {
   std::string device;
   double maker = 0;  ///< maximum stiffness according to the manufacturer
   double bound = 0;  ///< stiffness up to which device and wall are passive (passiveStiffness_Npmm() at 100 mm/s)
-  double found = 0;  ///< stiffness up to which the device was stable in a simulated hand; at most 20
-  /// like `found`, with passivity control (the force loop returns no more energy than it received)
+  /// stiffness up to which the device was stable in a simulated hand (maxStableStiffness_Npmm()); at most 20
+  double found = 0;
+  /// the same as `found`, with passivity control: the force loop returns no more energy than it has received
   double foundAccount = 0;
 };
 
@@ -45,14 +46,15 @@ struct ForceDepthCurve {
 struct HapticsBench {
   std::vector<HapticsBenchRow> rows;
   std::vector<StiffnessRow> stiffness;
-  StiffnessRow colgate;  ///< result for a device of 0.2 kg and 0.2 N s/m, not held and without friction, for comparison
-                         ///< with Colgate's bound
+  /// result for a device of 0.2 kg and 0.2 N s/m that no hand holds, without friction, for comparison with the bound of
+  /// Colgate and Schenkel
+  StiffnessRow colgate;
   std::vector<ForceDepthCurve> curves;
   std::vector<std::string> notes;
 };
 
-/// Runs the haptics benchmark, which takes a minute of real time plus some computation; with `quick` seconds. Fails if
-/// cancelled.
+/// Runs the haptics benchmark. It takes a minute of real time and some further computing time; if `quick`, seconds.
+/// Fails if cancelled.
 Result<HapticsBench> runHapticsBench(bool quick, const Progress& progress = {});
 
 nlohmann::json toJson(const HapticsBench& bench);

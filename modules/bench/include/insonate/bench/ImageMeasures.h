@@ -4,7 +4,7 @@
 
 namespace insonate {
 
-/// A box of pixels: columns column .. column + width - 1, rows row .. row + height - 1.
+/// A box of pixels: the columns `column` to `column` + `width` - 1 and the rows `row` to `row` + `height` - 1.
 struct PixelBox {
   int column = 0, row = 0, width = 0, height = 0;
   bool operator==(const PixelBox&) const = default;
@@ -16,14 +16,16 @@ struct GrayStatistics {
   double p25 = 0, p50 = 0, p75 = 0, p95 = 0, p99 = 0, mean = 0;
   double black = 0, blackUpper60 = 0;  ///< fractions of pixels with gray <= 5: in the whole box, and in its upper 60 %
   double bright = 0, saturated = 0;    ///< fractions of pixels with gray >= 200 (bright) and >= 250 (saturated)
-  /// mean gray of the deepest quarter over that of the second and third eighths of the depth
+  /// mean gray of the deepest quarter, divided by the mean gray of the second and third eighths of the depth
   double deepOverShallow = 0;
 };
 GrayStatistics grayStatistics(const BModeImage& image, const PixelBox& fieldOfView);
 
-/// Properties of speckle in a patch of homogeneous tissue, after subtraction of a quadratic surface (slow shading).
+/// Properties of speckle in a patch of homogeneous tissue, after subtraction of a fitted quadratic surface (slow
+/// shading).
 struct SpeckleStatistics {
-  /// Speckle size: axial and lateral full width at half maximum of the autocorrelation; NaN if it stays above half.
+  /// Speckle size: axial and lateral full width at half maximum of the autocorrelation; NaN if the autocorrelation
+  /// stays above one half.
   double axial_mm = 0, lateral_mm = 0;
   double mean = 0, sd = 0, skewness = 0;
 };
@@ -35,11 +37,12 @@ SpeckleStatistics speckleStatistics(const BModeImage& image, const PixelBox& pat
 /// not measured.
 struct Lumen {
   double mean = 0, sd = 0;
-  /// Mean gray of the lumen over that of a ring around it, at 1.7 to 2.4 times the box's half axes; NaN if the ring is
-  /// not in the image.
+  /// Mean gray of the lumen, divided by the mean gray of a ring around the box at 1.7 to 2.4 times its half axes; NaN
+  /// if the ring is not in the image.
   double overSurroundings = 0;
   double nearMinusFar = 0;  ///< mean gray of the box's top fifth minus that of its bottom fifth
-  /// Enhancement: mean gray 0.4 to 1 box heights below the box over that beside this region; NaN in long-axis views.
+  /// Enhancement: mean gray of the region 0.4 to 1 box heights below the box, divided by the mean gray beside this
+  /// region; NaN in long-axis views.
   double belowOverSides = 0;
 };
 Lumen lumenOf(const BModeImage& image, const PixelBox& box);

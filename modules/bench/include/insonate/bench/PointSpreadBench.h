@@ -12,27 +12,28 @@
 
 namespace insonate {
 
-/// Properties of a beam, from the amplitude image of a point at one depth. Contrasts and correlation lengths are those
-/// of fully developed speckle with this point spread. The figures from cnr4 on are measured on speckle with anechoic
-/// cysts, without noise: rendered by the engine, and computed from the field.
+/// Properties of a beam at one depth, measured in the amplitude image of a point. Contrasts and correlation lengths are
+/// those of fully developed speckle with this point-spread function. The members from cnr4 on are measured in images of
+/// speckle with anechoic cysts, without noise.
 struct PointSpreadFigures {
   double lateral_mm = 0, lateral20dB_mm = 0;  ///< full widths at half maximum and, side lobes included, at -20 dB
   double axial_mm = 0, slice_mm = 0;          ///< full widths at half maximum
   double endLateral_mm = 0;                   ///< lateral_mm at a distance of 1.2 mm from the array's end
-  double aside_dB = 0;                        ///< maximum level at lateral distances of 2 mm and more
-  double sideLobe_dB = 0;                     ///< maximum beyond the first minimum beside the main lobe; -120 if none
+  double aside_dB = 0;     ///< maximum level of the point's image at lateral distances of 2 mm and more
+  double sideLobe_dB = 0;  ///< maximum beyond the first minimum beside the main lobe; -120 if none
   /// Level in the middle of a lumen of 4 or 8 mm diameter, relative to its surroundings.
   double lumen4_dB = 0, lumen8_dB = 0;
   /// Full widths at half maximum of the speckle intensity's autocorrelation.
   double speckleLateral_mm = 0, speckleAxial_mm = 0;
   double cnr4 = 0, cnr8 = 0;    ///< contrast-to-noise ratio of a cyst of 4 or 8 mm, from amplitudes; at most 1.91
   double gcnr4 = 0, gcnr8 = 0;  ///< generalized contrast-to-noise ratio, 0 to 1
-  double speckleSnr = 0;        ///< mean amplitude of speckle over its standard deviation; 1.91 if fully developed
+  /// mean amplitude of speckle divided by its standard deviation; 1.91 for fully developed speckle
+  double speckleSnr = 0;
 };
 
 struct PointSpreadRow {
   double depth_mm = 0;
-  /// properties of the engine's images (`ours`), and of the array's field computed independently (`field`)
+  /// `ours`: properties of the engine's images; `field`: properties of the independently computed field of the array
   PointSpreadFigures ours, field;
 };
 

@@ -18,18 +18,19 @@ struct SimulatedSet {
   unsigned seed = 1;  ///< another seed gives other necks, views and settings
   /// Case folders used in addition to the built-in necks: CTs of patients, atlases.
   std::vector<std::filesystem::path> cases = {};
-  /// Probes and planes, in turn. Empty: those of the real images, in turn; of a real image without a stated plane, any.
+  /// Probes and planes, used in turn. Empty: those of the real images, in turn; any plane for a real image whose plane
+  /// is not stated.
   std::vector<ProbeShape> probes = {};
   std::vector<ScanPlane> planes = {};
-  bool clips = false;  ///< only clips; otherwise clips for real clips, stills for real stills
+  bool clips = false;  ///< true: only clips are simulated; false: clips for real clips and stills for real stills
 };
 
-/// Simulates images of built-in necks and the given cases, one of each before the next round. Each image has another
-/// view, place and compression, and is made with one of machines(). Depth, frequency, gain, dynamic range, gray map and
-/// contact of the probe's ends are drawn at random, with about the variation of real sources. Each image of a linear
-/// probe is cropped to the size of such an image of `real`, in turn. In a clip the vessels pulsate; in every second
-/// clip the probe also slides and tilts slowly. The same set gives the same images. Takes a few seconds per image, and
-/// about ten per clip. Fails on a case that cannot be read or has no skin.
+/// Simulates images of the built-in necks and the given cases, in turn. Each image has a different view, place and
+/// compression, and is made with one of machines(). Depth, frequency, gain, dynamic range, gray map and contact of the
+/// probe's ends are drawn at random, with about the variation of real sources. Each image of a linear probe is cropped
+/// to the size of an image of a linear probe in `real`, in turn. In a clip the vessels pulsate; in every second clip
+/// the probe also slides and tilts slowly. The same set gives the same images. Takes a few seconds per image, and about
+/// ten per clip. Fails on a case that cannot be read or has no skin.
 Result<std::vector<SourceImage>> simulatedImages(const SimulatedSet& set, const std::vector<SourceImage>& real,
                                                  const Progress& progress = {});
 
@@ -38,21 +39,23 @@ struct RealismFeature {
   std::string name;
   double real = 0, realLow = 0, realHigh = 0;                 ///< median, 10th and 90th percentile
   double simulated = 0, simulatedLow = 0, simulatedHigh = 0;  ///< likewise for simulated images
-  RocArea separation;  ///< separation of the sets by this feature; greater values count as simulated
+  RocArea separation;  ///< ROC area by which this feature separates the two sets; larger values count as simulated
   double floor = 0;    ///< ROC area, 0.5 to 1, by which real sources differ: median over real sources with at least 4
                        ///< images of the area that separates the source from all others; NaN without two such sources
   double p = 1;        ///< probability of such a difference between equal sets, corrected for the number of features of
                        ///< all comparisons (Holm, Scand J Stat 1979, 6:65)
-  /// The sets are told apart better than real sources are told from each other, with p below 0.05.
+  /// Tells whether the feature separates simulated from real images better than it separates real sources from each
+  /// other, with p below 0.05.
   bool exceedsFloor() const;
 };
 
-/// Comparison of the images of one probe shape, as far as there are real and simulated ones.
+/// Comparison of real and simulated images of one probe shape.
 struct RealismComparison {
   ProbeShape probe = ProbeShape::Linear;
   int real = 0, simulated = 0;           ///< numbers of images
   std::vector<RealismFeature> features;  ///< the most discriminating feature first
-  RocArea classifier;                    ///< cross-validated by leaving out one source at a time
+  /// ROC area of a classifier that uses all features; cross-validated by leaving out one source at a time
+  RocArea classifier;
 };
 
 struct RealismBench {
@@ -64,11 +67,12 @@ struct RealismBench {
 Result<RealismBench> runRealismBench(std::vector<SourceImage> real, const SimulatedSet& set,
                                      const Progress& progress = {});
 
-/// Writes features.csv, index.md, index.html and the blind test; either all of it or nothing. `blind/` holds images and
-/// clips in random order, numbered, of one scale and with the same compression, with the page that readers use
-/// (sheet.html), sheets to look at (sheet-N.png), instructions and a list to fill in by hand (ratings.csv). key.csv,
-/// outside `blind/`, tells which images are real. A kind of image (probe, still or clip) that only one of the sets has
-/// would be recognized by its kind: such images lie in `unmatched/` instead, and unmatched.csv lists them.
+/// Writes features.csv, index.md, index.html and a blind test; either all of it or nothing. The folder `blind/`
+/// contains images and clips, numbered in random order, with one scale and the same file compression; the page on which
+/// readers rate them (sheet.html); sheets of images (sheet-N.png); instructions; and a list for ratings by hand
+/// (ratings.csv). key.csv, outside `blind/`, states which images are real. Images of a kind (probe, still or clip) that
+/// only one of the sets contains could be recognized by their kind. They are written to `unmatched/` instead, and
+/// unmatched.csv lists them.
 Result<void> writeRealismBench(const RealismBench& bench, const std::filesystem::path& folder);
 
 /// Result for the images of one kind.
@@ -81,9 +85,11 @@ struct BlindGroup {
 /// Result of a blind test by several readers.
 struct BlindResult {
   int readers = 0, images = 0;
-  double sensitivity = 0, specificity = 0;  ///< means over readers; an image rated 4 or more counts as judged simulated
+  /// means over readers; a rating of 4 or more means that the reader judged the image to be simulated
+  double sensitivity = 0, specificity = 0;
   RocArea separation;
-  std::vector<BlindGroup> groups;  ///< by probe, plane, still or clip, if the set has several of them
+  /// results by probe, by plane, and by still or clip, if the set has several of them
+  std::vector<BlindGroup> groups;
 };
 
 /// Scores ratings against key.csv. Each reader's ratings.csv has lines `number,rating` with ratings 1 to 6; further

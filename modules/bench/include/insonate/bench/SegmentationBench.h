@@ -13,7 +13,7 @@
 
 namespace insonate {
 
-/// Data and extent of the segmentation benchmark. Real data is used if its folder is given.
+/// Data and extent of the segmentation benchmark. Real data are used only if their folder is given.
 struct SegmentationBenchPlan {
   std::vector<std::string> necks;  ///< names of built-in necks
   bool speed = true;               ///< true: times and memory are measured on a CT of 512 x 512 x 300
@@ -24,7 +24,7 @@ struct SegmentationBenchPlan {
   std::filesystem::path atlas, atlasMap;
 };
 
-/// Thicknesses of vessel wall that a reference mask may include.
+/// Thicknesses of the vessel wall that a reference mask may include.
 constexpr std::array kWalls_mm{0.0, 0.5, 1.0, 1.5};
 using WallScores = std::array<double, kWalls_mm.size()>;
 
@@ -38,8 +38,8 @@ struct SegmentationScoreRow {
   double dice = 0;
   std::optional<double> meanSurface_mm, p95Surface_mm;
   std::optional<double> targetDice;  ///< target Dice score, if there is one
-  /// Dice scores of an exact lumen, alone and with walls of kWalls_mm, against a reference mask drawn by others: upper
-  /// limits of `dice`.
+  /// Upper limits of `dice` for a reference mask that may include the vessel wall: Dice scores of the exact lumen,
+  /// without and with walls of kWalls_mm, against the mask.
   std::optional<WallScores> exactLumen;
 };
 

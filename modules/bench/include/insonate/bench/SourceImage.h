@@ -11,7 +11,7 @@
 
 namespace insonate {
 
-/// Plane of an image relative to the neck's axis.
+/// Orientation of an image plane relative to the axis of the neck.
 enum class ScanPlane { Transverse, Longitudinal, Oblique };
 
 std::string_view nameOf(ScanPlane plane);
@@ -21,12 +21,12 @@ std::optional<ScanPlane> scanPlaneNamed(std::string_view name);
 /// Length of a clip, 1 s.
 inline constexpr int kClipFrames = 30, kClipFrames_perSecond = 30;
 
-/// An image, or a clip of 1 s, of a field of view without text around it.
+/// An image, or a clip of 1 s, of a field of view, without surrounding text.
 struct SourceImage {
   std::string source;  ///< real image: machine or data set; simulated image: neck
   std::string about;   ///< file, or neck, view and settings
-  /// The part that is measured, at kFeaturePixelsPer_mm and at most 30 mm deep. Linear probe: the inside of the field
-  /// of view. Fan: the largest rectangle in it. Clip: this part of the middle frame.
+  /// The part that is measured, with a resolution of kFeaturePixelsPer_mm and at most 30 mm deep. Linear probe: the
+  /// inside of the field of view. Fan: the largest rectangle inside the fan. Clip: this part of the middle frame.
   GreyPicture image;
   ProbeShape probe = ProbeShape::Linear;
   std::optional<ScanPlane> plane = std::nullopt;  ///< empty if the list does not state it
@@ -35,21 +35,21 @@ struct SourceImage {
   std::vector<GreyPicture> frames = {};
 
   bool isClip() const { return frames.size() > 1; }
-  /// The still, or the middle frame of the clip, that readers see.
+  /// Returns the still that readers see; for a clip, its middle frame.
   const GreyPicture& shown() const { return frames.empty() ? image : frames[frames.size() / 2]; }
 };
 
-/// Scale of the frames that readers see: that of the measurements for linear probes, half of it for fans, which are
-/// larger.
+/// Returns the resolution of the frames that readers see: kFeaturePixelsPer_mm for linear probes, half of it for fans,
+/// which are larger.
 double shownPixelsPer_mm(ProbeShape probe);
 
 /// Reads real images and clips. Each line of the list is `file,pixels per mm,source`. If a file shows more than the
 /// inside of the field of view, the line also has `,left,top,width,height` of the inside in pixels. Further cells name
-/// the probe (`probe=curvilinear`; linear otherwise) and the plane (`plane=longitudinal`). The fan of a curvilinear or
-/// phased probe is searched in the box, and everything outside it becomes black. If `file` is a folder, its images, in
-/// the order of their names, are a clip, of which the middle second is read; `fps=25` states its frames per second,
-/// 30 otherwise. # begins a comment; a file's path is relative to the list. Fails, with the line, on a file that cannot
-/// be read or measured, and on a list without images.
+/// the probe (`probe=curvilinear`; linear otherwise) and the plane (`plane=longitudinal`). For a curvilinear or phased
+/// probe, the fan is found in this box, and everything outside the fan is made black. If `file` is a folder, its images
+/// in the order of their names form a clip, whose middle second is read; `fps=25` states the frames per second, which
+/// are 30 otherwise. # begins a comment. Paths are relative to the list. Fails, with the line, on a file that cannot be
+/// read or measured, and on a list without images.
 Result<std::vector<SourceImage>> readRealImages(const std::filesystem::path& list);
 
 }  // namespace insonate

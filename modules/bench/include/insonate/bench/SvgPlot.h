@@ -52,8 +52,8 @@ struct StackedBars {
   std::vector<Part> parts;
 };
 
-/// Returns a chart as a complete SVG file: dark text on white, all text escaped. A chart without points says that it
-/// has no data.
+/// Returns a chart as a complete SVG file: dark text on white, all text escaped. A chart without points contains a text
+/// that says so.
 std::string svgOf(const LineChart& chart);
 std::string svgOf(const StackedBars& chart);
 

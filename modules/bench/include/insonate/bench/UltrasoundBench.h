@@ -16,15 +16,16 @@ namespace insonate {
 struct UltrasoundBenchPlan {
   PatientCase patient;
   std::string variant;  ///< name of the case in the tables
-  /// settings that are measured first (workload W1); ImagingSetup::engine is ignored
+  /// setup that is measured first (workload W1); ImagingSetup::engine is ignored
   ImagingSetup setup;
   Transform start;  ///< patientFromProbe at the beginning of the motion
 
-  /// Numbers of scanlines, samples and elevation planes to measure; each is varied while the others stay as in `setup`.
+  /// Numbers of scanlines, samples and elevation planes to measure. One of the three is varied at a time; the others
+  /// are those of `setup`.
   std::vector<int> scanlines, samples, elevationPlanes;
   bool thesisLook = true;  ///< true: the rendering style "thesis" is measured, too
   int poses = 2;           ///< number of poses at which the engines are compared
-  /// numbers of scanlines and planes of the dense frame to which images are compared
+  /// numbers of scanlines and planes of the dense frame with which other frames are compared
   int denseScanlines = 1024, densePlanes = 9;
   double secondsPerRow = 0.5;
   double secondsForLimits = 0.6;
@@ -61,19 +62,19 @@ struct UltrasoundBenchRow {
   double gate_mm = 0;
   FrameTimes times;
   std::vector<StageTime> stages;
-  /// Difference from the engine `reference` with the same settings, which shows how exactly the engine computes the
-  /// model: RMS difference of the linear envelope over the envelope's RMS, and mean structural similarity of the B-mode
-  /// images.
+  /// Difference from the engine `reference` with the same settings, which measures how exactly the engine computes the
+  /// model: RMS difference of the linear envelope relative to the RMS of the envelope, and mean structural similarity
+  /// of the B-mode images.
   double envelopeError_percent = 0, ssim = 1;
-  /// Difference from a frame of the engine `reference` with many more scanlines and planes, which shows how well this
-  /// number of scanlines, samples and planes resolves the model. Both frames are without speckle, since other planes
-  /// contain other scatterers; the dense frame is resampled to this row's beams. NaN for the rendering style "thesis",
-  /// displaced tissue and a needle.
+  /// Difference from a dense frame, i.e. a frame of the engine `reference` with many more scanlines and planes. It
+  /// measures how well this number of scanlines, samples and planes resolves the model. Both frames are rendered
+  /// without speckle, since different planes contain different scatterers; the dense frame is resampled to the beams of
+  /// this row. NaN for the rendering style "thesis", displaced tissue and a needle.
   double discretisationError_percent = 0, discretisationSsim = 1;
 };
 
-/// Speed of one stage of W1 (from the stage's minimum time), compared with the computer's limits. Stages on a graphics
-/// card have times only.
+/// Speed of one stage of workload W1, computed from the minimum time of the stage and compared with the limits of the
+/// computer. For stages on a graphics card only times are known.
 struct StageLimits {
   std::string engine, stage;
   int threads = 1;
@@ -91,7 +92,7 @@ struct BenchComputer {
     int threads = 1;
     double multiplyAdd_GFLOPs = 0, cache_GBps = 0, memory_GBps = 0;
   };
-  std::vector<Limits> limits;  ///< limits measured in the same run: with one thread, then with all
+  std::vector<Limits> limits;  ///< limits measured in the same run, first with one thread, then with all threads
 };
 
 /// One measured property of a simulated image, compared with its values in 15 real neck images.
@@ -107,11 +108,15 @@ struct RealismRow {
 /// are as strong as the noise (IEC 61391-2), measured on displayed images.
 struct PenetrationRow {
   std::string machine, probe;
-  double frequency_MHz = 0;   ///< the machine's own for this probe; with harmonic imaging, the received frequency
-  double expected_mm = 0;     ///< -noise_dB over the attenuation; Szabo and Lewin 2013: 60 cm MHz over the frequency
-  double penetration_mm = 0;  ///< without harmonic imaging; 0 if the noise is stronger at all depths
-  double harmonic_mm = 0;     ///< with harmonic imaging
-  double loss_dB = 0;  ///< echo over noise that harmonic imaging costs; NaN if it never stands clear of the noise
+  /// frequency of the machine for this probe; with harmonic imaging, the received frequency
+  double frequency_MHz = 0;
+  /// -noise_dB divided by the attenuation (for comparison, Szabo and Lewin 2013: 60 cm MHz divided by the frequency)
+  double expected_mm = 0;
+  /// penetration without harmonic imaging; 0 if the noise is stronger than the echoes at all depths
+  double penetration_mm = 0;
+  double harmonic_mm = 0;  ///< penetration with harmonic imaging
+  /// reduction of the echo-to-noise ratio by harmonic imaging; NaN if the echoes never exceed the noise
+  double loss_dB = 0;
 };
 
 /// An image for which realism was measured.

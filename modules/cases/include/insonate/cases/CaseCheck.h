@@ -24,11 +24,11 @@ struct Finding {
   std::uint8_t label = 0;          ///< the structure that the finding concerns; 0 for none
 };
 
-/// Searches for everything that would make training on this case fail or mislead. CT and labels must be on one grid.
-/// Fails only when cancelled.
+/// Checks a case for problems that would prevent training on it, or make training misleading. CT and labels must be on
+/// one grid. Fails only when cancelled.
 Result<std::vector<Finding>> checkCase(const CaseView& patient, const Progress& progress = {});
 
-/// Tells whether the case is fit for training: none of the findings is an error. Warnings do not count.
+/// Tells whether the case with these findings is fit for training: none of the findings is an error.
 bool isFit(const std::vector<Finding>& findings);
 
 }  // namespace insonate

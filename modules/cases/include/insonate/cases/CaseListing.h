@@ -8,12 +8,12 @@
 
 namespace insonate {
 
-/// Reads a folder's case.json without the volumes; returns an empty manifest if the folder has no case.json. Fails with
-/// the errors of readCase().
+/// Reads the case.json of a case folder, without the volumes. Returns a default manifest if the folder has no
+/// case.json. Fails as readCase() does.
 Result<CaseManifest> readManifestOf(const std::filesystem::path& folder);
 
-/// Returns a Fingerprint of a case on disk: of case.json and of the sizes and times of the volume files, which are not
-/// read. The text can be the key under which results computed from the case are cached.
+/// Returns a fingerprint of a case on disk, computed from the contents of case.json and from the sizes and times of the
+/// volume files, which are not read. Use the fingerprint as the key of cached results that were computed from the case.
 std::string diskStateOf(const std::filesystem::path& folder);
 
 }  // namespace insonate

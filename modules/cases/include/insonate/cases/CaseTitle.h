@@ -7,11 +7,11 @@
 
 namespace insonate {
 
-/// Title of an imported CT until the author names it. Titles are never taken from patient data.
+/// Title of an imported CT until the author changes it. Titles are never taken from patient data.
 inline constexpr std::string_view kImportedTitle = "Imported CT";
 
-/// Gives an untitled case the name of its folder ("neck" for `/cases/neck.case`), because lists, training levels and
-/// recordings identify cases by their title.
+/// Sets the title of an untitled case to the name of its folder, e.g. "neck" for `/cases/neck.case`. Lists, training
+/// levels and recordings identify cases by title.
 void nameAfterFolder(CaseManifest& manifest, const std::filesystem::path& folder);
 
 }  // namespace insonate

@@ -11,37 +11,37 @@
 
 namespace insonate {
 
-/// Returns a fingerprint of the data from which a trainee's attempt (one recorded puncture) is computed: grid, tissues
-/// (see cases/TissueLabels.h) and CT. Recorded attempts store the fingerprint. Takes some tenths of a second for a
-/// large CT.
+/// Returns a fingerprint of the data on which the simulation of an attempt (one recorded procedure of a trainee)
+/// depends: grid, tissues (see cases/TissueLabels.h) and CT. Recorded attempts store this fingerprint. Takes some
+/// tenths of a second for a large CT.
 std::string voxelHashOf(const PatientCase& patient);
 
-/// Returns a fingerprint of a case's voxels, targets and start poses: all data that trainees notice. Titles, colors and
-/// display settings do not affect it.
+/// Returns a fingerprint of the data of a case that affect trainees: voxels, targets and start poses. Titles, colors
+/// and display settings do not affect the fingerprint.
 std::string contentHashOf(const PatientCase& patient);
 
-/// Returns today's local date in the form that a version stores: "2026-11-22".
+/// Returns today's date, local time, in the form in which a version stores dates: "2026-11-22".
 std::string today();
 
 /// Writes a case to its folder, like writeCase(), and returns its version. If the folder holds a case with different
 /// content, that case is kept under `versions/NUMBER` in the folder, so that attempts on it can be replayed, and the
 /// new version gets the next number. Unchanged content keeps its number and date. Programs that have read the old case
-/// are not affected. Two simultaneous saves, also by two programs, run one after the other, and both versions are kept.
-/// `date` is a day without a time; `author` may be empty.
+/// are not affected. If two programs or threads save at the same time, one waits for the other, and both versions are
+/// kept. `date` is a day without a time; `author` may be empty.
 Result<CaseVersion> saveCaseVersion(const PatientCase& patient, const std::filesystem::path& folder,
                                     const std::string& date, const std::string& author, const Progress& progress = {});
 
-/// Searches a case and its earlier versions for the CT and labels with this voxelHashOf(). Returns the folder, for
-/// readCase(); no value if no kept version has this hash.
+/// Searches a case and its earlier versions for the version with this voxelHashOf(). Returns its folder, for
+/// readCase(); no value if no version has this hash.
 std::optional<std::filesystem::path> findVersion(const std::filesystem::path& folder, const std::string& voxelHash);
 
 /// Returns the versions of a case that are kept in its folder, the latest first; empty if there are none. Does not read
 /// volumes.
 std::vector<CaseVersion> versionsOf(const std::filesystem::path& folder);
 
-/// Publishes the case of a folder as a fixed version under `versions/NUMBER`. Trainees get this version, independent of
-/// later saves, until another one is published. Fails if the content of the folder differs from `seen`, the case that
-/// the author has checked. Does not check whether the case is fit for training.
+/// Publishes the case in a folder: keeps it as an unchanging version under `versions/NUMBER`. Trainees get this version
+/// until another one is published; later saves do not affect it. `seen` is the case that the author has checked; fails
+/// if the content of the folder differs from it. Does not check whether the case is fit for training.
 Result<CaseVersion> publishCase(const PatientCase& seen, const std::filesystem::path& folder, const std::string& date,
                                 const Progress& progress = {});
 
@@ -51,7 +51,7 @@ int publishedVersion(const std::filesystem::path& folder);
 /// Returns the folder of a case's published version; the case's own folder if none is published.
 std::filesystem::path caseForTraining(const std::filesystem::path& folder);
 
-/// Returns the folder of the case to which this version folder belongs; no value if the folder is not a kept version.
+/// Returns the folder of the case to which a version folder belongs; no value if the folder is not a version folder.
 std::optional<std::filesystem::path> caseOfVersion(const std::filesystem::path& folder);
 
 }  // namespace insonate

@@ -7,8 +7,8 @@
 
 namespace insonate {
 
-/// A read-only view of a case: its manifest, its CT, and either its own labels or other labels, e.g. labels that are
-/// being edited. The view refers to these parts, which must outlive it.
+/// A read-only view of a case: its manifest, its CT, and either its labels or another label map, e.g. one that is being
+/// edited. The view holds references; the manifest, the CT and the labels must outlive the view.
 struct CaseView {
   const CaseManifest& manifest;
   const CtVolume& ct;
@@ -21,8 +21,8 @@ struct CaseView {
       : manifest(about), ct(volume), labels(map) {}
 };
 
-/// Shared ownership of a case's CT and of its own or other labels. If only the labels change, the CT is shared and not
-/// copied. The volumes must not change while they are shared.
+/// Shared ownership of a case's CT, and of its labels or another label map. If only the labels are replaced, the CT is
+/// not copied. The volumes must not change while they are shared.
 struct CaseVolumes {
   std::shared_ptr<const CtVolume> ct;
   std::shared_ptr<const LabelMap> labels;

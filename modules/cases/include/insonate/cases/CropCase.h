@@ -10,21 +10,22 @@
 namespace insonate {
 
 struct CropOptions {
-  VoxelBox box;                      ///< the part that is kept, in voxels of the original case
-  std::optional<Vec3> spacing_mm{};  ///< new spacing along the same axes; empty: no resampling
+  VoxelBox box;  ///< the part of the case to keep, in voxel indices of the original case
+  /// spacing of the new voxels along the same axes; empty: the voxels are not resampled
+  std::optional<Vec3> spacing_mm{};
 };
 
-/// Returns the voxels of a case between two opposite corners in the patient (LPS), in any order.
+/// Returns the box of voxels between two opposite corners (patient LPS), which may be given in any order.
 VoxelBox boxBetween(const VolumeGeometry& geometry, Vec3 corner_mm, Vec3 opposite_mm);
 
-/// Returns the grid that cropCase makes. The border of this grid coincides with the border of the box within half a new
-/// voxel. Fails on an empty box, a box beyond the grid, and a spacing outside a scanner's range.
+/// Returns the grid of the case that cropCase() makes. The borders of this grid and of the box coincide within half a
+/// new voxel. Fails on an empty box, a box beyond the grid, and a spacing outside a scanner's range.
 Result<VolumeGeometry> croppedGrid(const VolumeGeometry& geometry, const CropOptions& options);
 
 /// Crops CT and labels of a case, with the same or another spacing. A new voxel's HU is the mean of the linearly
 /// interpolated CT over the voxel; its label is the one with the largest share of the voxel. Each label is interpolated
-/// separately, so that thin walls stay connected (nearest-voxel resampling would tear them). Title, colors, targets and
-/// start poses are kept, in patient coordinates; targets outside the crop are removed. The import notes list the
+/// separately, so that thin walls stay connected; nearest-voxel resampling would interrupt them. Title, colors, targets
+/// and start poses are kept, in patient coordinates; targets outside the crop are removed. The import notes list the
 /// changes. Uses all cores. The result is bit-identical on any number of threads. Fails with the errors of
 /// croppedGrid(), and when cancelled.
 Result<PatientCase> cropCase(const PatientCase& patient, const CropOptions& options, const Progress& progress = {});

@@ -18,10 +18,10 @@ struct CtSynthesisOptions {
   double resolution_FWHM_mm = 0.9;  ///< full width at half maximum of the scanner's blur; 0 to 5
 };
 
-/// Synthesizes a CT (HU, int16) for a label map of insonate/tissue/Labels.h on any grid: mean HU and smooth texture per
-/// label, compact bone around trabecular bone, partial volume by a Gaussian blur, slightly correlated noise. Uses all
-/// cores. The same labels and options give identical bytes on any number of threads. Fails on options outside their
-/// range, an invalid grid, and when cancelled.
+/// Synthesizes a CT (HU, int16) for a label map (labels of insonate/tissue/Labels.h) on any grid. The CT has a mean HU
+/// and a smooth texture for each label, compact bone around trabecular bone, the partial-volume effect (by a Gaussian
+/// blur) and slightly correlated noise. Uses all cores. The same labels and options give identical bytes on any number
+/// of threads. Fails on options outside their range, an invalid grid, and when cancelled.
 Result<CtVolume> synthesiseCt(const LabelMap& labels, const CtSynthesisOptions& options, const Progress& progress = {});
 
 }  // namespace insonate

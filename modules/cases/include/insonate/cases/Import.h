@@ -11,7 +11,8 @@
 
 namespace insonate {
 
-/// One importable image stack, without data that identify the patient, except `uid`, which is never stored in a case.
+/// A series: one stack of images, which can be imported unless `refusal` says why not. Contains no data that identify
+/// the patient, except `uid`, which is never stored in a case.
 struct SeriesInfo {
   std::string uid;  ///< identifies the series for importSeries(): DICOM Series Instance UID, with "#2" if one UID holds
                     ///< several stacks; file name for NRRD, NIfTI and MetaImage
@@ -19,7 +20,7 @@ struct SeriesInfo {
   std::string kernel;  ///< reconstruction kernel, as the scanner names it; never stored in a case; empty if missing or
                        ///< different between slices
   VolumeGeometry geometry;            ///< the orthogonal grid that an import produces, patient LPS mm
-  bool geometryKnown = true;          ///< false if a refused series lacks its geometry; only the size is valid then
+  bool geometryKnown = true;          ///< false: the geometry of a refused series is unknown; only its size is valid
   std::vector<std::string> warnings;  ///< warnings about the series, one sentence each, without file names
   std::string refusal;                ///< reason why the series cannot be imported; empty if it can
   /// Description, date ("2026-11-24") and body part as the scanner states them, to recognize the series in a list;
@@ -27,7 +28,7 @@ struct SeriesInfo {
   std::string description{}, date{}, bodyPart{};
 };
 
-/// A file that belongs to no series, with the reason.
+/// A file that belongs to no series, with the reason why it does not.
 struct SetAside {
   std::filesystem::path file;
   std::string reason;
@@ -45,24 +46,26 @@ struct ImportedCt {
                        ///< CaseManifest::importNotes
   std::string source;  ///< origin of the CT, for CaseManifest::source; contains a one-way hash of the UID, no names,
                        ///< dates or file names
-  /// Offset for shiftValues() that the conversion to HU seems to lack: -1024 if air lies at 0 and soft tissue above
-  /// 1000. Only applied on request. No value if the HU look right or match no known pattern.
+  /// Offset that the conversion to HU in the file probably lacks, for shiftValues(): -1024 if air is at 0 and soft
+  /// tissue above 1000. The import does not apply the offset. No value if the HU are plausible or match no known
+  /// pattern.
   std::optional<int> likelyShift_HU{};
-  /// Number of voxels whose values, as the file scales them, exceed the range of a case; they were limited to 32767 HU.
-  /// Above 0 the scale is probably wrong: ask before a case is made.
+  /// Number of voxels whose values, scaled as the file states, exceed the maximum of a case; they were limited to 32767
+  /// HU. If above 0, the scale is probably wrong: ask the user before making a case.
   std::size_t saturatedVoxels = 0;
 };
 
-/// Lists the series in a folder (with its subfolders) or a single file; reads headers only. A single DICOM slice stands
-/// for its series within the same folder, a DICOM directory (DICOMDIR) for its folder. Fails if the input does not
-/// exist, cannot be read, or holds no series.
+/// Lists the series in a folder (with its subfolders) or in a single file; reads headers only. For a single DICOM
+/// slice, lists its series within the same folder; for a DICOM directory (DICOMDIR), all series of its folder. Fails if
+/// the input does not exist, cannot be read, or holds no series.
 Result<SeriesListing> listSeries(const std::filesystem::path& input, const Progress& progress = {});
 
 /// Reads one series as HU. DICOM slices are placed only by their own position and orientation. Gantry tilt, uneven
 /// spacing and small gaps are resampled onto an orthogonal grid, with a warning; large gaps are refused. `uid` may be
 /// empty if there is exactly one importable series; otherwise the error lists the series. Files that cannot be opened
-/// may be slices of the series: they cause an error without `uid`, and a warning with it. A volume file with only a few
-/// different values, none below 0, is a label map and is refused. Blocking; `progress` is called on the calling thread.
+/// may be slices of the series: they cause an error if `uid` is empty, else a warning. A volume file with only a few
+/// different values, none below 0, is regarded as a label map and refused. The call blocks; `progress` is called on the
+/// calling thread.
 Result<ImportedCt> importSeries(const std::filesystem::path& input, const std::string& uid = {},
                                 const Progress& progress = {});
 

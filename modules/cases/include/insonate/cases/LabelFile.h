@@ -13,54 +13,57 @@
 
 namespace insonate {
 
-/// One structure of a file of labels, and the label that it was given.
+/// One structure of a label file, and the label that was assigned to it.
 struct ReadStructure {
   std::int32_t number = 0;  ///< number of the label or segment in the file
   std::string name;         ///< name in the file, which may contain patient data; empty for a number without a name
-  std::uint8_t label = 0;   ///< this program's label or one of the author's own
+  std::uint8_t label = 0;   ///< a label of this program or one of the author's own labels
 };
 
 struct LabelReadResult {
   LabelMap labels;
-  std::vector<std::string> notes;    ///< structures that were mapped, flattened or ignored, one sentence each
-  LabelColours colours{};            ///< colors of the file's structures that differ from the label table's
-  OwnLabels own{};                   ///< structures unknown to this program, under label numbers of their own
-  std::set<std::uint8_t> foreign{};  ///< the author's own labels whose names were written by users of another program
-  LabelStates states{};              ///< the author's progress on each structure, if the file states it
+  std::vector<std::string> notes;  ///< structures that were mapped, flattened or ignored, one sentence each
+  LabelColours colours{};          ///< colors of the file's structures that differ from the label table's
+  OwnLabels own{};  ///< structures that this program does not know, by the label numbers assigned to them
+  /// those of the author's own labels whose names come from a file of another program
+  std::set<std::uint8_t> foreign{};
+  LabelStates states{};                     ///< the author's progress on each structure, if the file states it
   std::vector<ReadStructure> structures{};  ///< structures of the file that were read, for the author to check
-  bool isUnnamed = false;                   ///< true if the file does not say what its numbers mean
+  bool isUnnamed = false;                   ///< true: the file does not state the structures of its numbers
 };
 
 /// Reads a label map file (NRRD, NIfTI, MetaImage; 3-D, whole numbers) and returns the file's numbers unchanged.
 Result<Volume<std::int32_t>> readLabelValues(const std::filesystem::path& file);
 
-/// Reads a label map in this program's numbers (insonate/tissue/Labels.h). A segment of a 3D Slicer segmentation is
-/// mapped by its terminology, then by its name; a segment with an unknown name becomes one of the author's own labels
-/// (OwnLabels) with that name, with a note. A plain label map keeps its numbers; numbers above 255 or below 0 are
-/// refused. Layers are flattened; later segments replace earlier ones.
+/// Reads a label map and converts it to this program's label numbers (insonate/tissue/Labels.h). A segment of a 3D
+/// Slicer segmentation is mapped by its terminology, then by its name; a segment with an unknown name becomes one of
+/// the author's own labels (OwnLabels) with that name, with a note. A plain label map keeps its numbers; numbers above
+/// 255 or below 0 are refused. The layers of a segmentation are flattened: where segments overlap, the later one in the
+/// file replaces the earlier one.
 Result<LabelReadResult> readLabelMap(const std::filesystem::path& file);
 
-/// Meaning of the numbers of a label map, if the file does not state it.
+/// Meaning of the numbers of a label map whose file does not state it.
 struct NumberMeaning {
   std::filesystem::path names{};  ///< file that names the numbers: see importLabels(); empty: none
-  bool areOurs = false;           ///< numbers without names are this program's label numbers
+  bool areOurs = false;           ///< true: numbers without names are label numbers of this program
 };
 
 /// Reads labels for a case: a DICOM segmentation, or any file that readLabelMap() reads, placed on the grid of the
 /// case's CT. Labels on another grid are resampled (nearest voxel), with a note; labels that do not overlap the CT are
 /// refused. The structure of a segment or label is identified by its code, then by its name. An unknown structure
 /// becomes one of the author's own labels without a name, because such names may contain patient data. Adds a note if
-/// the segmentation refers to another CT than the one from which the case was imported. The numbers of a label map mean
-/// something else in each program: their names come from `meaning.names` (a label description of ITK-SNAP, a color
-/// table of 3D Slicer, a JSON file of dcmqi or nnU-Net), else from NAME.label.txt beside the file, else from the label
-/// table of a NIfTI header. Without names they are refused, unless `meaning.areOurs`.
+/// the segmentation refers to another CT than the one from which the case was imported. Each program numbers the
+/// structures of a label map differently. The names of the numbers are read from `meaning.names` (a label description
+/// of ITK-SNAP, a color table of 3D Slicer, a JSON file of dcmqi or nnU-Net), else from NAME.label.txt beside the file,
+/// else from the label table of a NIfTI header. Numbers without names are refused, unless `meaning.areOurs`.
 Result<LabelReadResult> importLabels(const PatientCase& patient, const std::filesystem::path& file,
                                      const NumberMeaning& meaning = {}, const Progress& progress = {});
 
-/// Replaces a case's labels with imported ones, and adds a note that contains no names of segments.
+/// Replaces a case's labels by imported labels, and adds a note to the manifest. The note contains no names of
+/// segments.
 void takeLabels(LabelReadResult&& imported, PatientCase& patient);
 
-/// Refuses a file name that writeLabelFile() does not accept.
+/// Fails if writeLabelFile() does not accept the file name.
 Result<void> checkLabelTarget(const std::filesystem::path& file);
 
 /// Writes only the labels, as a 3D Slicer segmentation (NAME.seg.nrrd) with ITK-SNAP's label description

@@ -15,7 +15,7 @@
 
 namespace insonate {
 
-/// A named pose of the probe: the center of its face and its directions, in patient LPS.
+/// A named pose of the probe, patient LPS.
 struct StartPose {
   std::string name;
   Vec3 position_mm;  ///< center of the probe face
@@ -23,7 +23,8 @@ struct StartPose {
   Vec3 lateral;      ///< direction toward the probe's marker, unit, perpendicular to axial
 };
 
-/// A structure to which the procedure applies, e.g. the right internal jugular vein at the puncture level.
+/// A point in a structure to which the procedure applies, e.g. in the right internal jugular vein at the puncture
+/// level. Patient LPS.
 struct Target {
   std::string name;
   std::uint8_t label = 0;
@@ -40,19 +41,19 @@ struct NamedVessel {
   std::string name;  ///< name of the vessel, e.g. "right internal jugular vein"
   std::uint8_t label = 0;
   std::vector<Point> course;      ///< center line from one end to the other, at least one point
-  std::vector<Vec3> clicks_mm{};  ///< places that the author clicked in the lumen, if any
+  std::vector<Vec3> clicks_mm{};  ///< points in the lumen that the author has clicked; may be empty
 
   bool operator==(const NamedVessel&) const = default;
 };
 
-/// Returns the distance to the vessel's wall, as if the vessel were round: negative in the lumen. Neither waits nor
-/// allocates.
+/// Returns the distance from a point to the vessel's wall, negative in the lumen. The vessel is treated as round.
+/// Neither waits nor allocates.
 double distanceToWall_mm(const NamedVessel& vessel, Vec3 patient_mm) noexcept;
-/// Returns the distance to the vessel's center line. Neither waits nor allocates.
+/// Returns the distance from a point to the vessel's center line. Neither waits nor allocates.
 double distanceToCourse_mm(const NamedVessel& vessel, Vec3 patient_mm) noexcept;
 
-/// A landmark to which instructions refer, e.g. the cricoid. Codes are those of cases/Landmarks.h; unknown codes are
-/// kept.
+/// A landmark to which instructions refer, e.g. the cricoid. Codes are those of cases/Landmarks.h; other codes are kept
+/// when a case is read and written.
 struct Landmark {
   std::string code;  ///< code for programs, e.g. "clavicle_right"; empty for a landmark that the author defined
   std::string name;
@@ -75,16 +76,17 @@ struct StructureShown {
   bool operator==(const StructureShown&) const = default;
 };
 
-/// The author's progress on a structure, as in 3D Slicer.
+/// The author's progress in labeling a structure. The states are those of 3D Slicer.
 enum class LabelState : std::uint8_t { NotStarted, InProgress, Completed, Flagged };
 
 /// Returns "not started", "in progress", "completed" or "flagged".
 std::string_view nameOf(LabelState state);
 
-/// The author's progress on each structure, by label.
+/// The author's progress in labeling each structure, by label.
 using LabelStates = std::map<std::uint8_t, LabelState>;
 
-/// Returns the state that the author set; else InProgress if the label has voxels, NotStarted if not.
+/// Returns the state that the author has set. If none is set, returns InProgress for a label with voxels, else
+/// NotStarted.
 LabelState stateOf(const LabelStates& states, std::uint8_t label, bool hasVoxels);
 
 /// Contents of case.json. Every field except the version may be missing; the reader then uses a default and adds a
@@ -102,7 +104,7 @@ struct CaseManifest {
   CaseVersion version;
   std::map<std::uint8_t, StructureShown> shown;  ///< display settings by label, if the author set them
   OwnLabels ownLabels;                   ///< the author's own structures, which the label table does not contain
-  LabelStates states;                    ///< the author's progress on each structure, if set
+  LabelStates states;                    ///< progress in labeling each structure, if the author set it
   std::string source;                    ///< origin of the case, without anything that identifies a patient
   std::vector<std::string> importNotes;  ///< changes that the import made, and points to check, one sentence each
 };
@@ -127,15 +129,16 @@ struct CaseReadResult {
   std::vector<std::string> notes;  ///< missing fields and the defaults used for them, one sentence each
 };
 
-/// Reads `ct.nrrd`, `labels.seg.nrrd` (or labels.nrrd) and `case.json` of a folder. Fails on a missing or unreadable
-/// volume, grids that differ, more than one component per voxel, or a newer schema.
+/// Reads a case from `ct.nrrd`, `labels.seg.nrrd` (or `labels.nrrd`) and `case.json` in a folder. Fails if a volume is
+/// missing or cannot be read, if the grids differ, if a voxel has more than one component, or if a newer program wrote
+/// the case (schemaVersion).
 Result<CaseReadResult> readCase(const std::filesystem::path& folder);
 
 /// Refuses, before any work, a folder to which a case cannot be written (see checkFolderTarget); unless `replace` is
 /// set, also a folder that already holds a case.
 Result<void> checkCaseTarget(const std::filesystem::path& folder, bool replace);
 
-/// Tells whether `file` is one of the files of the case in `folder`, whether or not it exists yet. Follows links.
+/// Tells whether `file` is one of the files of the case in `folder`; the file need not exist. Follows links.
 bool isCaseFile(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 /// Writes the three files of a case so that 3D Slicer and ITK-SNAP open them directly, with ITK-SNAP's label

@@ -11,7 +11,7 @@
 
 namespace insonate {
 
-/// One of the built-in necks.
+/// A variant of the built-in phantom: a synthetic neck.
 struct PhantomVariant {
   std::string_view name;        ///< name for the command line, e.g. "small-vein"
   std::string_view title;       ///< title of the neck for a list, one line

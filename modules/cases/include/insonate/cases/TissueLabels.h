@@ -7,11 +7,12 @@
 
 namespace insonate {
 
-/// Returns the label map that ultrasound, haptics and the case check use: each of the author's own labels is replaced
-/// by its tissue. No value if the author has no own labels. Takes some hundredths of a second for a large CT.
+/// Returns a copy of the label map in which each of the author's own labels is replaced by its tissue
+/// (OwnLabel::tissue). Ultrasound, haptics and the check of a case need such a map. No value if the case has no own
+/// labels. Takes some hundredths of a second for a large CT.
 std::optional<LabelMap> inTissues(const OwnLabels& own, const LabelMap& labels);
 
-/// Replaces the author's own labels by their tissues; returns the same map if there are none.
+/// Does the same for a shared map. Returns `labels` itself if the case has no own labels.
 std::shared_ptr<const LabelMap> inTissues(const OwnLabels& own, std::shared_ptr<const LabelMap> labels);
 
 /// Replaces the author's own labels in the patient's label map by their tissues.

@@ -9,14 +9,14 @@ namespace insonate {
 
 /// Vessels of the neck and the upper chest that the program distinguishes by their names.
 enum class NeckVessel {
-  Jugular,  ///< a jugular vein whose name does not say which
+  Jugular,  ///< a jugular vein whose name does not state which one
   InternalJugular,
   ExternalJugular,
   AnteriorJugular,
   Subclavian,
   Axillary,
   Brachiocephalic,
-  Carotid,  ///< a carotid artery whose name does not say which
+  Carotid,  ///< a carotid artery whose name does not state which one
   CommonCarotid,
   InternalCarotid,
   ExternalCarotid,
@@ -25,7 +25,7 @@ enum class NeckVessel {
 
 enum class BodySide { Right, Left };
 
-/// Meaning of a vessel's name; an entry is empty if the name does not state it.
+/// Meaning of a vessel's name. A member is empty if the name does not state the property.
 struct VesselName {
   std::optional<NeckVessel> vessel{};
   std::optional<BodySide> side{};  ///< also empty if the name states both sides
@@ -36,8 +36,8 @@ struct VesselName {
 /// rechts", regardless of case and accents. `name` is UTF-8.
 VesselName parsedVesselName(std::string_view name);
 
-/// Tells whether a name contains this text, or names the same vessel in another language. A side that only one of them
-/// states does not matter, nor does "vein" or "artery".
+/// Tells whether `name` contains the text `vessel`, or whether both name the same vessel, possibly in different
+/// languages. The side, and the words vein and artery, are compared only if both texts state them.
 bool namesVessel(std::string_view name, std::string_view vessel);
 
 }  // namespace insonate

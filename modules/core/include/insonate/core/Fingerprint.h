@@ -7,8 +7,8 @@
 
 namespace insonate {
 
-/// 64-bit FNV-1a hash (Fowler, Noll, Vo) of numbers and texts, for detecting that two inputs differ. One step of the
-/// hash per added number or character. Not cryptographic.
+/// 64-bit FNV-1a hash (Fowler, Noll, Vo) of numbers and texts, for detecting that two inputs differ. Each added number
+/// or character is one step of the hash. The hash is not cryptographic.
 class Fingerprint {
  public:
   void add(std::uint64_t value) { hash_ = (hash_ ^ value) * 0x100000001b3U; }

@@ -13,16 +13,17 @@
 
 namespace insonate {
 
-/// Parses JSON; fails with line and column of the error. `what` is the subject of the error sentence, e.g. "The
-/// recipe".
+/// Parses JSON. Fails with a sentence that states the line and column of the error. `what` is the subject of that
+/// sentence, e.g. "The recipe".
 Result<nlohmann::json> parsedJson(std::string_view text, const std::string& what);
 
 /// Returns the keys of an object, for an entry that accepts any key; empty if `object` is another kind of value.
 std::vector<std::string_view> keysOf(const nlohmann::json& object);
 
-/// Reader of an object in a JSON file that people write. Each field is read by its own call. The first error is kept as
-/// a sentence; fields that are read after an error are empty. `where` begins the sentence: "step 'scan'". Keys other
-/// than the `known` ones are errors. The object must outlive the reader.
+/// Reads the fields of one object in a JSON file that people write; each call reads one field. The reader keeps the
+/// first error as a sentence. After an error, all further calls return empty values or zeros. `where` names the object
+/// at the beginning of the sentence, e.g. "step 'scan'". A key that is not in `known` is an error. The object must
+/// outlive the reader.
 class JsonEntry {
  public:
   JsonEntry(const nlohmann::json& object, std::string where, const std::vector<std::string_view>& known)
@@ -33,24 +34,31 @@ class JsonEntry {
   JsonEntry(const JsonEntry&) = delete;
   JsonEntry& operator=(const JsonEntry&) = delete;
 
-  /// Returns a text. A needed text is there and not empty.
+  /// Returns the text under the key. If `needed`, a missing or empty text is an error; otherwise a missing text is
+  /// returned as "".
   std::string text(std::string_view key, bool needed = true);
+  /// Returns the number under the key. A missing key, or a number outside low to high, is an error.
   double number(std::string_view key, double low, double high);
+  /// Returns an optional number; no value if the key is missing. A number outside low to high is an error.
   std::optional<double> numberIfThere(std::string_view key, double low, double high);
-  /// Reads an optional number, written either as a number or as an object with "value", "range" [low, high] and
-  /// "source". With `orInfinity`, the word "infinity" is also accepted.
+  /// Returns an optional number, as numberIfThere() does. In the file, it is a number, or an object with "value",
+  /// "range" [low, high] and "source". With `orInfinity`, the word "infinity" is also accepted.
   std::optional<double> sourcedIfThere(std::string_view key, double low, double high, bool orInfinity = false);
-  /// Returns the whole number under the key, which must be there and lie within low to high.
+  /// Returns the whole number under the key. A missing key, a fraction, or a number outside low to high is an error.
   int whole(std::string_view key, int low, int high);
+  /// Returns an optional whole number; no value if the key is missing.
   std::optional<int> wholeIfThere(std::string_view key, int low, int high);
-  /// Returns `count` numbers; zeros after an error. `order` describes the list in the error sentence: "[x, y, z]".
+  /// Returns the list of `count` numbers under the key, each within low to high; zeros after an error. `order`
+  /// describes the list in the error sentence, e.g. "[x, y, z]".
   std::vector<double> numbers(std::string_view key, std::size_t count, double low, double high,
                               std::string_view order = {});
+  /// Returns an optional true or false; false if the key is missing.
   bool flag(std::string_view key);
-  /// Returns the index, within `words`, of the word under the key.
+  /// Returns the position in `words` of the word under the key. A missing word, or a word that is not in `words`, is an
+  /// error.
   std::size_t word(std::string_view key, const std::vector<std::string_view>& words);
   std::vector<std::string> texts(std::string_view key);
-  /// Returns the value under the key, which must be there; an empty object after an error.
+  /// Returns the value under the key, of any type. A missing key is an error; then an empty object is returned.
   const nlohmann::json& value(std::string_view key);
 
   /// Reads the entries of a list with `read(entry, where, trouble)`; stops at the first entry that sets `trouble`. A
@@ -69,10 +77,13 @@ class JsonEntry {
   }
 
   using Reader = std::function<void(const nlohmann::json& entry, const std::string& where, std::string& trouble)>;
-  /// Reads the entries of a list as list() does; `read` keeps what it reads.
+  /// Reads the entries of a list as list() does, but returns nothing: `read` stores the values itself.
   void each(std::string_view key, const std::string& noun, const Reader& read, bool namesDiffer = true);
 
+  /// Tells whether the object has the key.
   bool has(std::string_view key) const;
+  /// Records an error that the caller has found: where() followed by `sentence`. Ignored if an earlier error is
+  /// recorded.
   void refuse(const std::string& sentence);
   const std::string& where() const { return where_; }
   /// Returns the first error; empty if there is none.

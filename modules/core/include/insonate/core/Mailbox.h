@@ -10,12 +10,13 @@
 
 namespace insonate {
 
-/// Passes the latest value from any thread to any thread; post() replaces a value that has not been taken. A triple
-/// buffer generalized to any number of writers: no lock and no allocation; a thread waits only while more than 30
-/// others are in the middle of post() or take().
+/// Passes the latest value from any thread to any thread; post() replaces a value that has not been taken. This is a
+/// triple buffer generalized to any number of writers. It uses no lock and allocates nothing. A thread waits only while
+/// more than 30 other threads are inside post() or take().
 template <class T>
 class Mailbox {
  public:
+  /// Puts a copy of a value into the mailbox. Replaces a value that no thread has taken yet.
   void post(const T& value) {
     const int slot = claim();
     slots_[slot] = value;

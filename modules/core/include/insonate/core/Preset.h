@@ -15,7 +15,7 @@ struct Preset {
   std::string_view name, text;
 };
 
-/// Converts the files that the CMake function insonate_embed() compiled into the program to presets.
+/// Converts files that the CMake function insonate_embed() has compiled into the program to presets.
 template <class Files>
 std::vector<Preset> presetsOf(const Files& files) {
   std::vector<Preset> presets;
@@ -37,8 +37,8 @@ struct PresetText {
 /// file in the error sentence, e.g. "a procedure".
 Result<PresetText> presetOrFile(std::string_view what, std::string_view nameOrPath, const std::vector<Preset>& presets);
 
-/// Parses the text of a preset or file with `parse`, a function from text to a Result. An error in a file begins with
-/// its path.
+/// Finds a preset or file as the function above does, and parses its text with `parse`, a function that takes a text
+/// and returns a Result. The sentence of an error in a file begins with the path of the file.
 template <class Parse>
 auto presetOrFile(std::string_view what, std::string_view nameOrPath, const std::vector<Preset>& presets,
                   const Parse& parse) -> std::invoke_result_t<Parse, std::string_view> {

@@ -25,7 +25,7 @@ constexpr Mat3 transposed(const Mat3& m) {
 constexpr double determinant(const Mat3& m) {
   return dot(m.column[0], cross(m.column[1], m.column[2]));
 }
-/// Inverse of a matrix; undefined if the matrix is singular.
+/// Returns the inverse of a matrix; undefined if the matrix is singular.
 constexpr Mat3 inverted(const Mat3& m) {
   const auto& c = m.column;
   const double d = determinant(m);

@@ -6,8 +6,8 @@
 
 namespace insonate {
 
-/// Returns the known word most similar to `word`, for "did you mean"; empty if none is similar. A known word that
-/// differs only by an appended unit ("depth_mm" for "depth") is the best match.
+/// Returns the word in `known` that is most similar to `word`, for a question such as "did you mean 'depth'?"; empty if
+/// no word is similar. A word that differs only by an appended unit ("depth_mm" for "depth") is the best match.
 std::string_view nearestWord(std::string_view word, const std::vector<std::string_view>& known);
 
 /// Joins words with commas: "a, b, c".
@@ -16,7 +16,8 @@ std::string joinedWords(const std::vector<std::string_view>& words);
 /// Quotes and joins names that may contain commas or spaces: "'a', 'b', 'c'".
 std::string quotedWords(const std::vector<std::string_view>& words);
 
-/// Rewrites the text of a JSON parser's exception for users: "line 1, column 2: ..." without the library's names.
+/// Rewrites the message of an exception of the JSON parser for users: "line 1, column 2: ...", without names of the
+/// library.
 std::string jsonProblem(std::string_view what);
 
 }  // namespace insonate

@@ -8,7 +8,7 @@
 namespace insonate {
 
 enum class AttemptState {
-  Open,       ///< begun but not ended: still in progress at its workstation, or the workstation has crashed
+  Open,       ///< begun but not ended: the attempt is in progress at its workstation, or the workstation has crashed
   Completed,  ///< carried out to the end of the procedure
   Abandoned,  ///< ended early, by the trainee or by a crash
   Voided,     ///< excluded from all counts by an instructor, with a reason; still stored
@@ -18,7 +18,7 @@ enum class AttemptState {
 enum class AttemptProof {
   /// No evidence: the recording was made for another database or by an earlier program, or its origin is unknown.
   Unproven,
-  /// Proved by its recording, which is complete and authenticated with the key that the database issued for the
+  /// Proven by the recording, which is complete and authenticated with the key that the database issued for the
   /// attempt.
   Proven,
   Accepted,       ///< accepted without evidence by an instructor or administrator, whose name is stored
@@ -35,8 +35,8 @@ struct MetricFact {
   bool operator==(const MetricFact&) const = default;
 };
 
-/// Stored facts about one attempt; the motion of probe and needle is in its recording. After its end an attempt does
-/// not change, except that it can be voided.
+/// Stored facts about one attempt; the motion of probe and needle is in its recording. The facts do not change after
+/// the end of the attempt, except that the attempt can be voided.
 struct AttemptFacts {
   std::string id{};          ///< UUID of the attempt, made by the workstation at which it was begun
   std::string person{};      ///< id of the trainee: Person::id
@@ -47,7 +47,7 @@ struct AttemptFacts {
   int procedureVersion = 0;
   std::string caseName{}, caseHash{};
   std::string workstation{};  ///< workstation at which the attempt was made
-  /// time at which the attempt began, since 1970, UTC, by the workstation's clock, which may be wrong
+  /// time at which the attempt began, since 1970, UTC, according to the clock of the workstation, which may be wrong
   std::int64_t begun_us = 0;
   std::int64_t length_us = 0;  ///< duration, measured by a monotonic clock
   AttemptState state = AttemptState::Open;
@@ -57,9 +57,9 @@ struct AttemptFacts {
   std::vector<MetricFact> metrics{};  ///< values of the metrics that existed when the attempt was made
   std::string recording{};            ///< file name within the workstation's recordings; "": no recording
   std::string recordingHash{};        ///< SHA-256 of the recording's file, hexadecimal
-  /// BLAKE2b hash (256 bits, hexadecimal) of the recorded motion of probe and needle, without the recording's header;
-  /// reveals copied recordings. Empty if nothing was moved, if there is no recording, or if an earlier program stored
-  /// the attempt.
+  /// BLAKE2b hash (256 bits, hexadecimal) of the recorded motion of probe and needle, without the header of the
+  /// recording. Equal hashes reveal copied recordings. Empty if nothing was moved, if there is no recording, or if an
+  /// earlier program stored the attempt.
   std::string handsHash{};
   AttemptProof proof = AttemptProof::Unproven;
 

@@ -16,9 +16,9 @@ namespace insonate {
 /// An attempt as stored in the database, with the data that the database adds.
 struct KeptAttempt {
   AttemptFacts facts{};
-  /// Running number of the attempt in the database, from 1, by the order of beginnings; independent of clocks.
+  /// Number of the attempt in the database, from 1, in the order in which attempts were begun; independent of clocks.
   std::int64_t arrival = 0;
-  /// true: the attempt was marked abandoned since the program crashed; its real end may still be reported
+  /// true: the attempt was marked abandoned because the program crashed; the program may still report its real end
   bool crashed = false;
   std::string voidReason{};
   /// The database's copy of the recording; empty if there is none. The file has not been compared with
@@ -35,27 +35,27 @@ class AttemptStore {
  public:
   explicit AttemptStore(SignedIn by) : by_(std::move(by)) {}
 
-  /// Stores that an attempt has begun, with the members of `facts` up to `begun_us`, and returns its id, which is made
-  /// if missing. Person and workstation are those of the signed-in user. Storing the same facts again is no error.
-  /// Fails if the attempt begins in the future or before its curriculum was published; clocks may differ by ten
-  /// minutes.
+  /// Stores that an attempt has begun, with the members of `facts` up to `begun_us`. Returns the id of the attempt;
+  /// generates one if `facts` has none. Person and workstation are those of the signed-in user. Storing the same facts
+  /// again is no error. Fails if the attempt begins in the future or before its curriculum was published; clocks may
+  /// differ by ten minutes.
   Result<std::string> begin(const AttemptFacts& facts) const;
   /// Ends an attempt as Completed or Abandoned, with its metrics; values must be finite. Only the person who began the
-  /// attempt may end it. Ending it again with the same facts is no error, and an attempt that was marked abandoned
-  /// after a crash accepts its real end later. Fails if another stored attempt, of any person, has the same handsHash:
-  /// a recording counts once. `facts.proof` is stored if it is Proven or Demonstration, as determined by the caller;
-  /// otherwise the attempt is unproven.
+  /// attempt may end it. Ending it again with the same facts is no error; if an attempt was marked abandoned after a
+  /// crash, its real end can be stored later. Fails if another stored attempt, of any person, has the same handsHash,
+  /// since a recording counts only once. `facts.proof` is stored if the caller has determined it to be Proven or
+  /// Demonstration; otherwise the attempt is stored as Unproven.
   Result<void> end(const AttemptFacts& facts) const;
   /// Stores a finished attempt: begin() and end() in one transaction. Returns the id. If `recording` (the file with
   /// hash facts.recordingHash) is given, it is copied to the database's folder of recordings; if that fails, nothing is
   /// added.
   Result<std::string> add(const AttemptFacts& facts, const std::filesystem::path& recording = {}) const;
   /// Copies the recording of an ended attempt to the database's folder of recordings. Only the person who made the
-  /// attempt may call this. Copying again is no error. Without such a folder nothing is done. Fails, with nothing
-  /// changed, if the file does not have the attempt's recordingHash, or if it cannot be copied.
+  /// attempt may call this. Copying again is no error. If the database has no such folder, the function does nothing.
+  /// Fails, with nothing changed, if the file does not have the attempt's recordingHash, or if it cannot be copied.
   Result<void> keepRecording(const std::string& attempt, const std::filesystem::path& recording) const;
-  /// Issues nonce and key for the recording of a new attempt of the signed-in user, from the attempt's id, curriculum
-  /// and level.
+  /// Issues nonce and key for the recording of a new attempt of the signed-in user. They depend on the attempt's id,
+  /// curriculum and level.
   Result<AttemptSeal> seal(const AttemptFacts& facts) const;
   /// Tells whether this database issued `nonce` to the attempt with the id, person, curriculum and level of `facts`.
   Result<NonceOrigin> originOf(const AttemptFacts& facts, const std::string& nonce) const;
@@ -67,8 +67,8 @@ class AttemptStore {
   Result<void> voidAttempt(const std::string& attempt, const std::string& reason) const;
 
   Result<KeptAttempt> attempt(const std::string& id) const;
-  /// Returns attempts of a person, newest first: at most `count` (1..1000) of those with KeptAttempt::arrival below
-  /// `before`; `before` 0: no limit.
+  /// Returns attempts of a person, newest first: at most `count` (1..1000) attempts whose KeptAttempt::arrival is below
+  /// `before`. `before` 0: no limit.
   Result<std::vector<KeptAttempt>> page(const std::string& person, int count, std::int64_t before = 0) const;
   /// Returns all attempts of a person in the order in which they were begun, for unlocking levels and for statistics;
   /// caseHash, workstation, recording, recordingHash and handsHash stay empty.
@@ -77,8 +77,9 @@ class AttemptStore {
   /// practice; grouped by person, each group in the order of history().
   Result<std::vector<AttemptFacts>> lastOfCohort(const std::string& cohort, int count) const;
 
-  /// Returns the id of the attempt whose recording has this hash; if there is none, of an attempt on this workstation
-  /// whose recording has this file name; else "". Call attempt(), which checks permissions, for the other facts.
+  /// Returns the id of the attempt whose recording has this hash; if there is none, the id of an attempt on this
+  /// workstation whose recording has this file name; else "". The other facts can be read with attempt(), which checks
+  /// permissions.
   Result<std::string> ofRecording(const std::string& name, const std::string& hash) const;
 
   /// Returns Member::changes of a person: a counter of changes to the person's attempts. Read it before the history

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// Columns that every table of attempts shares (CSV; Csv.h).
+/// Columns that all tables of attempts (CSV files; see Csv.h) have in common.
 namespace insonate {
 
 /// Returns the word for an attempt's proof of origin in tables: "proven", "accepted", "earlier", "demonstration", "not

@@ -7,7 +7,7 @@
 
 namespace insonate {
 
-/// State of a member of a class for which the instructor may act; the most urgent one has the highest number.
+/// State of a member of a class that may need an action of the instructor. More urgent states have higher numbers.
 enum class Attention {
   None,
   Due,       ///< a mastered level lapses within kDueWithin_days unless it is practiced
@@ -18,8 +18,8 @@ enum class Attention {
 };
 inline constexpr int kIdleAfter_days = 21, kDueWithin_days = 14;
 
-/// Returns the most urgent state of a learner at `now_us` (since 1970, UTC). States that need an outdated or unknown
-/// standing are left out.
+/// Returns the most urgent state of a learner at `now_us` (since 1970, UTC). If the learner's standing is unknown or
+/// outdated, states that depend on the standing are not considered.
 Attention attentionOf(const Member& member, std::int64_t now_us);
 
 /// Describes the state in a few words, e.g. "idle for 5 weeks"; "" for Attention::None.

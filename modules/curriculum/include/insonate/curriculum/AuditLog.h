@@ -12,7 +12,7 @@ namespace insonate {
 
 /// One entry of the audit log: an access to another person's data, a change, or a refused request.
 struct AuditEntry {
-  std::int64_t number = 0;  ///< running number of the entry, from 1
+  std::int64_t number = 0;  ///< number of the entry, consecutive, from 1
   std::int64_t time_us = 0;
   std::string actor{};  ///< user who acted (Person::id); "": no user was signed in
   std::string workstation{};
@@ -25,8 +25,8 @@ struct AuditEntry {
   bool operator==(const AuditEntry&) const = default;
 };
 
-/// Number and hash of the audit log's last entry at one time. A copy stored elsewhere shows later whether the log was
-/// shortened or rewritten.
+/// Number and hash of the last entry of the audit log at some time. If a copy is kept elsewhere, verify() can later
+/// detect whether the log was shortened or rewritten.
 struct AuditAnchor {
   std::int64_t number = 0;
   std::string hash{};
@@ -39,14 +39,15 @@ class AuditLog {
  public:
   explicit AuditLog(SignedIn by) : by_(std::move(by)) {}
 
-  /// Returns log entries, newest first: at most `count` (1..1000) with numbers below `before`; `before` 0: no limit.
-  /// `person`: only entries by or about this person, including accesses to several people that name the person; "":
-  /// all.
+  /// Returns log entries, newest first: at most `count` (1..1000) entries whose number is below `before`; `before` 0:
+  /// no limit. `person`: only entries by or about this person, including accesses to several people among whom the
+  /// person is; "": all entries.
   Result<std::vector<AuditEntry>> page(int count, std::int64_t before = 0, const std::string& person = "") const;
   Result<AuditAnchor> anchor() const;
-  /// Checks the log; fails with the first inconsistent entry: an entry was changed, deleted or moved, the end is cut
-  /// off, or the log differs from `anchor`. A person who can write the database and knows how the hashes are made can
-  /// rewrite the log; only an anchor kept elsewhere reveals that, and only for entries up to its number.
+  /// Checks the log. Fails with a sentence about the first inconsistent entry if an entry was changed, deleted or
+  /// moved, if the end of the log is missing, or if the log differs from `anchor`. A person who can write the database
+  /// and knows how the hashes are made can rewrite the log; only an anchor kept elsewhere reveals that, and only for
+  /// entries up to its number.
   Result<void> verify(const AuditAnchor& anchor = {}) const;
 
  private:

@@ -13,7 +13,7 @@
 
 namespace insonate {
 
-/// Planned outcome of importing one line of a class list.
+/// Planned action for one line of a class list.
 struct ClassImportRow {
   enum class Step {
     Add,           ///< the person gets an account and joins the class
@@ -28,20 +28,20 @@ struct ClassImportRow {
   std::string id{};   ///< Person::id, if the person has an account
 };
 
-/// Imports a class list into a class: plan() computes the outcome of each line, apply() imports all lines or none. For
-/// the class's instructors and for administrators; only administrators add people who already have an account. On a
-/// workstation that belongs to a server, people are changed on the server.
+/// Imports a class list into a class: plan() computes the action for each line, apply() imports all lines or none.
+/// Allowed to the instructors of the class and to administrators; only administrators may add people who already have
+/// an account. If the workstation belongs to a server, people can be changed on the server only.
 class ClassImport {
  public:
   explicit ClassImport(SignedIn by) : by_(std::move(by)) {}
 
-  /// Returns the planned outcome of each line of `list`, in the order of lines. Changes nothing.
+  /// Returns the planned action for each line of `list`, in the order of the lines. Changes nothing.
   Result<std::vector<ClassImportRow>> plan(const std::string& cohort, const ClassList& list) const;
 
   /// Makes random first passwords for all people that a plan adds, in the plan's order.
   static std::vector<FirstPassword> passwordsFor(std::span<const ClassImportRow> plan);
-  /// Adds people and puts them into the class as planned, in one transaction. Fails with nothing changed if the plan is
-  /// no longer possible (the error names the line), or if cancelled. Takes 0.1 s for each new password.
+  /// Adds the people to the database and to the class as planned, in one transaction. Fails, with nothing changed, if
+  /// the plan is no longer possible (the error names the line), or if cancelled. Takes 0.1 s for each new password.
   Result<void> apply(const std::string& cohort, std::span<const ClassImportRow> plan,
                      std::span<const FirstPassword> passwords, const Progress& progress = {}) const;
 

@@ -14,8 +14,8 @@ namespace insonate {
 /// One person on a class list.
 struct ClassListEntry {
   int line = 0;
-  /// Trainee on this line; the sign-in name is from the column of user names, else of ID numbers, else of e-mail
-  /// addresses.
+  /// Trainee on this line. The sign-in name is taken from the column of user names, else from that of ID numbers, else
+  /// from that of e-mail addresses.
   NewPerson person{};
 };
 
@@ -30,11 +30,10 @@ struct ClassList {
   std::vector<ClassListTrouble> troubles{};
 };
 
-/// Parses a class list: CSV with a header line, as Moodle and other systems export participants, with the columns
-/// "First name" and "Last name" (or "Surname"), or "Full name"; "Email address"; "Username", "ID number"; or their
-/// German, French or Spanish titles. Case and other columns are ignored. Text that is not UTF-8 is read as
-/// Windows-1252, which contains Latin-1. Fails if the text is no class list at all; an invalid line becomes an entry in
-/// ClassList::troubles.
+/// Parses a class list: CSV with a header line, as Moodle and other systems export participants. Columns: "First name"
+/// and "Last name" (or "Surname"), or "Full name"; "Email address"; "Username"; "ID number"; or the German, French or
+/// Spanish titles of these. Case and other columns are ignored. Text that is not UTF-8 is read as Windows-1252, which
+/// includes Latin-1. Fails if the text is not a class list; an invalid line becomes an entry in ClassList::troubles.
 Result<ClassList> parseClassList(std::string_view csv);
 
 /// A class list compared with the people who already have accounts.
@@ -48,7 +47,8 @@ struct ClassListMatch {
   std::vector<ClassListTrouble> troubles{};  ///< lines with errors, and lines that match two people
 };
 
-/// Compares a class list with existing people: they match by e-mail address, else by name, ignoring case.
+/// Compares a class list with existing people. An entry and a person match if their e-mail addresses or, failing that,
+/// their sign-in names are equal; case is ignored.
 ClassListMatch matchClassList(const ClassList& list, std::span<const Person> people);
 
 }  // namespace insonate

@@ -21,7 +21,8 @@ struct Member {
   /// true: an instructor of this cohort, whose fields about attempts stay empty; false: a learner
   bool teaches = false;
   int attempts = 0;  ///< number of the member's attempts that count (Judgement.h), including free practice
-  /// Counter that grows with each attempt of the member that is ended or voided; detects an outdated Standing.
+  /// Counter that increases with each attempt of the member that is ended or voided. Compared with Standing::changes,
+  /// it shows whether a standing is outdated.
   std::int64_t changes = 0;
   std::optional<std::int64_t> lastAttempt_us{};  ///< time at which the newest attempt was begun
   std::string lastLevel{};                       ///< level of the newest attempt (AttemptFacts::level)
@@ -32,8 +33,8 @@ struct Member {
 };
 
 /// Access to cohorts (classes) and their members, with the permissions of a signed-in user. Instructors see their own
-/// cohorts, administrators all; trainees see their own cohorts without the other members. On a workstation that belongs
-/// to a server, cohorts are changed on the server.
+/// cohorts, administrators see all; trainees see their own cohorts without the other members. If the workstation
+/// belongs to a server, cohorts can be changed on the server only.
 class CohortStore {
  public:
   explicit CohortStore(SignedIn by) : by_(std::move(by)) {}
@@ -47,9 +48,9 @@ class CohortStore {
   /// Adds a cohort. The name has 1..200 characters and is unique, ignoring case. Administrators only.
   Result<Cohort> add(const std::string& name) const;
   Result<void> rename(const std::string& cohort, const std::string& name) const;
-  /// Adds a person to a cohort, as instructor (`teaches`) or learner; an existing member is changed to that.
-  /// Administrators only, since membership opens a person's attempts to the cohort's instructors. Trainees cannot be
-  /// instructors.
+  /// Adds a person to a cohort as instructor (`teaches` is true) or learner (false). The role of an existing member is
+  /// changed accordingly. Administrators only, since membership opens a person's attempts to the cohort's instructors.
+  /// Trainees cannot be instructors.
   Result<void> join(const std::string& cohort, const std::string& person, bool teaches) const;
   /// Removes a person from a cohort. For administrators; for the cohort's instructors if the person is a learner.
   Result<void> leave(const std::string& cohort, const std::string& person) const;
@@ -59,9 +60,10 @@ class CohortStore {
   Result<void> setCurriculum(const std::string& cohort, const std::string& curriculum, int version) const;
 
   /// Returns the progress (Standing) of a cohort's learners in the cohort's curriculum, by Person::id. A stored
-  /// standing is returned if it is current; otherwise it is computed from all attempts of the person and stored.
-  /// Standings become outdated by the passage of days, a changed curriculum and new members. People who left the cohort
-  /// are not included. The call makes one entry in the audit log, which names all people.
+  /// standing is returned if it is current; otherwise it is computed from all attempts of the person and stored. A new
+  /// member has no standing yet; a standing becomes outdated by new attempts, by the passage of days, and by a change
+  /// of the curriculum. People who have left the cohort are not included. Each call makes one entry in the audit log,
+  /// which names all people.
   Result<std::map<std::string, Standing>> standings(const std::string& cohort,
                                                     std::span<const std::string> people) const;
 

@@ -19,8 +19,8 @@ enum class Assistance {
 /// Returns the name of an assistance in files: "guided", "hints", "test".
 std::string_view nameOf(Assistance assistance);
 
-/// Limit that a metric has to meet in one attempt. A missing value, or a value measured by another version of the
-/// metric's definition, does not meet the limit.
+/// Limit that the value of a metric has to meet in one attempt. A missing value, or a value measured by another version
+/// of the metric's definition, does not meet the limit.
 struct MetricStandard {
   std::string metric{};  ///< id of the metric: MetricFact::id
   int version = 1;
@@ -46,14 +46,14 @@ struct PassRule {
 /// has signaled.
 struct CusumRule {
   double acceptable = 0.1, unacceptable = 0.25;  ///< failure rates of a trainee who is able, and of one who is not
-  /// Threshold h of the score at which the test signals; 8.9 % of trainees who are not able reach 3.1 within 50
-  /// attempts.
+  /// Threshold h of the score at which the test signals that the trainee is able. With the default of 3.1, the test
+  /// wrongly signals for 8.9 % of trainees who are not able within 50 attempts.
   double limit = 3.1;
 
   bool operator==(const CusumRule&) const = default;
 };
 
-/// Rule by which mastery of a level lapses: `failures` failed attempts among the last `within`.
+/// Rule by which mastery of a level lapses: at least `failures` of the last `within` attempts have failed.
 struct FailureRule {
   int failures = 2, within = 3;
 
@@ -63,8 +63,9 @@ struct FailureRule {
 struct MasteryRule {
   int passesInARow = 1;
   std::optional<CusumRule> cusum{};
-  std::optional<int> lapsesAfter_days{};  ///< mastery lapses after this many days without an attempt at this level or
-                                          ///< at one that builds on it; empty: never
+  /// mastery lapses after this number of days without an attempt at this level or at a level that has it as
+  /// prerequisite; empty: never
+  std::optional<int> lapsesAfter_days{};
   std::optional<FailureRule> lapsesAfter{};
   std::string source{};
 
@@ -85,8 +86,8 @@ struct Level {
   bool operator==(const Level&) const = default;
 };
 
-/// A curriculum as data: levels, their order and their passing standards. `levels` is in a learning order: each level
-/// depends on earlier ones only.
+/// A curriculum as data: levels with their prerequisites and passing standards. `levels` is in an order in which they
+/// can be learned: the prerequisites of a level precede it.
 struct Curriculum {
   std::string name{}, title{}, about{};
   int version = 1;

@@ -17,15 +17,16 @@ class Core;
 /// Computing cost of hashing a password (argon2id by libsodium), which slows down guessing. `Least` is for tests.
 enum class PasswordCost { Usual, Least };
 
-/// Clocks and names that a CurriculumStore uses. An empty function or text selects the system's.
+/// Clocks and names that a CurriculumStore uses. For an empty function or text, the clock or name of the system is
+/// used.
 struct StoreServices {
   std::function<std::int64_t()> now_us{};     ///< wall-clock time since 1970, UTC; may jump
   std::function<std::int64_t()> upTime_us{};  ///< monotonic time since the computer's start
-  std::string boot{};                         ///< id of the present run of the operating system, new at each boot
+  std::string boot{};                         ///< boot id: identifies the present run of the operating system
   std::string workstation{};                  ///< name of the computer, unique among those that share a server
   PasswordCost passwordCost = PasswordCost::Usual;
   /// Folder for the recordings of attempts, created with the first recording; "": FILE.recordings beside the database
-  /// file. A database on a server keeps no recordings, so that each workstation names a folder of its own.
+  /// file. If the database is on a server, which keeps no recordings, each workstation names a folder of its own.
   std::filesystem::path recordings{};
 };
 
@@ -41,8 +42,8 @@ struct NewPerson {
 /// accesses it through these classes: PeopleStore, CohortStore, AttemptStore, PublishedCurricula, FormStore, AuditLog,
 /// StoreUpkeep. SiteUpload exchanges data with a server.
 ///
-/// Copies are handles of the same database. All calls wait for the disk or the server: do not call them on the GUI
-/// thread. Any other thread may call; each has its own connection, made at its first call.
+/// Copies of an object refer to the same database. All functions wait for the disk or the server: do not call them on
+/// the GUI thread. Any other thread may call them; each thread has its own connection, which is made at its first call.
 class CurriculumStore {
  public:
   /// Opens a database. `address` is a file, created if missing (its folder must exist), or
@@ -64,13 +65,13 @@ class CurriculumStore {
   Result<SignedIn> createFirstAdministrator(const NewPerson& first, const std::string& password) const;
 
   /// Signs a user in. A wrong name, a wrong password and a disabled person fail with the same sentence after the same
-  /// time. After five failures for a name, existing or not, the name is locked for 30 s, which doubles with each
-  /// further failure up to an hour. Takes about 0.1 s.
+  /// time. After five failures for a name, whether or not it exists, the name is locked for 30 s; this time doubles
+  /// with each further failure, up to an hour. Takes about 0.1 s.
   Result<SignedIn> signIn(const std::string& name, const std::string& password) const;
   /// Signs in with a token of PeopleStore::staySignedIn(). Fails if the token was revoked, the password was changed
   /// since, or the account is disabled.
   Result<SignedIn> signInByToken(const std::string& token) const;
-  /// Returns a guest without an account, who can only read published curricula and store nothing.
+  /// Returns a session without an account. A guest can read published curricula and do nothing else.
   SignedIn guest() const;
 
  private:

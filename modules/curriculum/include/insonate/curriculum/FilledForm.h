@@ -23,7 +23,7 @@ struct FilledForm {
 struct KeptForm {
   FilledForm filled{};
   std::string rater{};  ///< full name of the author, or sign-in name if there is no full name
-  /// true: the answers are another rater's and are left out until the reader has submitted the same form.
+  /// true: `answers` is empty, since the form is another rater's and the user has not yet submitted the same form.
   bool withheld = false;
 
   bool operator==(const KeptForm&) const = default;

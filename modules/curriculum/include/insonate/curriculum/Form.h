@@ -11,7 +11,7 @@
 
 namespace insonate {
 
-/// One option of a multiple-choice question of a form.
+/// One option of a Choice question of a form.
 struct FormOption {
   std::string name{};              ///< name under which the answer is stored
   std::string title{};             ///< text shown to the user
@@ -58,8 +58,8 @@ struct Form {
   std::vector<FormSection> sections{};
 
   const FormItem* item(std::string_view itemName) const;
-  /// Tells whether a rater may write a note on a question: in checklists and ratings, unless the answer is itself a
-  /// text.
+  /// Tells whether a rater may add a note to the answer. This is allowed in checklists and ratings, except for Text
+  /// questions.
   bool takesNote(const FormItem& item) const {
     return purpose != Purpose::Questionnaire && item.kind != FormItem::Kind::Text;
   }
@@ -89,7 +89,8 @@ Result<FormAnswers> parseAnswers(std::string_view json);
 std::string answersText(const FormAnswers& answers);
 
 struct AnswerTrouble {
-  std::string item{};      ///< question concerned (FormItem::name), or key of an answer to no question of the form
+  /// question concerned (FormItem::name), or key of an answer that belongs to no question of the form
+  std::string item{};
   std::string sentence{};  ///< explains the error and what to do
 };
 

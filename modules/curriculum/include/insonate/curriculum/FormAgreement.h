@@ -22,14 +22,15 @@ struct RaterPair {
 struct FormAgreement {
   int judged = 0;       ///< number of attempts judged by at least one rater
   int judgedTwice = 0;  ///< number of attempts judged by at least two raters
-  /// number of filled forms left out, since they were filled in for another version of the form
+  /// number of filled forms that were left out because they belong to another version of the form
   int otherVersions = 0;
   std::vector<RaterPair> pairs{};  ///< agreement of each pair of raters, sorted by their names
 };
 
-/// Computes the agreement of raters from `forms`, in the order in which they were submitted. Only the first form of a
-/// rater about an attempt counts: a second one (older program versions stored it) was filled in with the others'
-/// answers known. Forms about no attempt, by the person concerned, or with withheld answers are left out.
+/// Computes the agreement of raters from filled forms, which must be in the order in which they were submitted. Only
+/// the first form of a rater about an attempt counts: when a rater submitted a second one, which older program versions
+/// allowed, the rater already knew the answers of other raters. Forms about no attempt, by the person concerned, or
+/// with withheld answers are left out.
 FormAgreement agreementOf(const Form& form, std::span<const KeptForm> forms);
 
 /// Writes the agreement as CSV: for each pair of raters one line for all questions ("total"), then one for each

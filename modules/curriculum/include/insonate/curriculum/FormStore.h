@@ -11,9 +11,9 @@
 namespace insonate {
 
 /// Access to filled forms in the database, with the permissions of a signed-in user. Forms can be added, but neither
-/// changed nor deleted. People fill in forms about themselves, and instructors about learners in their cohorts
-/// (classes). A form can be read by the person concerned and by all who may see the person's attempts. Raters see
-/// another rater's answers about an attempt only after submitting the same form themselves.
+/// changed nor deleted. Users may fill in forms about themselves; instructors may also fill in forms about learners in
+/// their cohorts (classes). A form can be read by the person concerned and by all who may see the person's attempts.
+/// Raters see another rater's answers about an attempt only after submitting the same form themselves.
 class FormStore {
  public:
   explicit FormStore(SignedIn by) : by_(std::move(by)) {}

@@ -16,10 +16,8 @@ struct Grade {
   std::string feedback{};
 };
 
-enum class GradeKey {
-  Email,
-  Name
-};  ///< identifies people in a learning management system: by e-mail address or by name
+/// Property that identifies a person in a learning management system: the e-mail address or the name.
+enum class GradeKey { Email, Name };
 
 /// A person who is left out of exported grades.
 struct UngradedPerson {
@@ -33,8 +31,8 @@ struct GradeBook {
 };
 
 /// Writes grades as CSV for Moodle's import: a column "Email address" or "ID number", a column with the title `item`,
-/// and a column of feedback if any person has feedback. People without a grade are left out, with their feedback:
-/// Moodle would overwrite an existing grade by the empty one.
+/// and a column of feedback if any person has feedback. People without a grade are left out, even if they have
+/// feedback, since Moodle would replace an existing grade by the empty one.
 GradeBook gradeBook(const std::string& item, GradeKey key, std::span<const Grade> grades);
 
 }  // namespace insonate

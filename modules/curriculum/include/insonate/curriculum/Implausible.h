@@ -10,8 +10,8 @@
 
 namespace insonate {
 
-/// Flag of an attempt with an unusual course, which an instructor should review. A flagged attempt does not fail for
-/// that reason.
+/// Flag of an attempt with implausible values, which an instructor should review. The flag alone does not make the
+/// attempt fail.
 enum class Implausible {
   WithoutProbe,  ///< completed, but the probe was not moved, did not compress the vein and did not show the needle's
                  ///< tip
@@ -24,8 +24,8 @@ enum class Implausible {
 /// Minimum plausible time from skin to vein. A vein lies about 30 mm along the needle (15 to 20 mm below the skin at 30
 /// to 45 degrees); 10 mm/s is faster than a needle is advanced under aspiration.
 inline constexpr double kFastToVein_s = 3;
-/// Minimum plausible duration of an attempt. Experts need 50 s from the first puncture to access alone (Clinkard et
-/// al., Acad Emerg Med 2015, 22:212); a fifth of that for the whole attempt was chosen here.
+/// Minimum plausible duration of an attempt. Experts need 50 s for the part from the first puncture to access (Clinkard
+/// et al., Acad Emerg Med 2015, 22:212); a fifth of this time was chosen as the limit for the whole attempt.
 inline constexpr double kShort_s = 10;
 
 /// Returns the name of a flag in JSON and tables: "fast_to_vein".
@@ -37,12 +37,12 @@ std::string wordsOf(Implausible flag, const AttemptFacts& facts);
 /// ended.
 std::vector<Implausible> implausibilities(const AttemptFacts& facts);
 
-/// Tells whether the metrics come from an attempt in which the needle reached the skin; all attempts without that have
-/// the same values, so that SameValues says nothing about them.
+/// Tells whether the needle reached the skin in the attempt with these metrics. All other attempts have the same
+/// values; Implausible::SameValues is therefore not applied to them.
 bool describesNeedle(const std::vector<MetricFact>& metrics);
 
-/// Flags implausible attempts that are passed one after another; for SameValues each attempt is compared with those
-/// before.
+/// Finds implausible attempts in a sequence. take() returns the flags of the next attempt; for SameValues it compares
+/// the attempt with all previous ones.
 class PlausibilityCheck {
  public:
   std::vector<Implausible> take(const AttemptFacts& facts);

@@ -22,22 +22,23 @@ struct Judgement {
   bool reachesStandards(const PassRule& rule) const;
 };
 
-/// Tells whether an attempt counts in numbers and progress. It counts if it was completed, if the trainee abandoned it,
-/// or if its recording broke off. An attempt that is open, voided, or abandoned before the needle reached the skin (its
-/// metric "passes" is 0) does not count. A recording that broke off without a measurement counts: a trainee who ends
-/// the program must not choose which attempts count. If a device was to blame, an instructor voids the attempt.
+/// Tells whether an attempt counts in statistics and progress. It counts if it was completed, if the trainee abandoned
+/// it, or if its recording broke off. It does not count if it is open, voided, or was abandoned before the needle
+/// reached the skin (its metric "passes" is 0). An attempt whose recording broke off counts even without measured
+/// values; otherwise trainees could exclude an attempt by ending the program. If a device caused the end, an instructor
+/// can void the attempt.
 bool counts(const AttemptFacts& attempt);
 
-/// Tells whether an attempt was abandoned without any measured value, since its recording broke off (crash, power, full
-/// disk).
+/// Tells whether an attempt was abandoned without any measured value, because its recording broke off (crash, power
+/// failure, full disk).
 bool hasBrokenOff(const AttemptFacts& attempt);
 
-/// Tells whether an attempt was completed and reached the procedure's aim. False for every abandoned attempt, even if
-/// an older program version stored it as a success.
+/// Tells whether an attempt was completed and was a success by the rules of the procedure. False for every abandoned
+/// attempt, even if an older program version stored it as a success.
 bool isSuccess(const AttemptFacts& attempt);
 
-/// Returns the level of a curriculum for which an attempt was made, in any version of the curriculum. Null in free
-/// practice, for attempts of another curriculum, and if the curriculum has no such level or the level has another
+/// Returns the level of a curriculum for which an attempt was made, in any version of the curriculum. Null for attempts
+/// in free practice or of another curriculum, and if the curriculum has no such level or the level has another
 /// procedure.
 const Level* levelOf(const Curriculum& curriculum, const AttemptFacts& attempt);
 
@@ -45,9 +46,9 @@ const Level* levelOf(const Curriculum& curriculum, const AttemptFacts& attempt);
 /// (levelOf() is null) or does not count.
 std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& attempt);
 
-/// Tells whether an attempt counts at a level with this rule. The attempt must count in general (counts(attempt)); an
-/// attempt that passes must also not be AttemptProof::Unproven. Unproven failures count, since trainees could otherwise
-/// choose which attempts count.
+/// Tells whether an attempt counts at a level with this rule. It must count in general (counts(attempt)); if it passes,
+/// it must also not be AttemptProof::Unproven. Failed attempts count even if they are unproven; otherwise trainees
+/// could exclude them.
 bool counts(const AttemptFacts& attempt, const PassRule& rule);
 
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt);

@@ -8,8 +8,8 @@
 
 namespace insonate {
 
-/// Learning curve CUSUM (Biau, Williams, Schlup, Nizard, Porcher, Br J Surg 2008, 95:925). The test starts from "not
-/// yet able" and signals once a trainee fails no more often than is acceptable.
+/// Learning curve CUSUM (Biau, Williams, Schlup, Nizard, Porcher, Br J Surg 2008, 95:925). The test assumes that a
+/// trainee is not able until it signals: when the score shows that the trainee fails no more often than is acceptable.
 struct LcCusum {
   double acceptable = 0.1;     ///< p0: acceptable failure rate, of a trainee who is able; above 0
   double unacceptable = 0.25;  ///< p1: unacceptable failure rate, of a trainee who is not able; above p0, below 1
@@ -18,12 +18,12 @@ struct LcCusum {
   double failureWeight() const;  ///< change of the score by a failure: ln(p0 / p1), negative
   /// Returns the score S after each attempt: S becomes max(0, S + weight), starting from 0.
   std::vector<double> series(const std::vector<bool>& successes) const;
-  /// Returns the number of attempts after which the score reaches `limit` if all succeed; at most kMostToSignal.
+  /// Returns the number of consecutive successes after which the score reaches `limit`; at most kMostToSignal.
   int fewestToSignal(double limit) const;
   static constexpr int kMostToSignal = 1'000'000;
 };
 
-/// Parameters of a simulation of `careers` trainees with a known failure rate, who make `trials` attempts each.
+/// Parameters of a simulation: `careers` simulated trainees with a known failure rate make `trials` attempts each.
 struct CusumTrials {
   int trials = 50;
   int careers = 20'000;
@@ -34,9 +34,9 @@ struct CusumTrials {
 /// this is the rate of false signals, for p0 (acceptable) the power.
 double signalRate(const LcCusum& test, double limit, double failureRate, const CusumTrials& trials = {});
 
-/// Returns the minimum limit that at most the share `falseSignals` of simulated trainees with failure rate p1
-/// (unacceptable) reaches. The true share may be slightly larger: a share of 10 % of 20 000 trainees has a standard
-/// error of 0.2 %. Fails with a sentence on impossible numbers, or if cancelled.
+/// Returns the smallest limit that no more than the share `falseSignals` of simulated trainees with failure rate p1
+/// (unacceptable) reach. The true share may be slightly larger: a share of 10 % of 20 000 trainees has a standard error
+/// of 0.2 %. Fails with a sentence on impossible numbers, or if cancelled.
 Result<double> calibratedLimit(const LcCusum& test, double falseSignals, const CusumTrials& trials = {},
                                const Progress& progress = {});
 

@@ -27,14 +27,15 @@ struct LearningCurve {
 
   /// Returns the curve's value at an attempt; the first attempt is 1.
   double at(double attempt) const;
-  /// Returns the confidence interval of the curve at an attempt (delta method, t with attempts - 3 degrees of freedom).
+  /// Returns the confidence interval of the curve at an attempt (delta method; t distribution with `attempts` - 3
+  /// degrees of freedom).
   Interval bandAt(double attempt, double confidence = 0.95) const;
 };
 
 /// Fits a curve by least squares to the values of attempts 1, 2, 3 and so on; an attempt without a value keeps its
-/// number. Empty if the data do not determine a learning curve: fewer than 6 values, a non-finite value, a rate at the
-/// limit of what that many attempts can show, a fit that an F test at 5 % does not find better than the mean, or a
-/// plateau outside the range of `kind`.
+/// number. Empty if the values do not determine a learning curve: if there are fewer than 6 values, if a value is not
+/// finite, if the fitted rate is at the end of the range that can be determined from this number of attempts, if the
+/// fit is not significantly better than the mean (F test, 5 %), or if the plateau is outside the range of `kind`.
 std::optional<LearningCurve> fitLearningCurve(LearningCurve::Shape shape, std::span<const std::optional<double>> values,
                                               ValueKind kind = ValueKind::Any);
 /// Fits a power law and an exponential, and returns the better fit.

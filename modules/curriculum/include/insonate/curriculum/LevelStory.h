@@ -8,7 +8,7 @@
 
 namespace insonate {
 
-/// A situation of a trainee at a level, with the sentence that the trainee then reads.
+/// A situation of a trainee at a level, with the sentence that the program then shows to the trainee.
 struct StoryTurn {
   enum class When {
     Beginning,     ///< before the first attempt at any level
@@ -22,9 +22,9 @@ struct StoryTurn {
   std::string sentence{};  ///< sentence for the trainee: LevelProgress::why
 };
 
-/// Returns the situations of a trainee who first fails at a level and then always passes, as a preview for its author.
-/// Situations that cannot occur by the level's rule are left out. `curriculum` comes from parseCurriculum() and
-/// contains the level.
+/// Returns the situations of a trainee who first fails at a level and then always passes, as a preview for the author
+/// of the curriculum. Situations that the rules of the level exclude are left out. `curriculum` comes from
+/// parseCurriculum() and contains the level.
 std::vector<StoryTurn> levelStory(const Curriculum& curriculum, std::string_view level);
 
 }  // namespace insonate

@@ -7,8 +7,8 @@
 
 namespace insonate {
 
-/// Properties of a metric that a curriculum needs. The caller provides them, since metrics are defined in another
-/// module.
+/// Properties of a metric that this module needs. The caller provides them, since the module `procedure` defines the
+/// metrics.
 struct MetricMeaning {
   enum class Better { Lower, Higher, Neither };
 

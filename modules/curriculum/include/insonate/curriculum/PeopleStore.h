@@ -13,12 +13,12 @@ namespace insonate {
 
 /// Access to accounts and passwords in the database, with the permissions of a signed-in user. Trainees see themselves;
 /// instructors also see the people in their cohorts; administrators see everyone. Passwords have 8 to 200 characters.
-/// On a workstation that belongs to a server, people are changed on the server.
+/// If the workstation belongs to a server, people can be changed on the server only.
 class PeopleStore {
  public:
   explicit PeopleStore(SignedIn by) : by_(std::move(by)) {}
 
-  /// Returns the signed-in user, or a person whom the user may see.
+  /// Returns the data of the signed-in user, or of a person whom the user may see.
   Result<Person> person(const std::string& id) const;
   /// Returns all people, sorted by name; administrators only.
   Result<std::vector<Person>> all() const;
@@ -34,12 +34,13 @@ class PeopleStore {
   Result<void> changeOwnDetails(const std::string& fullName, const std::string& email) const;
 
   Result<void> changeOwnPassword(const std::string& old, const std::string& password) const;
-  /// Makes a token that signs the user in without a password, for a computer that only this user can open. Keep it in a
-  /// file that only its owner can read: the store keeps its hash. A new password revokes it.
+  /// Makes a token with which the user can sign in without a password, on a computer to which only this user has
+  /// access. Keep the token in a file that only its owner can read; the database stores a hash of it. A change of the
+  /// password revokes the token.
   Result<std::string> staySignedIn() const;
   /// Revokes all tokens of the signed-in user.
   Result<void> revokeTokens() const;
-  /// Sets a password for another person, who must change it at the next sign-in; also ends a lock after failed
+  /// Sets a password for another person, who must change it at the next sign-in. Also unlocks the name after failed
   /// sign-ins. Allowed to administrators, and to instructors for trainees of their cohorts.
   Result<void> resetPassword(const std::string& person, const std::string& password) const;
 

@@ -18,7 +18,7 @@ struct Person {
   bool operator==(const Person&) const = default;
 };
 
-/// A class: people who are taught together, by one version of one curriculum.
+/// A class: people who are taught together, with one version of one curriculum.
 struct Cohort {
   std::string id{};  ///< UUID of the cohort
   std::string name{};

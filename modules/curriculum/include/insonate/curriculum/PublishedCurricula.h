@@ -22,9 +22,9 @@ struct CurriculumEntry {
 };
 
 /// Access to curricula (JSON texts) in the database, with the permissions of a signed-in user. A published version
-/// never changes; a changed draft is published as the next version. Everyone reads published versions; instructors and
-/// administrators see drafts and publish. On a workstation that belongs to a server, curricula are published on the
-/// server.
+/// never changes; a changed curriculum is published as the next version. All users may read published versions;
+/// instructors and administrators may also read drafts and publish. If the workstation belongs to a server, curricula
+/// can be published on the server only.
 class PublishedCurricula {
  public:
   explicit PublishedCurricula(SignedIn by) : by_(std::move(by)) {}
@@ -39,9 +39,9 @@ class PublishedCurricula {
   /// error.
   Result<CurriculumEntry> publish(const std::string& name, int version, const std::string& text) const;
 
-  /// Saves the draft of a curriculum: any text of at most 1 MB. Each name has one draft, shared by all instructors.
-  /// `before`: the draft as the caller last read it, "" if there was none; fails if another user has saved a different
-  /// draft since.
+  /// Saves the draft of a curriculum: any text of at most 1 MB. For each name there is one draft, which all instructors
+  /// share. `before`: the draft as the caller last read it; "": there was none. Fails if another user has saved a
+  /// different draft since then.
   Result<void> saveDraft(const std::string& name, const std::string& text, const std::string& before) const;
   Result<std::vector<std::string>> drafts() const;
   Result<std::string> draft(const std::string& name) const;

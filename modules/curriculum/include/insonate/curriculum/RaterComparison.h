@@ -24,7 +24,8 @@ struct ItemAgreement {
   std::optional<Estimate> points{};  ///< ICC(2,1) of the points
 };
 
-/// Agreement of two raters on a form. Missing values are treated as in Agreement.h.
+/// Agreement of two raters on a form. A member is empty in the cases in which the functions of Agreement.h return no
+/// value.
 struct RaterComparison {
   int pairs = 0;                      ///< number of items that both raters answered with points, over all attempts
   std::optional<double> agreement{};  ///< share of `pairs` with equal answers
@@ -36,8 +37,8 @@ struct RaterComparison {
 };
 
 /// Compares the answers of two raters. The grades of a question are its options that have points, in the order of
-/// rising points. The overall values leave out questions with fewer grades than the form's other questions, since such
-/// grades have another meaning.
+/// rising points. For `agreement` and `kappa` of the whole form, questions with fewer grades than the other questions
+/// are left out, since their grades have another meaning.
 RaterComparison compareRaters(const Form& form, std::span<const RatedTwice> attempts);
 
 }  // namespace insonate

@@ -10,10 +10,10 @@ namespace store {
 class Session;
 }
 
-/// Session of a user who has signed in to the database of people and attempts; every read and write is made with this
-/// user's permissions. Copies are handles of the same session, which keeps the database open and ends with the last
-/// copy. Permissions are checked at each call: a user who is disabled, or whose password was reset by others, is
-/// refused from then on. For use on any thread.
+/// Session of a user who has signed in to the database of people and attempts. The database is read and written with
+/// the permissions of this user. Copies refer to the same session; the session keeps the database open and ends with
+/// the last copy. Permissions are checked at each call: after a user was disabled, or another person reset the user's
+/// password, all calls fail. For use on any thread.
 class SignedIn {
  public:
   bool isGuest() const;
@@ -21,7 +21,7 @@ class SignedIn {
   const Person& person() const;
   /// Tells whether the user must first call PeopleStore::changeOwnPassword(); nothing else is allowed until then.
   bool mustChangePassword() const;
-  /// Returns the time by the store's clock, since 1970, UTC.
+  /// Returns the time of the database's clock (StoreServices::now_us), since 1970, UTC.
   std::int64_t now_us() const;
 
   /// Used only by the classes of this module, such as AttemptStore.

@@ -29,17 +29,17 @@ struct UploadReport {
   std::vector<std::string> troubles{};
 };
 
-/// Exchanges data between a workstation's database and a server's: people, roles, cohorts and curricula are downloaded,
-/// attempts and forms are uploaded. Needs no signed-in user, since nothing is disclosed. Data is sent until the server
-/// confirms it; data that arrives twice is stored once. After the first exchange the workstation's people, cohorts and
-/// curricula are the server's. A person known only to the workstation is uploaded as a disabled trainee, whom the
-/// server's administrator may enable.
+/// Exchanges data between the database of a workstation and that of a server: downloads people, roles, cohorts and
+/// curricula, and uploads attempts and forms. No user needs to be signed in, since no data is disclosed. Data is sent
+/// again until the server confirms it; data that arrives twice is stored once. After the first exchange, the
+/// workstation has the people, cohorts and curricula of the server. A person whom only the workstation knows is
+/// uploaded as a disabled trainee, whom an administrator of the server may enable.
 class SiteUpload {
  public:
   SiteUpload(CurriculumStore here, CurriculumStore server) : here_(std::move(here)), server_(std::move(server)) {}
 
-  /// Exchanges data in batches, each a transaction; batches before a failure or a cancellation stay done. Fails if the
-  /// server cannot be reached or has no people yet.
+  /// Exchanges data in batches; each batch is one transaction. Batches before a failure or a cancellation remain
+  /// stored. Fails if the server cannot be reached or has no people yet.
   Result<UploadReport> exchange(const Progress& progress = {}) const;
   /// Returns the number of attempts and forms that wait to be sent. Without a server they wait indefinitely.
   Result<std::int64_t> pending() const;

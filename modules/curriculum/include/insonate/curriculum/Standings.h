@@ -18,28 +18,29 @@ enum class Concern {
 };
 inline constexpr int kStuckAfter = 5;
 
-/// Progress of one trainee, from all attempts.
+/// Progress of one trainee, computed from all attempts.
 struct Standing {
   std::string curriculum{};
   int curriculumVersion = 0;
   std::string level{};  ///< name of the trainee's present level (Level::name); "": all levels are mastered
   int mastered = 0;     ///< number of mastered levels
   Concern concern = Concern::None;
-  std::string sentence{};     ///< sentence about the level that is of concern, else about the present level
-  std::int64_t changes = 0;   ///< Member::changes at the time of computation, to detect that the standing is outdated
+  std::string sentence{};  ///< sentence about the level to which `concern` refers, else about the present level
+  /// Member::changes when the standing was computed; a different value shows that the standing is outdated
+  std::int64_t changes = 0;
   std::int64_t from_us = 0;   ///< time at which the standing was computed, since 1970, UTC
   std::int64_t until_us = 0;  ///< time from which the standing may change without any new attempt
 
   bool operator==(const Standing&) const = default;
 };
 
-/// Version of the rules of standingOf(). Increase it whenever standingOf() gives another result for the same history,
-/// so that standings stored by an older program are computed again.
+/// Version of the rules of standingOf(). Increase it with each change after which standingOf() gives another result for
+/// the same history, so that standings that an older program stored are computed again.
 inline constexpr int kStandingRules = 2;
 
 /// Computes a trainee's progress for the table of a class. The present level is the first level in the curriculum's
 /// order that is open or lapsed. `progress`: result of progressOf() for `history` at `now_us`. `changes`:
-/// Member::changes, read before the history.
+/// Member::changes, which must be read before the history.
 Standing standingOf(const Curriculum& curriculum, std::span<const AttemptFacts> history,
                     std::span<const LevelProgress> progress, std::int64_t now_us, std::int64_t changes);
 

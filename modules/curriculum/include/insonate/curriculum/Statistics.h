@@ -5,10 +5,11 @@
 #include <string_view>
 #include <vector>
 
-/// Statistics of people and classes. Results are empty ("n/a") for too few values or a non-finite value.
+/// Statistics of people and classes. Results are empty if there are too few values or a value is not finite; the window
+/// then shows "n/a".
 namespace insonate {
 
-/// Number of a trainee's last attempts from which the present performance is computed, wherever it is shown.
+/// Number of last attempts of a trainee from which the present performance is computed.
 inline constexpr int kLastAttempts = 10;
 
 struct Interval {
@@ -23,7 +24,8 @@ struct Estimate {
   std::string_view basis{};
 };
 
-/// Range of values that a metric can have. Confidence intervals and learning curves stay within it.
+/// Kind of the values of a metric, which determines their range. Confidence intervals and learning curves stay within
+/// this range.
 enum class ValueKind {
   Any,          ///< any number, e.g. a distance that is negative inside
   NotNegative,  ///< 0 or more, e.g. a time, a distance, a force
@@ -46,7 +48,8 @@ std::optional<double> meanValue(std::span<const double> values);
 ///   percentiles of the bootstrap, widened for few values (Hesterberg, Am Stat 2015, 69:371, "expanded percentile"),
 ///   from 10 000 samples that are the same for the same values. No interval for fewer than kFewestForInterval values,
 ///   since even the range of 4 values contains the median in only 87.5 % of cases, and none if all values are equal.
-/// Counts that are not whole, and YesNo values between 0 and 1, are means themselves and are treated as others.
+/// Counts that are not whole numbers, and YesNo values between 0 and 1, are themselves means and are treated like other
+/// values.
 std::optional<Estimate> meanOf(std::span<const double> values, ValueKind kind, double confidence = 0.95);
 
 /// Returns the sample standard deviation (divisor n - 1); empty for fewer than two values.
@@ -60,12 +63,12 @@ std::optional<double> median(std::span<const double> values);
 /// Returns a proportion with Wilson's score interval (J Am Stat Assoc 1927, 22:209).
 std::optional<Estimate> proportion(int successes, int trials, double confidence = 0.95);
 
-/// Returns the moving mean: for each value, the mean of the existing values among it and the `window` - 1 values
-/// before; empty if the value itself is missing.
+/// Returns, for each value, the mean of this value and those of the previous `window` - 1 values that exist; empty for
+/// a missing value.
 std::vector<std::optional<double>> movingMean(std::span<const std::optional<double>> values, int window);
 
-/// Box plot after Tukey: quartiles (type 7), and whiskers to the last value within 1.5 interquartile ranges of the box.
-/// Values beyond the whiskers are outliers.
+/// Box plot after Tukey: quartiles (type 7 as in quantile()), and whiskers that end at the outermost values within 1.5
+/// interquartile ranges of the box. Values beyond the whiskers are outliers.
 struct BoxPlot {
   double lowerWhisker = 0, lowerQuartile = 0, median = 0, upperQuartile = 0, upperWhisker = 0;
   std::vector<double> outliers{};  ///< values beyond the whiskers, in rising order

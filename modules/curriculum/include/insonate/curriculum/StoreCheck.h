@@ -11,7 +11,8 @@
 
 namespace insonate {
 
-/// A value in the database that does not agree with its source: a recording, the attempts, or the audit log.
+/// A value in the database that does not agree with the data from which it was computed: a recording, the attempts, or
+/// the audit log.
 struct StoreDifference {
   /// attempt concerned (AttemptFacts::id); "": the difference is in a standing (progress of a trainee)
   std::string attempt{};
@@ -24,8 +25,8 @@ struct StoreDifference {
   bool operator==(const StoreDifference&) const = default;
 };
 
-/// Finds data in the database that was changed by other means than this program. Administrators only; each check is
-/// entered in the audit log.
+/// Finds data in the database that were changed by other means than this program. For administrators only; each check
+/// makes an entry in the audit log.
 class StoreCheck {
  public:
   explicit StoreCheck(SignedIn by) : by_(std::move(by)) {}
@@ -37,7 +38,8 @@ class StoreCheck {
   /// without an entry, and entries without an attempt. Programs before schema 3 made no entries: in a database from
   /// such a program, attempts before the first one with an entry are left out.
   Result<std::vector<StoreDifference>> againstLog() const;
-  /// Returns stored standings (progress of trainees) that would be shown now but do not follow from the attempts.
+  /// Returns the differences of stored current standings (progress of trainees) from those that follow from the
+  /// attempts.
   Result<std::vector<StoreDifference>> standings() const;
 
  private:

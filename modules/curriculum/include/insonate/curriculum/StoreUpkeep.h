@@ -25,31 +25,32 @@ class StoreUpkeep {
   explicit StoreUpkeep(SignedIn by) : by_(std::move(by)) {}
 
   Result<StoreFacts> facts() const;
-  /// Checks all pages and keys of the database, the hashes of published curricula and the audit log. Takes seconds.
+  /// Checks the pages and keys of the database, the hashes of published curricula, and the audit log. Takes seconds.
   Result<void> verify() const;
-  /// Copies the database to `file` as it is at one moment, also while other processes use it; an existing `file` is
-  /// replaced once the copy is complete. Recordings are copied to FILE.recordings, in addition to those of earlier
-  /// backups. Fails for a database on a server, which is backed up by pg_dump.
+  /// Copies a consistent snapshot of the database to `file`, even while other processes use the database. An existing
+  /// `file` is replaced when the copy is complete. Recordings are copied to the folder FILE.recordings; recordings of
+  /// earlier backups stay there. Fails for a database on a server, for which pg_dump makes backups.
   Result<void> backup(const std::filesystem::path& file, const Progress& progress = {}) const;
-  /// Writes all data except passwords as one JSON object with a list for each table. Each attempt also has fields that
-  /// say whether it was voided, whether its recording broke off, and, by the curriculum version for which the attempt
-  /// was made, the level's assistance and whether the attempt passed; the last two are null in free practice.
+  /// Writes all data except passwords as one JSON object with a list for each table. Each attempt also has these
+  /// fields: whether it was voided; whether its recording broke off; and, according to the curriculum version for which
+  /// the attempt was made, the assistance of its level and whether it passed. The last two are null in free practice.
   Result<void> exportJson(const std::filesystem::path& file) const;
 
  private:
   SignedIn by_;
 };
 
-/// Replaces a database file, which may be open, damaged or missing, by a backup. `administrator` and `password` belong
-/// to the replaced database; if that one is missing, damaged or has no people yet, to the backup. Pages, schema and
-/// audit log of the backup are checked first; the log then records who restored it and where the replaced log ended.
-/// The former file is kept as FILE.before-restore. The backup's recordings are added to the existing ones; none is
+/// Replaces a database file, which may be open, damaged or missing, by a backup. `administrator` and `password` are
+/// those of an administrator in the database to be replaced; if this database is missing, damaged or has no people yet,
+/// of an administrator in the backup. Pages, schema and audit log of the backup are checked first. An entry in the
+/// audit log of the restored database then states who restored it and where the log of the replaced database ended. The
+/// replaced file is kept as FILE.before-restore. The recordings of the backup are added to the existing ones; none is
 /// deleted.
 Result<void> restoreStore(const std::filesystem::path& file, const std::filesystem::path& backup,
                           const std::string& administrator, const std::string& password);
 
-/// Upgrades a database to the newest schema on behalf of an administrator, whose password is checked before anything
-/// but the log is changed. CurriculumStore::open() upgrades a database, too.
+/// Upgrades a database to the newest schema on behalf of an administrator. The password is checked before anything
+/// except the audit log is changed. CurriculumStore::open() also upgrades a database.
 Result<void> migrateStore(const std::string& address, const std::string& administrator, const std::string& password,
                           const StoreServices& services = {});
 

@@ -35,27 +35,27 @@ struct LevelProgress {
   int standardsMet = 0;         ///< number of standards met in the last attempt that counts
   std::vector<double> cusum{};  ///< LC-CUSUM score after each attempt; empty if the level has no such rule
   bool cusumSignalled = false;
-  /// Time until which the state stays the same without practice; until then `why` also stays the same, unless the level
-  /// is mastered.
+  /// Time until which the state does not change without practice. Until then `why` does not change either, unless the
+  /// level is mastered.
   std::int64_t until_us = kForever_us;
 };
 
 /// Returns the minimum number of attempts with which a level can be mastered, all of them passed.
 int fewestAttempts(const MasteryRule& rule);
 
-/// Returns a trainee's state in each level, in the curriculum's order. The same input always gives the same output.
+/// Returns a trainee's progress at each level, in the curriculum's order. The same input always gives the same output.
 ///
-/// An attempt that counts (Judgement.h) belongs to the level with its AttemptFacts::level, in any version of the
-/// curriculum, if its procedure is the level's, and is judged by this curriculum's rules. `history` is in the order of
-/// AttemptStore::history(); times are only used to count days without practice. Since clocks jump, a time later than
-/// `now_us` or before 1970 is ignored, and a time earlier than that of a previous attempt is replaced by it. An attempt
-/// that has not ended is ignored.
+/// An attempt that counts (Judgement.h) belongs to the level whose name is AttemptFacts::level, whatever the version of
+/// the curriculum, if both have the same procedure. It is judged by the rules of this curriculum. `history` is in the
+/// order of AttemptStore::history(); times are only used to count days without practice. Clocks may be wrong: a time
+/// later than `now_us` or before 1970 is ignored, and a time earlier than that of a previous attempt is replaced by the
+/// time of that attempt. An attempt that has not ended is ignored.
 ///
-/// A level is mastered once the consecutive passes are reached and, where required, LC-CUSUM has signalled at some
-/// time. After a lapse the consecutive passes are required again, but no new signal; failures that lead to a lapse are
-/// counted from mastery on. A mastered level stays mastered while a prerequisite has lapsed; other levels are locked
-/// until the prerequisite is renewed. Practice of a level counts as practice of its prerequisites. Passes made while a
-/// level was locked count once it opens.
+/// A level is mastered when the required number of consecutive passes is reached and, if the level has a CusumRule,
+/// LC-CUSUM has signaled at some time. After a lapse, the consecutive passes are required again, but no new signal. For
+/// FailureRule, only failures after mastery count. A mastered level stays mastered while a prerequisite has lapsed;
+/// levels that are not mastered are locked until the prerequisite is mastered again. Practice of a level counts as
+/// practice of its prerequisites. Passes that were made while a level was locked count when the level opens.
 ///
 /// `curriculum` comes from parseCurriculum().
 std::vector<LevelProgress> progressOf(const Curriculum& curriculum, std::span<const AttemptFacts> history,

@@ -34,11 +34,12 @@ struct XapiExport {
 /// record store.
 ///
 /// The verb is "passed" or "failed" for an ended attempt at a level, "completed" in free practice, and "abandoned" for
-/// an abandoned attempt; a voided attempt voids its statement. Left out, with the reason, are attempts that do not
-/// count (Judgement.h) and those of other curricula or versions, since a statement must not change once it is sent. A
-/// level's assistance is part of its activity's definition, which learning record stores do not compare. Ids are UUIDs
-/// of version 5 made from the attempt's id, so that a repeated statement is recognized. Nothing is null: missing values
-/// are left out, as are times outside the years 1 to 9999. Fails if the home page is no absolute http address.
+/// an abandoned attempt; a voided attempt voids its statement. Attempts that do not count (Judgement.h), and those of
+/// other curricula or versions, are left out and listed with the reason, since a statement must not change after it was
+/// sent. The assistance of a level is part of the definition of its activity, which learning record stores do not
+/// compare. Ids of statements are UUIDs of version 5 made from the attempt's id, so that a learning record store
+/// recognizes a repeated statement. Missing values, and times outside the years 1 to 9999, are left out instead of
+/// being written as null. Fails if the home page is not an absolute http address.
 Result<XapiExport> xapiStatements(const XapiSite& site, const Curriculum& curriculum, const Person& person,
                                   std::span<const AttemptFacts> attempts);
 /// Returns a summary for the user: "Left out: 3 attempts (2 that have not ended, ...)."; "" if no attempt is left out.

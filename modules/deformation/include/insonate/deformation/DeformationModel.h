@@ -14,17 +14,17 @@
 
 namespace insonate {
 
-/// The probe's face in the image plane. The middle of the face is at z = 0, with the tissue at larger z; the ends of
-/// the face are rounded.
+/// The probe's face in the image plane, probe frame. The middle of the face is at z = 0; the tissue is at larger z. The
+/// ends of the face are rounded.
 struct ProbeFace {
   double width_mm = 38;  ///< width of the face; along the chord if the face is curved
   double radius_mm = 0;  ///< radius of a curved face; 0 for a flat face
-  /// Width of the probe's housing perpendicular to the image plane; a force in N is spread over this width.
+  /// Width of the probe's housing perpendicular to the image plane, over which the force is distributed.
   double footprint_mm = 10;
   bool sticking = false;  ///< true if tissue under the face does not slide along the face
 };
 
-/// Present blood pressure, kPa above atmospheric. The CT shows the vessels under MechanicalTissue::pressure_kPa.
+/// Present blood pressure above atmospheric pressure. In the CT, the vessels are under MechanicalTissue::pressure_kPa.
 struct BloodPressure {
   double artery_kPa = 0, vein_kPa = 0;
 };
@@ -34,18 +34,18 @@ struct DeformationInput {
   const TissuePlane* plane = nullptr;
   ProbeFace face;
   BloodPressure pressure;
-  /// Pose of the tissue plane in the patient. With a pose, the model starts from the last solution even after the probe
-  /// has moved; without a pose, every solution starts from undeformed tissue.
+  /// Pose of the tissue plane in the patient. With a pose, the iteration starts from the last solution even after the
+  /// probe has moved; without a pose, it starts from undeformed tissue.
   std::optional<Transform> patientFromProbe;
-  /// Required contact force. If above 0, the face is moved along z until it presses with this force; else the face
-  /// stays at z = 0.
+  /// Required contact force. If above 0, the face is moved along z until the contact force has this value; else the
+  /// face stays at z = 0.
   double force_N = 0;
 };
 
 struct LumenArea {
   std::uint8_t label = 0;
-  /// Area of the vessel's lumen in the plane: area_mm2 under the probe, rest_mm2 in the CT. Lumens count up to 4 mm
-  /// beside the face, and at least up to 24 mm from its middle.
+  /// Area of the vessel's lumen in the image plane: area_mm2 at present, rest_mm2 in the CT. The area includes lumens
+  /// up to 4 mm beside the face, and at least up to 24 mm from its middle.
   double area_mm2 = 0, rest_mm2 = 0;
 };
 
@@ -63,7 +63,8 @@ struct Deformation {
   std::vector<LumenArea> lumens;  ///< areas of lumens, one entry for each vessel label in the plane
   int iterations = 0;             ///< number of iterations of the solver
   bool converged = true;          ///< true if the solution is within the model's tolerance
-  bool moved = false;             ///< false if nothing had to be solved: no contact, and blood pressure as in the CT
+  /// false: no solution was necessary, since there is no contact and the blood pressure is that in the CT
+  bool moved = false;
 
   int meshColumns = 0, meshRows = 0;
   std::vector<MeshNode> mesh;  ///< nodes of the mesh, index [row][column]
@@ -71,27 +72,29 @@ struct Deformation {
   std::vector<float> pressure_kPa;
 };
 
-/// Resolution of a model, and depth of the part of the plane that it covers.
+/// Resolution and tolerances of a model, and the depth to which it computes the tissue.
 struct DeformationSettings {
-  double mesh_mm = 0.5;    ///< edge of the mesh's cells near vessels and face; 0.1..4
-  double depth_mm = 50;    ///< depth below the face at which tissue does not move; 10..200
-  int maxIterations = 60;  ///< maximum number of iterations per solution; live imaging sets it low, and the next image
-                           ///< continues the solution
-  /// Longest node movement in the last step of a converged solution; 0 for the model's default.
+  double mesh_mm = 0.5;  ///< edge of the mesh's cells near vessels and face; 0.1..4
+  double depth_mm = 50;  ///< depth below the face at which tissue does not move; 10..200
+  /// maximum number of iterations per solution; live imaging uses a small number and continues the solution with the
+  /// next image
+  int maxIterations = 60;
+  /// Maximum movement of a node in the last iteration of a converged solution; 0: the model's default.
   double tolerance_mm = 0;
-  /// If above 0: while the probe moves, a solution is accepted once its last step moves no node by more than this; the
-  /// next image continues from the accepted solution.
+  /// Tolerance for a solution that continues an earlier one, as while the probe moves: the solution is accepted once an
+  /// iteration moves no node by more than this, and the next image continues it. 0: not used.
   double movingTolerance_mm = 0;
 };
 
-/// Computes the displacement of tissue from the contact of the probe. One object must not be used concurrently.
+/// Computes the displacement of tissue by the contact of the probe. One object must not be used concurrently.
 class DeformationModel {
  public:
   virtual ~DeformationModel() = default;
   virtual std::string_view name() const = 0;
 
   /// Computes a solution. Allocates nothing if the vectors of `answer` are large enough and the mesh is not larger than
-  /// before. The result is always finite and one-to-one; `converged` tells whether it is within tolerance.
+  /// before. The displacement is always finite and one-to-one; `answer.converged` tells whether the solution is within
+  /// tolerance.
   virtual void solve(const DeformationInput& input, Deformation& answer) = 0;
 
   /// Discards the last solution, so that the next solution starts from rest.

@@ -4,8 +4,8 @@
 
 namespace insonate {
 
-/// Outline of a probe's face in its plane, probe frame, mm: flat or round. An arc rounds each end and continues up to a
-/// slope of 60 degrees.
+/// Outline of a probe's face in the image plane, probe frame: flat or an arc. A smaller arc of radius kEndRadius_mm
+/// rounds each end, up to a slope of 60 degrees.
 class FaceProfile {
  public:
   static constexpr float kEndRadius_mm = 3;
@@ -16,9 +16,10 @@ class FaceProfile {
     bool under = false;  ///< true if x lies within the outline; false beside the face
     float z_mm = 0;
   };
+  /// Returns the point of the outline at a lateral position.
   Point at(float x_mm) const;
 
-  /// Returns the distance from the middle to each end of the outline, rounded ends included.
+  /// Returns the lateral distance from the middle to each end of the outline, including the rounded ends.
   float reach_mm() const;
 
  private:

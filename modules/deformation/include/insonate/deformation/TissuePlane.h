@@ -18,22 +18,23 @@ struct PlaneTissue {
   float skin_mm = -kFar_mm;  ///< distance to the skin, negative inside the body
 };
 
-/// Curvature of a vessel's outline at a point near it, 1/mm: second derivatives of the distance to the outline, in the
-/// plane (`within`) and perpendicular to it (`across`). A round vessel perpendicular to the plane has (1/radius, 0),
-/// one along the plane (0, 1/radius).
+/// Curvatures of a vessel's surface at a point near it: second derivatives of the distance to the surface, in the image
+/// plane and perpendicular to it. They are (1/radius, 0) for a round vessel perpendicular to the plane, and (0,
+/// 1/radius) for a round vessel in the plane.
 struct OutlineCurvature {
   float inPlane_permm = 0, outOfPlane_permm = 0;
 };
 
-/// Undeformed tissue in the image plane, in the form in which deformation models query it. The plane belongs to a pose
-/// of the probe; the face may lie inside the undeformed tissue, and its depth there is the indentation.
+/// Interface by which deformation models read the undeformed tissue in the image plane of a probe at one pose. The
+/// probe's face may lie inside the undeformed tissue; its depth in the tissue is the indentation.
 class TissuePlane {
  public:
   virtual ~TissuePlane() = default;
-  /// Samples the tissue at any number of points; `tissue` must be as long as `at`. Called on one thread at a time.
+  /// Writes the tissue at each point of `at` to `tissue`, which must be as long. Called on one thread at a time.
   virtual void sample(std::span<const PlanePoint> at, std::span<PlaneTissue> tissue) const = 0;
-  /// Returns the curvature of the artery's or the vein's outline. The default implementation, for planes without data
-  /// on the tissue to either side, treats all vessels as perpendicular to the plane.
+  /// Writes the curvature of a vessel's surface at each point of `at` to `bends`. `outline` is &PlaneTissue::artery_mm
+  /// or &PlaneTissue::vein_mm. The default implementation, for planes without data on the tissue to either side, writes
+  /// zeros: the vessel's wall then adds no stiffness.
   virtual void sampleCurvature(std::span<const PlanePoint> at, float PlaneTissue::*outline,
                                std::span<OutlineCurvature> bends) const {
     static_cast<void>(outline);

@@ -7,20 +7,21 @@
 #include <mutex>
 #include <string>
 
-/// Computing on a graphics card through OpenGL, without a window. No OpenGL or EGL type is visible outside this module.
+/// These classes compute on a graphics card through OpenGL, without a window. No OpenGL or EGL type is visible outside
+/// this module.
 namespace insonate::gpu {
 
 /// Capabilities that a driver must offer; the defaults are what the shaders of this project need.
 struct Requirements {
-  int major = 4, minor = 3;  ///< OpenGL version, core profile
+  int major = 4, minor = 3;  ///< minimum OpenGL version, core profile
   int storageBuffers = 8;    ///< storage buffers that one compute shader can access
   int workgroupThreads = 1024;
-  bool hardware = false;  ///< true: software renderers are refused; those that EGL identifies are not even loaded
+  bool hardware = false;  ///< true: software renderers are refused
 };
 
 struct DeviceInfo {
   std::string renderer, vendor, version;
-  bool software = false;  ///< the CPU renders (Mesa's llvmpipe, SwiftShader and the like)
+  bool software = false;  ///< true: the CPU computes (Mesa's llvmpipe, SwiftShader and similar drivers)
 };
 
 class Current;

@@ -27,11 +27,11 @@ class Buffer {
   /// Writes `contents`, at most bytes() long, to the beginning of the buffer. Work that is already running on the card
   /// still reads the old contents.
   void write(const Current& current, std::span<const std::byte> contents) const;
-  /// Waits for the card's running work, then copies the buffer into `contents`. Only for tests, since the card stops
-  /// working meanwhile; ReadBack reads without stopping the card.
+  /// Waits until the card has finished its work, then copies the buffer into `contents`. For tests only, since the card
+  /// idles during the copy; ReadBack copies while the card works.
   void read(const Current& current, std::span<std::byte> contents) const;
-  /// bindStorage() binds the buffer to a shader's `layout(binding = slot) buffer`, bindUniform() to a `layout(binding =
-  /// slot) uniform` block of up to 16 KB.
+  /// bindStorage() binds the buffer to the block that a shader declares as `layout(binding = slot) buffer`.
+  /// bindUniform() binds the buffer to a `layout(binding = slot) uniform` block of up to 16 KB.
   void bindStorage(const Current& current, unsigned slot) const;
   void bindUniform(const Current& current, unsigned slot) const;
 
@@ -44,8 +44,8 @@ class Buffer {
   unsigned id_ = 0;
 };
 
-/// A two-dimensional table of pairs of floats in the card's memory. Shaders declare it as `layout(binding = slot)
-/// uniform sampler2D` and read it by integer indices with texelFetch().
+/// A two-dimensional table in the card's memory. Each entry is a pair of floats. Shaders declare it as `layout(binding
+/// = slot) uniform sampler2D` and read it by integer indices with texelFetch().
 class PairTexture {
  public:
   PairTexture() = default;
@@ -64,8 +64,8 @@ class PairTexture {
   int columns_ = 0, rows_ = 0;
 };
 
-/// Copies results from the card to the processor's memory while the card continues to work. Up to two transfers are in
-/// progress, each into its own memory; a fence tells when a transfer is finished.
+/// Copies results from the card to the processor's memory while the card continues to work. Up to two transfers can be
+/// in progress, each into a buffer of its own; an OpenGL fence tells when a transfer is finished.
 class ReadBack {
  public:
   ReadBack() = default;
@@ -75,8 +75,10 @@ class ReadBack {
   ReadBack(ReadBack&& other) noexcept = default;
   ReadBack& operator=(ReadBack&& other) noexcept = default;
 
+  /// Tells whether two transfers are in progress; finish() must then be called before begin().
   bool full() const { return underWay_ == kSlots; }
-  /// Queues a copy of a part of a buffer, to run after the work that is already queued. Must not be called when full().
+  /// Queues a copy of a part of a buffer. The card makes the copy after the work that is already queued. Do not call
+  /// this function when full() is true.
   void begin(const Current& current, const Buffer& from, std::size_t offset, std::size_t bytes);
   /// Waits for the oldest transfer and copies its result. Fails if the card has not finished it within ten seconds.
   Result<void> finish(const Current& current, std::span<std::byte> into);

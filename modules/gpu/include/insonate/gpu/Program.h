@@ -19,8 +19,8 @@ struct Field {
 /// A compute shader.
 class Program {
  public:
-  /// Compiles the shader text in `parts`, concatenated in this order, after a line with the GLSL version. Fails with
-  /// the compiler's log.
+  /// Compiles a shader: a line with the GLSL version, followed by the texts in `parts` in their order. Fails with the
+  /// compiler's log.
   static Result<Program> make(const Current& current, std::string name, std::span<const std::string_view> parts);
   ~Program();
   Program(Program&& other) noexcept;
@@ -29,13 +29,14 @@ class Program {
   const std::string& name() const { return name_; }
 
   /// Compares a shader's uniform block with the C++ structure of the same layout: names, offsets, number of fields,
-  /// size. Arrays are represented by their first element, arrays of structures by the fields of the first. Fails with
-  /// the first difference. A program that does not use the block passes.
+  /// size. In `fields`, an array is represented by its first element, an array of structures by the fields of its first
+  /// element. Fails with the first difference. Succeeds if the program does not use the block.
   Result<void> checkBlock(const Current& current, std::string_view block, std::span<const Field> fields,
                           std::size_t size) const;
 
   void setInt(const Current& current, std::string_view uniform, int value) const;
-  /// Runs the given number of work groups; work that is queued later sees the results.
+  /// Queues a run of the shader with these numbers of work groups. Work that is queued later reads the results of the
+  /// run.
   void run(const Current& current, int groupsX, int groupsY = 1, int groupsZ = 1) const;
 
  private:

@@ -7,8 +7,8 @@
 
 namespace insonate::gpu {
 
-/// Measures on the card how long parts of its work take (GL_TIMESTAMP). The card neither waits for the processor nor
-/// stops between the parts.
+/// Measures durations of the card's work with time stamps of the card (GL_TIMESTAMP). The measurement makes the card
+/// neither wait for the processor nor stop between parts of the work.
 class Stopwatch {
  public:
   Stopwatch() = default;
@@ -18,10 +18,11 @@ class Stopwatch {
   Stopwatch(Stopwatch&& other) noexcept;
   Stopwatch& operator=(Stopwatch&& other) noexcept;
 
-  /// Notes the time at which the card has finished the work that is queued so far.
+  /// Records the time at which the card finishes the work that has been queued so far. `mark` is the number of the time
+  /// stamp, from 0.
   void mark(const Current& current, int mark) const;
-  /// Returns the milliseconds on the card between two marks, both set since the last call. Waits until the card has
-  /// passed them.
+  /// Returns the time in ms between two marks. Both must have been set since the last call. Waits until the card has
+  /// reached them.
   double between_ms(const Current& current, int from, int to) const;
 
  private:

@@ -35,8 +35,8 @@ struct HubOptions {
 class DeviceHub {
  public:
   explicit DeviceHub(std::shared_ptr<haptics::HidBus> bus, HubOptions options = {});
-  /// Sends each device a last zero force and releases it. A device that another object still owns gets the phase
-  /// kAbsent.
+  /// Sends each device a last zero force and releases it. If another object still owns a device, the phase of the
+  /// device becomes kAbsent.
   ~DeviceHub();
   DeviceHub(const DeviceHub&) = delete;
   DeviceHub& operator=(const DeviceHub&) = delete;
@@ -47,14 +47,15 @@ class DeviceHub {
   /// Searches for devices once, on the calling thread. Do not call this while start() is in effect.
   void scanOnce();
 
-  /// Adds a device that is not found by searching USB and Bluetooth: simulated, replayed or of a vendor's SDK.
+  /// Adds a device that the search of USB and Bluetooth does not find: a simulated or replayed device, or a device of a
+  /// vendor's SDK.
   void add(std::shared_ptr<HapticDevice> device);
-  /// All devices seen since the start, including devices that are no longer present, in the order in which they
-  /// appeared.
+  /// Returns all devices that have been found or added, in the order in which they appeared, including devices that are
+  /// no longer present.
   std::vector<std::shared_ptr<HapticDevice>> devices() const;
-  /// Returns the device events (connected, lost, failed) since the last call, oldest first, at most 1000.
+  /// Returns the device events (connected, lost, failed) since the last call, at most 1000, oldest first.
   std::vector<DeviceEvent> takeEvents();
-  /// Recorder of the raw input and output reports of all USB and Bluetooth devices.
+  /// Returns the recorder of the raw input and output reports of all USB and Bluetooth devices.
   ReportRecorder& recorder() { return *recorder_; }
 
  private:

@@ -22,17 +22,18 @@ enum class DeviceKind : std::uint8_t {
 
 std::string_view nameOf(DeviceKind kind);
 
-/// Quantity that a field of a HID report contains. The unit applies to the raw value times the field's scale.
+/// Quantity that a field of a HID report contains. The stated unit is that of the raw value times ReportField::scale.
 enum class Quantity : std::uint8_t {
   kEncoder,     ///< encoder counts; index 0..5 selects the joint
   kPosition,    ///< position, mm, device frame; index 0..2: x, y, z
   kQuaternion,  ///< attitude as a quaternion; index 0..3: w, x, y, z
   kDeflection,  ///< deflection of a 3D mouse's spring-loaded cap, -1..1; index 0..2: along x, y, z; 3..5: about x, y, z
   kButtons,     ///< one bit per button; index: number of the button in the lowest bit
-  kKey,  ///< a single button, pressed if one of ReportField::count consecutive fields equals ReportField::usage; index:
-         ///< number of the button
+  /// a single button; it is pressed if one of ReportField::count consecutive fields equals ReportField::usage; index:
+  /// number of the button
+  kKey,
   kStatus,    ///< status bits whose meaning is specific to the device
-  kSequence,  ///< running number of the report
+  kSequence,  ///< sequence number of the report
   kTime,      ///< time in s on the device's own clock
   kForce,     ///< output: force in N, device frame; index 0..2: x, y, z
   kTorque,    ///< output: torque in N mm, device frame; index 0..2: about x, y, z
@@ -45,8 +46,8 @@ struct ReportField {
   Quantity quantity = Quantity::kStatus;
   int index = 0;
   int bit = 0, bits = 8;  ///< first bit of the field, and its width in bits (1..32)
-  bool isSigned = false;  ///< the raw value is a two's complement number
-  /// the raw value is a counter that overflows; it is decoded as the change since the first report
+  bool isSigned = false;  ///< true: the raw value is a two's complement number
+  /// true: the raw value is a counter that overflows; the decoded value is the change since the first report
   bool wraps = false;
   double scale = 1;          ///< factor from the raw value to the unit of `quantity`
   int count = 1, usage = 0;  ///< only for Quantity::kKey: number of consecutive fields, and the HID usage code that one
@@ -61,8 +62,8 @@ struct ReportLayout {
   std::vector<ReportField> fields;
 };
 
-/// Criterion for the USB or Bluetooth devices that a device table describes. Optional or empty fields match every
-/// device.
+/// Criterion by which the program recognizes the USB or Bluetooth devices that a device table describes. A field
+/// without a value, or an empty name, matches every device.
 struct DeviceMatch {
   std::uint16_t vendor = 0, product = 0;
   std::optional<std::uint16_t> usagePage, usage;
@@ -80,11 +81,11 @@ struct ArmTable {
   std::array<double, 3> torque_NmmPermA{};        ///< torque per current of each motor
   /// angles of turret, upper and lower bar in the home posture, from which the encoders count
   std::array<double, 3> homeAngle_deg{};
-  Vec3 centre_mm;            ///< center of the workspace, in the arm's frame
+  Vec3 centre_mm;            ///< center of the workspace, in the arm frame
   double maxCurrent_mA = 0;  ///< maximum current of each motor
 };
 
-/// Description of one device model as data: how it is recognized, what its reports mean, and its limits.
+/// Description of one device model as data: the criteria that identify it, the layout of its reports, and its limits.
 struct DeviceTable {
   std::string name;
   DeviceKind kind = DeviceKind::kMotion;

@@ -63,20 +63,20 @@ class HapticDevice {
   virtual std::string trouble() const = 0;
   virtual DeviceCounters counters() const noexcept = 0;
 
-  /// Copies the device's latest state into `state`; returns false if no new state has arrived since the last call. Call
-  /// it only on the force loop's thread.
+  /// Copies the device's latest state into `state`. Returns false, without a copy, if no new state has arrived since
+  /// the last call. Call it only on the force loop's thread.
   virtual bool take(DeviceState& state) noexcept = 0;
-  /// Sets the force that the device exerts from now on, in the device's frame. Call it on the thread that calls take().
+  /// Sets the force that the device exerts from now on, in the device frame. Call it on the thread that calls take().
   /// The force is limited to the device's maximum and becomes zero if push() is not called for 100 ms. Nothing is sent
   /// to the device before the first push().
   virtual void push(const Force& force) noexcept = 0;
 
-  /// Declares that the device is in its home posture now, the zero of its encoders. No effect on devices without
-  /// encoders.
+  /// Declares that the device is now in its home posture, from which its encoders count. Call it when the user has put
+  /// the device there. No effect on devices without encoders.
   virtual void calibrate() {}
 };
 
-/// Time after the last push() at which a device's force is set to zero.
+/// Time after the last push() after which a device's force is set to zero.
 inline constexpr std::int64_t kForceLife_ns = 100'000'000;
 
 /// Returns `force` reduced to what a device can exert: magnitudes clamped to `limits`, axes without a motor and

@@ -13,19 +13,22 @@
 
 namespace insonate {
 
-/// Indices of the two tools that haptic devices move: the probe and the needle.
+/// The two tools that haptic devices move, as indices of arrays: the probe and the needle.
 enum Hand : int { kProbeHand = 0, kNeedleHand = 1 };
 
 /// Transforms from a haptic device to the tool that it moves, and limits of its force. patientFromTool =
-/// patientFromDevice * shift by apart_mm * deviceFromStylus * stylusFromTool. The tool frame of the probe is the probe
-/// frame; that of the needle has its origin at the tip and z along the needle, in the direction of insertion.
+/// patientFromDevice * (translation by apart_mm) * deviceFromStylus * stylusFromTool. The tool frame of the probe is
+/// the probe frame. The tool frame of the needle has its origin at the tip and z along the needle, in the direction of
+/// insertion.
 struct HandSetup {
   Transform patientFromDevice;  ///< rigid pose of the device's workspace in patient space
-  Vec3 apart_mm;                ///< offset of the tool from the stylus, device frame; lets two devices stand apart
-  Transform stylusFromTool;     ///< rigid pose of the tool in the stylus's frame
-  DeviceLimits limits;          ///< limits of the device's force and stiffness
-  double gain = 1;              ///< fraction of the computed force that is sent to the device, 0 to 1
-  double mostForce_N = 1e9;     ///< maximum force set by the user
+  /// translation of the tool against the stylus, device frame; two devices can thus stand at some distance from each
+  /// other
+  Vec3 apart_mm;
+  Transform stylusFromTool;  ///< rigid pose of the tool in the stylus frame
+  DeviceLimits limits;       ///< limits of the device's force and stiffness
+  double gain = 1;           ///< fraction of the computed force that is sent to the device, 0 to 1
+  double mostForce_N = 1e9;  ///< maximum force, N, as set by the user
 };
 
 /// Shapes of probe and needle for their mutual contact: capsules, as in figure 14 of the thesis (see
@@ -33,7 +36,7 @@ struct HandSetup {
 struct ToolShapes {
   /// half length and radius of the capsule parallel to the probe's face, just behind the face
   double faceHalfWidth_mm = 19, probeRadius_mm = 6;
-  /// length of the capsule that stands for the probe's handle, along the probe's axis behind the face
+  /// length of the capsule for the probe's handle, along the probe's axis behind the face
   double handle_mm = 90;
   double needleLength_mm = 70, needleRadius_mm = 0.635;
 };
@@ -43,9 +46,8 @@ struct ServoSetup {
   NeedleTable needle;
   ToolShapes shapes;
   double skinFriction = 0.1;  ///< Coulomb friction coefficient of the probe on wet skin
-  /// true: the needle stays in place in the tissue while the user's hand moves; a spring pulls the device back to where
-  /// it was. Probe and needle then exert no force on each other. When set to false, the needle follows its device
-  /// again.
+  /// true: the needle stays in its place in the tissue while the user's hand moves, and a spring pulls the device back
+  /// to its place. Probe and needle then exert no force on each other. false: the needle follows its device.
   bool needleHeld = false;
 };
 
@@ -58,11 +60,11 @@ struct ServoInput {
 
 /// Output of one tick of the force loop for one tool (probe or needle).
 struct HandOutput {
-  Force force;                 ///< force to send to the device, in the device's frame, within the device's limits
+  Force force;                 ///< force to send to the device, in the device frame, within the device's limits
   Transform patientFromTool;   ///< pose of the tool as the device holds it
   Transform patientFromShown;  ///< pose at which the program draws the tool; unlike patientFromTool never inside bone
   Vec3 wanted_N;               ///< force of tissue and of the other tool before any limit, patient space
-  /// energy that the user's hand has put into the virtual tissue and not got back; decays with time
+  /// energy that the user's hand has put into the virtual tissue and has not yet received back; decays with time
   double energy_J = 0;
   bool limited = false;  ///< true: the force was reduced, by a limit, missing inputs or passivity control (energy_J)
 };
@@ -77,11 +79,13 @@ struct ServoOutput {
   int eventCount = 0;
 };
 
-/// Force loop: computes the forces on probe and needle once per tick (1 ms). tick() is for one thread; setup() and
-/// show() (sets the tissue) may be called from one other thread each, at any time, and take effect at the next tick.
+/// Force loop: computes the forces on probe and needle once per tick (1 ms). setup() sets devices and tools, show()
+/// sets the tissue. tick() is for one thread. setup() and show() may each be called from one other thread, at any time,
+/// and take effect at the next tick.
 ///
 /// Forces fall to zero within 100 ms if device states or tissue models (LocalModel) stop arriving, and at once if a
-/// device is not present. A hand never gets more energy back than it put in (see modules/haptics/README.md).
+/// device is not present. A hand never receives more energy than it has put in (passivity control; see
+/// modules/haptics/README.md).
 class HapticServo {
  public:
   HapticServo();
@@ -89,7 +93,9 @@ class HapticServo {
   HapticServo(HapticServo&&) noexcept;
   HapticServo& operator=(HapticServo&&) noexcept;
 
+  /// Sets devices, tools and tissue properties from the next tick on.
   void setup(const ServoSetup& setup);
+  /// Sets the tissue near probe and needle from the next tick on.
   void show(LocalModel model);
 
   /// Computes one tick: device states in, forces and tool poses out. Neither waits, allocates nor throws.

@@ -8,17 +8,17 @@
 
 namespace insonate {
 
-/// Device emulated by mouse and keys, for users without a haptic device; it can move a tool (probe or needle) or act as
-/// a pedal. The window reports motion in millimeters and radians; the force loop receives states that follow smoothly,
-/// as a hand would move. There is no force feedback.
+/// Device that mouse and keys emulate, for users without a haptic device. It can move a tool (probe or needle) or act
+/// as a pedal. The window reports motion in millimeters and radians; the force loop receives states that follow this
+/// motion smoothly. There is no force feedback.
 ///
 /// Threads: the GUI thread calls drag(), turn(), press() and similar functions; the force loop's thread calls take()
 /// and push(). No function locks, waits or allocates.
 class InputHand final : public HapticDevice {
  public:
-  /// Time constant, in s, with which the tool follows the mouse. A shorter time makes the motion jerky.
+  /// Time constant, in s, with which the tool follows the mouse. A smaller constant makes the motion jerky.
   static constexpr double kFollow_s = 0.03;
-  /// Extent of the workspace around the place set by the last placeAt(), mm.
+  /// Extent of the workspace, whose center is the position set by the last placeAt(), mm.
   static constexpr double kWorkspace_mm = 400;
 
   /// `id`: see DeviceInfo::id, e.g. "mouse:1". `name`: shown to the user.
@@ -29,15 +29,15 @@ class InputHand final : public HapticDevice {
   std::string trouble() const override { return {}; }
   DeviceCounters counters() const noexcept override { return {taken_.load(std::memory_order_relaxed), 0, 0, 0}; }
   bool take(DeviceState& state) noexcept override;
-  /// Does the same as take(), for a given time (CLOCK_MONOTONIC) instead of now; for replays and tests. The time must
-  /// not decrease from call to call.
+  /// Does the same as take(), for the time `now_ns` (CLOCK_MONOTONIC) instead of the present time; for replays and
+  /// tests. The time must not decrease from call to call.
   bool takeAt(std::int64_t now_ns, DeviceState& state) noexcept;
   void push(const Force&) noexcept override {}
 
-  /// Connects (true) or disconnects (false) the emulated device. Connected, its phase is kReady, and kStreaming after
-  /// the first take(); disconnected, it is kAbsent, as at the beginning.
+  /// Connects (true) or disconnects (false) the emulated device. Its phase is kAbsent at the beginning and while it is
+  /// disconnected, kReady once it is connected, and kStreaming after the first take().
   void hold(bool held) noexcept;
-  /// Moves the tool by a distance in the device's frame (DeviceState.h): x to the right, y up, z toward the user.
+  /// Moves the tool by a distance in the device frame (DeviceState.h): x to the right, y up, z toward the user.
   void drag(Vec3 by_mm) noexcept;
   /// Turns the tool about the axis `by_rad` (device frame) through the stylus's origin; the length of `by_rad` is the
   /// angle.
@@ -50,7 +50,8 @@ class InputHand final : public HapticDevice {
   void press(int button, bool down) noexcept;
 
  private:
-  /// Message from the GUI thread: total motion since the start. Totals stay right if the force loop misses a message.
+  /// Message from the GUI thread: total motion since the start. The totals are correct even if the force loop misses a
+  /// message.
   struct Wish {
     Vec3 dragged_mm;
     Mat3 turned;

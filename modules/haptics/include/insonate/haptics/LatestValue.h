@@ -6,9 +6,9 @@
 
 namespace insonate {
 
-/// Passes the latest value from one writer thread to one reader thread, in place: nothing is copied, and neither thread
-/// waits or allocates. The writer releases a value's resources when it overwrites the value. This is a triple buffer;
-/// insonate::Mailbox, in contrast, is for many writers and returns each value only once.
+/// Passes the latest value from one writer thread to one reader thread. No value is copied, and neither thread waits or
+/// allocates. The writer's thread releases the resources of a value when it overwrites the value. This is a triple
+/// buffer. In contrast, insonate::Mailbox is for many writers and returns each value only once.
 template <class T>
 class LatestValue {
  public:

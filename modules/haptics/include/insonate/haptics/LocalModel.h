@@ -10,12 +10,12 @@
 
 namespace insonate {
 
-/// Plane approximation of the skin at one point of the probe's face, with the skin's resistance.
+/// Plane that approximates the skin near one point of the probe's face, with the skin's resistance.
 struct SkinPatch {
   Vec3 onProbe_mm;         ///< point of the probe's face to which this patch belongs, probe frame
   Vec3 skin_mm;            ///< a point of the undeformed skin, patient space
   Vec3 outward{0, 0, -1};  ///< unit normal of the skin, patient space
-  /// k1 of the skin's force on the probe, k1 d + k2 d^2, at the depth d of `onProbe_mm` below the undeformed skin.
+  /// k1 of the skin's force on the probe, k1 d + k2 d^2; d is the depth of `onProbe_mm` below the undeformed skin.
   double stiffness_Npmm = 0;
   double stiffening_Npmm2 = 0;  ///< k2 of the skin's force on the probe, k1 d + k2 d^2; 0 or more
   bool operator==(const SkinPatch&) const = default;
@@ -27,14 +27,15 @@ struct LocalModel {
   /// time at which the model was made, CLOCK_MONOTONIC; forces decrease to zero if the model is old
   std::int64_t time_ns = 0;
   std::shared_ptr<const TissueGrid> grid;  ///< undeformed tissue; null: no force acts on the needle
-  /// Affine map from a point near the needle's tip to where its tissue lies without deformation; close to the identity.
+  /// Affine map from the present to the undeformed position of tissue near the needle's tip, patient space; close to
+  /// the identity.
   Transform restFromPatient;
   std::array<SkinPatch, 4> patches;
   int patchCount = 0;
 };
 
-/// Sets the stiffness k1 and stiffening k2 of a patch so that its force is `force_N` at the depth `indent_mm` (above
-/// 0), with slope `slope_Npmm`. If that would make k1 or k2 negative, the slope is clamped.
+/// Sets the stiffness k1 and stiffening k2 of a patch so that its force is `force_N` and the derivative of the force is
+/// `slope_Npmm` at the depth `indent_mm` (above 0). The slope is clamped so that k1 and k2 are not negative.
 inline void setPatchForce(SkinPatch& patch, double force_N, double indent_mm, double slope_Npmm) {
   const double secant = force_N / indent_mm;
   patch.stiffening_Npmm2 = std::clamp((slope_Npmm - secant) / indent_mm, 0.0, secant / indent_mm);

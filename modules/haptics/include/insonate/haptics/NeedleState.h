@@ -11,11 +11,11 @@ namespace insonate {
 enum class NeedleEventKind : std::uint8_t {
   Entered,    ///< the tip punctured the wall from outside
   Left,       ///< the tip punctured the wall from inside, as at the posterior wall of a vessel
-  Withdrawn,  ///< the tip was pulled back through the hole of an earlier puncture (Entered or Left)
+  Withdrawn,  ///< the tip was withdrawn through the hole of an earlier puncture (Entered or Left)
   Struck,     ///< the tip met bone
 };
 
-/// An event of the needle; each puncture of each wall is reported once.
+/// A contact event of the needle. Each puncture of each wall is reported once.
 struct NeedleEvent {
   std::int64_t time_ns = 0;
   NeedleEventKind kind = NeedleEventKind::Entered;

@@ -13,7 +13,7 @@ namespace insonate {
 /// Values decoded from all reports of a device so far. If a device splits its axes over several reports, each report
 /// changes only the axes that it contains.
 struct DeviceReading {
-  std::array<double, 6> encoder{};  ///< encoder counts; of counters that overflow, the counts since the first report
+  std::array<double, 6> encoder{};  ///< encoder counts; for counters that overflow, the change since the first report
   std::optional<Vec3> position_mm;  ///< position of the stylus, device frame (DeviceState.h)
   std::array<double, 4> quaternion{1, 0, 0, 0};  ///< attitude w, x, y, z as reported, not normalized
   std::array<double, 6> deflection{};  ///< deflection of a 3D mouse's cap, -1..1: along x, y, z, then about x, y, z
@@ -37,9 +37,9 @@ class ReportDecoder {
   /// `table` must outlive the decoder.
   explicit ReportDecoder(const DeviceTable& table);
 
-  /// Decodes a report as hidapi returns it: the first byte is the report id if the device numbers its reports. Of
-  /// several layouts with this id, the longest that fits is used; further bytes are padding. A rejected report changes
-  /// nothing.
+  /// Decodes a report in the form in which hidapi returns it: the first byte is the report id if the device numbers its
+  /// reports. If several layouts have this id, the longest layout that fits is used; further bytes are padding. A
+  /// rejected report changes nothing.
   ReportOutcome take(std::span<const std::uint8_t> report) noexcept;
   const DeviceReading& reading() const noexcept { return reading_; }
   /// Resets the decoder after the device was plugged in again: counters start at zero, and no button is pressed.
@@ -62,10 +62,10 @@ class ReportDecoder {
   std::array<Counter, 6> counters_{};
 };
 
-/// Returns the unsigned number in `bits` bits from bit `bit` on, least significant first; bits beyond the end of
-/// `bytes` are 0.
+/// Returns the unsigned number that consists of `bits` bits, the first of which is bit `bit`, least significant bit
+/// first. Bits beyond the end of `bytes` are 0.
 std::uint32_t bitsAt(std::span<const std::uint8_t> bytes, int bit, int bits) noexcept;
-/// Reads the lower `bits` bits as a two's complement number.
+/// Returns the value of the lower `bits` bits as a two's complement number.
 std::int32_t signedValue(std::uint32_t raw, int bits) noexcept;
 
 /// Values for an output report to a device: force and torque, or motor currents.
@@ -75,9 +75,9 @@ struct DeviceOutput {
   std::uint32_t sequence = 0;
 };
 
-/// Encodes `output` by `layout` into `report`. The first byte is the report id (0 if reports have none), as hidapi
-/// expects. Numbers are rounded to the nearest count and clamped to the field's range; non-finite numbers become 0.
-/// Returns the number of bytes used, 0 if `report` is too small.
+/// Encodes `output` with `layout` into `report`. As hidapi requires, the first byte is the report id, or 0 if the
+/// reports have no id. Numbers are rounded to the nearest count and clamped to the field's range; non-finite numbers
+/// become 0. Returns the number of bytes used, 0 if `report` is too small.
 std::size_t encodeReport(const ReportLayout& layout, const DeviceOutput& output,
                          std::span<std::uint8_t> report) noexcept;
 

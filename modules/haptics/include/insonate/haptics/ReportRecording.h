@@ -18,8 +18,8 @@
 namespace insonate {
 
 /// Records raw input and output reports of devices in a file, for bug reports and replays. The file is text with one
-/// line per report: seconds, device id, name of the device table, `in` or `out`, bytes in hex. The recorder's own
-/// thread writes to the disk, so that put() may be called on the force loop's thread even if the disk stalls.
+/// line per report: seconds, device id, name of the device table, `in` or `out`, bytes in hex. A thread of the recorder
+/// writes to the disk, so that put() never waits for the disk and may be called on the force loop's thread.
 class ReportRecorder {
  public:
   ReportRecorder() = default;
@@ -33,7 +33,8 @@ class ReportRecorder {
   /// Stops recording. Fails if some reports could not be written.
   Result<void> stop();
   bool isRunning() const noexcept { return running_.load(std::memory_order_acquire); }
-  /// Records one report; `in`: received from the device, else sent to it. May be called from any thread.
+  /// Records one report. `in`, true: the device sent the report; false: the program sent it to the device. May be
+  /// called from any thread.
   void put(const std::string& device, std::string_view table, bool in, std::span<const std::uint8_t> report);
 
  private:
@@ -58,12 +59,12 @@ struct RecordedReport {
   std::vector<std::uint8_t> bytes;
 };
 
-/// Reads a file that ReportRecorder wrote. Fails, naming the line that cannot be read.
+/// Reads a file that ReportRecorder wrote. Fails with a sentence that names the line that cannot be read.
 Result<std::vector<RecordedReport>> readRecording(const std::filesystem::path& file);
 
-/// Makes a device that replays recorded reports: they arrive at their recorded times and are decoded as from the real
-/// device. Forces are accepted without effect. The replay starts at once; with `again`, it repeats. `device` selects
-/// the recorded device by id; empty: the device of the first report. Fails if the recording has no report of a device
+/// Makes a device that replays recorded reports: the reports arrive at their recorded times and are decoded as those of
+/// the real device. Forces have no effect. The replay starts at once; if `again` is true, it repeats. `device` is the
+/// id of the recorded device; empty: the device of the first report. Fails if the recording has no report of a device
 /// with a built-in table.
 Result<std::shared_ptr<HapticDevice>> replayRecording(const std::vector<RecordedReport>& reports,
                                                       const std::string& device = {}, bool again = false);

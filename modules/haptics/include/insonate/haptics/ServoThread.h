@@ -10,18 +10,19 @@
 
 namespace insonate {
 
-/// Real-time rights that the operating system has granted to the force loop's thread.
+/// Real-time privileges that the operating system has granted to the thread of the force loop.
 struct RealTimeRights {
   bool priority = false;  ///< true: real-time scheduling (SCHED_FIFO) is granted
   bool locked = false;    ///< true: the process's memory is locked (mlockall) and cannot be swapped out
-  std::string sentence;   ///< description for the user, with what to do if a right is missing
+  std::string sentence;   ///< description for the user; says what to do if a privilege is missing
 };
 
 /// Timing statistics of the force loop's ticks since the start, or since the last clearTiming().
 struct TickTiming {
   std::uint64_t ticks = 0;
-  std::uint64_t late = 0;  ///< ticks that began more than a period late; the ticks missed before them were skipped
-  /// percentiles and maximum of a tick's computing time; within 3 %
+  /// number of ticks that began more than a period late; ticks that were due in between were skipped
+  std::uint64_t late = 0;
+  /// percentiles and maximum of the computing time of a tick, accurate to 3 %
   double p50_us = 0, p99_us = 0, p999_us = 0, max_us = 0;
   /// 99th percentile and maximum of the delay from a tick's due time to its beginning
   double wakeP99_us = 0, wakeMax_us = 0;
@@ -42,30 +43,33 @@ class TickListener {
   virtual void ticked(const ServoSnapshot& tick) noexcept = 0;
 };
 
-/// Runs a HapticServo (the force loop) on its own thread, one tick per millisecond by absolute time, with real-time
-/// priority and locked memory if the system allows it. Late ticks are counted, and missed ticks are skipped. All
-/// functions may be called from any thread; none makes the force loop wait.
+/// Runs a HapticServo (the force loop) on a thread of its own, with real-time priority and locked memory if the system
+/// allows it. One tick is due every millisecond of CLOCK_MONOTONIC. Late ticks are counted, and missed ticks are
+/// skipped. All functions may be called from any thread; none of them makes the force loop wait.
 class ServoThread {
  public:
   explicit ServoThread(std::int64_t period_ns = 1'000'000);
-  /// Stops the thread after a last zero force to each device.
+  /// Sends a zero force to each device, and stops the thread.
   ~ServoThread();
   ServoThread(const ServoThread&) = delete;
   ServoThread& operator=(const ServoThread&) = delete;
 
+  /// Sets devices, tools and tissue properties from the next tick on.
   void setup(const ServoSetup& setup);
+  /// Sets the tissue near probe and needle from the next tick on.
   void show(LocalModel model);
-  /// Sets the device that moves a tool (`hand`: probe or needle); null: none. The former device receives no more
-  /// forces, so that its force ends within 100 ms.
+  /// Sets the device that moves a tool (`hand`: probe or needle); null: none. The previous device receives no more
+  /// forces; its own force therefore ends within 100 ms.
   void assign(Hand hand, std::shared_ptr<HapticDevice> device);
 
   /// Sets the object that receives each tick; null: none. The previous listener may receive one more tick.
   void listen(std::shared_ptr<TickListener> listener);
 
   RealTimeRights rights() const;
+  /// Returns inputs and outputs of the last tick.
   ServoSnapshot latest() const;
-  /// Returns the needle's events (punctures, bone contacts) since the last call, oldest first; only the last 1024 are
-  /// kept.
+  /// Returns the needle's events (punctures, contacts with bone) since the last call, oldest first; at most the last
+  /// 1024.
   std::vector<NeedleEvent> takeEvents();
   TickTiming timing() const;
   void clearTiming();

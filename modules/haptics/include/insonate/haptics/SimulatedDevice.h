@@ -9,16 +9,18 @@
 
 namespace insonate {
 
-/// A simulated haptic device in a simulated hand: the stylus moves as the force loop's force, the device's mass and
-/// friction and the hand's grip (spring and damper) determine. The simulation advances in take(), up to the present
-/// time.
+/// A simulated haptic device that a simulated hand holds. The force of the force loop, the mass and friction of the
+/// device, and the grip of the hand (spring and damper) determine the motion of the stylus. Each take() advances the
+/// simulation to the present time.
 class SimulatedDevice : public HapticDevice {
  public:
   SimulatedDevice(std::string id, const DeviceProfile& profile, const Grip& grip, const HandPath::Point& start);
 
-  /// Sets the pose to which the simulated hand moves, as mouse and keys request. Call it on one thread.
+  /// Sets the pose to which the simulated hand moves, e.g. as requested by mouse and keys. Call want() and follow() on
+  /// one thread.
   void want(const HandPath::Point& point);
-  /// Lets the simulated hand follow a path, repeatedly, instead of a pose set by want(); times count from this call.
+  /// Lets the simulated hand follow a path, repeatedly, until the next call of want(). Times of the path count from
+  /// this call.
   void follow(HandPath path);
   /// Simulates plugging the device in (true) or unplugging it (false).
   void plug(bool in) { phase_ = in ? DevicePhase::kStreaming : DevicePhase::kLost; }
@@ -30,8 +32,8 @@ class SimulatedDevice : public HapticDevice {
   bool take(DeviceState& state) noexcept override;
   void push(const Force& force) noexcept override;
 
-  /// Minimum over time of the energy that the hand has put into device and force loop since a contact began; 0 or above
-  /// if the loop is passive, negative if it returned more energy than it received.
+  /// Returns the minimum, over time, of the net energy that the hand has put into device and force loop since a contact
+  /// began. It is 0 if the force loop is passive, and negative if the loop has returned more energy than it received.
   double minEnergy_J() const { return minEnergy_J_; }
 
  private:

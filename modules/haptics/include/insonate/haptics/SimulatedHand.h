@@ -12,8 +12,8 @@
 
 namespace insonate {
 
-/// Name and limits of a real haptic device, as published by manufacturers and in measurements; for simulation and
-/// tests.
+/// Name and limits of a real haptic device for simulation and tests, from the manufacturer and from published
+/// measurements.
 struct DeviceProfile {
   std::string_view name;
   DeviceLimits limits;
@@ -36,8 +36,8 @@ struct Grip {
   double damping_Nspm = 5;
 };
 
-/// Path of a simulated hand's target by time, recorded or synthetic: linear between its points, constant before the
-/// first and after the last.
+/// Target position of a simulated hand as a function of time, recorded or synthetic. The path is linear between its
+/// points, and constant before the first and after the last point.
 struct HandPath {
   struct Point {
     double time_s = 0;  ///< time since the path's beginning; strictly increasing from point to point
@@ -46,18 +46,19 @@ struct HandPath {
   };
   std::vector<Point> points;
 
+  /// Returns the interpolated point of the path at a time.
   Point at(double time_s) const;
 };
 
-/// Parses a path from text: one line for each point, `time_s,x_mm,y_mm,z_mm`, optionally followed by the stylus's nine
-/// direction cosines, column by column (on all lines or on none). Lines that begin with # are comments. Fails, naming
-/// the line that cannot be parsed.
+/// Parses a path from text with one line for each point: `time_s,x_mm,y_mm,z_mm`. Either each line or no line continues
+/// with the nine elements of the stylus's rotation matrix, column by column. Lines that begin with # are comments.
+/// Fails with a sentence that names the line that cannot be parsed.
 Result<HandPath> parseHandPath(std::string_view text);
 std::string textOf(const HandPath& path);
 
 /// Dynamics of a haptic device (mass, damping, friction, encoders, maximum force) held by a hand. The motion is
-/// integrated in steps of 50 us; the force loop's force is constant during a tick. The attitude follows the hand
-/// without delay.
+/// integrated in steps of 50 us; the force loop's force is constant during a tick. The attitude of the stylus follows
+/// the hand without delay.
 class SimulatedHand {
  public:
   SimulatedHand(const DeviceLimits& device, const Grip& grip, Vec3 start_mm);
@@ -70,9 +71,9 @@ class SimulatedHand {
   Vec3 position_mm() const { return position_mm_; }
   Vec3 velocity_mmps() const { return velocity_mmps_; }
 
-  /// Energy that the hand and the moving masses have put into the force loop so far, minus the energy that came back.
+  /// Returns the net energy that the hand and the moving masses have put into the force loop so far.
   double intoLoop_J() const { return intoLoop_mJ_ * 1e-3; }
-  /// Energy that the device's damping and friction have dissipated so far.
+  /// Returns the energy that the device's damping and friction have dissipated so far.
   double lost_J() const { return lost_mJ_ * 1e-3; }
 
  private:
@@ -84,13 +85,14 @@ class SimulatedHand {
 };
 
 /// Checks the passivity of a force loop: a passive loop never returns more energy to the hand than it received
-/// (Hannaford and Ryu 2002). The measurement restarts whenever no force acts, so that earlier energy, dissipated by
-/// friction, is not credited later.
+/// (Hannaford and Ryu 2002). The measurement restarts whenever no force acts: energy that friction has dissipated
+/// before does not count later.
 class PassivityObserver {
  public:
-  /// Adds a measurement: `into_J` is the net energy put into the loop so far; `felt` tells whether the loop exerts a
-  /// force now.
+  /// Adds a measurement. `into_J`: net energy put into the loop so far. `felt`, true: the loop exerts a force now.
   void add(double into_J, bool felt);
+  /// Returns the minimum of the net energy put into the loop since a contact began, 0 or less; negative if the loop was
+  /// not passive.
   double minEnergy_J() const { return minEnergy_J_; }
 
  private:

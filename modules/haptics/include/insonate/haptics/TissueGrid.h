@@ -23,21 +23,20 @@ struct TissueSample {
   std::uint8_t label = kBackground;
 };
 
-/// Grid of undeformed tissue in patient space, which stores at each point the label and the signed distances to
-/// kNeedleWalls. Constant: any number of threads may sample the grid. Distances are stored in steps of 0.01 mm, up to
-/// 300 mm.
+/// Grid of undeformed tissue in patient space. Each grid point stores the label and the signed distances to
+/// kNeedleWalls, in steps of 0.01 mm up to 300 mm. The grid is constant; any number of threads may sample it.
 class TissueGrid {
  public:
   using Sampler = std::function<TissueSample(Vec3 patient_mm)>;
 
   /// Evaluates `sampler` at every grid point. Fails on an invalid grid, or on more than 40 million points.
   static Result<std::shared_ptr<const TissueGrid>> make(const VolumeGeometry& geometry, const Sampler& sampler);
-  /// Makes a grid whose points are the voxel centers of the label map; surfaces lie between voxels and are smoothed
-  /// over about one voxel. Takes seconds for 10 million voxels.
+  /// Makes a grid whose points are the voxel centers of the label map. Surfaces of structures lie between voxels and
+  /// are smoothed over about one voxel. Takes seconds for 10 million voxels.
   static Result<std::shared_ptr<const TissueGrid>> fromLabels(const LabelMap& labels, const Progress& progress = {});
   /// Makes a grid of the part of the label map within `reach_mm` of the point `centre_mm` along each of the map's axes.
-  /// A stored distance is exact if it is smaller than the distance to the grid's edge. Fails if the map and that part
-  /// do not overlap, or if cancelled.
+  /// A stored distance is exact if it is smaller than the distance from the grid point to the edge of the part. Fails
+  /// if the map and that part do not overlap, or if cancelled.
   static Result<std::shared_ptr<const TissueGrid>> fromLabels(const LabelMap& labels, Vec3 centre_mm, double reach_mm,
                                                               const Progress& progress = {});
 
@@ -46,8 +45,8 @@ class TissueGrid {
   /// Returns the tissue at a point: interpolated distances, and the label of the nearest grid point. Beyond the grid,
   /// the values at its edge are returned. Neither waits nor allocates.
   TissueSample at(Vec3 patient_mm) const noexcept;
-  /// Returns the unit vector along which the distance to one wall (an index of kNeedleWalls) increases: the wall's
-  /// outward normal; 0 if the tissue has no such wall.
+  /// Returns the outward normal of a wall (an index of kNeedleWalls): the unit vector along which the distance to the
+  /// wall increases. Returns the zero vector if the grid has no such wall.
   Vec3 outward(Vec3 patient_mm, int wall) const noexcept;
 
  private:

@@ -4,8 +4,8 @@
 
 namespace insonate {
 
-/// Returns udev rules that let the logged-in user access the devices of all built-in device tables: the contents of
-/// packaging/70-insonate.rules.
+/// Returns the contents of packaging/70-insonate.rules: udev rules that give the logged-in user access to the devices
+/// of all built-in device tables.
 std::string udevRules();
 
 }  // namespace insonate

@@ -23,27 +23,27 @@ struct VendorFound {
   DeviceLimits limits;
 };
 
-/// An open device of a vendor's SDK. All calls come from one thread, that of the device.
+/// An open device of a vendor's SDK. All calls come from one thread, the thread of the device.
 class VendorHandle {
  public:
   virtual ~VendorHandle() = default;
-  /// Reads the device's present state, in the frame of DeviceState.h, into `state`; its time_ns is not used. Returns
-  /// within a millisecond; false if the device is disconnected.
+  /// Reads the device's present state into `state`, in the frames of DeviceState.h; `state.time_ns` need not be set.
+  /// Must return within a millisecond. Returns false if the device is disconnected.
   virtual bool read(DeviceState& state) noexcept = 0;
-  /// Sets the force that the device exerts until the next call; the caller has limited it already. Returns false if the
-  /// device is disconnected.
+  /// Sets the force that the device exerts until the next call, in the device frame. The caller has already limited the
+  /// force. Returns false if the device is disconnected.
   virtual bool write(const Force& force) noexcept = 0;
 };
 
-/// Interface to a vendor's SDK (OpenHaptics, Force Dimension), whose license does not allow distribution with Insonate;
-/// each site implements it. The site defines makeVendorKit_openhaptics() or makeVendorKit_forcedimension() and builds
-/// with
+/// Interface to a vendor's SDK (OpenHaptics, Force Dimension). The licenses of these SDKs do not allow distribution
+/// with Insonate; a site that has an SDK therefore implements this interface. The site defines
+/// makeVendorKit_openhaptics() or makeVendorKit_forcedimension() and builds with
 ///
 /// cmake -D INSONATE_WITH_OPENHAPTICS=ON -D INSONATE_OPENHAPTICS_SOURCES=/site/OpenHapticsKit.cpp -D
 /// INSONATE_OPENHAPTICS_LIBRARIES="HD;HDU"
 ///
-/// Connection states, limits, the end of forces after 100 ms, recording and the device panel then work as for every
-/// device. All calls come from the thread that searches for devices.
+/// Connection states, force limits, the end of forces after 100 ms, recording and the device panel then work as for all
+/// other devices. All calls come from the thread that searches for devices.
 class VendorKit {
  public:
   virtual ~VendorKit() = default;
@@ -56,13 +56,14 @@ class VendorKit {
 std::unique_ptr<VendorKit> makeVendorKit_openhaptics();
 std::unique_ptr<VendorKit> makeVendorKit_forcedimension();
 
-/// Returns the vendor SDKs that this program was built with; empty unless the build selected some.
+/// Returns the vendor SDKs with which this program was built; empty if it was built without any.
 std::vector<std::unique_ptr<VendorKit>> builtInVendorKits();
 
-/// Returns the devices of a vendor's SDK as a bus for a DeviceHub.
+/// Returns a bus for DeviceHub that lists and opens the devices of a vendor's SDK.
 std::shared_ptr<haptics::HidBus> devicesOf(std::unique_ptr<VendorKit> kit);
 
-/// Returns the USB and Bluetooth devices and those of all built-in vendor SDKs as one bus for a DeviceHub.
+/// Returns a bus for DeviceHub that lists and opens the USB and Bluetooth devices and those of all built-in vendor
+/// SDKs.
 std::shared_ptr<haptics::HidBus> allDevices();
 
 }  // namespace insonate

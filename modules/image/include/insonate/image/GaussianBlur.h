@@ -4,8 +4,9 @@
 
 namespace insonate {
 
-/// Blurs in place with a Gaussian of the given standard deviation in mm along every axis of the grid (kernel cut at
-/// three standard deviations, edges repeated). The result is bit-identical on any number of threads.
+/// Blurs the volume in place with a Gaussian whose standard deviation is `sigma_mm` along every axis of the grid. The
+/// kernel ends at three standard deviations; voxels beyond the volume count as equal to the nearest edge voxel. The
+/// result is bit-identical on any number of threads.
 void blurGaussian(Volume<float>& volume, double sigma_mm);
 
 }  // namespace insonate

@@ -6,11 +6,12 @@
 
 namespace insonate {
 
-/// Displacement of the tissue in the probe's plane, as an inverse map: for each point of the image, the vector to the
-/// position of the same tissue in the undeformed patient. Given at the points of a regular lattice in the probe frame
-/// (x lateral, z axial), mm; bilinear between the points, constant beyond the lattice. The map is one-to-one, so that
-/// no tissue appears twice. Points without tissue hold the displacement of the nearest tissue. Elevation planes within
-/// the slice thickness move like the central plane.
+/// Displacement of the tissue in the image plane, as an inverse map: for each point of the image, the vector to the
+/// position of the same tissue in the undeformed patient. The vectors are stored at the points of a regular lattice in
+/// the probe frame (x lateral, z axial), mm. They are interpolated bilinearly between the points and are constant
+/// beyond the lattice. The map is one-to-one: no tissue appears twice. A point without tissue has the displacement of
+/// the nearest tissue. Tissue beside the image plane, within the slice thickness, has the displacement of the image
+/// plane.
 struct PlaneDisplacement {
   double left_mm = 0, top_mm = 0;  ///< x and z of the first lattice point, probe frame
   double step_mm = 1;              ///< distance between neighboring lattice points, the same along x and z; above 0
@@ -20,13 +21,13 @@ struct PlaneDisplacement {
     float x_mm = 0, z_mm = 0;  ///< undeformed position minus displayed position of the tissue
   };
   std::vector<Shift>
-      restFromDisplayed;  ///< displacement of the tissue displayed at each lattice point, index [row][column]
+      restFromDisplayed;  ///< vector for the tissue that the image shows at each lattice point, index [row][column]
 
   bool empty() const { return columns == 0 || rows == 0; }
 };
 
-/// Returns the undeformed position minus the given position in the image, both in the probe's plane (y = 0); zero if no
-/// tissue is displaced.
+/// Returns the vector from a point of the image to the undeformed position of its tissue, probe frame; its y is 0.
+/// Returns zero if no tissue is displaced.
 Vec3 shiftAt(const PlaneDisplacement& displacement, double x_mm, double z_mm);
 
 }  // namespace insonate

@@ -2,7 +2,7 @@
 
 namespace insonate {
 
-/// A point of the probe's plane, in the probe frame: x lateral, z axial.
+/// A point of the image plane, in the probe frame: x lateral, z axial.
 struct PlanePoint {
   float x_mm = 0, z_mm = 0;
 };

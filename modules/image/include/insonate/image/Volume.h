@@ -7,7 +7,8 @@
 
 namespace insonate {
 
-/// Voxels on a grid in patient space; i (first index) is fastest in memory. Owns its voxels.
+/// Voxels on a grid in patient space. Voxels with consecutive i (first index) are adjacent in memory. The volume owns
+/// its voxels.
 template <class T>
 struct Volume {
   VolumeGeometry geometry;
@@ -22,11 +23,11 @@ struct Volume {
 
 /// CT in Hounsfield units.
 using CtVolume = Volume<std::int16_t>;
-/// Label of each voxel: a number of insonate/tissue/Labels.h; 0 is outside the patient.
+/// Label of each voxel, as in insonate/tissue/Labels.h; 0: outside the patient.
 using LabelMap = Volume<std::uint8_t>;
 
-/// Interpolates trilinearly at a continuous index (voxel centers at integers); outside the grid, takes the nearest edge
-/// voxel.
+/// Returns the trilinearly interpolated value at a continuous index (voxel centers at integers); outside the grid, the
+/// value of the nearest edge voxel.
 double sampleLinear(const CtVolume& volume, Vec3 index);
 /// Returns the value of the nearest voxel; `outside` if the index is more than half a voxel beyond the grid.
 std::uint8_t sampleNearest(const LabelMap& labels, Vec3 index, std::uint8_t outside = 0);

@@ -25,6 +25,7 @@ struct VolumeGeometry {
   /// Maps a continuous voxel index (centers at integers) to patient LPS, mm.
   Transform patientFromIndex() const;
   Transform indexFromPatient() const;
+  /// Returns the patient position of the center of the grid.
   Vec3 centre_mm() const;
 };
 

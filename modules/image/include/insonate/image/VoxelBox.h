@@ -7,8 +7,8 @@
 
 namespace insonate {
 
-/// A block of a grid's voxels: indices from `first` up to, but not including, `end` along i, j, k. Empty if `end` is
-/// not above `first` on every axis.
+/// A block of a grid's voxels: indices from `first` up to, but not including, `end` along i, j, k. The block is empty
+/// unless `end` is above `first` on every axis.
 struct VoxelBox {
   std::array<int, 3> first{}, end{};
 
@@ -21,7 +21,8 @@ struct VoxelBox {
   }
 };
 
-/// Returns the voxel whose center is nearest to a continuous index; the index must not be far beyond the grid.
+/// Returns the voxel whose center is nearest to a continuous index; the voxel may lie outside the grid. The index must
+/// be within the range of int.
 std::array<int, 3> nearestVoxel(Vec3 index);
 
 /// Returns the box of a whole grid.
@@ -30,15 +31,17 @@ VoxelBox boxOf(const VolumeGeometry& geometry);
 VoxelBox intersected(const VoxelBox& a, const VoxelBox& b);
 /// Returns the smallest box around both boxes; an empty box is ignored.
 VoxelBox united(const VoxelBox& a, const VoxelBox& b);
-/// Returns the smallest box of voxels, within the grid, around balls of this radius at all points (patient, mm).
+/// Returns the smallest box of voxels within the grid that contains a ball of this radius around each point (patient
+/// space).
 VoxelBox boxAround(const VolumeGeometry& geometry, std::span<const Vec3> points_mm, double radius_mm);
-/// Enlarges a box on all sides by `margin_mm`, rounded up to whole voxels, within the grid.
+/// Returns the box enlarged on all sides by `margin_mm`, rounded up to whole voxels, and limited to the grid.
 VoxelBox grown(const VoxelBox& box, const VolumeGeometry& geometry, double margin_mm);
 
-/// Returns the grid of a block, which must not be empty; its voxels keep their positions in the patient.
+/// Returns the grid of a block of a larger grid. Voxels keep their positions in the patient. The block must not be
+/// empty.
 VolumeGeometry gridOf(const VolumeGeometry& geometry, const VoxelBox& box);
 
-/// Copies a block, which must not be empty and must lie within the volume.
+/// Copies a block of a volume. The block must not be empty and must lie within the volume.
 template <class T>
 Volume<T> cropped(const Volume<T>& volume, const VoxelBox& box) {
   Volume<T> part;

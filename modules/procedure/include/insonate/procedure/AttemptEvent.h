@@ -12,35 +12,36 @@ namespace insonate {
 enum class AttemptEventKind : std::uint8_t {
   Entered = 0,         ///< the needle's tip punctured a wall (surface of a structure, AttemptEvent::wall) from outside
   Left = 1,            ///< the tip punctured the wall from inside while advancing, as at the posterior wall of a vessel
-  Withdrawn = 2,       ///< the tip was pulled back through the hole of an earlier puncture (Entered or Left)
+  Withdrawn = 2,       ///< the tip was withdrawn through the hole of an earlier puncture (Entered or Left)
   Struck = 3,          ///< the tip met bone
   NeedleReplaced = 4,  ///< the trainee took a new needle
   Frozen = 5,          ///< the image was frozen and the needle fixed in place, by pedal or key
   Released = 6,        ///< image and needle were released after Frozen
   Positioned = 7,      ///< the tilt of the patient's table was changed to AttemptEvent::tilt_deg
   Centered = 8,        ///< the target vein has been in the middle of the live image for a second
-  Compressed = 9,      ///< the probe has flattened the target vein in the middle of the live image
+  Compressed = 9,      ///< the probe has compressed the target vein in the middle of the live image
 };
 inline constexpr int kAttemptEventKinds = 10;
 
 /// Value of AttemptEvent::vessel for a vessel that the case does not name.
 inline constexpr std::uint8_t kUnnamedVessel = 255;
 
-/// One event of an attempt: kind, time and place. Patient space.
+/// One event of an attempt: its kind, time and place. Positions and directions are in patient space.
 struct AttemptEvent {
   std::int64_t time_us = 0;  ///< time since the recording began
   AttemptEventKind kind = AttemptEventKind::Entered;
   Label wall = kSkin;  ///< structure whose surface was met or punctured; used by Entered, Left, Withdrawn, Struck,
                        ///< Centered and Compressed
   Label into = kBackground;  ///< tissue or structure in which the tip is after the event
-  /// Number of the vessel to which `wall` belongs: 1 is the first of AttemptHeader::vessels, the target; 0: unknown.
+  /// Number of the vessel to which `wall` belongs, counted from 1 in AttemptHeader::vessels; 1 is the target vein. 0:
+  /// unknown; kUnnamedVessel: a vessel without a name.
   std::uint8_t vessel = 0;
   /// Tip of the needle, and unit direction of insertion, patient space. For Centered and Compressed: center of the
   /// vein, and the probe's axis.
   Vec3 tip_mm{}, axis{0, 0, 1};
-  /// Depth of the puncture below the puncture of the skin, along the needle; for the vein: d1 of the thesis.
+  /// Depth of the puncture below the puncture of the skin, along the needle.
   double depth_mm = 0;
-  std::optional<Vec3> outward{};  ///< unit normal of the undeformed skin at its puncture; empty: unknown
+  std::optional<Vec3> outward{};  ///< unit normal of the undeformed skin at the puncture of the skin; empty: unknown
   double tilt_deg = 0;  ///< tilt of the patient's table in a Positioned event; positive: head down (Trendelenburg)
 
   bool operator==(const AttemptEvent&) const = default;

@@ -8,9 +8,9 @@
 
 namespace insonate {
 
-/// Identifies the attempt in a curriculum store (database of people and attempts) to which a recording belongs; all
-/// empty if it belongs to none. The store issues the nonce when the attempt begins, for this person, level and id
-/// (curriculum/AttemptSeal.h).
+/// Identifies the attempt in a curriculum store (database of people and attempts) of which this is the recording. All
+/// members are empty if the recording belongs to no store. The store issues the nonce when the attempt begins, for this
+/// person, level and id (curriculum/AttemptSeal.h).
 struct RecordedFor {
   std::string attempt{}, person{};  ///< ids of attempt and person: AttemptFacts::id, Person::id
   std::string curriculum{};         ///< name of the curriculum; "": free practice
@@ -21,8 +21,8 @@ struct RecordedFor {
   bool operator==(const RecordedFor&) const = default;
 };
 
-/// Header of a recording: procedure, case and settings of the attempt. With it, a replay has the same conditions, or
-/// fails if they are not available.
+/// Header of a recording: procedure, case and settings of the attempt. A replay uses the same ones, and fails if they
+/// are not available.
 struct AttemptHeader {
   std::string software{};   ///< name and version of the program that made the recording: "insonate 0.1.0"
   std::string begun{};      ///< time at which the attempt began: ISO 8601, UTC
@@ -32,8 +32,8 @@ struct AttemptHeader {
   std::string settingsHash{};  ///< hash of `settings`; the recorder fills it in
   std::string engine{};        ///< name of the ultrasound engine that made the images
   ImageField picture{};
-  /// Names of the case's vessels, the target of this attempt first. Empty: the case has no target in a vein, and each
-  /// vein counts as the target.
+  /// Names of the case's vessels; the first one is the target vein of this attempt. Empty: the case has no target in a
+  /// vein, and every vein counts as the target.
   std::vector<std::string> vessels{};
   /// Settings of probe, image, tissue and blood at the beginning of the attempt, JSON (simulator/AttemptSettings.h);
   /// empty: unknown.
@@ -45,7 +45,7 @@ struct AttemptHeader {
   bool operator==(const AttemptHeader&) const = default;
 };
 
-/// Change of settings during an attempt: the new settings replace those of the header, or of the previous change.
+/// Change of settings during an attempt. The new settings replace those of the header or of the previous change.
 struct SettingsChange {
   std::int64_t time_us = 0;  ///< time of the change since the recording began
   std::string settings;      ///< all settings, in the form of AttemptHeader::settings
@@ -56,7 +56,7 @@ struct SettingsChange {
 enum class AttemptStatus : std::uint8_t {
   Completed = 0,
   Abandoned = 1,
-  CutShort = 2,  ///< the recording has no end, since the program or the disk failed; this value is never stored
+  CutShort = 2,  ///< the recording has no end, because the program or the disk failed; this value is never stored
 };
 
 }  // namespace insonate

@@ -13,9 +13,9 @@
 
 namespace insonate {
 
-/// Metrics of an attempt, in the order of metricTable(), which defines them. "Vein" alone means the target vein
-/// (AttemptHeader::vessels). "Access" is the first puncture of that vein; a "pass" lasts from a puncture of the skin
-/// until the needle is out again.
+/// Metrics of an attempt. metricTable() defines them, in the same order. "Vein" without "other" means the target vein
+/// (AttemptHeader::vessels). "Access" is the first puncture of that vein. A "pass" begins with a puncture of the skin
+/// and ends when the needle is out of the skin.
 enum class Metric {
   VeinPunctures,
   ArteryPunctures,
@@ -53,10 +53,10 @@ enum class Better { Lower, Higher, Neither };
 struct MetricDefinition {
   Metric metric;
   std::string_view id;    ///< name of the metric in files and JSON: "vein_punctures"
-  int version;            ///< version of the definition: raised with each change that may give other values
+  int version;            ///< version of the definition; it increases with each change that may give other values
   std::string_view unit;  ///< unit of the values: "", "s", "mm", "%", "deg", "N"
   Better better;
-  std::string_view definition;  ///< text that says what is counted or measured, with thresholds
+  std::string_view definition;  ///< description of the counted or measured quantity, with thresholds
   std::string_view evidence;    ///< study that showed the metric to be meaningful, or origin of the metric
 };
 
@@ -65,7 +65,7 @@ inline const MetricDefinition& definitionOf(Metric metric) {
   return metricTable()[static_cast<std::size_t>(metric)];
 }
 
-/// One value for each metric. A value that the attempt does not determine is missing, not 0.
+/// One value for each metric; no value, rather than 0, if the attempt does not determine it.
 struct MetricValues {
   std::array<std::optional<double>, kMetricCount> values;
 
@@ -74,21 +74,20 @@ struct MetricValues {
   bool operator==(const MetricValues&) const = default;
 };
 
-/// Place of the needle's tip. The thesis colors the needle by place, in this order: no color, no color, green, red,
-/// yellow.
+/// Place of the needle's tip, from which the program chooses the color of the needle.
 enum class NeedlePlace {
-  Clean,     ///< new needle that has not been in the skin
-  Underway,  ///< under the skin, but neither Vein nor WrongPlace
+  Clean,     ///< outside the skin; the needle is new and has not punctured the skin
+  Underway,  ///< under the skin, but in neither Vein nor WrongPlace
   Vein,
   WrongPlace,  ///< artery, another vein, lung or airway, behind the posterior wall of the vein, or on bone
-  Used,        ///< withdrawn from the skin and not yet replaced
+  Used,        ///< outside the skin; the needle was withdrawn from the skin and is not yet replaced
 };
 
-/// Computes the metrics of an attempt from its samples and events, passed once in the order of the recording. The same
-/// sequence gives exactly the same values, live and replayed.
+/// Computes the metrics of an attempt from its samples and events, which take() receives in the order of the recording.
+/// The same sequence gives exactly the same values, live and replayed.
 class AttemptMetrics {
  public:
-  /// `hasTarget`: the target is the vein with AttemptEvent::vessel 1; otherwise each vein counts as the target.
+  /// `hasTarget`, true: the target is the vein with AttemptEvent::vessel 1; false: every vein counts as the target.
   explicit AttemptMetrics(const ImageField& picture, bool hasTarget = false);
   ~AttemptMetrics();
   AttemptMetrics(AttemptMetrics&&) noexcept;
@@ -96,12 +95,13 @@ class AttemptMetrics {
 
   void take(const AttemptSample& sample);
   void take(const AttemptEvent& event);
-  /// Returns all values so far; value() returns a single one, for callers that ask at each sample.
+  /// Returns the values of all metrics so far. value() returns a single one, for callers that need it at each sample.
   MetricValues values() const;
   std::optional<double> value(Metric metric) const;
+  /// Returns the present place of the needle's tip.
   NeedlePlace needle() const;
-  /// Returns the time of the recording since which the syringe has aspirated venous blood with the tip in one place
-  /// (see the definition of the metric tip_in_vein). Empty while no blood is aspirated.
+  /// Returns the time, since the recording began, from which on the syringe has aspirated blood with the tip at one
+  /// place in the target vein (see the definition of the metric tip_in_vein). Empty while no such blood is aspirated.
   std::optional<std::int64_t> aspiratingBloodSince_us() const;
 
  private:

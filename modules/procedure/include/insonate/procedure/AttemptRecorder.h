@@ -15,8 +15,8 @@
 
 namespace insonate {
 
-/// Receives the samples and events that an AttemptRecorder has written, quantized and ordered as a replay reads them,
-/// and computes the metrics instead of the recorder. All functions are called on the recorder's thread.
+/// Receives the samples and events that an AttemptRecorder has written, quantized and in the order in which a replay
+/// reads them. It computes the metrics in place of the recorder. All functions are called on the recorder's thread.
 class AttemptFollower {
  public:
   virtual ~AttemptFollower() = default;
@@ -26,16 +26,16 @@ class AttemptFollower {
   virtual MetricValues metrics() const = 0;
 };
 
-/// Records an attempt to a file while it happens, on its own thread, and computes the metrics from the written samples,
-/// so that a replay gives the same metrics. Each second a block is written to a file with a temporary name
-/// (`partOf()`); finish() gives the file its final name. If the program ends before finish(), the temporary file
-/// remains, and AttemptRecording can read it.
+/// Records an attempt in progress to a file. A thread of the recorder writes the samples, and computes the metrics from
+/// the written samples, so that a replay gives the same metrics. Each second a block is appended to a file with a
+/// temporary name (partOf()); finish() gives the file its final name. If the program ends before finish(), the
+/// temporary file remains, and AttemptRecording can read it.
 class AttemptRecorder {
  public:
   /// Starts a recording. Fails if `file` exists, if its temporary file of an earlier attempt exists, or if it cannot be
-  /// written. `follower` may be null; it is not used after finish() has returned. `key`: key that the store issued with
-  /// the header's nonce, so that the recording proves its origin; empty: no store issued a nonce, and the recording can
-  /// only be checked for damage.
+  /// written. `follower` may be null; it is not used after finish() has returned. `key`: key that the curriculum store
+  /// issued with the nonce in the header; it authenticates the recording. Empty: no store issued a nonce, and the
+  /// recording can only be checked for damage.
   static Result<std::unique_ptr<AttemptRecorder>> start(const std::filesystem::path& file, const AttemptHeader& header,
                                                         std::shared_ptr<AttemptFollower> follower = nullptr,
                                                         const std::optional<RecordKey>& key = std::nullopt);
@@ -45,29 +45,31 @@ class AttemptRecorder {
   AttemptRecorder& operator=(const AttemptRecorder&) = delete;
 
   /// Records a sample. Call it on the force loop's thread only; it neither waits, allocates nor throws. If the queue is
-  /// full, since the recorder's thread did not run for 4 s, the sample is dropped and counted as lost. A sample older
-  /// than the last sample is dropped, too.
+  /// full, which happens when the recorder's thread has not run for 4 s, the sample is dropped and counted as lost. A
+  /// sample whose time is earlier than that of the last sample is also dropped.
   void put(const AttemptSample& sample) noexcept;
+  /// Records an event. Call it on the force loop's thread only; it neither waits, allocates nor throws.
   void put(const AttemptEvent& event) noexcept;
   /// Returns the number of samples that put() can accept now, for callers that run faster than real time and can wait.
   /// Call it on the thread that calls put().
   std::size_t room() const noexcept;
   /// Records an event. Call it on any thread except the force loop's. The event is stored after the samples that put()
-  /// has accepted until then.
+  /// has accepted before this call.
   void note(const AttemptEvent& event);
-  /// Records the settings that apply from `change.time_us` on; the time must not lie before that of the previous
-  /// change. Call it on any thread except the force loop's. A change to equal settings is not stored.
+  /// Records the settings that apply from `change.time_us` on; this time must not be earlier than that of the previous
+  /// change. Call it on any thread except the force loop's. If the settings equal the previous ones, nothing is stored.
   void note(const SettingsChange& change);
 
-  /// Returns the metrics as they were some milliseconds ago. May be called from any thread.
-  MetricValues metrics() const;
-  /// Returns a sentence about a disk error, in spite of which attempt and metrics continue; empty: no error. May be
+  /// Returns the metrics of the samples that have been written; they lag behind put() by some milliseconds. May be
   /// called from any thread.
+  MetricValues metrics() const;
+  /// Returns a sentence about a disk error; empty: no error. The attempt and its metrics continue in spite of the
+  /// error. May be called from any thread.
   std::string trouble() const;
 
-  /// Writes the remaining data and gives the file its final name. On a disk error it fails and names the temporary file
-  /// with the part that was written. Call it once, on the thread that started the recording, after the last put() and
-  /// note().
+  /// Writes the remaining data, gives the file its final name, and returns the metrics. Fails on a disk error; the
+  /// sentence then names the temporary file, which contains the part that was written. Call it once, on the thread that
+  /// started the recording, after the last put() and note().
   Result<MetricValues> finish(AttemptStatus status);
 
   /// Returns the temporary name under which `file` is written until finish().

@@ -23,7 +23,7 @@ struct BlockHead;
 struct PlacedBlock;
 }  // namespace record
 
-/// Samples and events of about one second of an attempt: one block of a recording.
+/// Samples and events of about one second of an attempt, from one block of a recording.
 struct Stretch {
   using Entry = std::variant<AttemptSample, AttemptEvent>;
   struct PlacedEvent {
@@ -32,44 +32,45 @@ struct Stretch {
   };
   std::vector<QuantisedSample> samples;
   std::vector<PlacedEvent> events;
-  /// Number of samples lost in this stretch or just before it, since the recorder's queue was full.
+  /// Number of samples that were lost in this stretch or just before it because the recorder's queue was full.
   std::uint32_t samplesLost = 0;
 
-  /// Passes the samples and events up to `until_us` to `take`, in their order.
+  /// Calls `take` with each sample and event up to the time `until_us`, in their order.
   void play(std::int64_t until_us, const std::function<void(const Entry&)>& take) const;
 };
 
-/// Tells whether a file begins with the signature of a recording; the rest is not checked. False if the file cannot be
-/// read.
+/// Tells whether a file begins with the signature of a recording; the rest of the file is not checked. Returns false if
+/// the file cannot be read.
 bool beginsAsRecording(const std::filesystem::path& file);
 
-/// Reads a recorded attempt, complete or truncated. Blocks that do not match the file's digests (format 4) are reported
-/// and not read. Constant once opened: any number of threads may use it.
+/// Reads the recording of an attempt, complete or truncated. Blocks that do not match the digests in the file (format
+/// 4) are reported and not read. An object is constant after open(); any number of threads may use it.
 class AttemptRecording {
  public:
   /// Opens a recording and finds its blocks, without decompressing them; takes milliseconds for an attempt of ten
-  /// minutes. Fails if the file is no recording, if its header cannot be read or was changed, or if a newer program
-  /// wrote it.
+  /// minutes. Fails if the file is not a recording, if its header cannot be read or was changed, or if a newer program
+  /// wrote the file.
   static Result<AttemptRecording> open(const std::filesystem::path& file);
 
   const AttemptHeader& header() const { return header_; }
   AttemptStatus status() const { return status_; }
-  /// Returns sentences about missing parts: a truncated file, damaged blocks.
+  /// Returns one sentence about each defect: a truncated file, damaged blocks.
   const std::vector<std::string>& troubles() const { return troubles_; }
-  /// Tells whether all blocks were found. Their contents are checked only when they are decompressed.
+  /// Tells whether all blocks of the recording were found. The contents of a block are checked only when it is
+  /// decompressed.
   bool isWhole() const { return !damaged_; }
 
-  /// Checks with the key that the store issued with the recording's nonce whether the recording is unchanged. Empty
-  /// `key`: it is unknown, or the recording has no nonce.
+  /// Checks whether the recording is unchanged. `key`: key that the curriculum store issued with the recording's nonce;
+  /// empty: the key is unknown, or the recording has no nonce.
   RecordingProof proof(const std::optional<RecordKey>& key) const;
 
   /// Returns the settings in use at a time, in the form of AttemptHeader::settings; "" if the recording has none. Fails
-  /// if an earlier change of settings is damaged, or may have been lost.
+  /// if a change of settings before that time is damaged or may be lost.
   Result<std::string> settingsAt(std::int64_t time_us) const;
   /// Returns all readable changes of settings, in the order of their times.
   const std::vector<SettingsChange>& settingsChanges() const { return changes_; }
 
-  std::int64_t end_us() const;  ///< time of the last sample or event; 0: the recording has none
+  std::int64_t end_us() const;  ///< time of the last sample or event; 0 if there is none
   std::size_t stretches() const { return blocks_.size(); }
   /// Returns the index of the last stretch that begins at or before this time; 0 if none does. stretches() must be
   /// above 0.
@@ -77,10 +78,12 @@ class AttemptRecording {
   /// Decompresses and returns a stretch (about one second); fails if its block is damaged.
   Result<Stretch> stretch(std::size_t index) const;
 
-  /// Passes all samples and events up to `until_us` to `take`, in the order in which AttemptMetrics and ProcedureRun
-  /// received them live. Fails if a part before `until_us` is damaged, since results without it would be wrong.
+  /// Calls `take` with each sample and event up to the time `until_us`, in the order in which AttemptMetrics and
+  /// ProcedureRun received them live. Fails if a part before `until_us` is damaged, since results without that part
+  /// would be wrong.
   Result<void> play(std::int64_t until_us, const std::function<void(const Stretch::Entry&)>& take) const;
-  /// Computes the metrics of all samples and events up to this time; exactly the same as live. Fails as play() does.
+  /// Computes the metrics of all samples and events up to this time. They are exactly equal to the live metrics at that
+  /// time. Fails as play() does.
   Result<MetricValues> metricsUntil(std::int64_t time_us = std::numeric_limits<std::int64_t>::max()) const;
 
  private:
@@ -106,8 +109,8 @@ class AttemptRecording {
   std::string name_;
   std::vector<std::uint8_t> bytes_;
   bool isChained_ = false, damaged_ = false;
-  bool missing_ = false;  ///< true: according to the digests, a block may be missing
-  std::string fault_;  ///< a sentence that names the first place at which digests and blocks disagree; "": they agree
+  bool missing_ = false;     ///< true: according to the digests, a block may be missing
+  std::string fault_;        ///< sentence about the first block that does not match its digest; "": all blocks match
   std::vector<Link> links_;  ///< digests of the blocks, in the order of the blocks
   AttemptHeader header_;
   AttemptStatus status_ = AttemptStatus::CutShort;

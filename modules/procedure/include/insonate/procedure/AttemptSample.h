@@ -17,10 +17,11 @@ struct AttemptSample {
                                                  ///< insertion; empty: no needle is held
   /// Depth of the tip below the puncture of the skin, along the needle; empty: the needle is outside the body.
   std::optional<double> needleDepth_mm{};
-  double tenting_mm = 0;       ///< distance by which the tip pushes tissue ahead before it punctures a wall; 0: none
-  double probeForce_N = 0;     ///< force of the probe on the skin
-  double pictureDepth_mm = 0;  ///< depth that the live image shows; 0: no image, or it is frozen
-  bool aspirating = false;     ///< true: the syringe aspirates
+  double tenting_mm = 0;    ///< tenting: distance by which the tip has pushed a wall ahead without a puncture; 0: none
+  double probeForce_N = 0;  ///< force of the probe on the skin
+  /// depth to which the live image shows tissue; 0: there is no image, or the image is frozen
+  double pictureDepth_mm = 0;
+  bool aspirating = false;  ///< true: the syringe aspirates
   // Distance from the needle's tip to artery and lung in their present, deformed position; negative inside. Empty:
   // unknown, or there is no such structure.
   std::optional<double> toArtery_mm{}, toLung_mm{};
@@ -29,16 +30,16 @@ struct AttemptSample {
   bool operator==(const AttemptSample&) const = default;
 };
 
-/// Quantization step of positions in a stored sample.
+/// Quantization step of positions in a QuantisedSample.
 inline constexpr double kPositionQuantum_mm = 0.001;
-inline constexpr double kRotationQuantum =
-    1.0 /
-    (1 << 18);  ///< quantization step of each component of the unit quaternion; moves a point at 70 mm by 1 um at most
+/// Quantization step of each component of a unit quaternion; changes the position of a point at 70 mm by at most 1 um.
+inline constexpr double kRotationQuantum = 1.0 / (1 << 18);
 inline constexpr double kForceQuantum_N = 0.001;
 inline constexpr double kDistanceQuantum_mm = 0.01;  ///< quantization step of depth and distances
 inline constexpr double kFarthest_mm = 2'000'000 * kPositionQuantum_mm;
 
-/// An AttemptSample in whole quantization steps: the stored form, from which all metrics are computed, live or later.
+/// An AttemptSample in whole quantization steps. Recordings store samples in this form, and all metrics, live and
+/// replayed, are computed from it.
 struct QuantisedSample {
   static constexpr int kChannels = 22;
   std::int64_t time_us = 0;
@@ -47,12 +48,12 @@ struct QuantisedSample {
   bool operator==(const QuantisedSample&) const = default;
 };
 
-/// Quantizes a sample. A probe or needle whose pose is not finite, or that is farther than kFarthest_mm from the
-/// origin, counts as not held. Other non-finite values count as unknown or 0, and large values are clamped. Neither
-/// waits nor allocates.
+/// Quantizes a sample. A pose that is not finite or farther than kFarthest_mm from the origin is stored as empty: the
+/// probe or needle is not held. Other values that are not finite are stored as unknown or 0, and large values are
+/// clamped. Neither waits nor allocates.
 QuantisedSample quantised(const AttemptSample& sample) noexcept;
-/// Converts a quantized sample back; inverse of quantised(). Gives the same result on every computer, since it uses
-/// only square roots and basic arithmetic.
+/// Converts a quantized sample to an AttemptSample. The result is the same on every computer, since only square roots
+/// and basic arithmetic are used.
 AttemptSample restored(const QuantisedSample& sample) noexcept;
 
 }  // namespace insonate

@@ -6,8 +6,8 @@
 
 namespace insonate {
 
-/// Returns the name of a metric in the user interface, without its unit: "posterior wall punctures". The glossary in
-/// resources/help defines these names.
+/// Returns the name of a metric in the user interface, without its unit, e.g. "posterior wall punctures". The glossary
+/// in resources/help defines these names.
 std::string_view metricTitle(Metric metric);
 
 }  // namespace insonate

@@ -12,8 +12,8 @@
 
 namespace insonate {
 
-/// Patient position that a procedure permits: a tilt of the table. (A turned head would move muscle and vessels, and
-/// needs another case.)
+/// Patient position that a procedure permits: a tilt of the table. Other positions, such as a turned head, would move
+/// muscles and vessels and therefore need another case.
 struct PatientPosition {
   std::string name;
   double tilt_deg = 0;  ///< tilt of the table; positive: head down; -45 to 45
@@ -22,9 +22,9 @@ struct PatientPosition {
 /// Event that completes a step of a procedure.
 struct Happening {
   AttemptEventKind kind = AttemptEventKind::Entered;
-  std::optional<Label> wall;  ///< structure whose wall the event must concern; empty: any
+  std::optional<Label> wall;  ///< structure whose wall the event must concern; empty: any structure
 };
-/// State that completes a step of a procedure once it has lasted for `for_s`.
+/// State that completes a step of a procedure once the state has lasted for `for_s`.
 struct Holding {
   enum class What { ProbeOnSkin, AspiratingInVein };
   What what = What::ProbeOnSkin;
@@ -34,11 +34,11 @@ struct Holding {
 struct ProcedureStep {
   std::string name, title;
   std::string say;        ///< instruction for the trainee
-  bool optional = false;  ///< true: later steps can be done without this step
+  bool optional = false;  ///< true: later steps can be completed without this step
   std::variant<Happening, Holding> until;
 };
 
-/// Limit of a metric. A missing value is never beyond it.
+/// Limit of a metric. A missing value is never beyond the limit.
 struct MetricLimit {
   Metric metric = Metric::VeinPunctures;
   std::optional<double> over, under;  ///< maximum (`over`) or minimum (`under`); exactly one is set
@@ -53,7 +53,9 @@ enum class Severity { Minor, Major, Critical };
 /// Definition of an error: a metric beyond a limit, with its severity and texts.
 struct ProcedureRule {
   std::string name;
-  MetricLimit limit;  ///< for a count, each further increase is another error; other metrics give one error at most
+  /// limit whose violation is the error; if the metric is a count, each further increase is another error; other
+  /// metrics cause at most one error
+  MetricLimit limit;
   Severity severity = Severity::Minor;
   std::string say;     ///< text for the trainee: the error, and what to do
   std::string advice;  ///< advice for the next attempt, one sentence, or empty
@@ -62,7 +64,7 @@ struct ProcedureRule {
 /// Published values of a metric for novices and experts.
 struct MetricNorm {
   Metric metric = Metric::VeinPunctures;
-  /// Published values in the metric's unit; they differ, and the expert's is the better one.
+  /// Published values in the metric's unit. They differ; the expert's value is the better one.
   double novice = 0, expert = 0;
   std::string source;  ///< study in which the values were measured
   std::string advice;  ///< advice on how to come closer to the expert's value, one sentence
@@ -71,7 +73,7 @@ struct MetricNorm {
 /// A structure that must be labeled in a case, so that the procedure can be done on it.
 struct NeededStructure {
   Label label = kVein;
-  std::string why;  ///< consequence if the structure is missing; worded as the end of a sentence
+  std::string why;  ///< consequence of a missing structure; worded as the end of a sentence
 };
 
 /// A clinical procedure as data: steps, errors, published norms and target.
@@ -79,13 +81,17 @@ struct Procedure {
   std::string name, title;
   int version = 1;
   std::vector<NeededStructure> needs;
-  std::string target;  ///< text that the name of a case's target must contain; empty: any target
+  /// text that the name of a case's target must contain, or a name of the same vessel in another language
+  /// (namesVessel()); empty: any target
+  std::string target;
   std::vector<PatientPosition> positions;
   std::vector<ProcedureStep> steps;  ///< steps in their order, at least one
-  /// index of the step to which the attempt returns if the needle leaves the body too early
+  /// index of the step to which the attempt returns if the needle leaves the body before the steps that need it are
+  /// done
   std::size_t passBegins = 0;
   std::vector<ProcedureRule> rules;
-  std::vector<MetricLimit> success;  ///< conditions of success: every one of these limits must be exceeded at the end
+  /// conditions of success: at the end, the values must be beyond all of these limits
+  std::vector<MetricLimit> success;
   std::vector<MetricNorm> norms;  ///< published values, at most one for each metric; metrics without an entry have none
 };
 

@@ -10,8 +10,9 @@
 
 namespace insonate {
 
-/// Follows an attempt through its procedure: current step, findings (errors) and metrics so far, computed from the
-/// samples and events of the attempt. The same sequence gives the same result, live and replayed.
+/// Tracks an attempt through the steps of its procedure: computes the present step, the findings (errors) and the
+/// metrics from the samples and events of the attempt. The same sequence of samples and events gives the same result,
+/// live and replayed.
 class ProcedureRun {
  public:
   enum class StepState { Open, Done, Skipped };
@@ -23,7 +24,7 @@ class ProcedureRun {
     std::size_t rule = 0;  ///< index into Procedure::rules
     std::int64_t time_us = 0;
     double value = 0;  ///< value of the rule's metric at that time
-    /// Name of the vessel whose puncture broke the rule; empty: no vessel, or one without a name.
+    /// Name of the vessel whose puncture broke the rule; empty if there is no vessel or it has no name.
     std::string vessel{};
   };
 
@@ -36,16 +37,17 @@ class ProcedureRun {
   const Procedure& procedure() const { return procedure_; }
   const std::vector<std::string>& vessels() const { return vessels_; }
   const AttemptMetrics& metrics() const { return metrics_; }
+  /// Returns the states of the steps, in the order of Procedure::steps.
   const std::vector<Step>& steps() const { return steps_; }
-  /// Returns the index of the step that the trainee has to do next; empty if all are done.
+  /// Returns the index of the step that is to be done next; empty if all steps are done.
   std::optional<std::size_t> due() const;
   const std::vector<Finding>& findings() const { return findings_; }  ///< errors so far, sorted by time
   /// Returns the events that summarize the attempt, in the order of their times: counted punctures, contacts with bone,
-  /// needle withdrawn or replaced, image frozen, table tilted. Repeated crossings of one wall by a trembling tip give
-  /// one event.
+  /// needle withdrawn or replaced, image frozen, table tilted. Repeated crossings of one wall by a trembling tip are
+  /// combined in one event.
   const std::vector<AttemptEvent>& milestones() const { return milestones_; }
-  /// Returns the name of the vessel in which the needle's tip is, in the words of vesselName(); empty: no vessel, or
-  /// unknown.
+  /// Returns the name of the vessel in which the needle's tip is, as vesselName() does; empty if the tip is in no
+  /// vessel or the vessel is unknown.
   std::string vesselIn() const;
   /// Tells whether the attempt meets the conditions of success (Procedure::success) so far.
   bool succeeded() const;
@@ -64,10 +66,10 @@ class ProcedureRun {
   std::vector<Finding> findings_;
   std::vector<AttemptEvent> milestones_;
   std::optional<AttemptEvent> vesselWall_;  ///< event by which the tip entered its present vessel
-  /// for each rule, the metric's value at the rule's last finding; empty: no finding yet
+  /// for each rule, the value of its metric at its last finding; empty if there is no finding yet
   std::vector<std::optional<double>> told_;
-  /// Times since which the probe has been on the skin, and the needle has aspirated blood in the vein; empty: not at
-  /// present.
+  /// Time at which the present contact of the probe with the skin, or the present aspiration of blood in the vein,
+  /// began; empty if there is none.
   std::optional<std::int64_t> probeOnSkin_us_, aspirating_us_;
 };
 

@@ -13,10 +13,11 @@ namespace insonate {
 using RecordKey = std::array<std::uint8_t, 32>;
 
 enum class ProofState {
-  Proven,         ///< the key confirms that every block up to the end is as it was recorded
-  Unproven,       ///< origin unknown: an earlier format, no key, or the end of the recording is missing
+  Proven,  ///< the key confirms that every block up to the end is as it was recorded
+  /// origin unknown: the recording has an earlier format, there is no key, or the end of the recording is missing
+  Unproven,
   Demonstration,  ///< a script moved probe and needle
-  Broken,         ///< the recording was changed or damaged afterwards
+  Broken,         ///< the recording was changed or damaged after it was made
 };
 
 /// Result of checking whether a recording is unchanged and of known origin.
@@ -25,8 +26,8 @@ struct RecordingProof {
   std::string why{};  ///< reason for the state: a sentence with file and place; "" if proven
 };
 
-/// Opens a recording and returns AttemptRecording::proof(); Broken if it cannot be opened. `key`: key that the store
-/// issued with the recording's nonce; empty: unknown, or no nonce.
+/// Opens a recording and returns AttemptRecording::proof(); ProofState::Broken if the recording cannot be opened.
+/// `key`: as for AttemptRecording::proof().
 RecordingProof proofOf(const std::filesystem::path& file, const std::optional<RecordKey>& key);
 
 }  // namespace insonate

@@ -4,9 +4,9 @@
 
 namespace insonate {
 
-/// Region that the live image shows, in the probe's frame. In the image plane (y = 0) the region is a rectangle, or a
-/// fan about an apex `faceRadius_mm` behind the face. Perpendicular to the plane it is as thick as the beam, according
-/// to SliceLaw (insonate/ultrasound/PointSpread.h).
+/// Region that the live image shows, in the probe frame. In the image plane (y = 0) the region is a rectangle, or a fan
+/// with its apex `faceRadius_mm` behind the face. Perpendicular to the image plane the region is as thick as the beam,
+/// according to SliceLaw (insonate/ultrasound/PointSpread.h).
 struct ImageField {
   double width_mm = 0;      ///< width of a rectangular region
   double fanAngle_deg = 0;  ///< full angle of a fan; 0: the region is a rectangle
@@ -21,13 +21,13 @@ struct ImageField {
   bool operator==(const ImageField&) const = default;
 };
 
-/// Returns the maximum distance from the image plane at which the image still shows a needle, at a range `range_mm`
-/// from the probe's face: one slice thickness, hypot(minimum thickness, divergence * distance from the depth of minimum
-/// thickness). For a Gaussian beam an echo at this distance is reduced by about 20 log10(16) = 24 dB, which is the
-/// excess of a needle at 45 degrees over speckle (ultrasound/README.md, "Needle").
+/// Returns the maximum distance from the image plane at which the image still shows a needle at the range `range_mm`
+/// from the probe's face. This distance is one slice thickness, hypot(minimum thickness, divergence * distance from the
+/// depth of minimum thickness). For a Gaussian beam an echo at this distance is reduced by about 20 log10(16) = 24 dB,
+/// which is the excess of a needle at 45 degrees over speckle (ultrasound/README.md, "Needle").
 double shownOffPlane_mm(const ImageField& field, double range_mm);
 
-/// Tells whether a live image of depth `depth_mm` shows a needle's tip at a point of the probe's frame.
+/// Tells whether a live image of depth `depth_mm` shows a needle's tip at a point in the probe frame.
 bool isTipInView(const ImageField& field, double depth_mm, Vec3 tip_probe);
 
 }  // namespace insonate

@@ -12,10 +12,10 @@ struct Brush {
   std::optional<int> sliceAxis{};  ///< circle in the slice perpendicular to this grid axis (0, 1, 2); empty: sphere
 };
 
-/// Returns the voxels whose centers are within the radius of a stroke: a line through points in the patient, mm, or a
-/// single point. A circle paints in the slice of the first point. The voxel nearest to each point is always included,
-/// so that the smallest brush paints at least one voxel. A stroke outside the grid selects nothing. Takes a few
-/// milliseconds; the time depends on the stroke's size, not on the CT's.
+/// Returns the voxels whose centers lie within the brush's radius of a stroke. The stroke is a line through one or more
+/// points in patient space. A circle paints only in the slice that contains the first point. The voxel nearest to each
+/// point is always included, so that the smallest brush paints at least one voxel. A stroke outside the grid selects
+/// nothing. Takes a few milliseconds; the time depends on the stroke's size, not on the CT's.
 Selection brushed(const VolumeGeometry& geometry, std::span<const Vec3> stroke_mm, const Brush& brush);
 
 }  // namespace insonate

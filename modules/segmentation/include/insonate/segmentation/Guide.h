@@ -20,30 +20,33 @@ struct GuideRange {
 /// Side of the patient.
 enum class GuideSide { Right, Left };
 
-/// One of the alternative ways to do a step of a guide.
+/// One of several ways to perform a step of the guide.
 struct GuideWay {
-  std::optional<HuRange> clicks_HU{};  ///< CT values of the clicked tissue for which this way is used; any if empty
-  /// Limits the steps to voxels within this distance of the clicks; no limit if empty.
+  /// range of CT values of the clicked tissue for which this way is used; empty: any values
+  std::optional<HuRange> clicks_HU{};
+  /// Maximum distance from the clicks of voxels that the labeling steps may change; empty: no limit.
   std::optional<double> around_mm{};
-  std::vector<LabelStep> steps;  ///< labeling steps without points; the author's clicks become their points
+  std::vector<LabelStep> steps;  ///< labeling steps; the author's clicks become their points
   std::string caution{};         ///< warning to the author about the result
 };
 
 /// One step of the guide: the author's task, the view, and the expected result.
 struct GuideStep {
-  std::string name;                 ///< identifier of the step, e.g. "vein-right"
-  std::string title;                ///< title of the step for the user, e.g. "Jugular vein, right"
-  std::optional<GuideSide> side;    ///< side of the patient on which to click
-  std::uint8_t label = 0;           ///< label of the result; 0 for a step that makes several labels
-  std::string vessel;               ///< name of the vein or artery in the result, e.g. "right internal jugular vein"
-  std::string say;                  ///< instruction to the author
-  std::string lookFor, ifWrong;     ///< lookFor: appearance of a good result; ifWrong: advice if the result is bad
-  int leastClicks = 0, clicks = 0;  ///< leastClicks: clicks that are required; clicks: clicks that usually suffice;
-                                    ///< both 0 for an automatic step
+  std::string name;               ///< identifier of the step, e.g. "vein-right"
+  std::string title;              ///< title of the step for the user, e.g. "Jugular vein, right"
+  std::optional<GuideSide> side;  ///< side of the patient on which to click
+  std::uint8_t label = 0;         ///< label of the result; 0 for a step that makes several labels
+  std::string vessel;             ///< name of the vein or artery in the result, e.g. "right internal jugular vein"
+  std::string say;                ///< instruction to the author
+  /// lookFor: appearance of a correct result; ifWrong: advice in case of a wrong result
+  std::string lookFor, ifWrong;
+  /// leastClicks: minimum number of clicks; clicks: number of clicks that usually suffices; both 0 for a step without
+  /// clicks
+  int leastClicks = 0, clicks = 0;
   bool optional = false;            ///< true if the step is not needed for training
-  std::vector<GuideWay> ways;       ///< alternatives; the first one that fits the clicks is taken
-  std::vector<std::uint8_t> makes;  ///< labels, besides `label`, that should exist after the step
-  std::vector<std::uint8_t> apart;  ///< labels that should not touch the result
+  std::vector<GuideWay> ways;       ///< alternative ways; the first one whose clicks_HU fits the clicks is used
+  std::vector<std::uint8_t> makes;  ///< labels that should exist after the step, in addition to `label`
+  std::vector<std::uint8_t> apart;  ///< labels of structures that should not touch the result
   /// Expected diameter and volume of the result; the guide's file states the source.
   std::optional<GuideRange> diameter_mm, volume_ml;
 };
@@ -57,28 +60,28 @@ struct Guide {
 /// Reads a guide from a JSON object with `steps`. Fails with the step, the error in it, and the possible values.
 Result<Guide> readGuide(std::string_view text);
 
-/// Returns the guides that are compiled in.
+/// Returns the guides that are compiled into the program.
 const std::vector<Preset>& guidePresets();
 
-/// Returns the first way of doing a step of the guide that fits these clicks (patient, mm). Its steps contain the
-/// clicks as points, as in a recipe. Refuses too few clicks, clicks outside the CT, and clicks on a brightness that
-/// fits no way.
+/// Returns the first way of a guide's step that fits these clicks (patient space). The labeling steps of the returned
+/// way contain the clicks as points. Fails if there are too few clicks, if a click lies outside the CT, or if no way
+/// fits the CT values of the clicks.
 Result<GuideWay> wayFor(const GuideStep& step, std::span<const Vec3> clicks_mm, const CtVolume& ct);
 
-/// Returns the clicks of a step of the guide: the points of the recipe's first step that was made for this step of the
-/// guide and has points. Empty if there is no such step.
+/// Returns the clicks with which a step of the guide was performed, as recorded in a recipe: the points of the first
+/// labeling step that was made for this step of the guide and has points. Empty if the recipe has no such step.
 std::vector<Vec3> clicksOf(const GuideStep& step, const Recipe& recipe);
 
-/// A sentence about the result of a step.
+/// A finding about the result of a step of the guide.
 struct GuideFinding {
   std::string text;
-  /// False if the result is wrong even though an author accepts it: a vessel without the clicks that are to lie in it.
+  /// false: the author cannot accept the result in spite of the finding, because a vessel does not contain its clicks.
   bool canBeAccepted = true;
 };
 
-/// Checks the result of a step and returns findings: the result does not contain the clicks, has an
-/// unusual width or volume, or touches structures that it must not touch. Takes a fraction of a second. The labels may
-/// have been edited since the step.
+/// Checks the result of a step of the guide. There is a finding if the result does not contain the clicks, has an
+/// unusual width or volume, or touches structures that it should not touch. Takes a fraction of a second. The labels
+/// may have been edited since the step.
 std::vector<GuideFinding> findingsAbout(const GuideStep& step, std::span<const Vec3> clicks_mm, const LabelMap& labels);
 
 }  // namespace insonate

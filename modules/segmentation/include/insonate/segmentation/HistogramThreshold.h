@@ -7,9 +7,9 @@
 
 namespace insonate {
 
-/// Finds the threshold of a histogram by Otsu's method, which maximizes the variance between the two classes and
-/// minimizes the variance within them. Returns the bin whose lower edge is the threshold; no value if fewer than two
-/// bins are filled. Takes microseconds.
+/// Returns the threshold of a histogram by Otsu's method, which maximizes the variance between the two classes and
+/// minimizes the variance within them. The result is the index of the bin whose lower edge is the threshold; no value
+/// if fewer than two bins are filled. Takes microseconds.
 std::optional<std::size_t> otsuBin(std::span<const std::uint64_t> counts);
 
 }  // namespace insonate

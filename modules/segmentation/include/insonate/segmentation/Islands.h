@@ -17,7 +17,7 @@ Result<Selection> largestIslands(const Selection& of, int count, const Progress&
 /// Selects the islands (connected components of the selection) of at least this volume.
 Result<Selection> islandsFrom(const Selection& of, double least_mm3, const Progress& progress = {});
 
-/// Selects the island (connected component of the selection) that contains a point of the patient. Fails if no island
+/// Selects the island (connected component of the selection) that contains a point in patient space. Fails if no island
 /// contains the point.
 Result<Selection> islandAt(const Selection& of, Vec3 point_mm, const Progress& progress = {});
 

@@ -18,10 +18,10 @@ using LabelSet = std::bitset<256>;
 
 /// Rules that determine which voxels a tool must leave unchanged.
 struct EditRules {
-  LabelSet locked;                    ///< labels that must neither lose nor gain voxels
+  LabelSet locked;                    ///< labels that must not gain or lose voxels
   LabelSet hidden;                    ///< hidden labels, which must not change because the author does not see them
   std::optional<HuRange> editable{};  ///< if set, voxels with CT values outside this range are not changed
-  LabelSet over = ~LabelSet();        ///< only voxels of these labels are overwritten
+  LabelSet over = ~LabelSet();        ///< labels whose voxels may be overwritten; all labels by default
 
   /// Tells whether a voxel with this CT value may change from label `before` to label `after`.
   bool allow(std::uint8_t before, std::uint8_t after, int hu) const {
@@ -30,8 +30,8 @@ struct EditRules {
   }
 };
 
-/// Removes all changes from a proposal that the rules forbid, and those that change nothing. The proposal then shows
-/// exactly what apply() would write.
+/// Removes from a proposal all changes that the rules forbid, and all entries that would change nothing. The proposal
+/// then contains exactly the changes that apply() would write.
 void restrictTo(const EditRules& rules, const CtVolume& ct, const LabelMap& labels, Proposal& proposal);
 
 /// Extent of a change by an edit, an undo or a redo, for updating slices and surfaces.
@@ -41,10 +41,10 @@ struct LabelChange {
   std::size_t voxels = 0;
 };
 
-/// Edits a label map, with undo and redo; all changes of the map go through this class. Each undo step is stored as
-/// runs of changed voxels, which take a few bytes each, instead of a copy of the map. The latest 100 steps are kept, or
-/// fewer if they exceed the permitted memory. The owner of the CT and the label map keeps both alive and does not
-/// change them meanwhile; both are on one grid. Not for concurrent use by two threads.
+/// Edits a label map, with undo and redo. Each undo step stores runs of changed voxels, a few bytes for each run,
+/// instead of a copy of the map. The latest 100 steps are kept, or fewer if they exceed the memory limit. CT and label
+/// map must be on one grid, must outlive the object, and must not be changed by others. Not for concurrent use by two
+/// threads.
 class LabelEdit {
  public:
   static constexpr std::size_t kMostSteps = 100;
@@ -53,23 +53,22 @@ class LabelEdit {
   LabelEdit(const CtVolume& ct, LabelMap& labels, std::size_t maxBytes = kMaxBytes);
 
   const CtVolume& ct() const { return *ct_; }
-  /// Sets the CT's new address after the CT was copied; its voxels must be identical.
+  /// Replaces the reference to the CT, e.g. after the CT was copied. The voxels of the new CT must be identical.
   void setCt(const CtVolume& ct) { ct_ = &ct; }
   const LabelMap& labels() const { return labels_; }
 
   EditRules rules;
 
-  /// Writes the part of the proposal that the rules allow, and stores it as one step called `name`. A proposal that
-  /// changes nothing is not stored. Refuses a box outside the map, and a proposal that would write only locked or
-  /// hidden labels.
+  /// Writes those changes of the proposal that the rules allow, and stores them as one undo step called `name`. A
+  /// proposal that changes nothing is not stored. Refuses a box outside the map, and a proposal that would write only
+  /// locked or hidden labels.
   Result<LabelChange> apply(const Proposal& proposal, std::string name);
 
   /// Combines all edits until endStroke() in one undo step called `name`.
   void beginStroke(std::string name);
   void endStroke();
 
-  /// undoName() and redoName() return the name of the step that undo() or redo() would apply, for a menu; no value if
-  /// there is none.
+  /// Names, for a menu, of the steps that undo() and redo() would apply; no value if there is none.
   std::optional<std::string_view> undoName() const;
   std::optional<std::string_view> redoName() const;
   LabelChange undo();
@@ -78,8 +77,8 @@ class LabelEdit {
   std::size_t undoSteps() const { return done_.size(); }
   /// Returns the memory that the stored undo and redo steps take.
   std::size_t bytes() const;
-  /// Returns a number that increases with every change of the labels. A surface made at a smaller number is out of
-  /// date.
+  /// Returns a number that increases with every change of the labels. Results that were computed at a smaller number
+  /// are outdated.
   std::size_t revision() const { return revision_; }
 
  private:

@@ -20,100 +20,126 @@
 
 namespace insonate {
 
-/// Parameters of all tools, as a window sets them and a recipe names them. Points are in the patient, mm.
+/// Parameters of all labeling tools, with the names that recipes use. Points are in patient space, mm.
 namespace step {
 
-struct Auto {  ///< labels by Hounsfield units and connectivity (AutoLabel.h), limited to the labels in `take`
+struct Auto {  ///< writes the labels that autoLabel() finds; if `take` is not empty, only those in `take`
   std::vector<std::uint8_t> take{};
 };
+/// Selects voxels by CT value (threshold()).
 struct Threshold {
   HuRange range_HU{};
 };
+/// Paints with a brush along points (brushed()); if `only_HU` is set, only voxels with these CT values.
 struct Paint {
   std::vector<Vec3> points_mm{};
   double radius_mm = 4;
   std::optional<int> sliceAxis{};
   std::optional<HuRange> only_HU{};
 };
+/// Selects the inside of a polygon on a slice (drawn()).
 struct Draw {
   std::vector<Vec3> points_mm{};
   int sliceAxis = 2;
 };
+/// Selects what lies inside a polygon in a 3D view (scissored()).
 struct Scissors {
   std::vector<Vec3> points_mm{};
   ScissorsView view{};
 };
+/// Keeps the largest islands (connected components) of the label.
 struct KeepLargest {
   int islands = 1;
 };
+/// Removes islands (connected components) that are smaller than a volume.
 struct RemoveSmall {
   double least_mm3 = 100;
 };
+/// Keeps one island (connected component) of the label.
 struct KeepIsland {
   std::vector<Vec3> points_mm{};  ///< exactly one point, inside the island to keep
 };
+/// Gives each island (connected component) of the label a label of its own.
 struct SplitIslands {
   std::vector<std::uint8_t> into{};  ///< labels for the islands, the largest island first
 };
+/// Smooths the label with a median filter (medianSmoothed()).
 struct Median {
   double radius_mm = 1;
 };
+/// Removes thin parts of the label (opened()).
 struct Opening {
   double radius_mm = 1;
 };
+/// Fills gaps of the label (closed()).
 struct Closing {
   double radius_mm = 1;
 };
+/// Smooths the label with a Gaussian (gaussianSmoothed()).
 struct Gaussian {
   double sigma_mm = 1;
 };
+/// Smooths several labels together (jointlySmoothed()).
 struct SmoothTogether {
   double sigma_mm = 1;
   std::vector<std::uint8_t> labels{};
 };
+/// Grows or shrinks the label by a distance.
 struct Margin {
   double margin_mm = 2;  ///< distance by which the shape grows; negative to shrink
 };
+/// Replaces the label by a shell along its surface (hollowed()).
 struct Hollow {
   double thickness_mm = 2;
   Wall wall = Wall::kInside;
 };
+/// Combines the label with another label (combined()).
 struct Logical {
   LogicalOperation operation = LogicalOperation::kAdd;
   std::uint8_t with = 0;
-  double reach_mm = 0;  ///< voxels within this distance of the label `with` count as `with`, too; must be above 0
-                        ///< except for kAdd, since labels do not overlap
+  /// voxels within this distance of the label `with` also count as `with`; above 0 except for kAdd, since labels do not
+  /// overlap
+  double reach_mm = 0;
 };
+/// Interpolates the label between slices (filledBetween()).
 struct FillBetween {
   int sliceAxis = 2;
 };
+/// Grows a region of connected voxels in a range of CT values (connected()).
 struct Connected {
   std::vector<Vec3> points_mm{};
   HuRange range_HU{};
 };
+/// Grows a region of connected voxels in a range that is measured in the region (confidenceConnected()).
 struct ConfidenceConnected {
   std::vector<Vec3> points_mm{};
   Confidence confidence{};
 };
+/// Grows the labels `seeds` into voxels of the labels `over` (grownFromSeeds()).
 struct GrowSeeds {
   std::vector<std::uint8_t> seeds{}, over{};
   SeedCompetition competition{};
 };
+/// Grows the labels `seeds` into voxels of the labels `over` by a watershed (watershed()).
 struct Watershed {
   std::vector<std::uint8_t> seeds{}, over{};
   double smoothing_mm = 1;
 };
+/// Spreads a front from points (marched()).
 struct March {
   std::vector<Vec3> points_mm{};
   MarchingFront front{};
 };
+/// Moves the surface of the label to edges of the CT (levelSet()).
 struct Contour {
   GeodesicLevelSet levelSet{};
 };
+/// Tracks a vessel with contrast agent through points (trackVessel()).
 struct Vessel {
   std::vector<Vec3> points_mm{};
   VesselTracking tracking{};
 };
+/// Tracks a vessel without contrast agent, or a muscle, through points (trackTube()).
 struct Tube {
   std::vector<Vec3> points_mm{};
   TubeTracking tracking{};
@@ -127,18 +153,18 @@ using LabelTool = std::variant<step::Auto, step::Threshold, step::Paint, step::D
                                step::Logical, step::FillBetween, step::Connected, step::ConfidenceConnected,
                                step::GrowSeeds, step::Watershed, step::March, step::Contour, step::Vessel, step::Tube>;
 
-/// One step of labeling: a tool, its label, and rules for other voxels. To erase, paint with the label that the voxels
-/// shall get.
+/// One labeling step: a tool with its parameters, the label that the tool writes, and limits of its effect. To erase,
+/// paint with the label that the voxels are to get.
 struct LabelStep {
   LabelTool tool;
   std::uint8_t label = 0;  ///< label that the tool writes; not used by tools that write several labels
-  std::uint8_t rest;       ///< label that voxels get if the step removes them from `label`; soft tissue by default
+  std::uint8_t rest;       ///< label of voxels that the step removes from `label`; soft tissue by default
   std::vector<std::uint8_t> locked{};
   std::optional<std::vector<std::uint8_t>> over{};  ///< if set, only voxels of these labels are overwritten
   std::optional<HuRange> editable_HU{};
-  /// Opposite corners of the region in which the tool works; if empty, the tool chooses the region.
+  /// Opposite corners of the region in which the tool works, patient space; empty: the tool chooses the region.
   std::optional<std::array<Vec3, 2>> box_mm{};
-  std::string of{};  ///< name of the guide's step for which this step was made; tools ignore it
+  std::string of{};  ///< GuideStep::name of the guide's step for which this step was made; tools ignore it
 
   LabelStep();
 };
@@ -146,21 +172,21 @@ struct LabelStep {
 /// Returns the name of a step's tool in a recipe: "threshold", "paint", ...
 std::string_view nameOf(const LabelTool& tool);
 
-/// Computes the labels that the step would write, without applying its rules. Runs on the caller's thread. Fails with
-/// the tool's sentence and when cancelled.
+/// Computes the labels that the step would write; the limits `locked`, `over` and `editable_HU` are not applied. Runs
+/// on the caller's thread. Fails with a sentence of the tool, and when cancelled.
 Result<Proposal> propose(const LabelStep& step, const CtVolume& ct, const LabelMap& labels,
                          const Progress& progress = {});
 
-/// Computes a preview of perform() for a window: the label's whole shape; for erasing, only the part that is removed. A
+/// Computes a preview of perform(): the whole resulting shape of the label or, when erasing, only the removed part. A
 /// threshold step reuses the memory of `into`, so that the preview can follow a slider. Fails with the errors of
 /// propose(); the proposal's contents are then undefined.
 Result<void> preview(const LabelStep& step, const CtVolume& ct, const LabelMap& labels, Proposal& into,
                      const Progress& progress = {});
 
-/// Returns the step's editing rules, for callers that write the step's proposal themselves.
+/// Returns the step's limits as EditRules, for callers that write the step's proposal themselves.
 EditRules rulesOf(const LabelStep& step);
 
-/// Computes the step's proposal, writes it and stores it for undo. The step's rules replace those of `edit`.
+/// Computes the step's proposal and writes it as one undo step. The limits of the step replace `edit.rules`.
 Result<LabelChange> perform(const LabelStep& step, LabelEdit& edit, const Progress& progress = {});
 
 }  // namespace insonate

@@ -6,7 +6,7 @@ namespace insonate {
 
 enum class LogicalOperation { kAdd, kSubtract, kIntersect };
 
-/// Combines two selections. The result has the box of the first; for kAdd, the box around both.
+/// Combines two selections. The result has the box of `a`; for kAdd, the box around both.
 Selection combined(const Selection& a, LogicalOperation operation, const Selection& b, const VolumeGeometry& geometry);
 
 /// Returns the voxels of the selection's box that are not selected.

@@ -11,10 +11,11 @@ namespace insonate {
 
 /// Enlarges a shape by `margin_mm` on all sides.
 Result<Selection> grownBy(const Selection& shape, double margin_mm, const Progress& progress = {});
-/// Shrinks a shape by `margin_mm` on all sides, but not from the edge of the box.
+/// Shrinks a shape by `margin_mm` on all sides, except where it touches the edge of the box.
 Result<Selection> shrunkBy(const Selection& shape, double margin_mm, const Progress& progress = {});
 
-/// Position of a hollow shape's wall relative to the original surface: inside, half and half, or outside.
+/// Position of the wall of a hollow shape relative to the surface of the original shape: inside, centered on it, or
+/// outside.
 enum class Wall { kInside, kMiddle, kOutside };
 /// Returns the wall of a shape: a shell of this thickness along the shape's surface.
 Result<Selection> hollowed(const Selection& shape, double thickness_mm, Wall wall, const Progress& progress = {});

@@ -8,23 +8,24 @@
 
 namespace insonate {
 
-/// Returns the voxels of a slice perpendicular to an axis of the grid (0, 1, 2) whose centers lie in a drawn polygon.
-/// Corners are points in patient space, mm; the first one determines the slice. The even-odd rule applies if the
-/// outline crosses itself. Refuses fewer than three corners and a first corner outside the grid.
+/// Returns the voxels of a slice whose centers lie inside a polygon. The slice is perpendicular to the axis `sliceAxis`
+/// of the grid (0, 1, 2) and contains the first corner. Corners are points in patient space, mm. If the outline crosses
+/// itself, the even-odd rule applies. Refuses fewer than three corners and a first corner outside the grid.
 Result<Selection> drawn(const VolumeGeometry& geometry, int sliceAxis, std::span<const Vec3> corners_mm);
 
-/// View by which a polygon on the screen is extended into depth.
+/// Projection by which a polygon on the screen becomes a volume: the polygon is extended along the direction of view.
 struct ScissorsView {
   Vec3 along{0, 0, 1};           ///< direction of view, unit vector in patient space
   std::optional<Vec3> eye_mm{};  ///< eye point of a perspective view; empty for parallel projection
   bool outside = false;          ///< true: select the voxels outside the polygon
-  double depth_mm = 0;  ///< maximum depth along the view; in parallel projection, to both sides; 0 for no limit
-  std::optional<Vec3> surface_mm{};  ///< point where the depth begins, patient; if empty, the first corner
+  /// maximum depth along the direction of view, in parallel projection to both sides of `surface_mm`; 0: no limit
+  double depth_mm = 0;
+  std::optional<Vec3> surface_mm{};  ///< point at which the depth begins, patient space; empty: the first corner
 };
 
-/// Returns the voxels of a box that appear within a polygon in the view, down to the view's depth. Corners are points
-/// of the patient, mm, anywhere on the line of sight through the corner; even-odd rule. Refuses fewer than three
-/// corners, and corners behind the eye.
+/// Returns the voxels of a box that appear inside a polygon in the view, down to the depth of the view. Each corner is
+/// any point, in patient space, on the line of sight through that corner of the polygon. If the outline crosses itself,
+/// the even-odd rule applies. Refuses fewer than three corners, and corners behind the eye.
 Result<Selection> scissored(const VolumeGeometry& geometry, const VoxelBox& box, std::span<const Vec3> corners_mm,
                             const ScissorsView& view);
 

@@ -8,13 +8,13 @@
 
 namespace insonate {
 
-/// Voxels that a tool has selected in a block of a grid; windows show them as a preview.
+/// A set of voxels in a box of a grid, e.g. the voxels that a tool has selected.
 struct Selection {
   VoxelBox box;
   Volume<std::uint8_t> mask;  ///< 1 for selected voxels, else 0, on the grid of `box`; no voxels if the box is empty
 
   Selection() = default;
-  /// Makes an empty selection. The box must lie within the grid.
+  /// Makes an empty selection in a box, which must lie within the grid.
   Selection(const VolumeGeometry& geometry, const VoxelBox& where);
 
   /// Tells whether a voxel is selected; indices are those of the whole grid.
@@ -24,7 +24,7 @@ struct Selection {
   std::size_t count() const;
 };
 
-/// Selects the voxels of a label in a block.
+/// Returns the voxels of a label in a box.
 Selection voxelsOf(const LabelMap& labels, std::uint8_t label, const VoxelBox& where);
 /// Returns the bounding box of all voxels of a label; empty if there are none.
 VoxelBox extentOf(const LabelMap& labels, std::uint8_t label);
@@ -36,17 +36,17 @@ struct HuRange {
   bool contains(int hu) const { return hu >= low && hu <= high; }
 };
 
-/// Labels that a tool would write: one for each voxel of a block, or kKeep.
+/// Labels that a tool proposes to write: one label, or kKeep, for each voxel of a box.
 struct Proposal {
-  static constexpr std::uint8_t kKeep = 255;  ///< entry that means: the voxel keeps its label
+  static constexpr std::uint8_t kKeep = 255;  ///< entry for a voxel that keeps its label
   VoxelBox box;
   Volume<std::uint8_t> labels;
 };
 
 /// Returns a proposal that gives the selected voxels the label and keeps all others.
 Proposal painted(Selection chosen, std::uint8_t label);
-/// Returns a proposal that gives the label this shape within the selection's block: selected voxels get the label, and
-/// voxels of the label that are not selected become `rest`.
+/// Returns a proposal that changes the shape of a label within the selection's box to `shape`: selected voxels get the
+/// label, and voxels of the label that are not selected get the label `rest`.
 Proposal reshaped(Selection shape, const LabelMap& labels, std::uint8_t label, std::uint8_t rest);
 
 }  // namespace insonate

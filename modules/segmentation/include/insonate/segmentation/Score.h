@@ -10,7 +10,7 @@
 
 namespace insonate {
 
-/// Agreement of one label between a label map and the reference map.
+/// Agreement of a label map with a reference map for one label.
 struct LabelScore {
   std::uint8_t label = 0;
   std::size_t voxels = 0, trueVoxels = 0;
@@ -20,8 +20,8 @@ struct LabelScore {
   std::optional<double> meanSurface_mm, p95Surface_mm;
 };
 
-/// Scores these labels; if `labels` is empty, all labels except background that occur in either map. Refuses maps on
-/// different grids; fails when cancelled.
+/// Compares the label map `found` with the reference map `truth` for these labels; if `labels` is empty, for all labels
+/// except background that occur in either map. Fails if the grids differ, and when cancelled.
 Result<std::vector<LabelScore>> scoreLabels(const LabelMap& found, const LabelMap& truth,
                                             const std::vector<std::uint8_t>& labels = {},
                                             const Progress& progress = {});

@@ -12,12 +12,13 @@
 namespace insonate {
 
 struct VesselTracking {
-  double largest_mm = 12;     ///< maximum distance of the wall from the center, doubled for flat vessels; 2 to 30
-  double smoothing_mm = 0.6;  ///< standard deviation of the CT's blur for finding the path between clicks; 0 to 3
+  double largest_mm = 12;  ///< maximum distance of the wall from the center, doubled for flat vessels; 2 to 30
+  /// standard deviation of the Gaussian blur of the CT in which the path between clicks is found; 0 to 3
+  double smoothing_mm = 0.6;
 };
 
-/// A section perpendicular to a vessel, in the patient: the wall is at the distance radius_mm[n] from the center in the
-/// direction right cos(a) + down sin(a), a = 2 pi n / kRays.
+/// Outline of a vessel in a section perpendicular to it, patient space. On ray n, the wall is at the distance
+/// radius_mm[n] from the center in the direction right cos(a) + down sin(a), with a = 2 pi n / kRays.
 struct VesselOutline {
   static constexpr int kRays = 36;
   Vec3 centre_mm, right, down;
@@ -32,19 +33,20 @@ struct TrackedVessel {
   Selection lumen;
 };
 
-/// Follows a vessel filled with contrast agent between points that were clicked in it, in this order, and finds its
-/// wall in sections a millimeter apart. Each section takes the star-shaped outline that best separates voxels similar
-/// to the blood at the nearest clicks from darker (muscle, fat) and brighter (bone) voxels, and that changes little
-/// around the vessel and along it. A vessel that touches bone or another vessel therefore keeps its shape. The rays are
-/// stretched according to the vessel's flatness. The brightness of blood is measured again in the sections.
+/// Tracks a vessel that is filled with contrast agent through the clicked points, in their order, and finds its wall in
+/// cross-sections every millimeter. In each section, the outline is the star-shaped curve that best separates voxels
+/// similar to the blood at the nearest clicks from darker voxels (muscle, fat) and brighter voxels (bone), and that
+/// varies little around the vessel and along it. A vessel that touches bone or another vessel therefore keeps its
+/// shape. The rays are stretched according to the flatness of the vessel. The CT value of blood is then measured again
+/// in the sections.
 ///
-/// On each ray, the wall is at half the difference between the blood and the tissue behind the wall, in a CT averaged
-/// along the vessel. If that tissue is a thin layer, such as a stent or the layer between two vessels, its widening by
-/// blur is corrected. Sections that open into a wider vessel take the outline of the nearest section that does not. The
-/// vessel ends flat at the first and last click.
+/// On each ray, the wall is where the CT, averaged along the vessel, is halfway between the values of the blood and of
+/// the tissue behind the wall. If that tissue is a thin layer, such as a stent or the tissue between two vessels, the
+/// widening of the layer by blur is corrected. A section in which the vessel opens into a wider vessel gets the outline
+/// of the nearest other section. The tracked vessel ends in planes at the first and the last click.
 ///
-/// Refuses fewer than two clicks, clicks outside the CT, and clicks on blood that is as dark as its surroundings, since
-/// the wall is then invisible; fails when cancelled.
+/// Refuses fewer than two clicks, clicks outside the CT, and clicks on blood whose CT value equals that of its
+/// surroundings, since the wall is then invisible; fails when cancelled.
 Result<TrackedVessel> trackVessel(const CtVolume& ct, std::span<const Vec3> clicks_mm, const VesselTracking& how = {},
                                   const Progress& progress = {});
 

@@ -9,8 +9,8 @@
 
 namespace insonate {
 
-/// Makes the recording header of an attempt that begins now; its hashes and engine are still empty. `software`: name
-/// and version of the program.
+/// Makes the header of the recording of an attempt that begins now. The caller adds hashes and engine, which are empty.
+/// `software`: name and version of the program.
 AttemptHeader headerOf(const Procedure& procedure, const PatientCase& patient, const Probe& probe,
                        std::string_view software);
 

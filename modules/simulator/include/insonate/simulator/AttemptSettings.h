@@ -13,8 +13,8 @@ namespace insonate {
 /// Settings that determine the images of an attempt, together with the case and the motion of probe and needle.
 /// AttemptHeader::settings and SettingsChange store them.
 struct AttemptSettings {
-  /// Probe, image settings, tissues and mechanics; `engine` names the engine that made the images, never "auto".
-  /// Replays ignore persistence.
+  /// Probe, imaging settings, tissues and mechanics. ImagingSetup::engine is the engine that made the images, never
+  /// "auto". Replays ignore persistence.
   ImagingSetup setup;
   Physiology physiology;
   bool pulsating = false;  ///< true: heartbeat and breathing vary the blood pressure; false: it stays at its mean
@@ -29,7 +29,7 @@ struct AttemptSettings {
   }
 };
 
-/// Writes settings as JSON that reads back to exactly the same numbers.
+/// Writes settings as JSON, from which parseAttemptSettings() reads exactly the same numbers.
 std::string textOf(const AttemptSettings& settings);
 /// Reads settings. Fails with a sentence on an invalid text or on values out of range.
 Result<AttemptSettings> parseAttemptSettings(std::string_view json);

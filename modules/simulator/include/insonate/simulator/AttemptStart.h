@@ -8,14 +8,15 @@
 
 namespace insonate {
 
-/// Number of probe positions from which one is drawn for the beginning of an attempt. The distance to the vein differs
-/// between them, so that a memorized sequence of moves does not center the vein.
+/// Number of start positions of the probe, from which one is chosen at random for each attempt. Their distances from
+/// the vein differ, so that no memorized sequence of moves centers the vein.
 inline constexpr int kAttemptStarts = 4;
 
-/// Returns the pose of a probe beside the target vein, at which an attempt begins: about 14 or 29 mm to either side of
-/// the vein over the skin (`place`, 0 to kAttemptStarts - 1), or less where the skin ends; moved along the vein by up
-/// to 8 mm and turned by up to 6 degrees (`seed`). `home` is a start pose of the case; its indentation and angles are
-/// kept. In a case without a known vein the same distances are measured from `home`.
+/// Returns a start pose of the probe for an attempt, beside the target vein. `place` (0 to kAttemptStarts - 1) selects
+/// the distance along the skin from the vein: about 14 or 29 mm to either side, or less where the skin ends. `seed`
+/// determines a random shift along the vein of up to 8 mm and a random rotation of up to 6 degrees. `home` is a start
+/// pose of the case, whose indentation and angles are kept. In a case without a known vein the distances are measured
+/// from `home`.
 ProbeHandState attemptStart(const ProbeHand& home, const VesselNames& vessels, std::span<const CentreLine> veins,
                             int place, std::uint32_t seed);
 

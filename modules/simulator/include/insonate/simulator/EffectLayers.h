@@ -7,14 +7,14 @@
 
 namespace insonate {
 
-/// Imaging settings with which the image shows one physical effect (attenuation, beam width, clutter, ...) alone.
+/// Imaging settings with which the image shows a single physical effect (attenuation, beam width, clutter, ...).
 struct EffectLayer {
   std::string name;  ///< name of the effect; valid as a file name
   ImagingSettings settings;
 };
 
-/// Returns one layer for every effect that these settings' rendering style uses. An effect that acts on echoes
-/// (attenuation, beam, clutter, ...) is shown on uniform scattering.
+/// Returns one layer for each effect of the rendering style of these settings. An effect that changes echoes
+/// (attenuation, beam, clutter, ...) is shown with uniform scattering as the source of echoes.
 std::vector<EffectLayer> effectLayers(const ImagingSettings& settings);
 
 }  // namespace insonate

@@ -16,14 +16,14 @@
 
 namespace insonate {
 
-/// All settings that determine an ultrasound image, apart from patient and pose.
+/// All settings that determine an ultrasound image, except patient and pose.
 struct ImagingSetup {
   Probe probe;
   ImagingSettings settings;
   AcousticTable tissues;
   std::string engine = "auto";  ///< an engine's name from engineNames(), or "auto"
-  /// Mechanical model of the tissue. It determines how much tissue a scene must cover; Imager::render() receives the
-  /// computed displacement.
+  /// Mechanical model of the tissue. It determines the extent of the tissue that a scene must cover. Imager::render()
+  /// does not use the model; the caller passes the computed displacement.
   TissueMechanics mechanics = {};
 };
 
@@ -75,21 +75,20 @@ struct SceneRun {
 /// affects its displacement. `further_mm` extends the region for poses up to this much deeper along the probe's axis.
 Region sceneRegion(const ImagingSetup& setup, const Transform& patientFromProbe, double further_mm = 0);
 
-/// Splits a path of poses into runs that each share a scene, so that no scene covers much more than its images need.
+/// Splits a path of poses into runs of poses that share a scene. No scene covers much more than its images need.
 std::vector<SceneRun> sceneRuns(const ImagingSetup& setup, std::span<const Transform> path, double further_mm = 0);
 
-/// Makes a SceneSource, which makes several scenes of one case and computes their common parts only once. The case must
-/// outlive the source.
+/// Makes a SceneSource: data that all scenes of one case share. The case must outlive the source.
 Result<std::shared_ptr<const SceneSource>> makeSceneSource(const CaseView& patient);
 
-/// Makes the scene of the part of the patient that a region needs. Fails if the region lies outside the patient's
-/// volume.
+/// Makes the scene of a region of the patient. Fails if the region lies outside the patient's volume.
 Result<std::shared_ptr<const AcousticScene>> makeScene(const CaseView& patient, const ImagingSetup& setup,
                                                        const Region& region, const Progress& progress = {});
 Result<std::shared_ptr<const AcousticScene>> makeScene(const SceneSource& source, const ImagingSetup& setup,
                                                        const Region& region, const Progress& progress = {});
 
-/// Fails with a sentence that names the pose if a frame would lie entirely outside the patient's volume.
+/// Fails with a sentence that names the pose if the image at any pose of `path` would lie entirely outside the
+/// patient's volume.
 Result<void> checkPosesTouchVolume(const PatientCase& patient, const ImagingSetup& setup,
                                    std::span<const Transform> path);
 

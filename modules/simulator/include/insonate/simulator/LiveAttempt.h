@@ -26,7 +26,7 @@ enum class NeedleAim {
   Beside,  ///< neither
 };
 
-/// State of an attempt in progress; all values are of one moment, some milliseconds ago.
+/// State of an attempt in progress. All values belong to the same moment, which is some milliseconds ago.
 struct AttemptView {
   double time_s = 0;                      ///< wall-clock time since the attempt began
   std::vector<ProcedureRun::Step> steps;  ///< states of Procedure::steps, in the same order
@@ -41,12 +41,12 @@ struct AttemptView {
   NeedleAim aim = NeedleAim::Unknown;
 };
 
-/// Records an attempt: HandsSession passes it each tick of the force loop, and a ProcedureRun processes the recorded
-/// samples, so that a replay gives exactly the same results. Times count from start(). Members other than ticked(),
-/// show() and see() may be called from any thread.
+/// Records an attempt. HandsSession passes each tick of the force loop to ticked(). A ProcedureRun evaluates the
+/// recorded samples, so that a replay gives exactly the same results. Times count from start(). All members except
+/// ticked(), show() and see() may be called from any thread.
 class LiveAttempt final : public TickListener {
  public:
-  /// Tissue and vessels that a sample needs in addition to the force loop's output.
+  /// Tissue and vessels, from which values of a sample are computed that the force loop does not contain.
   struct Surroundings {
     std::shared_ptr<const TissueGrid> grid;                ///< tissue grid of the needle; null: not computed yet
     std::shared_ptr<const std::vector<CentreLine>> veins;  ///< center lines of the case's veins; null: not computed yet
@@ -55,36 +55,38 @@ class LiveAttempt final : public TickListener {
     double pictureDepth_mm = 0;
   };
 
-  /// Starts recording an attempt into `file`. `header.vessels` must be vessels.names(). `key` is passed to
-  /// AttemptRecorder::start(), and its failures are returned.
+  /// Starts recording an attempt into `file`. `header.vessels` must equal vessels.names(). `key`: as for
+  /// AttemptRecorder::start(). Fails as AttemptRecorder::start() does.
   static Result<std::shared_ptr<LiveAttempt>> start(const std::filesystem::path& file, const AttemptHeader& header,
                                                     Procedure procedure, VesselNames vessels = {},
                                                     const std::optional<RecordKey>& key = std::nullopt);
-  /// Finishes an unfinished attempt as abandoned. A HandsSession may hold the object until the session itself ends.
+  /// Finishes an unfinished attempt as abandoned. A HandsSession may keep the object alive until the session ends.
   ~LiveAttempt() override;
 
   /// Records one tick; called on the force loop's thread. Neither waits nor allocates.
   void ticked(const ServoSnapshot& tick) noexcept override;
-  /// Sets the tissue and vessels for the following ticks. Call it on one thread, whenever the force loop receives new
-  /// tissue.
+  /// Sets the tissue and vessels for the following ticks. Call it, always on the same thread, whenever the force loop
+  /// receives new tissue.
   void show(Surroundings around);
-  /// Passes the latest live image, from which the attempt detects that the target vein is centered or compressed, and
-  /// where the needle aims; null: no live image. Call it as often as show(), on the same thread.
+  /// Passes the latest live image, in which the attempt detects whether the target vein is centered or compressed, and
+  /// where the needle aims; null: there is no live image. Call it as often as show(), on the same thread.
   void see(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around);
 
   /// Records an event that the user interface reports: needle replaced, image frozen or released, patient positioned.
-  /// While the image is frozen, samples are recorded as without a live image.
+  /// While the image is frozen, samples are recorded as if there were no live image.
   void tell(AttemptEventKind kind, double tilt_deg = 0);
+  /// Sets whether the syringe aspirates from now on.
   void setAspirating(bool on);
   /// Records the imaging settings that apply from now on; until the first call those of the header apply.
   void setSettings(const AttemptSettings& settings);
 
   const Procedure& procedure() const;
   const std::filesystem::path& file() const;
+  /// Returns the present state of the attempt.
   AttemptView view() const;
   /// Returns the score so far; after finish(), that of the whole attempt.
   AttemptScore score() const;
-  /// Returns a sentence if the recording can no longer be written to disk; else empty.
+  /// Returns a sentence if the recording can no longer be written to the disk; else an empty text.
   std::string trouble() const;
   /// Stops recording, writes the remaining samples and returns the metrics. Call it once. Fails as
   /// AttemptRecorder::finish() does.

@@ -14,43 +14,44 @@
 
 namespace insonate {
 
-/// Mesh of the tissue deformation model, undeformed and displaced, in the probe frame of its image.
+/// Mesh of the tissue deformation model with undeformed and present positions, in the probe frame of the image.
 struct TissueMesh {
   int columns = 0, rows = 0;        ///< number of nodes in lateral and axial direction
   std::vector<MeshNode> nodes;      ///< nodes in the order [row][column]
   std::vector<float> pressure_kPa;  ///< pressure in each cell, (columns-1) x (rows-1) values; above 0: compression
 };
 
-/// Axial spacing of the points on the image's middle line for which LivePress::middleAtRest_mm is computed.
+/// Axial distance between the points of LivePress::middleAtRest_mm.
 inline constexpr double kMiddleStep_mm = 0.5;
 
 /// Deformation of the tissue under the probe for one image. Without a mechanical model (kNoDeformation) the tissue is
 /// undeformed.
 struct LivePress {
   double force_N = 0;  ///< force of the tissue on the probe
-  /// Depth of the probe's face below its first contact with the skin; below 0: distance from the skin. NaN: no skin
-  /// near.
+  /// Depth of the probe's face below the position of first contact with the skin. Negative: the face is this far off
+  /// the skin. NaN: there is no skin nearby.
   double indentation_mm = 0;
-  /// Cross-sections of vessels in the image plane. Empty if the tissue is undeformed: no contact, and blood at its
-  /// pressure in the CT.
+  /// Cross-sectional areas of vessels in the image plane. Empty if the tissue is undeformed, i.e. without contact and
+  /// with the blood pressure of the CT.
   std::vector<LumenArea> lumens;
   BloodPressure pressure;
-  /// Affine map from a point near the needle's tip to the undeformed position of its tissue (patient space), without
-  /// the tip's own indentation. The identity without a needle.
+  /// Affine map from the present to the undeformed position of tissue near the needle's tip, patient space. It does not
+  /// include the tenting by the tip. Without a needle it is the identity.
   Transform restFromPatient;
-  /// Undeformed positions (patient space) of the tissue along the image's middle line, from the face to the image
-  /// depth. The points are kMiddleStep_mm apart in the image.
+  /// Undeformed positions, in patient space, of the tissue on the probe's axis in the image, from the face to the depth
+  /// of the image, every kMiddleStep_mm of depth.
   std::vector<Vec3> middleAtRest_mm;
-  bool settled = true;  ///< false: the deformation has not converged; the next image continues the iteration
+  bool settled = true;  ///< false: the deformation has not converged yet; the next image continues the solution
   double solve_ms = 0;  ///< time of solving the deformation; part of LiveFrame::frame_ms
   TissueMesh mesh;      ///< deformation mesh; empty unless LiveImaging::setKeepMesh(true)
 };
 
-/// One live ultrasound image with the state from which it was computed. Constant. It may be kept even after LiveImaging
-/// is destroyed; its memory is reused when the last owner releases it.
+/// One live ultrasound image with the state from which it was computed. A frame does not change. It may be kept even
+/// after LiveImaging is destroyed; its memory is reused when the last owner releases it.
 struct LiveFrame {
   BModeImage image;
-  EnvelopeFrame envelope;        ///< echo amplitudes before display processing; empty unless LiveOptions::keepEnvelopes
+  /// echo amplitudes before display processing; empty unless LiveOptions::keepEnvelopes is true
+  EnvelopeFrame envelope;
   Transform patientFromProbe;    ///< pose of the probe
   std::optional<Needle> needle;  ///< pose of the needle; empty: no needle
   LivePress press;
@@ -60,7 +61,7 @@ struct LiveFrame {
   std::vector<ImagingFrame::Stage> stages;  ///< computing times; empty if the probe is outside the patient
   double frame_ms = 0;                      ///< wall-clock time of computing the image, from pose to B-mode
   std::string engine, engineNote;  ///< engine of the last image that was computed, and its note (Engine::note())
-  std::uint64_t number = 0;        ///< running number of the image, from 1, without gaps
+  std::uint64_t number = 0;        ///< number of the image, consecutive, from 1
   double time_s = 0;               ///< time since LiveImaging was constructed
 };
 
@@ -70,8 +71,10 @@ enum class LiveState {
   WaitingForScene,  ///< the probe left the part of the patient that the scene covers; the last image stays until the
                     ///< next scene is built
   Frozen,
-  Outside,  ///< the probe's image lies outside the patient's volume: images are black
-  Failed,  ///< LiveStatus::message says why; the last image stays, and imaging is tried again at the next setup or pose
+  Outside,  ///< the image region lies outside the patient's volume; images are black
+  /// imaging has failed for the reason in LiveStatus::message; the last image stays, and the next setup or pose starts
+  /// another try
+  Failed,
 };
 
 struct LiveStatus {
@@ -79,17 +82,18 @@ struct LiveStatus {
   bool buildingScene = false;
   int scenesBuilt = 0;
   double sceneBuild_ms = 0;  ///< wall-clock time of building the last acoustic scene; 0 before the first
-  std::string message;       ///< a sentence if imaging failed; else empty
+  std::string message;       ///< a sentence if imaging has failed; else empty
 };
 
 struct LiveOptions {
   int threads = 0;             ///< threads that compute images; 0: all cores except one, which is left to the GUI
   double sceneMargin_mm = 15;  ///< extent of a scene beyond the image region, on each side; 2..100
-  double sceneReserve_mm = 9;  ///< when the image region is this close to the scene's edge, the next scene is started
+  /// the next scene is built when the image region is this close to the edge of the present scene
+  double sceneReserve_mm = 9;
   std::size_t cineBytes = 256 << 20;  ///< memory for past images; the latest image is always kept
-  /// true: images are computed at lower priority than the rest of the program; see lowerThreadPriority().
+  /// true: images are computed at a lower priority than the rest of the program; see lowerThreadPriority()
   bool background = false;
-  bool workAhead = true;       ///< true: parts of future scenes are computed while processors are idle
+  bool workAhead = true;  ///< true: parts of scenes that may be needed later are computed while processors are idle
   bool keepEnvelopes = false;  ///< true: LiveFrame::envelope is filled, which takes about six times the memory
   /// heart, breathing and blood pressures at the beginning; see LiveImaging::setPhysiology()
   Physiology physiology = {};
@@ -97,11 +101,11 @@ struct LiveOptions {
   bool resting = false;    ///< true: imaging is paused at the beginning; see LiveImaging::setResting()
 };
 
-/// Live ultrasound imaging of a moving probe over a patient. If the pose puts the probe's face below the undeformed
-/// skin, the compression of the tissue (ImagingSetup::mechanics) is computed before each image. One thread makes an
-/// image whenever pose or setup have changed, or persistence or deformation have not settled. A second thread builds
-/// the next acoustic scene before the probe leaves the present one. While nothing changes, no work is done. An image
-/// allocates nothing once the cine memory is full.
+/// Live ultrasound imaging of a moving probe over a patient. If the probe's face is below the undeformed skin, the
+/// compression of the tissue (ImagingSetup::mechanics) is computed before each image. One thread makes an image
+/// whenever pose or setup has changed, and while persistence or deformation still change the image. A second thread
+/// builds the next acoustic scene before the probe leaves the present one. While nothing changes, no work is done. An
+/// image allocates nothing once the cine memory is full.
 ///
 /// Every member may be called from any thread. The destructor waits for the image in progress; a scene that is being
 /// built is cancelled.
@@ -115,33 +119,33 @@ class LiveImaging {
   LiveImaging(const LiveImaging&) = delete;
   LiveImaging& operator=(const LiveImaging&) = delete;
 
-  /// Sets the probe's pose. Only the latest pose is imaged; poses that were set in the meantime are skipped. Never
-  /// blocks. A pose that is not finite and rigid is ignored.
+  /// Sets the probe's pose. The next image uses the latest pose; earlier poses for which no image was made are skipped.
+  /// Never blocks. A pose that is not finite and rigid is ignored.
   void setPose(const Transform& patientFromProbe);
 
   /// Sets the needle and its tenting (tissue that its tip pushes ahead) from the next image on. Without a needle there
-  /// is no tenting. Only the latest call counts; it triggers an image if needle or tenting have changed. Never blocks.
-  /// A needle that validate() refuses, or a tenting that is not finite, is ignored.
+  /// is no tenting. The next image uses the latest needle; a call triggers an image if needle or tenting has changed.
+  /// Never blocks. A needle that validate() refuses, or a tenting that is not finite, is ignored.
   void setNeedle(const std::optional<Needle>& needle, const std::optional<Tenting>& tenting = {});
 
   /// Sets probe, settings, tissues and engine together. The old setup stays in use until a scene for the new setup is
-  /// ready. If values are out of range, this fails and the old setup stays. Of several setups set in quick succession,
-  /// possibly only the last takes effect.
+  /// ready. If values are out of range, the function fails and the old setup stays in use. Of several setups that are
+  /// set in quick succession, possibly only the last one takes effect.
   Result<void> setSetup(const ImagingSetup& setup);
 
   /// Sets the patient's blood pressures, heartbeat and breathing from the next image on. Fails with a sentence on
   /// values out of range.
   Result<void> setPhysiology(const Physiology& physiology);
 
-  /// Switches pulsation of vessels by heartbeat and breathing. With pulsation, 30 images per second are made if a
-  /// vessel is in the image plane. Without pulsation, blood is at its mean pressure.
+  /// Switches the pulsation of vessels by heartbeat and breathing on or off. With pulsation, 30 images per second are
+  /// made while a vessel is in the image plane. Without pulsation, the blood pressure is constant at its mean.
   void setPulsating(bool pulsating);
 
   /// Sets whether the following images contain the deformation mesh (LivePress::mesh), some hundred kilobytes each.
   void setKeepMesh(bool keep);
 
-  /// Freezes (true) or unfreezes the image. Once the call has returned, latest() and cine() stay constant until the
-  /// image is unfrozen. Poses and setups that are set meanwhile take effect then.
+  /// Freezes the image (true) or unfreezes it (false). When the function has returned, latest() and cine() stay
+  /// constant until the image is unfrozen. Poses and setups that are set meanwhile take effect after that.
   void setFrozen(bool frozen);
 
   /// Pauses (true) or resumes imaging. While paused, no images are made, and the memory of acoustic scenes (some
@@ -156,9 +160,9 @@ class LiveImaging {
   /// full. Empty before the first image.
   std::vector<std::shared_ptr<const LiveFrame>> cine(double seconds) const;
 
-  /// Sets a function that the imaging thread calls after every new image and every change of state; it must return
-  /// quickly, and must neither call onFrame nor destroy this object. Once onFrame returns, the previous function is no
-  /// longer called.
+  /// Sets the function that the imaging thread calls after every new image and every change of state. The listener must
+  /// return quickly, and must neither call onFrame() nor destroy this object. When onFrame() has returned, the previous
+  /// listener is no longer called.
   void onFrame(std::function<void()> listener);
 
   /// Returns the number of images made in the last second; 0 while nothing changes.

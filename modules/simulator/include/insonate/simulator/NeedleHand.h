@@ -12,50 +12,53 @@ namespace insonate {
 struct NeedleHandState {
   Vec3 entry_mm;          ///< point on the skin at which the needle enters or will enter
   Vec3 inward{0, 1, 0};   ///< unit direction into the body, perpendicular to the skin
-  Vec3 heading{1, 0, 0};  ///< unit direction of the needle's projection onto the skin
+  Vec3 heading{1, 0, 0};  ///< unit direction of the projection of the needle onto the skin
   double angle_deg = 45;  ///< angle between needle and skin; 90: perpendicular to the skin
-  /// distance of the tip beyond the entry, along the needle; below 0: the tip is outside the skin
+  /// distance of the tip beyond the entry point, along the needle; negative: the tip is outside the skin
   double advance_mm = -5;
   double bevel_deg = 0;  ///< rotation about the needle's axis; 0: the bevel faces away from the skin
-  /// Unit normal of the image plane in which the needle stays when it is moved; empty: the needle is not bound to a
-  /// plane.
+  /// Unit normal of the image plane in which moves keep the needle; empty: moves do not keep the needle in a plane.
   std::optional<Vec3> planeNormal{};
   bool operator==(const NeedleHandState&) const = default;
 };
 
-/// Alignment of a needle with the image plane: in-plane (Along) or out-of-plane (Across).
+/// Position of a new needle relative to the image plane: in-plane (Along) or out-of-plane (Across).
 enum class NeedlePlane { Along, Across };
 
-/// Position of a needle that is moved by mouse and keys: entry point on the skin, angles and advance. While the tip is
-/// in the body the entry is fixed, and the needle can turn about the entry only while the tip is shallow
-/// (kTurnsUntil_mm). Contacts with tissue are computed elsewhere (HandsSession.h). No move allocates. Not for
-/// concurrent use of one object.
+/// Geometry of a needle that mouse and keys move: entry point on the skin, angles and advance. While the tip is in the
+/// body, the entry point is fixed, and the needle can turn about the entry point only up to the depth kTurnsUntil_mm of
+/// the tip. HandsSession computes the contacts with tissue. No move allocates. Not for concurrent use of one object.
 class NeedleHand {
  public:
   static constexpr double kLeastAngle_deg = 5, kMostAngle_deg = 90;
   static constexpr double kMostOff_mm = 40, kLength_mm = 70;
-  /// Depth of the tip up to which the needle can turn about its entry. Beyond it, tissue holds the needle on its track;
-  /// the force loop constrains the needle to a line from the same depth on.
+  /// Depth of the tip up to which the needle can turn about its entry point. At greater depths, the tissue holds the
+  /// needle on its track; the force loop constrains the needle to a line from the same depth on.
   static constexpr double kTurnsUntil_mm = 10;
 
-  /// Angle of a new needle to the skin. Every target needs a steeper angle, so that the trainee has to aim.
+  /// Angle between a new needle and the skin. All targets require a steeper angle, so that the trainee has to aim.
   static constexpr double kInitialAngle_deg = 20;
 
-  /// Places a needle beside a probe, outside the skin, at the angle kInitialAngle_deg to the skin. Along: in the image
-  /// plane, at the end of the probe's face opposite the marker; if the skin's shape does not allow that, as for Across.
-  /// Across: beside the middle of the face. `halfWidth_mm`: half the width of the face.
+  /// Places a needle beside a probe, outside the skin, at the angle kInitialAngle_deg to the skin. Along: the needle
+  /// lies in the image plane, at the end of the probe's face opposite the marker; if the shape of the skin does not
+  /// allow that, as for Across. Across: the needle is beside the middle of the face. `halfWidth_mm`: half the width of
+  /// the face.
   static NeedleHand beside(const ProbeHand& probe, double halfWidth_mm, NeedlePlane plane);
 
-  /// Moves the entry point over the skin along the probe's lateral and elevation directions; no effect while the tip is
+  /// Moves the entry point over the skin along the probe's lateral and elevation directions. No effect while the tip is
   /// in the body. An in-plane needle stays in-plane if elevation_mm is 0.
   HandMove slide(const Transform& patientFromProbe, double lateral_mm, double elevation_mm);
-  HandMove moveTo(Vec3 patient_mm);
-  /// Turns the needle about the skin's normal; above 0: from NeedleHandState::heading toward inward x heading. An
+  /// Moves the entry point to the point of the skin nearest to `patient_mm`. No effect while the tip is in the body. An
   /// in-plane needle leaves the image plane.
+  HandMove moveTo(Vec3 patient_mm);
+  /// Turns the needle about the skin's normal; positive: from `heading` toward `inward` x `heading` (NeedleHandState).
+  /// An in-plane needle leaves the image plane.
   HandMove turn(double degrees);
-  /// Changes the angle between needle and skin; above 0: steeper. An in-plane needle stays in-plane.
+  /// Changes the angle between needle and skin; positive: steeper. An in-plane needle stays in-plane.
   HandMove tilt(double degrees);
+  /// Rotates the needle about its axis.
   HandMove rotateBevel(double degrees);
+  /// Advances the needle along its axis; negative: withdraws it.
   HandMove advance(double mm);
 
   /// Returns the needle's pose in patient space: the tip is the origin, z points along the needle toward the tip, and
@@ -63,13 +66,15 @@ class NeedleHand {
   Transform patientFromNeedle() const;
 
   const NeedleHandState& state() const { return state_; }
+  /// Tells whether the tip is in the body.
   bool isIn() const { return state_.advance_mm > 0; }
 
-  /// Returns the maximum distance from the probe's image plane of the line from the entry point along the needle's full
-  /// length.
+  /// Returns the maximum distance from the image plane of the points on the needle's axis, from the entry point to the
+  /// needle's full length.
   double offPlane_mm(const Transform& patientFromProbe) const;
 
-  /// Returns the needle's direction along the skin: 0 toward the patient's head, 90 toward the patient's left.
+  /// Returns the direction of the needle along the skin, in degrees: 0 toward the patient's head, 90 toward the
+  /// patient's left.
   double heading_deg() const;
 
  private:

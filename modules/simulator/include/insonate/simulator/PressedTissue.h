@@ -16,18 +16,18 @@ namespace insonate {
 BloodPressure bloodPressure(const Physiology& physiology, const MechanicalTable& tissues,
                             std::optional<double> time_s = {});
 
-/// Returns the pose moved along its axis until the probe's face first touches the labeled body, to within half a
-/// millimeter (enough to choose the scene). Fails if there is no skin within 20 mm behind or 40 mm in front of the
-/// face.
+/// Returns the pose moved along the probe's axis until the probe's face first touches the labeled body, accurate to
+/// half a millimeter. This accuracy suffices for the choice of a scene. Fails if there is no skin within 20 mm behind
+/// or 40 mm in front of the face.
 Result<Transform> poseOnSkin(const LabelMap& labels, const ProbeFace& face, const Transform& patientFromProbe);
 
-/// Computes the deformation of tissue in the image plane by a probe's face. If the pose puts the face inside the
-/// undeformed tissue, the depth of the face is its indentation. Not for concurrent use of one object.
+/// Computes the deformation of tissue in the image plane by a probe's face. If the face is inside the undeformed
+/// tissue, the depth of the face in it is the indentation. Not for concurrent use of one object.
 class PressedTissue {
  public:
-  /// Makes the model for a probe. Fails as validate() does. `maxIterations`: maximum number of iterations per
-  /// solution; 0: that of `mechanics`. `lumensAtRest`: vessel cross-sections are computed even if the tissue is
-  /// undeformed.
+  /// Makes the model for a probe. Fails as validate() does. `maxIterations`: maximum number of iterations per solution;
+  /// 0: that of `mechanics`. `lumensAtRest`, true: the cross-sectional areas of vessels are also computed if the tissue
+  /// is undeformed.
   static Result<PressedTissue> make(const Probe& probe, const ImagingSettings& settings,
                                     const TissueMechanics& mechanics, int maxIterations = 0, bool lumensAtRest = false);
   PressedTissue(PressedTissue&&) noexcept;
@@ -36,10 +36,10 @@ class PressedTissue {
 
   /// Distances along the probe's axis from a pose to first contact and to the deepest possible compression.
   struct Travel {
-    /// distance from the pose to first contact with the skin; below 0: the pose is indented by this much
+    /// distance from the pose to first contact with the skin; negative: the pose is this far below first contact
     double touch_mm = 0;
-    /// Distance from the pose to the position at which the tissue over bone is compressed to a tenth of its thickness;
-    /// infinite without bone.
+    /// Distance from the pose to the position at which the tissue between face and bone is compressed to a tenth of its
+    /// thickness; infinite if there is no bone.
     double deepest_mm = 0;
   };
   /// Returns the range over which the probe's face can be moved along its axis from this pose. Empty if there is no
@@ -51,20 +51,20 @@ class PressedTissue {
   /// deformation is discarded. Allocates nothing after the first call.
   void hold(const AcousticScene& scene, const Transform& patientFromProbe, const BloodPressure& pressure);
 
-  /// Moves the probe along its axis until it presses on the tissue with `force_N`, but not through bone, and computes
-  /// the deformation there. pose() returns the resulting pose. If the force is 0, nothing is compressed and the pose
-  /// stays. If no skin is near, this does the same as hold().
+  /// Moves the probe along its axis until the contact force is `force_N`, but not into bone, and computes the
+  /// deformation at the resulting pose, which pose() returns. If `force_N` is 0, the pose stays and nothing is
+  /// compressed. If there is no skin nearby, the function does the same as hold().
   void push(const AcousticScene& scene, const Transform& patientFromProbe, const BloodPressure& pressure,
             double force_N);
 
-  /// Takes the probe off the patient: discards the last deformation.
+  /// Discards the last deformation. Call it when the probe is taken off the patient.
   void release();
 
   /// Returns the deformation that hold() or push() computed last, in the probe frame of pose().
   const Deformation& deformation() const;
   const Transform& pose() const;
-  /// Returns the depth of the probe's face below first contact with the skin; below 0: distance from the skin. NaN if
-  /// no skin is near.
+  /// Returns the depth of the probe's face below the position of first contact with the skin. Negative: the face is
+  /// this far off the skin. NaN: there is no skin nearby.
   double indentation_mm() const;
   /// Tells whether the last push() stopped before it reached the force: at bone, at 20 mm of indentation, or because
   /// the model found no equilibrium.

@@ -9,9 +9,10 @@
 
 namespace insonate {
 
-/// Returns the transform patientFromProbe of a probe whose face is centered at `position_mm` (patient LPS): z along
-/// `axial`, x along the part of `lateral` at right angles to it, y = axial x lateral (elevation). Directions may have
-/// any length. Fails on values that are not finite, zero directions, and directions within 1 degree of parallel.
+/// Returns the transform patientFromProbe of a probe whose face is centered at `position_mm` (patient LPS): z is along
+/// `axial`, x along the component of `lateral` perpendicular to `axial`, and y = axial x lateral (elevation).
+/// Directions may have any length. Fails on values that are not finite, zero directions, and directions within 1 degree
+/// of parallel.
 Result<Transform> patientFromProbe(Vec3 position_mm, Vec3 axial, Vec3 lateral);
 
 /// Converts a transform to position, axial and lateral directions, for display and storage; inverse of
@@ -21,8 +22,9 @@ StartPose poseOf(const Transform& patientFromProbe);
 /// One pose of a probe, or a path of poses.
 struct PosePath {
   std::vector<Transform> patientFromProbe;  ///< poses, at least one
-  bool isPath = false;                      ///< true: the poses were given as a list, even if it has a single pose
-  /// Sentences about directions that were made perpendicular, and about poses that were found automatically.
+  bool isPath = false;                      ///< true: the poses were given as a list, which may contain a single pose
+  /// Sentences about directions that were not perpendicular and were corrected, and about poses that were found
+  /// automatically.
   std::vector<std::string> warnings;
 };
 

@@ -13,7 +13,7 @@ namespace insonate {
 /// procedure needs is not labeled, or if the case's targets are those of another built-in procedure. Targets whose
 /// names indicate no procedure are accepted.
 Result<void> checkFits(const Procedure& procedure, const CaseManifest& manifest, std::span<const std::uint8_t> labels);
-/// Does the same check for a case whose labels are not known yet; they are searched in its label map.
+/// Does the same check with the labels that occur in the case's label map.
 Result<void> checkFits(const Procedure& procedure, const PatientCase& patient);
 
 }  // namespace insonate

@@ -40,7 +40,7 @@ struct SessionAct {
   struct Aspirate {
     bool on = false;
   };
-  struct Tell {  ///< reports an event: needle replaced, image frozen or released, patient positioned
+  struct Tell {  ///< reports an event: needle replaced, image frozen or released, or patient positioned
     AttemptEventKind kind = AttemptEventKind::NeedleReplaced;
     double tilt_deg = 0;
   };
@@ -73,23 +73,24 @@ struct SessionOutcome {
   ProcedureRun run;
 };
 
-/// Request for ultrasound images during a scripted attempt; they equal those that AttemptPictures makes from the
+/// Request for ultrasound images during a scripted attempt. The images equal those that AttemptPictures makes from the
 /// recording.
 struct SessionImages {
-  /// Interval between images in script time, a multiple of 1000; the first image is made after one interval.
+  /// Interval between images in script time, a multiple of 1000. The first image is made at the end of the first
+  /// interval.
   std::int64_t every_us = 1'000'000;
-  /// Receives each image while the probe is on the patient; a frozen image only once. An error that it returns ends the
-  /// session. Empty: no images are made.
+  /// Function that receives each image while the probe is on the patient; a frozen image only once. If the function
+  /// returns an error, the session fails with this error. Empty: no images are made.
   std::function<Result<void>(const LiveFrame&)> take;
 };
 
-/// Runs a whole attempt by a script, without a window, device or clock: probe and needle take the script's poses, pass
-/// through the force loop at 1 kHz, and are recorded. If the script puts the probe's face below the undeformed skin,
-/// the compression of the tissue is computed 30 times per second of script time, each time from the undeformed state;
-/// it gives the probe's force and the displaced tissue that the needle meets. Runs faster than real time, unless images
-/// are made or the probe moves while it compresses tissue. The same script, case and program give the same attempt.
-/// `software`: name and version of the program for the recording's header, which also says that the attempt was
-/// scripted. If cancelled, no file is left.
+/// Runs a whole attempt by a script, without window, device or clock. Probe and needle take the poses of the script;
+/// the force loop computes each tick of 1 ms, and the ticks are recorded. If the probe's face is below the undeformed
+/// skin, the compression of the tissue is computed 30 times per second of script time, each time from the undeformed
+/// state. The compression determines the force on the probe and the displacement of the tissue around the needle. The
+/// session runs faster than real time, unless images are made or the probe moves while it compresses tissue. The same
+/// script, case and program give the same attempt. `software`: name and version of the program for the recording's
+/// header, which also says that the attempt was scripted. If cancelled, no file is left.
 Result<SessionOutcome> runSession(const SessionScript& script, const PatientCase& patient, std::string_view software,
                                   const std::filesystem::path& recording, const Progress& progress = {},
                                   const SessionImages& pictures = {});

@@ -17,7 +17,7 @@ namespace insonate {
 
 class SkinSurface;
 
-/// Values of a recorded sample that the force loop's output does not contain.
+/// Values of a recorded sample that the output of the force loop does not contain.
 struct TickContext {
   std::int64_t time_us = 0;  ///< time since the recording began
   std::array<bool, 2> present{};
@@ -26,18 +26,18 @@ struct TickContext {
   Transform restFromPatient;  ///< map to undeformed tissue near the needle's tip; see LocalModel::restFromPatient
 };
 
-/// Converts one tick of the force loop to a sample of a recording. Distances from the tip to artery and lung come from
-/// `grid`, if they are within 200 mm; `veins` are the center lines of the case's veins in undeformed tissue. Neither
-/// waits nor allocates.
+/// Converts one tick of the force loop to a sample of a recording. Distances from the tip to artery and lung are taken
+/// from `grid`, if they are below 200 mm. `veins` are the center lines of the case's veins in undeformed tissue.
+/// Neither waits nor allocates.
 AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, const TissueGrid* grid,
                        std::span<const CentreLine> veins, const VesselNames& vessels) noexcept;
 /// Converts a needle event of the force loop to an event of a recording at `context.time_us`. `skin`: undeformed skin
-/// of the case; null: not computed yet. The skin's normal is taken where the needle's line meets the skin, as in
-/// NeedleHand, so that the recorded insertion angle equals the angle that the user has set.
+/// of the case; null: not computed yet. The normal of the skin is that at the point where the line of the needle meets
+/// the skin, as in NeedleHand; the recorded insertion angle therefore equals the angle that the user has set.
 AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const SkinSurface* skin,
                      std::span<const CentreLine> veins, const VesselNames& vessels) noexcept;
 
-/// Returns the region that a probe's image shows, for the probe's default frequency.
+/// Returns the region that the image of a probe shows at the probe's default frequency.
 ImageField imageFieldOf(const Probe& probe);
 
 }  // namespace insonate

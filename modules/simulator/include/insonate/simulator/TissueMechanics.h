@@ -8,7 +8,8 @@
 
 namespace insonate {
 
-/// TissueMechanics::model of tissue that is never displaced: a probe below the skin shows the undeformed tissue there.
+/// Value of TissueMechanics::model for tissue that is never displaced: the image of a probe below the skin shows
+/// undeformed tissue.
 inline constexpr std::string_view kNoDeformation = "none";
 
 /// Returns the preset `measured` of tissue mechanics.
@@ -27,12 +28,12 @@ bool operator==(const TissueMechanics& a, const TissueMechanics& b);
 /// Fails with a sentence on an unknown model or on values out of range.
 Result<void> validate(const TissueMechanics& mechanics);
 
-/// Returns the part of a probe that touches the skin, in the image plane. Linear: flat, as wide as the array.
-/// Curvilinear: the arc of the array. Phased: flat and as wide as the aperture, although the fan begins in a point.
+/// Returns the face of a probe in the image plane. Linear: flat and as wide as the array. Curvilinear: the arc of the
+/// array. Phased: flat and as wide as the aperture, although the fan begins in a point.
 ProbeFace faceOf(const Probe& probe, const TissueMechanics& mechanics);
 
-/// Part of the image plane, in the probe frame, for which the tissue deformation is computed. Outside, the tissue at
-/// the part's edge is continued.
+/// Rectangle of the image plane, in the probe frame, in which the deformation of tissue is computed. Tissue outside has
+/// the displacement of the nearest edge.
 struct DeformationWindow {
   double half_mm = 0;  ///< lateral extent to either side of the probe's axis
   double top_mm = 0, bottom_mm = 0;

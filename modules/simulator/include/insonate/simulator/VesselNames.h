@@ -13,16 +13,16 @@
 
 namespace insonate {
 
-/// Identifies the vessel at a point of a case (all veins share one label, all arteries another), and the target of an
-/// attempt. A point belongs to the vessel of CaseManifest::vessels whose wall is nearest, unless it lies outside that
-/// vessel, in an unnamed one. In a case without named vessels, the center line of a vein that passes nearest to a
-/// target of the case gets the target's name.
+/// Determines which vessel is at a point of a case, and which vessel is the target of an attempt. (All veins of a case
+/// have the same label, and so have all arteries.) A point belongs to the vessel of CaseManifest::vessels whose wall is
+/// nearest, unless it lies outside that vessel in a vessel without a name. In a case without named vessels, the vein
+/// whose center line passes nearest to a target of the case gets the name of the target.
 class VesselNames {
  public:
-  /// Makes an object for a case without a target in a vein: each vein counts as the target.
+  /// Makes an object for a case without a target in a vein; every vein then counts as the target.
   VesselNames() = default;
-  /// Chooses as target of the attempt the case's target nearest to `near_mm` (patient space), among those of the
-  /// procedure; if the case has none of these, among all.
+  /// Chooses the target of the attempt: the case's target nearest to `near_mm` (patient space) among those that the
+  /// procedure allows; if the procedure allows none of them, among all.
   VesselNames(const CaseManifest& manifest, const Procedure& procedure, Vec3 near_mm);
 
   /// Returns the vessel names in the form of AttemptHeader::vessels: the target first.
@@ -35,8 +35,8 @@ class VesselNames {
   bool isTarget(Vec3 rest_mm, std::span<const CentreLine> veins) const noexcept {
     return targets_.empty() || vesselAt(kVein, rest_mm, veins) == 1;
   }
-  /// Returns the distance from a point of the undeformed tissue to the center line of the target vein or, without a
-  /// target, to the nearest of all center lines. Empty if there is no center line. Neither waits nor allocates.
+  /// Returns the distance from a point of the undeformed tissue to the center line of the target vein; without a
+  /// target, to the nearest center line. Empty if there is no center line. Neither waits nor allocates.
   std::optional<double> distanceToCentre_mm(Vec3 rest_mm, std::span<const CentreLine> veins) const noexcept;
 
  private:

@@ -21,24 +21,25 @@ struct VesselKind {
   std::uint8_t label;     ///< label of the vessel: kVein or kArtery
 };
 
-/// Returns the large vessels of neck and upper chest, in the order in which the form lists them.
+/// Returns the large vessels of neck and upper chest, in the order in which a form should list them.
 std::span<const VesselKind> vesselKinds();
 
 /// Makes a named vessel from the vein or artery at a place (patient space). Its course is the center line
 /// (centreLines() of the label there) that passes nearest to the place; the radius at each point is that of a circle
-/// with the vessel's cross-sectional area. `own` lists the author's own labels that are veins or arteries. Runs on the
-/// caller's thread, a second or so for a whole CT. Fails if the place is in no vein or artery, if the vessel is too
+/// with the vessel's cross-sectional area. `own` lists the author's own labels that are veins or arteries. Takes about
+/// a second for a whole CT, on the caller's thread. Fails if the place is in no vein or artery, if the vessel is too
 /// short to have a center line, and if it is cancelled.
 Result<NamedVessel> nameVessel(const LabelMap& labels, const OwnLabels& own, Vec3 place_mm, std::string name,
                                const Progress& progress = {});
 
-/// Cuts a vessel in two at the point of its center line nearest to `place_mm`. Both parts keep the name and contain the
-/// point of the cut; each click stays with the part that is nearer. Fails if that point is an end of the center line.
+/// Splits a vessel into two at the point of its center line nearest to `place_mm`. Both parts have the name of the
+/// vessel and contain that point; each click belongs to the nearer part. Fails if the point is an end of the center
+/// line.
 Result<std::pair<NamedVessel, NamedVessel>> splitVessel(const NamedVessel& vessel, Vec3 place_mm);
 
 /// Returns the named vessels that result from the segmentation guide: each step of `guide` that names a vessel has
 /// clicks in `recipe`, and the vessel is found at those clicks. A vessel whose clicks do not lie in a vein or artery is
-/// left out.
+/// left out. Fails when cancelled.
 Result<std::vector<NamedVessel>> vesselsOf(const Guide& guide, const Recipe& recipe, const LabelMap& labels,
                                            const OwnLabels& own, const Progress& progress = {});
 

@@ -7,10 +7,10 @@
 
 namespace insonate {
 
-/// Writes binary STL, or binary PLY, OBJ or VTP with normals, chosen by the extension `.stl`, `.ply`, `.obj` or `.vtp`.
-/// Coordinates are patient LPS in millimeters; the file contains "SPACE=LPS", which 3D Slicer reads. On any failure an
-/// existing file is unchanged. Fails on another extension, a mesh without triangles, point indices out of range, and if
-/// the file cannot be written.
+/// Writes a mesh in the format that the extension of `file` selects: `.stl` (binary), `.ply` (binary, with normals),
+/// `.obj` or `.vtp` (with normals). Coordinates are patient LPS in millimeters; the file contains "SPACE=LPS", which 3D
+/// Slicer reads. On any failure an existing file is unchanged. Fails on another extension, a mesh without triangles,
+/// point indices out of range, and if the file cannot be written.
 Result<void> writeMesh(const std::filesystem::path& file, const Mesh& mesh);
 
 }  // namespace insonate

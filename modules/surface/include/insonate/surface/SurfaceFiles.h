@@ -22,8 +22,8 @@ struct SurfaceFile {
 /// Refuses, before any work, a folder to which surfaces cannot be written (see checkFolderTarget) or that is not empty.
 Result<void> checkSurfaceTarget(const std::filesystem::path& folder);
 
-/// Writes the surface of every structure to a file named after the structure ("airway-and-lung.stl"), into a folder
-/// that is created, or exists and is empty. `format` is an extension of writeMesh without its dot. On failure all
+/// Writes the surface of every structure to a file with the name of the structure ("airway-and-lung.stl") in a folder,
+/// which is created or must be empty. `format` is one of the extensions of writeMesh(), without the dot. On failure all
 /// written files are removed. Fails if nothing is labeled, with the errors of extractSurface() and writeMesh(), and
 /// when cancelled.
 Result<std::vector<SurfaceFile>> writeSurfaces(const LabelMap& labels, const std::filesystem::path& folder,

@@ -10,32 +10,32 @@
 
 namespace insonate {
 
-/// Returns the facts that a recording's header contains. The caller adds the facts of the recording (addRecording()),
-/// and id, person and level if the header has none.
+/// Returns the facts about an attempt that the header of its recording contains. The caller adds the facts of the
+/// recording (addRecording()); if the header has no id, person and level, the caller also adds these.
 AttemptFacts beginningOf(const AttemptHeader& header);
 
-/// Adds the end of an attempt to its facts: duration, metrics, points, and the state Completed or Abandoned.
+/// Adds the facts about the end of an attempt: duration, metrics, points, and the state Completed or Abandoned.
 void addEnding(AttemptFacts& facts, AttemptStatus status, std::int64_t length_us, const AttemptScore& score);
 
-/// Computes AttemptFacts::recordingHash, the SHA-256 of a recording's file, which differs for changed copies.
+/// Computes AttemptFacts::recordingHash: the SHA-256 of the file of a recording.
 Result<std::string> recordingHash(const std::filesystem::path& file);
 
 /// Adds to an attempt's facts the file name and SHA-256 of its recording, and AttemptFacts::handsHash, which is "" if
 /// the recorded motion cannot be read.
 Result<void> addRecording(AttemptFacts& facts, const std::filesystem::path& file);
 
-/// Recordings that are accepted: only those of a person, or also demonstrations, in which a script moved probe and
-/// needle (`session --script`).
+/// Kinds of recordings that are accepted: only those in which a person moved probe and needle, or also demonstrations,
+/// in which a script did (`insonate-cli session --script`).
 enum class Hands { Person, PersonOrScript };
 
-/// Computes all facts from the recording alone. The recording is replayed and scored by the present version of its
-/// procedure, which the facts name. Fails if the recording cannot be read, if damage prevents the metrics, if its
-/// procedure is missing in this installation or older than the recording's, or if `hands` does not allow a scripted
-/// recording.
+/// Computes all facts about an attempt from its recording alone. The recording is replayed and scored with the present
+/// version of its procedure; AttemptFacts::procedureVersion is this version. Fails if the recording cannot be read, if
+/// damage prevents the metrics, if its procedure is missing in this installation or older than the recording's, or if
+/// `hands` does not allow a scripted recording.
 Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file, Hands hands = Hands::Person);
 
-/// Adds to the facts of a begun attempt what its recording contains. Id, person, level and the procedure's version
-/// stay. Fails like factsOfRecording(), with `facts` unchanged.
+/// Adds the facts that the recording of an attempt contains to the facts from its beginning. Id, person, level and the
+/// version of the procedure do not change. Fails as factsOfRecording() does; `facts` is then unchanged.
 Result<void> takeRecording(AttemptFacts& facts, const std::filesystem::path& file);
 
 }  // namespace insonate

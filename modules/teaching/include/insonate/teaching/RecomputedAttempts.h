@@ -14,7 +14,7 @@
 
 namespace insonate {
 
-/// Result of comparing the stored facts of attempts with facts recomputed from their recordings.
+/// Result of the comparison of stored facts about attempts with facts that are recomputed from their recordings.
 struct RecomputedAttempts {
   struct Left {
     std::string attempt{}, person{};  ///< id of the attempt, Person::id
@@ -27,14 +27,14 @@ struct RecomputedAttempts {
   std::int64_t compared = 0;  ///< number of attempts compared
   std::vector<StoreDifference> differences{};
   std::vector<Left> left{};  ///< ended attempts that could not be recomputed, with the reason
-  /// Values that were left out of the comparison, with the reason; for each, the number of attempts.
+  /// Values that were left out of the comparison: a text with value and reason, and the number of attempts concerned.
   std::map<std::string, int> notCompared{};
   /// Attempts with implausible values, including those that could not be recomputed.
   std::vector<Flagged> implausible{};
 };
 
-/// Compares an attempt's stored values with values recomputed from its recording by the code that scores attempts, and
-/// adds the result to `into`. Values are equal within a billionth, since mathematical libraries differ in the last
+/// Compares the stored values of an attempt with values that are recomputed from its recording, and adds the result to
+/// `into`. Values count as equal if they agree within a billionth, since mathematical libraries differ in the last
 /// digits. A metric is compared if its definition still has the stored version; outcome and points are compared if the
 /// procedure still has the stored version. Fails if the recording cannot be scored.
 Result<void> compareWithRecording(const AttemptFacts& stored, const std::filesystem::path& recording,

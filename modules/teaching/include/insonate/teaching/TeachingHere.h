@@ -9,11 +9,12 @@
 
 namespace insonate {
 
-/// Returns the names that a curriculum can refer to in this installation: built-in cases, built-in procedures and all
+/// Returns the names to which a curriculum can refer in this installation: built-in cases, built-in procedures and all
 /// metrics.
 Result<TeachingNames> teachingNames();
 
-/// Returns the properties of all metrics in the order of metricTable(), without values of novices and experts.
+/// Returns the properties of all metrics, in the order of metricTable(), without published values of novices and
+/// experts.
 std::vector<MetricMeaning> metricMeanings();
 /// Returns the properties of all metrics, with the procedure's published values of novices and experts.
 std::vector<MetricMeaning> metricMeanings(const Procedure& procedure);

@@ -16,16 +16,18 @@ namespace insonate {
 struct BoundaryLayer {
   /// Distances of the layer's inner and outer surface from the boundary; from_mm < to_mm.
   double from_mm = 0, to_mm = 0;
-  double echo_dB = 0;  ///< echo of the layer perpendicular to the beam; 0 dB is speckle of RMS amplitude 1
-  /// 0: echo independent of the beam's angle; 1: amplitude falls as 0.12 + 0.88 cos^2(incidence).
+  /// echo of the layer where it is perpendicular to the beam; 0 dB is speckle of RMS amplitude 1
+  double echo_dB = 0;
+  /// Dependence of the echo on the beam's angle, 0 to 1. 0: none; 1: the amplitude decreases as 0.12 + 0.88 cos^2(angle
+  /// of incidence).
   double anisotropy = 1;
-  double patchiness = 0;  ///< variation of the layer along the boundary; 0: continuous; 1: interrupted
+  double patchiness = 0;  ///< interruption of the layer along the boundary, 0 to 1; 0: continuous
   bool operator==(const BoundaryLayer&) const = default;
 };
 
 inline constexpr int kMaxBoundaryLayers = 8;
 
-/// Fine structure of a tissue, not resolved by CT.
+/// Fine structure of a tissue that the CT does not resolve. resources/tissues/README.md describes the textures.
 enum class Texture { None, Septa, Lobules, Sheets, Fine, Bundles };
 
 struct AcousticTissue {
@@ -37,8 +39,9 @@ struct AcousticTissue {
   double ctEchogenicity_dBper100HU = 0;  ///< change of backscatter per 100 HU above the mean HU of the structure
   double specularExponent = 12;          ///< exponent n of the specular echo's amplitude, cos^n(incidence)
   double specularDiffuse = 0.15;  ///< share of the specular echo's amplitude that falls only as cos(incidence); 0..1
-  double roughness_dB = 0;        ///< change of the specular echo per SD of a random pattern along the boundary
+  double roughness_dB = 0;        ///< standard deviation of the specular echo along the boundary
   Texture texture = Texture::None;
+  /// Strength of the texture, 0 to 40.
   double textureStrength_dB = 0;
   bool vessel = false;  ///< the structure is a vessel: its sides cast edge shadows
   bool gas = false;     ///< the structure contains gas: it casts dirty shadows, filled with reverberation
@@ -59,9 +62,9 @@ struct AcousticTable {
 /// Returns the names of the presets in resources/tissues, the default ("neck") first.
 std::vector<std::string> acousticPresetNames();
 
-/// Loads a preset by name, or a JSON file of the same form. A file may name a preset as its "base" and override single
-/// values; a file without a base must be complete. Fails with a sentence that names tissue, field, value and allowed
-/// range; resources/tissues/README.md describes the form and the ranges.
+/// Loads a preset by name, or a JSON file of the same form by path. A file may name a preset as its "base" and replace
+/// single values of it; a file without a base must be complete. Fails with a sentence that names tissue, field, value
+/// and allowed range. resources/tissues/README.md describes the form and the ranges.
 Result<AcousticTable> loadAcousticTable(std::string_view nameOrPath);
 Result<AcousticTable> parseAcousticTable(std::string_view json);
 

@@ -8,8 +8,8 @@
 
 namespace insonate {
 
-/// Structure numbers of a label map. The even numbers 0 to 14 are those of Table I of the thesis and never change; the
-/// odd numbers were added later.
+/// Structure numbers of a label map. The numbers never change. The even numbers 0 to 14 are those of Table I of the
+/// thesis on which Insonate is based (README.md, "Further reading"); the odd numbers were added later.
 enum Label : std::uint8_t {
   kBackground = 0,
   kSkin = 1,

@@ -14,8 +14,9 @@ namespace insonate {
 enum class Mechanics {
   Solid,  ///< elastic tissue
   Rigid,  ///< does not move (bone)
-  Lumen,  ///< blood under pressure, which can flow out of the plane; the wall lies outside the label
-  Gas,    ///< offers no resistance (airway, lung, outside the patient)
+  /// vessel: blood under pressure, which can flow out of the image plane; the vessel wall lies outside the label
+  Lumen,
+  Gas,  ///< offers no resistance (airway, lung, outside the patient)
 };
 
 struct MechanicalTissue {
@@ -40,12 +41,12 @@ struct MechanicalTable {
   }
 };
 
-/// Returns the presets' names: `measured` (the default) and `thesis` (Table I of the thesis).
+/// Returns the names of the presets: `measured` (the default) and `thesis` (Table I of the thesis; see Labels.h).
 std::vector<std::string> mechanicalPresetNames();
 
-/// Loads a preset by name, or a JSON file of the same form. A file may name a preset as its "base" and override single
-/// values. Fails with a sentence that names tissue, field, value and allowed range; resources/mechanics/README.md
-/// describes the form and the ranges.
+/// Loads a preset by name, or a JSON file of the same form by path. A file may name a preset as its "base" and replace
+/// single values of it. Fails with a sentence that names tissue, field, value and allowed range.
+/// resources/mechanics/README.md describes the form and the ranges.
 Result<MechanicalTable> loadMechanicalTable(std::string_view nameOrPath);
 Result<MechanicalTable> parseMechanicalTable(std::string_view json);
 

@@ -10,10 +10,11 @@
 
 namespace insonate {
 
-/// Resistance of a structure's surface to the needle's tip: the needle's row of Table II of the thesis.
+/// Resistance of a structure's surface to the needle's tip, as in the needle's row of Table II of the thesis (see
+/// Labels.h).
 enum class NeedleWall {
   None,      ///< no wall: the surface does not resist the needle
-  Membrane,  ///< wall that yields like a spring, then is punctured
+  Membrane,  ///< wall that resists like a spring until it is punctured
   Hard,      ///< wall that stops the needle
 };
 
@@ -26,7 +27,7 @@ struct NeedleTissue {
   double cutting_N = 0;         ///< force at the tip while the needle cuts forward
   double cuttingStiffness_Npmm = 0;  ///< stiffness of the tissue ahead of the tip until the tissue is cut
   double friction_Npmm = 0;          ///< friction on the sliding shaft, per mm of shaft in the structure
-  /// Static friction that the shaft must overcome to slide, per mm of shaft; at least friction_Npmm.
+  /// Static friction of the resting shaft, per mm of shaft in the structure; at least friction_Npmm.
   double stiction_Npmm = 0;
   double viscosity_Nspmm2 = 0;  ///< viscous force on the shaft in N, per mm of shaft and per mm/s of speed
   /// Stiffness in N/mm against sideways motion of the shaft, per mm of shaft in the structure.
@@ -46,12 +47,13 @@ struct NeedleTable {
   }
 };
 
-/// Returns the presets' names: `measured` (the default) and `thesis` (walls exactly as in Table II of the thesis).
+/// Returns the names of the presets: `measured` (the default) and `thesis` (walls exactly as in Table II of the
+/// thesis).
 std::vector<std::string> needlePresetNames();
 
-/// Loads a preset by name, or a JSON file of the same form. A file may name a preset as its "base" and override single
-/// values. Fails with a sentence that names tissue, field, value and allowed range; resources/haptics/README.md
-/// describes the form and the ranges.
+/// Loads a preset by name, or a JSON file of the same form by path. A file may name a preset as its "base" and replace
+/// single values of it. Fails with a sentence that names tissue, field, value and allowed range.
+/// resources/haptics/README.md describes the form and the ranges.
 Result<NeedleTable> loadNeedleTable(std::string_view nameOrPath);
 Result<NeedleTable> parseNeedleTable(std::string_view json);
 

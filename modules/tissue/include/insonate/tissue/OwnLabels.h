@@ -9,10 +9,11 @@
 
 namespace insonate {
 
-/// A structure outside the label table, defined by the case's author: its name and its tissue.
+/// A structure that the label table does not contain and that the author of the case has defined: its name and its
+/// tissue.
 struct OwnLabel {
   std::string name;  ///< name in the form of tidyLabelName(); empty if the author has not named the structure yet
-  /// Tissue whose acoustic, mechanical and needle properties the structure has; never background.
+  /// Label whose acoustic, mechanical and needle properties the structure has; never background.
   Label tissue = kSoftTissue;
   bool operator==(const OwnLabel&) const = default;
 };
@@ -26,13 +27,13 @@ constexpr bool isOwnLabel(std::uint8_t label) {
   return label >= kLabelCount && label <= kLastOwnLabel;
 }
 
-/// Tidies a name so that every file format can hold it: one line of UTF-8, at most 64 bytes, without double quotes or
-/// backslashes.
+/// Returns the name in a form that every file format can store: one line of UTF-8, at most 64 bytes, without double
+/// quotes or backslashes.
 std::string tidyLabelName(std::string_view name);
 
 /// Returns the author's name for a label; the label table's name if the author gave none.
 std::string labelName(const OwnLabels& own, std::uint8_t label);
-/// Returns the tissue of one of the author's labels; any other label is returned unchanged.
+/// Returns the label of the tissue (OwnLabel::tissue) if `label` is one of the author's; else `label` itself.
 std::uint8_t tissueOf(const OwnLabels& own, std::uint8_t label);
 
 }  // namespace insonate

@@ -7,8 +7,8 @@
 
 namespace insonate {
 
-/// Writes a whole table as JSON text, without ranges and sources. parseAcousticTable() and parseMechanicalTable() read
-/// back the identical numbers.
+/// Writes a whole table as JSON text, without the ranges and sources of its values. parseAcousticTable() and
+/// parseMechanicalTable() read exactly the same numbers from this text.
 std::string textOf(const AcousticTable& table);
 std::string textOf(const MechanicalTable& table);
 

@@ -14,7 +14,7 @@
 
 namespace insonate {
 
-/// A wire or bead of a resolution phantom. Its echo comes from one point; `amplitude` is the peak of the envelope in
+/// A point reflector, such as a wire or bead of a resolution phantom. `amplitude` is the peak of its echo's envelope in
 /// focus.
 struct PointTarget {
   Vec3 position_mm;  ///< position of the target, patient LPS
@@ -22,22 +22,23 @@ struct PointTarget {
 };
 
 /// The patient's tissue in a region, in the form that engines read: smooth signed distances to every structure,
-/// deviations of the CT from each structure's mean, and the acoustic table. Immutable once made, so any number of
-/// threads may read a scene. The values at a point do not depend on the region, so neighboring regions give the same
-/// image.
+/// deviations of the CT from the mean of each structure, and the acoustic table. A scene is immutable; any number of
+/// threads may read it. The values at a point do not depend on the region: scenes of neighboring regions give the same
+/// image of tissue that both contain.
 class AcousticScene {
  public:
   static constexpr double kFinestDetail_mm = 0.7;
 
   /// Makes a scene and copies the data that it needs; `ct` and `labels` must share one grid. Fails if the grids differ
-  /// or the region does not touch the volume; warnings() lists unknown labels. Label maps coarser than `detail_mm` are
-  /// subdivided (see sceneDetail_mm() for a useful value by probe).
+  /// or the region does not touch the volume; warnings() lists unknown labels. Label maps whose voxels are larger than
+  /// `detail_mm` are subdivided; sceneDetail_mm() returns a suitable value for a probe.
   static Result<std::shared_ptr<const AcousticScene>> make(const CtVolume& ct, const LabelMap& labels,
                                                            const AcousticTable& table, const Region& region,
                                                            const Progress& progress = {},
                                                            std::vector<PointTarget> points = {},
                                                            double detail_mm = kFinestDetail_mm);
-  /// Makes one of several scenes of a case from a common source: data that the scenes share are computed once.
+  /// Makes one of several scenes of a case from a common source. The source computes data that the scenes share only
+  /// once.
   static Result<std::shared_ptr<const AcousticScene>> make(const SceneSource& source, const AcousticTable& table,
                                                            const Region& region, const Progress& progress = {},
                                                            std::vector<PointTarget> points = {},
@@ -45,8 +46,7 @@ class AcousticScene {
   ~AcousticScene();
 
   const std::vector<std::string>& warnings() const;
-  /// Returns the acoustic properties that the engines use, including a patient's variation if a simulator has applied
-  /// one.
+  /// Returns the table of acoustic properties with which the scene was made.
   const AcousticTable& tissues() const;
 
   struct Impl;  ///< contents of the scene, read by the engines

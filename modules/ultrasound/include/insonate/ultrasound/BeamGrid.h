@@ -7,8 +7,8 @@
 
 namespace insonate {
 
-/// Positions of a frame's samples, in the probe frame (mm). Sample k of scanline l is at origin(l) + direction(l) *
-/// range_mm(k); k and l may be fractional.
+/// Positions of the samples of a frame, in the probe frame. Sample k of scanline l is at origin(l) + direction(l) *
+/// range_mm(k), in mm; k and l may be fractional.
 class BeamGrid {
  public:
   BeamGrid(const Probe& probe, const ImagingSettings& settings);
@@ -26,16 +26,16 @@ class BeamGrid {
   /// Returns the distance between scanlines along the face of a linear probe, mm.
   double pitch_mm() const { return pitch_; }
 
-  /// Position of a point of the imaging plane (y = 0) as fractional scanline and sample; `inside` tells whether the
-  /// point is in the field of view. The field of view is the rectangle, or the fan between r1 and r2; its edges lie
-  /// half a scanline outside the first and last scanlines.
+  /// Position of a point of the image plane (y = 0), as fractional scanline and sample. `inside`, true: the point is in
+  /// the field of view, which is a rectangle, or a fan between r1 (radius of the face) and r2. The edges of the field
+  /// of view lie half a scanline outside the first and last scanlines.
   struct Location {
     double scanline, sample;
     bool inside;
   };
   Location locate(double lateral_mm, double axial_mm) const;
 
-  /// Bounding box of the field of view in the imaging plane.
+  /// Bounding box of the field of view in the image plane.
   double minLateral_mm() const, maxLateral_mm() const, minAxial_mm() const, maxAxial_mm() const;
 
  private:
@@ -48,8 +48,9 @@ class BeamGrid {
   double depthAlong_mm_ = 0;  // range from the face at which a scanline reaches the image's depth
 };
 
-/// Returns the steering angles of a spatially compounded frame: the settings' steering first, then 8 degrees, or 5 and
-/// 10 degrees, to either side of it, limited to the range of validate(). A fan has one angle.
+/// Returns the steering angles of spatial compounding: first the steering angle of the settings; with three angles,
+/// also the angles 8 degrees to either side of it; with five angles, those 5 and 10 degrees to either side. All are
+/// limited to the range that validate() accepts. A fan has one angle.
 std::vector<double> steeringAngles_deg(const Probe& probe, const ImagingSettings& settings);
 
 }  // namespace insonate

@@ -8,11 +8,11 @@
 
 namespace insonate {
 
-/// Converts a linear envelope to the displayed image: electronic noise > averaging of the looks (renderings of a frame
-/// with independent speckle) > ringing of the elements > haze > TGC and gains > logarithm > speckle reduction > edge
-/// enhancement > persistence > gray map > scan conversion. The constructor allocates everything; process() allocates
-/// nothing once the image has its size. The settings must be valid for the probe (see validate()). Not for concurrent
-/// use of one object. Uses the calling thread's TBB arena.
+/// Converts a linear envelope to the displayed image: electronic noise > averaging of the looks (several renderings of
+/// one frame with independent speckle) > ringing of the elements > haze > TGC and gains > logarithm > speckle reduction
+/// > edge enhancement > persistence > gray map > scan conversion. The constructor allocates everything; process()
+/// allocates nothing once the image has its size. The settings must be valid for the probe (see validate()). Not for
+/// concurrent use of one object. Uses the calling thread's TBB arena.
 class Display {
  public:
   Display(const Probe& probe, const ImagingSettings& settings);
@@ -20,12 +20,12 @@ class Display {
   Display(Display&&) noexcept;
   Display& operator=(Display&&) noexcept;
 
-  /// Processes one frame. The frame must have the settings' numbers of scanlines and samples, and at most their number
-  /// of looks; otherwise the image is black. Amplitudes that are NaN or negative count as 0, infinite amplitudes as
-  /// white. Persistence mixes with the image of the previous call. Electronic noise depends only on `noiseSeed` and the
-  /// settings' time_s: the same seed gives the same image.
+  /// Processes one frame. The frame must have as many scanlines and samples as the settings, and not more looks;
+  /// otherwise the image is black. Amplitudes that are NaN or negative count as 0, infinite amplitudes as white.
+  /// Persistence mixes the image with that of the previous call. Electronic noise depends only on `noiseSeed` and
+  /// ImagingSettings::time_s.
   void process(const EnvelopeFrame& envelope, BModeImage& image, std::uint32_t noiseSeed = 0);
-  /// Discards the previous image, so that the next one shows no persistence.
+  /// Discards the previous image, so that the next image has no persistence.
   void reset();
 
   struct Stages_ms {

@@ -20,8 +20,8 @@ class Engine {
   virtual ~Engine() = default;
 
   virtual std::string_view name() const = 0;
-  /// Returns a note that the user sees beside the engine's name: the device on which the engine runs, or the reason why
-  /// another engine computes instead. Empty if there is no note.
+  /// Returns a note to be shown beside the engine's name: the device on which the engine runs, or the reason why
+  /// another engine is used instead. Empty if there is no note.
   virtual std::string_view note() const { return {}; }
 
   /// Allocates memory for these settings, which must be valid (see validate()).
@@ -30,12 +30,13 @@ class Engine {
   /// Renders one frame; allocates nothing once `envelope` has its size. `patientFromProbe` is rigid. The same inputs
   /// give the same frame on any number of threads. Uses the calling thread's TBB arena.
   ///
-  /// The frame shows displaced tissue: structures, CT, textures, scatterers, point targets and the skin move with it.
-  /// An empty displacement has no cost. A displacement must be complete (columns times rows shifts), finite and without
-  /// folds; tissue from beyond the scene reads as the outermost tissue of the scene.
+  /// The frame shows the tissue displaced by `displacement`, including structures, CT, textures, scatterers, point
+  /// targets and the skin. An empty displacement takes no computing time. A displacement must be complete (columns
+  /// times rows shifts), finite and one-to-one. Where it refers to tissue beyond the scene, the outermost tissue of the
+  /// scene is used.
   ///
-  /// `needle` is valid (see validate()), or null for no needle, which has no cost. The needle echoes and casts its
-  /// shadow at its own place, independent of the tissue's displacement. Look::Thesis does not draw the needle.
+  /// `needle` must be valid (see validate()); null: no needle. The needle's echo and shadow appear at its own position,
+  /// independent of the displacement of the tissue. Look::Thesis does not show the needle.
   virtual void render(const AcousticScene& scene, const Transform& patientFromProbe,
                       const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) = 0;
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
@@ -51,7 +52,7 @@ class Engine {
     std::string_view name;
     double ms = 0;  ///< time of the stage in the last frame, summed over threads
   };
-  /// Returns the times of the last frame's stages of computation.
+  /// Returns the computing times of the stages of the last frame.
   virtual const std::vector<Stage>& stages() const = 0;
 };
 
@@ -63,20 +64,20 @@ std::vector<std::string> engineNames();
 /// `glsl` fails with a sentence if OpenGL 4.3 is not available.
 Result<std::unique_ptr<Engine>> makeEngine(std::string_view name);
 
-/// Schedule of the angles of spatial compounding. OneAnglePerFrame: as on a machine, each frame transmits one angle and
-/// averages the last angles. A frame then costs as much as without compounding, and moving structures also show at
-/// earlier places; the first frame renders all angles. AllAnglesPerFrame: each frame renders all angles, for still
-/// images.
+/// Schedule of the angles of spatial compounding. AllAnglesPerFrame: each frame renders all angles; for still images.
+/// OneAnglePerFrame: as on a real machine, each frame renders one angle and averages it with the latest frames of the
+/// other angles; the first frame renders all angles. A frame then takes as long as without compounding, but moving
+/// structures also appear at their former places.
 enum class CompoundingSchedule { AllAnglesPerFrame, OneAnglePerFrame };
 
-/// Makes the engine for a probe and settings: with spatial compounding, one engine for each angle, else a single
-/// engine.
+/// Makes an engine by name, as makeEngine() does. If the settings contain spatial compounding, the result combines one
+/// such engine for each angle.
 Result<std::unique_ptr<Engine>> makeEngineFor(std::string_view name, const Probe& probe,
                                               const ImagingSettings& settings,
                                               CompoundingSchedule angles = CompoundingSchedule::AllAnglesPerFrame);
 
-/// Returns the region that a scene must cover for a frame at this pose if tissue is displaced by up to
-/// `largestShift_mm` (0 or above).
+/// Returns the region that a scene must cover for a frame at this pose. `largestShift_mm`: maximum displacement of
+/// tissue, 0 or more.
 Region regionOf(const Probe& probe, const ImagingSettings& settings, const Transform& patientFromProbe,
                 double largestShift_mm = 0);
 

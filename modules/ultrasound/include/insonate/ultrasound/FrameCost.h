@@ -8,25 +8,25 @@
 
 namespace insonate {
 
-/// Returns the distance between gates, the points of a scanline at which echoes are computed, in mm: the largest
-/// multiple of the sample spacing at which at least 2.4 gates fit into the pulse's length.
+/// Returns the distance between gates: the points of a scanline at which echoes are computed. The distance is the
+/// largest multiple of the sample spacing at which at least 2.4 gates fit into the length of the pulse.
 double gateDistance_mm(const Probe& probe, const ImagingSettings& settings);
 
-/// Returns the value of `detail_mm` that suffices in AcousticScene::make() for this probe: 1.2 if its beam is at least
-/// that wide, else 0.7.
+/// Returns the value of `detail_mm` in AcousticScene::make() that suffices for this probe: 1.2 if its beam is at least
+/// 1.2 mm wide, else 0.7.
 double sceneDetail_mm(const Probe& probe, const ImagingSettings& settings);
 
-/// Number of operations and bytes of one stage of a frame, computed by formula from the sizes of its grids: an estimate
-/// for comparison with measured times, not a count of instructions.
+/// Estimated computing cost of one stage of a frame, for comparison with measured times. The numbers follow from the
+/// sizes of the grids by formula; they are not counts of executed instructions.
 struct StageCost {
   std::string_view name;  ///< name of the stage as in Engine::stages(); stages of the display: compound, compress,
                           ///< smooth, scan_convert
   double operations = 0;  ///< single-precision and 32-bit integer operations; a multiply-add counts as two
-  double bytes = 0;       ///< bytes read and written, each counted once, as with an unlimited cache
+  double bytes = 0;       ///< bytes read and written, each counted once as if the cache were unlimited
 };
 
-/// Returns the work of the stages of the `cpu` engine and the display, without stages whose cost depends on the scene's
-/// shape (contact). The settings must be valid for the probe.
+/// Returns the costs of the stages of the engine `cpu` and of the display. The stage `contact`, whose cost depends on
+/// the shape of the skin, is left out. The settings must be valid for the probe.
 std::vector<StageCost> frameCost(const Probe& probe, const ImagingSettings& settings, const AcousticScene& scene);
 
 }  // namespace insonate

@@ -6,9 +6,10 @@
 
 namespace insonate {
 
-/// Linear echo amplitude on the beam grid, before compounding, gain, compression and scan conversion. Amplitude 1 is
-/// the RMS amplitude of fully developed speckle in a 0 dB tissue without attenuation. Looks are several renderings of
-/// the frame with independent speckle, which the display averages. Scanlines are fastest in memory.
+/// Linear echo amplitudes on the beam grid, before compounding, gain, compression and scan conversion. Amplitude 1 is
+/// the RMS amplitude of fully developed speckle in a tissue of 0 dB without attenuation. A frame consists of one or
+/// more looks: renderings with independent speckle, which the display averages. Amplitudes of neighboring scanlines are
+/// adjacent in memory.
 struct EnvelopeFrame {
   int scanlines = 0, samples = 0, looks = 0;
   std::vector<float> amplitude;  ///< echo amplitudes, index [look][sample][scanline]

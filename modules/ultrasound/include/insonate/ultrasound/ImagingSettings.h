@@ -14,13 +14,13 @@ namespace insonate {
 enum class Look {
   Coherent,  ///< scatterers fixed in the tissue, blurred by the point-spread function; several renderings with
              ///< independent speckle are averaged (default)
-  Thesis,    ///< the four layers of the thesis: reflection, absorption, radial blur, Perlin speckle
+  Thesis,    ///< rendering style of the thesis (see README.md): reflection, absorption, radial blur, Perlin speckle
 };
 
 /// Mapping of echo levels to gray values; GrayMaps.h has the names and curves.
 enum class GrayMap { Linear, Soft, Contrast, Bright, Dark, Flat };
 
-/// Switches of the physical effects, to see the contribution of each.
+/// Switches of the simulated physical effects, by which the contribution of each effect can be shown.
 struct Effects {
   bool scattering = true;  ///< scattering by tissue; off: only boundaries are shown
   bool reflection = true;
@@ -28,8 +28,8 @@ struct Effects {
   bool transmission = true;   ///< two-way loss (1 - R^2) at each boundary, which causes shadows
   bool speckle = true;        ///< speckle; off: uniform scattering with the same mean power
   bool layers = true;         ///< echoes of walls, fascia and other connective layers at boundaries
-  bool texture = true;        ///< septa and lobules within tissues, and modulation of the echo by the CT
-  bool beam = true;           ///< blur by the point-spread function; off: a point echoes in a single sample
+  bool texture = true;        ///< fine structure of tissues (Texture), and modulation of the echo by the CT
+  bool beam = true;           ///< blur by the point-spread function; off: the echo of a point is in a single sample
   bool reverberation = true;  ///< reverberation behind air
   bool edgeShadow = true;     ///< edge shadows: loss by refraction at the sides of vessels
   /// Haze: weak echoes that side lobes and reverberation add to dark regions (computed by the display).
@@ -59,11 +59,11 @@ struct ImagingSettings {
   GrayMap grayMap = GrayMap::Soft;
   double speckleReduction = 0.4;  ///< weight of the image smoothed along interfaces in the displayed image, 0..1
   double edgeEnhancement = 0;     ///< strength of the enhancement of changes along the beam, 0..1
-  /// Growth of the pulse's length per 30 mm of depth, relative to its length at the face; 0..2.
+  /// Increase of the pulse's length per 30 mm of depth, as a fraction of its length at the face; 0..2.
   double dynamicFilter = 0;
-  /// RMS of the receiver's noise in one look, before TGC; 0 dB is the speckle of a 0 dB tissue; -120..0.
+  /// RMS of the receiver's noise in one look, before TGC, relative to the speckle of a tissue of 0 dB; -120..0.
   double noise_dB = -44;
-  /// Echo of the transmitted pulse itself at the face; 0 dB is the speckle of a 0 dB tissue; -20..60.
+  /// Level of the ringing of the elements at the face, relative to the speckle of a tissue of 0 dB; -20..60.
   double ringing_dB = 10;
   /// Widths of strips at the left and right ends of the face that do not touch the skin; 0..30.
   double poorContactLeft_mm = 0, poorContactRight_mm = 0;
@@ -72,21 +72,24 @@ struct ImagingSettings {
   double steering_deg = 0;  ///< angle of the scanlines toward +x, linear probes only; -20..20
   /// Number of angles of spatial compounding, linear probes only: 1, 3 or 5, see steeringAngles_deg().
   int compoundingAngles = 1;
-  int scanlines = 256;            ///< number of scanlines, 16..1024
-  int samples = 1000;             ///< number of samples per scanline, 64..4096
-  int elevationPlanes = 3;        ///< number of planes across the slice thickness in which echoes are summed; odd, 1..9
+  int scanlines = 256;  ///< number of scanlines, 16..1024
+  int samples = 1000;   ///< number of samples per scanline, 64..4096
+  /// number of planes, distributed over the slice thickness, whose echoes are summed; odd, 1..9
+  int elevationPlanes = 3;
   int width = 820, height = 616;  ///< size of the image in pixels, 64..4096
-  bool conformingContact = true;  ///< true: the skin follows the face, as with gel and light pressure
+  /// true: the face has contact with the skin over its whole width, as with gel and light pressure
+  bool conformingContact = true;
   Look look = Look::Coherent;
-  double time_s = 0;  ///< time of the image, to the millisecond, from which electronic noise and the speckle of
-                      ///< Look::Thesis are seeded; 0..1e6
+  /// time of the image, used with a resolution of 1 ms; it seeds the electronic noise and the speckle of Look::Thesis;
+  /// 0..1e6
+  double time_s = 0;
   Effects effects;
 };
 
 /// Returns the default settings with the probe's own depth, frequency and focus.
 ImagingSettings settingsFor(const Probe& probe);
-/// Replaces the fields that are given in `overrides`. Fails, with the field's name, on unknown names, wrong types and
-/// values out of range.
+/// Returns `base` with the fields that `overrides` contains replaced. Fails with a sentence that names the field on
+/// unknown names, wrong types and values out of range.
 Result<ImagingSettings> settingsFromJson(const nlohmann::json& overrides, ImagingSettings base);
 Result<ImagingSettings> loadSettings(const std::filesystem::path& file, ImagingSettings base);
 Result<void> validate(const ImagingSettings& settings, const Probe& probe);

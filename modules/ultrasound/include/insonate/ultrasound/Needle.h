@@ -5,15 +5,16 @@
 
 namespace insonate {
 
-/// A straight, hollow steel needle with a short bevel, at its present place. The needle does not move with the tissue.
-/// Patient LPS, millimeters. 18 G has an outer diameter of 1.27 mm (ISO 9626).
+/// A straight, hollow steel needle with a short bevel. The displacement of the tissue does not move the needle. Patient
+/// LPS, millimeters. 18 G has an outer diameter of 1.27 mm (ISO 9626).
 struct Needle {
   Vec3 tip_mm{};
-  Vec3 direction{0, 0, 1};    ///< unit direction of the shaft, toward the tip
-  Vec3 bevelNormal{1, 0, 0};  ///< direction that the bevel's opening faces; must not be along the shaft: only the
-                              ///< component perpendicular to the shaft counts
-  double radius_mm = 0.635;   ///< outer radius; 0.1..2
-  double length_mm = 70;      ///< length from the tip to the hub; 1..300
+  Vec3 direction{0, 0, 1};  ///< unit direction of the shaft, toward the tip
+  /// direction toward which the opening of the bevel faces; only its component perpendicular to the shaft is used and
+  /// must not be 0
+  Vec3 bevelNormal{1, 0, 0};
+  double radius_mm = 0.635;  ///< outer radius; 0.1..2
+  double length_mm = 70;     ///< length from the tip to the hub; 1..300
 
   bool operator==(const Needle&) const = default;
 };

@@ -10,12 +10,12 @@
 
 namespace insonate {
 
-/// Maximum absolute value of the signed distances in PlaneSamples; a larger distance may read as up to half a voxel
-/// less than this maximum.
+/// Maximum absolute value of the signed distances in PlaneSamples. Larger distances are returned as this value, or as
+/// up to half a voxel less.
 inline constexpr float kPlaneReach_mm = 6;
 
-/// Tissue at rest (not displaced) at points of a plane, one entry per point. The signed distances are those by which
-/// images are rendered, negative inside the structure. For a structure that is not in the scene the distance is
+/// Undeformed tissue at points of a plane, one entry per point. Images are rendered from the same signed distances;
+/// they are negative inside the structure. The distance to a structure that the scene does not contain is
 /// kPlaneReach_mm.
 struct PlaneSamples {
   std::vector<std::uint8_t> label;  ///< label of the structure at the point: the nearest structure by signed distance
@@ -23,8 +23,9 @@ struct PlaneSamples {
   std::vector<float> toSkin_mm;  ///< distance to the body's outline, negative inside the body
 };
 
-/// Samples a scene at points of a plane. Points outside the scene read as the outermost points within it. Allocates
-/// nothing if `tissue` has held as many points before. Any number of threads may sample one scene at the same time.
+/// Samples a scene at points of the image plane. A point outside the scene has the values of the outermost point of the
+/// scene. Allocates nothing if `tissue` has had as many points before. Any number of threads may sample one scene at
+/// the same time.
 void samplePlane(const AcousticScene& scene, const Transform& patientFromProbe, std::span<const PlanePoint> points,
                  PlaneSamples& tissue);
 

@@ -16,8 +16,9 @@ enum class ProbeShape { Linear, Curvilinear, Phased };
 /// full cosine (Hann).
 enum class Apodization { Uniform, Tukey, Hann };
 
-/// A transducer. Its frame: origin at the center of the face, +x lateral (toward the marker), +z axial (into the body),
-/// +y elevation. The point-spread function follows from the array: see src/model/BeamField.h.
+/// A transducer. The probe frame has its origin at the center of the face, +x lateral (toward the marker), +z axial
+/// (into the body), +y elevation (perpendicular to the image plane). The properties of the array determine the
+/// point-spread function (src/model/BeamField.h).
 struct Probe {
   std::string name;
   ProbeShape shape = ProbeShape::Linear;
@@ -33,12 +34,11 @@ struct Probe {
   double receiveFNumber = 1.5;   ///< depth divided by the receive aperture, which grows with depth
   double maxAperture_mm = 30;    ///< maximum width of the array's active part
   Apodization apodization = Apodization::Tukey;
-  double elementHeight_mm = 5;    ///< size of the elements perpendicular to the imaging plane
-  double elevationFocus_mm = 20;  ///< depth of the acoustic lens's focus perpendicular to the imaging plane
+  double elementHeight_mm = 5;    ///< size of the elements perpendicular to the image plane
+  double elevationFocus_mm = 20;  ///< depth of the acoustic lens's focus perpendicular to the image plane
 };
 
-/// One numeric field of a probe: its name as in probe files, with unit, and the minimum and maximum that validate()
-/// accepts.
+/// One numeric field of a probe: its name in probe files, with unit, and the range that validate() accepts.
 struct ProbeField {
   enum class Use { Always, Linear, Fan };
   std::string_view name;
@@ -48,7 +48,7 @@ struct ProbeField {
 };
 /// Returns all numeric fields of a probe, in the order of probe files.
 std::span<const ProbeField> probeFields();
-/// Tells whether a probe of this shape has the field.
+/// Tells whether probes of this shape have the field.
 bool applies(const ProbeField& field, ProbeShape shape);
 
 /// Returns the names of the presets of resources/probes, in a fixed order (linear, curvilinear, phased).

@@ -10,9 +10,9 @@
 
 namespace insonate {
 
-/// Data that all scenes of one patient share: facts about the whole case, found once, and distances that scenes will
-/// probably need, computed ahead and cached up to 384 MB per resolution. A scene is then assembled from these parts,
-/// with the same result as if it were computed alone. Any number of threads may use one source.
+/// Data that all scenes of one patient share: properties of the whole case, computed once, and signed distances, which
+/// are cached, up to 384 MB for each resolution, and can be computed in advance. A scene that is made from a source
+/// equals a scene that is made without one. Any number of threads may use one source.
 class SceneSource {
  public:
   /// `ct` and `labels` must outlive the source and must not change. Fails if their grids differ.
@@ -22,9 +22,9 @@ class SceneSource {
   /// Returns a hash of the CT, which identifies the patient independent of edits of the labels.
   std::uint32_t patient() const;
 
-  /// Computes and caches one missing part of the data that a scene of this region will need, the part nearest to the
-  /// region's center. Takes about a second of one processor; `stopped` is called repeatedly, and true cancels the
-  /// computation. Returns false if nothing is missing, or if the cache is full.
+  /// Computes one part of the data that a scene of this region needs and that is not yet cached: the part nearest to
+  /// the center of the region. Takes about a second of one processor. `stopped` is called repeatedly; if it returns
+  /// true, the computation is cancelled. Returns false if nothing is missing, or if the cache is full.
   bool precompute(const Region& region, double detail_mm, const std::function<bool()>& stopped = {}) const;
 
   struct Impl;  ///< contents of the source, read by scenes

@@ -12,7 +12,7 @@ namespace insonate {
 /// Returns the name of a probe's shape in a probe file, e.g. "linear".
 std::string_view nameOf(ProbeShape shape);
 
-/// Writes a probe as text, in the form of saveProbe() and loadProbe(); exact to the last bit.
+/// Writes a probe as text in the format of probe files. parseProbe() reads exactly the same values from the text.
 std::string textOf(const Probe& probe);
 Result<Probe> parseProbe(std::string_view json);
 

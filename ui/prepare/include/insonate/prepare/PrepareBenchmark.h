@@ -12,12 +12,13 @@ class LabellingMeasure;
 struct PrepareModel;
 class ToolSession;
 
-/// Elapsed time from an author's action until its result is on the screen.
+/// Time from an action of the author until its result is on the screen.
 struct LabellingTime {
   QString name;  ///< name of the action and, if parts of the views are timed separately, of the part
   double median_ms = 0, longest_ms = 0;
-  /// Longest time during the action in which the window's thread did not process events: elapsed, and in the thread's
-  /// own processor time, which other programs on the computer do not affect.
+  /// Longest GUI stall during the action, i.e. the longest time in which the window's thread did not process events.
+  /// pause_ms: elapsed time; work_ms: processor time of the window's thread, which other programs on the computer do
+  /// not affect.
   double pause_ms = 0, work_ms = 0;
 };
 
@@ -28,9 +29,9 @@ class PrepareBenchmark final {
   PrepareBenchmark(PrepareModel& model, ToolSession& tools, CaseViews& views);
   ~PrepareBenchmark();
 
-  /// Measures how fast the open case can be viewed and labeled: each action is repeated `repeats` times while the
-  /// workspace is shown. Results of all tools except the brush are undone. Calls `done` later on the window's thread,
-  /// unless the workspace is deleted first.
+  /// Measures how fast the open case can be viewed and labeled: repeats each action `repeats` times while the workspace
+  /// is shown. Undoes the results of all tools except the brush. When the measurement is complete, `done` is called on
+  /// the window's thread, unless the workspace is deleted first.
   void measureLabelling(int repeats, std::function<void(std::vector<LabellingTime>)> done);
 
  private:

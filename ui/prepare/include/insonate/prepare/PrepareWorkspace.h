@@ -20,10 +20,10 @@ class PrepareLayout;
 struct PrepareModel;
 class ToolSession;
 
-/// The workspace in which an author prepares a case. In the middle slices and 3D; on the left the steps from import to
-/// check, with the table of structures; on the right facts, findings and the ultrasound image computed from the labels.
-/// Colors and the title belong to the case and are saved with it; visibility and opacity are also stored as the user's
-/// settings. Results are computed on background threads, and only while the workspace is shown.
+/// The workspace in which an author prepares a case. The middle shows slices and 3D. The left side contains the steps
+/// from import to check and the table of structures. The right side shows facts, findings and the ultrasound image
+/// computed from the labels. Colors and the title are saved with the case; visibility and opacity are saved with the
+/// case and as the user's settings. Background threads compute the results, only while the workspace is shown.
 class PrepareWorkspace : public ui::Workspace {
   Q_OBJECT
 
@@ -32,10 +32,10 @@ class PrepareWorkspace : public ui::Workspace {
   explicit PrepareWorkspace(ui::TaskBar& tasks, QWidget* parent = nullptr);
   ~PrepareWorkspace() override;
 
-  /// Offers actions that open a case, shown while no case is open; the first one is the default. The caller owns the
-  /// actions.
+  /// Adds an action that opens a case; the workspace offers these actions while no case is open. The first added action
+  /// is the default. The caller owns the action.
   void offer(QAction* action);
-  /// Sets the actions that are offered while a case is open.
+  /// Sets the actions that the workspace offers while a case is open. The caller owns the actions.
   void setCaseActions(QAction* open, QAction* import, QAction* reload);
 
   void setOpening(const QString& what) override;
@@ -46,7 +46,7 @@ class PrepareWorkspace : public ui::Workspace {
   void caseSaved(std::shared_ptr<const PatientCase> patient) override;
   QString statusText() const override;
   QString engineText() const override;
-  /// Tells whether the case is measured and checked, and surfaces and the ultrasound image are on the screen.
+  /// Tells whether the case has been measured and checked, and surfaces and the ultrasound image are on the screen.
   bool isReady() const override;
   QString helpPage() const override { return QStringLiteral("prepare"); }
   void saveLayout(QSettings& settings) const override;

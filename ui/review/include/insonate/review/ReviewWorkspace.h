@@ -12,9 +12,10 @@ class TaskBar;
 
 namespace insonate::review {
 
-/// The workspace that replays attempts: the list of recordings, an attempt's replay as ultrasound image and in 3D with
-/// a timeline, and its result. Requests an attempt's case from the window (caseWanted()) if another case is open.
-/// Computes on background threads, and only while it is shown.
+/// The workspace that replays attempts. It shows the list of recordings, the replay of an attempt as ultrasound image
+/// and in 3D with a timeline, and the result of the attempt. If another case than that of the attempt is open, the
+/// workspace requests the case from the window (caseWanted()). Background threads compute the replay, only while the
+/// workspace is shown.
 class ReviewWorkspace : public ui::Workspace {
   Q_OBJECT
 
@@ -23,7 +24,8 @@ class ReviewWorkspace : public ui::Workspace {
   explicit ReviewWorkspace(ui::TaskBar& tasks, QWidget* parent = nullptr);
   ~ReviewWorkspace() override;
 
-  /// Adds a button beside the list that opens a recording from another place. The action belongs to the caller.
+  /// Adds a button beside the list for an action that opens a recording from another folder. The caller owns the
+  /// action.
   void offer(QAction* action);
 
   /// Saves the open attempt's result as a page: PDF if the name ends in .pdf, else PNG. Emits written() or failed().
@@ -42,7 +44,8 @@ class ReviewWorkspace : public ui::Workspace {
   void stop() override;
 
  protected:
-  /// Gives the keys of commands precedence over the window's shortcuts, for example F5 on the page of a class.
+  /// Gives keys of this workspace's commands precedence over shortcuts of the window, for example F5 on the page of a
+  /// class.
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void showEvent(QShowEvent* event) override;

@@ -16,12 +16,13 @@
 
 namespace insonate::ui {
 
-/// Address of the default store on this computer, unless INSONATE_DATABASE names a file or a server.
+/// Returns the address of the database of people and attempts: the value of the environment variable INSONATE_DATABASE
+/// (a file or a server), else the default file on this computer.
 QString usualStore();
 
-/// The signed-in user, and the connection to the store of people, levels and attempts. Queries run one after the other
-/// on a background thread, which owns the store's connection; their results arrive on the window's thread. For the
-/// window's thread.
+/// The signed-in user, and the connection to the store (database) of people, levels and attempts. Queries run one after
+/// the other on a background thread, which owns the connection; their results arrive on the window's thread. For the
+/// window's thread only.
 class Account : public QObject {
   Q_OBJECT
 
@@ -29,7 +30,7 @@ class Account : public QObject {
   enum class State {
     Opening,
     Unreachable,  ///< trouble() says why
-    NobodyYet,    ///< no store, or an empty one: an administrator must be set up first
+    NobodyYet,    ///< there is no store, or the store has no people: an administrator must be set up first
     Guest,        ///< no user is signed in
     SignedIn,
   };
@@ -41,11 +42,12 @@ class Account : public QObject {
 
   State state() const { return state_; }
   bool isSignedIn() const { return state_ == State::SignedIn; }
-  /// The user's data at sign-in; all empty for a guest.
+  /// Returns the user's data at sign-in; all members are empty for a guest.
   const Person& person() const { return person_; }
   bool mustChangePassword() const { return session_ && session_->mustChangePassword(); }
   QString trouble() const { return trouble_; }
-  /// Tells whether the server did not answer the last query. The program then tries to reach it every few seconds.
+  /// Tells whether the server did not answer the last query. The program then tries to reach the server every few
+  /// seconds.
   bool isAway() const { return away_; }
   QString place() const;  ///< location of the store, without a password
   const QString& address() const { return address_; }
@@ -53,9 +55,9 @@ class Account : public QObject {
 
   using Done = std::function<void(Result<void>)>;
   void setUp(const NewPerson& administrator, const QString& password, Done done);
-  /// Sets up the store for one person who trains alone, and keeps this person signed in at the next starts of the
-  /// program. If `password` is empty, a generated one is kept on this computer; fails for a server, which needs a
-  /// chosen one.
+  /// Sets up the store for one person who trains alone, and keeps this person signed in when the program is started
+  /// again. If `password` is empty, a password is generated and stored on this computer. Fails if the store is on a
+  /// server and `password` is empty.
   void setUpAlone(const QString& fullName, const QString& password, Done done);
   void signIn(const QString& name, const QString& password, Done done);
   /// Signs out. No effect while hasGeneratedPassword(): the user does not know the password and could not sign in
@@ -69,9 +71,9 @@ class Account : public QObject {
   /// Tries again to open a store that could not be reached.
   void reopen();
 
-  /// Runs `question` on the store's thread and calls `done` once, later, with the result; not if `asker` is deleted by
-  /// then. If another user has signed in meanwhile, `done` receives an error, so that no user sees another's data. The
-  /// effects of `question` on the store take place in any case.
+  /// Queues `question` for the store's thread. When it has run, `done` is called once on the window's thread with its
+  /// result, unless `asker` has been deleted. If another user has signed in meanwhile, `done` receives an error, so
+  /// that no user sees another user's data. `question` is executed in any case.
   template <class T>
   void ask(const QObject* asker, std::function<Result<T>(const SignedIn&)> question,
            std::function<void(Result<T>)> done) {
@@ -89,7 +91,7 @@ class Account : public QObject {
  Q_SIGNALS:
   void changed();        ///< emitted when state() or person() has changed
   void peopleChanged();  ///< emitted when people, classes or their curricula were changed in a window of this program
-  void cameBack();       ///< emitted when a server answers again; repeat the queries that failed
+  void cameBack();       ///< emitted when the server answers again; receivers should repeat queries that have failed
 
  private:
   template <class T>
@@ -124,7 +126,8 @@ class Account : public QObject {
   std::optional<SignedIn> session_;
   Person person_;
   QString trouble_;
-  int number_ = 0;  ///< raised at each change of state or user; answers to earlier users are refused
+  /// increased at each change of state or user; answers to queries of an earlier user are discarded
+  int number_ = 0;
   bool away_ = false, looking_ = false;
   QTimer again_;
   std::optional<CurriculumStore> store_;  ///< used on the store's thread only

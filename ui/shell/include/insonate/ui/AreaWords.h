@@ -12,8 +12,8 @@ enum class AreaForm {
   Share,  ///< "141 % of CT", for narrow places
 };
 
-/// Returns a vessel's present area in the image plane, in mm² and in % of its area in the CT. "n/a" if the CT shows no
-/// area there.
+/// Formats a vessel's present area in the image plane, in mm² and in % of its area in the CT; "n/a" if the area in the
+/// CT is 0.
 QString areaOf(const LumenArea& lumen, AreaForm form);
 
 /// Returns a text for a screen reader: "85 square millimeters, 141 percent of the area in the CT".

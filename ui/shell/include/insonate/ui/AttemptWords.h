@@ -13,8 +13,8 @@ namespace insonate::ui {
 struct PlaceWords {
   QString sign, words;
 };
-/// Returns symbol and words. `vessel`: the name of the vessel that the tip is in; empty if the tip is in none or the
-/// name is unknown.
+/// Returns symbol and words for a place of the needle. `vessel`: name of the vessel in which the tip is; empty if the
+/// tip is in no vessel or the name is unknown.
 PlaceWords wordsOf(NeedlePlace place, const QString& vessel = {});
 
 QString wordOf(Severity severity);

@@ -9,10 +9,11 @@ struct KeptAttempt;
 
 namespace insonate::ui {
 
-/// Folder of the user's recorded attempts: `attempts` in the user's data folder. It may not exist yet.
+/// Returns the folder of the user's recorded attempts: `attempts` in the user's data folder. The folder need not exist
+/// yet.
 QString attemptsFolder();
 
-/// Folder of unsent forms about attempts.
+/// Returns the folder of drafts: filled forms about attempts that have not been sent to the store.
 inline QString formDraftsFolder() {
   return attemptsFolder() + QStringLiteral("/drafts");
 }
@@ -20,17 +21,19 @@ inline QString formDraftsFolder() {
 /// Ending of a recording's name: "2026-11-20 Textbook neck.attempt".
 inline const QString kAttemptSuffix = QStringLiteral(".attempt");
 
-/// Finds a recording on this computer by the name that a store gives it: in attemptsFolder(), else in `attempts` beside
-/// the store's file, whose address is `store`. Empty if neither folder has it, or if the name leads out of them.
+/// Finds a recording on this computer by its file name in the store (AttemptFacts::recording). Searches
+/// attemptsFolder(), then the folder `attempts` beside the file of the store, whose address is `store`. Returns the
+/// path; empty if neither folder contains the file, or if the name refers to a file outside these folders.
 QString recordingHere(const std::string& name, const QString& store);
-/// Returns the recording that the store itself keeps of an attempt, else finds it by its name as above.
+/// Returns the path of the store's copy of an attempt's recording; without a copy, finds the recording by its file
+/// name, as the function above does.
 QString recordingHere(const KeptAttempt& attempt, const QString& store);
 
-/// Folder in which this workstation keeps the recordings of attempts whose store is a server.
+/// Returns the folder in which this workstation keeps the recordings of attempts if the store is on a server.
 QString serverRecordingsFolder();
 
-/// Tells whether a path is a recorded attempt, by its name (also that of an unfinished part) or by the file's first
-/// bytes.
+/// Tells whether a file is a recorded attempt. The ending of its name (also that of an unfinished recording) or its
+/// first bytes show this.
 bool isAttemptFile(const QString& path);
 
 }  // namespace insonate::ui

@@ -8,10 +8,10 @@ class QWidget;
 
 namespace insonate::ui {
 
-/// Rank of an input handler of a canvas. Events go to the handlers in this order, until one consumes the event; what
-/// none consumes goes to the view itself. Within a rank, the handler that was added first comes first.
+/// Rank of an input handler of a canvas. An event goes to the handlers in the order of their ranks until one of them
+/// consumes it; if none does, the event goes to the view. Within a rank, the handler that was added first comes first.
 enum class InputRank {
-  Observer,  ///< looks at events and consumes none, e.g. the pointer that is shown in other views
+  Observer,  ///< observes events and consumes none, e.g. to mark the pointer's position in other views
   Handle,    ///< drags a handle that is drawn on the image, e.g. of the field of view
   Tool,      ///< a tool that the user has selected
   Guide,     ///< clicks that a step of the guide has asked for
@@ -19,17 +19,17 @@ enum class InputRank {
   Commands,  ///< keys of the workspace's commands
 };
 
-/// The input handlers of one canvas, i.e. of the widget that receives a view's events. It is the canvas's only event
-/// filter, and its child. For the window's thread only.
+/// The input handlers of one canvas, which is the widget that receives the events of a view. The object is the only
+/// event filter of the canvas, and its child. For the window's thread only.
 class CanvasInput : public QObject {
   Q_OBJECT
 
  public:
-  /// The handlers of this canvas; made at the first call.
+  /// Returns the input handlers of a canvas; makes the object at the first call.
   static CanvasInput& of(QWidget& canvas);
 
-  /// Adds a handler, whose eventFilter() is called with the canvas and an event and returns whether it has consumed the
-  /// event. No effect if it is already added. A deleted handler is removed.
+  /// Adds a handler. Its eventFilter() is called with the canvas and the event, and returns true if it has consumed the
+  /// event. No effect if the handler was already added. A handler that is deleted is removed.
   void add(InputRank rank, QObject& handler);
   void remove(QObject& handler);
 

@@ -34,13 +34,15 @@ struct SavedCase {
   QString folder;
   std::shared_ptr<const PatientCase> patient;  ///< the saved case; the same object as before if there were no edits
   std::string content;                         ///< CaseVersion::content of the saved case
-  /// Another user had saved to this folder meanwhile; that user's case stays as an earlier version.
+  /// true: another user has saved to this folder since the case was read. The case of that user is kept as an earlier
+  /// version.
   bool overAnother = false;
 };
 
-/// Loads cases without blocking the window: from a case folder, from DICOM, NRRD, NIfTI or MetaImage (asking for the
-/// series if there are several), or a built-in neck. One case at a time: a later call cancels the earlier one. Each
-/// open ends in exactly one of loaded(), failed() and cancelled().
+/// Loads and saves cases on a background thread. Sources are case folders, DICOM, NRRD, NIfTI and MetaImage (if there
+/// are several series, the user is asked), and the built-in necks. Only one case is loaded at a time: a later call
+/// cancels the earlier one. Each call of open() or openBuiltIn() ends with exactly one of loaded(), failed() and
+/// cancelled().
 class CaseLoader : public QObject {
   Q_OBJECT
 
@@ -51,11 +53,11 @@ class CaseLoader : public QObject {
 
   /// Opens a folder or a file of any supported kind.
   void open(const QString& path);
-  /// Opens a built-in neck (cases/Phantom.h). It is generated once and kept in the user's cache, so that the next start
-  /// is quick.
+  /// Opens a built-in neck (cases/Phantom.h). The neck is generated at the first call and stored in the user's cache,
+  /// from which later calls read it.
   void openBuiltIn(const QString& variant);
-  /// Writes a case, with `edits` applied to a copy, to a folder; ends in saved(), failed() or cancelled(). `content` is
-  /// LoadedCase::content if the case was loaded from this folder, else empty.
+  /// Applies `edits` to a copy of a case and writes the copy to a folder. Ends with saved(), failed() or cancelled().
+  /// `content`: LoadedCase::content if the case was loaded from this folder, else empty.
   void save(std::shared_ptr<const PatientCase> patient, const QString& folder, std::vector<CaseEdit> edits = {},
             const std::optional<std::string>& content = {});
 
@@ -77,11 +79,11 @@ class CaseLoader : public QObject {
   QPointer<SeriesDialog> dialog_;
 };
 
-/// Blocks until generated built-in necks are written to the cache.
+/// Waits until the generated built-in necks have been written to the cache.
 void waitForBuiltInCache();
 
-/// Returns the case folder for a path: the folder itself or, for one of its files, the folder that contains it. Empty
-/// if the path leads to no case.
+/// Returns the case folder to which a path leads: the path itself, or the folder of the file. Empty if the path leads
+/// to no case.
 QString caseFolderOf(const QString& path);
 
 }  // namespace insonate::ui

@@ -14,43 +14,44 @@
 
 namespace insonate::ui {
 
-/// Results that the live image and the 3D scene need of a case, in the order in which they arrive. All callbacks run on
-/// the window's thread; a result whose callback is empty is not computed.
+/// Callbacks for the results that the live image and the 3D scene need of a case, in the order in which the results
+/// arrive. All callbacks run on the window's thread. A result is not computed if its callback is empty.
 struct CaseWork {
-  /// The labels as tissues (cases/TissueLabels.h), from which all later results are then computed. If this is empty,
-  /// they are computed from the author's labels.
+  /// Receives the label map with own labels replaced by their tissues (cases/TissueLabels.h). All later results are
+  /// computed from this map; if this callback is empty, from the case's own label map.
   std::function<void(std::shared_ptr<const LabelMap>)> tissues;
   std::function<void(StartPose)> start;  ///< initial pose of the probe
   std::function<void(ProbeHand)> hand;
-  /// Called in place of both `start` and `hand` if the case has no start pose and none is found: with a hand on the
-  /// skin nearest to the front, and the reason. If this is empty, or there is no skin, failed() is called.
+  /// Called in place of `start` and `hand` if the case has no start pose and none can be proposed. Receives a ProbeHand
+  /// on the frontmost skin, and the reason. If this callback is empty, or if there is no skin, `failed` is called.
   std::function<void(ProbeHand, QString)> unplaced;
   std::function<void(std::vector<std::uint8_t>)> structures;  ///< the labels that occur in the patient
-  std::function<void(std::uint8_t label, std::shared_ptr<const Mesh>)> surface;  ///< kSkin is the whole body's outside
-  std::function<void()> surfacesDone;   ///< all surfaces that were requested so far have arrived
-  std::function<void(QString)> failed;  ///< an error message; later results may still arrive
+  /// receives a surface; that of kSkin is the surface of the whole body
+  std::function<void(std::uint8_t label, std::shared_ptr<const Mesh>)> surface;
+  std::function<void()> surfacesDone;   ///< called when all surfaces that were requested so far have arrived
+  std::function<void(QString)> failed;  ///< receives an error message; other results may still arrive after it
 };
 
-/// Request for a surface. Structures that the patient does not have are left out.
+/// Request for the surface of a structure. A structure that the patient does not have gives no result.
 struct SurfaceWish {
   std::uint8_t label = 0;
   SurfaceOptions options;
-  /// Labels to use in place of the patient's, for example during editing. A structure that no longer exists arrives as
-  /// an empty mesh. Of several waiting requests for one label, only the last is computed.
+  /// Label map to use in place of the patient's, for example during editing. A structure that this map does not contain
+  /// gives an empty mesh. Of several waiting requests for one label, only the last is computed.
   std::shared_ptr<const LabelMap> labels{};
 };
 
-/// Computes on a background thread. The destructor asks the thread to stop and drops undelivered results without
-/// waiting: the running step ends in the background (see waitForJobs).
+/// Computes the results of CaseWork on a background thread. The destructor does not wait: it asks the thread to stop,
+/// and discards results that have not been delivered. The step in progress ends in the background (see waitForJobs()).
 class CaseWorker : public QObject {
  public:
   CaseWorker(std::shared_ptr<const PatientCase> patient, CaseWork work, std::vector<SurfaceWish> wishes);
   ~CaseWorker() override;
 
-  /// Places the probe on these labels in place of the patient's, for example when skin has been labeled. The results
-  /// arrive as at the beginning. Of several waiting requests, only the last is computed.
+  /// Computes the placement of the probe (`start`, `hand` or `unplaced`) again, on these labels in place of the
+  /// patient's, for example after skin was labeled. Of several waiting requests, only the last is computed.
   void place(std::shared_ptr<const LabelMap> labels);
-  /// Requests further surfaces, after those requested before.
+  /// Requests further surfaces. They are computed after those that were requested before.
   void want(const std::vector<SurfaceWish>& wishes);
 
  private:

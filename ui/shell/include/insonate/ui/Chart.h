@@ -17,11 +17,13 @@ class QwtPlot;
 
 namespace insonate::ui {
 
-/// Contents of a chart over a counted quantity (x). Drawn in the same way on the screen and, dark on white, on paper.
+/// Contents of a chart. The x axis counts, e.g. attempts. The same contents are drawn on the screen and, dark on white,
+/// on paper.
 struct ChartPicture {
   enum class Tone { Text, Quiet, Accent, Good, Caution, Danger };
 
-  /// Lines with a name are in the legend. Lines of one chart should differ by more than their tone.
+  /// A line with a name appears in the legend. Lines of one chart should differ in more than their tone, since some
+  /// users cannot distinguish colors.
   struct Line {
     QString name{};
     std::vector<QPointF> points{};
@@ -46,12 +48,12 @@ struct ChartPicture {
   std::vector<Box> boxes{};
   QStringList categories{};     ///< axis labels at x = 0, 1, 2, ... in place of numbers
   std::optional<Interval> y{};  ///< range that the y axis shows in any case
-  QString words{};              ///< sentence that says why the chart is empty, and what to do; empty if it has contents
+  QString words{};  ///< sentence that says why the chart is empty, and what to do; empty if the chart has contents
 
   bool isEmpty() const { return bands.empty() && lines.empty() && boxes.empty(); }
 };
 
-/// A chart whose context menu (also Shift+F10) saves it as image, drawing or page. Ctrl+Shift+E saves it, too.
+/// A chart. Its context menu (right click or Shift+F10) and Ctrl+Shift+E save the chart as PNG, SVG or PDF.
 class Chart : public QWidget {
   Q_OBJECT
 
@@ -82,11 +84,12 @@ class Chart : public QWidget {
   QAction* save_;
 };
 
-/// Paints a chart within `place`, in the colors for paper; `unit` is one screen pixel in the painter's units.
+/// Paints a chart into the rectangle `place`, in the colors for paper. `unit`: size of a screen pixel in units of the
+/// painter.
 void paintChart(QPainter& painter, const QRectF& place, double unit, const ChartPicture& picture);
 
-/// Saves a chart as .png, .svg or .pdf, by the file's ending; fails for others. An existing file is replaced only when
-/// the new one is complete.
+/// Saves a chart in the format that the ending of `file` selects: .png, .svg or .pdf. Fails for other endings. An
+/// existing file is replaced only when the new one is complete.
 Result<void> saveChart(const QString& file, const ChartPicture& picture);
 
 }  // namespace insonate::ui

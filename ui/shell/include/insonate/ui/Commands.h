@@ -21,7 +21,7 @@ struct Shortcut {
   QString does;  ///< e.g. "tilt and rock the probe"
 };
 
-/// Shortcuts of one place in the window, under a common heading.
+/// Shortcuts of one part of the window, listed under a common heading.
 struct ShortcutGroup {
   QString place;
   std::vector<Shortcut> shortcuts;
@@ -40,56 +40,61 @@ struct CommandKey {
   std::function<void(KeyPress)> perform = nullptr;  ///< null: Command::perform
 };
 
-/// Something that the user can do with a key, and with a menu entry or a button if action() or toolTip() is used.
+/// A command, which the user can give by a key, and also by a menu entry (action()) or a button (toolTip()).
 struct Command {
   QString id;      ///< "workspace.feature.act", e.g. "train.image.freeze"; unique
   QString text;    ///< for menus, e.g. "Freeze image"; may be empty for a command without a menu entry
   QString does;    ///< for tooltips and the list of keys, e.g. "freezes the image, or continues with live images"
   QString listed;  ///< keys as listed for the user, e.g. "Arrows"; empty: not listed
   std::vector<CommandKey> keys;
-  std::function<void(KeyPress)> perform;        ///< for keys without a function of their own, and for action()
+  /// performs the command: for keys without a function of their own, and for action()
+  std::function<void(KeyPress)> perform;
   std::function<bool()> isAvailable = nullptr;  ///< null: always
 };
 
-/// All commands of one workspace. Keys, menu entries, tooltips and the list of keys are made from it. Features add
-/// their commands when they are constructed. For the window's thread only.
+/// Registry of all commands of one workspace. Keys, menu entries, tooltips and the list of keys are made from this
+/// registry. Features add their commands when they are constructed. For the window's thread only.
 class Commands : public QObject {
   Q_OBJECT
 
  public:
   using QObject::QObject;
 
-  /// Begins a section of the list of keys; commands and gestures that follow belong to it. A heading that was used
-  /// before continues its section.
+  /// Begins a section of the list of keys. Commands and gestures that are added next belong to this section. If the
+  /// heading was used before, its section is continued.
   void beginSection(const QString& heading);
-  /// Adds a command. Its id and its keys must not be in use.
+  /// Adds a command. Its id and its keys must not be in use by another command.
   void add(Command command);
-  /// Adds a command of a Qt action with the action's text. The action handles its keys: the first one is listed, if it
-  /// has one. Sets the action's tooltip.
+  /// Adds a command for a Qt action, with the text of the action. The action itself handles its keys; the list shows
+  /// the first of them. Sets the tooltip of the action.
   void add(const QString& id, const QString& does, QAction& action);
-  /// Adds a command of a button with the button's text. The button gets this key, handles it, and gets a tooltip.
+  /// Adds a command for a button, with the text of the button. Sets the key as the shortcut of the button, and its
+  /// tooltip.
   void add(const QString& id, const QString& does, QAbstractButton& button, const QKeySequence& key);
-  /// Adds a key that a Qt action or a widget handles itself, or a mouse gesture, to the list of keys.
+  /// Adds a mouse gesture, or a key that an action or a widget handles itself, to the list of keys only.
   void addListed(const QString& keys, const QString& does);
 
-  /// Performs the available command of a key. @returns whether there is one; if not `isPerformed`, nothing else happens
+  /// Performs the available command that has this key, or only searches for it if `isPerformed` is false. @returns
+  /// whether there is such a command
   bool key(const QKeyEvent& event, bool isPerformed) const;
-  /// Handles a key event of a canvas whose keys take precedence over the window's shortcuts. @returns whether the event
-  /// is consumed
+  /// Handles a key event of a canvas. Keys of commands take precedence over shortcuts of the window. @returns whether
+  /// the event is consumed
   bool offer(QEvent& event) const;
 
-  /// The command with this id; null if there is none.
+  /// Returns the command with this id; null if there is none.
   const Command* find(const QString& id) const;
-  /// Sentence about a command with its keys, for the tooltip of its button; empty if there is no such command.
+  /// Returns a sentence about a command followed by its keys, for the tooltip of a button; empty if there is no such
+  /// command.
   QString toolTip(const QString& id) const;
-  /// Another sentence with the keys of a command, for a button that the command presses in some states only.
+  /// Returns the given sentence followed by the keys of a command, for a button to which the command applies in some
+  /// states only.
   QString toolTip(const QString& sentence, const QString& id) const;
-  /// Menu entry that performs a command: the action with which the command was added, else an action that is made at
-  /// the first call and owned by this object; null if there is no such command. An action that is made here shows the
-  /// first key as text only: key() handles it.
+  /// Returns an action that performs a command, for a menu: the action with which the command was added, else an action
+  /// that is made at the first call and owned by this object. Null if there is no such command. An action that is made
+  /// here only shows the first key; key() handles the key.
   QAction* action(const QString& id);
 
-  /// The list of keys, by section; sections without entries are left out.
+  /// Returns the list of keys, by section, without empty sections.
   std::vector<ShortcutGroup> shortcuts() const;
   const std::vector<Command>& all() const { return commands_; }
 

@@ -9,8 +9,8 @@
 
 namespace insonate::ui {
 
-/// Emits a signal within a minute after the date has changed, also if the computer slept over midnight or its clock was
-/// set. For displays that count days while the window stays open. For the window's thread.
+/// Calls `changed` within a minute after the date has changed, even if the computer slept over midnight or its clock
+/// was set. Use it for texts that depend on the date. For the window's thread only.
 class DayWatch final : public QObject {
  public:
   DayWatch(std::function<void()> changed, QObject* parent, std::function<QDate()> today = &QDate::currentDate)

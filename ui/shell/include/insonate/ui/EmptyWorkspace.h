@@ -10,7 +10,7 @@ class QVBoxLayout;
 
 namespace insonate::ui {
 
-/// A workspace without contents: says what will be here, and what to do now.
+/// A page for a workspace without contents. It says what the workspace will show, and what to do now.
 class EmptyWorkspace : public Workspace {
   Q_OBJECT
 
@@ -23,10 +23,10 @@ class EmptyWorkspace : public Workspace {
   };
   explicit EmptyWorkspace(const Words& words, QWidget* parent = nullptr);
 
-  /// Adds a button below the text; add the most usual action first. The action belongs to the caller.
+  /// Adds a button below the text. Add the most common action first. The caller owns the action.
   void offer(QAction* action);
 
-  /// Shows the name of the case that is being opened in place of the title; empty restores the title.
+  /// Shows a text about the case that is being opened in place of the title; an empty text restores the title.
   void showOpening(const QString& what);
 
   void setCase(std::shared_ptr<const PatientCase>) override {}

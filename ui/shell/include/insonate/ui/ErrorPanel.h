@@ -8,15 +8,16 @@ class QToolButton;
 
 namespace insonate::ui {
 
-/// Shows an error and advice without blocking the window. Details can be expanded. Hidden if there is no error; closed
-/// by its button or Escape.
+/// A panel that shows an error and advice without blocking the window. Details can be expanded. The panel is hidden if
+/// there is no error; its button or Escape closes it.
 class ErrorPanel : public QFrame {
   Q_OBJECT
 
  public:
   explicit ErrorPanel(QWidget* parent = nullptr);
 
-  /// `what` and `advice` are sentences. The lines of `what` after the first, and `details`, are collapsed.
+  /// Shows an error. `what` and `advice` are sentences. Lines of `what` after the first are shown with the collapsed
+  /// `details`.
   void showError(const QString& what, const QString& advice = {}, const QString& details = {});
   void dismiss();
 

@@ -4,8 +4,9 @@ class QApplication;
 
 namespace insonate::ui {
 
-/// Qt stores the folders that its file dialogs have shown, and folders of hospitals are named after patients. Removes
-/// these folders from Qt's settings whenever one of the application's file dialogs has closed. Call it once.
+/// Removes from Qt's settings, whenever a file dialog of the application has closed, the folders that Qt's file dialogs
+/// have shown and Qt has stored. This protects patients, since hospitals often name folders after patients. Call the
+/// function once.
 void removeFileDialogTraces(QApplication& application);
 
 }  // namespace insonate::ui

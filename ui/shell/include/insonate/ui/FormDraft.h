@@ -8,7 +8,7 @@
 
 namespace insonate::ui {
 
-/// Author and subject of the answers; both ids are UUIDs.
+/// Author and subject of the answers to a form; both ids are UUIDs.
 struct FormSubject {
   std::string by{};
   std::string attempt{};  ///< "": no attempt in particular
@@ -16,8 +16,9 @@ struct FormSubject {
   bool operator==(const FormSubject&) const = default;
 };
 
-/// Stores unsent answers in a file of the user for each subject and form, so that they survive the end of the program.
-/// For any thread; a background thread writes the files, one after the other.
+/// Stores answers that have not been sent yet, so that they are available after a restart of the program. There is one
+/// file in the user's data for each subject and form. For any thread; a background thread writes the files one after
+/// the other.
 class FormDraft {
  public:
   explicit FormDraft(QString folder);

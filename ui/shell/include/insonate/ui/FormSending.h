@@ -4,13 +4,14 @@
 
 namespace insonate::ui {
 
-/// Remembers the id of the form that is being sent to the store. If the connection fails, it is unknown whether the
-/// form was stored. The same answers, sent again, therefore keep their id, by which the store recognizes them.
+/// Assigns ids to forms that are sent to the store. If the connection fails while a form is sent, it is unknown whether
+/// the form was stored. The same answers therefore get the same id when they are sent again, by which the store
+/// recognizes them.
 class FormSending {
  public:
-  /// Returns `filled` with its id; `by` is part of its contents.
+  /// Returns `filled` with an id: the previous id if the previous form has the same contents and author, else a new id.
   FilledForm identified(FilledForm filled);
-  /// Called when the store has confirmed the form. The same answers get a new id from then on.
+  /// Call this when the store has confirmed the form. After that, the same answers get a new id.
   void stored() { last_ = {}; }
 
  private:

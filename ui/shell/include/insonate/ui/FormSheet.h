@@ -9,8 +9,9 @@ namespace insonate::ui {
 
 class FormQuestion;
 
-/// A questionnaire, checklist or rating to fill in, by mouse or keyboard: Tab goes to the next question, arrows choose
-/// an answer, Delete clears it. Checklists and ratings take a note for each item. The owner stores the answers.
+/// A widget in which the user fills in a questionnaire, checklist or rating by mouse or keyboard: Tab goes to the next
+/// question, arrow keys choose an answer, Delete clears it. Items of checklists and ratings have a field for a note.
+/// The owner of the widget stores the answers.
 class FormSheet final : public QWidget {
   Q_OBJECT
 
@@ -19,10 +20,11 @@ class FormSheet final : public QWidget {
 
   const Form& form() const { return form_; }
   FormAnswers answers() const;
-  /// Shows answers; answers to items that the form lacks or cannot show are ignored. Does not emit changed().
+  /// Shows these answers. Ignores answers to items that the form does not contain, and answers that it cannot show.
+  /// Does not emit changed().
   void setAnswers(const FormAnswers& answers);
-  /// Shows beside each question the error that keeps its answer from being stored, and gives the first such question
-  /// the keyboard focus. Returns true if there are no errors.
+  /// Shows, beside each question whose answer cannot be stored, the error in the answer, and gives the first such
+  /// question the keyboard focus. Returns true if there are no errors.
   bool check();
 
  Q_SIGNALS:

@@ -23,9 +23,10 @@ namespace insonate::ui {
 
 class HistogramPlot;
 
-/// Editor of a CT's transfer function on its histogram: each node has a Hounsfield value, opacity and color. Nodes are
-/// dragged, added by double click, and removed by Delete or right click. Tab selects the next node, arrows move the
-/// selected node, and its numbers can be typed. Has presets, undo, redo and reset. For the window's thread.
+/// Editor of the transfer function of a CT, drawn over the histogram of the CT. Each node of the function has a
+/// Hounsfield value, an opacity and a color. The user drags nodes, adds a node by a double click, and removes a node by
+/// Delete or a right click. Tab selects the next node, arrow keys move the selected node, and its numbers can be typed.
+/// The editor has presets, undo, redo and reset. For the window's thread only.
 class HistogramEditor : public QWidget {
   Q_OBJECT
 
@@ -33,22 +34,23 @@ class HistogramEditor : public QWidget {
   explicit HistogramEditor(QWidget* parent = nullptr);
   ~HistogramEditor() override;
 
-  /// Sets the case; null: no case. Its histogram is counted on another thread and appears later.
+  /// Sets the case; null: no case. A background thread computes its histogram, which appears later.
   void setCase(std::shared_ptr<const PatientCase> patient);
-  /// Histogram of the case; empty before it is counted.
+  /// Returns the histogram of the case; empty until it has been computed.
   const views::HuHistogram& histogram() const;
-  /// Sets the 8-bit display window, drawn as a band; empty: no band.
+  /// Sets the display window of CT slices, which is drawn as a band; empty: no band.
   void setWindowLevel(std::optional<views::WindowLevel> window);
 
   const views::TransferFunction& function() const;
-  /// Sets the function after tidied(). Clears undo and redo. Emits functionChanged() if the function differs.
+  /// Sets the function, corrected by views::tidied(). Clears the undo stack. Emits functionChanged() if the function
+  /// differs from the present one.
   void setFunction(const views::TransferFunction& function);
-  /// Applies a preset by its name in views::transferPresets(), as one undoable step; unknown names are ignored.
+  /// Applies the preset with this name in views::transferPresets(), as one undo step. Ignores unknown names.
   void choosePreset(const QString& name);
   /// Restores the preset that was chosen last.
   void reset();
 
-  /// Number of the selected node, or -1.
+  /// Returns the index of the selected node; -1 if no node is selected.
   int selected() const;
   void select(int node);
 

@@ -4,18 +4,18 @@
 
 namespace insonate::ui {
 
-/// Colors of painted charts, results and reports, with the same names for the screen and for paper.
+/// Colors of painted charts, results and reports. The members are the same for the screen and for paper.
 struct Ink {
   QColor ground, text, quiet;
-  QColor line;  ///< rules, and bars that carry values
+  QColor line;  ///< separator lines, and bars that represent values
   QColor grid;  ///< grid lines of charts
-  QColor band;  ///< ground of rows and bands
+  QColor band;  ///< background of rows and bands
   QColor accent, good, caution, danger;
 };
 
-/// Colors of the theme.
+/// Returns the colors for the screen: those of the theme.
 Ink screenInk();
-/// Dark on white; text has a contrast of 4.5:1 or more.
+/// Returns the colors for paper, dark on white. Text has a contrast of at least 4.5:1.
 Ink paperInk();
 
 }  // namespace insonate::ui

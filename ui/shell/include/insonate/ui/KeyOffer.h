@@ -4,9 +4,9 @@
 
 namespace insonate::ui {
 
-/// Handles a key event in the event filter of an image whose keys take precedence over the window's shortcuts.
-/// `key(event, act)` returns whether the image uses the key and, if `act`, performs its action. @returns whether the
-/// event is consumed
+/// Handles a key event in the event filter of a view, whose keys take precedence over shortcuts of the window.
+/// `key(event, act)` returns whether the view uses the key and, if `act` is true, performs the action of the key.
+/// @returns whether the event is consumed
 template <class Key>
 bool offerKey(QEvent& event, Key key) {
   if (event.type() == QEvent::KeyPress) return key(static_cast<QKeyEvent&>(event), true);

@@ -6,17 +6,17 @@
 
 namespace insonate::ui {
 
-/// The names of the built-in necks (cases/Phantom.h), easiest first.
+/// Returns the names of the built-in necks (cases/Phantom.h), easiest first.
 QStringList builtInNames();
 
-/// Finds a case by its title, or a built-in case by its name, among the built-in and the recent cases. Returns its
-/// folder, or the built-in name; empty if this computer knows no such case.
+/// Searches the built-in and the recent cases for a case with this title, or a built-in case with this name. Returns
+/// its place: the folder, or the name of the built-in case. Empty if there is no such case.
 std::optional<QString> placeOfCase(const QString& nameOrTitle);
 
-/// Returns the place from which a trainee opens this case: its published version, else the case itself.
+/// Returns the place from which trainees open a case: the folder of its published version; else `place` itself.
 QString placeForTraining(const QString& place);
 
-/// The title of the built-in neck of this name; any other text is returned unchanged.
+/// Returns the title of the built-in neck with this name; any other text is returned unchanged.
 QString titleOfCase(const QString& nameOrTitle);
 
 }  // namespace insonate::ui

@@ -9,13 +9,13 @@
 
 namespace insonate::ui {
 
-/// Chart of a metric over a person's attempts, in their order, with a gap for an attempt without a value. Shows the
-/// fitted curve with its 95 % interval if the values support a fit, else the mean of the last kLastAttempts; and the
-/// expert band, if known.
+/// Makes a chart of a metric over the attempts of a person, in their order, with a gap for an attempt without a value.
+/// The chart also contains the fitted learning curve with its 95 % interval if fitLearningCurve() succeeds, else the
+/// mean of the last kLastAttempts values; and the band of expert values, if known.
 ChartPicture learningPicture(const MetricMeaning& meaning, std::span<const std::optional<double>> values);
 
-/// Chart of the LC-CUSUM score after each attempt, computed from `passes`, with the limit that the score has to reach
-/// and the rule's rates.
+/// Makes a chart of the LC-CUSUM score after each attempt, with the limit that the score has to reach and the failure
+/// rates of the rule. `passes`: for each attempt, whether it was passed.
 ChartPicture cusumPicture(const std::vector<bool>& passes, const CusumRule& rule);
 
 }  // namespace insonate::ui

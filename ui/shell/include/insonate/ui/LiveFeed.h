@@ -9,15 +9,15 @@
 
 namespace insonate::ui {
 
-/// Brings a live probe's images to the window's thread. At most one message waits, however many images arrive, and the
-/// simulation never waits for the window.
+/// Notifies the window's thread of new images of a LiveImaging. At most one message is queued, even if several images
+/// arrive, and the imaging thread never waits for the window.
 class LiveFeed : public QObject {
  public:
-  /// `news` is called on the window's thread after new images and changes of state.
+  /// `news` is called on the window's thread after a new image or a change of state.
   explicit LiveFeed(std::function<void()> news, QObject* parent = nullptr);
   ~LiveFeed() override;
 
-  /// Replaces the live probe; null removes it. Messages of the old probe are dropped.
+  /// Replaces the LiveImaging; null: none. Messages of the previous object are discarded.
   void set(std::unique_ptr<LiveImaging> live);
   LiveImaging* live() { return live_.get(); }
   const LiveImaging* live() const { return live_.get(); }

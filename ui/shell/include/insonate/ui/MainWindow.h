@@ -23,9 +23,10 @@ class StatusStrip;
 class TaskBar;
 class WindowMenu;
 
-/// The main window: shows one workspace, the open case, running jobs and errors. Stores its position, the workspace and
-/// recent cases in the user's settings (QSettings of the application). Opens a dropped case folder, DICOM folder,
-/// volume file or recorded attempt. CaseDesk keeps the case, WindowMenu the commands.
+/// The main window. It shows one workspace, the open case, running jobs and errors. It stores its position, the
+/// workspace and recent cases in the user's settings (QSettings of the application). A case folder, DICOM folder,
+/// volume file or recorded attempt that is dropped on the window is opened. CaseDesk manages the case, WindowMenu the
+/// commands.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -35,21 +36,22 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(std::unique_ptr<Account> account);
   ~MainWindow() override;
 
-  /// Adds a workspace, which the window then owns. `id` names it in settings and on the command line. Add all before
-  /// showing the window.
+  /// Adds a workspace, which the window then owns. `id` identifies the workspace in settings and on the command line.
+  /// Add all workspaces before the window is shown.
   void addWorkspace(const QString& id, const QString& title, const QString& iconName, Workspace* workspace);
-  /// Shows a workspace; false if there is none with this id.
+  /// Shows the workspace with this id. Returns false if there is none.
   bool showWorkspace(const QString& id);
   Workspace* currentWorkspace() const;
   QString currentId() const;
 
-  /// Asks who trains on this computer if the program is started for the first time; not for scripts.
+  /// Asks who trains on this computer if the program is started for the first time. Do not call it when a script
+  /// controls the program.
   void askAtFirstStart();
   /// Restores the layout of the last session.
   void restoreLayout();
 
-  /// Opens a case folder, a DICOM folder, a volume file or a recorded attempt. This and the functions below ask first
-  /// if an unsaved case, edits or work would be lost.
+  /// Opens a case folder, a DICOM folder, a volume file or a recorded attempt. This function and the following ones, up
+  /// to reload(), first ask the user if unsaved changes or work in progress would be lost.
   void open(const QString& path);
   void openTextbook();
   /// Shows the library of all available cases.
@@ -58,9 +60,9 @@ class MainWindow : public QMainWindow {
   void openBuiltIn(const QString& variant);
   /// Opens a recorded attempt in the workspace that shows attempts, and shows that workspace.
   void openAttempt(const QString& file);
-  /// Rereads the case from its folder; no effect for a case that is not on disk.
+  /// Reads the case from its folder again. No effect on a case that is not on disk.
   void reload();
-  /// Writes the case with all edits to its folder; asks for a folder if it has none.
+  /// Writes the case with all edits to its folder; if it has none, asks for a folder.
   void saveCase();
   const LoadedCase& current() const;
 
@@ -69,16 +71,17 @@ class MainWindow : public QMainWindow {
   /// Tells whether all background work of the window has ended.
   bool isComplete() const;
 
-  /// The window's own commands, for example "window.case.open".
+  /// Returns the commands of the window itself, for example "window.case.open".
   Commands& commands() { return *commands_; }
-  /// The list of keys: those of the present workspace first, then the window's, then those of the others.
+  /// Returns the list of keys: first those of the present workspace, then those of the window, then those of the other
+  /// workspaces.
   std::vector<ShortcutGroup> keyList() const;
   Account& account() { return *account_; }
   TaskBar& tasks() { return *tasks_; }
   ErrorPanel& errors() { return *errors_; }
   QString statusText() const;
   QString caseTitle() const;
-  /// Closes without asking about unsaved changes.
+  /// Closes the window without asking about unsaved changes.
   void closeAtOnce();
 
  Q_SIGNALS:
@@ -126,8 +129,8 @@ class MainWindow : public QMainWindow {
   QStackedWidget* stack_;
   StatusStrip* status_;
   HelpWindow* help_ = nullptr;
-  bool sure_ = false;     ///< close without asking, even if changes are lost
-  bool passing_ = false;  ///< a key event is being passed to the workspace
+  bool sure_ = false;     ///< true: close without asking about unsaved changes
+  bool passing_ = false;  ///< true: a key event is being passed to the workspace
 };
 
 }  // namespace insonate::ui

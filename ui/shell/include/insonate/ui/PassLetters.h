@@ -5,8 +5,8 @@
 
 namespace insonate::ui {
 
-/// Passes letters typed over a list or table to the workspace, which uses them as keys. Without this, the list would
-/// search for rows that begin with them.
+/// Passes letters that are typed while a list or table has the focus to the workspace, whose commands use them as keys.
+/// Without this filter, the list would search for rows that begin with these letters.
 class PassLetters final : public QObject {
  public:
   explicit PassLetters(QWidget* watched) : QObject(watched) { watched->installEventFilter(this); }

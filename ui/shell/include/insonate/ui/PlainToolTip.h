@@ -4,11 +4,12 @@
 
 namespace insonate::ui {
 
-/// Wraps a tooltip into lines that fit on a screen, since Qt wraps rich text only, and cuts an overlong one.
+/// Returns a tooltip text broken into lines that fit on the screen, since Qt breaks lines of rich text only. A very
+/// long text is truncated.
 QString plainToolTip(const QString& text);
 
-/// Makes the caption of a menu entry or button from any text: escapes & and tabs, which Qt would interpret, and
-/// shortens it to one line.
+/// Returns a caption for a menu entry or button that shows the text: & and tabs, which Qt would interpret, are escaped,
+/// and the text is shortened to one line.
 QString plainCaption(const QString& text);
 
 }  // namespace insonate::ui

@@ -4,12 +4,12 @@ class QApplication;
 
 namespace insonate::ui {
 
-/// Keeps fields from taking input that is meant for others. Call it once.
+/// Prevents input fields from consuming wheel and key events that are meant for other widgets. Call it once.
 ///
-/// - The wheel scrolls the panel around a slider, number field or choice, unless this field has the keyboard focus or
-///   Ctrl is held.
-/// - A text or number field in a window gives up the keyboard focus on Return, on Escape and on a click elsewhere, so
-///   that keys reach the window's commands again. Dialogs keep Return and Escape for their buttons.
+/// - Over a slider, number field or combo box, the wheel scrolls the panel that contains the field, unless the field
+///   has the keyboard focus or Ctrl is held.
+/// - A text or number field in a window loses the keyboard focus on Return, on Escape and on a click elsewhere, so that
+///   keys reach the commands of the window again. In dialogs, Return and Escape go to the buttons.
 void keepFieldsQuiet(QApplication& application);
 
 }  // namespace insonate::ui

@@ -9,8 +9,7 @@ struct RecentCase {
   QString folder, title;
 };
 
-/// Returns at most ten recent cases from the user's settings, the latest first; cases that no longer exist are left
-/// out.
+/// Returns up to ten recent cases from the user's settings, latest first, without cases that no longer exist.
 std::vector<RecentCase> recentCases();
 void rememberCase(const RecentCase& opened);
 void forgetRecentCases();

@@ -21,39 +21,40 @@ class StructureList;
 class ValueSlider;
 
 /// Controls of a 3D view: skin transparency, structures, the CT with its transfer function, a clipping plane, stereo
-/// and the head-coupled view. During a change the view is drawn at lower resolution, until the control has not moved
-/// for a moment. The panel is narrow and long: put it into a QScrollArea. For the window's thread.
+/// and the head-coupled view. While the user moves a control, the view is drawn at a lower resolution. The panel is
+/// narrow and long: put it into a QScrollArea. For the window's thread only.
 ///
-/// The scene notifies the panel of surfaces and their appearance: the panel takes over SceneView::setStructuresChanged.
-/// A scene therefore has one panel, which also shows changes made elsewhere.
+/// The panel uses SceneView::setStructuresChanged(), by which the scene notifies it of surfaces and changes of their
+/// appearance. A scene can therefore have only one panel.
 class ScenePanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// Place of the controls that show, hide, color and fade structures, including the skin.
+  /// Place of the controls for visibility, color and opacity of structures, including the skin.
   enum class Structures {
     Here,
-    Elsewhere,  ///< the controls of structures are elsewhere; this panel does not change structures
+    Elsewhere,  ///< these controls are in another widget; this panel does not change structures
   };
   explicit ScenePanel(std::shared_ptr<views::SceneView> scene, QWidget* parent = nullptr,
                       Structures structures = Structures::Here);
   ~ScenePanel() override;
 
-  /// Sets the case whose histogram is shown; null: no case. The owner of the scene sets the scene's own case. If the
-  /// case's author chose an appearance for a structure, the structure is drawn with it until the next case. The user's
-  /// choices for other structures stay, except that another patient starts with skin and without the CT volume. An
-  /// author's colors do not replace the color-blind-safe colors.
+  /// Sets the case whose histogram is shown; null: no case. The owner of the scene must call SceneView::setCase(). A
+  /// structure for which the author of the case has chosen an appearance is drawn with this appearance until the next
+  /// case is set. The user's choices for other structures do not change, except that a new patient is first shown with
+  /// skin and without the CT volume. While the color-blind-safe colors are selected, the author's colors are not used.
   void setCase(std::shared_ptr<const PatientCase> patient);
 
   HistogramEditor& histogram() { return *histogram_; }
 
   views::ColourScheme colourScheme() const { return scheme_; }
-  /// Applies the scheme's colors to all structures, or with the default scheme those of the case.
+  /// Applies a color scheme to all structures. With the default scheme, the colors of the case are used.
   void setColourScheme(views::ColourScheme scheme);
-  /// Restores the author's appearance, else shows all structures with the scheme's colors and the default opacities.
+  /// Restores the appearance that the author of the case has chosen; without one, shows all structures with the colors
+  /// of the scheme and the default opacities.
   void showUsual();
 
-  /// Stores all settings but the clipping plane, which belongs to one patient.
+  /// Stores all settings except the clipping plane, which applies to one patient only.
   void save(QSettings& settings) const;
   void restore(QSettings& settings);
 
@@ -69,7 +70,7 @@ class ScenePanel : public QWidget {
   QWidget* buildCt();
   void refresh();
   void scrollToHistogram();
-  /// Draws at lower resolution until nothing has changed for a moment.
+  /// Draws the scene at a lower resolution until there has been no change for a moment.
   void live();
   struct Look {
     views::Colour colour;
@@ -92,7 +93,7 @@ class ScenePanel : public QWidget {
   EyeControls* eyes_ = nullptr;
   std::shared_ptr<const PatientCase> patient_;
   std::shared_ptr<const PatientCase> last_;  ///< the last case that was not null
-  std::map<std::uint8_t, Look> own_;         ///< the user's appearance of structures that now have the author's
+  std::map<std::uint8_t, Look> own_;  ///< the user's appearance of structures that are now drawn with the author's
   views::ColourScheme scheme_ = views::ColourScheme::Usual;
   bool structuresHere_ = true, refreshing_ = false, refreshDue_ = false;
   QTimer rest_;

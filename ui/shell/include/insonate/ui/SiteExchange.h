@@ -12,22 +12,23 @@ namespace insonate::ui {
 class Account;
 
 /// Synchronizes this computer's store with its site's server while the window is open: some seconds after a user signs
-/// in or out, and every five minutes. Works in the background; no effect without a server or a store. Unsent facts wait
-/// for the next exchange. For the window's thread.
+/// in or out, and every five minutes. The exchange runs in the background. Without a server or a store, nothing is
+/// done. Data that could not be sent wait for the next exchange. For the window's thread only.
 class SiteExchange : public QObject {
   Q_OBJECT
 
  public:
   explicit SiteExchange(Account& account, QObject* parent = nullptr);
 
-  /// Address of the server as in CurriculumStore, stored in the user's settings; empty: no server. The server's
-  /// password is in ~/.pgpass or PGPASSWORD.
+  /// Returns the address of the server, in the form that CurriculumStore::open() takes, from the user's settings;
+  /// empty: no server. The password of the server is in ~/.pgpass or PGPASSWORD.
   QString server() const;
   void setServer(const QString& address);
 
+  /// Starts an exchange at once.
   void now();
   bool isRunning() const { return running_.isRunning(); }
-  /// Sentence about the outcome of the last exchange; empty before the first.
+  /// Returns a sentence about the outcome of the last exchange; empty before the first one.
   QString outcome() const { return outcome_; }
 
  Q_SIGNALS:

@@ -12,17 +12,18 @@ namespace insonate::ui {
 
 /// Result of a check, for example whether a case is fit for training.
 enum class CheckState { Unknown, Passed, Warnings, Failed };
-/// State of a step that a guide leads through.
+/// State of a step of a guide.
 enum class StepState { ToDo, Working, Done, Warning, Skipped };
 
-/// Colors of states. Some users cannot distinguish them: show the symbol or the words of AttemptWords.h beside each.
+/// Returns the color of a place of the needle. Since some users cannot distinguish colors, also show a symbol or words
+/// wherever one of these colors is used (AttemptWords.h).
 views::Colour colorOf(NeedlePlace place);
-/// Color of a finding's severity; a quiet color if there is no finding.
+/// Returns the color of the severity of a finding; a neutral color if there is no finding.
 views::Colour colorOf(const std::optional<Severity>& severity);
 views::Colour colorOf(CheckState state);
-/// Color of a finding of the check of a case.
+/// Returns the color of a finding of checkCase().
 views::Colour colorOf(FindingSeverity severity);
-/// Color of an author's progress on a structure.
+/// Returns the color of an author's progress in labeling a structure.
 views::Colour colorOf(LabelState state);
 views::Colour colorOf(StepState state);
 

@@ -20,27 +20,27 @@ class QTimer;
 
 namespace insonate::ui {
 
-/// Runs one long job at a time on a background thread, and shows its title, progress and a Cancel button. Hidden if no
-/// job is running.
+/// A bar that runs one long job at a time on a background thread, and shows the title of the job, its progress and a
+/// Cancel button. The bar is hidden if no job is running.
 ///
-/// Cancelling passes kCancelled to `done` at once and asks the job to stop; a job that reacts slowly ends in the
-/// background. For the window's thread, except for the work itself.
+/// Cancel passes kCancelled to `done` at once and asks the job to stop; a job that reacts slowly ends in the
+/// background. All functions are for the window's thread only.
 class TaskBar : public QFrame {
   Q_OBJECT
 
  public:
   explicit TaskBar(QWidget* parent = nullptr);
-  /// Cancels without calling `done` and without waiting.
+  /// Cancels the job, without calling `done` and without waiting.
   ~TaskBar() override;
 
-  /// Reaction when the user closes the window during a job.
+  /// Action when the user closes the window while a job is running.
   enum class WhenClosed {
     Stop,  ///< stop the job; nothing is lost
     Ask,   ///< ask first: the user would lose the job's result
   };
 
-  /// Runs `work` on a background thread; it must not touch widgets. `done` is called later on the window's thread. A
-  /// job that is already running is cancelled first. Exceptions in `work` become errors.
+  /// Runs `work` on a background thread; `work` must not use widgets. When `work` has ended, `done` is called on the
+  /// window's thread. If a job is already running, it is cancelled first. Exceptions of `work` become errors.
   template <class T>
   void run(const QString& title, std::function<Result<T>(const Progress&)> work, std::function<void(Result<T>)> done,
            WhenClosed whenClosed = WhenClosed::Stop) {
@@ -56,9 +56,9 @@ class TaskBar : public QFrame {
   }
 
   bool isRunning() const { return job_ != nullptr; }
-  /// Tells whether closing the window now would stop something that the user waits for.
+  /// Tells whether a job is running whose result would be lost if the window were closed now (WhenClosed::Ask).
   bool asksWhenClosed() const { return job_ && whenClosed_ == WhenClosed::Ask; }
-  /// Title of the running job: "Importing neck-ct".
+  /// Returns the title of the running job, e.g. "Importing neck-ct".
   QString title() const;
   void cancel();
 
@@ -92,9 +92,9 @@ class TaskBar : public QFrame {
   QTimer* timer_;
 };
 
-/// Waits for the threads of all jobs, including cancelled ones, and for background work of cases and probes that were
-/// replaced. Returns false if some are still running after `longest`. Call it at the end of main(), so that no thread
-/// outlives main().
+/// Waits for the threads of all jobs, including cancelled ones, and for background threads of cases and probes that
+/// were replaced. Returns false if a thread is still running after the time `longest`. Call it at the end of main(), so
+/// that no thread outlives main().
 bool waitForJobs(std::chrono::milliseconds longest);
 
 }  // namespace insonate::ui

@@ -15,7 +15,7 @@ inline QString tr(const char* text) {
 
 namespace insonate::ui {
 
-/// Converts UTF-8, which all modules below the window use.
+/// Converts UTF-8, which all modules without Qt use, to a QString.
 inline QString qt(std::string_view text) {
   return QString::fromUtf8(text.data(), int(text.size()));
 }

@@ -11,7 +11,7 @@ class QWidget;
 
 namespace insonate::ui {
 
-/// Distances in the window, in logical pixels.
+/// Spacing between widgets, in logical pixels.
 inline constexpr int kSmallGap = 4, kGap = 8, kLargeGap = 16;
 
 /// Applies the program's dark theme: palette, font and style sheet. Call it once, after QApplication.

@@ -10,24 +10,26 @@ namespace insonate::ui {
 /// Range, default and step of a ValueSlider.
 struct ValueRange {
   double least = 0, most = 1;  ///< minimum and maximum, least < most
-  double usual = 0;            ///< default, restored by a double click
-  double step = 0.1;           ///< step of arrows and of the wheel, above 0; Page up and down make ten steps
-  int decimals = 1;            ///< digits shown and kept, 0 to 6
+  double usual = 0;            ///< default value, which a double click restores
+  double step = 0.1;  ///< step of the arrow keys and of the wheel, above 0; Page Up and Page Down make ten steps
+  int decimals = 1;   ///< number of decimals to which the value is rounded and shown, 0 to 6
 };
 
-/// A number with name and unit: a slider, and a field in which the number can be typed. Double click on the slider or
-/// the name restores the default. Arrows change the number by one step; so does the wheel, with Ctrl or with keyboard
-/// focus.
+/// A control for a number with name and unit: a slider, and a field in which the number can be typed. A double click on
+/// the slider or the name restores the default. Arrow keys change the number by one step; so does the wheel, if Ctrl is
+/// held or the control has the keyboard focus.
 class ValueSlider : public QWidget {
   Q_OBJECT
 
  public:
-  /// `unit` as printed, "mm"; empty for a plain number. `hint` says in a few words what the number does.
+  /// `unit`: text after the number, e.g. "mm"; empty for a number without unit. `hint`: effect of the number, in a few
+  /// words.
   ValueSlider(const QString& name, const QString& unit, const ValueRange& range, const QString& hint = {},
               QWidget* parent = nullptr);
 
   double value() const { return value_; }
-  /// Sets the value, clamped to the range; emits valueChanged() if it differs. A number that is not finite is ignored.
+  /// Sets the value, clamped to the range. Emits valueChanged() if the value has changed. Ignores a number that is not
+  /// finite.
   void setValue(double value);
   const ValueRange& range() const { return range_; }
   /// Sets the range and clamps the value to it.

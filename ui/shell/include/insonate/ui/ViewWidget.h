@@ -17,25 +17,24 @@ namespace insonate::ui {
 /// Enables full resolution on high-density displays. Call it once, before QApplication.
 void prepareGraphics();
 
-/// Shows one view in the window: passes mouse, wheel and keys to the view, sets its size in device pixels, and renders
-/// it on request, at most once per pass of the event loop and 60 times per second. Views that allow it are drawn on a
-/// background thread. A thin frame marks the keyboard focus.
+/// A widget that shows one view. It passes mouse, wheel and keys to the view, sets the view's size in device pixels,
+/// and renders the view on request, at most once per pass of the event loop and 60 times per second. Views that allow
+/// it are drawn on a background thread. A thin frame marks the keyboard focus.
 ///
-/// A double click or M maximizes the view within its area; another or Escape restores the others. The area is the
-/// nearest parent with markViewRoom(), else the widget's parent.
+/// A double click or M maximizes the view within its area. Another double click, M or Escape restores the other views.
+/// The area is the nearest parent widget for which markViewRoom() was called, else the parent of this widget.
 class ViewWidget : public QFrame {
   Q_OBJECT
 
  public:
-  /// `name` is read by screen readers. The view may be shared with the code that updates it; it lives as long as the
-  /// widget.
+  /// `name`: name for screen readers. The widget and the code that updates the view share ownership of the view.
   ViewWidget(std::shared_ptr<views::View> view, const QString& name, QWidget* parent = nullptr);
   ~ViewWidget() override;
 
   views::View& view() { return *view_; }
 
-  /// Discards an image that is no longer valid, for example of another patient: the view is black until it is drawn
-  /// again, soon after.
+  /// Discards the displayed image if it is no longer valid, for example after a change of the patient. The view is
+  /// black until it is drawn again, which is requested.
   void forget();
 
   void setMaximised(bool maximised);
@@ -43,10 +42,10 @@ class ViewWidget : public QFrame {
   /// Enables maximizing by a double click. Disable it for views in which a double click does something else.
   void setMaximiseOnDoubleClick(bool on) { maximiseOnDoubleClick_ = on; }
 
-  /// Number of renderings so far.
+  /// Returns the number of renderings so far.
   int renderings() const { return renderings_; }
-  /// Tells whether a background thread is still drawing the latest state. Views without such a thread are drawn as soon
-  /// as the event loop reaches them.
+  /// Tells whether a background thread is still drawing the latest state. Always false for views that the window's
+  /// thread draws.
   bool isDrawing() const;
 
  Q_SIGNALS:
@@ -68,13 +67,13 @@ class ViewWidget : public QFrame {
   QTimer* timer_;
   std::vector<QPointer<QWidget>> hidden_;
   bool maximised_ = false, maximiseOnDoubleClick_ = true, wantedAgain_ = false;
-  bool missed_ = false;  ///< a rendering was requested while the view was not visible
+  bool missed_ = false;  ///< true: a rendering was requested while the view was not visible
   int renderings_ = 0;
   double lastRender_ms_ = 0;
   QElapsedTimer sinceRender_;
 };
 
-/// Marks the widget within which a view is maximized.
+/// Marks a widget as the area within which its views are maximized.
 void markViewRoom(QWidget* room);
 
 }  // namespace insonate::ui

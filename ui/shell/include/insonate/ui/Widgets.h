@@ -16,21 +16,22 @@ Widget* named(Widget* widget, const char* object, const QString& name, const QSt
   return widget;
 }
 
-/// Makes a label that wraps its text. The text is plain, so that names and texts of users are shown as they are.
+/// Makes a label that wraps its text. The text is not interpreted as rich text, so that names and texts of users are
+/// shown unchanged.
 QLabel* paragraph(const char* object = "", const char* role = "", const QString& words = {});
 
 /// Makes a label of one line with the font weight of a heading.
 QLabel* heading(const QString& words);
 
-/// Makes a push button that Enter in a field of a dialog does not press. With Qt::TabFocus a click does not take the
-/// keyboard focus from the image.
+/// Makes a push button that is not a default button: Enter in a field of a dialog does not press it. With Qt::TabFocus,
+/// a click on the button does not take the keyboard focus from the image.
 QPushButton* pushButton(const char* object, const QString& words, const QString& tip,
                         Qt::FocusPolicy focus = Qt::StrongFocus);
 
-/// Makes the button of one page in a row of pages.
+/// Makes a tab button, which selects one of several pages.
 QToolButton* tabButton(const char* object, const QString& words, const QString& tip);
 
-/// Makes a combo box that fits the available width; the wheel scrolls past it, see QuietFields.h.
+/// Makes a combo box that shrinks to the available width. For the wheel see QuietFields.h.
 QComboBox* choiceBox(const char* object, const QString& name, const QString& tip,
                      Qt::FocusPolicy focus = Qt::StrongFocus);
 

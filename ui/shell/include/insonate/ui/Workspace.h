@@ -22,26 +22,27 @@ struct CaseOrigin {
   QString folder;     ///< folder of the case; empty if it is not on disk
   QStringList notes;  ///< sentences about what was missing or changed during loading
   bool builtIn = false;
-  /// For an earlier or published version: the folder of its case, to which edits must not be written.
+  /// Folder of the case of which this is an earlier or published version, to which edits must not be written; else
+  /// empty.
   QString versionOf{};
 };
 
 /// Function that changes a copy of a case; called on a background thread.
 using CaseEdit = std::function<void(PatientCase&)>;
 
-/// One of the window's workspaces: Prepare, Train or Review. Created once and kept. The window shows one at a time; a
-/// hidden workspace should use no computing time (showEvent, hideEvent). The window's View menu lists the actions() of
-/// the workspace that is shown. For the window's thread only.
+/// Base class of the workspaces Prepare, Train and Review. They exist as long as the window, which shows one of them at
+/// a time. A hidden workspace should use no computing time (showEvent, hideEvent). The window's View menu lists the
+/// actions() of the workspace that is shown. For the window's thread only.
 class Workspace : public QWidget {
   Q_OBJECT
 
  public:
   explicit Workspace(QWidget* parent = nullptr);
 
-  /// Commands of this workspace, with their keys. Features add theirs.
+  /// Returns the registry of the workspace's commands, to which features add their commands.
   Commands& commands() { return *commands_; }
 
-  /// Sets the case to work on; null: no case is open. A shared case does not change.
+  /// Sets the open case; null: no case is open. The case does not change while it is shared.
   virtual void setCase(std::shared_ptr<const PatientCase> patient) = 0;
 
   /// Sets the text about a case that is being opened, for example "Opening the built-in neck", while no case is open;
@@ -54,56 +55,56 @@ class Workspace : public QWidget {
   /// Sets the account of the user; called once, before the workspace is shown.
   virtual void setAccount(Account&) {}
 
-  /// Edit that writes the workspace's unsaved changes into a case; null if there are none. The window asks before they
-  /// would be lost.
+  /// Returns an edit that applies the workspace's unsaved changes to a case; null if there are none. The window asks
+  /// before such changes would be lost.
   virtual CaseEdit unsavedEdit() const { return {}; }
-  /// Edit that writes changes which are saved along with the case but need no question, such as visibility; null if
-  /// there are none.
+  /// Returns an edit that applies changes which are saved with the case, but may be lost without asking the user, such
+  /// as visibility; null if there are none.
   virtual CaseEdit quietEdit() const { return {}; }
-  /// Called when the case was saved with every workspace's edits; `patient` is the saved case and replaces the present
-  /// one.
+  /// Called when the case was saved with the edits of all workspaces. `patient` is the saved case, which replaces the
+  /// present one.
   virtual void caseSaved(std::shared_ptr<const PatientCase> patient) { setCase(std::move(patient)); }
 
-  /// Sentence about what ends if another case is opened or the window is closed, for example an attempt in progress;
-  /// empty if nothing does. The window asks first.
+  /// Returns a sentence about an activity that ends if another case is opened or the window is closed, for example an
+  /// attempt in progress; empty if there is none. The window asks the user first.
   virtual QString endsWithTheCase() const { return {}; }
 
-  /// Sentence that says why the window must not change to another workspace, for example during a test whose answers
-  /// the others show; empty if it may.
+  /// Returns a sentence that says why the window must not show another workspace, for example because that would reveal
+  /// answers during a test; empty if it may.
   virtual QString blocksWorkspaceChange() const { return {}; }
 
   /// Tells whether the workspace shows recorded attempts; the window passes attempts to the first workspace that does.
   virtual bool opensAttempts() const { return false; }
-  /// Shows a recorded attempt. Returns at once; reports an error by failed().
+  /// Begins to open a recorded attempt and returns at once. Emits failed() after an error.
   virtual void openAttempt(const QString& /*file*/) {}
 
-  /// Sentence about the last event or the next thing to do, shown in the status bar.
+  /// Returns a sentence for the status bar about the last event or about the next thing to do.
   virtual QString statusText() const { return {}; }
-  /// Engine and rate, e.g. "processor   62 images/s", shown at the right of the status bar. Empty if nothing is
-  /// computed.
+  /// Returns engine and frame rate for the right side of the status bar; empty if no images are computed.
   virtual QString engineText() const { return {}; }
-  /// A sentence that says why this engine was chosen; empty if there is nothing to say.
+  /// Returns a sentence that says why this engine was chosen; may be empty.
   virtual QString engineNote() const { return {}; }
 
   /// Tells whether everything essential is on the screen, for example the first live image.
   virtual bool isReady() const { return true; }
-  /// Tells whether all further results have arrived, for example surfaces after the first image. Announced by
-  /// readyChanged(), too.
+  /// Tells whether all results have arrived, for example surfaces after the first image. readyChanged() is also emitted
+  /// when this changes.
   virtual bool isComplete() const { return isReady(); }
 
-  /// Name of the workspace's help page: a file in resources/help without ".md".
+  /// Returns the name of the workspace's help page: a file in resources/help, without ".md".
   virtual QString helpPage() const { return {}; }
 
   /// Saves splitters and other layout; the window opens the settings group before the call and closes it after.
   virtual void saveLayout(QSettings&) const {}
   virtual void restoreLayout(QSettings&) {}
 
-  /// The bar of long jobs, with progress and Cancel: the window's, or the workspace's own if it has no window. All
-  /// workspaces share it, and it runs one job at a time: check isRunning() before.
+  /// Returns the task bar of the window; if the workspace has no window, a task bar of its own. All workspaces share
+  /// the task bar, which runs one job at a time: check isRunning() before starting a job.
   TaskBar& tasks();
   void setTasks(TaskBar& tasks) { tasks_ = &tasks; }
 
-  /// Called when the window closes: threads must end within a second. After this, only the destructor is called.
+  /// Called when the window closes. Threads must then end within a second. After this call, only the destructor is
+  /// called.
   virtual void stop() {}
 
  Q_SIGNALS:
@@ -117,12 +118,13 @@ class Workspace : public QWidget {
   /// Emitted when a file was written, with a sentence and the folder of the file; the status bar offers to open the
   /// folder.
   void written(const QString& sentence, const QString& folder);
-  /// Emitted when a new case was made from this one, for example with edited labels: the window passes it to every
-  /// workspace.
+  /// Emitted when a new case was made from the open one, for example with edited labels. The window passes the new case
+  /// to all workspaces.
   void caseMade(std::shared_ptr<const insonate::PatientCase> patient);
-  /// Emitted when a case is needed: the window opens the case at this place (placeOfCase()).
+  /// Emitted when a case is needed. The window opens the case at this place (see placeOfCase()).
   void caseWanted(const QString& place);
-  /// Emitted when the user wants to see a recorded attempt: the window opens it in the workspace that shows attempts.
+  /// Emitted when the user wants to see a recorded attempt. The window opens it in the workspace for which
+  /// opensAttempts() is true.
   void attemptWanted(const QString& file);
 
  private:

@@ -16,22 +16,23 @@ class PatientViews;
 class SceneMeasure;
 struct TrainModel;
 
-/// Measures the speed of a Train workspace: images, 3D and haptic servo. For the window's thread; each `done` is called
-/// on that thread, later, unless the workspace is deleted first.
+/// Measures the speed of a Train workspace: live images, 3D view and force loop. For the window's thread only. When a
+/// measurement is complete, its `done` is called on this thread, unless the workspace is deleted first.
 class TrainBenchmark final {
  public:
   /// All arguments must outlive this object.
   TrainBenchmark(TrainModel& model, ui::ViewWidget& image, PatientViews& patient);
   ~TrainBenchmark();
 
-  /// Moves the linear probe with its default settings for `seconds` and times the images on the screen. `viewsFollow`:
-  /// 3D and CT follow the probe. A live image must be shown before the call.
+  /// Moves the linear probe with its default settings for `seconds` and measures the frame rate on the screen.
+  /// `viewsFollow`, true: the 3D view and the CT follow the probe. A live image must be shown before the call.
   void measureLive(double seconds, bool viewsFollow, std::function<void(LiveRates)> done);
-  /// Measures the servo for `seconds` with a needle in the hand and 3D following the probe.
+  /// Measures the force loop for `seconds` while a device moves the needle and the 3D view follows the probe.
   void measureHands(double seconds, std::function<void(HandRates)> done);
-  /// Turns the 3D view by this number of steps; returns after the last.
+  /// Turns the 3D view by this number of steps and returns the frame rate. Blocks until the last step.
   OrbitRates measureOrbit(int steps);
-  /// Shows the CT in 3D and measures while the view orbits, while it zooms, and while the probe moves, `seconds` each.
+  /// Shows the CT in the 3D view, and measures for `seconds` each while the view orbits, while it zooms, and while the
+  /// probe moves.
   void measureVolume(double seconds, std::function<void(VolumeRates)> done);
 
  private:

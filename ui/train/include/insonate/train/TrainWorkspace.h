@@ -17,8 +17,8 @@ struct TrainModel;
 
 /// The workspace in which the user moves a probe over a patient and the ultrasound image follows: controls on the left,
 /// the image in the middle, the patient in 3D and as CT on the right. Mouse and keyboard move the probe; commands()
-/// lists the keys. Images are computed on background threads, which end within a second; the window never waits for an
-/// image.
+/// lists the keys. Background threads compute the images; the window never waits for an image. When the window closes,
+/// the threads end within a second.
 class TrainWorkspace : public ui::Workspace {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class TrainWorkspace : public ui::Workspace {
   void setAccount(ui::Account& account) override;
   void setOrigin(const ui::CaseOrigin& origin) override;
   void setCase(std::shared_ptr<const PatientCase> patient) override;
-  /// An attempt in progress and a chosen level keep the case as it was; the saved case is shown after they end.
+  /// Shows the saved case; during an attempt, or while a level is selected, not before the end of the attempt or level.
   void caseSaved(std::shared_ptr<const PatientCase> patient) override;
   QString statusText() const override;
   QString engineText() const override;
@@ -46,13 +46,13 @@ class TrainWorkspace : public ui::Workspace {
   void restoreLayout(QSettings& settings) override;
   void stop() override;
 
-  /// Saves the image on display as PNG with its scale, and with measurements unless the user has switched them off.
-  /// Continues in the background; emits written() or failed() at the end.
+  /// Saves the displayed image as PNG with its scale, and with measurements unless the user has switched them off.
+  /// Returns at once; emits written() or failed() when the file is complete.
   void savePicture(const std::filesystem::path& file);
-  /// Saves the image as it is on the screen, including the CT beside it, at the screen's resolution.
+  /// Saves the image as it appears on the screen, including the CT beside it, at the resolution of the screen.
   void saveScreen(const std::filesystem::path& file);
-  /// Saves the last seconds as numbered PNGs, each like that of savePicture(), in a new folder. Runs as one of tasks();
-  /// emits written() or failed() at the end.
+  /// Saves the images of the last seconds as numbered PNG files, each as savePicture() does, in a new folder. Runs as a
+  /// job of tasks(); emits written() or failed() at the end.
   void saveClip(const std::filesystem::path& folder);
 
   /// Returns the benchmark of this workspace.

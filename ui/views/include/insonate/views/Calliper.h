@@ -6,7 +6,7 @@
 
 namespace insonate::views {
 
-/// A point of the ultrasound image in the probe's frame, in mm: lateral toward the marker, axial into the body.
+/// A point of the ultrasound image in the probe frame, in mm: lateral toward the marker, axial into the body.
 struct PicturePoint {
   double lateral_mm = 0, axial_mm = 0;
   bool operator==(const PicturePoint&) const = default;
@@ -14,8 +14,9 @@ struct PicturePoint {
 
 enum class CalliperKind {
   Distance,  ///< from point 0 to point 1
-  Ellipse,  ///< points 0 and 1 are the ends of the first axis; point 2 is half the second axis away from the first axis
-  Angle,    ///< the angle at point 1 between the lines to points 0 and 2
+  /// points 0 and 1 are the ends of the first axis; the distance of point 2 from the first axis is half the second axis
+  Ellipse,
+  Angle,  ///< the angle at point 1 between the lines to points 0 and 2
 };
 
 struct Calliper {

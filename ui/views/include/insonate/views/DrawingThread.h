@@ -16,12 +16,12 @@ namespace insonate::views {
 
 class View;
 
-/// Draws a view on its own thread, so that the window's thread never waits for an image: the window passes the view's
-/// state, and receives the finished pixels. For the window's thread, like the view.
+/// Draws a view on a thread of its own, so that the window's thread never waits for an image. The window's thread
+/// passes the state of the view and receives the finished pixels. All functions are for the window's thread only.
 class DrawingThread {
  public:
-  /// canDrawOnThread() of the view must be true, and the view must outlive this object. The view is attached to a
-  /// separate OpenGL window, which no other thread uses after the first want(). `drawn` is called on the drawing thread
+  /// View::canDrawOnThread() must be true, and the view must outlive this object. The view is attached to a separate
+  /// OpenGL window, which only the drawing thread uses after the first want(). `drawn` is called on the drawing thread
   /// after each image.
   DrawingThread(View& view, std::function<void()> drawn);
   /// Waits until the image in progress is finished.
@@ -29,15 +29,15 @@ class DrawingThread {
   DrawingThread(const DrawingThread&) = delete;
   DrawingThread& operator=(const DrawingThread&) = delete;
 
-  /// Waits for images in progress; no drawing thread draws while the returned lock is held. For code that opens or
-  /// closes another OpenGL window: VTK and its driver have global state, and closing one window while another was drawn
-  /// has corrupted it.
+  /// Waits for all images in progress. No drawing thread draws while the caller holds the returned lock. Hold it while
+  /// another OpenGL window is opened or closed: VTK and the graphics driver have global state, which was corrupted when
+  /// a window was closed during drawing.
   [[nodiscard]] static std::unique_lock<std::mutex> pause();
 
-  /// Requests an image of the view's present state, to be drawn after the image in progress; replaces earlier requests
-  /// that wait. Returns the number of the request, counted from 1.
+  /// Requests an image of the view's present state. It is drawn after the image in progress; earlier requests that
+  /// still wait are discarded. Returns the number of the request, counted from 1.
   std::uint64_t want();
-  /// Requests a drawing, and waits until it is done.
+  /// Requests an image and waits until it is drawn.
   void drawNow();
 
   struct Drawn {
@@ -45,7 +45,7 @@ class DrawingThread {
     std::uint64_t wish = 0;  ///< number of the request whose state the image shows
     double took_ms = 0;      ///< from the beginning of drawing until the pixels were read
   };
-  /// Exchanges the last image for `drawn`, whose memory is used for the next image. Returns false, without a change, if
+  /// Swaps the last image with `drawn`, whose memory is used for the next image. Returns false, without a change, if
   /// there is no new image since the last call.
   bool take(Drawn& drawn);
 

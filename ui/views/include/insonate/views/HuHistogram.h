@@ -16,10 +16,10 @@ struct HuHistogram {
   double binWidth_HU() const { return counts.empty() ? 0 : (most_HU - least_HU) / double(counts.size()); }
 };
 
-/// Counts the voxels of a CT. The range covers at least air to dense bone, and otherwise the CT's values within
-/// TransferFunction's range; the brightest hundred-thousandth of the voxels (metal, and single wrong voxels) may lie
-/// above it. Takes some milliseconds per million voxels: do not call it on the window's thread. Returns an empty
-/// histogram if `stop` becomes true meanwhile.
+/// Computes the histogram of a CT. Its range includes at least air to dense bone, and beyond that the values of the CT
+/// within the range of TransferFunction; the brightest hundred-thousandth of the voxels (metal, single wrong voxels)
+/// may lie above it. Takes some milliseconds per million voxels: do not call it on the window's thread. Returns an
+/// empty histogram if `stop` becomes true during the computation.
 HuHistogram huHistogram(const CtVolume& ct, int bins = 256, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace insonate::views

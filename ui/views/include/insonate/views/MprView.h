@@ -21,15 +21,15 @@
 
 namespace insonate::views {
 
-/// A CT slice with its labels. Left drag moves the crosshair (with Shift also without a button). Right drag changes the
-/// window (horizontally) and the level (vertically). Middle drag pans, the wheel and the arrow keys change the slice,
-/// Ctrl+wheel zooms. G shows and hides labels, A and D change their opacity, R resets the view.
+/// A view of a CT slice with its labels. Left drag, or moving the mouse with Shift held, moves the crosshair. Right
+/// drag changes window (horizontally) and level (vertically). Middle drag pans, the wheel and the arrow keys change the
+/// slice, Ctrl+wheel zooms. G shows or hides labels, A and D change their opacity, R resets the view.
 class MprView final : public View {
  public:
   explicit MprView(SliceKind kind);
   ~MprView() override;
 
-  /// Sets the case; null shows an empty view. Resets slice, zoom and crosshair.
+  /// Sets the case; null: the view is empty. Resets slice, zoom and crosshair.
   void setCase(std::shared_ptr<const VtkCase> patient);
 
   void setKind(SliceKind kind);
@@ -40,23 +40,23 @@ class MprView final : public View {
   /// Sets the probe whose field of view is outlined in an oblique view; empty: no outline.
   void setFan(std::optional<Probe> probe, const ImagingSettings& settings = {});
 
-  /// Aligns an oblique view with an UltrasoundView of the same size that has these bounds. Nothing outside the field of
-  /// view is shown, and zoom and pan are off. Empty: an independent slice.
+  /// Aligns an oblique view with an UltrasoundView of the same size that shows these bounds. Only the field of view is
+  /// shown, and zoom and pan are disabled. Empty: the view is not aligned.
   void setPicture(std::optional<PictureBounds> bounds);
-  /// Marks the point under the pointer of another view, if it lies in the slice; empty: no mark.
+  /// Marks the position of the pointer in another view, if it lies in the slice; empty: no mark.
   void setPointer(std::optional<Vec3> position_mm);
-  /// Sets points that are shown with their numbers if the slice is at most 3 mm away.
+  /// Sets points, numbered in this order, which are shown if they are at most 3 mm from the slice.
   void setMarks(std::vector<Vec3> positions_mm);
   bool showsMark(Vec3 position_mm) const;
   /// Sets calipers. Those that lie in the slice are drawn with their values, numbered in this order.
   void setCallipers(std::vector<SliceCalliper> callipers);
 
-  /// Sets the crosshair, in the patient's frame (LPS, mm), and shows the slice through it (oblique: the probe's plane).
+  /// Sets the crosshair, in patient space (LPS, mm), and shows the slice through it (oblique: the image plane).
   void setCrosshair(Vec3 position_mm);
   Vec3 crosshair_mm() const { return crosshair_mm_; }
   void setCrosshairVisible(bool visible);
-  /// Sets a listener that is called when the user moves the crosshair by dragging or by changing the slice. Not called
-  /// by setCrosshair().
+  /// Sets a listener that is called when the user moves the crosshair by dragging or by changing the slice.
+  /// setCrosshair() does not call it.
   void setCrosshairMoved(std::function<void(Vec3 position_mm)> listener) { crosshairMoved_ = std::move(listener); }
 
   void setWindowLevel(WindowLevel value);
@@ -69,27 +69,28 @@ class MprView final : public View {
   /// Sets whether labels are drawn as outlines only, at any opacity.
   void setLabelOutlines(bool only) { setLabelStyle({.fill = !only, .outline = true}); }
   void setLabelStyle(const LabelStyle& style);
-  /// Sets the opacity of the labels' fill, 0 to 1; outlines are more opaque.
+  /// Sets the opacity of the filled areas of labels, 0 to 1; outlines are more opaque.
   void setLabelOpacity(double opacity);
   /// Sets the opacity of one label as a fraction, 0 to 1, of the opacity of all labels.
   void setLabelShare(std::uint8_t label, double share);
   double labelOpacity() const { return labelOpacity_; }
 
-  /// Value in a tool's proposal for voxels that the tool does not change. setProposal() shows a proposal for a block of
-  /// the patient's grid over the labels; null: no proposal.
+  /// Value, in the label map of setProposal(), of voxels that the tool does not change.
   static constexpr std::uint8_t kNoProposal = 255;
+  /// Shows the proposal of a tool over the labels: the labels that the tool would write in a box of the patient's grid;
+  /// null: no proposal.
   void setProposal(const VoxelBox& box, std::shared_ptr<const LabelMap> labels);
   void setToolMarks(SliceMarks marks);
   /// Sets named points, which are shown if showsMark() is true for them.
   void setPlaces(std::vector<NamedPlace> places);
 
-  /// Moves by this number of slices along the normal; stops at the ends of the volume.
+  /// Changes the slice by this number of slices along the normal, up to the ends of the volume.
   void stepSlices(int slices);
   void zoom(double factor);
   /// Sets zoom and pan so that the volume (for an oblique view with setFan(): the field of view) fills the view.
   void fit();
 
-  /// The displayed slice, which converts between display and patient.
+  /// Returns the displayed slice, which converts between display and patient.
   SlicePlane plane() const;
   Vec3 patientFromDisplay(DisplayPoint at) const { return plane().patientFromDisplay(at); }
   DisplayPoint displayFromPatient(Vec3 point_mm) const { return plane().displayFromPatient(point_mm); }

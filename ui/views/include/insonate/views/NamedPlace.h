@@ -7,7 +7,7 @@
 
 namespace insonate::views {
 
-/// A named point of the patient (LPS, mm): a landmark, a target or a start pose of the probe.
+/// A named point in patient space (LPS, mm): a landmark, a target or a start pose of the probe.
 struct NamedPlace {
   Vec3 position_mm;
   std::string name;

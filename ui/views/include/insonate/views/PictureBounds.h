@@ -2,12 +2,12 @@
 
 namespace insonate::views {
 
-/// Part of the imaging plane to show, in mm in the probe's frame; low < high.
+/// Rectangle of the image plane that a view shows, probe frame; each minimum is below its maximum.
 struct PictureBounds {
   double minLateral_mm = -20, maxLateral_mm = 20, minAxial_mm = 0, maxAxial_mm = 40;
 };
 
-/// Placement of PictureBounds on a display with square pixels.
+/// Position and scale at which PictureBounds are shown on a display with square pixels.
 struct PicturePlacement {
   double px_per_mm = 10, left_px = 0, top_px = 0, right_px = 0, bottom_px = 0;
 };

@@ -10,14 +10,14 @@
 
 namespace insonate::views {
 
-/// A closed surface in the patient's frame (LPS, mm): x, y, z of each point; unit normals that point outward, or no
-/// normals; three point indices for each triangle.
+/// A closed surface in patient space (LPS, mm): x, y, z of each point; unit normals that point outward, or no normals;
+/// three point indices for each triangle.
 struct Surface {
   std::span<const float> points_mm, normals;
   std::span<const std::uint32_t> triangles;
 };
 
-/// A polyline in the scene, in the patient's frame (LPS); with less than two points it is not visible.
+/// A polyline in the scene, patient space (LPS). With fewer than two points it is not visible.
 struct ScenePath {
   std::vector<Vec3> points_mm;
   Colour colour = theme::kText;
@@ -26,11 +26,11 @@ struct ScenePath {
 /// Side of the patient that the camera sees.
 enum class Viewpoint { Anterior, Posterior, Left, Right, Superior, Inferior };
 
-/// Stereo mode. LeftEye and RightEye show the image of one eye only. QuadBuffer needs a window created for shutter
-/// glasses.
+/// Stereo mode. LeftEye and RightEye show the image of one eye only. QuadBuffer requires a window that was created for
+/// shutter glasses.
 enum class Stereo { Off, Anaglyph, SideBySide, Interlaced, Checkerboard, LeftEye, RightEye, QuadBuffer };
 
-/// Clipping plane in the patient's frame (LPS, mm); the side to which the normal points stays visible.
+/// Clipping plane in patient space (LPS, mm); the side to which the normal points stays visible.
 struct ClippingPlane {
   Vec3 point_mm, normal{0, 0, 1};
 };
@@ -42,28 +42,28 @@ enum class ClippingKind { Off, Axial, Coronal, Sagittal, ImagePlane, Free };
 /// The side to which the normal points stays visible.
 struct Clipping {
   ClippingKind kind = ClippingKind::Off;
-  double offset_mm = 0;  ///< along the normal, from the center of the CT or from the image plane
-  bool flipped = false;  ///< the other side stays visible
+  double offset_mm = 0;  ///< position along the normal, measured from the center of the CT or from the image plane
+  bool flipped = false;  ///< true: the other side stays visible
   Vec3 direction{0, 0, 1};
   bool operator==(const Clipping&) const = default;
 };
 
-/// Head-coupled view: a physical screen placed in the patient's space, and the eye in front of it. Screen frame:
+/// Head-coupled view: the physical screen, placed in patient space, and the eye in front of the screen. Screen frame:
 /// millimeters, origin at the center of the view's area on the screen, x right, y up, z toward the viewer.
 struct HeadCoupling {
-  /// Pose of the screen: rigid, or scaled to show the patient larger or smaller. Empty: the screen is at the default
-  /// camera's focal point, perpendicular to its direction and as large as the camera's view there, so that turning,
-  /// panning and zooming still work.
+  /// Pose of the screen in patient space: rigid, or with a scale to show the patient larger or smaller. Empty: the
+  /// center of the screen is the focal point of the default camera; the screen is perpendicular to the camera's
+  /// direction and as large as its view at the focal point. Turning, panning and zooming then work as usual.
   std::optional<Transform> patientFromScreen;
   double width_mm = 520;
-  double height_mm = 0;         ///< 0: as the view's aspect ratio requires
-  Vec3 eye_mm{0, 0, 600};       ///< midpoint between the eyes; z above 1
-  double eyeSeparation_mm = 0;  ///< along the screen's x; used for stereo
+  double height_mm = 0;    ///< height of the screen area; 0: computed from the width and the aspect ratio of the view
+  Vec3 eye_mm{0, 0, 600};  ///< midpoint between the eyes; z above 1
+  double eyeSeparation_mm = 0;  ///< distance between the eyes along the screen's x axis, for stereo
   bool operator==(const HeadCoupling&) const = default;
 };
 
 struct ScenePick {
-  Vec3 position_mm;  ///< patient's frame (LPS)
+  Vec3 position_mm;  ///< patient space (LPS)
   std::uint8_t label = 0;
 };
 

@@ -19,8 +19,8 @@ class vtkCamera;
 
 namespace insonate::views {
 
-/// Patient, probe and image plane in 3D; world coordinates are patient LPS in mm. Left drag turns the view, middle drag
-/// (or left drag with Shift) pans, right drag and wheel zoom, R returns to the view from the front.
+/// A view of patient, probe and image plane in 3D. World coordinates are patient LPS in mm. Left drag turns the view,
+/// middle drag (or left drag with Shift) pans, right drag and wheel zoom, R returns to the view from the front.
 class SceneView final : public View {
  public:
   SceneView();
@@ -29,38 +29,39 @@ class SceneView final : public View {
   /// Sets the case for CT rendering and picking; may be null.
   void setCase(std::shared_ptr<const VtkCase> patient);
 
-  /// Copies the surface of a label; an empty surface removes it. Color and opacity do not change; initially they are
-  /// the label table's, with all surfaces opaque except the skin. `coarse` is drawn during movement. Without it, a fast
-  /// and rough one is made for surfaces with more than 12 000 triangles.
+  /// Copies the surface of a label; an empty surface removes it. Color and opacity do not change; initially the color
+  /// is that of the label table, and all surfaces except the skin are opaque. `coarse` is a simplified surface that is
+  /// drawn during movement. If it is empty, a simplified surface is computed for surfaces with more than 12 000
+  /// triangles.
   void setSurface(std::uint8_t label, const Surface& surface, const Surface& coarse = {});
   void setColour(std::uint8_t label, Colour colour);
   void setOpacity(std::uint8_t label, double opacity);
   void setVisible(std::uint8_t label, bool visible);
   void setSkinOpacity(double opacity);
-  /// Labels that have a surface, in increasing order.
+  /// Returns the labels that have a surface, in increasing order.
   std::vector<std::uint8_t> structures() const;
   Colour colour(std::uint8_t label) const;
   double opacity(std::uint8_t label) const;
   bool isVisible(std::uint8_t label) const;
-  /// Sets a listener that is called after surfaces were added or removed, and after color, opacity or visibility of
-  /// one changed.
+  /// Sets a listener that is called after a surface was added or removed, and after the color, opacity or visibility of
+  /// a surface has changed.
   void setStructuresChanged(std::function<void()> listener);
 
-  /// Shows or hides the CT by ray casting; no effect without a case. Initially hidden, with the transfer function for
-  /// bone.
+  /// Shows or hides the volume-rendered CT. No effect without a case. Initially, the CT is hidden and has the transfer
+  /// function for bone.
   void setCtVisible(bool visible);
   bool isCtVisible() const;
-  /// Sets the transfer function after tidied().
+  /// Sets the transfer function, corrected by tidied().
   void setTransferFunction(const TransferFunction& function);
   const TransferFunction& transferFunction() const;
 
   void setClipping(const Clipping& clipping);
   const Clipping& clipping() const;
-  /// Present clipping plane; empty if nothing is clipped, for example if the plane follows the image plane but there is
-  /// no probe.
+  /// Returns the present clipping plane; empty if nothing is clipped, for example if the clipping plane is the image
+  /// plane and there is no probe.
   std::optional<ClippingPlane> clippingPlane() const;
-  /// Maximum distance in mm from the center at which a plane of this kind intersects the CT, or the surfaces if there
-  /// is no CT.
+  /// Returns the maximum of Clipping::offset_mm at which a plane of this kind intersects the CT or, without a CT, the
+  /// surfaces.
   double clippingReach_mm(const Clipping& clipping) const;
 
   /// Sets the probe, which determines the shapes of transducer and image plane; empty hides both.
@@ -88,53 +89,53 @@ class SceneView final : public View {
   /// Sets lines, for example the path of a needle's tip. They replace all earlier lines.
   void setPaths(std::vector<ScenePath> paths);
 
-  /// Places the camera so that it sees all surfaces from this side. Hidden surfaces are included, so that hiding one
-  /// does not move the camera.
+  /// Places the camera so that it sees all surfaces from this side. Hidden surfaces are included, so that hiding a
+  /// surface does not affect the camera.
   void look(Viewpoint from);
   /// Turns the view about the focal point, in degrees to the right and up.
   void orbit(double across_deg, double up_deg);
   void pan(double across_px, double down_px);
   void zoom(double factor);
 
-  /// Sets whether the scene moves. A moving scene is drawn at a lower resolution if necessary for speed. Dragging in
-  /// the view calls this automatically.
+  /// Sets whether the scene moves. A moving scene is drawn at a lower resolution if necessary for a sufficient frame
+  /// rate. The view calls this function itself during a drag.
   void setMoving(bool moving);
   bool isMoving() const;
-  /// Tells whether the last frame is complete. Without a graphics card, a CT at rest is first drawn with few rays. All
-  /// rays are then cast in the background, and setWake()'s listener is called when they can be rendered.
+  /// Tells whether the last frame has its full resolution. Without a graphics card, a CT at rest is first drawn with
+  /// few rays. A background thread then casts all rays; when they can be rendered, the listener of setWake() is called.
   bool isExact() const;
-  /// Renders a scene at rest until isExact() or until the time is over; for saved images, not for the live window.
+  /// Renders a scene at rest until isExact() is true or `patience_s` has passed; for saved images, not for the window.
   /// Returns isExact().
   bool renderExactly(double patience_s = 60);
 
   void setStereo(Stereo stereo);
   Stereo stereo() const;
-  /// Tells whether the window can show this mode; without a window, true for all modes except QuadBuffer.
+  /// Tells whether the window can show this stereo mode; without a window, true for all modes except QuadBuffer.
   bool supports(Stereo stereo);
-  /// Sets the eye from which the scene is seen in place of the default camera, which is kept meanwhile. Empty, or an
-  /// eye closer than 1 mm to the screen, restores the default camera. Fast enough to be called for every message of a
-  /// head tracker.
+  /// Sets a head-coupled view in place of the default camera, whose state is kept. An empty value, or an eye closer
+  /// than 1 mm to the screen, restores the default camera. The function is fast enough to be called for every message
+  /// of a head tracker.
   void setHeadCoupling(std::optional<HeadCoupling> coupling);
   const std::optional<HeadCoupling>& headCoupling() const;
-  /// Direction toward the viewer, in the patient's frame (LPS): the normal of a plane that faces the viewer.
+  /// Returns the direction toward the viewer, patient space: the normal of a plane that faces the viewer.
   Vec3 towardViewer() const;
 
-  /// Returns the first labeled voxel under a display point whose label is visible and has at least this opacity.
-  /// Renders nothing.
+  /// Returns the first voxel on the line of sight through a display point whose label is visible and has at least this
+  /// opacity. Does not render.
   std::optional<ScenePick> pick(DisplayPoint at, double leastOpacity = 0);
   DisplayPoint displayFromPatient(Vec3 point_mm);
-  /// Returns the point under a display point that is just in front of everything that is drawn, for lines over the
-  /// scene.
+  /// Returns a point on the line of sight through a display point, in front of everything that is drawn. Use it for
+  /// lines over the scene.
   Vec3 frontOf(DisplayPoint at);
-  /// Position of the viewer's eye in the patient's frame.
+  /// Returns the position of the viewer's eye, patient space.
   Vec3 eye_mm();
 
-  /// Duration of VTK's last rendering, in seconds.
+  /// Returns the duration of VTK's last rendering, in seconds.
   double renderTime_s() const;
-  /// OpenGL's name of the renderer; empty before the first frame.
+  /// Returns the name of the renderer according to OpenGL; empty before the first frame.
   std::string graphics() const;
 
-  /// True, since the state is plain data, which is passed on for each frame.
+  /// Returns true: the state of this view is plain data that is copied for each frame.
   bool canDrawOnThread() const override { return true; }
 
   bool pressed(const Pointer& pointer) override;
@@ -157,7 +158,8 @@ class SceneView final : public View {
   struct Drawing;
   void frame();
   vtkCamera& aimed();
-  /// Returns the point under a display point at this depth, from -1 (near plane) to 1 (far plane).
+  /// Returns the point on the line of sight through a display point at this depth, from -1 (near plane) to 1 (far
+  /// plane).
   Vec3 along(DisplayPoint at, double depth);
   void clip();
   void structuresChanged();

@@ -7,16 +7,16 @@
 
 namespace insonate::views {
 
-/// A caliper on a CT slice; its points are in the patient's frame (LPS, mm) and lie in one plane.
+/// A caliper on a CT slice; its points are in patient space (LPS, mm) and lie in one plane.
 struct SliceCalliper {
   CalliperKind kind = CalliperKind::Distance;
   std::array<Vec3, 3> points_mm;  ///< a distance uses only points 0 and 1
 };
 
-/// Converts a caliper to mm in the slice's plane for measuring: lateral to the right of the display, axial down.
+/// Converts a caliper to the plane of the slice, for measure(): lateral is to the right on the display, axial downward.
 Calliper onSlice(const SliceCalliper& calliper, const SliceAxes& axes);
 PicturePoint onSlice(Vec3 patient_mm, const SliceAxes& axes);
-/// Converts a point of the slice through `through_mm` to the patient's frame.
+/// Converts a point of the slice through `through_mm` to patient space.
 Vec3 fromSlice(PicturePoint at, const SliceAxes& axes, Vec3 through_mm);
 
 }  // namespace insonate::views

@@ -7,13 +7,13 @@
 
 namespace insonate::views {
 
-/// Marks that a tool draws over a slice, in the patient's frame (LPS, mm). Marks more than 1 mm from the slice are not
-/// drawn; of the brush, its intersection with the slice is drawn.
+/// Marks that a tool draws over a slice, patient space (LPS, mm). Marks more than 1 mm from the slice are not drawn.
+/// For the brush, the intersection of the brush with the slice is drawn.
 struct SliceMarks {
   struct Brush {
     Vec3 centre_mm;
     double radius_mm = 1;
-    bool flat = false;  ///< the brush is a circle in this slice only
+    bool flat = false;  ///< true: the brush is a circle in this slice; false: a sphere
   };
   std::vector<Vec3> points_mm;
   std::vector<Vec3> line_mm;

@@ -9,11 +9,11 @@
 namespace insonate::views {
 
 /// Orientation of a slice. Axial slices are seen from the feet and coronal slices from the front, so that the patient's
-/// right is on the left; sagittal slices show the front on the left. Oblique is the probe's imaging plane, with the
+/// right is on the left; sagittal slices show the front on the left. Oblique is the image plane of the probe, with the
 /// skin on top and the marker's side on the right, as in the ultrasound image.
 enum class SliceKind { Axial, Coronal, Sagittal, Oblique };
 
-/// Directions of a slice's display in the patient's frame (unit vectors, LPS).
+/// Directions of a slice's display in patient space (unit vectors, LPS).
 struct SliceAxes {
   Vec3 right{1, 0, 0}, up{0, -1, 0};
   /// Slices are numbered along this direction: to the patient's left, back or head, or along the probe's elevation.
@@ -23,10 +23,10 @@ struct SliceAxes {
 /// Returns the directions for a kind of slice; `patientFromProbe` is used for oblique slices only.
 SliceAxes sliceAxes(SliceKind kind, const Transform& patientFromProbe = {});
 
-/// A slice on a display with square pixels, which converts between pixels and points of the patient.
+/// A slice on a display with square pixels, which converts between pixels and points in patient space.
 struct SlicePlane {
   SliceAxes axes;
-  Vec3 centre_mm;          ///< patient's frame (LPS), at the center of the display
+  Vec3 centre_mm;          ///< patient space (LPS), at the center of the display
   double mm_per_px = 0.5;  ///< above 0
   int width_px = 1, height_px = 1;
 
@@ -37,14 +37,14 @@ struct SlicePlane {
   double distance_mm(Vec3 point_mm) const { return dot(point_mm - centre_mm, axes.normal); }
 };
 
-/// Returns letters for a direction in the patient: L or R, P or A, S or I, the strongest component first, weaker ones
-/// only if they are significant ("A", "RA", "SPL").
+/// Returns the orientation letters of a direction (LPS): L or R, P or A, S or I, with the largest component first and
+/// small components left out, e.g. "A", "RA", "SPL".
 std::string orientationLetters(Vec3 direction);
 /// Returns the side of the patient toward which a direction (LPS) mainly points, at most 55 degrees away: "R", "L",
 /// "A", "P", "Head" or "Foot".
 std::string patientSide(Vec3 direction);
 
-/// Distance between a grid's slices along a direction.
+/// Returns the distance between slices of a grid along a direction.
 double sliceStep_mm(const VolumeGeometry& grid, Vec3 normal);
 
 }  // namespace insonate::views

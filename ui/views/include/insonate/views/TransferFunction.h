@@ -13,7 +13,7 @@ namespace insonate::views {
 /// A node of a transfer function.
 struct TransferNode {
   double hu = 0;       ///< Hounsfield units, kLeast_HU to kMost_HU
-  double opacity = 0;  ///< opacity of one millimeter of such tissue, 0 to 1
+  double opacity = 0;  ///< opacity of a layer of one millimeter with this Hounsfield value, 0 to 1
   Colour colour{255, 255, 255};
   bool operator==(const TransferNode&) const = default;
 };
@@ -29,9 +29,9 @@ struct TransferFunction {
   std::vector<TransferNode> nodes;  ///< in increasing order of HU
   bool operator==(const TransferFunction&) const = default;
 
-  /// Opacity for a value; 0 if there are no nodes.
+  /// Returns the opacity for a Hounsfield value; 0 if there are no nodes.
   double opacityAt(double hu) const;
-  /// Color for a value; black if there are no nodes.
+  /// Returns the color for a Hounsfield value; black if there are no nodes.
   Colour colourAt(double hu) const;
 };
 
@@ -44,7 +44,7 @@ struct TransferPreset {
   TransferFunction function;
 };
 
-/// Presets: bone, soft tissue, skin and bone, contrast-filled vessels, lung.
+/// Returns the presets: bone, soft tissue, skin and bone, contrast-filled vessels, lung.
 std::span<const TransferPreset> transferPresets();
 
 /// Reads a function from {"nodes": [{"hu": 150, "opacity": 0.2, "colour": "#aa5530"}, ...]} and applies tidied(). Fails

@@ -14,7 +14,7 @@
 
 namespace insonate::views {
 
-/// Lines and handles drawn over the image while something is edited.
+/// Outline and handles that are drawn over the image while the user edits a shape, e.g. the field of view.
 struct PictureGuide {
   std::vector<PicturePoint> outline;  ///< closed polygon
   std::vector<PicturePoint> handles;
@@ -24,43 +24,44 @@ struct PictureGuide {
 
 /// The path that a needle would take if it were advanced.
 struct PictureAim {
-  std::optional<PicturePoint> tip;    ///< the needle's tip, if it lies within the slice
-  std::vector<PicturePoint> line;     ///< two points on the projection of the axis beyond the tip, or empty
-  std::optional<PicturePoint> cross;  ///< point in which the axis will cross the image plane
+  std::optional<PicturePoint> tip;    ///< the needle's tip, if it lies within the slice thickness
+  std::vector<PicturePoint> line;     ///< two points on the projection of the needle's axis beyond the tip; or empty
+  std::optional<PicturePoint> cross;  ///< point at which the needle's axis crosses the image plane beyond the tip
   bool operator==(const PictureAim&) const = default;
 };
 
-/// Name of a structure, written around its place in the image.
+/// Name of a structure, written at its position in the image.
 struct PictureName {
   PicturePoint at;
   std::string words;
   bool operator==(const PictureName&) const = default;
 };
 
-/// A mesh of the tissue in the image plane, in its present deformation.
+/// Mesh of the tissue in the image plane at its present positions.
 struct PictureTissue {
   int columns = 0, rows = 0;        ///< number of nodes; no mesh if either is below 2
   std::vector<PicturePoint> nodes;  ///< in row-major order
   std::vector<float> pressure_kPa;  ///< of the mesh's cells, (columns-1) x (rows-1)
 };
 
-/// The live image, as large as possible with square pixels, on black. Around it: depth scale, focus, gray bar, the
-/// probe's marker, calipers. Depth 0 of the scale is the center of the probe's face.
+/// A view of the live image, as large as possible with square pixels, on black, with depth scale, focus, gray bar, the
+/// probe's marker and calipers. Depth 0 of the scale is at the center of the probe's face.
 class UltrasoundView final : public View {
  public:
   UltrasoundView();
   ~UltrasoundView() override;
 
-  /// Copies the gray values. Allocates nothing while the image keeps its size. An image without pixels empties the
-  /// view.
+  /// Copies the gray values of an image. Allocates nothing while the image size does not change. With an image without
+  /// pixels, the view becomes empty.
   void setImage(const BModeImage& image);
-  /// Shows only this part of the image, e.g. the field of view without the black beside it; empty: the whole image.
+  /// Shows only this part of the image, e.g. the field of view without the black areas beside it; empty: the whole
+  /// image.
   void setBounds(std::optional<PictureBounds> bounds);
   /// Sets whether the image is mirrored. Normally the marker's side (+lateral) is on the right; mirrored, on the left.
   void setMirrored(bool mirrored);
 
-  /// Sets the direction of +lateral in the patient (LPS), from which the image's sides are marked: R and L, A and P, or
-  /// Head and Foot; empty: no marks. Causes a new layout only if a mark changes.
+  /// Sets the direction of +lateral in patient space (LPS). From it, the sides of the image are marked R and L, A and
+  /// P, or Head and Foot; empty: no marks. The layout is updated only if a mark changes.
   void setLateral(std::optional<Vec3> lateral);
   void setFocus(std::optional<double> focus_mm);
   void setFrozen(bool frozen);
@@ -69,10 +70,10 @@ class UltrasoundView final : public View {
   /// Sets the TGC sliders' values in dB, -20 to 20, from the probe's face downward, drawn as a curve beside the image;
   /// empty: no curve.
   void setTgc(std::span<const double> tgc_dB);
-  /// Marks the point under the pointer of another view; empty: no mark.
+  /// Marks the position of the pointer in another view; empty: no mark.
   void setPointer(std::optional<PicturePoint> point);
-  /// Sets a notice. Over an image it says in what the image differs from the normal one; while no image is ready it is
-  /// shown alone and says why. Empty: no notice.
+  /// Sets a notice. It is written over the image and says how this image differs from a normal one; if there is no
+  /// image, it says why. Empty: no notice.
   void setNotice(const std::string& words);
   /// Sets calipers, which are drawn with their values and numbered in this order.
   void setCallipers(std::vector<Calliper> callipers);
@@ -80,15 +81,17 @@ class UltrasoundView final : public View {
   /// Sets a guide, drawn over the image in the accent color; empty: no guide.
   void setGuide(PictureGuide guide);
 
-  /// Sets the needle's aim: the line dashed, a ring at the tip, a cross where the axis will cross the image.
+  /// Sets the aim of the needle: a dashed line along its path, a ring at the tip, and a cross where its axis crosses
+  /// the image plane.
   void setAim(PictureAim aim);
   const PictureAim& aim() const { return aim_; }
   /// Sets names of structures, written over the image.
   void setNames(std::vector<PictureName> names);
   const std::vector<PictureName>& names() const { return names_; }
 
-  /// Sets an overlay: some of the mesh's lines, and the pressure in its cells as colors with a color scale. Copies its
-  /// arguments. Can be called with each image, since it does not cause a new layout.
+  /// Sets an overlay of the tissue. `grid`, true: some of the lines of the mesh; `pressure`, true: the pressure in the
+  /// cells as colors with a color scale. Copies its arguments. It does not update the layout, so that it can be called
+  /// with each image.
   void setTissue(const PictureTissue& tissue, bool grid, bool pressure);
 
   /// Converts display pixels to mm in the image, also outside the image; displayFromPicture() converts back.
@@ -109,7 +112,8 @@ class UltrasoundView final : public View {
   void drawGuide();
   void drawAim();
   void drawNames();
-  /// The upper corner of the image, or of the field of view that is being edited, on the marker's side or the other.
+  /// Returns the upper corner of the image, or of the field of view that is being edited, on the marker's side (true)
+  /// or on the other side (false).
   DisplayPoint cornerOf(bool marker) const;
   void drawSides();
   void drawTissue();

@@ -16,8 +16,9 @@ namespace insonate::views {
 
 class DrawingThread;
 
-/// Base of all views: a renderer in a window that the caller provides, one view per window. For the window's thread
-/// only; frames may be drawn by a DrawingThread. Setters are fast: their effects are computed at the next rendering.
+/// Base class of all views: a renderer in an OpenGL window that the caller provides, with one view per window. For the
+/// window's thread only; a DrawingThread may draw the frames. Setters are fast, since their effects are computed at the
+/// next rendering.
 class View {
  public:
   View();
@@ -37,32 +38,33 @@ class View {
 
   /// Renders the window now; if a DrawingThread draws the view, waits for it. No effect without a window.
   void render();
-  /// Waits until the rendered image is complete, since graphics cards work asynchronously.
+  /// Waits until the graphics card, which works asynchronously, has completed the rendered image.
   void finish();
   /// Tells whether a DrawingThread can draw this view.
   virtual bool canDrawOnThread() const { return false; }
-  /// Lowers the priority of the view's DrawingThread below the window's, if other views are more important. Call it
-  /// before the first drawing.
+  /// Lowers the priority of the view's DrawingThread below that of the window's thread, for a view that is less
+  /// important than others. Call it before the first drawing.
   void lowerThreadPriority() { behind_ = true; }
   bool hasLowerPriority() const { return behind_; }
 
-  /// Sets a listener that is called when the view needs rendering. It is called often: combine calls before rendering.
+  /// Sets a listener that is called when the view needs rendering. The listener is called often and should combine
+  /// several calls into one rendering.
   void setRenderWanted(std::function<void()> listener) { renderWanted_ = std::move(listener); }
   /// Requests a rendering after a change that the view detected itself, for example in shared state.
   void wantRender() const;
-  /// Sets a listener that is called on other threads when they have results to render; it must pass the call on to the
-  /// window's thread. When this function returns, the former listener is no longer called.
+  /// Sets a listener that other threads call when they have results to render. The listener must pass the call on to
+  /// the window's thread. When setWake() has returned, the previous listener is no longer called.
   void setWake(std::function<void()> listener);
 
-  /// Input functions; they return true if the view has used the input.
+  /// Input handlers; each returns true if the view has used the input.
   virtual bool pressed(const Pointer&) { return false; }
   virtual bool moved(const Pointer&) { return false; }
   virtual bool released(const Pointer&) { return false; }
-  /// `notches` is positive for turning away from the user; touch pads send fractions.
+  /// `notches`: rotation of the wheel, positive away from the user; may be a fraction, as from touch pads.
   virtual bool wheel(const Pointer&, double /*notches*/) { return false; }
   virtual bool key(Key) { return false; }
-  /// Called after a short time without wheel and keys: drawings that had a lower resolution because of them can be
-  /// completed.
+  /// Called when there has been no wheel or key input for a short time. The view can then draw at full resolution
+  /// again.
   virtual void rested() {}
 
   vtkRenderer* renderer() { return renderer_; }
@@ -75,16 +77,16 @@ class View {
   virtual void attached(vtkRenderWindow&) {}
   virtual void detached(vtkRenderWindow&) {}
 
-  /// Steps of drawing a frame: handOver() on the window's thread passes the state, takeOver() on the drawing thread
-  /// receives it, and draw() draws. The first two never run at the same time; draw() may run while the view gets a new
-  /// state.
+  /// Steps of drawing a frame: handOver(), on the window's thread, passes the state of the view; takeOver(), on the
+  /// drawing thread, receives it; draw(), on the drawing thread, draws. handOver() and takeOver() never run at the same
+  /// time; draw() may run while the window's thread sets new state.
   virtual void handOver() {}
   virtual void takeOver() {}
   virtual void draw();
   void changed();
   double scale() const { return scale_; }
   vtkRenderWindow* window();
-  /// Wakes the window; call from any thread.
+  /// Calls the listener of setWake(). May be called from any thread.
   void wake();
 
  private:

@@ -14,8 +14,8 @@ class vtkMatrix4x4;
 
 namespace insonate::views {
 
-/// A patient's volumes as VTK data, made once and shared by several views. Uses the patient's own voxels without a
-/// copy, and keeps the patient alive. For the window's thread.
+/// A patient's volumes as VTK data, made once and shared by several views. The object uses the patient's voxels without
+/// a copy, and keeps the patient alive. For the window's thread only.
 class VtkCase {
  public:
   explicit VtkCase(std::shared_ptr<const PatientCase> patient);
@@ -31,11 +31,13 @@ class VtkCase {
   /// left-handed grids are supported.
   vtkImageData* ct() const;
 
-  /// The displayed labels: the patient's own, or another map of the same grid set by setLabels(), for example one that
-  /// is being edited; null restores the patient's own. Do not write to the labels while a view renders.
+  /// Returns the displayed labels: the patient's, or the map that setLabels() has set. The labels must not be written
+  /// while a view renders.
   const LabelMap& labels() const { return instead_ ? *instead_ : patient_->labels; }
+  /// Sets a label map of the same grid to display in place of the patient's, for example one that is being edited;
+  /// null: the patient's.
   void setLabels(std::shared_ptr<const LabelMap> labels);
-  /// Must be called after each change of voxels within `box`, before the views are rendered.
+  /// Call this after each change of labels within `box`, before the views are rendered.
   void labelsChanged(const VoxelBox& box);
   void labelsChanged() { labelsChanged(boxOf(patient_->labels.geometry)); }
   std::uint64_t labelRevision() const { return changes_.back().revision; }

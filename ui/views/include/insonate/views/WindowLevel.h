@@ -21,7 +21,7 @@ struct WindowLevelPreset {
   WindowLevel value;
 };
 
-/// Presets with values common in radiology: soft tissue first, then bone, lung, abdomen, brain.
+/// Returns presets with values that are common in radiology: soft tissue, bone, lung, abdomen, brain.
 std::span<const WindowLevelPreset> windowLevelPresets();
 
 }  // namespace insonate::views
