@@ -165,7 +165,7 @@ void PathPage::refreshHead() {
   QString note = course_.trouble();
   if (note.isEmpty() && !curriculum) note = tr("Looking up your levels ...");
   if (note.isEmpty() && !course_.isSomebodys())
-    note = tr("You are a guest: attempts are recorded, but count for nobody. Sign in (Ctrl+L) to unlock levels.");
+    note = tr("You are a guest: attempts are recorded, but do not count. Sign in (Ctrl+L) to unlock levels.");
   note_->setText(note);
   note_->setVisible(!note.isEmpty());
   const auto choices = course_.choices();
