@@ -9,6 +9,7 @@
 #include <charconv>
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -76,6 +77,12 @@ Result<void> serve(Arguments& arguments) {
       return fail("There is no folder for temporary files: " + folder->errorString().toStdString());
     arguments.database = folder->filePath(QStringLiteral("demonstration.db")).toStdString();
   }
+  // A mistyped name would otherwise make a new, empty database.
+  const bool isFile = !arguments.database.starts_with("postgresql://");
+  if (!arguments.demo && isFile && !std::filesystem::exists(arguments.database))
+    return fail(arguments.database +
+                " does not exist. Name the file of an existing database, or make one with insonate-cli curriculum "
+                "setup.");
   StoreServices services;
   // Passwords of made-up people need no protection against guessing, which costs 0.1 s for each.
   if (arguments.demo) services.passwordCost = PasswordCost::Least;
@@ -97,13 +104,15 @@ int main(int argc, char** argv) {
   CLI::App app{"Insonate's server shows levels, attempts and classes in a browser."};
   app.set_version_flag("--version", std::string(INSONATE_VERSION));
   Arguments arguments;
-  app.add_option("DATABASE", arguments.database, "File, or postgresql://USER@HOST/DATABASE");
-  app.add_flag("--demo", arguments.demo, "Serve a made-up class, which is deleted at the end");
+  app.add_option("DATABASE", arguments.database,
+                 "Existing file, or postgresql://USER@HOST/DATABASE with the password in PGPASSWORD");
+  app.add_flag("--demo", arguments.demo,
+               "Serve a made-up class, which is deleted at the end; prints names and password");
   app.add_option("--listen", arguments.listen, "Address and port")->capture_default_str();
   app.add_option("--certificate", arguments.options.certificate, "File (PEM) with the certificate chain, for HTTPS");
   app.add_option("--key", arguments.options.key, "File (PEM) with the certificate's private key");
   app.add_flag("--behind-proxy", arguments.options.behindProxy,
-               "A proxy on this computer receives HTTPS and passes requests on");
+               "A proxy on this computer receives HTTPS and passes requests on, with the header Host as it was sent");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -106,6 +106,41 @@ TEST(WebHttpServer, RefusesWhatIsTooLargeOrNoRequest) {
   EXPECT_THAT(RawClient(server->port()).ask("GET /still HTTP/1.1\r\n" + kClose + "\r\n"), HasSubstr("GET /still"));
 }
 
+TEST(WebHttpServer, AddressesAreDecodedOnce) {
+  const auto server = serving(&echo);
+  EXPECT_THAT(RawClient(server->port()).ask("GET /%2561udit?x=%2541+b HTTP/1.1\r\n" + kClose + "\r\n"),
+              HasSubstr("GET /%61udit ?x=%41 b"));
+}
+
+TEST(WebHttpServer, RefusesALengthThatCanBeReadInTwoWays) {
+  const auto server = serving(&echo);
+  for (const std::string headers :
+       {"Content-Length: 5\r\nContent-Length: 17\r\n", "Content-Length: 5\r\nTransfer-Encoding: chunked\r\n",
+        "Transfer-Encoding: chunked\r\nTransfer-Encoding: identity\r\n"})
+    EXPECT_THAT(RawClient(server->port()).ask("POST / HTTP/1.1\r\n" + kClose + headers + "\r\n0\r\n\r\n"),
+                HasSubstr(" 400 "))
+        << headers;
+}
+
+TEST(WebHttpServer, PasswordChecksHoldNoOtherRequestUp) {
+  std::atomic<bool> done = false;
+  const auto server = serving([&](const Request& request) {
+    for (int i = 0; request.path == "/sign-in" && !done && i < 1000; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return echo(request);
+  });
+  std::vector<std::unique_ptr<RawClient>> clients;
+  for (int i = 0; i < 10; ++i) {
+    clients.push_back(std::make_unique<RawClient>(server->port()));
+    clients.back()->send("POST /sign-in HTTP/1.1\r\n" + kClose + "Content-Length: 0\r\n\r\n");
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_THAT(RawClient(server->port()).ask("GET /health HTTP/1.1\r\n" + kClose + "\r\n"), HasSubstr("GET /health"));
+  EXPECT_FALSE(done) << "before the first of them ended";
+  done = true;
+  for (const auto& client : clients) EXPECT_THAT(client->receive(), HasSubstr("POST /sign-in"));
+}
+
 TEST(WebHttpServer, SlowClientsHoldNobodyUp) {
   const auto server = serving(&echo);
   std::vector<std::unique_ptr<RawClient>> slow;
@@ -167,6 +202,9 @@ TEST(WebHttpServer, SaysWhyItCannotStart) {
   const auto uncertified = HttpServer::start({.port = 0, .certificate = "/nowhere.pem", .key = "/nowhere.pem"}, &echo);
   ASSERT_FALSE(uncertified);
   EXPECT_THAT(uncertified.error().message, HasSubstr("/nowhere.pem"));
+  const auto folder = HttpServer::start({.port = 0, .certificate = "/tmp", .key = "/tmp"}, &echo);
+  ASSERT_FALSE(folder);
+  EXPECT_THAT(folder.error().message, HasSubstr("is a folder"));
 }
 
 }  // namespace

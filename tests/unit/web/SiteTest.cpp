@@ -58,7 +58,7 @@ TEST_P(WebSite, EachRoleSeesWhatTheDatabaseAllowsItAndNothingElse) {
       {spring, {{"anna", 403}, {"ben", 403}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}},
       {spring + anna, {{"anna", 200}, {"ben", 403}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}},
       {"/classes/" + school.autumn.id + anna,
-       {{"anna", 404}, {"ben", 404}, {"carl", 403}, {"ina", 404}, {"otto", 403}, {"admin", 200}}},
+       {{"anna", 404}, {"ben", 404}, {"carl", 403}, {"ina", 404}, {"otto", 404}, {"admin", 404}}},
       {"/attempts/" + school.annas,
        {{"anna", 200}, {"ben", 404}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}},
       {"/audit", {{"anna", 403}, {"ben", 403}, {"carl", 403}, {"ina", 403}, {"otto", 403}, {"admin", 200}}},
@@ -162,7 +162,7 @@ TEST_P(WebSite, AddressesLeadNowhereElse) {
   };
   EXPECT_EQ(after("/classes/5"), "/classes/5");
   for (const std::string next : {"//elsewhere.example", "/\\elsewhere.example", "https://elsewhere.example", "",
-                                 "javascript:alert(1)", "/x\r\nSet-Cookie: a=b"})
+                                 "javascript:alert(1)", "/\t/elsewhere.example", "/x\x7F", "/x\r\nSet-Cookie: a=b"})
     EXPECT_EQ(after(next), "/") << next;
   const std::string anna = school.signIn("anna");
   for (const std::string path : {"/style.css/../../etc/passwd", "/../etc/passwd", "/classes/../../etc/passwd", "//",

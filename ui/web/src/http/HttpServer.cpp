@@ -21,7 +21,7 @@
 namespace insonate::web {
 namespace {
 
-constexpr int kWorkers = 4;
+constexpr int kWorkers = 4, kPasswordWorkers = 2;
 constexpr unsigned kIdleTimeout_s = 30, kMostConnections = 1000, kMostConnectionsOfOneAddress = 200;
 constexpr std::size_t kHeaderMemory_bytes = 32 << 10;
 /// Requests that wait for a worker; further ones are told to come back, since a queue without limit only grows.
@@ -37,6 +37,9 @@ struct Exchange {
 };
 
 Result<std::string> readFile(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error))
+    return fail(file.string() + " is a folder. Name a readable file in PEM.");
   std::ifstream in(file, std::ios::binary);
   std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   if (!in || text.empty()) return fail(file.string() + " cannot be read, or is empty. Name a readable file in PEM.");
@@ -55,6 +58,18 @@ std::string addressOf(MHD_Connection* connection) {
   std::array<char, INET_ADDRSTRLEN> text{};
   const auto* address = reinterpret_cast<const sockaddr_in*>(info->client_addr);
   return inet_ntop(AF_INET, &address->sin_addr, text.data(), text.size()) ? text.data() : "";
+}
+
+/// Keeps addresses as they were sent: requestOf() decodes them, exactly once.
+std::size_t keepEncoded(void* /*self*/, MHD_Connection* /*connection*/, char* text) {
+  return std::strlen(text);
+}
+
+/// Counts headers by which a body's length could be read in two ways, so that a proxy in front reads another request.
+MHD_Result countLengths(void* count, MHD_ValueKind /*kind*/, const char* key, const char* /*value*/) {
+  const std::string name = lowerCase(key);
+  if (name == "content-length" || name == "transfer-encoding") ++*static_cast<int*>(count);
+  return MHD_YES;
 }
 
 MHD_Result addField(void* fields, MHD_ValueKind /*kind*/, const char* key, const char* value) {
@@ -103,11 +118,11 @@ struct HttpServer::Impl {
   MHD_Daemon* daemon = nullptr;
   std::mutex mutex;
   std::condition_variable wake;
-  std::deque<Exchange*> waiting;
+  std::deque<Exchange*> waiting, waitingForPassword;
   bool stopping = false;
   std::vector<std::thread> workers;
 
-  void work();
+  void work(std::deque<Exchange*>& queue);
   bool submit(Exchange* exchange);
   MHD_Result begin(MHD_Connection* connection, const char* url, const char* method, void** state);
   MHD_Result take(Exchange& exchange, const char* data, std::size_t* size);
@@ -117,29 +132,34 @@ struct HttpServer::Impl {
   static void onEnd(void* self, MHD_Connection* connection, void** state, MHD_RequestTerminationCode code);
 };
 
-void HttpServer::Impl::work() {
+void HttpServer::Impl::work(std::deque<Exchange*>& queue) {
   for (;;) {
     Exchange* exchange = nullptr;
+    bool isLate = false;
     {
       std::unique_lock lock(mutex);
-      wake.wait(lock, [this] { return stopping || !waiting.empty(); });
-      if (waiting.empty()) return;
-      exchange = waiting.front();
-      waiting.pop_front();
+      wake.wait(lock, [&] { return stopping || !queue.empty(); });
+      if (queue.empty()) return;
+      exchange = queue.front();
+      queue.pop_front();
+      isLate = stopping;
     }
-    exchange->response = answer(exchange->request);
+    exchange->response = isLate ? plain(503, "The server ends. Try again in a minute.") : answer(exchange->request);
     MHD_resume_connection(exchange->connection);
   }
 }
 
 bool HttpServer::Impl::submit(Exchange* exchange) {
+  const bool checksPassword = exchange->request.method == "POST" &&
+                              (exchange->request.path == "/sign-in" || exchange->request.path == "/password");
   const std::lock_guard lock(mutex);
-  if (stopping || waiting.size() >= kMostWaiting) return false;
+  std::deque<Exchange*>& queue = checksPassword ? waitingForPassword : waiting;
+  if (stopping || queue.size() >= kMostWaiting) return false;
   exchange->submitted = true;
   // Before a worker can see the exchange, since it may resume the connection at once.
   MHD_suspend_connection(exchange->connection);
-  waiting.push_back(exchange);
-  wake.notify_one();
+  queue.push_back(exchange);
+  wake.notify_all();
   return true;
 }
 
@@ -147,6 +167,9 @@ MHD_Result HttpServer::Impl::begin(MHD_Connection* connection, const char* url, 
   const char* length = MHD_lookup_connection_value(connection, MHD_HEADER_KIND, MHD_HTTP_HEADER_CONTENT_LENGTH);
   std::size_t announced_bytes = 0;
   if (length) std::from_chars(length, length + std::strlen(length), announced_bytes);
+  int lengths = 0;
+  MHD_get_connection_values(connection, MHD_HEADER_KIND, &countLengths, &lengths);
+  if (lengths > 1) return send(connection, plain(400, "The length of the request is stated twice."));
   if (announced_bytes > kLargestBody_bytes) return send(connection, plain(413, "The request is too large."));
   auto* exchange = new Exchange{.connection = connection, .request = requestOf(connection, url, method)};
   *state = exchange;
@@ -213,12 +236,15 @@ Result<std::unique_ptr<HttpServer>> HttpServer::start(const WebOptions& options,
       MHD_OPTION_NOTIFY_COMPLETED, &Impl::onEnd, impl.get(), MHD_OPTION_CONNECTION_TIMEOUT, kIdleTimeout_s,
       MHD_OPTION_CONNECTION_LIMIT, kMostConnections, MHD_OPTION_PER_IP_CONNECTION_LIMIT,
       options.behindProxy ? kMostConnections : kMostConnectionsOfOneAddress, MHD_OPTION_CONNECTION_MEMORY_LIMIT,
-      kHeaderMemory_bytes, MHD_OPTION_ARRAY, more.data(), MHD_OPTION_END);
+      kHeaderMemory_bytes, MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_UNESCAPE_CALLBACK, &keepEncoded, nullptr,
+      MHD_OPTION_ARRAY, more.data(), MHD_OPTION_END);
   if (!impl->daemon)
     return fail("The server cannot listen at " + options.address + ":" + std::to_string(options.port) +
                 (options.certificate.empty() ? "" : ", or its certificate and key do not belong together") +
                 ". Another program may use this port; choose another with --listen.");
-  for (int i = 0; i < kWorkers; ++i) impl->workers.emplace_back([server = impl.get()] { server->work(); });
+  for (int i = 0; i < kWorkers + kPasswordWorkers; ++i)
+    impl->workers.emplace_back(
+        [server = impl.get(), i] { server->work(i < kWorkers ? server->waiting : server->waitingForPassword); });
   return std::unique_ptr<HttpServer>(new HttpServer(std::move(impl)));
 }
 

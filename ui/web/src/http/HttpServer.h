@@ -20,7 +20,7 @@ class HttpServer {
   /// Starts to listen. Fails if the address is in use or if certificate and key cannot be used. `answer` is called on
   /// several threads at the same time and must not throw.
   static Result<std::unique_ptr<HttpServer>> start(const WebOptions& options, Answer answer);
-  /// Finishes the requests in progress, then stops.
+  /// Finishes the requests in progress, answers those that wait with status 503, then stops.
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;

@@ -197,6 +197,13 @@ Response showMember(const Visit& visit, const Parts& parts) {
   if (!cohorts) return refusal(visit, 403, cohorts.error().message);
   const auto cohort = std::ranges::find(*cohorts, parts[0], &Cohort::id);
   if (cohort == cohorts->end()) return refusal(visit, 404, "There is no such class, or it is not yours.");
+  if (parts[1] != visit.by->person().id) {
+    const auto members = CohortStore(*visit.by).members(cohort->id);
+    if (!members) return refusal(visit, 403, members.error().message);
+    const bool learns =
+        std::ranges::any_of(*members, [&](const Member& one) { return one.person.id == parts[1] && !one.teaches; });
+    if (!learns) return refusal(visit, 404, "The class has no such trainee.");
+  }
   auto facts = readPerson(*visit.by, parts[1], *cohort);
   if (facts) facts->address = "/classes/" + encoded(parts[0]) + "/people/" + encoded(parts[1]);
   return personPage(visit, facts, facts ? displayName(facts->person) : "");

@@ -3,6 +3,8 @@
 #include <insonate/curriculum/BrowserSessions.h>
 #include <insonate/curriculum/PeopleStore.h>
 
+#include <algorithm>
+
 namespace insonate::web {
 namespace {
 
@@ -17,10 +19,11 @@ std::pair<std::string, std::string> cookie(const WebOptions& options, const std:
   return {"Set-Cookie", value};
 }
 
-/// Only addresses of this server: "//host" and "/\host" would lead elsewhere.
+/// Only addresses of this server: "//host" and "/\host" would lead elsewhere, also with a tab between, which browsers
+/// leave out.
 std::string localAddress(const std::string& next) {
   const bool isLocal = next.starts_with('/') && !next.starts_with("//") && next.find('\\') == std::string::npos &&
-                       next.find_first_of("\r\n") == std::string::npos;
+                       std::ranges::none_of(next, [](unsigned char c) { return c <= 0x20 || c == 0x7F; });
   return isLocal ? next : "/";
 }
 

@@ -16,8 +16,8 @@ struct WebOptions {
   /// Files (PEM) with the server's certificate chain and its private key. Both empty: HTTP without encryption, which is
   /// allowed at a loopback address only.
   std::filesystem::path certificate{}, key{};
-  /// true: a proxy on this computer receives HTTPS and passes requests on by HTTP; cookies are then for HTTPS only, and
-  /// the header X-Forwarded-For names the client.
+  /// true: a proxy on this computer receives HTTPS and passes requests on by HTTP; cookies are then for HTTPS only. The
+  /// proxy must pass the header Host on as the browser sent it.
   bool behindProxy = false;
 };
 
