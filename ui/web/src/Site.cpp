@@ -11,6 +11,8 @@
 #include <insonate/embedded/web.h>
 #include <insonate/teaching/HeatMap.h>
 
+#include <sodium.h>
+
 namespace insonate::web {
 namespace {
 
@@ -69,11 +71,8 @@ bool comesFromElsewhere(const Request& request) {
 
 bool hasFormCode(const Visit& visit) {
   const std::string expected = formCode(visit.secret), &given = valueOf(visit.request.form, "code");
-  // The time of the comparison must not tell how many characters are right.
-  unsigned difference = expected.size() == given.size() ? 0 : 1;
-  for (std::size_t i = 0; i < expected.size() && i < given.size(); ++i)
-    difference |= static_cast<unsigned char>(expected[i] ^ given[i]);
-  return difference == 0;
+  // In constant time, which does not tell how many characters are right.
+  return expected.size() == given.size() && sodium_memcmp(expected.data(), given.data(), expected.size()) == 0;
 }
 
 std::string fileNamed(std::string_view name) {
