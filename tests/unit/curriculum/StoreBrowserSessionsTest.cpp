@@ -57,8 +57,10 @@ TEST_P(StoreBrowserSessions, EndWithAnotherPasswordAndWithTheAccount) {
   succeed(sessions.continueWithNewPassword(here));
   EXPECT_EQ(nameIn(sessions, here), "anna");
   EXPECT_EQ(nameIn(sessions, there), "(none)");
+  const SignedIn withFormer = valueOf(school.store.signIn("anna", "another password"));
   succeed(PeopleStore(school.admin).resetPassword(school.anna.id, "a third password"));
   EXPECT_EQ(nameIn(sessions, here), "(none)");
+  EXPECT_EQ(nameIn(sessions, valueOf(sessions.begin(withFormer))), "(none)") << "the former password opens none";
   const std::string first = valueOf(sessions.begin(valueOf(school.store.signIn("anna", "a third password"))));
   EXPECT_TRUE(valueOf(sessions.resume(first))->mustChangePassword());
 

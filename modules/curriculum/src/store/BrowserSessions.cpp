@@ -27,9 +27,8 @@ Result<std::string> BrowserSessions::begin(const SignedIn& by) const {
     const std::int64_t now_us = core.now_us();
     transaction.run("DELETE FROM browser_sessions WHERE begun_us < ? OR used_us < ?", now_us - kLongest_us,
                     now_us - kLongestIdle_us);
-    const std::int64_t version = transaction.number("SELECT version FROM credentials WHERE person = ?", by.person().id);
     transaction.run("INSERT INTO browser_sessions VALUES (?, ?, ?, ?, ?)", store::sha256(secret), by.person().id,
-                    version, now_us, now_us);
+                    by.session()->passwordVersion(), now_us, now_us);
     return secret;
   });
 }

@@ -24,6 +24,8 @@ class Session {
   Core& core() const { return *core_; }
   const Person& person() const { return person_; }
   bool mustChangePassword() const { return mustChange_; }
+  /// Number of the password with which the session was opened.
+  std::int64_t passwordVersion() const { return passwordVersion_; }
   /// Continues the session after the user has chosen a new password. `version`: number of the new password.
   void hasPassword(std::int64_t version) {
     passwordVersion_ = version;
