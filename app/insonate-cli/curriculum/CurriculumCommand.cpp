@@ -19,6 +19,7 @@ void addCurriculumCommand(CLI::App& app, Outcome& outcome) {
   addExportCommands(curriculum, outcome);
   addSendCommand(curriculum, outcome);
   addUpkeepCommands(curriculum, outcome);
+  addWorkstationCommands(curriculum, outcome);
   addUploadCommand(curriculum, outcome);
   addDemoCommand(curriculum, outcome);
 }

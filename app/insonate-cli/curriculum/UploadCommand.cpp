@@ -1,35 +1,60 @@
 #include "Answer.h"
 #include "Groups.h"
+#include "Password.h"
 
 #include <insonate/curriculum/SiteUpload.h>
+#include <insonate/site/HttpLink.h>
 
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace insonate::cli {
 namespace {
 
-Result<Answer> upload(const StoreOptions& options, const std::string& address) {
+struct UploadArguments {
+  std::string server, tokenFile, authority;
+  StoreOptions person;  ///< who signs in to the server at this computer
+};
+
+Result<SiteUpload> siteOf(const CurriculumStore& here, const UploadArguments& a) {
+  if (!isHttpAddress(a.server)) {
+    const auto server = openStore({.database = a.server, .name = {}, .passwordFile = {}});
+    return server ? Result<SiteUpload>(SiteUpload(here, *server)) : tl::unexpected(server.error());
+  }
+  const auto token = readPassword({a.tokenFile, "INSONATE_TOKEN", "Token of this computer"});
+  if (!token) return tl::unexpected(token.error());
+  auto link = httpLink({.url = a.server, .token = *token, .authority = a.authority});
+  return link ? Result<SiteUpload>(SiteUpload(here, std::move(*link))) : tl::unexpected(link.error());
+}
+
+Result<Answer> upload(const StoreOptions& options, const UploadArguments& a) {
   const auto here = openOrMakeStore(options);  // a new workstation begins with what the server has
   if (!here) return tl::unexpected(here.error());
-  const auto server = openStore({.database = address, .name = {}, .passwordFile = {}});
-  if (!server) return tl::unexpected(server.error());
-  const SiteUpload site(*here, *server);
-  const auto report = site.exchange(terminalProgress());
+  const auto site = siteOf(*here, a);
+  if (!site) return tl::unexpected(site.error());
+  if (!a.person.name.empty()) {
+    const auto password = readOwnPassword(a.person);
+    if (!password) return tl::unexpected(password.error());
+    if (auto known = site->signIn(a.person.name, *password); !known) return tl::unexpected(known.error());
+  }
+  const auto report = site->exchange(terminalProgress());
   if (!report) return tl::unexpected(report.error());
-  const auto pending = site.pending();
+  const auto pending = site->pending();
   if (!pending) return tl::unexpected(pending.error());
   for (const std::string& trouble : report->troubles) std::cerr << trouble << '\n';
-  return Answer{{{"server", server->place()},
+  return Answer{{{"server", site->place()},
                  {"attempts", report->attempts},
                  {"forms", report->forms},
+                 {"recordings", report->recordings},
                  {"people", report->people},
                  {"classes", report->cohorts},
                  {"curricula", report->curricula},
                  {"pending", *pending},
                  {"troubles", report->troubles}},
-                server->place() + " took " + std::to_string(report->attempts) + " attempts and " +
-                    std::to_string(report->forms) + " forms, and gave " + std::to_string(report->people) + " people, " +
+                site->place() + " took " + std::to_string(report->attempts) + " attempts, " +
+                    std::to_string(report->recordings) + " recordings and " + std::to_string(report->forms) +
+                    " forms, and gave " + std::to_string(report->people) + " people, " +
                     std::to_string(report->cohorts) + " classes and " + std::to_string(report->curricula) +
                     " curricula; " + std::to_string(*pending) + " wait."};
 }
@@ -37,13 +62,31 @@ Result<Answer> upload(const StoreOptions& options, const std::string& address) {
 }  // namespace
 
 void addUploadCommand(CLI::App& curriculum, Outcome& outcome) {
-  auto server = std::make_shared<std::string>();
-  addStoreCommand(curriculum, outcome, "upload",
-                  "Attempts and forms go up to a server, people, classes and curricula come down", SigningIn::No,
-                  [server](const StoreOptions& options) { return upload(options, *server); })
-      ->add_option("SERVER", *server, "postgresql://USER@HOST/DATABASE; the password from PGPASSWORD or ~/.pgpass")
+  auto a = std::make_shared<UploadArguments>();
+  CLI::App* command = addStoreCommand(curriculum, outcome, "upload",
+                                      "Send attempts and forms to a server, and receive people, classes and curricula",
+                                      SigningIn::No, [a](const StoreOptions& options) { return upload(options, *a); });
+  command
+      ->add_option("SERVER", a->server,
+                   "https://HOST of insonate-server; or postgresql://USER@HOST/DATABASE, with the password from "
+                   "PGPASSWORD or ~/.pgpass")
       ->required()
       ->check(notEmpty());
+  command
+      ->add_option("--token-file", a->tokenFile,
+                   "File whose first line is this computer's token for insonate-server, from 'workstations add'; by "
+                   "default the environment variable INSONATE_TOKEN, or else the command asks for it")
+      ->check(notEmpty());
+  command
+      ->add_option("--authority", a->authority,
+                   "File (PEM) with the certificate of the authority that signed the server's, if the system does not "
+                   "know it")
+      ->check(CLI::ExistingFile);
+  command->add_option("--as", a->person.name,
+                      "Person who signs in to insonate-server at this computer, and can use it from then on");
+  command->add_option("--password-file", a->person.passwordFile,
+                      "File whose first line is this person's password; by default INSONATE_PASSWORD, or else the "
+                      "command asks for it");
 }
 
 }  // namespace insonate::cli

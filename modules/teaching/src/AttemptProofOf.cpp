@@ -17,13 +17,20 @@ Result<AttemptProofOf> asProof(RecordingProof proof, bool isOfStore) {
 
 Result<AttemptProofOf> proofOfAttempt(const AttemptStore& attempts, const AttemptFacts& facts,
                                       const std::filesystem::path& file) {
+  return proofOfAttempt(
+      [&](const AttemptFacts& claimed, const std::string& nonce) { return attempts.originOf(claimed, nonce); }, facts,
+      file);
+}
+
+Result<AttemptProofOf> proofOfAttempt(const NonceOriginOf& originOf, const AttemptFacts& facts,
+                                      const std::filesystem::path& file) {
   const auto recording = AttemptRecording::open(file);
   if (!recording) return tl::unexpected(recording.error());
   const RecordedFor& whose = recording->header().recordedFor;
   if (whose.nonce.empty()) return asProof(recording->proof(std::nullopt), false);
   AttemptFacts claimed = beginningOf(recording->header());
   claimed.person = facts.person;
-  const auto origin = attempts.originOf(claimed, whose.nonce);
+  const auto origin = originOf(claimed, whose.nonce);
   if (!origin) return tl::unexpected(origin.error());
   switch (origin->kind) {
     case NonceOrigin::Kind::Given:

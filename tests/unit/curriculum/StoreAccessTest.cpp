@@ -8,6 +8,7 @@
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/SiteUpload.h>
 #include <insonate/curriculum/StoreUpkeep.h>
+#include <insonate/curriculum/Workstations.h>
 
 #include <functional>
 #include <map>
@@ -168,6 +169,13 @@ std::vector<Call> storeCalls(const Target& target) {
       {"see anchor", "m", [=](const SignedIn& by) { return outcome(AuditLog(by).anchor()); }},
       {"verify audit log", "m", [=](const SignedIn& by) { return outcome(AuditLog(by).verify()); }},
       {"see uploads", "iom", [=](const SignedIn& by) { return outcome(pendingUploads(by, 10)); }},
+      {"add workstation", "m",
+       [=](const SignedIn& by) {
+         (void)Workstations(by).revoke("ward 9");
+         return outcome(Workstations(by).add("ward 9"));
+       }},
+      {"list workstations", "m", [=](const SignedIn& by) { return outcome(Workstations(by).list()); }},
+      {"revoke workstation", "m", [=](const SignedIn& by) { return outcome(Workstations(by).revoke("ward 9")); }},
       {"facts of store", "m", [=](const SignedIn& by) { return outcome(StoreUpkeep(by).facts()); }},
       {"verify store", "m", [=](const SignedIn& by) { return outcome(StoreUpkeep(by).verify()); }}};
 }

@@ -6,6 +6,7 @@
 #include "page/Page.h"
 #include "person/PersonPage.h"
 #include "signin/SignInPages.h"
+#include "site/SiteApi.h"
 
 #include <insonate/curriculum/BrowserSessions.h>
 #include <insonate/embedded/web.h>
@@ -133,6 +134,7 @@ Response Site::answerPage(const Request& request) const {
             .type = "text/plain; charset=utf-8",
             .body = answers ? "ok\n" : "The database does not answer.\n"};
   }
+  if (request.path.starts_with(kSiteApi)) return answerWorkstation(store_, request);
   Visit visit{.request = request, .store = store_, .options = options_};
   visit.secret = valueOf(request.cookies, sessionCookie(options_));
   if (!visit.secret.empty()) {

@@ -1,5 +1,6 @@
 #include "Site.h"
 #include "http/HttpServer.h"
+#include "site/Verifier.h"
 
 #include <insonate/web/WebServer.h>
 
@@ -26,6 +27,7 @@ struct WebServer::Impl {
   WebOptions options;
   Site site;
   std::unique_ptr<HttpServer> http;
+  std::unique_ptr<Verifier> verifier;
 };
 
 WebServer::WebServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -40,6 +42,7 @@ Result<WebServer> WebServer::start(const CurriculumStore& store, const WebOption
       HttpServer::start(options, [site = &impl->site](const Request& request) { return site->answer(request); });
   if (!http) return tl::unexpected(http.error());
   impl->http = std::move(*http);
+  impl->verifier = std::make_unique<Verifier>(store);
   return WebServer(std::move(impl));
 }
 

@@ -35,6 +35,8 @@ std::string isoOf(std::int64_t time_us) {
 
 const char* wordOf(AttemptProof proof) {
   switch (proof) {
+    case AttemptProof::Verifying:
+      return "being verified";
     case AttemptProof::Proven:
       return "proven";
     case AttemptProof::Accepted:

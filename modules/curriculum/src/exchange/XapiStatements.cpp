@@ -188,7 +188,10 @@ std::string whyLeftOut(const Curriculum& curriculum, const AttemptFacts& attempt
   const Level* level = curriculum.level(attempt.level);
   if (!level) return "of the level '" + attempt.level + "', which the curriculum lacks";
   const bool isCounted = attempt.state == AttemptState::Voided || counts(attempt, level->pass);
-  return isCounted ? "" : "not proven, so its pass does not count until an instructor accepts it";
+  if (isCounted) return {};
+  return attempt.proof == AttemptProof::Verifying
+             ? "being verified by the server, so its pass does not count yet"
+             : "not proven, so its pass does not count until an instructor accepts it";
 }
 
 }  // namespace

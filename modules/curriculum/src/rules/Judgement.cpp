@@ -118,7 +118,8 @@ Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
 }
 
 bool counts(const AttemptFacts& attempt, const PassRule& rule) {
-  return counts(attempt) && (attempt.proof != AttemptProof::Unproven || !judge(rule, attempt).passed);
+  const bool hasProof = attempt.proof != AttemptProof::Unproven && attempt.proof != AttemptProof::Verifying;
+  return counts(attempt) && (hasProof || !judge(rule, attempt).passed);
 }
 
 std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt) {
@@ -142,7 +143,9 @@ std::string outcomeWords(const AttemptFacts& attempt, const Curriculum* curricul
   if (!level && hasBrokenOff(attempt)) return "Abandoned: its recording broke off";
   if (!level)
     return attempt.state == AttemptState::Abandoned ? "Abandoned" : attempt.succeeded ? "Succeeded" : "Did not succeed";
-  if (!counts(attempt, level->pass)) return "Would pass, not proven; does not count";
+  if (!counts(attempt, level->pass))
+    return attempt.proof == AttemptProof::Verifying ? "Would pass; counts when the server has verified it"
+                                                    : "Would pass, not proven; does not count";
   const std::string reason = reasonOfFailure(level->pass, attempt);
   return reason.empty() ? "Passed" : "Failed because " + reason;
 }

@@ -47,6 +47,7 @@ constexpr std::array kRules{
     Rule{ReadComments,      "read own comments",      None, Self,   Self,      Self},
     Rule{SeeAudit,          "see audit log",          None, None,   None,      All},
     Rule{SeeUploads,        "see pending uploads",    None, None,   All,       All, kUnlogged},
+    Rule{ManageWorkstations, "manage workstations",   None, None,   None,      All, kOnServer},
     Rule{LookAfterStore,    "look after store",       None, None,   None,      All},
 };
 // clang-format on

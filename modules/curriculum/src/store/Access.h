@@ -47,6 +47,7 @@ enum class Act {
   ReadComments,
   SeeAudit,
   SeeUploads,
+  ManageWorkstations,
   LookAfterStore
 };
 

@@ -52,6 +52,9 @@ std::optional<KeptAttempt> findAttempt(Transaction& transaction, const std::stri
 /// sentence.
 Result<void> checkBegun(const AttemptFacts& facts);
 Result<void> checkEnded(const AttemptFacts& facts);
+/// Fails if an attempt begins or ends later than `now_us`, or begins before its curriculum was published in this
+/// store; a version that is not published here is not checked.
+Result<void> refuseImpossibleDates(Transaction& transaction, const AttemptFacts& facts, std::int64_t now_us);
 /// Tells whether two attempts have the same facts of the beginning; sameEnd() compares those of the end.
 bool sameBeginning(const AttemptFacts& a, const AttemptFacts& b);
 bool sameEnd(const AttemptFacts& a, const AttemptFacts& b);

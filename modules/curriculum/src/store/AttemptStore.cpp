@@ -24,8 +24,8 @@ namespace {
 /// Accepted difference between the clocks of two computers.
 constexpr std::int64_t kClocksDiffer_us = 600'000'000;
 
-/// Fails if an attempt begins or ends later than `now_us`, or begins before its curriculum was published in this
-/// store; a version that is not published here is not checked.
+}  // namespace
+
 Result<void> refuseImpossibleDates(Transaction& transaction, const AttemptFacts& facts, std::int64_t now_us) {
   const std::int64_t latest_us = now_us + kClocksDiffer_us;
   if (facts.begun_us > latest_us || facts.length_us > latest_us - facts.begun_us)
@@ -39,7 +39,6 @@ Result<void> refuseImpossibleDates(Transaction& transaction, const AttemptFacts&
               dayOf(published->number(0)) + ". Keep it as free practice, or record an attempt at the level.");
 }
 
-}  // namespace
 }  // namespace insonate::store
 
 namespace insonate {
@@ -118,6 +117,8 @@ Result<void> acceptKept(Transaction& transaction, const Core& core, const std::s
     return fail(
         "Only an attempt that has ended can be accepted, but this one is still open, was voided, or its recording "
         "broke off.");
+  if (facts.proof == AttemptProof::Verifying)
+    return fail("The server is verifying the attempt. Wait until it has finished, then look at the attempt again.");
   if (facts.proof != AttemptProof::Unproven)
     return fail("The attempt counts already. It does not need to be accepted.");
   store::acceptAttempt(transaction, id, by);

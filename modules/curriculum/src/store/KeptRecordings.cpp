@@ -121,6 +121,43 @@ Result<bool> keepRecording(const fs::path& folder, const std::string& attempt, c
   return isNew;
 }
 
+Result<ReceivedPart> receiveRecording(const fs::path& folder, const std::string& attempt, const std::string& hash,
+                                      std::int64_t offset_bytes, std::int64_t total_bytes, std::string_view bytes) {
+  constexpr std::int64_t kLargest_bytes = std::int64_t{256} << 20;
+  if (folder.empty())
+    return fail("The server has no folder for recordings. An administrator names one, and restarts it.");
+  if (auto made = makeFolder(folder); !made) return tl::unexpected(made.error());
+  const fs::path whole = keptRecording(folder, attempt), part = whole.string() + ".part";
+  std::error_code error;
+  if (fs::exists(whole, error) && hashOfFile(whole) == hash)
+    return ReceivedPart{static_cast<std::int64_t>(fs::file_size(whole, error)), true};
+  makePrivate(part);
+  const auto size = [&] { return static_cast<std::int64_t>(fs::file_size(part, error)); };
+  const std::int64_t before = size();
+  if (error) return fail("The server cannot store recordings: " + error.message() + ".");
+  if (bytes.empty() || offset_bytes != before) return ReceivedPart{before, false};
+  if (total_bytes > kLargest_bytes || before + static_cast<std::int64_t>(bytes.size()) > kLargest_bytes) {
+    fs::remove(part, error);
+    return fail("The recording of the attempt " + attempt + " is larger than 256 MB and was not stored.");
+  }
+  std::ofstream out(part, std::ios::binary | std::ios::app);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  if (!out) {
+    fs::resize_file(part, static_cast<std::uintmax_t>(before), error);
+    return fail("The server's disk for recordings is full. Tell its administrator; the recording is sent again later.");
+  }
+  if (size() < total_bytes) return ReceivedPart{size(), false};
+  const bool isRight = size() == total_bytes && hashOfFile(part) == hash;
+  Result<void> kept =
+      isRight ? writeAtomically(whole, [&](const fs::path& beside) { return copyHashed(part, beside, hash); })
+              : Result<void>(fail("The recording of the attempt " + attempt +
+                                  " did not arrive as it was sent, or was changed; it is sent again later."));
+  if (kept || !isRight) fs::remove(part, error);
+  if (!kept) return tl::unexpected(kept.error());
+  return ReceivedPart{total_bytes, true};
+}
+
 Result<void> copyRecordings(const fs::path& from, const fs::path& to, const Progress& progress) {
   std::error_code error;
   if (!fs::exists(from, error)) return {};

@@ -6,8 +6,10 @@
 #include <insonate/core/Result.h>
 #include <insonate/curriculum/AttemptStore.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace insonate::store {
 
@@ -28,6 +30,19 @@ void findRecording(KeptAttempt& kept, const std::filesystem::path& folder);
 /// `hash`, or if the folder cannot be written.
 Result<bool> keepRecording(const std::filesystem::path& folder, const std::string& attempt,
                            const std::filesystem::path& file, const std::string& hash);
+
+/// A recording that arrives in parts.
+struct ReceivedPart {
+  std::int64_t size_bytes = 0;  ///< bytes received so far
+  bool isComplete = false;
+};
+/// Appends `bytes` at `offset_bytes` to the recording of an attempt that arrives in `folder`. Another offset than that
+/// of the end changes nothing, so that a part that arrives twice counts once; the sender continues at the returned
+/// size. At `total_bytes` the file becomes the recording of the attempt if it has the SHA-256 `hash`; otherwise it is
+/// removed, as is one of more than 256 MB.
+Result<ReceivedPart> receiveRecording(const std::filesystem::path& folder, const std::string& attempt,
+                                      const std::string& hash, std::int64_t offset_bytes, std::int64_t total_bytes,
+                                      std::string_view bytes);
 
 /// Copies all recordings of the folder `from` into the folder `to`, which is created if needed; files that differ are
 /// replaced, other files in `to` stay. Does nothing if `from` is missing.

@@ -6,8 +6,9 @@
 namespace insonate::store {
 namespace {
 
-constexpr std::array<std::pair<AttemptProof, std::string_view>, 5> kNames{{
+constexpr std::array<std::pair<AttemptProof, std::string_view>, 6> kNames{{
     {AttemptProof::Unproven, "unproven"},
+    {AttemptProof::Verifying, "verifying"},
     {AttemptProof::Proven, "proven"},
     {AttemptProof::Accepted, "accepted"},
     {AttemptProof::Earlier, "earlier"},
@@ -42,6 +43,10 @@ void mergeProof(Transaction& transaction, const std::string& attempt, AttemptPro
                 const std::string& acceptedBy) {
   insertProof(transaction, attempt, proof, acceptedBy);
   if (proof == AttemptProof::Accepted) acceptAttempt(transaction, attempt, acceptedBy);
+}
+
+void concludeProof(Transaction& transaction, const std::string& attempt, AttemptProof proof) {
+  insertProof(transaction, attempt, proof, "");
 }
 
 void acceptAttempt(Transaction& transaction, const std::string& attempt, const std::string& by) {

@@ -113,10 +113,20 @@ Result<AttemptSeal> freshSeal(Transaction& transaction, const AttemptFacts& fact
   return AttemptSeal{hex(nonce), keyOf(*secret, nonce)};
 }
 
-Result<NonceOrigin> originOfNonce(Transaction& transaction, const AttemptFacts& facts, const std::string& digits) {
-  using enum NonceOrigin::Kind;
+Result<std::string> secretText(Transaction& transaction) {
   const auto secret = secretOf(transaction);
-  if (!secret) return tl::unexpected(secret.error());
+  return secret ? Result<std::string>(hex(*secret)) : tl::unexpected(secret.error());
+}
+
+Result<NonceOrigin> originOfNonce(Transaction& transaction, const AttemptFacts& facts, const std::string& digits) {
+  const auto secret = secretText(transaction);
+  return secret ? Result<NonceOrigin>(originBySecret(*secret, facts, digits)) : tl::unexpected(secret.error());
+}
+
+NonceOrigin originBySecret(const std::string& secretDigits, const AttemptFacts& facts, const std::string& digits) {
+  using enum NonceOrigin::Kind;
+  const auto secret = bytesOf(secretDigits, 32);
+  if (!secret) return NonceOrigin{Elsewhere, {}};
   const auto nonce = bytesOf(digits, kNonce);
   if (!nonce) return NonceOrigin{Elsewhere, {}};
   const Hash tag = tagOf(*secret);

@@ -14,6 +14,10 @@ Result<void> keepSecret(Core& core);
 
 /// Makes nonce and key (AttemptSeal) for an attempt with this id, person, curriculum and level.
 Result<AttemptSeal> freshSeal(Transaction& transaction, const AttemptFacts& facts);
+/// Returns the database's secret, in hexadecimal digits. It may leave the database for its own server only.
+Result<std::string> secretText(Transaction& transaction);
+/// Tells whether the store with this secret (secretText()) issued `nonce`; see AttemptStore::originOf().
+NonceOrigin originBySecret(const std::string& secret, const AttemptFacts& facts, const std::string& nonce);
 Result<NonceOrigin> originOfNonce(Transaction& transaction, const AttemptFacts& facts, const std::string& nonce);
 
 }  // namespace insonate::store

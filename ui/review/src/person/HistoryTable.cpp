@@ -193,6 +193,7 @@ void HistoryTable::fill(int row, const KeptAttempt& attempt) {
   QString outcome = outcomeOf(facts, curriculum);
   if (!attempt.voidReason.empty()) outcome += QStringLiteral(": ") + QString::fromStdString(attempt.voidReason);
   if (isUnproven(attempt) && !outcome.contains(tr("not proven"))) outcome += tr(", not proven");
+  if (facts.proof == AttemptProof::Verifying) outcome += tr(", being verified by the server");
   if (facts.proof == AttemptProof::Accepted) outcome += tr(", accepted");
   if (const QString why = desk_.attentionReason(facts); !why.isEmpty()) outcome += tr("   ▲ %1").arg(why);
   set(kHistoryDate, ui::dayAndTimeOf(facts.begun_us));

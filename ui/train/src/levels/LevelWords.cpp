@@ -145,7 +145,8 @@ QString outcomeOf(const Curriculum* curriculum, const AttemptFacts& attempt) {
   if (attempt.state == AttemptState::Abandoned) return tr("abandoned");
   const bool ours = curriculum && attempt.curriculum == curriculum->name && counts(attempt);
   const Level* level = ours ? curriculum->level(attempt.level) : nullptr;
-  if (level && !counts(attempt, level->pass)) return tr("not proven");
+  if (level && !counts(attempt, level->pass))
+    return attempt.proof == AttemptProof::Verifying ? tr("being verified") : tr("not proven");
   if (level) return judge(level->pass, attempt).passed ? tr("passed") : tr("failed");
   return attempt.level.empty() ? tr("free practice") : tr("completed");
 }

@@ -1,5 +1,7 @@
 #include "http/HttpServer.h"
 
+#include "site/SiteApi.h"
+
 #include <arpa/inet.h>
 #include <microhttpd.h>
 #include <netinet/in.h>
@@ -24,6 +26,8 @@ namespace {
 constexpr int kWorkers = 4, kPasswordWorkers = 2;
 constexpr unsigned kIdleTimeout_s = 30, kMostConnections = 1000, kMostConnectionsOfOneAddress = 200;
 constexpr std::size_t kHeaderMemory_bytes = 32 << 10;
+/// Bodies of all connections together.
+constexpr std::size_t kMostBodies_bytes = std::size_t{256} << 20;
 /// Requests that wait for a worker; further ones are told to come back, since a queue without limit only grows.
 constexpr std::size_t kMostWaiting = 500;
 
@@ -31,7 +35,8 @@ constexpr std::size_t kMostWaiting = 500;
 struct Exchange {
   MHD_Connection* connection = nullptr;
   Request request{};
-  std::string body{};
+  std::size_t largest_bytes = 0;  ///< limit of the body
+  bool isCut = false;             ///< a part of the body was not kept, since it or all bodies together are too large
   bool submitted = false;
   Response response{};
 };
@@ -110,6 +115,12 @@ Response plain(int status, std::string sentence) {
   return {.status = status, .type = "text/plain; charset=utf-8", .body = std::move(sentence) + "\n"};
 }
 
+/// Attempts and parts of recordings are larger than forms. Without a token in the header, a body is not worth its
+/// memory.
+bool isOfWorkstation(const Request& request) {
+  return request.path.starts_with(kSiteApi) && !valueOf(request.headers, "authorization").empty();
+}
+
 }  // namespace
 
 struct HttpServer::Impl {
@@ -120,6 +131,7 @@ struct HttpServer::Impl {
   std::condition_variable wake;
   std::deque<Exchange*> waiting, waitingForPassword;
   bool stopping = false;
+  std::size_t bodies_bytes = 0;  ///< used by the thread that receives
   std::vector<std::thread> workers;
 
   void work(std::deque<Exchange*>& queue);
@@ -151,7 +163,8 @@ void HttpServer::Impl::work(std::deque<Exchange*>& queue) {
 
 bool HttpServer::Impl::submit(Exchange* exchange) {
   const bool checksPassword = exchange->request.method == "POST" &&
-                              (exchange->request.path == "/sign-in" || exchange->request.path == "/password");
+                              (exchange->request.path == "/sign-in" || exchange->request.path == "/password" ||
+                               exchange->request.path == "/api/site/sign-in");
   const std::lock_guard lock(mutex);
   std::deque<Exchange*>& queue = checksPassword ? waitingForPassword : waiting;
   if (stopping || queue.size() >= kMostWaiting) return false;
@@ -170,8 +183,11 @@ MHD_Result HttpServer::Impl::begin(MHD_Connection* connection, const char* url, 
   int lengths = 0;
   MHD_get_connection_values(connection, MHD_HEADER_KIND, &countLengths, &lengths);
   if (lengths > 1) return send(connection, plain(400, "The length of the request is stated twice."));
-  if (announced_bytes > kLargestBody_bytes) return send(connection, plain(413, "The request is too large."));
-  auto* exchange = new Exchange{.connection = connection, .request = requestOf(connection, url, method)};
+  Request request = requestOf(connection, url, method);
+  const std::size_t largest_bytes = isOfWorkstation(request) ? kLargestBodyOfWorkstation_bytes : kLargestBody_bytes;
+  if (announced_bytes > largest_bytes) return send(connection, plain(413, "The request is too large."));
+  auto* exchange =
+      new Exchange{.connection = connection, .request = std::move(request), .largest_bytes = largest_bytes};
   *state = exchange;
   return MHD_YES;
 }
@@ -179,14 +195,22 @@ MHD_Result HttpServer::Impl::begin(MHD_Connection* connection, const char* url, 
 /// Takes a part of the body; after the last part, hands the request to a worker, which resumes the connection.
 MHD_Result HttpServer::Impl::take(Exchange& exchange, const char* data, std::size_t* size) {
   if (*size > 0) {
-    if (exchange.body.size() <= kLargestBody_bytes) exchange.body.append(data, *size);
+    std::string& body = exchange.request.body;
+    if (body.size() <= exchange.largest_bytes && bodies_bytes + *size <= kMostBodies_bytes) {
+      body.append(data, *size);
+      bodies_bytes += *size;
+    } else {
+      exchange.isCut = true;
+    }
     *size = 0;
     return MHD_YES;
   }
   if (exchange.submitted) return send(exchange.connection, exchange.response);
-  if (exchange.body.size() > kLargestBody_bytes)
+  if (exchange.isCut && exchange.request.body.size() <= exchange.largest_bytes)
+    return send(exchange.connection, plain(503, "The server is busy. Try again in a few seconds."));
+  if (exchange.isCut || exchange.request.body.size() > exchange.largest_bytes)
     return send(exchange.connection, plain(413, "The request is too large."));
-  exchange.request.form = fieldsOfForm(exchange.body);
+  if (!isOfWorkstation(exchange.request)) exchange.request.form = fieldsOfForm(exchange.request.body);
   if (submit(&exchange)) return MHD_YES;
   Response busy = plain(503, "The server is busy. Try again in a few seconds.");
   busy.headers.emplace_back("Retry-After", "5");
@@ -200,8 +224,10 @@ MHD_Result HttpServer::Impl::onRequest(void* self, MHD_Connection* connection, c
   return server.take(*static_cast<Exchange*>(*state), data, size);
 }
 
-void HttpServer::Impl::onEnd(void* /*self*/, MHD_Connection* /*connection*/, void** state,
+void HttpServer::Impl::onEnd(void* self, MHD_Connection* /*connection*/, void** state,
                              MHD_RequestTerminationCode /*code*/) {
+  if (const auto* exchange = static_cast<Exchange*>(*state))
+    static_cast<Impl*>(self)->bodies_bytes -= exchange->request.body.size();
   delete static_cast<Exchange*>(*state);
   *state = nullptr;
 }

@@ -18,6 +18,7 @@ struct Request {
   std::string method{};  ///< "GET", "POST", ...; HEAD arrives as GET
   std::string path{};    ///< decoded path without query: "/classes/5"
   Fields query{}, form{}, cookies{}, headers{};
+  std::string body{};    ///< as it was sent
   std::string client{};  ///< IP address of the client, or of the proxy in front of this server
 };
 

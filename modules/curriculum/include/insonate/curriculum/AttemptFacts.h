@@ -18,6 +18,7 @@ enum class AttemptState {
 enum class AttemptProof {
   /// No evidence: the recording was made for another database or by an earlier program, or its origin is unknown.
   Unproven,
+  Verifying,  ///< received by a server from a workstation, and not yet verified there; counts like Unproven
   /// Proven by the recording, which is complete and authenticated with the key that the database issued for the
   /// attempt.
   Proven,

@@ -76,7 +76,9 @@ class CurriculumStore {
 
  private:
   friend class BrowserSessions;
+  friend class SiteService;
   friend class SiteUpload;
+  friend class VerificationQueue;
   explicit CurriculumStore(std::shared_ptr<store::Core> core);
   std::shared_ptr<store::Core> core_;
 };

@@ -47,7 +47,7 @@ const Level* levelOf(const Curriculum& curriculum, const AttemptFacts& attempt);
 std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& attempt);
 
 /// Tells whether an attempt counts at a level with this rule. It must count in general (counts(attempt)); if it passes,
-/// it must also not be AttemptProof::Unproven. Failed attempts count even if they are unproven; otherwise trainees
+/// it must also have a proof (neither Unproven nor Verifying). Failed attempts count without proof; otherwise trainees
 /// could exclude them.
 bool counts(const AttemptFacts& attempt, const PassRule& rule);
 

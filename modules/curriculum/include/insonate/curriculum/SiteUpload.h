@@ -5,11 +5,16 @@
 #include <insonate/curriculum/CurriculumStore.h>
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace insonate {
+namespace store {
+class Site;
+}
 
 /// An attempt or form that waits to be sent to the server.
 struct PendingUpload {
@@ -22,6 +27,7 @@ struct PendingUpload {
 /// Result of an exchange of data between a workstation and its server.
 struct UploadReport {
   int attempts = 0, forms = 0;                 ///< numbers of attempts and forms that the server accepted
+  int recordings = 0;                          ///< number of recordings that were sent to the server
   int people = 0, cohorts = 0, curricula = 0;  ///< numbers of people, cohorts and curricula that came from the server
                                                ///< and were new or different on this workstation
   /// Sentences about data that could not be sent, with what to do: a name that belongs to another person on the server,
@@ -29,23 +35,43 @@ struct UploadReport {
   std::vector<std::string> troubles{};
 };
 
+/// Connection of a workstation to the program that serves a site's database over a network (insonate-server).
+struct SiteLink {
+  std::string place{};  ///< address of the server, for messages
+  /// Sends a request, of `path` and body, and returns the body of the answer. Fails with a sentence if the server
+  /// cannot be reached, or with the server's sentence if it refuses the request. May be called on any thread.
+  std::function<Result<std::string>(const std::string& path, const std::string& body)> ask{};
+};
+
 /// Exchanges data between the database of a workstation and that of a server: downloads people, roles, cohorts and
 /// curricula, and uploads attempts and forms. No user needs to be signed in, since no data is disclosed. Data is sent
 /// again until the server confirms it; data that arrives twice is stored once. After the first exchange, the
 /// workstation has the people, cohorts and curricula of the server. A person whom only the workstation knows is
 /// uploaded as a disabled trainee, whom an administrator of the server may enable.
+///
+/// Through a SiteLink, the workstation receives only the people who have signed in to the server at it, and the classes
+/// and learners of the instructors among them. It also sends the recordings of attempts, from which the server verifies
+/// them.
 class SiteUpload {
  public:
-  SiteUpload(CurriculumStore here, CurriculumStore server) : here_(std::move(here)), server_(std::move(server)) {}
+  /// `server`: the server's database, which the workstation opens itself.
+  SiteUpload(CurriculumStore here, const CurriculumStore& server);
+  SiteUpload(CurriculumStore here, SiteLink server);
 
   /// Exchanges data in batches; each batch is one transaction. Batches before a failure or a cancellation remain
   /// stored. Fails if the server cannot be reached or has no people yet.
   Result<UploadReport> exchange(const Progress& progress = {}) const;
+  /// Lets the server check name and password, and stores the person on the workstation, so that the person can sign in
+  /// there, also without connection. Only through a SiteLink; with the server's database it does nothing.
+  Result<void> signIn(const std::string& name, const std::string& password) const;
+  /// Returns the address of the server, for messages.
+  const std::string& place() const;
   /// Returns the number of attempts and forms that wait to be sent. Without a server they wait indefinitely.
   Result<std::int64_t> pending() const;
 
  private:
-  CurriculumStore here_, server_;
+  CurriculumStore here_;
+  std::shared_ptr<store::Site> server_;
 };
 
 /// Returns attempts and forms that wait to be sent to the server, oldest first, at most `count` (1..1000). For

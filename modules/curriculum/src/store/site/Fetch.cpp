@@ -2,7 +2,7 @@
 #include "store/CurriculumRows.h"
 #include "store/Proofs.h"
 #include "store/StandingRows.h"
-#include "store/site/Down.h"
+#include "store/site/Site.h"
 
 #include <map>
 #include <set>
@@ -13,21 +13,14 @@
 namespace insonate::store {
 namespace {
 
-/// Rows as texts, keyed by the first column.
-using Rows = std::map<std::string, std::vector<std::string>>;
-
-/// People with their passwords.
-constexpr std::string_view kPeople =
-    "SELECT id, name, name_key, full_name, email, role, disabled, password, must_change, version FROM people "
-    "JOIN credentials ON person = id";
+/// Not a hash, so that no password fits.
+const std::string kNoPassword = "*";
 constexpr std::string_view kCohorts = "SELECT id, name, name_key, curriculum, curriculum_version FROM cohorts";
 constexpr std::string_view kMemberships = "SELECT cohort || ' ' || person, cohort, person, teaches FROM memberships";
 
-struct Taught {
-  Rows people{}, cohorts{}, memberships{};
-  std::vector<KeptCurriculum> curricula{};
-  std::vector<Row> voided{}, accepted{}, comments{};
-};
+std::string peopleQuery() {
+  return "SELECT " + std::string(kPeopleColumns) + " FROM people JOIN credentials ON person = id";
+}
 
 Rows rowsByKey(Transaction& transaction, std::string_view sql) {
   Rows rows;
@@ -39,26 +32,38 @@ Rows rowsByKey(Transaction& transaction, std::string_view sql) {
   return rows;
 }
 
-Result<Taught> readServer(Core& server, const std::string& workstation) {
-  return inTransaction(server, Way::Read, [&](Transaction& transaction) -> Result<Taught> {
-    Taught taught{rowsByKey(transaction, kPeople), rowsByKey(transaction, kCohorts),
-                  rowsByKey(transaction, kMemberships)};
-    for (const CurriculumEntry& entry : listCurricula(transaction))
-      if (auto kept = findCurriculum(transaction, entry.name, entry.version))
-        taught.curricula.push_back(std::move(*kept));
-    taught.voided = transaction.rows(
-        "SELECT id, voided_us, voided_by, void_reason FROM attempts WHERE workstation = ? AND voided_us IS NOT NULL",
-        workstation);
-    taught.accepted = transaction.rows(
-        "SELECT attempt, accepted_by FROM proofs JOIN attempts ON attempts.id = attempt WHERE workstation = ? AND "
-        "proofs.state = 'accepted'",
-        workstation);
-    taught.comments = transaction.rows(
-        "SELECT " INSONATE_COMMENT_COLUMNS
-        " FROM comments JOIN attempts ON attempts.id = attempt WHERE workstation = ? ORDER BY comments.id",
-        workstation);
-    return taught;
-  });
+/// People whom an untrusted workstation knows, and learners of the classes that these people teach.
+std::set<std::string> peopleFor(Transaction& transaction, const std::string& workstation) {
+  std::set<std::string> people;
+  for (const Row& row : transaction.rows(
+           "SELECT person FROM workstation_people WHERE workstation = ? UNION "
+           "SELECT theirs.person FROM workstation_people AS known JOIN memberships AS own ON own.person = known.person "
+           "AND own.teaches = 1 JOIN memberships AS theirs ON theirs.cohort = own.cohort WHERE workstation = ?",
+           workstation, workstation))
+    people.insert(row.text(0));
+  return people;
+}
+
+/// Leaves out what an untrusted workstation does not need: other people, their classes, and all passwords.
+void restrict(Transaction& transaction, Taught& taught, const std::string& workstation) {
+  const std::set<std::string> people = peopleFor(transaction, workstation);
+  std::erase_if(taught.people, [&](const auto& row) { return !people.contains(row.first); });
+  for (auto& [id, row] : taught.people) row[kPasswordColumn].clear();
+  std::erase_if(taught.memberships, [&](const auto& row) { return !people.contains(row.second[2]); });
+  std::set<std::string> cohorts;
+  for (const auto& [key, row] : taught.memberships) cohorts.insert(row[1]);
+  std::erase_if(taught.cohorts, [&](const auto& row) { return !cohorts.contains(row.first); });
+}
+
+/// A password that the server does not send stays as it is here; if the server has another one, the person must sign in
+/// to the server first.
+void keepPasswords(Taught& taught, const Rows& own) {
+  for (auto& [id, row] : taught.people) {
+    if (!row[kPasswordColumn].empty()) continue;
+    const auto here = own.find(id);
+    const bool isSame = here != own.end() && here->second[kVersionColumn] == row[kVersionColumn];
+    row[kPasswordColumn] = isSame ? here->second[kPasswordColumn] : kNoPassword;
+  }
 }
 
 /// Returns the rows of the server that are new here or differ.
@@ -73,12 +78,13 @@ std::int64_t numberIn(const std::string& text) {
   return std::stoll(text);
 }
 
-int takePeople(Transaction& here, const Rows& server) {
-  Rows own = rowsByKey(here, kPeople);
+int takePeople(Transaction& here, Taught& taught) {
+  const Rows own = rowsByKey(here, peopleQuery());
+  keepPasswords(taught, own);
   // A password that was changed here and has not been sent is newer than the server's.
   std::set<std::string> unsent;
   for (const Row& row : here.rows("SELECT id FROM outbox WHERE kind = 'password'")) unsent.insert(row.text(0));
-  const auto rows = changed(server, own);
+  const auto rows = changed(taught.people, own);
   // Two people may have exchanged names: existing names are cleared before new ones are assigned.
   for (const auto& row : rows) here.run("UPDATE people SET name_key = id WHERE id = ?", row[0]);
   for (const auto& row : rows) {
@@ -164,16 +170,37 @@ void takeAccepted(Transaction& here, const std::vector<Row>& accepted, std::int6
 
 }  // namespace
 
-Result<void> fetchFromServer(Core& here, Core& server, UploadReport& report) {
-  const auto taught = readServer(server, here.workstation());
-  if (!taught) return tl::unexpected(taught.error());
+Result<Taught> readTaught(Core& server, const Sender& sender) {
+  return inTransaction(server, Way::Read, [&](Transaction& transaction) -> Result<Taught> {
+    Taught taught{rowsByKey(transaction, peopleQuery()), rowsByKey(transaction, kCohorts),
+                  rowsByKey(transaction, kMemberships)};
+    for (const CurriculumEntry& entry : listCurricula(transaction))
+      if (auto kept = findCurriculum(transaction, entry.name, entry.version))
+        taught.curricula.push_back(std::move(*kept));
+    taught.voided = transaction.rows(
+        "SELECT id, voided_us, voided_by, void_reason FROM attempts WHERE workstation = ? AND voided_us IS NOT NULL",
+        sender.workstation);
+    taught.accepted = transaction.rows(
+        "SELECT attempt, accepted_by FROM proofs JOIN attempts ON attempts.id = attempt WHERE workstation = ? AND "
+        "proofs.state = 'accepted'",
+        sender.workstation);
+    taught.comments = transaction.rows(
+        "SELECT " INSONATE_COMMENT_COLUMNS
+        " FROM comments JOIN attempts ON attempts.id = attempt WHERE workstation = ? ORDER BY comments.id",
+        sender.workstation);
+    if (!sender.isTrusted) restrict(transaction, taught, sender.workstation);
+    return taught;
+  });
+}
+
+Result<void> takeTaught(Core& here, Taught taught, UploadReport& report) {
   return inTransaction(here, Way::Write, [&](Transaction& transaction) -> Result<void> {
-    report.people = takePeople(transaction, taught->people);
-    report.cohorts = takeCohorts(transaction, *taught);
-    report.curricula = takeCurricula(transaction, taught->curricula, report.troubles);
-    takeVoided(transaction, taught->voided);
-    takeAccepted(transaction, taught->accepted, here.now_us());
-    for (const Row& comment : taught->comments)
+    report.people = takePeople(transaction, taught);
+    report.cohorts = takeCohorts(transaction, taught);
+    report.curricula = takeCurricula(transaction, taught.curricula, report.troubles);
+    takeVoided(transaction, taught.voided);
+    takeAccepted(transaction, taught.accepted, here.now_us());
+    for (const Row& comment : taught.comments)
       if (transaction.row("SELECT id FROM attempts WHERE id = ?", comment.text(1))) mergeComment(transaction, comment);
     return {};
   });

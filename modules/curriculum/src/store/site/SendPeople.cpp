@@ -1,7 +1,7 @@
 #include "store/Names.h"
 #include "store/PeopleRows.h"
 #include "store/Texts.h"
-#include "store/site/Up.h"
+#include "store/site/Site.h"
 
 #include <set>
 #include <string>
@@ -9,24 +9,6 @@
 
 namespace insonate::store {
 namespace {
-
-struct Sent {
-  Person person{};
-  std::string password{};
-  bool mustChange = false;
-  std::int64_t version = 1;
-};
-
-Result<std::vector<Sent>> peopleOf(Core& here) {
-  return inTransaction(here, Way::Read, [](Transaction& transaction) -> Result<std::vector<Sent>> {
-    std::vector<Sent> people;
-    for (const Row& row :
-         transaction.rows("SELECT " INSONATE_PERSON_COLUMNS
-                          ", password, must_change, version FROM people JOIN credentials ON person = id"))
-      people.push_back({personOf(row), row.text(6), row.truth(7), row.number(8)});
-    return people;
-  });
-}
 
 /// Free name on the server: "anna", or "anna-2" if another anna exists, and so on.
 std::string freeName(Transaction& server, const std::string& name) {
@@ -36,40 +18,51 @@ std::string freeName(Transaction& server, const std::string& name) {
   return free;
 }
 
-void insert(Transaction& server, const Core& here, const Core& core, const Sent& sent, UploadReport& report) {
+void insert(Transaction& server, const Core& core, const Sender& sender, const SentPerson& sent,
+            std::vector<std::string>& troubles) {
   const std::string name = freeName(server, sent.person.name);
   server.run("INSERT INTO people VALUES (?, ?, ?, ?, ?, ?, 1)", sent.person.id, name, nameKey(name),
              sent.person.fullName, sent.person.email, nameOf(Role::Trainee));
   server.run("INSERT INTO credentials VALUES (?, ?, ?, ?)", sent.person.id, sent.password, sent.mustChange,
              sent.version);
-  core.audit(server, "", "add person of workstation", sent.person.id, name + " of " + here.workstation());
+  if (!sender.isTrusted) knowAt(server, sender.workstation, sent.person.id, core.now_us());
+  core.audit(server, "", "add person of workstation", sent.person.id, name + " of " + sender.workstation);
   if (name != sent.person.name)
-    report.troubles.push_back("The server already has another person '" + sent.person.name + "': this one is '" + name +
-                              "' there and here from now on. An administrator can rename them on the server.");
-  report.troubles.push_back(
+    troubles.push_back("The server already has another person '" + sent.person.name + "': this one is '" + name +
+                       "' there and here from now on. An administrator can rename them on the server.");
+  troubles.push_back(
       "'" + name +
       "' existed only on this computer, and is now a disabled trainee on the server. An administrator decides there.");
 }
 
+Result<void> checkSent(const SentPerson& sent) {
+  if (!isUuid(sent.person.id)) return fail("The id of a person is not a UUID in lower case.");
+  if (auto ok = checkPerson(sent.person); !ok) return ok;
+  return checkText("The hash of the password", sent.password, 200);
+}
+
 }  // namespace
 
-Result<void> sendPeople(Core& here, Core& server, UploadReport& report) {
-  const auto people = peopleOf(here);
-  if (!people) return tl::unexpected(people.error());
-  const auto known = inTransaction(server, Way::Read, [](Transaction& transaction) -> Result<std::set<std::string>> {
-    std::set<std::string> ids;
-    for (const Row& row : transaction.rows("SELECT id FROM people")) ids.insert(row.text(0));
-    return ids;
+Result<std::vector<SentPerson>> peopleOf(Core& here) {
+  return inTransaction(here, Way::Read, [](Transaction& transaction) -> Result<std::vector<SentPerson>> {
+    std::vector<SentPerson> people;
+    for (const Row& row :
+         transaction.rows("SELECT " INSONATE_PERSON_COLUMNS
+                          ", password, must_change, version FROM people JOIN credentials ON person = id"))
+      people.push_back({personOf(row), row.text(6), row.truth(7), row.number(8)});
+    return people;
   });
-  if (!known) return tl::unexpected(known.error());
-  std::vector<Sent> unknown;
-  for (const Sent& sent : *people)
-    if (!known->contains(sent.person.id)) unknown.push_back(sent);
-  if (unknown.empty()) return {};
-  return inTransaction(server, Way::Write, [&](Transaction& transaction) -> Result<void> {
-    for (const Sent& sent : unknown)
-      if (!findPerson(transaction, sent.person.id)) insert(transaction, here, server, sent, report);
-    return {};
+}
+
+Result<std::vector<std::string>> StoreSite::addPeople(const std::vector<SentPerson>& people) {
+  return inTransaction(*core_, Way::Write, [&](Transaction& transaction) -> Result<std::vector<std::string>> {
+    std::vector<std::string> troubles;
+    for (const SentPerson& sent : people) {
+      if (!sender_.isTrusted)
+        if (auto ok = checkSent(sent); !ok) return tl::unexpected(ok.error());
+      if (!findPerson(transaction, sent.person.id)) insert(transaction, *core_, sender_, sent, troubles);
+    }
+    return troubles;
   });
 }
 

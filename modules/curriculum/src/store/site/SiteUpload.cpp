@@ -1,9 +1,12 @@
 #include "store/Paging.h"
 #include "store/Session.h"
-#include "store/site/Down.h"
-#include "store/site/Up.h"
+#include "store/site/Site.h"
 
 #include <insonate/curriculum/SiteUpload.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
 
 namespace insonate {
 namespace {
@@ -14,19 +17,6 @@ using store::Core;
 using store::Row;
 using store::Transaction;
 using store::Way;
-
-Result<void> checkServer(Core& here, Core& server) {
-  if (here.address().isServer)
-    return fail(here.place() + " is a server. Name the file of a workstation, which is uploaded to a server.");
-  if (here.place() == server.place())
-    return fail(here.place() + " cannot be its own server; name the server's address.");
-  const auto people = inTransaction(server, Way::Read, [](Transaction& transaction) -> Result<bool> {
-    return transaction.row("SELECT id FROM people LIMIT 1").has_value();
-  });
-  if (!people) return tl::unexpected(people.error());
-  if (!*people) return fail(server.place() + " has no people yet; open it and set up its administrator first.");
-  return {};
-}
 
 /// From now on the server determines the people.
 Result<void> joinServer(Core& here, const std::string& server) {
@@ -41,17 +31,98 @@ Result<void> joinServer(Core& here, const std::string& server) {
   });
 }
 
+/// Sends people whom the server does not know yet.
+Result<void> sendPeople(Core& here, store::Site& server, UploadReport& report) {
+  const auto people = store::peopleOf(here);
+  if (!people) return tl::unexpected(people.error());
+  std::set<std::string> ids;
+  for (const store::SentPerson& sent : *people) ids.insert(sent.person.id);
+  const auto unknown = server.unknownPeople(ids);
+  if (!unknown) return tl::unexpected(unknown.error());
+  std::vector<store::SentPerson> sent;
+  for (const store::SentPerson& person : *people)
+    if (unknown->contains(person.person.id)) sent.push_back(person);
+  if (sent.empty()) return {};
+  const auto troubles = server.addPeople(sent);
+  if (!troubles) return tl::unexpected(troubles.error());
+  report.troubles.insert(report.troubles.end(), troubles->begin(), troubles->end());
+  return {};
+}
+
+/// Removes what the server has stored from the outbox.
+Result<void> waitNoMore(Core& here, const std::vector<std::int64_t>& numbers) {
+  return inTransaction(here, Way::Write, [&](Transaction& transaction) -> Result<void> {
+    for (const std::int64_t number : numbers) transaction.run("DELETE FROM outbox WHERE number = ?", number);
+    return {};
+  });
+}
+
+/// Sends all waiting attempts and forms in batches.
+Result<void> sendFacts(Core& here, store::Site& server, UploadReport& report, const Progress& progress) {
+  std::int64_t after = 0, total = 0, sent = 0;
+  for (;;) {
+    const auto batch = store::readBatch(here, after);
+    if (!batch) return tl::unexpected(batch.error());
+    if (batch->items.empty()) return {};
+    total = std::max(total, batch->waiting);
+    if (!insonate::report(progress, "sending", static_cast<double>(sent) / static_cast<double>(total)))
+      return fail(std::string(kCancelled));
+    const auto taken = server.take(*batch);
+    if (!taken) return tl::unexpected(taken.error());
+    if (auto done = waitNoMore(here, taken->numbers); !done) return done;
+    report.attempts += taken->attempts;
+    report.forms += taken->forms;
+    report.troubles.insert(report.troubles.end(), taken->troubles.begin(), taken->troubles.end());
+    sent += static_cast<std::int64_t>(batch->items.size());
+    after = batch->items.back().number;
+  }
+}
+
 }  // namespace
 
+SiteUpload::SiteUpload(CurriculumStore here, const CurriculumStore& server)
+    : here_(std::move(here)),
+      server_(std::make_shared<store::StoreSite>(
+          server.core_, store::Sender{.workstation = here_.workstation(), .isTrusted = true})) {}
+
+SiteUpload::SiteUpload(CurriculumStore here, SiteLink server)
+    : here_(std::move(here)), server_(std::make_shared<store::RemoteSite>(std::move(server))) {}
+
 Result<UploadReport> SiteUpload::exchange(const Progress& progress) const {
-  Core &here = *here_.core_, &server = *server_.core_;
-  if (auto ok = checkServer(here, server); !ok) return tl::unexpected(ok.error());
-  if (auto ok = joinServer(here, server.place()); !ok) return tl::unexpected(ok.error());
+  Core& here = *here_.core_;
+  if (here.address().isServer)
+    return fail(here.place() + " is a server. Name the file of a workstation, which is uploaded to a server.");
+  if (auto ok = server_->greet(here); !ok) return tl::unexpected(ok.error());
+  if (auto ok = joinServer(here, server_->place()); !ok) return tl::unexpected(ok.error());
   UploadReport report;
-  if (auto sent = sendPeople(here, server, report); !sent) return tl::unexpected(sent.error());
-  if (auto sent = sendFacts(here, server, report, progress); !sent) return tl::unexpected(sent.error());
-  if (auto fetched = fetchFromServer(here, server, report); !fetched) return tl::unexpected(fetched.error());
+  if (auto sent = sendPeople(here, *server_, report); !sent) return tl::unexpected(sent.error());
+  if (auto sent = sendFacts(here, *server_, report, progress); !sent) return tl::unexpected(sent.error());
+  auto taught = server_->teach();
+  if (!taught) return tl::unexpected(taught.error());
+  if (auto ok = store::takeTaught(here, std::move(*taught), report); !ok) return tl::unexpected(ok.error());
+  if (auto sent = server_->takeRecordings(here, report, progress); !sent) return tl::unexpected(sent.error());
   return report;
+}
+
+Result<void> SiteUpload::signIn(const std::string& name, const std::string& password) const {
+  Core& here = *here_.core_;
+  if (auto ok = server_->greet(here); !ok) return ok;
+  const auto known = server_->signIn(name, password);
+  if (!known) return tl::unexpected(known.error());
+  if (!*known) return {};
+  if (auto ok = joinServer(here, server_->place()); !ok) return ok;
+  auto taught = server_->teach();
+  if (!taught) return tl::unexpected(taught.error());
+  const auto row = taught->people.find((*known)->person.id);
+  // If the password was changed just now, the person signs in once more.
+  if (row != taught->people.end() && row->second[store::kVersionColumn] == std::to_string((*known)->version))
+    row->second[store::kPasswordColumn] = (*known)->password;
+  UploadReport report;
+  return store::takeTaught(here, std::move(*taught), report);
+}
+
+const std::string& SiteUpload::place() const {
+  return server_->place();
 }
 
 Result<std::int64_t> SiteUpload::pending() const {

@@ -4,6 +4,7 @@
 #include <insonate/curriculum/AttemptStore.h>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace insonate {
@@ -21,6 +22,13 @@ struct AttemptProofOf {
 /// The attempt is that with the id in the header, made by `facts.person`. Fails with a sentence if the recording was
 /// changed or damaged, if the nonce was issued to another person or attempt, or if the recording cannot be read.
 Result<AttemptProofOf> proofOfAttempt(const AttemptStore& attempts, const AttemptFacts& facts,
+                                      const std::filesystem::path& recording);
+
+/// Returns the origin of a nonce that is said to have been issued to the attempt of these facts, as
+/// AttemptStore::originOf() does.
+using NonceOriginOf = std::function<Result<NonceOrigin>(const AttemptFacts& facts, const std::string& nonce)>;
+/// The same check with another source of the key.
+Result<AttemptProofOf> proofOfAttempt(const NonceOriginOf& originOf, const AttemptFacts& facts,
                                       const std::filesystem::path& recording);
 
 }  // namespace insonate

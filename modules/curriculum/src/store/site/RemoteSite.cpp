@@ -1,0 +1,130 @@
+#include "store/KeptRecordings.h"
+#include "store/Seals.h"
+#include "store/site/Site.h"
+#include "store/site/WireJson.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace insonate::store {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kPart_bytes = 512 << 10;
+
+/// Asks and reads the answer by `read`, which may throw what the library throws for an unexpected message.
+template <class Read>
+auto ask(const SiteLink& link, const std::string& path, json content, const Read& read)
+    -> Result<decltype(read(std::declval<const json&>()))> {
+  const auto answer = link.ask(path, messageOf(std::move(content)));
+  if (!answer) return tl::unexpected(answer.error());
+  const auto message = readMessage(*answer);
+  if (!message) return tl::unexpected(message.error());
+  try {
+    return read(*message);
+  } catch (const json::exception&) {
+    return fail("The answer of " + link.place + " cannot be read. Install the same version there and here.");
+  }
+}
+
+std::int64_t receivedFrom(const json& answer) {
+  return answer.at("received");
+}
+
+/// The number of bytes that the server has then.
+Result<std::int64_t> sendPart(const SiteLink& link, const std::string& path, std::string_view bytes) {
+  const auto answer = link.ask(path, std::string(bytes));
+  if (!answer) return tl::unexpected(answer.error());
+  const auto message = readMessage(*answer);
+  if (!message) return tl::unexpected(message.error());
+  if (!message->contains("received") || !(*message)["received"].is_number_integer())
+    return fail("The answer of " + link.place + " cannot be read. Install the same version there and here.");
+  return receivedFrom(*message);
+}
+
+/// Continues at the place up to which the server has the file.
+Result<void> sendFile(const SiteLink& link, const std::string& attempt, const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::error_code error;
+  const auto size = static_cast<std::int64_t>(std::filesystem::file_size(file, error));
+  if (!in || error) return fail("The recording " + file.string() + " cannot be read; check its permissions.");
+  const auto pathAt = [&](std::int64_t offset_bytes) {
+    return "recordings/" + attempt + "/" + std::to_string(offset_bytes) + "/" + std::to_string(size);
+  };
+  auto received = sendPart(link, pathAt(0), {});
+  std::string part;
+  while (received && *received < size) {
+    part.resize(std::min<std::size_t>(kPart_bytes, static_cast<std::size_t>(size - *received)));
+    in.clear();
+    in.seekg(*received);
+    in.read(part.data(), static_cast<std::streamsize>(part.size()));
+    if (!in) return fail("The recording " + file.string() + " cannot be read; check its permissions.");
+    const auto next = sendPart(link, pathAt(*received), part);
+    if (next && *next <= *received)
+      return fail(link.place + " did not take the recording of the attempt " + attempt + "; it is sent again later.");
+    received = next;
+  }
+  return received ? Result<void>() : tl::unexpected(received.error());
+}
+
+}  // namespace
+
+Result<void> RemoteSite::greet(Core& here) {
+  const auto secret = inTransaction(
+      here, Way::Read, [](Transaction& transaction) -> Result<std::string> { return secretText(transaction); });
+  if (!secret) return tl::unexpected(secret.error());
+  const auto answer =
+      ask(link_, "hello", {{"workstation", here.workstation()}, {"secret", *secret}}, [](const json&) { return true; });
+  return answer ? Result<void>() : tl::unexpected(answer.error());
+}
+
+Result<std::set<std::string>> RemoteSite::unknownPeople(const std::set<std::string>& ids) {
+  return ask(link_, "unknown-people", {{"ids", ids}},
+             [](const json& answer) { return answer.at("ids").get<std::set<std::string>>(); });
+}
+
+Result<std::vector<std::string>> RemoteSite::addPeople(const std::vector<SentPerson>& people) {
+  return ask(link_, "people", {{"people", jsonOf(people)}},
+             [](const json& answer) { return answer.at("troubles").get<std::vector<std::string>>(); });
+}
+
+Result<Taken> RemoteSite::take(const SentBatch& batch) {
+  return ask(link_, "facts", jsonOf(batch), [](const json& answer) { return takenFrom(answer); });
+}
+
+Result<Taught> RemoteSite::teach() {
+  return ask(link_, "directory", json::object(), [](const json& answer) { return taughtFrom(answer); });
+}
+
+Result<std::optional<SentPerson>> RemoteSite::signIn(const std::string& name, const std::string& password) {
+  auto people = ask(link_, "sign-in", {{"name", name}, {"password", password}},
+                    [](const json& answer) { return peopleFrom(answer.at("people")); });
+  if (!people) return tl::unexpected(people.error());
+  if (people->empty()) return fail("The answer of " + link_.place + " names no person; try again.");
+  return std::make_optional(std::move(people->front()));
+}
+
+Result<void> RemoteSite::takeRecordings(Core& here, UploadReport& report, const Progress& progress) {
+  const auto wanted = ask(link_, "wanted", json::object(),
+                          [](const json& answer) { return answer.at("attempts").get<std::vector<std::string>>(); });
+  if (!wanted) return tl::unexpected(wanted.error());
+  std::vector<std::string> missing;
+  for (std::size_t i = 0; i < wanted->size(); ++i) {
+    if (!insonate::report(progress, "sending recordings", static_cast<double>(i) / static_cast<double>(wanted->size())))
+      return fail(std::string(kCancelled));
+    const auto file = keptRecording(here.recordings(), (*wanted)[i]);
+    std::error_code ignored;
+    if (here.recordings().empty() || !std::filesystem::is_regular_file(file, ignored)) {
+      missing.push_back((*wanted)[i]);
+      continue;
+    }
+    if (auto sent = sendFile(link_, (*wanted)[i], file); !sent) return sent;
+    ++report.recordings;
+  }
+  if (missing.empty()) return {};
+  const auto told = ask(link_, "unavailable", {{"attempts", missing}}, [](const json&) { return true; });
+  return told ? Result<void>() : tl::unexpected(told.error());
+}
+
+}  // namespace insonate::store

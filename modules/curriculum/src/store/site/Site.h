@@ -1,0 +1,95 @@
+#pragma once
+
+#include "store/Core.h"
+#include "store/site/Wire.h"
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/SiteUpload.h>
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace insonate::store {
+
+/// A server as a workstation sees it: its database itself, or the program that serves it over a network.
+class Site {
+ public:
+  virtual ~Site() = default;
+
+  virtual const std::string& place() const = 0;
+  /// Fails if the server cannot be reached, refuses the workstation, or has no people yet.
+  virtual Result<void> greet(Core& here) = 0;
+  /// Returns those of the ids that no person of the server has.
+  virtual Result<std::set<std::string>> unknownPeople(const std::set<std::string>& ids) = 0;
+  /// Adds people as disabled trainees, with another sign-in name if the name is taken. Returns sentences for the user.
+  virtual Result<std::vector<std::string>> addPeople(const std::vector<SentPerson>& people) = 0;
+  virtual Result<Taken> take(const SentBatch& batch) = 0;
+  virtual Result<Taught> teach() = 0;
+  /// Checks name and password, and returns the person with the hash of the password, which the workstation needs
+  /// without connection. Empty: workstation and server have the same passwords in any case.
+  virtual Result<std::optional<SentPerson>> signIn(const std::string& name, const std::string& password) = 0;
+  /// Sends the recordings that the server needs. Does nothing if the server keeps none.
+  virtual Result<void> takeRecordings(Core& here, UploadReport& report, const Progress& progress) = 0;
+};
+
+/// The workstation that a server talks to.
+struct Sender {
+  std::string workstation{};
+  /// true: the workstation has the password of the database, and its store decides. false: the server decides what the
+  /// workstation's people may do, gives it their data only, and verifies attempts itself.
+  bool isTrusted = true;
+};
+
+/// The server's database. Used by workstations that open it directly, and by the server's program for its workstations.
+class StoreSite final : public Site {
+ public:
+  StoreSite(std::shared_ptr<Core> core, Sender sender) : core_(std::move(core)), sender_(std::move(sender)) {}
+
+  const std::string& place() const override { return core_->place(); }
+  Result<void> greet(Core& here) override;
+  Result<std::set<std::string>> unknownPeople(const std::set<std::string>& ids) override;
+  Result<std::vector<std::string>> addPeople(const std::vector<SentPerson>& people) override;
+  Result<Taken> take(const SentBatch& batch) override;
+  Result<Taught> teach() override;
+  Result<std::optional<SentPerson>> signIn(const std::string& name, const std::string& password) override;
+  Result<void> takeRecordings(Core& here, UploadReport& report, const Progress& progress) override;
+
+ private:
+  std::shared_ptr<Core> core_;
+  Sender sender_;
+};
+
+/// A server that is reached through a network (SiteLink).
+class RemoteSite final : public Site {
+ public:
+  explicit RemoteSite(SiteLink link) : link_(std::move(link)) {}
+
+  const std::string& place() const override { return link_.place; }
+  Result<void> greet(Core& here) override;
+  Result<std::set<std::string>> unknownPeople(const std::set<std::string>& ids) override;
+  Result<std::vector<std::string>> addPeople(const std::vector<SentPerson>& people) override;
+  Result<Taken> take(const SentBatch& batch) override;
+  Result<Taught> teach() override;
+  Result<std::optional<SentPerson>> signIn(const std::string& name, const std::string& password) override;
+  Result<void> takeRecordings(Core& here, UploadReport& report, const Progress& progress) override;
+
+ private:
+  SiteLink link_;
+};
+
+/// Reads the next entries of a workstation's outbox, after the entry with number `after`.
+Result<SentBatch> readBatch(Core& here, std::int64_t after);
+/// Stores a batch in the server's database; `server` is a transaction for writing.
+Result<Taken> takeBatch(Transaction& transaction, Core& server, const Sender& sender, const SentBatch& batch);
+Result<Taught> readTaught(Core& server, const Sender& sender);
+/// Stores the data of a server in the workstation's database.
+Result<void> takeTaught(Core& here, Taught taught, UploadReport& report);
+Result<std::vector<SentPerson>> peopleOf(Core& here);
+/// Tells whether the person has signed in to the server at this workstation.
+bool isKnownAt(Transaction& server, const std::string& workstation, const std::string& person);
+void knowAt(Transaction& server, const std::string& workstation, const std::string& person, std::int64_t now_us);
+
+}  // namespace insonate::store

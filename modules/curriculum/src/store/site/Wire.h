@@ -1,0 +1,76 @@
+#pragma once
+
+#include "store/CurriculumRows.h"
+
+#include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/AuditLog.h>
+#include <insonate/curriculum/FilledForm.h>
+#include <insonate/curriculum/Person.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace insonate::store {
+
+/// A person as a workstation sends it, with the hash of the password.
+struct SentPerson {
+  Person person{};
+  std::string password{};
+  bool mustChange = false;
+  std::int64_t version = 1;
+};
+
+struct SentAttempt {
+  KeptAttempt kept{};
+  AttemptFacts ended{};  ///< the state before the attempt was voided
+  std::optional<std::int64_t> voided_us{};
+  std::string voidedBy{}, acceptedBy{};
+  std::vector<Row> comments{};  ///< INSONATE_COMMENT_COLUMNS
+};
+
+/// An entry of a workstation's outbox, with the present state of what it names.
+struct SentItem {
+  std::int64_t number = 0;
+  std::string kind{}, id{};
+  std::optional<SentAttempt> attempt{};  ///< for a form: its attempt, which must be on the server first
+  std::optional<FilledForm> form{};
+  std::string password{};
+  bool mustChange = false;
+  std::int64_t version = 0;
+};
+
+struct SentBatch {
+  std::vector<SentItem> items{};
+  std::int64_t waiting = 0;
+  AuditAnchor auditEnd{};  ///< end of the workstation's audit log
+};
+
+/// Answer of a server to a batch.
+struct Taken {
+  std::vector<std::int64_t> numbers{};  ///< entries of the outbox that the server has stored or refused for good
+  int attempts = 0, forms = 0;
+  std::vector<std::string> troubles{};  ///< sentences, as in UploadReport
+};
+
+/// Rows as texts, keyed by the first column.
+using Rows = std::map<std::string, std::vector<std::string>>;
+
+/// People with their passwords, as Taught::people has them.
+inline constexpr std::string_view kPeopleColumns =
+    "id, name, name_key, full_name, email, role, disabled, password, must_change, version";
+
+inline constexpr std::size_t kPasswordColumn = 7, kVersionColumn = 9;
+
+/// Data that a server gives to a workstation. The password of a person may be empty: then the workstation has the one
+/// of the same version, or the person signs in to the server first.
+struct Taught {
+  Rows people{}, cohorts{}, memberships{};
+  std::vector<KeptCurriculum> curricula{};
+  /// id, voided_us, voided_by, void_reason; attempt, accepted_by; INSONATE_COMMENT_COLUMNS
+  std::vector<Row> voided{}, accepted{}, comments{};
+};
+
+}  // namespace insonate::store

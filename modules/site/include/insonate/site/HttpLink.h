@@ -1,0 +1,27 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/SiteUpload.h>
+
+#include <filesystem>
+#include <string>
+
+namespace insonate {
+
+/// Address of a site's server (insonate-server), and the workstation's token for it.
+struct SiteAddress {
+  std::string url{};    ///< "https://training.example.org"; http:// at a loopback address only
+  std::string token{};  ///< from `curriculum workstations add`
+  /// File (PEM) with the certificate of the authority that signed the server's certificate; empty: the authorities that
+  /// the system trusts.
+  std::filesystem::path authority{};
+};
+
+/// Tells whether an address is that of a server reached by HTTP or HTTPS.
+bool isHttpAddress(const std::string& address);
+
+/// Makes a connection to a server by HTTPS. Nothing is sent yet. Fails if the address would send the token without
+/// encryption over a network. Requests take at most ten minutes; a connection that stands still for 30 s is given up.
+Result<SiteLink> httpLink(const SiteAddress& address);
+
+}  // namespace insonate

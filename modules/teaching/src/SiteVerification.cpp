@@ -1,0 +1,67 @@
+#include <insonate/procedure/AttemptRecording.h>
+#include <insonate/teaching/AttemptFactsOf.h>
+#include <insonate/teaching/AttemptProofOf.h>
+#include <insonate/teaching/RecomputedAttempts.h>
+#include <insonate/teaching/SiteVerification.h>
+
+#include <tuple>
+
+namespace insonate {
+namespace {
+
+/// The code in the nonce proves the header, and the header must be that of this attempt.
+std::string whyOfAnother(const AttemptFacts& facts, const std::filesystem::path& file) {
+  const auto recording = AttemptRecording::open(file);
+  if (!recording) return recording.error().message;
+  const AttemptFacts recorded = beginningOf(recording->header());
+  const auto key = [](const AttemptFacts& of) {
+    return std::tie(of.id, of.curriculum, of.curriculumVersion, of.level);
+  };
+  return key(recorded) == key(facts) ? "" : "The recording is of another attempt or level.";
+}
+
+std::string whyDifferent(const AttemptFacts& facts, const std::filesystem::path& file) {
+  RecomputedAttempts result;
+  if (const auto compared = compareWithRecording(facts, file, result); !compared) return compared.error().message;
+  if (!result.differences.empty()) {
+    const StoreDifference& first = result.differences.front();
+    return "The recording gives another " + first.field + ": " + first.expected + " instead of " + first.stored + ".";
+  }
+  if (!result.notCompared.empty())
+    return "The workstation has another version of Insonate than the server: " + result.notCompared.begin()->first +
+           ".";
+  return {};
+}
+
+std::string whyRefused(const VerificationQueue& queue, const WaitingAttempt& attempt) {
+  const AttemptFacts& facts = attempt.facts;
+  const auto originOf = [&](const AttemptFacts& claimed, const std::string& nonce) {
+    return queue.originOf(facts.workstation, claimed, nonce);
+  };
+  const auto proof = proofOfAttempt(originOf, facts, attempt.recording);
+  if (!proof) return proof.error().message;
+  if (proof->proof != AttemptProof::Proven) return proof->why;
+  if (std::string why = whyOfAnother(facts, attempt.recording); !why.empty()) return why;
+  return whyDifferent(facts, attempt.recording);
+}
+
+}  // namespace
+
+std::string whyNotVerified(const VerificationQueue& queue, const WaitingAttempt& attempt) {
+  std::string why = whyRefused(queue, attempt);
+  // Sentences about a file begin with its path, which only the server knows.
+  const std::string path = attempt.recording.string();
+  if (why.starts_with(path)) why.replace(0, path.size(), "The recording");
+  return why;
+}
+
+Result<bool> verifyNextAttempt(const VerificationQueue& queue) {
+  const auto attempt = queue.take();
+  if (!attempt) return tl::unexpected(attempt.error());
+  if (!*attempt) return false;
+  const std::string why = whyNotVerified(queue, **attempt);
+  const auto concluded = queue.conclude((*attempt)->facts.id, why.empty(), why);
+  return concluded ? Result<bool>(true) : tl::unexpected(concluded.error());
+}
+
+}  // namespace insonate

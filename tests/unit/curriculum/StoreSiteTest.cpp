@@ -1,0 +1,357 @@
+#include "StoreRig.h"
+#include "store/Texts.h"
+
+#include <insonate/curriculum/AuditLog.h>
+#include <insonate/curriculum/CommentStore.h>
+#include <insonate/curriculum/FormStore.h>
+#include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/curriculum/SiteService.h>
+#include <insonate/curriculum/SiteUpload.h>
+#include <insonate/curriculum/StoreUpkeep.h>
+#include <insonate/curriculum/VerificationQueue.h>
+#include <insonate/curriculum/Workstations.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+
+namespace insonate::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::string contentOf(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+/// A server of either kind, and a workstation with a token instead of a password of the database.
+class StoreSite : public OnBoth {
+ protected:
+  void SetUp() override {
+    OnBoth::SetUp();
+    if (IsSkipped()) return;
+    rig->services.workstation = "server";
+    if (GetParam() == Place::Server) rig->services.recordings = rig->folder / "recordings";
+    school.emplace(rig->open());
+    valueOf(PublishedCurricula(school->admin).publish("course", 1, curriculumText(courseOf({levelNamed("a", 1)}))));
+    succeed(CohortStore(school->admin).setCurriculum(school->spring.id, "course", 1));
+    rig->pass(kSecond_us);
+    ward.services.now_us = [this] { return rig->now_us; };
+    near.emplace(ward.open());
+    token = valueOf(Workstations(school->admin).add("ward 7"));
+  }
+
+  /// Requests go to the server as its program passes them on.
+  SiteLink link() {
+    return {.place = "https://site.example.org", .ask = [this](const std::string& path, const std::string& body) {
+              ++requests;
+              if (breaksAt == requests) return Result<std::string>(fail("The connection broke."));
+              return passOn(path, body);
+            }};
+  }
+  Result<std::string> passOn(const std::string& path, const std::string& body) const {
+    const SiteService service(school->store);
+    const auto workstation = service.workstationOf(token);
+    if (!workstation) return tl::unexpected(workstation.error());
+    if (!*workstation) return fail("The token is not valid.");
+    return service.answer(**workstation, path, body);
+  }
+  SiteUpload site() { return {*near, link()}; }
+  SignedIn here(const Person& person) {
+    succeed(site().signIn(person.name, kPassword));
+    return valueOf(near->signIn(person.name, kPassword));
+  }
+  /// An attempt that passes, with a recording of this size.
+  AttemptFacts attemptOf(const SignedIn& by, std::size_t size_bytes = 2000) {
+    const auto file = ward.folder / "recording";
+    const std::string content(size_bytes, static_cast<char>('a' + attempts++));
+    std::ofstream(file) << content;
+    AttemptFacts facts = passedAttempt("a", rig->now_us);
+    facts.id = freshUuid(), facts.person = {}, facts.caseName = "textbook", facts.proof = AttemptProof::Proven;
+    facts.recording = "a.rec", facts.recordingHash = store::sha256(content);
+    valueOf(AttemptStore(by).add(facts, file));
+    return facts;
+  }
+  KeptAttempt onServer(const AttemptFacts& facts) const {
+    return valueOf(AttemptStore(school->admin).attempt(facts.id));
+  }
+  int masteredBy(const Person& person) const {
+    for (const Member& row : valueOf(CohortStore(school->as(school->ina)).members(school->spring.id)))
+      if (row.person.id == person.id) return row.standing ? row.standing->mastered : -1;
+    return -2;
+  }
+
+  StoreRig ward;
+  std::optional<School> school;  ///< on the server
+  std::optional<CurriculumStore> near;
+  std::string token;
+  int requests = 0, breaksAt = 0, attempts = 0;
+};
+INSONATE_ON_BOTH(StoreSite);
+
+TEST_P(StoreSite, AWorkstationKnowsOnlyWhoSignedInAtIt) {
+  valueOf(site().exchange());
+  EXPECT_FALSE(near->signIn("anna", kPassword)) << "nobody has signed in yet";
+  EXPECT_EQ(here(school->anna).person(), school->anna);
+  EXPECT_TRUE(near->signIn("anna", kPassword)) << "without connection, too";
+  EXPECT_FALSE(near->signIn("ben", kPassword));
+  const StoreUpkeep upkeep(here(school->admin.person()));
+  EXPECT_EQ(valueOf(upkeep.facts()).people, 2) << "anna and the administrator";
+}
+
+TEST_P(StoreSite, AnInstructorBringsTheLearnersWithoutTheirPasswords) {
+  const SignedIn ina = here(school->ina);
+  EXPECT_EQ(valueOf(CohortStore(ina).members(school->spring.id)).size(), 3U);
+  EXPECT_FALSE(near->signIn("ben", kPassword));
+  EXPECT_EQ(here(school->ben).person(), school->ben);
+}
+
+TEST_P(StoreSite, WrongPasswordsAreRefusedByTheServerAndLockTheName) {
+  for (int i = 0; i < 5; ++i) EXPECT_FALSE(site().signIn("anna", "wrong password"));
+  EXPECT_THAT(refusalOf(site().signIn("anna", kPassword)), HasSubstr("30 s"));
+}
+
+TEST_P(StoreSite, APasswordThatTheServerChangedIsAskedForAnew) {
+  here(school->anna);
+  succeed(PeopleStore(school->admin).resetPassword(school->anna.id, "set on the server"));
+  valueOf(site().exchange());
+  EXPECT_FALSE(near->signIn("anna", kPassword));
+  EXPECT_FALSE(near->signIn("anna", "set on the server")) << "the server has not sent it";
+  succeed(site().signIn("anna", "set on the server"));
+  EXPECT_TRUE(near->signIn("anna", "set on the server"));
+}
+
+TEST_P(StoreSite, APasswordThatWasChangedHereStaysHere) {
+  succeed(PeopleStore(here(school->anna)).changeOwnPassword(kPassword, "changed in the ward"));
+  EXPECT_THAT(valueOf(site().exchange()).troubles, ElementsAre(HasSubstr("keeps the former one")));
+  EXPECT_FALSE(school->store.signIn("anna", "changed in the ward"));
+  succeed(site().signIn("anna", kPassword));
+  EXPECT_TRUE(near->signIn("anna", kPassword));
+}
+
+TEST_P(StoreSite, APassCountsOnceTheServerHasVerifiedIt) {
+  const AttemptFacts facts = attemptOf(here(school->anna), 1'300'000);
+  const UploadReport report = valueOf(site().exchange());
+  EXPECT_EQ(report.attempts, 1);
+  EXPECT_EQ(report.recordings, 1);
+  EXPECT_THAT(report.troubles, IsEmpty());
+  EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Verifying);
+  EXPECT_EQ(masteredBy(school->anna), 0) << "the workstation's word is not enough";
+
+  const VerificationQueue queue(school->store);
+  const auto waiting = valueOf(queue.take());
+  ASSERT_TRUE(waiting);
+  EXPECT_EQ(waiting->facts.id, facts.id);
+  EXPECT_EQ(store::sha256(contentOf(waiting->recording)), facts.recordingHash);
+  succeed(queue.conclude(facts.id, true, ""));
+  EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Proven);
+  EXPECT_EQ(masteredBy(school->anna), 1);
+  EXPECT_EQ(valueOf(queue.waiting()), 0);
+  const auto log = valueOf(AuditLog(school->admin).page(20));
+  EXPECT_TRUE(std::ranges::any_of(log, [&](const AuditEntry& entry) {
+    return entry.act == "verify attempt" && entry.detail == facts.id;
+  }));
+  succeed(StoreUpkeep(school->admin).verify());
+}
+
+TEST_P(StoreSite, WhatDoesNotAgreeWithItsRecordingIsNotProven) {
+  const AttemptFacts facts = attemptOf(here(school->anna));
+  valueOf(site().exchange());
+  const VerificationQueue queue(school->store);
+  ASSERT_TRUE(valueOf(queue.take()));
+  succeed(queue.conclude(facts.id, false, "points: 95 stored, 60 recomputed"));
+  succeed(queue.conclude(facts.id, true, ""));
+  EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Unproven) << "the first result stays";
+  EXPECT_EQ(masteredBy(school->anna), 0);
+  succeed(AttemptStore(school->as(school->ina)).accept(facts.id, "I watched it"));
+  EXPECT_EQ(masteredBy(school->anna), 1);
+}
+
+TEST_P(StoreSite, AnAttemptIsTakenByOneServerAndAgainIfThatOneDied) {
+  const AttemptFacts first = attemptOf(here(school->anna)), second = attemptOf(here(school->anna));
+  valueOf(site().exchange());
+  const VerificationQueue queue(school->store);
+  EXPECT_EQ(valueOf(queue.take())->facts.id, first.id);
+  EXPECT_EQ(valueOf(queue.take())->facts.id, second.id);
+  EXPECT_FALSE(valueOf(queue.take()));
+  rig->pass(11 * 60 * kSecond_us);
+  EXPECT_TRUE(valueOf(queue.take()));
+}
+
+TEST_P(StoreSite, ARecordingGoesOnWhereTheConnectionBroke) {
+  const AttemptFacts facts = attemptOf(here(school->anna), 2'000'000);
+  requests = 0, breaksAt = 8;  // the second of four parts
+  EXPECT_THAT(refusalOf(site().exchange()), HasSubstr("broke"));
+  EXPECT_FALSE(valueOf(VerificationQueue(school->store).take()));
+  requests = breaksAt = 0;
+  EXPECT_EQ(valueOf(site().exchange()).recordings, 1);
+  EXPECT_EQ(requests, 8) << "three parts are left of four";
+  EXPECT_EQ(store::sha256(contentOf(valueOf(VerificationQueue(school->store).take())->recording)), facts.recordingHash);
+}
+
+TEST_P(StoreSite, ARecordingOfAnotherContentIsNotTaken) {
+  const AttemptFacts facts = attemptOf(here(school->anna));
+  std::ofstream(near->recordings() / (facts.id + ".attempt")) << std::string(2000, 'x');
+  EXPECT_THAT(refusalOf(site().exchange()), HasSubstr("was changed"));
+  EXPECT_FALSE(valueOf(VerificationQueue(school->store).take()));
+}
+
+TEST_P(StoreSite, WithoutItsRecordingAnAttemptStaysUnproven) {
+  const AttemptFacts facts = attemptOf(here(school->anna));
+  std::filesystem::remove(near->recordings() / (facts.id + ".attempt"));
+  valueOf(site().exchange());
+  EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Unproven);
+  EXPECT_EQ(masteredBy(school->anna), 0);
+}
+
+TEST_P(StoreSite, ProofsAndActsThatAWorkstationClaimsAreNotBelieved) {
+  const SignedIn anna = here(school->anna);
+  here(school->otto);  // teaches another class
+  const AttemptFacts facts = attemptOf(anna);
+  const auto message = [&](auto change) {
+    nlohmann::json attempt = {{"facts",
+                               {{"id", facts.id},
+                                {"person", school->anna.id},
+                                {"curriculum", "course"},
+                                {"curriculumVersion", 1},
+                                {"level", "a"},
+                                {"procedure", "p"},
+                                {"procedureVersion", 1},
+                                {"case", "textbook"},
+                                {"caseHash", ""},
+                                {"workstation", "ward 7"},
+                                {"begun_us", rig->now_us},
+                                {"length_us", 60'000'000},
+                                {"state", "completed"},
+                                {"succeeded", true},
+                                {"criticalErrors", 0},
+                                {"points", 95.0},
+                                {"metrics", nlohmann::json::array()},
+                                {"recording", "a.rec"},
+                                {"recordingHash", std::string(64, 'a')},
+                                {"handsHash", ""},
+                                {"proof", "demonstration"}}},
+                              {"crashed", false},
+                              {"voidReason", ""},
+                              {"voided_us", nullptr},
+                              {"voidedBy", ""},
+                              {"acceptedBy", ""},
+                              {"comments", nlohmann::json::array()}};
+    change(attempt);
+    const nlohmann::json item = {
+        {"number", 1}, {"kind", "attempt"}, {"id", facts.id}, {"attempt", attempt}, {"form", nullptr}};
+    const nlohmann::json batch = {{"version", 1}, {"items", {item}}, {"logEnd", 1}, {"logHash", "x"}};
+    return nlohmann::json::parse(valueOf(passOn("facts", batch.dump())))["troubles"].dump();
+  };
+  EXPECT_THAT(message([&](auto& attempt) { attempt["facts"]["workstation"] = "ward 8"; }), HasSubstr("ward 8"));
+  EXPECT_THAT(message([&](auto& attempt) { attempt["facts"]["person"] = school->ben.id; }),
+              HasSubstr("has not signed in"));
+  EXPECT_THAT(message([&](auto& attempt) { attempt["facts"]["begun_us"] = rig->now_us + 86'400 * kSecond_us; }),
+              HasSubstr("in the future"));
+  EXPECT_THAT(message([&](auto& attempt) { attempt["facts"]["points"] = 1000.0; }), HasSubstr("100"));
+  EXPECT_EQ(valueOf(StoreUpkeep(school->admin).facts()).attempts, 0);
+  const std::string acts = message([&](auto& attempt) {
+    attempt["voided_us"] = rig->now_us, attempt["voidedBy"] = school->otto.id;
+    attempt["acceptedBy"] = school->anna.id;
+    attempt["comments"] = {{freshUuid(), facts.id, 5, school->otto.id, rig->now_us, "good", nullptr, nullptr, nullptr}};
+  });
+  EXPECT_THAT(acts, HasSubstr("voided"));
+  EXPECT_THAT(acts, HasSubstr("accepted"));
+  EXPECT_THAT(acts, HasSubstr("commented on"));
+  EXPECT_EQ(onServer(facts).facts.state, AttemptState::Completed);
+  EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Verifying);
+  EXPECT_EQ(masteredBy(school->anna), 0);
+  EXPECT_THAT(valueOf(CommentStore(school->admin).ofAttempt(facts.id)), IsEmpty());
+}
+
+TEST_P(StoreSite, AnInstructorWhoSignedInHereMayActHere) {
+  const SignedIn anna = here(school->anna), ina = here(school->ina);
+  const AttemptFacts facts = attemptOf(anna);
+  succeed(AttemptStore(ina).voidAttempt(facts.id, "device failed"));
+  valueOf(FormStore(ina).add({"", "global_rating", 1, school->anna.id, facts.id, "", 0, "{}"}));
+  const UploadReport report = valueOf(site().exchange());
+  EXPECT_THAT(report.troubles, IsEmpty());
+  EXPECT_EQ(report.forms, 1);
+  EXPECT_EQ(onServer(facts).voidReason, "device failed");
+}
+
+TEST_P(StoreSite, WhatIsSentTwiceIsStoredOnce) {
+  const AttemptFacts facts = attemptOf(here(school->anna));
+  requests = 0, breaksAt = 4;  // after the facts arrived, before they are known to have arrived
+  const SiteLink whole = link();
+  const SiteUpload lossy(*near, {.place = whole.place, .ask = [&](const std::string& path, const std::string& body) {
+                                   auto answer = passOn(path, body);
+                                   return path == "facts" ? Result<std::string>(fail("The connection broke.")) : answer;
+                                 }});
+  EXPECT_FALSE(lossy.exchange());
+  EXPECT_EQ(valueOf(site().pending()), 1);
+  breaksAt = 0;
+  EXPECT_THAT(valueOf(site().exchange()).troubles, IsEmpty());
+  EXPECT_EQ(valueOf(StoreUpkeep(school->admin).facts()).attempts, 1);
+  EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Verifying);
+}
+
+TEST_P(StoreSite, ARevokedTokenOpensNothing) {
+  here(school->anna);
+  const Workstations workstations(school->admin);
+  EXPECT_THAT(refusalOf(workstations.add("ward 7")), HasSubstr("has a token already"));
+  succeed(workstations.revoke("ward 7"));
+  EXPECT_THAT(refusalOf(site().exchange()), HasSubstr("not valid"));
+  EXPECT_TRUE(valueOf(workstations.list()).front().revoked_us);
+  const std::string former = token;
+  token = valueOf(workstations.add("ward 7"));
+  EXPECT_NE(token, former);
+  EXPECT_EQ(valueOf(site().exchange()).people, 0) << "its people sign in anew";
+  for (const Person& person : {school->anna, school->ina})
+    EXPECT_THAT(refusalOf(Workstations(school->as(person)).list()), HasSubstr("do not have the permission"));
+}
+
+TEST_P(StoreSite, ATokenIsOfOneStoreOfOneComputer) {
+  valueOf(site().exchange());
+  StoreRig other;
+  EXPECT_THAT(refusalOf(SiteUpload(other.open(), link()).exchange()), HasSubstr("not the one that connected first"));
+  StoreRig renamed;
+  renamed.services.workstation = "ward 9";
+  EXPECT_THAT(refusalOf(SiteUpload(renamed.open(), link()).exchange()), HasSubstr("calls itself 'ward 9'"));
+}
+
+TEST_P(StoreSite, UnreadableMessagesAreRefusedWithASentence) {
+  here(school->anna);
+  const std::vector<std::string> paths{"hello",
+                                       "sign-in",
+                                       "unknown-people",
+                                       "people",
+                                       "facts",
+                                       "wanted",
+                                       "unavailable",
+                                       "recordings/x/0/1",
+                                       "directory",
+                                       "",
+                                       "recordings/" + freshUuid() + "/0/10"};
+  const std::vector<std::string> bodies{"",
+                                        "{",
+                                        "[]",
+                                        "{}",
+                                        R"({"version":2})",
+                                        R"({"version":1,"items":7})",
+                                        R"({"version":1,"items":[{"number":"x"}],"logEnd":1,"logHash":""})",
+                                        R"({"version":1,"people":[{"id":7}]})",
+                                        R"({"version":1,"ids":{}})",
+                                        R"({"version":1,"attempts":"x"})",
+                                        "\xff\xfe"};
+  for (const std::string& path : paths)
+    for (const std::string& body : bodies) {
+      const auto answer = passOn(path, body);
+      if (!answer) {
+        EXPECT_THAT(answer.error().message, ::testing::EndsWith(".")) << path << ' ' << body;
+      }
+    }
+  EXPECT_EQ(valueOf(StoreUpkeep(school->admin).facts()).people, 6);
+}
+
+}  // namespace
+}  // namespace insonate::test

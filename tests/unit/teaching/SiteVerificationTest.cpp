@@ -1,0 +1,167 @@
+#include "support/TestData.h"
+#include "unit/procedure/ScriptedAttempt.h"
+
+#include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/SiteService.h>
+#include <insonate/curriculum/SiteUpload.h>
+#include <insonate/curriculum/Workstations.h>
+#include <insonate/procedure/AttemptRecorder.h>
+#include <insonate/teaching/AttemptFactsOf.h>
+#include <insonate/teaching/SiteVerification.h>
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <fstream>
+#include <stdexcept>
+#include <thread>
+
+namespace insonate {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+template <class T>
+T received(Result<T> result) {
+  if (!result) throw std::runtime_error(result.error().message);
+  return std::move(*result);
+}
+
+/// A server, a workstation with a token, and a person who trains there.
+class SiteVerificationTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    admin = received(server.createFirstAdministrator({"admin", "Ada Min", "", Role::Administrator}, kPassword));
+    token = received(Workstations(*admin).add("ward 7"));
+    if (const auto known = site().signIn("admin", kPassword); !known) throw std::runtime_error(known.error().message);
+    trainee = received(here.signIn("admin", kPassword));
+  }
+  static CurriculumStore open(const std::filesystem::path& file, const std::string& workstation) {
+    StoreServices services;
+    services.passwordCost = PasswordCost::Least, services.workstation = workstation;
+    return received(CurriculumStore::open(file.string(), services));
+  }
+  SiteUpload site() const {
+    return {here, SiteLink{.place = "https://site.example.org",
+                           .ask = [this](const std::string& path, const std::string& body) -> Result<std::string> {
+                             const SiteService service(server);
+                             const auto workstation = received(service.workstationOf(token));
+                             if (!workstation) return fail("The token is not valid.");
+                             return service.answer(*workstation, path, body);
+                           }}};
+  }
+  /// Facts of an attempt that begins now, with its seal.
+  AttemptFacts begin() const {
+    AttemptFacts facts;
+    facts.id = kIds[begun++], facts.person = trainee->person().id;
+    facts.curriculum = "course", facts.curriculumVersion = 1, facts.level = "first";
+    return facts;
+  }
+  RecordedFor recordedFor(const AttemptFacts& facts, const std::string& nonce) const {
+    return {facts.id, facts.person, facts.curriculum, facts.curriculumVersion, facts.level, nonce};
+  }
+  void record(const RecordedFor& of, const std::optional<RecordKey>& key, double depth_mm = 25,
+              bool isScripted = false) {
+    AttemptHeader header;
+    header.software = "insonate 0.1.0", header.begun = "2026-01-02T03:04:05Z";
+    header.procedure = "internal_jugular", header.procedureVersion = loadProcedure("internal_jugular")->version;
+    header.caseName = "neck", header.caseHash = "c0ffee", header.picture = test::ScriptedAttempt::picture();
+    header.recordedFor = of, header.isScripted = isScripted;
+    test::ScriptedAttempt attempt;
+    attempt.aspirating = true;
+    attempt.needleTo(depth_mm), attempt.hold(2);
+    std::filesystem::remove(file);
+    const auto recorder = received(AttemptRecorder::start(file, header, nullptr, key));
+    for (const auto& entry : attempt.stream) {
+      while (recorder->room() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::visit([&](const auto& what) { recorder->put(what); }, entry);
+    }
+    (void)received(recorder->finish(AttemptStatus::Completed));
+  }
+  /// Records an attempt as the window does.
+  AttemptFacts recorded(double depth_mm = 25, bool isScripted = false) {
+    AttemptFacts facts = begin();
+    const AttemptSeal seal = received(AttemptStore(*trainee).seal(facts));
+    record(recordedFor(facts, seal.nonce), seal.key, depth_mm, isScripted);
+    return facts;
+  }
+  /// Sends the attempt with the facts of its recording, changed as a hostile program could, and verifies it.
+  AttemptProof proofAfter(AttemptFacts facts, const std::function<void(AttemptFacts&)>& change = {}) {
+    AttemptFacts measured = received(factsOfRecording(file, Hands::PersonOrScript));
+    measured.id = facts.id, measured.person = facts.person, measured.proof = AttemptProof::Proven;
+    measured.curriculum = facts.curriculum, measured.curriculumVersion = facts.curriculumVersion;
+    measured.level = facts.level;
+    if (change) change(measured);
+    received(AttemptStore(*trainee).add(measured, file));
+    const UploadReport report = received(site().exchange());
+    EXPECT_THAT(report.troubles, testing::IsEmpty());
+    const VerificationQueue queue(server);
+    const auto waiting = received(queue.take());
+    if (!waiting) throw std::runtime_error("nothing waits");
+    why = whyNotVerified(queue, *waiting);
+    if (auto done = queue.conclude(waiting->facts.id, why.empty(), why); !done)
+      throw std::runtime_error(done.error().message);
+    return received(AttemptStore(*admin).attempt(facts.id)).facts.proof;
+  }
+
+  static constexpr const char* kPassword = "a long password";
+  static constexpr const char* kIds[] = {"1c2f8f6e-6a5e-4b52-9c3e-6a1c55d1e0aa",
+                                         "2c2f8f6e-6a5e-4b52-9c3e-6a1c55d1e0aa"};
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "first.attempt";
+  const CurriculumStore server = open(folder / "server.db", "server"), here = open(folder / "ward.db", "ward 7");
+  std::optional<SignedIn> admin, trainee;
+  std::string token, why;
+  mutable int begun = 0;
+};
+
+TEST_F(SiteVerificationTest, WhatAPersonDidAtTheWorkstationIsProven) {
+  EXPECT_EQ(proofAfter(recorded()), AttemptProof::Proven) << why;
+  EXPECT_FALSE(received(verifyNextAttempt(VerificationQueue(server))));
+}
+
+TEST_F(SiteVerificationTest, BetterFactsThanThoseOfTheRecordingAreNot) {
+  EXPECT_EQ(proofAfter(recorded(), [](AttemptFacts& facts) { facts.points = 12.5; }), AttemptProof::Unproven);
+  EXPECT_THAT(why, AllOf(HasSubstr("points"), HasSubstr("instead of 12.5")));
+}
+
+TEST_F(SiteVerificationTest, AMetricThatTheRecordingDoesNotGiveIsNot) {
+  EXPECT_EQ(proofAfter(recorded(), [](AttemptFacts& facts) { facts.metrics.pop_back(); }), AttemptProof::Unproven);
+  EXPECT_THAT(why, HasSubstr("another version of Insonate"));
+}
+
+TEST_F(SiteVerificationTest, TheRecordingOfAnotherAttemptIsNot) {
+  recorded();
+  EXPECT_EQ(proofAfter(begin()), AttemptProof::Unproven);
+  EXPECT_THAT(why, HasSubstr("another attempt or level"));
+}
+
+TEST_F(SiteVerificationTest, AnotherLevelThanThatOfTheRecordingIsNot) {
+  AttemptFacts facts = recorded();
+  facts.level = "last";
+  EXPECT_EQ(proofAfter(facts), AttemptProof::Unproven);
+  EXPECT_THAT(why, HasSubstr("another attempt or level"));
+}
+
+TEST_F(SiteVerificationTest, ARecordingWithoutTheKeyOfTheStoreIsNot) {
+  const AttemptFacts facts = begin();
+  const AttemptSeal seal = received(AttemptStore(*trainee).seal(facts));
+  record(recordedFor(facts, seal.nonce), std::nullopt);
+  EXPECT_EQ(proofAfter(facts), AttemptProof::Unproven);
+  EXPECT_THAT(why, HasSubstr("codes"));
+  record(recordedFor(facts, ""), std::nullopt);
+  EXPECT_THROW((void)proofAfter(facts), std::runtime_error) << "the attempt has ended";
+}
+
+TEST_F(SiteVerificationTest, TheMotionOfAScriptIsNot) {
+  EXPECT_EQ(proofAfter(recorded(25, true)), AttemptProof::Unproven);
+  EXPECT_THAT(why, HasSubstr("script"));
+}
+
+TEST_F(SiteVerificationTest, AFailureIsVerifiedLikeAPass) {
+  EXPECT_EQ(proofAfter(recorded(3)), AttemptProof::Proven) << why;
+}
+
+}  // namespace
+}  // namespace insonate

@@ -1,0 +1,28 @@
+#include "site/SiteApi.h"
+
+#include <insonate/curriculum/SiteService.h>
+
+namespace insonate::web {
+namespace {
+
+Response plain(int status, std::string text) {
+  return {.status = status, .type = "text/plain; charset=utf-8", .body = std::move(text)};
+}
+
+}  // namespace
+
+Response answerWorkstation(const CurriculumStore& store, const Request& request) {
+  if (request.method != "POST") return plain(405, "This address takes POST requests of workstations.\n");
+  constexpr std::string_view kBearer = "Bearer ";
+  const std::string& authorization = valueOf(request.headers, "authorization");
+  if (!authorization.starts_with(kBearer)) return plain(401, "The request has no token of a workstation.\n");
+  const SiteService service(store);
+  const auto workstation = service.workstationOf(authorization.substr(kBearer.size()));
+  if (!workstation) return plain(503, workstation.error().message);
+  if (!*workstation) return plain(401, "The token is not valid.\n");
+  auto answer = service.answer(**workstation, request.path.substr(kSiteApi.size()), request.body);
+  if (!answer) return plain(422, answer.error().message);
+  return {.type = "application/json", .body = std::move(*answer)};
+}
+
+}  // namespace insonate::web

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "http/Messages.h"
+
+#include <insonate/curriculum/CurriculumStore.h>
+
+#include <string_view>
+
+namespace insonate::web {
+
+/// Addresses at which workstations exchange data with the server. They carry a token in the header Authorization and
+/// no cookie, so that no page of another site can use them.
+inline constexpr std::string_view kSiteApi = "/api/site/";
+
+/// Answers a request of a workstation (SiteService): status 200 with the answer, 401 without a valid token, 422 with a
+/// sentence that says why the request is refused.
+Response answerWorkstation(const CurriculumStore& store, const Request& request);
+
+}  // namespace insonate::web

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <insonate/curriculum/CurriculumStore.h>
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace insonate::web {
+
+/// Verifies attempts that workstations have sent, one after another, on a thread of its own, until it is destroyed.
+/// Several servers with one database share the work.
+class Verifier {
+ public:
+  explicit Verifier(const CurriculumStore& store);
+  ~Verifier();
+  Verifier(const Verifier&) = delete;
+  Verifier& operator=(const Verifier&) = delete;
+
+ private:
+  void run();
+
+  CurriculumStore store_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool isEnding_ = false;
+  std::thread thread_;
+};
+
+}  // namespace insonate::web
