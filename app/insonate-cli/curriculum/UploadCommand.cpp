@@ -36,7 +36,7 @@ Result<Answer> upload(const StoreOptions& options, const UploadArguments& a) {
   if (!a.person.name.empty()) {
     const auto password = readOwnPassword(a.person);
     if (!password) return tl::unexpected(password.error());
-    if (auto known = site->signIn(a.person.name, *password); !known) return tl::unexpected(known.error());
+    if (const auto reached = site->signIn(a.person.name, *password); !reached) return tl::unexpected(reached.error());
   }
   const auto report = site->exchange(terminalProgress());
   if (!report) return tl::unexpected(report.error());

@@ -45,7 +45,7 @@ class HttpConnection {
   HttpConnection(const HttpConnection&) = delete;
   HttpConnection& operator=(const HttpConnection&) = delete;
 
-  Result<std::string> ask(const std::string& path, const std::string& body) {
+  Result<SiteAnswer> ask(const std::string& path, const std::string& body) {
     const std::lock_guard lock(mutex_);
     if (!curl_) return fail("There is no memory for a connection. Close another program and try again.");
     std::string answer;
@@ -69,8 +69,14 @@ class HttpConnection {
     if (code != CURLE_OK) return fail(sentenceOf(code));
     long status = 0;
     curl_easy_getinfo(curl_, CURLINFO_RESPONSE_CODE, &status);
-    if (status == kOk) return answer;
-    return fail(sentenceOf(status, answer));
+    if (status == kOk) return SiteAnswer{false, std::move(answer)};
+    if (status == kUnauthorized)
+      return SiteAnswer{true,
+                        "The server does not accept this computer's token: it was revoked, or is mistyped. Ask an "
+                        "administrator for a new one."};
+    if (status == kUnprocessable) return SiteAnswer{true, std::move(answer)};
+    return fail(address_.url + " answered with status " + std::to_string(status) +
+                ". Check that the address is that of Insonate's server; if it is, try again in a minute.");
   }
 
  private:
@@ -82,14 +88,6 @@ class HttpConnection {
     if (code == CURLE_SSL_CACERT_BADFILE)
       return "The authority's certificate " + address_.authority.string() + " cannot be read. Name a file in PEM.";
     return address_.url + " cannot be reached (" + curl_easy_strerror(code) + "). Check the address and the network.";
-  }
-  std::string sentenceOf(long status, const std::string& answer) const {
-    if (status == kUnauthorized)
-      return "The server does not accept this computer's token: it was revoked, or is mistyped. Ask an administrator "
-             "for a new one.";
-    if (status == kUnprocessable && !answer.empty()) return answer;
-    return address_.url + " answered with status " + std::to_string(status) +
-           ". Check that the address is that of Insonate's server; if it is, try again in a minute.";
   }
 
   const SiteAddress address_;

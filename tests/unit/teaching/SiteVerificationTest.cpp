@@ -43,13 +43,14 @@ class SiteVerificationTest : public testing::Test {
     return received(CurriculumStore::open(file.string(), services));
   }
   SiteUpload site() const {
-    return {here, SiteLink{.place = "https://site.example.org",
-                           .ask = [this](const std::string& path, const std::string& body) -> Result<std::string> {
-                             const SiteService service(server);
-                             const auto workstation = received(service.workstationOf(token));
-                             if (!workstation) return fail("The token is not valid.");
-                             return service.answer(*workstation, path, body);
-                           }}};
+    const auto ask = [this](const std::string& path, const std::string& body) -> Result<SiteAnswer> {
+      const SiteService service(server);
+      const auto workstation = received(service.workstationOf(token));
+      if (!workstation) return SiteAnswer{true, "The token is not valid."};
+      const auto answer = service.answer(*workstation, path, body);
+      return answer ? SiteAnswer{false, *answer} : SiteAnswer{true, answer.error().message};
+    };
+    return {here, SiteLink{.place = "https://site.example.org", .ask = ask}};
   }
   /// Facts of an attempt that begins now, with its seal.
   AttemptFacts begin() const {

@@ -120,13 +120,15 @@ Result<void> PeopleStore::changeOwnPassword(const std::string& old, const std::s
   // A wrong old password counts toward the lock-out, as at sign-in.
   if (const auto known = store::provePassword(session.core(), by_.person().name, old); !known)
     return tl::unexpected(known.error());
-  const auto version =
-      session.write({.act = Act::ChangeOwnPassword, .person = id},
-                    [&](Transaction& transaction, const Actor&) -> Result<std::int64_t> {
-                      store::setPassword(transaction, id, *hashed, false);
-                      store::putIntoOutbox(transaction, session.core(), "password", id);
-                      return transaction.number("SELECT version FROM credentials WHERE person = ?", id);
-                    });
+  const auto version = session.write(
+      {.act = Act::ChangeOwnPassword, .person = id},
+      [&](Transaction& transaction, const Actor&) -> Result<std::int64_t> {
+        if (const auto site = transaction.row("SELECT server FROM site"); site && site->text(0).starts_with("http"))
+          return fail("Your password is stored on " + site->text(0) + "; change it there.");
+        store::setPassword(transaction, id, *hashed, false);
+        store::putIntoOutbox(transaction, session.core(), "password", id);
+        return transaction.number("SELECT version FROM credentials WHERE person = ?", id);
+      });
   if (!version) return tl::unexpected(version.error());
   session.hasPassword(*version);
   return {};

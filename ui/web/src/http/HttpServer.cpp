@@ -162,9 +162,10 @@ void HttpServer::Impl::work(std::deque<Exchange*>& queue) {
 }
 
 bool HttpServer::Impl::submit(Exchange* exchange) {
-  const bool checksPassword = exchange->request.method == "POST" &&
-                              (exchange->request.path == "/sign-in" || exchange->request.path == "/password" ||
-                               exchange->request.path == "/api/site/sign-in");
+  const bool checksPassword =
+      exchange->request.method == "POST" &&
+      (exchange->request.path == "/sign-in" || exchange->request.path == "/password" ||
+       exchange->request.path == "/api/site/sign-in" || exchange->request.path == "/api/site/password");
   const std::lock_guard lock(mutex);
   std::deque<Exchange*>& queue = checksPassword ? waitingForPassword : waiting;
   if (stopping || queue.size() >= kMostWaiting) return false;

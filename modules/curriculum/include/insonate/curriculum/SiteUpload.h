@@ -14,7 +14,8 @@
 namespace insonate {
 namespace store {
 class Site;
-}
+struct SentPerson;
+}  // namespace store
 
 /// An attempt or form that waits to be sent to the server.
 struct PendingUpload {
@@ -35,12 +36,18 @@ struct UploadReport {
   std::vector<std::string> troubles{};
 };
 
+/// Answer of a server to a request.
+struct SiteAnswer {
+  bool isRefusal = false;  ///< true: `text` is a sentence that says why the server refuses the request
+  std::string text{};
+};
+
 /// Connection of a workstation to the program that serves a site's database over a network (insonate-server).
 struct SiteLink {
   std::string place{};  ///< address of the server, for messages
-  /// Sends a request, of `path` and body, and returns the body of the answer. Fails with a sentence if the server
-  /// cannot be reached, or with the server's sentence if it refuses the request. May be called on any thread.
-  std::function<Result<std::string>(const std::string& path, const std::string& body)> ask{};
+  /// Sends a request, of `path` and body. Fails with a sentence if the server cannot be reached. May be called on any
+  /// thread.
+  std::function<Result<SiteAnswer>(const std::string& path, const std::string& body)> ask{};
 };
 
 /// Exchanges data between the database of a workstation and that of a server: downloads people, roles, cohorts and
@@ -61,15 +68,21 @@ class SiteUpload {
   /// Exchanges data in batches; each batch is one transaction. Batches before a failure or a cancellation remain
   /// stored. Fails if the server cannot be reached or has no people yet.
   Result<UploadReport> exchange(const Progress& progress = {}) const;
+  enum class Reached { Yes, No };
   /// Lets the server check name and password, and stores the person on the workstation, so that the person can sign in
-  /// there, also without connection. Only through a SiteLink; with the server's database it does nothing.
-  Result<void> signIn(const std::string& name, const std::string& password) const;
+  /// there, also without connection. Fails if the server refuses; No: the server cannot be reached. Only through a
+  /// SiteLink; with the server's database it does nothing.
+  Result<Reached> signIn(const std::string& name, const std::string& password) const;
+  /// Changes a person's password on the server, and stores the new one on the workstation. Only through a SiteLink.
+  Result<void> changePassword(const std::string& name, const std::string& old, const std::string& password) const;
   /// Returns the address of the server, for messages.
   const std::string& place() const;
   /// Returns the number of attempts and forms that wait to be sent. Without a server they wait indefinitely.
   Result<std::int64_t> pending() const;
 
  private:
+  Result<void> keep(const store::SentPerson& person) const;
+
   CurriculumStore here_;
   std::shared_ptr<store::Site> server_;
 };

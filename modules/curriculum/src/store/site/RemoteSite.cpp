@@ -13,11 +13,19 @@ using nlohmann::json;
 
 constexpr std::size_t kPart_bytes = 512 << 10;
 
+/// The text of the answer; fails also if the server refuses.
+Result<std::string> textOf(const SiteLink& link, const std::string& path, const std::string& body) {
+  auto answer = link.ask(path, body);
+  if (!answer) return tl::unexpected(answer.error());
+  if (answer->isRefusal) return fail(std::move(answer->text));
+  return std::move(answer->text);
+}
+
 /// Asks and reads the answer by `read`, which may throw what the library throws for an unexpected message.
 template <class Read>
 auto ask(const SiteLink& link, const std::string& path, json content, const Read& read)
     -> Result<decltype(read(std::declval<const json&>()))> {
-  const auto answer = link.ask(path, messageOf(std::move(content)));
+  const auto answer = textOf(link, path, messageOf(std::move(content)));
   if (!answer) return tl::unexpected(answer.error());
   const auto message = readMessage(*answer);
   if (!message) return tl::unexpected(message.error());
@@ -34,7 +42,7 @@ std::int64_t receivedFrom(const json& answer) {
 
 /// The number of bytes that the server has then.
 Result<std::int64_t> sendPart(const SiteLink& link, const std::string& path, std::string_view bytes) {
-  const auto answer = link.ask(path, std::string(bytes));
+  const auto answer = textOf(link, path, std::string(bytes));
   if (!answer) return tl::unexpected(answer.error());
   const auto message = readMessage(*answer);
   if (!message) return tl::unexpected(message.error());
@@ -68,7 +76,18 @@ Result<void> sendFile(const SiteLink& link, const std::string& attempt, const st
   return received ? Result<void>() : tl::unexpected(received.error());
 }
 
+Result<SentPerson> personBy(const SiteLink& link, const std::string& path, const json& content) {
+  auto people = ask(link, path, content, [](const json& answer) { return peopleFrom(answer.at("people")); });
+  if (!people) return tl::unexpected(people.error());
+  if (people->empty()) return fail("The answer of " + link.place + " names no person; try again.");
+  return std::move(people->front());
+}
+
 }  // namespace
+
+bool RemoteSite::answers() {
+  return link_.ask("hello", "").has_value();
+}
 
 Result<void> RemoteSite::greet(Core& here) {
   const auto secret = inTransaction(
@@ -98,11 +117,14 @@ Result<Taught> RemoteSite::teach() {
 }
 
 Result<std::optional<SentPerson>> RemoteSite::signIn(const std::string& name, const std::string& password) {
-  auto people = ask(link_, "sign-in", {{"name", name}, {"password", password}},
-                    [](const json& answer) { return peopleFrom(answer.at("people")); });
-  if (!people) return tl::unexpected(people.error());
-  if (people->empty()) return fail("The answer of " + link_.place + " names no person; try again.");
-  return std::make_optional(std::move(people->front()));
+  auto person = personBy(link_, "sign-in", {{"name", name}, {"password", password}});
+  if (!person) return tl::unexpected(person.error());
+  return std::make_optional(std::move(*person));
+}
+
+Result<SentPerson> RemoteSite::changePassword(const std::string& name, const std::string& old,
+                                              const std::string& password) {
+  return personBy(link_, "password", {{"name", name}, {"password", old}, {"newPassword", password}});
 }
 
 Result<void> RemoteSite::takeRecordings(Core& here, UploadReport& report, const Progress& progress) {

@@ -20,6 +20,8 @@ class Site {
   virtual ~Site() = default;
 
   virtual const std::string& place() const = 0;
+  /// Tells whether the server can be reached.
+  virtual bool answers() = 0;
   /// Fails if the server cannot be reached, refuses the workstation, or has no people yet.
   virtual Result<void> greet(Core& here) = 0;
   /// Returns those of the ids that no person of the server has.
@@ -31,6 +33,9 @@ class Site {
   /// Checks name and password, and returns the person with the hash of the password, which the workstation needs
   /// without connection. Empty: workstation and server have the same passwords in any case.
   virtual Result<std::optional<SentPerson>> signIn(const std::string& name, const std::string& password) = 0;
+  /// Changes a password, and returns the person with the hash of the new one.
+  virtual Result<SentPerson> changePassword(const std::string& name, const std::string& old,
+                                            const std::string& password) = 0;
   /// Sends the recordings that the server needs. Does nothing if the server keeps none.
   virtual Result<void> takeRecordings(Core& here, UploadReport& report, const Progress& progress) = 0;
 };
@@ -49,12 +54,15 @@ class StoreSite final : public Site {
   StoreSite(std::shared_ptr<Core> core, Sender sender) : core_(std::move(core)), sender_(std::move(sender)) {}
 
   const std::string& place() const override { return core_->place(); }
+  bool answers() override;
   Result<void> greet(Core& here) override;
   Result<std::set<std::string>> unknownPeople(const std::set<std::string>& ids) override;
   Result<std::vector<std::string>> addPeople(const std::vector<SentPerson>& people) override;
   Result<Taken> take(const SentBatch& batch) override;
   Result<Taught> teach() override;
   Result<std::optional<SentPerson>> signIn(const std::string& name, const std::string& password) override;
+  Result<SentPerson> changePassword(const std::string& name, const std::string& old,
+                                    const std::string& password) override;
   Result<void> takeRecordings(Core& here, UploadReport& report, const Progress& progress) override;
 
  private:
@@ -68,12 +76,15 @@ class RemoteSite final : public Site {
   explicit RemoteSite(SiteLink link) : link_(std::move(link)) {}
 
   const std::string& place() const override { return link_.place; }
+  bool answers() override;
   Result<void> greet(Core& here) override;
   Result<std::set<std::string>> unknownPeople(const std::set<std::string>& ids) override;
   Result<std::vector<std::string>> addPeople(const std::vector<SentPerson>& people) override;
   Result<Taken> take(const SentBatch& batch) override;
   Result<Taught> teach() override;
   Result<std::optional<SentPerson>> signIn(const std::string& name, const std::string& password) override;
+  Result<SentPerson> changePassword(const std::string& name, const std::string& old,
+                                    const std::string& password) override;
   Result<void> takeRecordings(Core& here, UploadReport& report, const Progress& progress) override;
 
  private:

@@ -70,6 +70,14 @@ Result<json> signIn(const Call& call) {
   });
 }
 
+Result<json> changePassword(const Call& call) {
+  const auto person =
+      call.site.changePassword(call.content.at("name"), call.content.at("password"), call.content.at("newPassword"));
+  return written(person, [](const store::SentPerson& changed) {
+    return json{{"people", store::jsonOf(std::vector<store::SentPerson>{changed})}};
+  });
+}
+
 Result<json> unknownPeople(const Call& call) {
   const auto ids = call.content.at("ids").get<std::set<std::string>>();
   if (ids.size() > kMostPeople) return fail("The workstation has more than 10 000 people.");
@@ -129,8 +137,15 @@ struct Command {
   Result<json> (*answer)(const Call&);
 };
 constexpr Command kCommands[]{
-    {"hello", &hello},     {"sign-in", &signIn},      {"unknown-people", &unknownPeople}, {"people", &addPeople},
-    {"facts", &takeFacts}, {"directory", &directory}, {"wanted", &wantedRecordings},      {"unavailable", &unavailable},
+    {"hello", &hello},
+    {"sign-in", &signIn},
+    {"unknown-people", &unknownPeople},
+    {"people", &addPeople},
+    {"facts", &takeFacts},
+    {"directory", &directory},
+    {"wanted", &wantedRecordings},
+    {"unavailable", &unavailable},
+    {"password", &changePassword},
 };
 
 Result<std::string> answerMessage(Core& core, StoreSite& site, const std::string& workstation, const std::string& path,

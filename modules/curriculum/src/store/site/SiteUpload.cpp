@@ -104,21 +104,34 @@ Result<UploadReport> SiteUpload::exchange(const Progress& progress) const {
   return report;
 }
 
-Result<void> SiteUpload::signIn(const std::string& name, const std::string& password) const {
-  Core& here = *here_.core_;
-  if (auto ok = server_->greet(here); !ok) return ok;
+Result<SiteUpload::Reached> SiteUpload::signIn(const std::string& name, const std::string& password) const {
+  if (!server_->answers()) return Reached::No;
+  if (auto ok = server_->greet(*here_.core_); !ok) return tl::unexpected(ok.error());
   const auto known = server_->signIn(name, password);
   if (!known) return tl::unexpected(known.error());
-  if (!*known) return {};
-  if (auto ok = joinServer(here, server_->place()); !ok) return ok;
+  if (!*known) return Reached::Yes;
+  if (auto kept = keep(**known); !kept) return tl::unexpected(kept.error());
+  return Reached::Yes;
+}
+
+Result<void> SiteUpload::changePassword(const std::string& name, const std::string& old,
+                                        const std::string& password) const {
+  const auto changed = server_->changePassword(name, old, password);
+  if (!changed) return tl::unexpected(changed.error());
+  return keep(*changed);
+}
+
+/// Stores what the server gives now, with the password of this person.
+Result<void> SiteUpload::keep(const store::SentPerson& person) const {
+  if (auto ok = joinServer(*here_.core_, server_->place()); !ok) return ok;
   auto taught = server_->teach();
   if (!taught) return tl::unexpected(taught.error());
-  const auto row = taught->people.find((*known)->person.id);
+  const auto row = taught->people.find(person.person.id);
   // If the password was changed just now, the person signs in once more.
-  if (row != taught->people.end() && row->second[store::kVersionColumn] == std::to_string((*known)->version))
-    row->second[store::kPasswordColumn] = (*known)->password;
+  if (row != taught->people.end() && row->second[store::kVersionColumn] == std::to_string(person.version))
+    row->second[store::kPasswordColumn] = person.password;
   UploadReport report;
-  return store::takeTaught(here, std::move(*taught), report);
+  return store::takeTaught(*here_.core_, std::move(*taught), report);
 }
 
 const std::string& SiteUpload::place() const {

@@ -1,7 +1,14 @@
 #include "store/PasswordProof.h"
+#include "store/Session.h"
 #include "store/site/Site.h"
 
+#include <insonate/curriculum/PeopleStore.h>
+
 namespace insonate::store {
+
+bool StoreSite::answers() {
+  return true;
+}
 
 Result<void> StoreSite::greet(Core& here) {
   if (here.place() == place()) return fail(place() + " cannot be its own server; name the server's address.");
@@ -40,6 +47,18 @@ Result<std::optional<SentPerson>> StoreSite::signIn(const std::string& name, con
     core_->audit(transaction, known->person.id, "sign in at workstation", known->person.id, sender_.workstation);
     return SentPerson{known->person, known->hashed, known->mustChange, known->passwordVersion};
   });
+}
+
+Result<SentPerson> StoreSite::changePassword(const std::string& name, const std::string& old,
+                                             const std::string& password) {
+  const auto known = provePassword(*core_, name, old);
+  if (!known) return tl::unexpected(known.error());
+  const SignedIn by(std::make_shared<Session>(core_, known->person, known->passwordVersion, known->mustChange));
+  if (auto changed = PeopleStore(by).changeOwnPassword(old, password); !changed) return tl::unexpected(changed.error());
+  auto person = signIn(name, password);
+  if (!person) return tl::unexpected(person.error());
+  if (!*person) return fail("The password of the server's database is changed with its own tools.");
+  return std::move(**person);
 }
 
 /// A workstation that opens the database keeps its recordings itself (StoreServices::recordings).

@@ -92,8 +92,8 @@ Result<void> applyRules(Transaction& server, const Core& core, const Sender& sen
     if (auto ok = checkForm(server, sender, *item.form); !ok) return ok;
   if (item.kind == "password")
     troubles.emplace_back(
-        "A password was changed on this computer. The server keeps the former one: sign in with it, and change it on "
-        "the server's page.");
+        "A password was changed on this computer before it joined the server, which keeps its own: sign in with that "
+        "one.");
   return {};
 }
 
