@@ -8,6 +8,7 @@
 #include "signin/SignInPages.h"
 
 #include <insonate/curriculum/BrowserSessions.h>
+#include <insonate/curriculum/DatabaseFailures.h>
 #include <insonate/embedded/web.h>
 #include <insonate/teaching/HeatMap.h>
 
@@ -108,12 +109,22 @@ void addProtection(Response& response, const WebOptions& options) {
   response.headers.emplace_back("Cache-Control", "no-store");
 }
 
+/// The sentences of the failures name the place of the database and have parts of statements: they go to the log alone.
+constexpr const char* kDatabaseFailed =
+    "The database cannot be used at present. Try again in a minute; if this continues, tell the administrator of this "
+    "server.";
+
 }  // namespace
 
 Response Site::answer(const Request& request) const {
   Response response;
+  const DatabaseFailures failures;
   try {
     response = answerPage(request);
+    if (!failures.sentences().empty()) {
+      response = refusal({.request = request, .store = store_, .options = options_}, 503, kDatabaseFailed);
+      response.headers.emplace_back("Retry-After", "30");
+    }
   } catch (const std::exception& error) {
     response = {.status = 500,
                 .type = "text/plain; charset=utf-8",
