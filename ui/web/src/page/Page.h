@@ -55,7 +55,5 @@ Markup paragraph(std::string_view sentence);
 Markup timeOf(std::int64_t time_us);
 /// Returns the full name of a person, or the name for signing in if there is none.
 std::string displayName(const Person& person);
-/// Formats a number with the digits suitable for a table.
-std::string numberOf(double value);
 
 }  // namespace insonate::web
