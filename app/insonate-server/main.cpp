@@ -67,6 +67,7 @@ Result<void> serve(Arguments& arguments) {
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 
   if (auto ok = readListen(arguments); !ok) return ok;
+  if (auto ok = web::checkOptions(arguments.options); !ok) return ok;
   if (arguments.demo == !arguments.database.empty())
     return fail("Name the database to serve, or give --demo for a made-up class, but not both.");
   std::optional<QTemporaryDir> folder;
@@ -113,6 +114,8 @@ int main(int argc, char** argv) {
   app.add_option("--key", arguments.options.key, "File (PEM) with the certificate's private key");
   app.add_flag("--behind-proxy", arguments.options.behindProxy,
                "A proxy on this computer receives HTTPS and passes requests on, with the header Host as it was sent");
+  app.add_option("--proxy", arguments.options.proxies,
+                 "Address of a proxy whose header X-Forwarded-For names the client; may be repeated");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace insonate::web {
 
@@ -19,15 +20,21 @@ struct WebOptions {
   /// true: a proxy on this computer receives HTTPS and passes requests on by HTTP; cookies are then for HTTPS only. The
   /// proxy must pass the header Host on as the browser sent it.
   bool behindProxy = false;
+  /// Addresses of proxies whose header X-Forwarded-For is trusted to name the client. Empty behind a proxy: clients are
+  /// unknown, and sign-ins are limited by name only.
+  std::vector<std::string> proxies{};
 };
+
+/// Fails with a sentence if the options contradict each other, would send passwords without encryption over a network,
+/// or name a certificate that cannot be used. Opens no port.
+Result<void> checkOptions(const WebOptions& options);
 
 /// Serves the pages of a curriculum database to browsers: trainees see their levels and attempts, instructors their
 /// classes, administrators the audit log. Each request has the permissions of its signed-in user, as in all programs
 /// that open the database. Owns its threads; ends with the object.
 class WebServer {
  public:
-  /// Starts a server. Fails with a sentence if the address is in use, the certificate cannot be read, or the options
-  /// would send passwords without encryption over a network.
+  /// Starts a server. Fails with a sentence if the address is in use, or for a reason of checkOptions().
   static Result<WebServer> start(const CurriculumStore& store, const WebOptions& options);
   ~WebServer();
   WebServer(WebServer&&) noexcept;
