@@ -156,11 +156,15 @@ TEST_P(WebSite, AFirstPasswordIsChangedBeforeAnythingElse) {
 TEST_P(WebSite, AddressesLeadNowhereElse) {
   const WebSchool school(rig->open());
   EXPECT_EQ(headerOf(school.get("/me"), "Location"), "/sign-in?next=%2Fme");
+  const std::string asked = headerOf(school.get("/me?level=first&metric=a%20%26b"), "Location");
+  EXPECT_EQ(asked, "/sign-in?next=%2Fme%3Flevel%3Dfirst%26metric%3Da%2520%2526b");
   const auto after = [&](const std::string& next) {
     const web::Fields form{{"name", "anna"}, {"password", kPassword}, {"next", next}};
     return headerOf(school.post("/sign-in", form), "Location");
   };
   EXPECT_EQ(after("/classes/5"), "/classes/5");
+  EXPECT_EQ(after(web::decoded(asked.substr(asked.find('=') + 1), false)), "/me?level=first&metric=a%20%26b");
+  EXPECT_EQ(headerOf(school.get("//elsewhere.example"), "Location"), "") << "is not a page";
   for (const std::string next : {"//elsewhere.example", "/\\elsewhere.example", "https://elsewhere.example", "",
                                  "javascript:alert(1)", "/\t/elsewhere.example", "/x\x7F", "/x\r\nSet-Cookie: a=b"})
     EXPECT_EQ(after(next), "/") << next;

@@ -60,6 +60,20 @@ std::optional<Parts> partsOf(std::string_view pattern, std::string_view path) {
   return pattern.empty() && path.empty() ? std::optional(parts) : std::nullopt;
 }
 
+/// Path and query of a request, as they stand in an address.
+std::string targetOf(const Request& request) {
+  std::string target;
+  std::string_view path = request.path;
+  while (!path.empty()) {
+    const std::string_view part = path.substr(0, path.find('/', 1));
+    target += "/" + encoded(part.substr(1));
+    path.remove_prefix(part.size());
+  }
+  for (const auto& [name, value] : request.query)
+    target += (target.find('?') == std::string::npos ? "?" : "&") + encoded(name) + "=" + encoded(value);
+  return target;
+}
+
 /// A page of another site can make a browser send a form here. Browsers then say where it came from.
 bool comesFromElsewhere(const Request& request) {
   const std::string& site = valueOf(request.headers, "sec-fetch-site");
@@ -159,7 +173,7 @@ Response Site::answerPage(const Request& request) const {
     isKnown = true;
     if (route.method != request.method) continue;
     if (!route.isPublic && !visit.by)
-      return request.method == "GET" ? redirect("/sign-in?next=" + encoded(request.path))
+      return request.method == "GET" ? redirect("/sign-in?next=" + encoded(targetOf(request)))
                                      : refusal(visit, 403, "The session has ended. Sign in again.");
     if (request.method == "POST" && (comesFromElsewhere(request) || (visit.by && !hasFormCode(visit))))
       return refusal(visit, 403, "The form does not come from this page. Open the page again and repeat.");
