@@ -1,6 +1,6 @@
 """Runs insonate-server as a hospital does: with a certificate, a configuration file, and faults in both.
 
-server_test.py SERVER: SERVER is the program. Exit status 77: the program openssl is not here.
+server_test.py SERVER BUILD: SERVER is the program, BUILD the folder to install it from. Exit status 77: the program openssl is not here.
 """
 
 import http.client
@@ -15,7 +15,7 @@ import tempfile
 import unittest
 import urllib.parse
 
-SERVER = sys.argv.pop(1)
+SERVER, BUILD = sys.argv.pop(1), sys.argv.pop(1)
 PASSWORD = "made-up password"
 
 
@@ -147,6 +147,67 @@ class Https(InAFolder):
             self.assertEqual(len(error.splitlines()), 1, error)
         self.assertIn("belong together", refusal("--demo", "--certificate", chain)[1])
         self.assertIn("no IP address", refusal("--demo", "--proxy", "proxy.example")[1])
+
+
+class Operation(InAFolder):
+    def configuration(self, **keys):
+        """A configuration file of these keys, as TOML."""
+        file = self.folder / "server.conf"
+        file.write_text("# comment\n" + "".join(f"{key.replace('_', '-')} = {json.dumps(value)}\n" for key, value in keys.items()))
+        return file
+
+    def test_the_configuration_file_says_what_the_command_line_says(self):
+        token = self.folder / "token"
+        token.write_text("0123456789abcdef\n")
+        file = self.configuration(demo=True, listen="127.0.0.1:0", behind_proxy=True, proxy=["127.0.0.1"],
+                                  monitoring_token_file=str(token))
+        with Server("--config", file) as server:
+            signed_in = server.ask("POST", "/sign-in", {"name": "made-up-001", "password": PASSWORD})
+            self.assertTrue(signed_in.headers["Set-Cookie"].startswith("__Host-insonate="), "behind-proxy")
+            self.assertEqual(server.ask("GET", "/metrics").status, 200)
+            self.assertEqual(server.ask("GET", "/metrics", X_Forwarded_For="10.0.0.9").status, 403)
+            self.assertEqual(server.ask("GET", "/metrics", X_Forwarded_For="10.0.0.9",
+                                        Authorization="Bearer 0123456789abcdef").status, 200)
+            for _ in range(30):
+                server.ask("POST", "/sign-in", {"name": "x", "password": "y"}, X_Forwarded_For="10.0.0.9")
+            again = {"name": "made-up-001", "password": PASSWORD}
+            self.assertEqual(server.ask("POST", "/sign-in", again, X_Forwarded_For="10.0.0.8").status, 303)
+
+    def test_faults_of_the_configuration_have_a_sentence(self):
+        status, error, _ = refusal("--config", self.configuration(demo=True, listne="127.0.0.1:0"))
+        self.assertEqual(status, 2)
+        self.assertIn("listne", error)
+        self.assertIn("without their dashes", error)
+        self.assertEqual(refusal("--config", self.folder / "none.conf")[0], 2)
+        short = self.folder / "short"
+        short.write_text("secret")
+        self.assertIn("shorter than 16", refusal("--demo", "--monitoring-token-file", short)[1])
+        self.assertIn("none cannot be read", refusal("--demo", "--monitoring-token-file", self.folder / "none")[1])
+
+    def test_what_is_installed_fits_together(self):
+        subprocess.run(["cmake", "--install", BUILD, "--component", "server", "--prefix", self.folder], check=True,
+                       capture_output=True)
+        unit = (self.folder / "lib/systemd/system/insonate-server.service").read_text()
+        program = re.search(r"^ExecStart=(\S+) --config /etc/insonate/server.conf$", unit, re.M).group(1)
+        self.assertEqual(program, str(self.folder / "bin/insonate-server"))
+        self.assertNotIn("@bindir", unit)
+        options = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
+        settings = (self.folder / "share/insonate/server.conf").read_text()
+        for option in set(re.findall(r"--([a-z-]+)", options)) - {"help", "version", "config"}:
+            self.assertRegex(settings, rf"(?m)^#?{option} = ", "each option is a key that the file explains")
+        uncommented = self.folder / "server.conf"
+        uncommented.write_text(re.sub(r"(?m)^#(?=[a-z-]+ = )", "", settings))
+        status, error, _ = refusal("--config", uncommented)
+        self.assertEqual(status, 1, error)
+        self.assertNotIn("configuration file", error)
+
+    def test_the_log_is_json_without_personal_data(self):
+        with Server("--demo", "--listen", "127.0.0.1:0") as server:
+            server.ask("POST", "/sign-in", {"name": "made-up-001", "password": "wrong password"})
+            server.ask("GET", "/me?level=made-up-001")
+        self.assertEqual([(one["route"], one["status"]) for one in server.log], [("/sign-in", 401), ("/me", 303)])
+        self.assertEqual(set(server.log[0]), {"time", "level", "event", "method", "route", "status", "ms"})
+        self.assertNotIn("made-up", json.dumps(server.log))
 
 
 if __name__ == "__main__":

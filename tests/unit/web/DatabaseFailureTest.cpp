@@ -29,7 +29,7 @@ void expectUnavailable(const std::function<void(const std::string&)>& breakFile)
   expect(school.post("/sign-in", {{"name", "anna"}, {"password", kPassword}}), "a right password");
   expect(school.post("/sign-in", {{"name", "anna"}, {"password", "wrong password"}}), "a wrong password");
   expect(school.post("/sign-out", {}, anna), "/sign-out");
-  EXPECT_EQ(school.get("/health").status, 503);
+  EXPECT_EQ(school.site.answer(WebSchool::fromHere("/health")).status, 503);
 }
 
 TEST(WebDatabaseFailure, ADeletedDatabaseIsSaidOnEachPage) {

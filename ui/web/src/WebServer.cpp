@@ -20,6 +20,9 @@ Result<void> checkOptions(const WebOptions& options) {
   for (const std::string& proxy : options.proxies)
     if (!isAddress(proxy))
       return fail("'" + proxy + "' is no IP address; --proxy takes the address from which the proxy connects.");
+  constexpr std::size_t kShortestToken = 16;
+  if (!options.monitoringToken.empty() && options.monitoringToken.size() < kShortestToken)
+    return fail("The token for monitoring is shorter than 16 characters. Make one with: openssl rand -hex 32");
   if (options.certificate.empty()) return {};
   using namespace std::chrono;
   const std::int64_t now_s = duration_cast<seconds>(system_clock::now().time_since_epoch()).count();

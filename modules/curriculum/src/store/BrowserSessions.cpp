@@ -69,6 +69,15 @@ Result<std::optional<SignedIn>> BrowserSessions::resume(const std::string& secre
   return found;
 }
 
+Result<int> BrowserSessions::count() const {
+  store::Core& core = *store_.core_;
+  return inTransaction(core, store::Way::Read, [&](store::Transaction& transaction) -> Result<int> {
+    return static_cast<int>(
+        transaction.number("SELECT COUNT(*) FROM browser_sessions WHERE begun_us >= ? AND used_us >= ?",
+                           core.now_us() - kLongest_us, core.now_us() - kLongestIdle_us));
+  });
+}
+
 Result<void> BrowserSessions::end(const std::string& secret) const {
   return inTransaction(*store_.core_, store::Way::Write, [&](store::Transaction& transaction) -> Result<void> {
     transaction.run("DELETE FROM browser_sessions WHERE hash = ?", store::sha256(secret));

@@ -16,11 +16,14 @@
 
 namespace insonate::web {
 
+class Metrics;
+
 /// One request, with the user who makes it.
 struct Visit {
   const Request& request;
   const CurriculumStore& store;
   const WebOptions& options;
+  const Metrics& metrics;
   std::optional<SignedIn> by{};  ///< empty: nobody is signed in; never empty in pages that require sign-in
   std::string secret{};          ///< secret of the browser's session (BrowserSessions); empty if there is none
 };

@@ -32,6 +32,8 @@ class BrowserSessions {
   /// has ended, if another password was set since, or if the account is disabled. The time of the request is stored to
   /// the minute. Fails only if the database cannot be read.
   Result<std::optional<SignedIn>> resume(const std::string& secret) const;
+  /// Returns the number of sessions that have not ended.
+  Result<int> count() const;
   /// Ends a session; an unknown secret is no error.
   Result<void> end(const std::string& secret) const;
   /// Continues a session after its person has changed the password, which ends all other sessions of this person.

@@ -4,11 +4,17 @@
 #include <insonate/curriculum/CurriculumStore.h>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace insonate::web {
+
+enum class LogLevel { Info, Error };
+/// Takes what happened as a JSON object, such as {"event":"request","route":"/me","status":200}. It has no names of
+/// people, no addresses and no queries. Called on several threads.
+using Log = std::function<void(LogLevel, const std::string& object)>;
 
 /// Address of a server, and how its connections are protected.
 struct WebOptions {
@@ -23,6 +29,10 @@ struct WebOptions {
   /// Addresses of proxies whose header X-Forwarded-For is trusted to name the client. Empty behind a proxy: clients are
   /// unknown, and sign-ins are limited by name only.
   std::vector<std::string> proxies{};
+  /// Secret by which programs on other computers may read /health and /metrics: 16 characters or more. Empty: only
+  /// programs on this computer may.
+  std::string monitoringToken{};
+  Log log{};  ///< empty: nothing is logged
 };
 
 /// Fails with a sentence if the options contradict each other, would send passwords without encryption over a network,
