@@ -1,3 +1,5 @@
+#include "ServerLog.h"
+
 #include <insonate/curriculum/Curriculum.h>
 #include <insonate/teaching/DemoClass.h>
 #include <insonate/web/WebServer.h>
@@ -10,6 +12,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -21,6 +24,7 @@ using namespace insonate;
 struct Arguments {
   std::string database;
   std::string listen = "127.0.0.1:8443";
+  std::string tokenFile;
   web::WebOptions options;
   bool demo = false;
 };
@@ -36,6 +40,15 @@ Result<void> readListen(Arguments& arguments) {
   if (error != std::errc() || end != port.data() + port.size() || arguments.options.port < 0 ||
       arguments.options.port > 65535)
     return fail("--listen takes ADDRESS:PORT, such as 127.0.0.1:8443, not '" + arguments.listen + "'.");
+  return {};
+}
+
+/// The token is in a file, since all users of a computer can read the command lines of its programs.
+Result<void> readToken(Arguments& arguments) {
+  if (arguments.tokenFile.empty()) return {};
+  std::ifstream in(arguments.tokenFile);
+  if (!(in >> arguments.options.monitoringToken))
+    return fail(arguments.tokenFile + " cannot be read, or is empty. Make it with: openssl rand -hex 32");
   return {};
 }
 
@@ -67,6 +80,8 @@ Result<void> serve(Arguments& arguments) {
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 
   if (auto ok = readListen(arguments); !ok) return ok;
+  if (auto ok = readToken(arguments); !ok) return ok;
+  if (auto ok = web::checkOptions(arguments.options); !ok) return ok;
   if (arguments.demo == !arguments.database.empty())
     return fail("Name the database to serve, or give --demo for a made-up class, but not both.");
   std::optional<QTemporaryDir> folder;
@@ -98,26 +113,43 @@ Result<void> serve(Arguments& arguments) {
   return {};
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  CLI::App app{"Insonate's server shows levels, attempts and classes in a browser."};
-  app.set_version_flag("--version", std::string(INSONATE_VERSION));
-  Arguments arguments;
-  app.add_option("DATABASE", arguments.database,
+/// The names of the options are also those of the configuration file.
+void addOptions(CLI::App& app, Arguments& arguments) {
+  web::WebOptions& options = arguments.options;
+  app.add_option("DATABASE,--database", arguments.database,
                  "Existing file, or postgresql://USER@HOST/DATABASE with the password in PGPASSWORD");
   app.add_flag("--demo", arguments.demo,
                "Serve a made-up class, which is deleted at the end; prints names and password");
   app.add_option("--listen", arguments.listen, "Address and port")->capture_default_str();
-  app.add_option("--certificate", arguments.options.certificate, "File (PEM) with the certificate chain, for HTTPS");
-  app.add_option("--key", arguments.options.key, "File (PEM) with the certificate's private key");
-  app.add_flag("--behind-proxy", arguments.options.behindProxy,
+  app.add_option("--certificate", options.certificate, "File (PEM) with the certificate chain, for HTTPS");
+  app.add_option("--key", options.key, "File (PEM) with the certificate's private key");
+  app.add_flag("--behind-proxy", options.behindProxy,
                "A proxy on this computer receives HTTPS and passes requests on, with the header Host as it was sent");
+  app.add_option("--proxy", options.proxies,
+                 "Address of a proxy whose header X-Forwarded-For names the client; may be repeated");
+  app.add_option("--monitoring-token-file", arguments.tokenFile,
+                 "File with the secret by which other computers read /health and /metrics");
+  app.set_config("--config", "", "File with these options, without their dashes: listen = \"127.0.0.1:8443\"");
+  app.allow_config_extras(CLI::config_extras_mode::error);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Insonate's server shows levels, attempts and classes in a browser. It logs to the standard error."};
+  app.set_version_flag("--version", std::string(INSONATE_VERSION));
+  Arguments arguments;
+  addOptions(app, arguments);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::ConfigError& e) {
+    std::cerr << "insonate-server: The configuration file cannot be used: " << e.what()
+              << ". Its keys are the options that --help lists, without their dashes.\n";
+    return 2;
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;
   }
+  arguments.options.log = standardLog();
   if (const auto served = serve(arguments); !served) {
     std::cerr << "insonate-server: " << served.error().message << '\n';
     return 1;

@@ -66,5 +66,12 @@ TEST(AttemptTable, FreePracticePassesNothing) {
   EXPECT_EQ(fieldOf(test::passedAttempt("a"), nullptr, "passed"), "") << "without a curriculum";
 }
 
+TEST(AttemptTable, NumbersHaveTheDigitsThatPeopleRead) {
+  EXPECT_EQ(numberOf(0.254), "0.25");
+  EXPECT_EQ(numberOf(-12.54), "-12.5");
+  EXPECT_EQ(numberOf(130.6), "131");
+  EXPECT_EQ(numberOf(7), "7");
+}
+
 }  // namespace
 }  // namespace insonate

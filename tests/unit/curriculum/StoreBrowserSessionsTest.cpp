@@ -24,7 +24,9 @@ TEST_P(StoreBrowserSessions, BelongToThePersonWhoSignedInUntilTheyEnd) {
   EXPECT_EQ(nameIn(sessions, ""), "(none)");
   EXPECT_EQ(nameIn(sessions, anna.substr(1) + "x"), "(none)");
   EXPECT_EQ(nameIn(BrowserSessions(rig->open()), anna), "anna") << "another server answers";
+  EXPECT_EQ(valueOf(sessions.count()), 2);
   succeed(sessions.end(anna));
+  EXPECT_EQ(valueOf(sessions.count()), 1);
   EXPECT_EQ(nameIn(sessions, anna), "(none)");
   EXPECT_EQ(nameIn(sessions, ina), "ina");
 }

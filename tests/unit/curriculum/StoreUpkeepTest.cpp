@@ -11,9 +11,11 @@
 #include <insonate/curriculum/StoreUpkeep.h>
 
 #include <nlohmann/json.hpp>
+#include <sqlite3.h>
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <set>
 #include <thread>
 
@@ -245,6 +247,46 @@ TEST(StoreUpkeepOfFile, ADamagedStoreIsRefusedAndABackupTakesItsPlace) {
   const SignedIn anna = valueOf(rig.open().signIn("anna", kPassword));
   EXPECT_EQ(valueOf(AttemptStore(anna).history(anna.person().id)).size(), 1U);
   EXPECT_TRUE(fs::exists(rig.address + ".before-restore"));
+}
+
+/// Opens the store and a connection of another thread, then changes the file under both.
+void expectNoUse(const std::function<void(const fs::path&)>& change, const std::string& why) {
+  const StoreRig rig;
+  const School school(rig.open());
+  change(rig.address);
+  EXPECT_THAT(refusalOf(school.store.hasPeople()), HasSubstr(why));
+  EXPECT_THAT(refusalOf(school.store.signIn("anna", kPassword)), HasSubstr(why));
+  std::string elsewhere;
+  std::thread([&] { elsewhere = refusalOf(school.store.hasPeople()); }).join();
+  EXPECT_THAT(elsewhere, HasSubstr(rig.address)) << "a thread that had no connection before";
+}
+
+TEST(StoreUpkeepOfFile, AStoreThatIsTakenAwayWhileItIsInUseIsNoLongerUsed) {
+  expectNoUse([](const fs::path& file) { fs::remove(file); }, "was deleted while it was in use");
+  expectNoUse([](const fs::path& file) { fs::resize_file(file, 0); }, "was emptied while it was in use");
+  expectNoUse(
+      [](const fs::path& file) {
+        fs::rename(file, file.string() + ".moved");
+        fs::copy_file(file.string() + ".moved", file);
+      },
+      "was replaced while it was in use");
+  const StoreRig rig;
+  const School school(rig.open());
+  fs::remove(rig.address);
+  (void)school.store.hasPeople();
+  EXPECT_FALSE(fs::exists(rig.address)) << "no new, empty store takes its place";
+}
+
+TEST(StoreUpkeepOfFile, OpeningALockedStoreEnds) {
+  const StoreRig rig;
+  { const School school(rig.open()); }
+  sqlite3* owner = nullptr;
+  ASSERT_EQ(sqlite3_open(rig.address.c_str(), &owner), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(owner, "PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE; UPDATE people SET email = ''",
+                         nullptr, nullptr, nullptr),
+            SQLITE_OK);
+  EXPECT_THAT(refusalToOpen(rig.address), HasSubstr("in use by another program for longer than 10 s"));
+  sqlite3_close(owner);
 }
 
 TEST(StoreUpkeepOfFile, ABackupThatWasWrittenToIsNotRestored) {

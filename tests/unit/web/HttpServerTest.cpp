@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <thread>
 
@@ -38,9 +39,13 @@ class RawClient {
   std::string receive() {
     std::string all;
     char part[4096];
-    for (ssize_t count; (count = ::recv(socket_, part, sizeof part, 0)) > 0;) all.append(part, std::size_t(count));
+    ssize_t count = 0;
+    while ((count = ::recv(socket_, part, sizeof part, 0)) > 0) all.append(part, std::size_t(count));
+    isEnded_ = count == 0 || errno == ECONNRESET;
     return all;
   }
+  /// The server closed the connection; otherwise receive() lost its patience.
+  bool isEnded() const { return isEnded_; }
   std::string ask(const std::string& bytes) {
     send(bytes);
     return receive();
@@ -48,11 +53,11 @@ class RawClient {
 
  private:
   int socket_;
-  bool connected_ = false;
+  bool connected_ = false, isEnded_ = false;
 };
 
-std::unique_ptr<HttpServer> serving(const HttpServer::Answer& answer) {
-  auto server = HttpServer::start({.port = 0}, answer);
+std::unique_ptr<HttpServer> serving(const HttpServer::Answer& answer, const HttpLimits& limits = {}) {
+  auto server = HttpServer::start({.port = 0}, answer, limits);
   if (!server) throw std::runtime_error(server.error().message);
   return std::move(*server);
 }
@@ -150,6 +155,77 @@ TEST(WebHttpServer, SlowClientsHoldNobodyUp) {
     slow.back()->send(i % 2 == 0 ? "GET /slow HT" : "POST /slow HTTP/1.1\r\nHost: x\r\nContent-Length: 10\r\n\r\nabc");
   }
   EXPECT_THAT(RawClient(server->port()).ask("GET /quick HTTP/1.1\r\n" + kClose + "\r\n"), HasSubstr("GET /quick"));
+}
+
+TEST(WebHttpServer, AClientThatSendsOneByteAtATimeIsEnded) {
+  using namespace std::chrono_literals;
+  const auto server = serving(&echo, {.request = 400ms});
+  for (const std::string start : {"GET /", "POST /slow HTTP/1.1\r\nHost: x\r\nContent-Length: 10000\r\n\r\n"}) {
+    RawClient slow(server->port());
+    slow.send(start);
+    std::atomic<bool> isEnded = false;
+    std::thread sender([&] {
+      while (!isEnded) {
+        slow.send("a");
+        std::this_thread::sleep_for(50ms);
+      }
+    });
+    (void)slow.receive();
+    EXPECT_TRUE(slow.isEnded()) << start;
+    isEnded = true;
+    sender.join();
+  }
+  EXPECT_THAT(RawClient(server->port()).ask("GET /quick HTTP/1.1\r\n" + kClose + "\r\n"), HasSubstr("GET /quick"));
+}
+
+TEST(WebHttpServer, AClientThatDoesNotTakeItsAnswerIsEnded) {
+  using namespace std::chrono_literals;
+  constexpr std::size_t kLarge = 64 << 20;
+  const auto server =
+      serving([&](const Request&) { return Response{.body = std::string(kLarge, 'a')}; }, {.answer = 300ms});
+  RawClient slow(server->port());
+  slow.send("GET / HTTP/1.1\r\n" + kClose + "\r\n");
+  std::this_thread::sleep_for(1500ms);
+  EXPECT_LT(slow.receive().size(), kLarge);
+}
+
+TEST(WebHttpServer, TheTimeOfTheServerIsNotThatOfTheClient) {
+  using namespace std::chrono_literals;
+  const auto server = serving(
+      [](const Request& request) {
+        std::this_thread::sleep_for(700ms);
+        return echo(request);
+      },
+      {.request = 200ms, .answer = 200ms});
+  EXPECT_THAT(RawClient(server->port()).ask("GET /late HTTP/1.1\r\n" + kClose + "\r\n"), HasSubstr("GET /late"));
+}
+
+TEST(WebHttpServer, AnAddressHasALimitedNumberOfConnections) {
+  const auto server = serving(&echo, {.connectionsOfOneAddress = 3});
+  std::vector<std::unique_ptr<RawClient>> held;
+  for (int i = 0; i < 3; ++i) {
+    held.push_back(std::make_unique<RawClient>(server->port()));
+    held.back()->send("GET /held HTTP/1.1\r\nHost: x\r\n");
+  }
+  EXPECT_EQ(RawClient(server->port()).ask("GET /more HTTP/1.1\r\n" + kClose + "\r\n"), "");
+  EXPECT_THAT(held.front()->ask("Connection: close\r\n\r\n"), HasSubstr("GET /held"));
+  held.front().reset();
+  std::string got;
+  for (int tries = 0; got.empty() && tries < 100; ++tries) {
+    got = RawClient(server->port()).ask("GET /more HTTP/1.1\r\n" + kClose + "\r\n");
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_THAT(got, HasSubstr("GET /more")) << "after one has ended";
+}
+
+TEST(WebHttpServer, EachProxyOnTheWayIsNamed) {
+  const auto server = serving([](const Request& request) {
+    return Response{.body = valueOf(request.headers, "x-forwarded-for") + " " + valueOf(request.headers, "x-other")};
+  });
+  EXPECT_THAT(RawClient(server->port())
+                  .ask("GET / HTTP/1.1\r\n" + kClose +
+                       "X-Forwarded-For: 9.9.9.9\r\nX-Other: a\r\nX-Forwarded-For: 1.2.3.4\r\nX-Other: b\r\n\r\n"),
+              HasSubstr("9.9.9.9, 1.2.3.4 a"));
 }
 
 TEST(WebHttpServer, SlowAnswersHoldUpOnlyTheirWorkers) {

@@ -9,10 +9,17 @@
 namespace insonate::test {
 
 web::Request WebSchool::request(const std::string& method, const std::string& path, const std::string& secret) {
-  web::Request made{.method = method, .path = path.substr(0, path.find('?'))};
+  web::Request made{.method = method, .path = path.substr(0, path.find('?')), .client = "10.0.0.7"};
   if (const auto query = path.find('?'); query != std::string::npos)
     made.query = web::fieldsOfForm(path.substr(query + 1));
   if (!secret.empty()) made.cookies["insonate"] = secret;
+  return made;
+}
+
+web::Request WebSchool::fromHere(const std::string& path) {
+  web::Request made = request("GET", path, "");
+  made.client = "127.0.0.1";
+  made.headers["host"] = "127.0.0.1:8443";
   return made;
 }
 
@@ -64,6 +71,8 @@ TEST_P(WebSite, EachRoleSeesWhatTheDatabaseAllowsItAndNothingElse) {
       {"/audit", {{"anna", 403}, {"ben", 403}, {"carl", 403}, {"ina", 403}, {"otto", 403}, {"admin", 200}}},
       {"/password", {{"anna", 200}, {"ben", 200}, {"carl", 200}, {"ina", 200}, {"otto", 200}, {"admin", 200}}},
   };
+  for (const auto& [who, secret] : secrets)
+    for (const std::string path : {"/health", "/metrics"}) EXPECT_EQ(school.get(path, secret).status, 403) << who;
   for (const auto& [path, roles] : expected)
     for (const auto& [who, secret] : secrets) {
       SCOPED_TRACE(who + " " + path);
@@ -156,11 +165,15 @@ TEST_P(WebSite, AFirstPasswordIsChangedBeforeAnythingElse) {
 TEST_P(WebSite, AddressesLeadNowhereElse) {
   const WebSchool school(rig->open());
   EXPECT_EQ(headerOf(school.get("/me"), "Location"), "/sign-in?next=%2Fme");
+  const std::string asked = headerOf(school.get("/me?level=first&metric=a%20%26b"), "Location");
+  EXPECT_EQ(asked, "/sign-in?next=%2Fme%3Flevel%3Dfirst%26metric%3Da%2520%2526b");
   const auto after = [&](const std::string& next) {
     const web::Fields form{{"name", "anna"}, {"password", kPassword}, {"next", next}};
     return headerOf(school.post("/sign-in", form), "Location");
   };
   EXPECT_EQ(after("/classes/5"), "/classes/5");
+  EXPECT_EQ(after(web::decoded(asked.substr(asked.find('=') + 1), false)), "/me?level=first&metric=a%20%26b");
+  EXPECT_EQ(headerOf(school.get("//elsewhere.example"), "Location"), "") << "is not a page";
   for (const std::string next : {"//elsewhere.example", "/\\elsewhere.example", "https://elsewhere.example", "",
                                  "javascript:alert(1)", "/\t/elsewhere.example", "/x\x7F", "/x\r\nSet-Cookie: a=b"})
     EXPECT_EQ(after(next), "/") << next;
@@ -201,7 +214,7 @@ TEST(WebSiteFirstRun, ADatabaseWithoutAccountsSaysHowToBegin) {
   const web::Response response = site.answer(WebSchool::request("GET", "/sign-in", ""));
   EXPECT_EQ(response.status, 503);
   EXPECT_THAT(response.body, HasSubstr("has no accounts yet"));
-  EXPECT_EQ(site.answer(WebSchool::request("GET", "/health", "")).status, 200);
+  EXPECT_EQ(site.answer(WebSchool::fromHere("/health")).status, 200);
 }
 
 }  // namespace

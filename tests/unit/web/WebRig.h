@@ -34,6 +34,8 @@ class WebSchool : public School {
   std::string signIn(const std::string& name, const std::string& password = kPassword) const;
 
   static web::Request request(const std::string& method, const std::string& path, const std::string& secret);
+  /// A request of a program on the computer of the server.
+  static web::Request fromHere(const std::string& path);
 
   web::Site site;
   std::string annas;  ///< id of Anna's attempt

@@ -3,44 +3,46 @@
 #include "attempt/AttemptPage.h"
 #include "audit/AuditPage.h"
 #include "classes/ClassPages.h"
+#include "monitoring/MonitoringPages.h"
 #include "page/Page.h"
 #include "person/PersonPage.h"
 #include "signin/SignInPages.h"
 #include "site/SiteApi.h"
 
 #include <insonate/curriculum/BrowserSessions.h>
+#include <insonate/curriculum/DatabaseFailures.h>
 #include <insonate/embedded/web.h>
 #include <insonate/teaching/HeatMap.h>
 
+#include <nlohmann/json.hpp>
 #include <sodium.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
 namespace insonate::web {
+
+/// Permission that an address requires.
+enum class Access {
+  File,         ///< everybody, without the database
+  Monitoring,   ///< programs on this computer, and those that have the token
+  Workstation,  ///< workstations, which send a token of their own
+  Everybody,
+  SignedIn
+};
+
+struct Route {
+  std::string_view method, path;  ///< "*" stands for one variable part
+  Access access;
+  Response (*answer)(const Visit&, const Parts&);
+};
+
 namespace {
 
 Response showHome(const Visit& visit, const Parts& /*parts*/) {
   return redirect(visit.by->person().role == Role::Trainee ? "/me" : "/classes");
 }
-
-struct Route {
-  std::string_view method, path;  ///< "*" stands for one variable part
-  bool isPublic;                  ///< true: nobody needs to be signed in
-  Response (*answer)(const Visit&, const Parts&);
-};
-
-constexpr Route kRoutes[]{
-    {"GET", "/", false, &showHome},
-    {"GET", "/sign-in", true, &showSignIn},
-    {"POST", "/sign-in", true, &signIn},
-    {"POST", "/sign-out", false, &signOut},
-    {"GET", "/password", false, &showPasswordForm},
-    {"POST", "/password", false, &changePassword},
-    {"GET", "/me", false, &showOwnTraining},
-    {"GET", "/attempts/*", false, &showAttempt},
-    {"GET", "/classes", false, &showClasses},
-    {"GET", "/classes/*", false, &showClass},
-    {"GET", "/classes/*/people/*", false, &showMember},
-    {"GET", "/audit", false, &showAudit},
-};
 
 /// The variable parts of a path, if it fits the pattern.
 std::optional<Parts> partsOf(std::string_view pattern, std::string_view path) {
@@ -58,6 +60,20 @@ std::optional<Parts> partsOf(std::string_view pattern, std::string_view path) {
       return std::nullopt;
   }
   return pattern.empty() && path.empty() ? std::optional(parts) : std::nullopt;
+}
+
+/// Path and query of a request, as they stand in an address.
+std::string targetOf(const Request& request) {
+  std::string target;
+  std::string_view path = request.path;
+  while (!path.empty()) {
+    const std::string_view part = path.substr(0, path.find('/', 1));
+    target += "/" + encoded(part.substr(1));
+    path.remove_prefix(part.size());
+  }
+  for (const auto& [name, value] : request.query)
+    target += (target.find('?') == std::string::npos ? "?" : "&") + encoded(name) + "=" + encoded(value);
+  return target;
 }
 
 /// A page of another site can make a browser send a form here. Browsers then say where it came from.
@@ -84,7 +100,11 @@ std::string fileNamed(std::string_view name) {
 
 const std::pair<std::string, std::string> kKeptForAnHour{"Cache-Control", "max-age=3600"};
 
-Response styleSheet() {
+Response showIcon(const Visit& /*visit*/, const Parts& /*parts*/) {
+  return {.type = "image/svg+xml", .body = fileNamed("icon"), .headers = {kKeptForAnHour}};
+}
+
+Response showStyleSheet(const Visit& /*visit*/, const Parts& /*parts*/) {
   std::string style = fileNamed("style");
   for (int step = 0; step <= 10; ++step) {
     const HeatColor color = heatColorOf(step * 10);
@@ -94,6 +114,27 @@ Response styleSheet() {
   }
   return {.type = "text/css; charset=utf-8", .body = std::move(style), .headers = {kKeptForAnHour}};
 }
+
+constexpr Route kRoutes[]{
+    {"GET", "/style.css", Access::File, &showStyleSheet},
+    {"GET", "/icon.svg", Access::File, &showIcon},
+    {"GET", "/health", Access::Monitoring, &showHealth},
+    {"GET", "/metrics", Access::Monitoring, &showMetrics},
+    {"POST", "/api/site/*", Access::Workstation, &answerWorkstation},
+    {"POST", "/api/site/recordings/*/*/*", Access::Workstation, &answerWorkstation},
+    {"GET", "/sign-in", Access::Everybody, &showSignIn},
+    {"POST", "/sign-in", Access::Everybody, &signIn},
+    {"GET", "/", Access::SignedIn, &showHome},
+    {"POST", "/sign-out", Access::SignedIn, &signOut},
+    {"GET", "/password", Access::SignedIn, &showPasswordForm},
+    {"POST", "/password", Access::SignedIn, &changePassword},
+    {"GET", "/me", Access::SignedIn, &showOwnTraining},
+    {"GET", "/attempts/*", Access::SignedIn, &showAttempt},
+    {"GET", "/classes", Access::SignedIn, &showClasses},
+    {"GET", "/classes/*", Access::SignedIn, &showClass},
+    {"GET", "/classes/*/people/*", Access::SignedIn, &showMember},
+    {"GET", "/audit", Access::SignedIn, &showAudit},
+};
 
 void addProtection(Response& response, const WebOptions& options) {
   response.headers.emplace_back("Content-Security-Policy",
@@ -109,58 +150,103 @@ void addProtection(Response& response, const WebOptions& options) {
   response.headers.emplace_back("Cache-Control", "no-store");
 }
 
+/// The sentences of the failures name the place of the database and have parts of statements: they go to the log alone.
+constexpr const char* kDatabaseFailed =
+    "The database cannot be used at present. Try again in a minute; if this continues, tell the administrator of this "
+    "server.";
+
+/// HEAD arrives as GET; a method that the page does not take finds no route.
+const Route* routeFor(const Request& request) {
+  for (const Route& route : kRoutes)
+    if (route.method == request.method && partsOf(route.path, request.path)) return &route;
+  return nullptr;
+}
+
+/// Addresses have ids of people and are not logged.
+std::string_view nameOf(const Route* route) {
+  return route ? route->path : "other";
+}
+
 }  // namespace
 
 Response Site::answer(const Request& request) const {
+  const auto begun = std::chrono::steady_clock::now();
+  const Route* route = routeFor(request);
   Response response;
+  const DatabaseFailures failures;
   try {
-    response = answerPage(request);
+    response = answerRoute(request, route);
   } catch (const std::exception& error) {
-    response = {.status = 500,
-                .type = "text/plain; charset=utf-8",
-                .body = std::string("The request failed: ") + error.what() + "\n"};
+    noteFailure(route, "exception", error.what());
+    response = refusal(visitOf(request), 500, "The request failed. Tell the administrator of this server.");
+  }
+  for (const std::string& sentence : failures.sentences()) noteFailure(route, "database failure", sentence);
+  metrics_.countDatabaseFailures(static_cast<std::int64_t>(failures.sentences().size()));
+  if (!failures.sentences().empty() && (!route || route->access != Access::Monitoring)) {
+    response = refusal(visitOf(request), 503, kDatabaseFailed);
+    response.headers.emplace_back("Retry-After", "30");
   }
   addProtection(response, options_);
+  note(request, route, response, std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count());
   return response;
 }
 
-Response Site::answerPage(const Request& request) const {
-  if (request.method == "GET" && request.path == "/style.css") return styleSheet();
-  if (request.method == "GET" && request.path == "/icon.svg")
-    return {.type = "image/svg+xml", .body = fileNamed("icon"), .headers = {kKeptForAnHour}};
-  if (request.method == "GET" && request.path == "/health") {
-    const bool answers = store_.hasPeople().has_value();
-    return {.status = answers ? 200 : 503,
-            .type = "text/plain; charset=utf-8",
-            .body = answers ? "ok\n" : "The database does not answer.\n"};
-  }
-  if (request.path.starts_with(kSiteApi)) return answerWorkstation(store_, request);
-  Visit visit{.request = request, .store = store_, .options = options_};
+Visit Site::visitOf(const Request& request) const {
+  return {.request = request, .store = store_, .options = options_, .metrics = metrics_};
+}
+
+Response Site::answerRoute(const Request& request, const Route* route) const {
+  Visit visit = visitOf(request);
+  if (route && (route->access == Access::File || route->access == Access::Workstation)) return route->answer(visit, {});
+  if (route && route->access == Access::Monitoring)
+    return mayMonitor(request, options_)
+               ? route->answer(visit, {})
+               : refusal(visit, 403, "Only programs on this computer, and those with the token, may read this.");
   visit.secret = valueOf(request.cookies, sessionCookie(options_));
   if (!visit.secret.empty()) {
     auto by = BrowserSessions(store_).resume(visit.secret);
-    if (!by) return refusal({.request = request, .store = store_, .options = options_}, 503, by.error().message);
+    if (!by) return refusal(visitOf(request), 503, kDatabaseFailed);
     visit.by = std::move(*by);
     if (!visit.by) visit.secret.clear();
   }
-  bool isKnown = false;
-  for (const Route& route : kRoutes) {
-    const auto parts = partsOf(route.path, request.path);
-    if (!parts) continue;
-    isKnown = true;
-    if (route.method != request.method) continue;
-    if (!route.isPublic && !visit.by)
-      return request.method == "GET" ? redirect("/sign-in?next=" + encoded(request.path))
-                                     : refusal(visit, 403, "The session has ended. Sign in again.");
-    if (request.method == "POST" && (comesFromElsewhere(request) || (visit.by && !hasFormCode(visit))))
-      return refusal(visit, 403, "The form does not come from this page. Open the page again and repeat.");
-    if (visit.by && visit.by->mustChangePassword() && !route.isPublic && request.path != "/password" &&
-        request.path != "/sign-out")
-      return redirect("/password");
-    return route.answer(visit, *parts);
-  }
+  if (route) return answerPage(visit, *route);
+  const bool isKnown =
+      std::ranges::any_of(kRoutes, [&](const Route& one) { return partsOf(one.path, request.path).has_value(); });
   if (isKnown) return refusal(visit, 405, "This address does not take such requests.");
   return refusal(visit, 404, "There is no page at this address.");
+}
+
+Response Site::answerPage(const Visit& visit, const Route& route) const {
+  const Request& request = visit.request;
+  const bool isPublic = route.access == Access::Everybody;
+  if (!isPublic && !visit.by)
+    return request.method == "GET" ? redirect("/sign-in?next=" + encoded(targetOf(request)))
+                                   : refusal(visit, 403, "The session has ended. Sign in again.");
+  if (request.method == "POST" && (comesFromElsewhere(request) || (visit.by && !hasFormCode(visit))))
+    return refusal(visit, 403, "The form does not come from this page. Open the page again and repeat.");
+  if (visit.by && visit.by->mustChangePassword() && !isPublic && request.path != "/password" &&
+      request.path != "/sign-out")
+    return redirect("/password");
+  return route.answer(visit, *partsOf(route.path, request.path));
+}
+
+void Site::note(const Request& request, const Route* route, const Response& response, double seconds) const {
+  const std::string method = request.method == "GET" || request.method == "POST" ? request.method : "other";
+  const std::string path(nameOf(route));
+  metrics_.count(method, path, response.status, seconds);
+  if (!options_.log) return;
+  const nlohmann::ordered_json object{{"event", "request"},
+                                      {"method", method},
+                                      {"route", path},
+                                      {"status", response.status},
+                                      {"ms", std::round(seconds * 1e4) / 10}};
+  options_.log(LogLevel::Info, object.dump());
+}
+
+void Site::noteFailure(const Route* route, const char* event, const std::string& sentence) const {
+  if (!options_.log) return;
+  const nlohmann::ordered_json object{{"event", event}, {"route", nameOf(route)}, {"message", sentence}};
+  options_.log(LogLevel::Error, object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 }  // namespace insonate::web

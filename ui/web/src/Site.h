@@ -1,14 +1,21 @@
 #pragma once
 
 #include "http/Messages.h"
+#include "monitoring/Metrics.h"
 
 #include <insonate/curriculum/CurriculumStore.h>
 #include <insonate/web/WebServer.h>
 
+#include <string>
+
 namespace insonate::web {
 
+struct Route;
+struct Visit;
+
 /// Answers requests to a curriculum database: finds the page for an address, the user of the session, and refuses what
-/// does not come from the server's own pages. For any thread; keeps nothing between requests.
+/// does not come from the server's own pages. Counts and logs each request. For any thread; keeps only the counts
+/// between requests.
 class Site {
  public:
   Site(CurriculumStore store, WebOptions options) : store_(std::move(store)), options_(std::move(options)) {}
@@ -16,10 +23,15 @@ class Site {
   Response answer(const Request& request) const;
 
  private:
-  Response answerPage(const Request& request) const;
+  Response answerRoute(const Request& request, const Route* route) const;
+  Response answerPage(const Visit& visit, const Route& route) const;
+  Visit visitOf(const Request& request) const;
+  void note(const Request& request, const Route* route, const Response& response, double seconds) const;
+  void noteFailure(const Route* route, const char* event, const std::string& sentence) const;
 
   CurriculumStore store_;
   WebOptions options_;
+  mutable Metrics metrics_{};
 };
 
 }  // namespace insonate::web

@@ -1,11 +1,14 @@
 #include "Site.h"
+#include "http/Certificate.h"
+#include "http/ClientAddress.h"
 #include "http/HttpServer.h"
 #include "site/Verifier.h"
 
 #include <insonate/web/WebServer.h>
 
+#include <chrono>
+
 namespace insonate::web {
-namespace {
 
 Result<void> checkOptions(const WebOptions& options) {
   if (options.certificate.empty() != options.key.empty())
@@ -14,12 +17,20 @@ Result<void> checkOptions(const WebOptions& options) {
   if (options.certificate.empty() && !isLoopback)
     return fail(
         "Without a certificate, passwords would cross the network unencrypted. Give --certificate and --key, or listen "
-        "at "
-        "127.0.0.1 behind a proxy that receives HTTPS.");
+        "at 127.0.0.1 behind a proxy that receives HTTPS.");
+  for (const std::string& proxy : options.proxies)
+    if (!isAddress(proxy))
+      return fail("'" + proxy + "' is no IP address; --proxy takes the address from which the proxy connects.");
+  constexpr std::size_t kShortestToken = 16;
+  if (!options.monitoringToken.empty() && options.monitoringToken.size() < kShortestToken)
+    return fail("The token for monitoring is shorter than 16 characters. Make one with: openssl rand -hex 32");
+  if (options.certificate.empty()) return {};
+  using namespace std::chrono;
+  const std::int64_t now_s = duration_cast<seconds>(system_clock::now().time_since_epoch()).count();
+  if (const auto read = readCertificate(options.certificate, options.key, now_s); !read)
+    return tl::unexpected(read.error());
   return {};
 }
-
-}  // namespace
 
 struct WebServer::Impl {
   Impl(const CurriculumStore& store, WebOptions serverOptions) : options(serverOptions), site(store, serverOptions) {}

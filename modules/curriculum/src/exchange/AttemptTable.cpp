@@ -3,6 +3,7 @@
 #include <insonate/curriculum/Judgement.h>
 
 #include <QDateTime>
+#include <cmath>
 #include <optional>
 
 namespace insonate {
@@ -32,6 +33,12 @@ std::string isoOf(std::int64_t time_us) {
 }
 
 }  // namespace
+
+std::string numberOf(double value) {
+  const double size = std::abs(value);
+  const int digits = size >= 100 || value == std::round(value) ? 0 : size >= 10 ? 1 : 2;
+  return QString::number(value, 'f', digits).toStdString();
+}
 
 const char* wordOf(AttemptProof proof) {
   switch (proof) {

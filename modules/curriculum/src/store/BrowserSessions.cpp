@@ -1,4 +1,5 @@
 #include "store/Core.h"
+#include "store/PasswordProof.h"
 #include "store/Passwords.h"
 #include "store/PeopleRows.h"
 #include "store/Session.h"
@@ -18,6 +19,14 @@ bool hasEnded(std::int64_t begun_us, std::int64_t used_us, std::int64_t now_us) 
 }
 
 }  // namespace
+
+Result<SignedIn> BrowserSessions::signIn(const std::string& name, const std::string& password,
+                                         const std::string& address) const {
+  const auto known = store::provePassword(*store_.core_, name, password, address);
+  if (!known) return tl::unexpected(known.error());
+  return SignedIn(
+      std::make_shared<store::Session>(store_.core_, known->person, known->passwordVersion, known->mustChange));
+}
 
 Result<std::string> BrowserSessions::begin(const SignedIn& by) const {
   const std::string secret = store::randomToken();
@@ -58,6 +67,15 @@ Result<std::optional<SignedIn>> BrowserSessions::resume(const std::string& secre
   });
   if (!noted) return tl::unexpected(noted.error());
   return found;
+}
+
+Result<int> BrowserSessions::count() const {
+  store::Core& core = *store_.core_;
+  return inTransaction(core, store::Way::Read, [&](store::Transaction& transaction) -> Result<int> {
+    return static_cast<int>(
+        transaction.number("SELECT COUNT(*) FROM browser_sessions WHERE begun_us >= ? AND used_us >= ?",
+                           core.now_us() - kLongest_us, core.now_us() - kLongestIdle_us));
+  });
 }
 
 Result<void> BrowserSessions::end(const std::string& secret) const {

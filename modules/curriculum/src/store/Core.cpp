@@ -2,6 +2,7 @@
 
 #include "store/AuditChain.h"
 #include "store/CrashedAttempts.h"
+#include "store/FailureNotes.h"
 #include "store/KeptRecordings.h"
 #include "store/Migrations.h"
 #include "store/Seals.h"
@@ -9,12 +10,14 @@
 #include "store/Texts.h"
 
 #include <sodium.h>
+#include <sys/stat.h>
 
 #include <QtCore/QSysInfo>
 #include <atomic>
 #include <chrono>
 #include <ctime>
 #include <map>
+#include <optional>
 
 namespace insonate::store {
 namespace {
@@ -40,6 +43,11 @@ std::int64_t systemUpTime_us() {
   timespec time{};
   ::clock_gettime(CLOCK_BOOTTIME, &time);
   return std::int64_t{time.tv_sec} * 1'000'000 + time.tv_nsec / 1000;
+}
+
+std::optional<struct stat> stateOf(const std::string& file) {
+  struct stat state {};
+  return ::stat(file.c_str(), &state) == 0 ? std::optional(state) : std::nullopt;
 }
 
 StoreServices completed(StoreServices services, const Process& process) {
@@ -73,6 +81,8 @@ Result<std::shared_ptr<Core>> Core::reach(const std::string& address, const Stor
   if (auto ok = checkTitle("The workstation's name", core->workstation()); !ok) return tl::unexpected(ok.error());
   const auto connection = core->connection();
   if (!connection) return tl::unexpected(connection.error());
+  if (!core->address_.isServer)
+    if (const auto file = stateOf(core->place_)) core->fileNumber_ = file->st_ino;
   if (auto ok = checkPages(**connection); !ok) return tl::unexpected(ok.error());
   if (auto ok = refuseForeign(**connection); !ok) return tl::unexpected(ok.error());
   return core;
@@ -93,9 +103,24 @@ Result<std::shared_ptr<Core>> Core::open(const std::string& address, const Store
   return core;
 }
 
+/// SQLite itself would go on to read and write a deleted file. It would damage a file that has taken its place: the log
+/// (-wal) of the former one is still beside it.
+Result<void> Core::checkFile() const {
+  if (fileNumber_ == 0) return {};
+  const auto file = stateOf(place_);
+  if (file && file->st_ino == fileNumber_ && file->st_size > 0) return {};
+  return fail(place_ +
+              (!file                         ? " was deleted"
+               : file->st_ino != fileNumber_ ? " was replaced"
+                                             : " was emptied") +
+              " while it was in use. Nothing was changed; end the program, restore a backup if there is no whole file, "
+              "and start the program again.");
+}
+
 Result<Connection*> Core::connection() {
   std::unique_ptr<Connection>& own = connectionsOfThread()[key_];
   if (own && own->isLost()) own.reset();
+  if (auto ok = checkFile(); !ok) return tl::unexpected(ok.error());
   if (!own) {
     auto opened = Connection::open(address_);
     if (!opened) return tl::unexpected(opened.error());
@@ -107,10 +132,15 @@ Result<Connection*> Core::connection() {
 Result<std::unique_ptr<Transaction>> Core::begin(Way way) {
   for (bool isFirst = true;; isFirst = false) {
     const auto own = connection();
-    if (!own) return tl::unexpected(own.error());
+    if (!own) {
+      noteDatabaseFailure(own.error());
+      return tl::unexpected(own.error());
+    }
     auto transaction = std::make_unique<Transaction>(**own, way);
     if (!transaction->error()) return transaction;
-    if (!isFirst || !(*own)->isLost()) return tl::unexpected(*transaction->error());
+    if (isFirst && (*own)->isLost()) continue;
+    noteDatabaseFailure(*transaction->error());
+    return tl::unexpected(*transaction->error());
   }
 }
 

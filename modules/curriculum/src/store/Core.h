@@ -30,6 +30,7 @@ class Core {
   Core& operator=(const Core&) = delete;
 
   /// Returns the calling thread's connection to the database; connects again if the connection to the server was lost.
+  /// Fails if the file was deleted, replaced or emptied after it was opened.
   Result<Connection*> connection();
 
   /// Begins a transaction on the calling thread's connection; connects again if the connection to the server was lost.
@@ -52,14 +53,17 @@ class Core {
 
  private:
   Core(Address address, StoreServices services);
+  /// Fails if the file was deleted, replaced or emptied after it was opened.
+  Result<void> checkFile() const;
 
   const Address address_;
   const std::string place_;
   const StoreServices services_;
   const std::filesystem::path recordings_;
   const Process process_;
-  const std::string run_;    ///< UUID of this opened database, new for each call of open() or reach()
-  const std::uint64_t key_;  ///< identifies this database among those that the program has open
+  const std::string run_;         ///< UUID of this opened database, new for each call of open() or reach()
+  const std::uint64_t key_;       ///< identifies this database among those that the program has open
+  std::uint64_t fileNumber_ = 0;  ///< inode of the file when it was opened; 0: not opened yet, or a server
 };
 
 /// Runs `work`, which takes a Transaction and returns a Result, in one transaction; if `work` fails, all changes are

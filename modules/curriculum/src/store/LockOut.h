@@ -24,6 +24,12 @@ std::int64_t lockAfter_us(std::int64_t failures);
 /// the wait starts again, so that it never exceeds an hour.
 std::int64_t secondsLockedAfterTry(Transaction& transaction, const std::string& name, const Moment& moment);
 
+/// Does the same for the address of a browser, whose limit is wider, since a class may share an address: 30 wrong
+/// passwords at once, and one more each minute.
+std::int64_t secondsAddressLockedAfterTry(Transaction& transaction, const std::string& address, const Moment& moment);
+/// Takes back the count of a try from this address whose password was right; wrong ones still count.
+void discountTry(Transaction& transaction, const std::string& address);
+
 void resetFailures(Transaction& transaction, const std::string& name);
 
 }  // namespace insonate::store

@@ -23,21 +23,28 @@ std::optional<Known> findByName(Transaction& transaction, const std::string& nam
 }
 
 /// Counts the try before it checks the password. None if the person does not exist.
-Result<std::optional<Known>> beginSigningIn(Core& core, const std::string& name) {
-  std::int64_t wait_s = 0;
+Result<std::optional<Known>> beginSigningIn(Core& core, const std::string& name, const std::string& address) {
+  std::int64_t wait_s = 0, addressWait_s = 0;
   auto known = inTransaction(core, Way::Write, [&](Transaction& transaction) -> Result<std::optional<Known>> {
+    if (!address.empty()) addressWait_s = secondsAddressLockedAfterTry(transaction, address, core.moment());
+    if (addressWait_s > 0) return std::nullopt;
     wait_s = secondsLockedAfterTry(transaction, name, core.moment());
     return findByName(transaction, name);
   });
+  if (known && addressWait_s > 0)
+    return fail("There were too many wrong passwords from this network address. Try again in " +
+                std::to_string(addressWait_s) + " s.");
   if (known && wait_s > 0)
     return fail("There were too many wrong passwords for this name. Try again in " + std::to_string(wait_s) +
                 " s, or let an instructor set a new one.");
   return known;
 }
 
-Result<void> endSigningIn(Core& core, const std::string& name, const std::optional<Known>& known, bool fits) {
+Result<void> endSigningIn(Core& core, const std::string& name, const std::string& address,
+                          const std::optional<Known>& known, bool fits) {
   return inTransaction(core, Way::Write, [&](Transaction& transaction) -> Result<void> {
     if (fits) resetFailures(transaction, name);
+    if (fits && !address.empty()) discountTry(transaction, address);
     // Only ids of existing people are logged, since a text in the field of the name may be a password.
     core.audit(transaction, fits ? known->person.id : "", "sign in", known ? known->person.id : "", "", fits);
     return {};
@@ -55,14 +62,15 @@ std::string withoutBlanks(const std::string& name) {
 
 }  // namespace
 
-Result<Known> provePassword(Core& core, const std::string& typed, const std::string& password) {
+Result<Known> provePassword(Core& core, const std::string& typed, const std::string& password,
+                            const std::string& address) {
   if (!isText(typed, password)) return fail(kWrong);
   const std::string name = withoutBlanks(typed);
-  const auto known = beginSigningIn(core, name);
+  const auto known = beginSigningIn(core, name, address);
   if (!known) return tl::unexpected(known.error());
   const std::string& hashed = *known ? (*known)->hashed : hashOfNobody(core.passwordCost());
   const bool fits = fitsPassword(password, hashed) && *known && !(*known)->person.disabled;
-  if (auto ended = endSigningIn(core, name, *known, fits); !ended) return tl::unexpected(ended.error());
+  if (auto ended = endSigningIn(core, name, address, *known, fits); !ended) return tl::unexpected(ended.error());
   if (!fits) return fail(kWrong);
   return **known;
 }

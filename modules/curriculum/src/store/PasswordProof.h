@@ -19,7 +19,8 @@ struct Known {
 };
 
 /// Verifies name and password for CurriculumStore::signIn(): the try is counted before the verification and logged, and
-/// takes the same time for known and unknown names.
-Result<Known> provePassword(Core& core, const std::string& name, const std::string& password);
+/// takes the same time for known and unknown names. `address`: that of the browser, or "".
+Result<Known> provePassword(Core& core, const std::string& name, const std::string& password,
+                            const std::string& address = {});
 
 }  // namespace insonate::store

@@ -4,6 +4,7 @@
 #include "ClassWords.h"
 #include "HeatColors.h"
 
+#include <insonate/curriculum/AttemptTable.h>
 #include <insonate/ui/Theme.h>
 
 #include <QPainter>
@@ -96,7 +97,7 @@ QVariant ClassTable::aboutMetric(const Member& member, std::size_t metric, int r
   const MetricMeaning& meaning = MetricBook::here().all()[metric];
   switch (role) {
     case Qt::DisplayRole:
-      return cell.value ? numberOf(*cell.value) : tr("n/a");
+      return cell.value ? QString::fromStdString(numberOf(*cell.value)) : tr("n/a");
     case kSort:  // missing values come last if the best come first
       return cell.share.value_or(-1);
     case kGround:
@@ -105,8 +106,8 @@ QVariant ClassTable::aboutMetric(const Member& member, std::size_t metric, int r
     case Qt::AccessibleDescriptionRole:
       if (!cell.value) return tr("No data in the last %1 attempts at levels.").arg(kLastAttempts);
       return tr("%1: %2, mean of %3, %4")
-          .arg(titleWithUnit(meaning), numberOf(*cell.value), countOf(cell.attempts, tr("attempt"), tr("attempts")),
-               QString::fromStdString(heatWords(cell.share)));
+          .arg(titleWithUnit(meaning), QString::fromStdString(numberOf(*cell.value)),
+               countOf(cell.attempts, tr("attempt"), tr("attempts")), QString::fromStdString(heatWords(cell.share)));
     default:
       return {};
   }

@@ -5,7 +5,6 @@
 
 #include <QDateTime>
 #include <QLocale>
-#include <cmath>
 
 namespace insonate::review {
 namespace {
@@ -23,12 +22,6 @@ QString titleWithUnit(const MetricMeaning& meaning) {
 
 QString countOf(int count, const QString& one, const QString& many) {
   return QStringLiteral("%1 %2").arg(QString::number(count), count == 1 ? one : many);
-}
-
-QString numberOf(double value) {
-  const double size = std::abs(value);
-  const int digits = size >= 100 || value == std::round(value) ? 0 : size >= 10 ? 1 : 2;
-  return QString::number(value, 'f', digits);
 }
 
 QString dayOf(std::int64_t time_us) {

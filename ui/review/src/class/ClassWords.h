@@ -19,8 +19,6 @@ namespace insonate::review {
 QString titleWithUnit(const MetricMeaning& meaning);
 /// Returns a number with its noun: "1 person", "3 people".
 QString countOf(int count, const QString& one, const QString& many);
-/// Formats a number with the digits suitable for a table.
-QString numberOf(double value);
 /// Formats a date in the user's time zone: "20 Nov 2026".
 QString dayOf(std::int64_t time_us);
 /// Returns the state of a learner for which the instructor may act, when the class was read.

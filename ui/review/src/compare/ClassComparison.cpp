@@ -2,6 +2,7 @@
 
 #include "../class/ClassWords.h"
 
+#include <insonate/curriculum/AttemptTable.h>
 #include <insonate/curriculum/Comparison.h>
 #include <insonate/curriculum/Statistics.h>
 #include <insonate/ui/Text.h>
@@ -27,11 +28,13 @@ ValueKind kindOfMeans(const MetricMeaning& meaning) {
 
 QString meanWords(const QString& name, std::span<const double> values, ValueKind kind) {
   const auto mean = meanOf(values, kind);
-  const QString words = tr("%1: n = %2, mean %3").arg(name, QString::number(values.size()), numberOf(mean->value));
+  const QString words = tr("%1: n = %2, mean %3")
+                            .arg(name, QString::number(values.size()), QString::fromStdString(numberOf(mean->value)));
   const QString basis = QString::fromUtf8(mean->basis.data(), int(mean->basis.size()));
   if (!mean->interval) return tr("%1, no interval: %2").arg(words, basis);
   return tr("%1, 95 % interval %2 to %3 (%4)")
-      .arg(words, numberOf(mean->interval->low), numberOf(mean->interval->high), basis);
+      .arg(words, QString::fromStdString(numberOf(mean->interval->low)),
+           QString::fromStdString(numberOf(mean->interval->high)), basis);
 }
 
 /// A dot for each person, beside the box at x; dots of similar height are spread sideways.

@@ -2,6 +2,7 @@
 
 #include "../class/ClassWords.h"
 
+#include <insonate/curriculum/AttemptTable.h>
 #include <insonate/ui/Text.h>
 
 #include <cmath>
@@ -34,7 +35,8 @@ QString wordsOf(const RaterPair& pair) {
 QString scoreWords(const FormScore& score) {
   if (!score.percent) return tr("n/a");
   return tr("%1 % (%2 of %3 points)")
-      .arg(QString::number(std::lround(*score.percent)), numberOf(score.points), numberOf(score.most));
+      .arg(QString::number(std::lround(*score.percent)), QString::fromStdString(numberOf(score.points)),
+           QString::fromStdString(numberOf(score.most)));
 }
 
 }  // namespace insonate::review

@@ -3,6 +3,7 @@
 #include "ReportPages.h"
 #include "ReportParts.h"
 
+#include <insonate/curriculum/AttemptTable.h>
 #include <insonate/ui/Text.h>
 
 #include <algorithm>
@@ -52,7 +53,7 @@ void tableRow(PaperColumn& page, const ClassDesk& desk, const Member& member, do
     const QColor ground = one.share ? heatColour(*one.share) : page.ink.ground;
     page.painter.fillRect(place, ground);
     page.painter.setPen(one.share ? inkOn(ground) : page.ink.quiet);
-    page.painter.drawText(place, Qt::AlignCenter, one.value ? numberOf(*one.value) : tr("n/a"));
+    page.painter.drawText(place, Qt::AlignCenter, one.value ? QString::fromStdString(numberOf(*one.value)) : tr("n/a"));
   }
   page.skip(kRow);
 }

@@ -3,6 +3,7 @@
 #include "person/PersonPage.h"
 
 #include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/AttemptTable.h>
 #include <insonate/curriculum/Attention.h>
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/Judgement.h>

@@ -1,5 +1,7 @@
 #include "http/HttpServer.h"
 
+#include "http/Certificate.h"
+#include "http/ConnectionDeadlines.h"
 #include "site/SiteApi.h"
 
 #include <arpa/inet.h>
@@ -11,11 +13,10 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <chrono>
 #include <condition_variable>
 #include <cstring>
 #include <deque>
-#include <fstream>
-#include <iterator>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -24,7 +25,6 @@ namespace insonate::web {
 namespace {
 
 constexpr int kWorkers = 4, kPasswordWorkers = 2;
-constexpr unsigned kIdleTimeout_s = 30, kMostConnections = 1000, kMostConnectionsOfOneAddress = 200;
 constexpr std::size_t kHeaderMemory_bytes = 32 << 10;
 /// Bodies of all connections together.
 constexpr std::size_t kMostBodies_bytes = std::size_t{256} << 20;
@@ -34,22 +34,13 @@ constexpr std::size_t kMostWaiting = 500;
 /// A request that is being received or answered. Owned by its connection.
 struct Exchange {
   MHD_Connection* connection = nullptr;
+  int socket = -1;
   Request request{};
   std::size_t largest_bytes = 0;  ///< limit of the body
   bool isCut = false;             ///< a part of the body was not kept, since it or all bodies together are too large
   bool submitted = false;
   Response response{};
 };
-
-Result<std::string> readFile(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error))
-    return fail(file.string() + " is a folder. Name a readable file in PEM.");
-  std::ifstream in(file, std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (!in || text.empty()) return fail(file.string() + " cannot be read, or is empty. Name a readable file in PEM.");
-  return text;
-}
 
 std::string lowerCase(std::string_view text) {
   std::string lower(text);
@@ -82,9 +73,17 @@ MHD_Result addField(void* fields, MHD_ValueKind /*kind*/, const char* key, const
   return MHD_YES;
 }
 
-MHD_Result addHeader(void* fields, MHD_ValueKind /*kind*/, const char* key, const char* value) {
-  static_cast<Fields*>(fields)->emplace(lowerCase(key), value ? value : "");
+/// A header that occurs again is ignored, but for the one to which each proxy on the way adds a line.
+MHD_Result addHeader(void* headers, MHD_ValueKind /*kind*/, const char* key, const char* value) {
+  auto& fields = *static_cast<Fields*>(headers);
+  const auto [place, isNew] = fields.emplace(lowerCase(key), value ? value : "");
+  if (!isNew && place->first == "x-forwarded-for") place->second += std::string(", ") + (value ? value : "");
   return MHD_YES;
+}
+
+int socketOf(MHD_Connection* connection) {
+  const auto* info = MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CONNECTION_FD);
+  return info ? info->connect_fd : -1;
 }
 
 Request requestOf(MHD_Connection* connection, const char* url, const char* method) {
@@ -125,7 +124,9 @@ bool isOfWorkstation(const Request& request) {
 
 struct HttpServer::Impl {
   Answer answer;
-  std::string certificate, key;
+  HttpLimits limits;
+  Certificate certificate;
+  ConnectionDeadlines deadlines;
   MHD_Daemon* daemon = nullptr;
   std::mutex mutex;
   std::condition_variable wake;
@@ -141,6 +142,7 @@ struct HttpServer::Impl {
 
   static MHD_Result onRequest(void* self, MHD_Connection* connection, const char* url, const char* method,
                               const char* version, const char* data, std::size_t* size, void** state);
+  static void onConnection(void* self, MHD_Connection* connection, void** state, MHD_ConnectionNotificationCode code);
   static void onEnd(void* self, MHD_Connection* connection, void** state, MHD_RequestTerminationCode code);
 };
 
@@ -170,6 +172,7 @@ bool HttpServer::Impl::submit(Exchange* exchange) {
   std::deque<Exchange*>& queue = checksPassword ? waitingForPassword : waiting;
   if (stopping || queue.size() >= kMostWaiting) return false;
   exchange->submitted = true;
+  deadlines.set(exchange->socket, std::nullopt);
   // Before a worker can see the exchange, since it may resume the connection at once.
   MHD_suspend_connection(exchange->connection);
   queue.push_back(exchange);
@@ -187,8 +190,10 @@ MHD_Result HttpServer::Impl::begin(MHD_Connection* connection, const char* url, 
   Request request = requestOf(connection, url, method);
   const std::size_t largest_bytes = isOfWorkstation(request) ? kLargestBodyOfWorkstation_bytes : kLargestBody_bytes;
   if (announced_bytes > largest_bytes) return send(connection, plain(413, "The request is too large."));
-  auto* exchange =
-      new Exchange{.connection = connection, .request = std::move(request), .largest_bytes = largest_bytes};
+  auto* exchange = new Exchange{.connection = connection,
+                                .socket = socketOf(connection),
+                                .request = std::move(request),
+                                .largest_bytes = largest_bytes};
   *state = exchange;
   return MHD_YES;
 }
@@ -206,7 +211,10 @@ MHD_Result HttpServer::Impl::take(Exchange& exchange, const char* data, std::siz
     *size = 0;
     return MHD_YES;
   }
-  if (exchange.submitted) return send(exchange.connection, exchange.response);
+  if (exchange.submitted) {
+    deadlines.set(exchange.socket, limits.answer);
+    return send(exchange.connection, exchange.response);
+  }
   if (exchange.isCut && exchange.request.body.size() <= exchange.largest_bytes)
     return send(exchange.connection, plain(503, "The server is busy. Try again in a few seconds."));
   if (exchange.isCut || exchange.request.body.size() > exchange.largest_bytes)
@@ -225,19 +233,33 @@ MHD_Result HttpServer::Impl::onRequest(void* self, MHD_Connection* connection, c
   return server.take(*static_cast<Exchange*>(*state), data, size);
 }
 
-void HttpServer::Impl::onEnd(void* self, MHD_Connection* /*connection*/, void** state,
+/// The library calls this for the end of a connection before it closes the socket.
+void HttpServer::Impl::onConnection(void* self, MHD_Connection* connection, void** /*state*/,
+                                    MHD_ConnectionNotificationCode code) {
+  auto& server = *static_cast<Impl*>(self);
+  if (code == MHD_CONNECTION_NOTIFY_STARTED)
+    server.deadlines.add(socketOf(connection), server.limits.request);
+  else
+    server.deadlines.remove(socketOf(connection));
+}
+
+/// The connection may be used for another request, which has its own time.
+void HttpServer::Impl::onEnd(void* self, MHD_Connection* connection, void** state,
                              MHD_RequestTerminationCode /*code*/) {
-  if (const auto* exchange = static_cast<Exchange*>(*state))
-    static_cast<Impl*>(self)->bodies_bytes -= exchange->request.body.size();
+  auto& server = *static_cast<Impl*>(self);
+  server.deadlines.set(socketOf(connection), server.limits.request);
+  if (const auto* exchange = static_cast<Exchange*>(*state)) server.bodies_bytes -= exchange->request.body.size();
   delete static_cast<Exchange*>(*state);
   *state = nullptr;
 }
 
 HttpServer::HttpServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
-Result<std::unique_ptr<HttpServer>> HttpServer::start(const WebOptions& options, Answer answer) {
+Result<std::unique_ptr<HttpServer>> HttpServer::start(const WebOptions& options, Answer answer,
+                                                      const HttpLimits& limits) {
   auto impl = std::make_unique<Impl>();
   impl->answer = std::move(answer);
+  impl->limits = limits;
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(static_cast<std::uint16_t>(options.port));
@@ -246,28 +268,28 @@ Result<std::unique_ptr<HttpServer>> HttpServer::start(const WebOptions& options,
   unsigned flags = MHD_USE_EPOLL | MHD_USE_INTERNAL_POLLING_THREAD | MHD_ALLOW_SUSPEND_RESUME;
   std::vector<MHD_OptionItem> more;
   if (!options.certificate.empty()) {
-    const auto certificate = readFile(options.certificate);
+    using namespace std::chrono;
+    const std::int64_t now_s = duration_cast<seconds>(system_clock::now().time_since_epoch()).count();
+    auto certificate = readCertificate(options.certificate, options.key, now_s);
     if (!certificate) return tl::unexpected(certificate.error());
-    const auto key = readFile(options.key);
-    if (!key) return tl::unexpected(key.error());
-    impl->certificate = *certificate, impl->key = *key;
+    impl->certificate = std::move(*certificate);
     flags |= MHD_USE_TLS;
-    more.push_back({MHD_OPTION_HTTPS_MEM_CERT, 0, impl->certificate.data()});
-    more.push_back({MHD_OPTION_HTTPS_MEM_KEY, 0, impl->key.data()});
+    more.push_back({MHD_OPTION_HTTPS_MEM_CERT, 0, impl->certificate.chain.data()});
+    more.push_back({MHD_OPTION_HTTPS_MEM_KEY, 0, impl->certificate.key.data()});
     static char priorities[] = "NORMAL:-VERS-ALL:+VERS-TLS1.3:+VERS-TLS1.2";
     more.push_back({MHD_OPTION_HTTPS_PRIORITIES, 0, priorities});
   }
   more.push_back({MHD_OPTION_END, 0, nullptr});
+  const bool isBehindProxy = options.behindProxy || !options.proxies.empty();
   impl->daemon = MHD_start_daemon(
       flags, 0, nullptr, nullptr, &Impl::onRequest, impl.get(), MHD_OPTION_SOCK_ADDR, &address,
-      MHD_OPTION_NOTIFY_COMPLETED, &Impl::onEnd, impl.get(), MHD_OPTION_CONNECTION_TIMEOUT, kIdleTimeout_s,
-      MHD_OPTION_CONNECTION_LIMIT, kMostConnections, MHD_OPTION_PER_IP_CONNECTION_LIMIT,
-      options.behindProxy ? kMostConnections : kMostConnectionsOfOneAddress, MHD_OPTION_CONNECTION_MEMORY_LIMIT,
-      kHeaderMemory_bytes, MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_UNESCAPE_CALLBACK, &keepEncoded, nullptr,
-      MHD_OPTION_ARRAY, more.data(), MHD_OPTION_END);
+      MHD_OPTION_NOTIFY_COMPLETED, &Impl::onEnd, impl.get(), MHD_OPTION_NOTIFY_CONNECTION, &Impl::onConnection,
+      impl.get(), MHD_OPTION_CONNECTION_TIMEOUT, limits.idle_s, MHD_OPTION_CONNECTION_LIMIT, limits.connections,
+      MHD_OPTION_PER_IP_CONNECTION_LIMIT, isBehindProxy ? limits.connections : limits.connectionsOfOneAddress,
+      MHD_OPTION_CONNECTION_MEMORY_LIMIT, kHeaderMemory_bytes, MHD_OPTION_STRICT_FOR_CLIENT, 1,
+      MHD_OPTION_UNESCAPE_CALLBACK, &keepEncoded, nullptr, MHD_OPTION_ARRAY, more.data(), MHD_OPTION_END);
   if (!impl->daemon)
     return fail("The server cannot listen at " + options.address + ":" + std::to_string(options.port) +
-                (options.certificate.empty() ? "" : ", or its certificate and key do not belong together") +
                 ". Another program may use this port; choose another with --listen.");
   for (int i = 0; i < kWorkers + kPasswordWorkers; ++i)
     impl->workers.emplace_back(

@@ -5,10 +5,19 @@
 #include <insonate/core/Result.h>
 #include <insonate/web/WebServer.h>
 
+#include <chrono>
 #include <functional>
 #include <memory>
 
 namespace insonate::web {
+
+/// Times and numbers by which a server protects itself from slow and many clients.
+struct HttpLimits {
+  std::chrono::milliseconds request{30'000};  ///< for a whole request, from the connection or the answer before
+  std::chrono::milliseconds answer{120'000};  ///< for taking a whole answer
+  unsigned idle_s = 30;                       ///< without a byte in either direction
+  unsigned connections = 1000, connectionsOfOneAddress = 200;  ///< behind a proxy, all have one address
+};
 
 /// Accepts HTTP or HTTPS connections and answers each request by `answer`, on a few worker threads: one thread waits
 /// for all connections (epoll), so that a slow client holds no worker. Bodies above kLargestBody_bytes are refused,
@@ -20,7 +29,8 @@ class HttpServer {
 
   /// Starts to listen. Fails if the address is in use or if certificate and key cannot be used. `answer` is called on
   /// several threads at the same time and must not throw.
-  static Result<std::unique_ptr<HttpServer>> start(const WebOptions& options, Answer answer);
+  static Result<std::unique_ptr<HttpServer>> start(const WebOptions& options, Answer answer,
+                                                   const HttpLimits& limits = {});
   /// Finishes the requests in progress, answers those that wait with status 503, then stops.
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;

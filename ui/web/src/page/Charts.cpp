@@ -2,6 +2,8 @@
 
 #include "page/Page.h"
 
+#include <insonate/curriculum/AttemptTable.h>
+
 #include <algorithm>
 #include <cmath>
 

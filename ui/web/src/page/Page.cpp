@@ -3,7 +3,6 @@
 #include <QDateTime>
 #include <QLocale>
 #include <QMessageAuthenticationCode>
-#include <cmath>
 
 namespace insonate::web {
 namespace {
@@ -104,12 +103,6 @@ Markup timeOf(std::int64_t time_us) {
 
 std::string displayName(const Person& person) {
   return person.fullName.empty() ? person.name : person.fullName;
-}
-
-std::string numberOf(double value) {
-  const double size = std::abs(value);
-  const int digits = size >= 100 || value == std::round(value) ? 0 : size >= 10 ? 1 : 2;
-  return QString::number(value, 'f', digits).toStdString();
 }
 
 }  // namespace insonate::web

@@ -16,11 +16,14 @@
 
 namespace insonate::web {
 
+class Metrics;
+
 /// One request, with the user who makes it.
 struct Visit {
   const Request& request;
   const CurriculumStore& store;
   const WebOptions& options;
+  const Metrics& metrics;
   std::optional<SignedIn> by{};  ///< empty: nobody is signed in; never empty in pages that require sign-in
   std::string secret{};          ///< secret of the browser's session (BrowserSessions); empty if there is none
 };
@@ -55,7 +58,5 @@ Markup paragraph(std::string_view sentence);
 Markup timeOf(std::int64_t time_us);
 /// Returns the full name of a person, or the name for signing in if there is none.
 std::string displayName(const Person& person);
-/// Formats a number with the digits suitable for a table.
-std::string numberOf(double value);
 
 }  // namespace insonate::web

@@ -3,6 +3,7 @@
 #include "page/Charts.h"
 
 #include <insonate/curriculum/AttemptStore.h>
+#include <insonate/curriculum/AttemptTable.h>
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/PeopleStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>

@@ -1,5 +1,7 @@
 #include "signin/SignInPages.h"
 
+#include "http/ClientAddress.h"
+
 #include <insonate/curriculum/BrowserSessions.h>
 #include <insonate/curriculum/PeopleStore.h>
 
@@ -69,9 +71,10 @@ Response showSignIn(const Visit& visit, const Parts& /*parts*/) {
 
 Response signIn(const Visit& visit, const Parts& /*parts*/) {
   const Fields& form = visit.request.form;
-  const auto by = visit.store.signIn(valueOf(form, "name"), valueOf(form, "password"));
-  if (!by) return signInPage(visit, by.error().message, 401);
   const BrowserSessions sessions(visit.store);
+  const std::string address = networkOf(clientAddress(visit.request, visit.options));
+  const auto by = sessions.signIn(valueOf(form, "name"), valueOf(form, "password"), address);
+  if (!by) return signInPage(visit, by.error().message, 401);
   const auto secret = sessions.begin(*by);
   if (!secret) return signInPage(visit, secret.error().message, 503);
   // A session that the browser had before ends, so that nobody continues it.

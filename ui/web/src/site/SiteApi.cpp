@@ -11,12 +11,12 @@ Response plain(int status, std::string text) {
 
 }  // namespace
 
-Response answerWorkstation(const CurriculumStore& store, const Request& request) {
-  if (request.method != "POST") return plain(405, "This address takes POST requests of workstations.\n");
+Response answerWorkstation(const Visit& visit, const Parts& /*parts*/) {
+  const Request& request = visit.request;
   constexpr std::string_view kBearer = "Bearer ";
   const std::string& authorization = valueOf(request.headers, "authorization");
   if (!authorization.starts_with(kBearer)) return plain(401, "The request has no token of a workstation.\n");
-  const SiteService service(store);
+  const SiteService service(visit.store);
   const auto workstation = service.workstationOf(authorization.substr(kBearer.size()));
   if (!workstation) return plain(503, workstation.error().message);
   if (!*workstation) return plain(401, "The token is not valid.\n");

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "http/Messages.h"
-
-#include <insonate/curriculum/CurriculumStore.h>
+#include "page/Page.h"
 
 #include <string_view>
 
@@ -14,6 +12,6 @@ inline constexpr std::string_view kSiteApi = "/api/site/";
 
 /// Answers a request of a workstation (SiteService): status 200 with the answer, 401 without a valid token, 422 with a
 /// sentence that says why the request is refused.
-Response answerWorkstation(const CurriculumStore& store, const Request& request);
+Response answerWorkstation(const Visit& visit, const Parts& parts);
 
 }  // namespace insonate::web

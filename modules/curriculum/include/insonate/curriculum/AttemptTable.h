@@ -22,4 +22,7 @@ std::vector<std::string> attemptColumns();
 /// (Judgement.h); "assistance": that of the level in this curriculum, "" in free practice. `curriculum` may be null.
 std::vector<std::string> attemptRow(const AttemptFacts& attempt, const Curriculum* curriculum);
 
+/// Formats a number with the digits suitable for a table that people read: 0.25, 12.5, 130.
+std::string numberOf(double value);
+
 }  // namespace insonate

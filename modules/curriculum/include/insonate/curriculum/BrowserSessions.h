@@ -22,6 +22,9 @@ class BrowserSessions {
 
   explicit BrowserSessions(CurriculumStore store) : store_(std::move(store)) {}
 
+  /// Does what CurriculumStore::signIn() does, and also limits wrong passwords by the network address of the browser,
+  /// whatever the names: 30 at once, then one each minute. "": the address is unknown, and only the name is limited.
+  Result<SignedIn> signIn(const std::string& name, const std::string& password, const std::string& address) const;
   /// Begins a session of a person who has just signed in with a password, and returns its secret: 64
   /// hexadecimal digits. Sessions that have ended are removed from the database.
   Result<std::string> begin(const SignedIn& by) const;
@@ -29,6 +32,8 @@ class BrowserSessions {
   /// has ended, if another password was set since, or if the account is disabled. The time of the request is stored to
   /// the minute. Fails only if the database cannot be read.
   Result<std::optional<SignedIn>> resume(const std::string& secret) const;
+  /// Returns the number of sessions that have not ended.
+  Result<int> count() const;
   /// Ends a session; an unknown secret is no error.
   Result<void> end(const std::string& secret) const;
   /// Continues a session after its person has changed the password, which ends all other sessions of this person.

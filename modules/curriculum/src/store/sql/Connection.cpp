@@ -23,12 +23,22 @@ QString latin(std::string_view text) {
   return QString::fromLatin1(text.data(), static_cast<int>(text.size()));
 }
 
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::seconds kPatience{10};
+constexpr std::chrono::milliseconds kPause{2};
+
 /// Retries every 2 ms for 10 s. SQLite's own handler sleeps up to 100 ms and rarely finds the gap between two
 /// transactions of a busy writer.
 int waitForOthers(void*, int tries) {
-  constexpr int kMaxTries = 5000;
-  if (tries >= kMaxTries) return 0;
-  std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  if (tries >= kPatience / kPause) return 0;
+  std::this_thread::sleep_for(kPause);
+  return 1;
+}
+
+/// Retries until a Clock::time_point, for several statements that have one deadline.
+int waitUntil(void* deadline, int /*tries*/) {
+  if (Clock::now() >= *static_cast<const Clock::time_point*>(deadline)) return 0;
+  std::this_thread::sleep_for(kPause);
   return 1;
 }
 
@@ -69,13 +79,14 @@ Result<void> Connection::setUp(const Address& address) {
   if (!database_.open()) return tl::unexpected(errorFrom(database_.lastError()));
   const std::string settings(dialect_.setUp);
   if (address.isServer) return script(settings);
-  sqlite3_busy_handler(handle(), waitForOthers, nullptr);
+  Clock::time_point deadline = Clock::now() + kPatience;
+  sqlite3_busy_handler(handle(), waitUntil, &deadline);
   // A new file changes to WAL under a lock for which SQLite does not call its busy handler: if several programs open it
   // at once, some get SQLITE_BUSY immediately. All settings can be repeated.
   auto done = script(settings);
-  for (int tries = 0; !done && (sqlite3_errcode(handle()) & 0xff) == SQLITE_BUSY && waitForOthers(nullptr, tries);
-       ++tries)
+  while (!done && (sqlite3_errcode(handle()) & 0xff) == SQLITE_BUSY && waitUntil(&deadline, 0) != 0)
     done = script(settings);
+  sqlite3_busy_handler(handle(), waitForOthers, nullptr);
   return done;
 }
 

@@ -22,7 +22,7 @@ namespace insonate::store {
 /// One connection to a curriculum database, for use by one thread.
 class Connection {
  public:
-  /// Opens a connection; a missing SQLite file is created.
+  /// Opens a connection within 10 s, or fails; a missing SQLite file is created.
   static Result<std::unique_ptr<Connection>> open(const Address& address);
   ~Connection();
   Connection(const Connection&) = delete;

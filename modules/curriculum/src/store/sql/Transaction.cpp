@@ -1,5 +1,7 @@
 #include "store/sql/Transaction.h"
 
+#include "store/FailureNotes.h"
+
 namespace insonate::store {
 
 Transaction::Transaction(Connection& connection, Way way) : connection_(connection) {
@@ -16,7 +18,7 @@ std::vector<Row> Transaction::asked(std::string_view sql, const std::vector<QVar
   if (error_) return {};
   auto rows = connection_.rows(sql, values);
   if (rows) return std::move(*rows);
-  error_ = rows.error();
+  keep(rows.error());
   return {};
 }
 
@@ -24,7 +26,7 @@ std::int64_t Transaction::told(std::string_view sql, const std::vector<QVariant>
   if (error_) return 0;
   const auto changed = connection_.run(sql, values);
   if (changed) return *changed;
-  error_ = changed.error();
+  keep(changed.error());
   return 0;
 }
 
@@ -33,8 +35,14 @@ void Transaction::script(const std::string& sql) {
   if (auto done = connection_.script(sql); !done) error_ = done.error();
 }
 
+void Transaction::keep(const Error& error) {
+  error_ = error;
+  noteDatabaseFailure(error);
+}
+
 Result<void> Transaction::commit() {
-  script("COMMIT");
+  if (!error_)
+    if (auto done = connection_.script("COMMIT"); !done) keep(done.error());
   if (error_) return tl::unexpected(*error_);
   open_ = false;
   return {};

@@ -49,6 +49,7 @@ class Transaction {
  private:
   std::vector<Row> asked(std::string_view sql, const std::vector<QVariant>& values);
   std::int64_t told(std::string_view sql, const std::vector<QVariant>& values);
+  void keep(const Error& error);
 
   Connection& connection_;
   std::optional<Error> error_;

@@ -4,10 +4,17 @@
 #include <insonate/curriculum/CurriculumStore.h>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace insonate::web {
+
+enum class LogLevel { Info, Error };
+/// Takes what happened as a JSON object, such as {"event":"request","route":"/me","status":200}. It has no names of
+/// people, no addresses and no queries. Called on several threads.
+using Log = std::function<void(LogLevel, const std::string& object)>;
 
 /// Address of a server, and how its connections are protected.
 struct WebOptions {
@@ -19,15 +26,25 @@ struct WebOptions {
   /// true: a proxy on this computer receives HTTPS and passes requests on by HTTP; cookies are then for HTTPS only. The
   /// proxy must pass the header Host on as the browser sent it.
   bool behindProxy = false;
+  /// Addresses of proxies whose header X-Forwarded-For is trusted to name the client. Empty behind a proxy: clients are
+  /// unknown, and sign-ins are limited by name only.
+  std::vector<std::string> proxies{};
+  /// Secret by which programs on other computers may read /health and /metrics: 16 characters or more. Empty: only
+  /// programs on this computer may.
+  std::string monitoringToken{};
+  Log log{};  ///< empty: nothing is logged
 };
+
+/// Fails with a sentence if the options contradict each other, would send passwords without encryption over a network,
+/// or name a certificate that cannot be used. Opens no port.
+Result<void> checkOptions(const WebOptions& options);
 
 /// Serves the pages of a curriculum database to browsers: trainees see their levels and attempts, instructors their
 /// classes, administrators the audit log. Each request has the permissions of its signed-in user, as in all programs
 /// that open the database. Owns its threads; ends with the object.
 class WebServer {
  public:
-  /// Starts a server. Fails with a sentence if the address is in use, the certificate cannot be read, or the options
-  /// would send passwords without encryption over a network.
+  /// Starts a server. Fails with a sentence if the address is in use, or for a reason of checkOptions().
   static Result<WebServer> start(const CurriculumStore& store, const WebOptions& options);
   ~WebServer();
   WebServer(WebServer&&) noexcept;

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "http/Messages.h"
+
+#include <insonate/web/WebServer.h>
+
+#include <string>
+
+namespace insonate::web {
+
+/// Tells whether a text is an IPv4 or IPv6 address.
+bool isAddress(const std::string& text);
+
+/// Returns the address of the client of a request: that of the connection or, if this is a proxy of
+/// WebOptions::proxies, the last address in X-Forwarded-For that is no such proxy; anybody can write the addresses
+/// before it. "": unknown, since the proxy is not named, or does not state its client.
+std::string clientAddress(const Request& request, const WebOptions& options);
+
+/// Returns the part of an address that stands for one subscriber: an IPv4 address, or the first 64 bits of an IPv6
+/// address.
+std::string networkOf(const std::string& address);
+
+/// Tells whether a program on this computer made the request to this server itself, without a proxy.
+bool isFromHere(const Request& request);
+
+}  // namespace insonate::web

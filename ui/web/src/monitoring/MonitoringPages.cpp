@@ -1,0 +1,37 @@
+#include "monitoring/MonitoringPages.h"
+
+#include "http/ClientAddress.h"
+#include "monitoring/Metrics.h"
+
+#include <insonate/curriculum/BrowserSessions.h>
+
+#include <sodium.h>
+
+namespace insonate::web {
+
+Response showHealth(const Visit& visit, const Parts& /*parts*/) {
+  const bool answers = visit.store.hasPeople().has_value();
+  return {.status = answers ? 200 : 503,
+          .type = "text/plain; charset=utf-8",
+          .body = answers ? "ok\n" : "The database does not answer.\n"};
+}
+
+Response showMetrics(const Visit& visit, const Parts& /*parts*/) {
+  std::string text = visit.metrics.text();
+  if (const auto sessions = BrowserSessions(visit.store).count())
+    text +=
+        "# HELP insonate_sessions Sessions of people who are signed in\n# TYPE insonate_sessions gauge\n"
+        "insonate_sessions " +
+        std::to_string(*sessions) + "\n";
+  return {.type = "text/plain; version=0.0.4; charset=utf-8", .body = std::move(text)};
+}
+
+bool mayMonitor(const Request& request, const WebOptions& options) {
+  if (isFromHere(request)) return true;
+  const std::string expected = "Bearer " + options.monitoringToken, &given = valueOf(request.headers, "authorization");
+  // In constant time, which does not tell how many characters are right.
+  return !options.monitoringToken.empty() && expected.size() == given.size() &&
+         sodium_memcmp(expected.data(), given.data(), expected.size()) == 0;
+}
+
+}  // namespace insonate::web
