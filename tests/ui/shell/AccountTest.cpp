@@ -4,7 +4,9 @@
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/PeopleStore.h>
+#include <insonate/curriculum/Workstations.h>
 #include <insonate/ui/SiteExchange.h>
+#include <insonate/web/WebServer.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,6 +18,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSysInfo>
 #include <QTableWidget>
 #include <QtTest/QTest>
 
@@ -342,8 +345,61 @@ TEST_F(AccountWindow, WhatIsDoneHereReachesTheServerAndItsPeopleComeHere) {
   signIn("root", "12345678");
   ASSERT_TRUE(waitUntil([&] { return account().isSignedIn(); })) << "people come from the server";
 
-  site->setServer(home.filePath("nowhere/server.sqlite"));
-  EXPECT_TRUE(waitUntil([&] { return site->outcome().contains("not reached"); })) << site->outcome().toStdString();
+  ASSERT_TRUE(site->setServer(home.filePath("nowhere/server.sqlite")));
+  EXPECT_TRUE(waitUntil([&] { return site->outcome().contains("Nothing was exchanged"); }))
+      << site->outcome().toStdString();
+}
+
+/// A database with a trainee, served at a port of this computer.
+struct ServedSite {
+  explicit ServedSite(const std::string& file) {
+    auto store = CurriculumStore::open(file, {.workstation = "server", .passwordCost = PasswordCost::Least});
+    if (!store) throw std::runtime_error(store.error().message);
+    const auto root = store->createFirstAdministrator({"root", "Root R.", "", Role::Administrator}, kPassword);
+    if (!root) throw std::runtime_error(root.error().message);
+    if (!PeopleStore(*root).add({"anna", "Anna A.", "", Role::Trainee}, kFirst)) throw std::runtime_error("no anna");
+    token = Workstations(*root).add(QSysInfo::machineHostName().toStdString()).value_or("");
+    auto started = web::WebServer::start(*store, {.port = 0});
+    if (!started) throw std::runtime_error(started.error().message);
+    server.emplace(std::move(*started));
+  }
+  QString url() const { return QString::fromStdString(server->url()); }
+
+  static constexpr const char *kPassword = "12345678", *kFirst = "set by root";
+  std::string token;
+  std::optional<web::WebServer> server;
+};
+
+TEST_F(AccountWindow, AnEmptyWorkstationJoinsASiteAndPeopleSignInWithTheirPasswordsThere) {
+  ServedSite served(home.filePath("served.sqlite").toStdString());
+  action("accountServer").trigger();
+  QDialog* dialog = dialogWith("serverAddress");
+  type(dialog, "serverAddress", served.url());
+  type(dialog, "serverToken", "no token");
+  go(dialog);
+  ASSERT_TRUE(waitUntil([&] { return trouble(dialog).contains("token"); })) << trouble(dialog).toStdString();
+  type(dialog, "serverToken", QString::fromStdString(served.token));
+  go(dialog);
+  QDialog* signingIn = dialogWith("signInName");
+  ASSERT_TRUE(signingIn) << trouble(dialog).toStdString();
+  type(signingIn, "signInName", "anna");
+  type(signingIn, "signInPassword", "a wrong one");
+  go(signingIn);
+  ASSERT_TRUE(waitUntil([&] { return trouble(signingIn).contains("password"); })) << trouble(signingIn).toStdString();
+  type(signingIn, "signInPassword", ServedSite::kFirst);
+  go(signingIn);
+  QDialog* choosing = dialogWith("passwordNew");
+  ASSERT_TRUE(choosing) << "another user has set the first password";
+  type(choosing, "passwordOld", ServedSite::kFirst);
+  type(choosing, "passwordNew", "of my own choice");
+  type(choosing, "passwordAgain", "of my own choice");
+  go(choosing);
+  ASSERT_TRUE(waitUntil([&] { return account().isSignedIn() && !account().mustChangePassword(); }))
+      << trouble(choosing).toStdString();
+  served.server.reset();
+  signOut();
+  signIn("anna", "of my own choice");
+  EXPECT_TRUE(waitUntil([&] { return account().isSignedIn(); })) << "without the server, too";
 }
 
 TEST_F(AccountWindow, NoKeyMeansTwoThings) {

@@ -1,4 +1,5 @@
 #include "KeptSignIn.h"
+#include "SiteSettings.h"
 
 #include <insonate/curriculum/FirstPassword.h>
 #include <insonate/curriculum/OwnTraining.h>
@@ -144,9 +145,19 @@ void Account::setUpAlone(const QString& fullName, const QString& password, Done 
 }
 
 void Account::signIn(const QString& name, const QString& password, Done done) {
-  open([name = name.toStdString(), password = password.toStdString()](
-           const CurriculumStore& store) { return store.signIn(name, password).map(asEntered); },
-       std::move(done));
+  if (!isServer(address_)) QDir().mkpath(QFileInfo(address_).absolutePath());
+  open(
+      [database = address_, name = name.toStdString(),
+       password = password.toStdString()](const CurriculumStore& store) -> Result<Entered> {
+        if (const SiteSettings settings = readSiteSettings(database); settings.isHttp()) {
+          const auto site = siteUploadOf(store, settings, {});
+          if (!site) return tl::unexpected(site.error());
+          // Without connection, this computer knows those who have signed in here before.
+          if (const auto reached = site->signIn(name, password); !reached) return tl::unexpected(reached.error());
+        }
+        return store.signIn(name, password).map(asEntered);
+      },
+      std::move(done));
 }
 
 void Account::signOut() {
@@ -161,8 +172,23 @@ void Account::signOut() {
   reopen();
 }
 
+void Account::changePasswordAtSite(const std::string& old, const std::string& password, Done done) {
+  open(
+      [database = address_, file = keptFile(), name = person_.name, old,
+       password](const CurriculumStore& store) -> Result<Entered> {
+        const auto site = siteUploadOf(store, readSiteSettings(database), {});
+        if (!site) return tl::unexpected(site.error());
+        if (auto changed = site->changePassword(name, old, password); !changed) return tl::unexpected(changed.error());
+        auto session = store.signIn(name, password);
+        if (session && readKeptSignIn(file).name == name && !keepSignedIn(file, *session)) removeKeptSignIn(file);
+        return session.map(asEntered);
+      },
+      std::move(done));
+}
+
 void Account::changePassword(const QString& old, const QString& password, Done done) {
   const std::string known = hasGeneratedPassword() ? generatedPassword_ : old.toStdString();
+  if (readSiteSettings(address_).isHttp()) return changePasswordAtSite(known, password.toStdString(), std::move(done));
   ask<void>(
       this,
       [known, password = password.toStdString(), file = keptFile()](const SignedIn& by) -> Result<void> {

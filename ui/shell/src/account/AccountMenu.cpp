@@ -90,9 +90,12 @@ void AccountMenu::refresh() {
   using State = Account::State;
   const State state = account_.state();
   for (QAction* first : {alone_, setUp_}) first->setVisible(state == State::NobodyYet);
-  signIn_->setVisible(state == State::Guest);
+  // A new workstation has no people yet: the first one who signs in comes from the server.
+  const bool isOfSite = !site_.server().isEmpty();
+  signIn_->setVisible(state == State::Guest || (state == State::NobodyYet && isOfSite));
   again_->setVisible(state == State::Unreachable);
-  server_->setVisible(state == State::SignedIn && account_.person().role == Role::Administrator);
+  server_->setVisible(state == State::NobodyYet ||
+                      (state == State::SignedIn && account_.person().role == Role::Administrator));
   people_->setVisible(state == State::SignedIn && account_.person().role != Role::Trainee);
   levels_->setVisible(people_->isVisible());
   for (QAction* own : {details_, password_, signOut_}) own->setVisible(state == State::SignedIn);
@@ -156,13 +159,16 @@ void AccountMenu::askAlone() {
       tr("Who trains on this computer?"),
       tr("Just me: you get the levels of the built-in curriculum, and see your results and learning curves. You stay "
          "signed in on this computer. A class can be added later; your attempts are kept.\n\nA class: an administrator "
-         "adds instructors and trainees, who sign in with a password.\n\nCancel to look around first; the button at "
-         "the top right offers both later."),
+         "adds instructors and trainees, who sign in with a password.\n\nA site: your hospital has a server, where "
+         "you have a name and a password.\n\nCancel to look around first; the button at the top right offers all "
+         "three later."),
       {{"aloneName", tr("Your name"), tr("Shown with your results")},
        {"alonePassword", tr("Password (optional)"), tr("At least 8 characters"), {}, true},
        {"aloneAgain", tr("Password again"), tr("Repeat the password, if you chose one"), {}, true}},
       tr("Just me"), act, window_);
-  dialog->offer(tr("A class ..."), tr("Sets up people, classes and levels"), [this] { askSetUp(); });
+  dialog->offer("entrySite", tr("A site ..."), tr("Connects this computer to your hospital's server"),
+                [this] { askServer(); });
+  dialog->offer("entryOther", tr("A class ..."), tr("Sets up people, classes and levels"), [this] { askSetUp(); });
   dialog->open();
 }
 
@@ -245,20 +251,29 @@ void AccountMenu::askDetails() {
 
 void AccountMenu::askServer() {
   const auto act = [this](const QStringList& texts, const Account::Done& done) {
-    if (QUrl(texts[0]).password().isEmpty()) {
-      site_.setServer(texts[0]);
-      return done({});
-    }
-    done(fail(
-        tr("Do not enter the database password here: others can read this field. Put it in ~/.pgpass.").toStdString()));
+    if (!QUrl(texts[0]).password().isEmpty())
+      return done(fail(tr("Do not enter the database password here: others can read this field. Put it in ~/.pgpass.")
+                           .toStdString()));
+    const auto joined = site_.setServer(texts[0], texts[1], texts[2]);
+    done(joined);
+    refresh();
+    if (joined && signIn_->isVisible() && account_.state() == Account::State::NobodyYet) askSignIn();
   };
   const QString last = site_.outcome().isEmpty() ? tr("Nothing was sent yet.") : site_.outcome();
   (new EntryDialog(
        tr("Server of the site"),
-       tr("Attempts and completed forms are sent to the server; people, classes and curricula come from it. Without a "
-          "server, all data stay on this computer. %1")
+       tr("Attempts and completed forms are sent to the server; people, classes and curricula come from it, and "
+          "everyone signs in with the password of the server. Without a server, all data stay on this computer. %1")
            .arg(last),
-       {{"serverAddress", tr("Address"), tr("postgresql://USER@HOST/DATABASE; empty: no server"), site_.server()}},
+       {{"serverAddress", tr("Address"), tr("https://HOST, or postgresql://USER@HOST/DATABASE; empty: no server"),
+         site_.server()},
+        {"serverToken",
+         tr("Token"),
+         tr("Token of this computer, from the administrator of an https server; empty: the former one"),
+         {},
+         true},
+        {"serverAuthority", tr("Certificate file"), tr("Certificate (PEM) of the site's own authority; usually empty"),
+         site_.authorityFile()}},
        tr("Connect"), act, window_))
       ->open();
 }

@@ -77,9 +77,9 @@ EntryDialog::EntryDialog(const QString& title, const QString& explanation, const
     }
 }
 
-void EntryDialog::offer(const QString& text, const QString& tip, std::function<void()> instead) {
+void EntryDialog::offer(const char* name, const QString& text, const QString& tip, std::function<void()> instead) {
   auto* other = new QPushButton(text);
-  other->setObjectName(QStringLiteral("entryOther"));
+  other->setObjectName(QLatin1String(name));
   other->setToolTip(tip);
   other->setAutoDefault(false);
   buttons_->insertWidget(0, other);

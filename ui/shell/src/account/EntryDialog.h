@@ -33,8 +33,8 @@ class EntryDialog : public QDialog {
   EntryDialog(const QString& title, const QString& explanation, const std::vector<Entry>& entries,
               const QString& button, Action action, QWidget* parent);
 
-  /// Adds a button that closes the dialog and does something else instead.
-  void offer(const QString& text, const QString& tip, std::function<void()> instead);
+  /// Adds a button that closes the dialog and does something else instead. `name`: object name of the button.
+  void offer(const char* name, const QString& text, const QString& tip, std::function<void()> instead);
 
  private:
   QWidget* fieldOf(const Entry& entry);

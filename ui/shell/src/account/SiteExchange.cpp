@@ -1,7 +1,11 @@
+#include "SiteSettings.h"
+
+#include <insonate/site/HttpLink.h>
 #include <insonate/ui/Account.h>
 #include <insonate/ui/SiteExchange.h>
 
-#include <QSettings>
+#include <QDir>
+#include <QFileInfo>
 #include <QStringList>
 #include <QtConcurrent/QtConcurrentRun>
 #include <chrono>
@@ -11,22 +15,21 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const QString kServer = QStringLiteral("account/server");
 constexpr std::chrono::milliseconds kSoon = 3s, kOften = 5min;
 
-Result<UploadReport> sendReport(const QString& here, const QString& server, const StoreServices& services) {
+Result<UploadReport> sendReport(const QString& here, const StoreServices& services) {
+  QDir().mkpath(QFileInfo(here).absolutePath());
   const auto mine = CurriculumStore::open(here.toStdString(), services);
   if (!mine) return tl::unexpected(mine.error());
-  const auto theirs = CurriculumStore::open(server.toStdString(), services);
-  if (!theirs) return tl::unexpected(theirs.error());
-  return SiteUpload(*mine, *theirs).exchange();
+  const auto site = siteUploadOf(*mine, readSiteSettings(here), services);
+  return site ? site->exchange() : tl::unexpected(site.error());
 }
 
 /// Exchanges facts with the server; returns the outcome as a sentence.
-QString exchange(const QString& here, const QString& server, const StoreServices& services) {
-  const auto done = sendReport(here, server, services);
+QString exchange(const QString& here, const StoreServices& services) {
+  const auto done = sendReport(here, services);
   if (!done)
-    return SiteExchange::tr("The server was not reached; attempts wait here. %1")
+    return SiteExchange::tr("Nothing was exchanged with the server; attempts wait here. %1")
         .arg(QString::fromStdString(done.error().message));
   QStringList sentences{
       SiteExchange::tr("Sent to the server: %1 attempts, %2 completed forms.").arg(done->attempts).arg(done->forms)};
@@ -48,21 +51,35 @@ SiteExchange::SiteExchange(Account& account, QObject* parent) : QObject(parent),
 }
 
 QString SiteExchange::server() const {
-  return QSettings().value(kServer).toString();
+  return readSiteSettings(account_.address()).address;
 }
 
-void SiteExchange::setServer(const QString& address) {
-  QSettings().setValue(kServer, address.trimmed());
+QString SiteExchange::authorityFile() const {
+  return readSiteSettings(account_.address()).authorityFile;
+}
+
+Result<void> SiteExchange::setServer(const QString& address, const QString& token, const QString& authorityFile) {
+  SiteSettings settings{
+      .address = address.trimmed(), .token = token.trimmed().toStdString(), .authorityFile = authorityFile.trimmed()};
+  // The token is not shown again; an empty field keeps it.
+  const SiteSettings before = readSiteSettings(account_.address());
+  if (settings.token.empty() && settings.address == before.address) settings.token = before.token;
+  if (settings.isHttp())
+    if (const auto link = httpLink({.url = settings.address.toStdString(), .token = settings.token}); !link)
+      return tl::unexpected(link.error());
+  if (auto written = writeSiteSettings(account_.address(), settings); !written) return written;
   outcome_.clear();
+  Q_EMIT exchanged();
   now();
+  return {};
 }
 
 void SiteExchange::now() {
   timer_.start(kOften);
   using State = Account::State;
-  const bool open = account_.state() == State::Guest || account_.isSignedIn();
+  const bool open = account_.state() != State::Opening && account_.state() != State::Unreachable;
   if (isRunning() || server().isEmpty() || !open) return;
-  running_.setFuture(QtConcurrent::run(exchange, account_.address(), server(), account_.services()));
+  running_.setFuture(QtConcurrent::run(exchange, account_.address(), account_.services()));
 }
 
 }  // namespace insonate::ui

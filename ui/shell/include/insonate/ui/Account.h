@@ -59,6 +59,7 @@ class Account : public QObject {
   /// again. If `password` is empty, a password is generated and stored on this computer. Fails if the store is on a
   /// server and `password` is empty.
   void setUpAlone(const QString& fullName, const QString& password, Done done);
+  /// Signs in. On a workstation of a site (SiteExchange), the site's server checks the password, if it can be reached.
   void signIn(const QString& name, const QString& password, Done done);
   /// Signs out. No effect while hasGeneratedPassword(): the user does not know the password and could not sign in
   /// again.
@@ -117,6 +118,7 @@ class Account : public QObject {
   void post(std::function<void()> work);
   void deliver(std::function<void()> news);
   void open(Entering enter, Done done);
+  void changePasswordAtSite(const std::string& old, const std::string& password, Done done);
   void take(State state, std::optional<Entered> entered, const QString& trouble);
 
   std::string generatedPassword_;  ///< of the signed-in user; empty if the user has chosen one

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <insonate/curriculum/SiteUpload.h>
+#include <insonate/core/Result.h>
 
 #include <QFutureWatcher>
 #include <QObject>
@@ -20,10 +20,14 @@ class SiteExchange : public QObject {
  public:
   explicit SiteExchange(Account& account, QObject* parent = nullptr);
 
-  /// Returns the address of the server, in the form that CurriculumStore::open() takes, from the user's settings;
-  /// empty: no server. The password of the server is in ~/.pgpass or PGPASSWORD.
+  /// Returns the address of the server: https://HOST of insonate-server, or the address of a database as
+  /// CurriculumStore::open() takes it, with its password in ~/.pgpass or PGPASSWORD; empty: no server.
   QString server() const;
-  void setServer(const QString& address);
+  /// Returns the file of the authority that signed the server's certificate; empty: those that the system trusts.
+  QString authorityFile() const;
+  /// Joins a server and starts an exchange. `token`: this computer's token for insonate-server; empty: the former one
+  /// stays. Fails, with nothing changed, if the address or the token is not one, or if the token cannot be stored.
+  Result<void> setServer(const QString& address, const QString& token = {}, const QString& authorityFile = {});
 
   /// Starts an exchange at once.
   void now();

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <insonate/curriculum/CurriculumStore.h>
+#include <insonate/curriculum/SiteUpload.h>
+
+#include <QString>
+#include <optional>
+#include <string>
+
+namespace insonate::ui {
+
+/// The server of the site to which a database of this computer belongs.
+struct SiteSettings {
+  QString address{};        ///< https://HOST of insonate-server, or postgresql://USER@HOST/DATABASE; empty: no server
+  std::string token{};      ///< this computer's token; for https only
+  QString authorityFile{};  ///< file (PEM) of the authority that signed the server's certificate; empty: the system's
+
+  bool isHttp() const;
+};
+
+/// Reads the settings: the address from the user's settings, the token from a file beside the database.
+SiteSettings readSiteSettings(const QString& database);
+/// Writes the settings; the file with the token is readable by its owner alone. Fails if it cannot be written.
+Result<void> writeSiteSettings(const QString& database, const SiteSettings& settings);
+
+/// Makes the exchange with the server. For an address of a database, this opens the database.
+Result<SiteUpload> siteUploadOf(const CurriculumStore& here, const SiteSettings& settings,
+                                const StoreServices& services);
+
+}  // namespace insonate::ui
