@@ -23,6 +23,7 @@ using namespace insonate;
 
 struct Arguments {
   std::string database;
+  std::string recordings;
   std::string listen = "127.0.0.1:8443";
   std::string tokenFile;
   web::WebOptions options;
@@ -99,6 +100,7 @@ Result<void> serve(Arguments& arguments) {
                 " does not exist. Name the file of an existing database, or make one with insonate-cli curriculum "
                 "setup.");
   StoreServices services;
+  services.recordings = arguments.recordings;
   // Passwords of made-up people need no protection against guessing, which costs 0.1 s for each.
   if (arguments.demo) services.passwordCost = PasswordCost::Least;
   const auto store = CurriculumStore::open(arguments.database, services);
@@ -118,6 +120,9 @@ void addOptions(CLI::App& app, Arguments& arguments) {
   web::WebOptions& options = arguments.options;
   app.add_option("DATABASE,--database", arguments.database,
                  "Existing file, or postgresql://USER@HOST/DATABASE with the password in PGPASSWORD");
+  app.add_option("--recordings", arguments.recordings,
+                 "Folder for the recordings that workstations send; by default beside the database file. A PostgreSQL "
+                 "database needs one");
   app.add_flag("--demo", arguments.demo,
                "Serve a made-up class, which is deleted at the end; prints names and password");
   app.add_option("--listen", arguments.listen, "Address and port")->capture_default_str();

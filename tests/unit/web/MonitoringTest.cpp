@@ -61,6 +61,8 @@ TEST(WebMonitoring, ShowsSessionsAndLastsWithoutTheDatabase) {
   (void)school.signIn("anna");
   (void)school.signIn("ina");
   EXPECT_THAT(school.site.answer(WebSchool::fromHere("/metrics")).body, HasSubstr("\ninsonate_sessions 2\n"));
+  EXPECT_THAT(school.site.answer(WebSchool::fromHere("/metrics")).body,
+              HasSubstr("\ninsonate_verifications_waiting 0\n"));
   std::filesystem::remove(rig.address);
   EXPECT_EQ(school.site.answer(WebSchool::fromHere("/health")).status, 503);
   EXPECT_EQ(school.get("/sign-in").status, 503);

@@ -53,7 +53,7 @@ Result<WebServer> WebServer::start(const CurriculumStore& store, const WebOption
       HttpServer::start(options, [site = &impl->site](const Request& request) { return site->answer(request); });
   if (!http) return tl::unexpected(http.error());
   impl->http = std::move(*http);
-  impl->verifier = std::make_unique<Verifier>(store);
+  impl->verifier = std::make_unique<Verifier>(store, options.log);
   return WebServer(std::move(impl));
 }
 

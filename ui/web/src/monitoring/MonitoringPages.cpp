@@ -4,6 +4,7 @@
 #include "monitoring/Metrics.h"
 
 #include <insonate/curriculum/BrowserSessions.h>
+#include <insonate/curriculum/VerificationQueue.h>
 
 #include <sodium.h>
 
@@ -23,6 +24,11 @@ Response showMetrics(const Visit& visit, const Parts& /*parts*/) {
         "# HELP insonate_sessions Sessions of people who are signed in\n# TYPE insonate_sessions gauge\n"
         "insonate_sessions " +
         std::to_string(*sessions) + "\n";
+  if (const auto waiting = VerificationQueue(visit.store).waiting())
+    text +=
+        "# HELP insonate_verifications_waiting Attempts of workstations that wait to be verified\n# TYPE "
+        "insonate_verifications_waiting gauge\ninsonate_verifications_waiting " +
+        std::to_string(*waiting) + "\n";
   return {.type = "text/plain; version=0.0.4; charset=utf-8", .body = std::move(text)};
 }
 

@@ -3,13 +3,17 @@
 #include <insonate/curriculum/VerificationQueue.h>
 #include <insonate/teaching/SiteVerification.h>
 
+#include <nlohmann/json.hpp>
+
 #include <chrono>
+#include <utility>
 
 namespace insonate::web {
 
 using namespace std::chrono_literals;
 
-Verifier::Verifier(const CurriculumStore& store) : store_(store), thread_([this] { run(); }) {}
+Verifier::Verifier(const CurriculumStore& store, Log log)
+    : store_(store), log_(std::move(log)), thread_([this] { run(); }) {}
 
 Verifier::~Verifier() {
   {
@@ -23,10 +27,15 @@ Verifier::~Verifier() {
 void Verifier::run() {
   const VerificationQueue queue(store_);
   for (;;) {
+    const auto verified = verifyNextAttempt(queue);
+    if (!verified && log_)
+      log_(LogLevel::Error,
+           nlohmann::ordered_json{{"event", "verification failed"}, {"message", verified.error().message}}.dump(
+               -1, ' ', false, nlohmann::json::error_handler_t::replace));
     // A database that fails is tried again; what waits is kept there.
-    const bool isBusy = verifyNextAttempt(queue).value_or(false);
+    const auto pause = !verified ? 30s : *verified ? 0s : 1s;
     std::unique_lock lock(mutex_);
-    if (wake_.wait_for(lock, isBusy ? 0ms : 1000ms, [this] { return isEnding_; })) return;
+    if (wake_.wait_for(lock, pause, [this] { return isEnding_; })) return;
   }
 }
 

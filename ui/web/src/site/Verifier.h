@@ -1,6 +1,7 @@
 #pragma once
 
 #include <insonate/curriculum/CurriculumStore.h>
+#include <insonate/web/WebServer.h>
 
 #include <condition_variable>
 #include <mutex>
@@ -12,7 +13,8 @@ namespace insonate::web {
 /// Several servers with one database share the work.
 class Verifier {
  public:
-  explicit Verifier(const CurriculumStore& store);
+  /// `log`: receives failures of the database; may be empty.
+  Verifier(const CurriculumStore& store, Log log);
   ~Verifier();
   Verifier(const Verifier&) = delete;
   Verifier& operator=(const Verifier&) = delete;
@@ -21,6 +23,7 @@ class Verifier {
   void run();
 
   CurriculumStore store_;
+  Log log_;
   std::mutex mutex_;
   std::condition_variable wake_;
   bool isEnding_ = false;
