@@ -167,6 +167,38 @@ TEST_P(StoreSite, APassCountsOnceTheServerHasVerifiedIt) {
   succeed(StoreUpkeep(school->admin).verify());
 }
 
+TEST_P(StoreSite, AtAnotherWorkstationAPersonFindsTheLevelsThatWereMastered) {
+  const AttemptFacts facts = attemptOf(here(school->anna));
+  valueOf(site().exchange());
+  StoreRig other;
+  other.services.workstation = "ward 8", other.services.now_us = ward.services.now_us;
+  const CurriculumStore far = other.open();
+  const std::string farToken = valueOf(Workstations(school->admin).add("ward 8"));
+  const auto exchange = [&](bool isSigningIn) {
+    const std::string nearToken = std::exchange(token, farToken);
+    const SiteUpload farSite(far, link());
+    if (isSigningIn) valueOf(farSite.signIn("anna", kPassword));
+    const UploadReport report = valueOf(farSite.exchange());
+    token = nearToken;
+    return report;
+  };
+  const auto proofThere = [&] {
+    return valueOf(AttemptStore(valueOf(far.signIn("anna", kPassword))).attempt(facts.id)).facts.proof;
+  };
+  EXPECT_THAT(exchange(true).troubles, IsEmpty());
+  EXPECT_EQ(proofThere(), AttemptProof::Unproven) << "not verified yet";
+  succeed(VerificationQueue(school->store).conclude(facts.id, true, ""));
+  EXPECT_THAT(exchange(false).troubles, IsEmpty());
+  EXPECT_EQ(proofThere(), AttemptProof::Proven);
+  succeed(AttemptStore(school->as(school->ina)).voidAttempt(facts.id, "device failed"));
+  exchange(false);
+  EXPECT_EQ(valueOf(AttemptStore(valueOf(far.signIn("anna", kPassword))).attempt(facts.id)).voidReason,
+            "device failed");
+  EXPECT_EQ(valueOf(SiteUpload(far, link()).pending()), 0) << "it is not sent back";
+  exchange(false);
+  EXPECT_EQ(valueOf(StoreUpkeep(school->admin).facts()).attempts, 1);
+}
+
 TEST_P(StoreSite, WhatDoesNotAgreeWithItsRecordingIsNotProven) {
   const AttemptFacts facts = attemptOf(here(school->anna));
   valueOf(site().exchange());

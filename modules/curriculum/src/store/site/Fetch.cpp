@@ -2,6 +2,7 @@
 #include "store/CurriculumRows.h"
 #include "store/Proofs.h"
 #include "store/StandingRows.h"
+#include "store/Texts.h"
 #include "store/site/Site.h"
 
 #include <map>
@@ -42,6 +43,30 @@ std::set<std::string> peopleFor(Transaction& transaction, const std::string& wor
            workstation, workstation))
     people.insert(row.text(0));
   return people;
+}
+
+/// State of the attempts that a person made at other workstations than this.
+std::string digestOf(Transaction& transaction, const std::string& person, const std::string& workstation) {
+  std::string state;
+  for (const Row& row : transaction.rows("SELECT id, state, crashed, voided_us IS NOT NULL, " INSONATE_PROOF_COLUMN
+                                         " FROM attempts WHERE person = ? AND workstation <> ? AND state <> 'open' "
+                                         "ORDER BY id",
+                                         person, workstation))
+    for (std::size_t i = 0; i < row.size(); ++i) state += row.text(i) + ' ';
+  return state.empty() ? "" : sha256(state);
+}
+
+/// Adds the attempts of people whose attempts elsewhere are not known to the workstation as they are now.
+void addElsewhere(Transaction& transaction, Taught& taught, const std::string& workstation, const Digests& known) {
+  for (const auto& [person, row] : taught.people) {
+    const auto digest = known.find(person);
+    if (digestOf(transaction, person, workstation) == (digest == known.end() ? "" : digest->second)) continue;
+    for (const Row& attempt :
+         transaction.rows("SELECT id FROM attempts WHERE person = ? AND workstation <> ? AND state <> 'open' "
+                          "ORDER BY arrival",
+                          person, workstation))
+      if (auto sent = readAttempt(transaction, attempt.text(0))) taught.elsewhere.push_back(std::move(*sent));
+  }
 }
 
 /// Leaves out what an untrusted workstation does not need: other people, their classes, and all passwords.
@@ -154,6 +179,19 @@ void takeVoided(Transaction& here, const std::vector<Row>& voided) {
         row.number(1), row.text(2), row.text(3), row.text(0));
 }
 
+void takeElsewhere(Transaction& here, const std::vector<SentAttempt>& attempts, std::int64_t now_us,
+                   std::vector<std::string>& troubles) {
+  std::set<std::string> people;
+  for (const SentAttempt& sent : attempts) {
+    if (auto merged = mergeAttempt(here, Sender{}, sent, now_us); !merged) troubles.push_back(merged.error().message);
+    people.insert(sent.ended.person);
+  }
+  for (const std::string& person : people) {
+    here.run("DELETE FROM standings WHERE person = ?", person);
+    renewStandings(here, person, now_us);
+  }
+}
+
 /// Applies the server's acceptances of attempts of this workstation.
 void takeAccepted(Transaction& here, const std::vector<Row>& accepted, std::int64_t now_us) {
   for (const Row& row : accepted) {
@@ -170,7 +208,7 @@ void takeAccepted(Transaction& here, const std::vector<Row>& accepted, std::int6
 
 }  // namespace
 
-Result<Taught> readTaught(Core& server, const Sender& sender) {
+Result<Taught> readTaught(Core& server, const Sender& sender, const Digests& known) {
   return inTransaction(server, Way::Read, [&](Transaction& transaction) -> Result<Taught> {
     Taught taught{rowsByKey(transaction, peopleQuery()), rowsByKey(transaction, kCohorts),
                   rowsByKey(transaction, kMemberships)};
@@ -188,8 +226,21 @@ Result<Taught> readTaught(Core& server, const Sender& sender) {
         "SELECT " INSONATE_COMMENT_COLUMNS
         " FROM comments JOIN attempts ON attempts.id = attempt WHERE workstation = ? ORDER BY comments.id",
         sender.workstation);
-    if (!sender.isTrusted) restrict(transaction, taught, sender.workstation);
+    if (!sender.isTrusted) {
+      restrict(transaction, taught, sender.workstation);
+      addElsewhere(transaction, taught, sender.workstation, known);
+    }
     return taught;
+  });
+}
+
+Result<Digests> digestsHere(Core& here) {
+  return inTransaction(here, Way::Read, [&](Transaction& transaction) -> Result<Digests> {
+    Digests digests;
+    for (const Row& row : transaction.rows("SELECT id FROM people"))
+      if (std::string digest = digestOf(transaction, row.text(0), here.workstation()); !digest.empty())
+        digests[row.text(0)] = std::move(digest);
+    return digests;
   });
 }
 
@@ -198,6 +249,7 @@ Result<void> takeTaught(Core& here, Taught taught, UploadReport& report) {
     report.people = takePeople(transaction, taught);
     report.cohorts = takeCohorts(transaction, taught);
     report.curricula = takeCurricula(transaction, taught.curricula, report.troubles);
+    takeElsewhere(transaction, taught.elsewhere, here.now_us(), report.troubles);
     takeVoided(transaction, taught.voided);
     takeAccepted(transaction, taught.accepted, here.now_us());
     for (const Row& comment : taught.comments)

@@ -112,8 +112,8 @@ Result<Taken> RemoteSite::take(const SentBatch& batch) {
   return ask(link_, "facts", jsonOf(batch), [](const json& answer) { return takenFrom(answer); });
 }
 
-Result<Taught> RemoteSite::teach() {
-  return ask(link_, "directory", json::object(), [](const json& answer) { return taughtFrom(answer); });
+Result<Taught> RemoteSite::teach(const Digests& known) {
+  return ask(link_, "directory", {{"digests", known}}, [](const json& answer) { return taughtFrom(answer); });
 }
 
 Result<std::optional<SentPerson>> RemoteSite::signIn(const std::string& name, const std::string& password) {

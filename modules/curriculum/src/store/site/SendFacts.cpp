@@ -15,22 +15,6 @@
 namespace insonate::store {
 namespace {
 
-std::optional<SentAttempt> readAttempt(Transaction& here, const std::string& id) {
-  const auto row = here.row("SELECT " INSONATE_ATTEMPT_COLUMNS
-                            ", voided_by, COALESCE((SELECT accepted_by FROM proofs WHERE attempt = attempts.id), '') "
-                            "FROM attempts WHERE id = ?",
-                            id);
-  if (!row) return std::nullopt;
-  SentAttempt sent{.kept = keptOf(*row),
-                   .voided_us = row->time(17),
-                   .voidedBy = row->text(25),
-                   .acceptedBy = row->text(26),
-                   .comments = commentRows(here, id)};
-  sent.ended = sent.kept.facts;
-  sent.ended.state = stateOfEnd(*row);
-  return sent;
-}
-
 SentItem readItem(Transaction& here, const Row& row) {
   SentItem item{.number = row.number(0), .kind = row.text(1), .id = row.text(2)};
   if (item.kind == "attempt") item.attempt = readAttempt(here, item.id);
@@ -46,44 +30,6 @@ SentItem readItem(Transaction& here, const Row& row) {
       item.version = own->number(2);
     }
   return item;
-}
-
-/// The server's attempt receives what it lacks: its beginning, its end, its voiding. The result does not depend on the
-/// order or the number of repetitions. Fails if the server has another attempt of this id, or if the recording already
-/// counts for another attempt there.
-Result<void> mergeAttempt(Transaction& server, const Sender& sender, const SentAttempt& sent, std::int64_t now_us) {
-  const AttemptFacts& facts = sent.ended;
-  const auto another = [&] {
-    return fail("The attempt " + facts.id + " differs from the one on the server and was not sent. Compare the two.");
-  };
-  // Checks before anything is written, so that the others of the batch are stored all the same.
-  if (auto ok = refuseKnownHands(server, facts); !ok)
-    return fail("The attempt " + facts.id + " stays here. " + ok.error().message);
-  auto there = readAttempt(server, facts.id);
-  if (!there) {
-    insertAttempt(server, facts, "");
-    there = SentAttempt{.kept = {.facts = facts}, .ended = facts};
-    there->ended.state = AttemptState::Open;
-  }
-  if (!sameBeginning(there->ended, facts)) return another();
-  const bool awaitsEnd = there->ended.state == AttemptState::Open || (there->kept.crashed && !sent.kept.crashed);
-  if (facts.state != AttemptState::Open && awaitsEnd) {
-    endAttempt(server, facts, sent.kept.crashed);
-    keepHands(server, facts, now_us);
-  } else if (facts.state != AttemptState::Open && !sent.kept.crashed && !sameEnd(there->ended, facts)) {
-    return another();
-  }
-  if (facts.state != AttemptState::Open && !sent.kept.crashed) {
-    if (sender.isTrusted)
-      mergeProof(server, facts.id, facts.proof, sent.acceptedBy);
-    else
-      awaitVerification(server, facts, sent.acceptedBy, now_us);
-  }
-  if (sent.voided_us && !there->voided_us)
-    server.run("UPDATE attempts SET voided_us = ?, voided_by = ?, void_reason = ? WHERE id = ?", *sent.voided_us,
-               sent.voidedBy, sent.kept.voidReason, facts.id);
-  for (const Row& comment : sent.comments) mergeComment(server, comment);
-  return {};
 }
 
 /// If both were changed, the server's password is the newer one.
@@ -110,6 +56,57 @@ Result<void> mergeItem(Transaction& transaction, const Core& server, const Sende
 }
 
 }  // namespace
+
+std::optional<SentAttempt> readAttempt(Transaction& here, const std::string& id) {
+  const auto row = here.row("SELECT " INSONATE_ATTEMPT_COLUMNS
+                            ", voided_by, COALESCE((SELECT accepted_by FROM proofs WHERE attempt = attempts.id), '') "
+                            "FROM attempts WHERE id = ?",
+                            id);
+  if (!row) return std::nullopt;
+  SentAttempt sent{.kept = keptOf(*row),
+                   .voided_us = row->time(17),
+                   .voidedBy = row->text(25),
+                   .acceptedBy = row->text(26),
+                   .comments = commentRows(here, id)};
+  sent.ended = sent.kept.facts;
+  sent.ended.state = stateOfEnd(*row);
+  return sent;
+}
+
+Result<void> mergeAttempt(Transaction& server, const Sender& sender, const SentAttempt& sent, std::int64_t now_us) {
+  const AttemptFacts& facts = sent.ended;
+  const auto another = [&] {
+    return fail("The attempt " + facts.id + " differs from the one on the server and was not sent. Compare the two.");
+  };
+  // Checks before anything is written, so that the others of the batch are stored all the same.
+  if (auto ok = refuseKnownHands(server, facts); !ok)
+    return fail("The attempt " + facts.id + " stays here. " + ok.error().message);
+  auto there = readAttempt(server, facts.id);
+  if (!there) {
+    insertAttempt(server, facts, "");
+    there = SentAttempt{.kept = {.facts = facts}, .ended = facts};
+    there->ended.state = AttemptState::Open;
+  }
+  if (!sameBeginning(there->ended, facts)) return another();
+  const bool awaitsEnd = there->ended.state == AttemptState::Open || (there->kept.crashed && !sent.kept.crashed);
+  if (facts.state != AttemptState::Open && awaitsEnd) {
+    endAttempt(server, facts, sent.kept.crashed);
+    keepHands(server, facts, now_us);
+  } else if (facts.state != AttemptState::Open && !sent.kept.crashed && !sameEnd(there->ended, facts)) {
+    return another();
+  }
+  if (facts.state != AttemptState::Open && !sent.kept.crashed) {
+    if (sender.isTrusted && facts.proof != AttemptProof::Verifying)
+      mergeProof(server, facts.id, facts.proof, sent.acceptedBy);
+    else if (!sender.isTrusted)
+      awaitVerification(server, facts, sent.acceptedBy, now_us);
+  }
+  if (sent.voided_us && !there->voided_us)
+    server.run("UPDATE attempts SET voided_us = ?, voided_by = ?, void_reason = ? WHERE id = ?", *sent.voided_us,
+               sent.voidedBy, sent.kept.voidReason, facts.id);
+  for (const Row& comment : sent.comments) mergeComment(server, comment);
+  return {};
+}
 
 Result<SentBatch> readBatch(Core& here, std::int64_t after) {
   constexpr std::int64_t kAtOnce = 200;

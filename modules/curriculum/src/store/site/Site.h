@@ -29,7 +29,8 @@ class Site {
   /// Adds people as disabled trainees, with another sign-in name if the name is taken. Returns sentences for the user.
   virtual Result<std::vector<std::string>> addPeople(const std::vector<SentPerson>& people) = 0;
   virtual Result<Taken> take(const SentBatch& batch) = 0;
-  virtual Result<Taught> teach() = 0;
+  /// `known`: digests of the workstation's people.
+  virtual Result<Taught> teach(const Digests& known) = 0;
   /// Checks name and password, and returns the person with the hash of the password, which the workstation needs
   /// without connection. Empty: workstation and server have the same passwords in any case.
   virtual Result<std::optional<SentPerson>> signIn(const std::string& name, const std::string& password) = 0;
@@ -59,7 +60,7 @@ class StoreSite final : public Site {
   Result<std::set<std::string>> unknownPeople(const std::set<std::string>& ids) override;
   Result<std::vector<std::string>> addPeople(const std::vector<SentPerson>& people) override;
   Result<Taken> take(const SentBatch& batch) override;
-  Result<Taught> teach() override;
+  Result<Taught> teach(const Digests& known) override;
   Result<std::optional<SentPerson>> signIn(const std::string& name, const std::string& password) override;
   Result<SentPerson> changePassword(const std::string& name, const std::string& old,
                                     const std::string& password) override;
@@ -81,7 +82,7 @@ class RemoteSite final : public Site {
   Result<std::set<std::string>> unknownPeople(const std::set<std::string>& ids) override;
   Result<std::vector<std::string>> addPeople(const std::vector<SentPerson>& people) override;
   Result<Taken> take(const SentBatch& batch) override;
-  Result<Taught> teach() override;
+  Result<Taught> teach(const Digests& known) override;
   Result<std::optional<SentPerson>> signIn(const std::string& name, const std::string& password) override;
   Result<SentPerson> changePassword(const std::string& name, const std::string& old,
                                     const std::string& password) override;
@@ -95,7 +96,14 @@ class RemoteSite final : public Site {
 Result<SentBatch> readBatch(Core& here, std::int64_t after);
 /// Stores a batch in the server's database; `server` is a transaction for writing.
 Result<Taken> takeBatch(Transaction& transaction, Core& server, const Sender& sender, const SentBatch& batch);
-Result<Taught> readTaught(Core& server, const Sender& sender);
+Result<Taught> readTaught(Core& server, const Sender& sender, const Digests& known);
+/// Returns digests of all people of a workstation.
+Result<Digests> digestsHere(Core& here);
+std::optional<SentAttempt> readAttempt(Transaction& transaction, const std::string& id);
+/// Gives an attempt of another database, or what it lacks, to this one. The result does not depend on the order or the
+/// number of repetitions. Fails if the attempt differs from the one that is known here, or if its recording already
+/// counts for another attempt. `sender`: where the attempt comes from.
+Result<void> mergeAttempt(Transaction& here, const Sender& sender, const SentAttempt& sent, std::int64_t now_us);
 /// Stores the data of a server in the workstation's database.
 Result<void> takeTaught(Core& here, Taught taught, UploadReport& report);
 Result<std::vector<SentPerson>> peopleOf(Core& here);

@@ -96,7 +96,8 @@ Result<json> takeFacts(const Call& call) {
 }
 
 Result<json> directory(const Call& call) {
-  return written(call.site.teach(), [](const store::Taught& taught) { return store::jsonOf(taught); });
+  return written(call.site.teach(call.content.at("digests").get<store::Digests>()),
+                 [](const store::Taught& taught) { return store::jsonOf(taught); });
 }
 
 Result<json> wantedRecordings(const Call& call) {

@@ -97,7 +97,9 @@ Result<UploadReport> SiteUpload::exchange(const Progress& progress) const {
   UploadReport report;
   if (auto sent = sendPeople(here, *server_, report); !sent) return tl::unexpected(sent.error());
   if (auto sent = sendFacts(here, *server_, report, progress); !sent) return tl::unexpected(sent.error());
-  auto taught = server_->teach();
+  const auto known = store::digestsHere(here);
+  if (!known) return tl::unexpected(known.error());
+  auto taught = server_->teach(*known);
   if (!taught) return tl::unexpected(taught.error());
   if (auto ok = store::takeTaught(here, std::move(*taught), report); !ok) return tl::unexpected(ok.error());
   if (auto sent = server_->takeRecordings(here, report, progress); !sent) return tl::unexpected(sent.error());
@@ -124,7 +126,9 @@ Result<void> SiteUpload::changePassword(const std::string& name, const std::stri
 /// Stores what the server gives now, with the password of this person.
 Result<void> SiteUpload::keep(const store::SentPerson& person) const {
   if (auto ok = joinServer(*here_.core_, server_->place()); !ok) return ok;
-  auto taught = server_->teach();
+  const auto known = store::digestsHere(*here_.core_);
+  if (!known) return tl::unexpected(known.error());
+  auto taught = server_->teach(*known);
   if (!taught) return tl::unexpected(taught.error());
   const auto row = taught->people.find(person.person.id);
   // If the password was changed just now, the person signs in once more.

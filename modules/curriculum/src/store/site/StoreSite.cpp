@@ -34,8 +34,8 @@ Result<Taken> StoreSite::take(const SentBatch& batch) {
                        [&](Transaction& transaction) { return takeBatch(transaction, *core_, sender_, batch); });
 }
 
-Result<Taught> StoreSite::teach() {
-  return readTaught(*core_, sender_);
+Result<Taught> StoreSite::teach(const Digests& known) {
+  return readTaught(*core_, sender_, known);
 }
 
 Result<std::optional<SentPerson>> StoreSite::signIn(const std::string& name, const std::string& password) {

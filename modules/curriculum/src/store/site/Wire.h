@@ -64,6 +64,9 @@ inline constexpr std::string_view kPeopleColumns =
 
 inline constexpr std::size_t kPasswordColumn = 7, kVersionColumn = 9;
 
+/// State of the attempts that people made at other workstations: a hash for each person (Person::id).
+using Digests = std::map<std::string, std::string>;
+
 /// Data that a server gives to a workstation. The password of a person may be empty: then the workstation has the one
 /// of the same version, or the person signs in to the server first.
 struct Taught {
@@ -71,6 +74,8 @@ struct Taught {
   std::vector<KeptCurriculum> curricula{};
   /// id, voided_us, voided_by, void_reason; attempt, accepted_by; INSONATE_COMMENT_COLUMNS
   std::vector<Row> voided{}, accepted{}, comments{};
+  /// Ended attempts at other workstations, of people for whom the workstation has another digest.
+  std::vector<SentAttempt> elsewhere{};
 };
 
 }  // namespace insonate::store

@@ -223,13 +223,16 @@ json jsonOf(const Taught& taught) {
                          {"published_us", kept.entry.published_us},
                          {"publishedBy", kept.entry.publishedBy},
                          {"text", kept.text}});
+  json elsewhere = json::array();
+  for (const SentAttempt& sent : taught.elsewhere) elsewhere.push_back(jsonOf(sent));
   return {{"people", taught.people},
           {"classes", taught.cohorts},
           {"members", taught.memberships},
           {"curricula", std::move(curricula)},
           {"voided", jsonOf(taught.voided)},
           {"accepted", jsonOf(taught.accepted)},
-          {"comments", jsonOf(taught.comments)}};
+          {"comments", jsonOf(taught.comments)},
+          {"elsewhere", std::move(elsewhere)}};
 }
 
 Taught taughtFrom(const json& from) {
@@ -246,6 +249,7 @@ Taught taughtFrom(const json& from) {
                                  .published_us = kept.at("published_us"),
                                  .publishedBy = kept.at("publishedBy")},
                                 kept.at("text")});
+  for (const json& sent : from.at("elsewhere")) taught.elsewhere.push_back(attemptFrom(sent));
   return taught;
 }
 
