@@ -208,8 +208,17 @@ TEST_P(StoreSite, WhatDoesNotAgreeWithItsRecordingIsNotProven) {
   succeed(queue.conclude(facts.id, true, ""));
   EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Unproven) << "the first result stays";
   EXPECT_EQ(masteredBy(school->anna), 0);
+  const auto proofHere = [&] {
+    return valueOf(AttemptStore(valueOf(near->signIn("anna", kPassword))).attempt(facts.id)).facts.proof;
+  };
+  EXPECT_EQ(proofHere(), AttemptProof::Proven);
+  EXPECT_THAT(valueOf(site().exchange()).troubles, ElementsAre(HasSubstr("points: 95 stored, 60 recomputed")));
+  EXPECT_EQ(proofHere(), AttemptProof::Unproven) << "the level closes here, too";
+  EXPECT_THAT(valueOf(site().exchange()).troubles, IsEmpty()) << "it is told once";
   succeed(AttemptStore(school->as(school->ina)).accept(facts.id, "I watched it"));
   EXPECT_EQ(masteredBy(school->anna), 1);
+  valueOf(site().exchange());
+  EXPECT_EQ(proofHere(), AttemptProof::Accepted);
 }
 
 TEST_P(StoreSite, AnAttemptIsTakenByOneServerAndAgainIfThatOneDied) {

@@ -1,3 +1,4 @@
+#include "store/AuditChain.h"
 #include "store/CommentRows.h"
 #include "store/CurriculumRows.h"
 #include "store/Proofs.h"
@@ -179,6 +180,23 @@ void takeVoided(Transaction& here, const std::vector<Row>& voided) {
         row.number(1), row.text(2), row.text(3), row.text(0));
 }
 
+/// Withdraws the proofs of attempts that the server could not verify.
+void takeRefused(Transaction& here, const Core& core, const std::vector<Row>& refused,
+                 std::vector<std::string>& troubles) {
+  for (const Row& row : refused) {
+    const auto attempt = here.row(
+        "SELECT person, begun_us FROM attempts JOIN proofs ON attempt = id WHERE id = ? AND proofs.state = 'proven'",
+        row.text(0));
+    if (!attempt) continue;
+    here.run("UPDATE proofs SET state = 'unproven' WHERE attempt = ?", row.text(0));
+    here.run("DELETE FROM standings WHERE person = ?", attempt->text(0));
+    renewStandings(here, attempt->text(0), core.now_us());
+    core.audit(here, "", "refuse attempt", attempt->text(0), row.text(0) + ": " + forLog(row.text(1)), false);
+    troubles.push_back("The server could not verify the attempt of " + dayOf(attempt->number(1)) + ": " + row.text(1) +
+                       " It does not count as a pass until an instructor accepts it.");
+  }
+}
+
 void takeElsewhere(Transaction& here, const std::vector<SentAttempt>& attempts, std::int64_t now_us,
                    std::vector<std::string>& troubles) {
   std::set<std::string> people;
@@ -222,6 +240,10 @@ Result<Taught> readTaught(Core& server, const Sender& sender, const Digests& kno
         "SELECT attempt, accepted_by FROM proofs JOIN attempts ON attempts.id = attempt WHERE workstation = ? AND "
         "proofs.state = 'accepted'",
         sender.workstation);
+    taught.refused = transaction.rows(
+        "SELECT verifications.attempt, why FROM verifications JOIN attempts ON attempts.id = verifications.attempt "
+        "WHERE workstation = ? AND ended_us IS NOT NULL AND why <> '' ORDER BY verifications.attempt",
+        sender.workstation);
     taught.comments = transaction.rows(
         "SELECT " INSONATE_COMMENT_COLUMNS
         " FROM comments JOIN attempts ON attempts.id = attempt WHERE workstation = ? ORDER BY comments.id",
@@ -251,6 +273,7 @@ Result<void> takeTaught(Core& here, Taught taught, UploadReport& report) {
     report.curricula = takeCurricula(transaction, taught.curricula, report.troubles);
     takeElsewhere(transaction, taught.elsewhere, here.now_us(), report.troubles);
     takeVoided(transaction, taught.voided);
+    takeRefused(transaction, here, taught.refused, report.troubles);
     takeAccepted(transaction, taught.accepted, here.now_us());
     for (const Row& comment : taught.comments)
       if (transaction.row("SELECT id FROM attempts WHERE id = ?", comment.text(1))) mergeComment(transaction, comment);

@@ -225,14 +225,10 @@ json jsonOf(const Taught& taught) {
                          {"text", kept.text}});
   json elsewhere = json::array();
   for (const SentAttempt& sent : taught.elsewhere) elsewhere.push_back(jsonOf(sent));
-  return {{"people", taught.people},
-          {"classes", taught.cohorts},
-          {"members", taught.memberships},
-          {"curricula", std::move(curricula)},
-          {"voided", jsonOf(taught.voided)},
-          {"accepted", jsonOf(taught.accepted)},
-          {"comments", jsonOf(taught.comments)},
-          {"elsewhere", std::move(elsewhere)}};
+  return {
+      {"people", taught.people},           {"classes", taught.cohorts},           {"members", taught.memberships},
+      {"curricula", std::move(curricula)}, {"voided", jsonOf(taught.voided)},     {"accepted", jsonOf(taught.accepted)},
+      {"refused", jsonOf(taught.refused)}, {"comments", jsonOf(taught.comments)}, {"elsewhere", std::move(elsewhere)}};
 }
 
 Taught taughtFrom(const json& from) {
@@ -241,6 +237,7 @@ Taught taughtFrom(const json& from) {
                 .memberships = from.at("members").get<Rows>(),
                 .voided = rowsFrom(from.at("voided"), 4),
                 .accepted = rowsFrom(from.at("accepted"), 2),
+                .refused = rowsFrom(from.at("refused"), 2),
                 .comments = rowsFrom(from.at("comments"), kCommentColumns)};
   for (const json& kept : from.at("curricula"))
     taught.curricula.push_back({{.name = kept.at("name"),
