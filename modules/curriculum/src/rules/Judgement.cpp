@@ -100,7 +100,7 @@ const Level* levelOf(const Curriculum& curriculum, const AttemptFacts& attempt) 
 
 std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& attempt) {
   const Level* level = levelOf(curriculum, attempt);
-  return level && counts(attempt, level->pass) ? std::optional(judge(level->pass, attempt).passed) : std::nullopt;
+  return level && counts(attempt, *level) ? std::optional(judge(level->pass, attempt).passed) : std::nullopt;
 }
 
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
@@ -117,8 +117,20 @@ Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
   return judgement;
 }
 
-bool counts(const AttemptFacts& attempt, const PassRule& rule) {
-  return counts(attempt) && (attempt.proof != AttemptProof::Unproven || !judge(rule, attempt).passed);
+bool isPractice(const AttemptFacts& attempt, const Level& level) {
+  if (level.assistance != Assistance::Test) return false;
+  using enum AttemptSitting;
+  return attempt.sitting == None || attempt.sitting == Practice || attempt.sitting == Undecided;
+}
+
+bool countsAtLevels(const AttemptFacts& attempt) {
+  return counts(attempt) && !attempt.curriculum.empty() && attempt.sitting != AttemptSitting::Practice &&
+         attempt.sitting != AttemptSitting::Undecided;
+}
+
+bool counts(const AttemptFacts& attempt, const Level& level) {
+  return counts(attempt) && !isPractice(attempt, level) &&
+         (attempt.proof != AttemptProof::Unproven || !judge(level.pass, attempt).passed);
 }
 
 std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt) {
@@ -142,9 +154,12 @@ std::string outcomeWords(const AttemptFacts& attempt, const Curriculum* curricul
   if (!level && hasBrokenOff(attempt)) return "Abandoned: its recording broke off";
   if (!level)
     return attempt.state == AttemptState::Abandoned ? "Abandoned" : attempt.succeeded ? "Succeeded" : "Did not succeed";
-  if (!counts(attempt, level->pass)) return "Would pass, not proven; does not count";
   const std::string reason = reasonOfFailure(level->pass, attempt);
-  return reason.empty() ? "Passed" : "Failed because " + reason;
+  if (isPractice(attempt, *level))
+    return "Practice, the test was not open: would " + (reason.empty() ? "pass" : "fail because " + reason);
+  if (!counts(attempt, *level)) return "Would pass, not proven; does not count";
+  const bool isAlone = level->assistance == Assistance::Test && attempt.sitting == AttemptSitting::SelfAdministered;
+  return (reason.empty() ? "Passed" : "Failed because " + reason) + (isAlone ? " (self-administered)" : "");
 }
 
 }  // namespace insonate

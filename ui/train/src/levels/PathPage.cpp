@@ -44,7 +44,7 @@ QString settingOf(const Level& level) {
 const AttemptFacts* lastOf(const std::vector<AttemptFacts>& history, const Curriculum& curriculum, const Level& level) {
   const auto last = std::find_if(history.rbegin(), history.rend(), [&](const AttemptFacts& one) {
     return one.curriculum == curriculum.name && one.level == level.name && one.procedure == level.procedure &&
-           counts(one, level.pass);
+           counts(one, level);
   });
   return last == history.rend() ? nullptr : &*last;
 }

@@ -94,6 +94,8 @@ AttemptChart learningCurve(const PersonFacts& facts, const std::string& level, c
   values.unit = metric.unit;
   for (const AttemptFacts& attempt : facts.history) {
     if (attempt.level != level || !counts(attempt)) continue;
+    const Level* at = facts.curriculum ? levelOf(*facts.curriculum, attempt) : nullptr;
+    if (at && isPractice(attempt, *at)) continue;
     const auto value = valueIn(attempt, metric);
     values.points.push_back(value ? std::optional(AttemptChart::Point{*value, markOf(facts, attempt)}) : std::nullopt);
   }

@@ -1,5 +1,6 @@
 #include "store/CommentRows.h"
 #include "store/CurriculumRows.h"
+#include "store/OpeningRows.h"
 #include "store/Proofs.h"
 #include "store/StandingRows.h"
 #include "store/site/Down.h"
@@ -26,7 +27,7 @@ constexpr std::string_view kMemberships = "SELECT cohort || ' ' || person, cohor
 struct Taught {
   Rows people{}, cohorts{}, memberships{};
   std::vector<KeptCurriculum> curricula{};
-  std::vector<Row> voided{}, accepted{}, comments{};
+  std::vector<Row> voided{}, accepted{}, comments{}, openings{};
 };
 
 Rows rowsByKey(Transaction& transaction, std::string_view sql) {
@@ -57,6 +58,7 @@ Result<Taught> readServer(Core& server, const std::string& workstation) {
         "SELECT " INSONATE_COMMENT_COLUMNS
         " FROM comments JOIN attempts ON attempts.id = attempt WHERE workstation = ? ORDER BY comments.id",
         workstation);
+    taught.openings = transaction.rows("SELECT " INSONATE_OPENING_COLUMNS " FROM openings ORDER BY id");
     return taught;
   });
 }
@@ -148,6 +150,18 @@ void takeVoided(Transaction& here, const std::vector<Row>& voided) {
         row.number(1), row.text(2), row.text(3), row.text(0));
 }
 
+/// Openings that were made here before the workstation belonged to the server end.
+void takeOpenings(Transaction& here, const std::vector<Row>& openings, std::int64_t now_us) {
+  std::set<std::string> known;
+  for (const Row& row : openings) {
+    mergeOpening(here, row);
+    known.insert(row.text(0));
+  }
+  for (const Row& row : here.rows("SELECT id, opened_by FROM openings WHERE closed_us IS NULL"))
+    if (!known.contains(row.text(0)))
+      here.run("UPDATE openings SET closed_us = ?, closed_by = ? WHERE id = ?", now_us, row.text(1), row.text(0));
+}
+
 /// Applies the server's acceptances of attempts of this workstation.
 void takeAccepted(Transaction& here, const std::vector<Row>& accepted, std::int64_t now_us) {
   for (const Row& row : accepted) {
@@ -171,6 +185,7 @@ Result<void> fetchFromServer(Core& here, Core& server, UploadReport& report) {
     report.people = takePeople(transaction, taught->people);
     report.cohorts = takeCohorts(transaction, *taught);
     report.curricula = takeCurricula(transaction, taught->curricula, report.troubles);
+    takeOpenings(transaction, taught->openings, here.now_us());
     takeVoided(transaction, taught->voided);
     takeAccepted(transaction, taught->accepted, here.now_us());
     for (const Row& comment : taught->comments)

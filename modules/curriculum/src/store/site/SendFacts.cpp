@@ -3,6 +3,7 @@
 #include "store/CommentRows.h"
 #include "store/FormRows.h"
 #include "store/Hands.h"
+#include "store/OpeningRows.h"
 #include "store/StandingRows.h"
 #include "store/site/Up.h"
 
@@ -47,8 +48,8 @@ std::optional<SentAttempt> readAttempt(Transaction& here, const std::string& id)
   if (!row) return std::nullopt;
   SentAttempt sent{.kept = keptOf(*row),
                    .voided_us = row->time(17),
-                   .voidedBy = row->text(25),
-                   .acceptedBy = row->text(26),
+                   .voidedBy = row->text(26),
+                   .acceptedBy = row->text(27),
                    .comments = commentRows(here, id)};
   sent.ended = sent.kept.facts;
   sent.ended.state = stateOfEnd(*row);
@@ -102,6 +103,8 @@ Result<void> mergeAttempt(Transaction& server, const SentAttempt& sent, std::int
     there->ended.state = AttemptState::Open;
   }
   if (!sameBeginning(there->ended, facts)) return another();
+  if (there->ended.sitting == AttemptSitting::Undecided && facts.sitting != AttemptSitting::Undecided)
+    server.run("UPDATE attempts SET sitting = ? WHERE id = ?", nameOf(facts.sitting), facts.id);
   const bool awaitsEnd = there->ended.state == AttemptState::Open || (there->kept.crashed && !sent.kept.crashed);
   if (facts.state != AttemptState::Open && awaitsEnd) {
     endAttempt(server, facts, sent.kept.crashed);
