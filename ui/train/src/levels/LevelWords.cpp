@@ -49,7 +49,9 @@ QString headlineFor(const Level& level, const AttemptFacts& attempt, bool passed
   const PassRule& rule = level.pass;
   if (!counts(attempt)) return tr("Does not count: it was abandoned before skin puncture");
   if (isPractice(attempt, level))
-    return judge(rule, attempt).passed
+    return attempt.sitting == AttemptSitting::Undecided
+               ? tr("Not decided yet: the database must first state whether the test was open")
+           : judge(rule, attempt).passed
                ? tr("Practice, does not count: the test was not open. The attempt would have passed")
                : tr("Practice, does not count: the test was not open. The attempt would not have passed");
   const bool well = attempt.state == AttemptState::Completed && attempt.succeeded && attempt.criticalErrors == 0;
@@ -150,9 +152,13 @@ QString outcomeOf(const Curriculum* curriculum, const AttemptFacts& attempt) {
   if (attempt.state == AttemptState::Abandoned) return tr("abandoned");
   const bool ours = curriculum && attempt.curriculum == curriculum->name && counts(attempt);
   const Level* level = ours ? curriculum->level(attempt.level) : nullptr;
-  if (level && isPractice(attempt, *level)) return tr("practice, the test was not open");
+  if (level && isPractice(attempt, *level))
+    return attempt.sitting == AttemptSitting::Undecided ? tr("not decided yet") : tr("practice, the test was not open");
   if (level && !counts(attempt, *level)) return tr("not proven");
-  if (level) return judge(level->pass, attempt).passed ? tr("passed") : tr("failed");
+  const QString outcome = level && judge(level->pass, attempt).passed ? tr("passed") : tr("failed");
+  if (level && level->assistance == Assistance::Test && attempt.sitting == AttemptSitting::SelfAdministered)
+    return tr("%1, self-administered").arg(outcome);
+  if (level) return outcome;
   return attempt.level.empty() ? tr("free practice") : tr("completed");
 }
 
