@@ -80,6 +80,42 @@ TEST_F(CurriculumCourse, AClassIsTaughtByCommandsAlone) {
   EXPECT_EQ(members[2]["attempts"], 1);
 }
 
+TEST_F(CurriculumCourse, ATestCountsWhileItsInstructorHasOpenedIt) {
+  makeClass();
+  const auto atTest = [&](const std::string& name, double seconds) {
+    return told("attempts add " + record(name, Ending::InVein, seconds, utc(1)) + " --level second --as alice");
+  };
+  const json practice = atTest("practice", 1);
+  EXPECT_EQ(practice["sitting"], "practice");
+  EXPECT_EQ(practice["counts"], false);
+  EXPECT_THAT(refused("attempts accept " + practice["attempt"]["id"].get<std::string>() + " --reason seen --as miller"),
+              HasSubstr("stays practice"));
+  EXPECT_THAT(run("tests list --as miller").output, HasSubstr("attempts at tests are practice"));
+  EXPECT_THAT(refused("tests open second --class 'Year 1' --until 12:30 --as miller"), HasSubstr("is not a time"));
+  EXPECT_THAT(refused("tests open first --class 'Year 1' --code venus --as miller"), HasSubstr("is not a test"));
+  EXPECT_THAT(refused("tests open second --code venus --as miller"), HasSubstr("--class"));
+  EXPECT_THAT(refused("tests enter second venus --as alice"), HasSubstr("is not open for you"));
+  const json opening = told("tests open second --class 'Year 1' --until " + utc(3600) + " --code venus --as miller");
+  EXPECT_EQ(opening["opening"]["state"], "open");
+  EXPECT_EQ(opening["opening"]["class"], "Year 1");
+  EXPECT_EQ(opening["opening"]["opened_by"], "Full miller");
+  EXPECT_EQ(opening["opening"]["code"], true);
+  EXPECT_THAT(refused("tests enter second Saturn --as alice"), HasSubstr("The code is wrong"));
+  EXPECT_EQ(told("tests enter second Venus --as alice")["state"], "open");
+  const json counted = atTest("counted", 2);
+  EXPECT_EQ(counted["sitting"], "opened");
+  accept(counted);
+  const json listed = told("attempts list alice --as miller")["attempts"];
+  EXPECT_EQ(listed[0]["sitting"], "opened");
+  EXPECT_EQ(listed[0]["passed"], true);
+  EXPECT_EQ(listed[1]["sitting"], "practice");
+  EXPECT_EQ(listed[1]["passed"], nullptr);
+  told("tests close " + opening["opening"]["id"].get<std::string>() + " --as miller");
+  EXPECT_EQ(told("tests list 'Year 1' --as miller")["openings"][0]["state"], "closed");
+  EXPECT_THAT(refused("tests list --as alice"), HasSubstr("permission"));
+  EXPECT_EQ(atTest("late", 3)["sitting"], "practice");
+}
+
 TEST_F(CurriculumCourse, CommentsAreWrittenReadAndRemoved) {
   makeClass();
   const std::string attempt =

@@ -58,6 +58,11 @@ Json factsJson(const AttemptFacts& facts) {
           {"metrics", metrics}};
 }
 
+/// Null if the level is no test.
+Json sittingJson(const Level& level, const AttemptFacts& facts) {
+  return level.assistance == Assistance::Test ? Json(wordOf(facts.sitting)) : Json(nullptr);
+}
+
 /// The class by whose curriculum an attempt counts: the one that is named, else the only one that has the level.
 Result<Curriculum> curriculumFor(const SignedIn& by, const AddArguments& a) {
   const auto classes = classesOf(by, by.person());
@@ -111,7 +116,10 @@ Result<Answer> addToLevel(const SignedIn& by, AttemptFacts facts, const AddArgum
     return fail(a.recording + " is an attempt at '" + facts.procedure + "', and level '" + level.name + "' asks for '" +
                 level.procedure + "'; choose another level or recording.");
   facts.curriculum = curriculum->name, facts.curriculumVersion = curriculum->version, facts.level = level.name;
-  if (auto kept = AttemptStore(by).add(facts, a.recording); !kept) return tl::unexpected(kept.error());
+  if (auto added = AttemptStore(by).add(facts, a.recording); !added) return tl::unexpected(added.error());
+  const auto kept = AttemptStore(by).attempt(facts.id);
+  if (!kept) return tl::unexpected(kept.error());
+  facts.sitting = kept->facts.sitting;
   const auto path = levelPath(by, *curriculum, by.person().id);
   if (!path) return tl::unexpected(path.error());
   const LevelProgress& progress = *std::ranges::find(*path, level.name, &LevelProgress::level);
@@ -121,13 +129,16 @@ Result<Answer> addToLevel(const SignedIn& by, AttemptFacts facts, const AddArgum
   for (const std::string& one : missedOnes) missed += (missed.empty() ? ", and missed: " : "; ") + one;
   return Answer{{{"attempt", factsJson(facts)},
                  {"passed", passed},
-                 {"counts", counts(facts, level.pass)},
+                 {"counts", counts(facts, level)},
+                 {"sitting", sittingJson(level, facts)},
                  {"missed_standards", missedOnes},
                  {"level", level.name},
                  {"state", nameOf(progress.state)},
                  {"why", progress.why}},
-                (passed ? "Passed" + missed : "Not passed: " + reasonOfFailure(level.pass, facts)) + ". " +
-                    level.title + ": " + progress.why + "\nAttempt " + facts.id + noteOf(proven, facts.id)};
+                (isPractice(facts, level) ? outcomeWords(facts, &*curriculum)
+                 : passed                 ? "Passed" + missed
+                                          : "Not passed: " + reasonOfFailure(level.pass, facts)) +
+                    ". " + level.title + ": " + progress.why + "\nAttempt " + facts.id + noteOf(proven, facts.id)};
 }
 
 Result<Answer> add(const SignedIn& by, AddArguments a) {
@@ -167,12 +178,14 @@ Result<std::vector<Curriculum>> curriculaOf(const SignedIn& by, const Person& pe
   return curricula;
 }
 
-/// "passed" and "assistance", by the first class whose curriculum has the level; null where none has.
+/// "passed", "assistance" and "sitting", by the first class whose curriculum has the level; null where none has.
 Json judgedBy(const std::vector<Curriculum>& curricula, const AttemptFacts& facts) {
   for (const Curriculum& curriculum : curricula)
     if (const Level* level = levelOf(curriculum, facts))
-      return {{"passed", orNull(passedIn(curriculum, facts))}, {"assistance", nameOf(level->assistance)}};
-  return {{"passed", nullptr}, {"assistance", nullptr}};
+      return {{"passed", orNull(passedIn(curriculum, facts))},
+              {"assistance", nameOf(level->assistance)},
+              {"sitting", sittingJson(*level, facts)}};
+  return {{"passed", nullptr}, {"assistance", nullptr}, {"sitting", nullptr}};
 }
 
 /// Why an attempt needs attention, as ids and as words for a table.
@@ -219,12 +232,19 @@ Result<Answer> listAttempts(const SignedIn& by, const ListArguments& a) {
          {"recording_file", attempt.recordingFile.empty() ? Json(nullptr) : Json(attempt.recordingFile.string())},
          {"void_reason", attempt.voidReason.empty() ? Json(nullptr) : Json(attempt.voidReason)}});
   }
-  std::vector<Column> columns{{"begun", "begun"},           {"level", "level"},
-                              {"assistance", "assistance"}, {"state", "state"},
-                              {"broke_off", "broke off"},   {"succeeded", "succeeded"},
-                              {"passed", "passed"},         {"critical_errors", "critical"},
-                              {"points", "points"},         {"proof", "proof"},
-                              {"commented", "comments"},    {"id", "attempt"}};
+  std::vector<Column> columns{{"begun", "begun"},
+                              {"level", "level"},
+                              {"assistance", "assistance"},
+                              {"state", "state"},
+                              {"broke_off", "broke off"},
+                              {"succeeded", "succeeded"},
+                              {"passed", "passed"},
+                              {"critical_errors", "critical"},
+                              {"points", "points"},
+                              {"proof", "proof"},
+                              {"sitting", "sitting"},
+                              {"commented", "comments"},
+                              {"id", "attempt"}};
   if (!isOwn) columns.push_back({"flagged", "needs attention"});
   return Answer{{{"person", toJson(*person)}, {"attempts", rows}},
                 rows.empty() ? "No attempts yet. Add one from its recording with 'curriculum attempts add'."

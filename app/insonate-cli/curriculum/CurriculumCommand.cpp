@@ -10,6 +10,7 @@ void addCurriculumCommand(CLI::App& app, Outcome& outcome) {
   addClassCommands(curriculum, outcome);
   addCurriculaCommands(curriculum, outcome);
   addLevelsCommand(curriculum, outcome);
+  addTestCommands(curriculum, outcome);
   addAttemptCommands(curriculum, outcome);
   CLI::App& statistics = *curriculum.add_subcommand("statistics", "Print statistics of people and classes");
   statistics.require_subcommand(1);

@@ -8,6 +8,7 @@ namespace insonate::cli {
 void addPeopleCommands(CLI::App& curriculum, Outcome& outcome);
 void addClassCommands(CLI::App& curriculum, Outcome& outcome);
 void addClassImport(CLI::App& classes, Outcome& outcome);
+void addTestCommands(CLI::App& curriculum, Outcome& outcome);
 void addLevelsCommand(CLI::App& curriculum, Outcome& outcome);
 void addCurriculaCommands(CLI::App& curriculum, Outcome& outcome);
 void addCommentCommands(CLI::App& attempts, Outcome& outcome);

@@ -33,7 +33,7 @@ constexpr std::size_t kLastOfEarlierVersions = 5;
 std::vector<AttemptFacts> lastAtLevels(const std::vector<AttemptFacts>& history) {
   std::vector<AttemptFacts> last;
   for (auto it = history.rbegin(); it != history.rend() && last.size() < std::size_t{kLastAttempts}; ++it)
-    if (!it->curriculum.empty() && counts(*it)) last.push_back(*it);
+    if (countsAtLevels(*it)) last.push_back(*it);
   std::ranges::reverse(last);
   return last;
 }

@@ -3,6 +3,7 @@
 #include "person/HistoryTable.h"
 #include "person/PersonCharts.h"
 
+#include <insonate/curriculum/OpeningStore.h>
 #include <insonate/ui/Attempts.h>
 #include <insonate/ui/Chart.h>
 
@@ -60,6 +61,11 @@ TEST_F(PersonPageTest, ShowsWhereSomeoneIsAndHowTheyLearn) {
 TEST_F(PersonPageTest, LcCusumIsDrawnOnlyWhereTheLevelAsksForIt) {
   practise(school_->as(school_->anna), true);
   const Level& test = *curriculum_.level("jugular_test");
+  practiseAt(test, school_->as(school_->anna), true);  // practice, which the curve leaves out: the test is not open
+  test::valueOf(OpeningStore(school_->as(school_->ina))
+                    .open({.cohort = school_->spring.id,
+                           .level = test.name,
+                           .end_us = services().now_us() + 3600 * test::kSecond_us}));
   practiseAt(test, school_->as(school_->anna), false, 2);
   practiseAt(test, school_->as(school_->anna), true, 2);
   showAnna();

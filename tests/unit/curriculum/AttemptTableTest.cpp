@@ -21,6 +21,7 @@ TEST(AttemptTable, SaysWhatSucceededPassedAndWasVoided) {
   course.levels[0].assistance = Assistance::Test;
   course.levels[0].pass.leastPoints = 60;
   AttemptFacts attempt = test::passedAttempt("a");
+  attempt.sitting = AttemptSitting::Opened;
   attempt.points = 50;
   EXPECT_EQ(fieldOf(attempt, &course, "id"), attempt.id);
   EXPECT_EQ(fieldOf(attempt, &course, "begun (UTC)"), "2026-11-22T12:00:00.000Z");
@@ -41,6 +42,23 @@ TEST(AttemptTable, SaysWhatSucceededPassedAndWasVoided) {
   EXPECT_EQ(fieldOf(attempt, &course, "voided"), "yes");
   EXPECT_EQ(fieldOf(attempt, &course, "state"), "voided");
   EXPECT_EQ(fieldOf(attempt, &course, "passed"), "") << "nothing is passed any more";
+}
+
+TEST(AttemptTable, SaysWhetherATestWasOpen) {
+  Curriculum course = test::courseOf({test::levelNamed("a", 1)});
+  AttemptFacts attempt = test::passedAttempt("a");
+  attempt.sitting = AttemptSitting::Earlier;
+  EXPECT_EQ(fieldOf(attempt, &course, "sitting"), "") << "the level is no test";
+  course.levels[0].assistance = Assistance::Test;
+  for (const auto& [sitting, word, passed] :
+       {std::tuple{AttemptSitting::Earlier, "earlier", "yes"}, std::tuple{AttemptSitting::Opened, "opened", "yes"},
+        std::tuple{AttemptSitting::SelfAdministered, "self-administered", "yes"},
+        std::tuple{AttemptSitting::Practice, "practice", ""}, std::tuple{AttemptSitting::None, "practice", ""},
+        std::tuple{AttemptSitting::Undecided, "undecided", ""}}) {
+    attempt.sitting = sitting;
+    EXPECT_EQ(fieldOf(attempt, &course, "sitting"), word);
+    EXPECT_EQ(fieldOf(attempt, &course, "passed"), passed) << word;
+  }
 }
 
 TEST(AttemptTable, ARecordingThatBrokeOffIsAbandonedAndFailed) {

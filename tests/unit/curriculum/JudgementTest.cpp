@@ -1,6 +1,7 @@
 #include "AttemptMaker.h"
 
 #include <insonate/curriculum/Judgement.h>
+#include <insonate/curriculum/Unlocking.h>
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,10 @@
 namespace insonate {
 namespace {
 
+using test::courseOf;
 using test::failedAttempt;
+using test::kNoon_us;
+using test::levelNamed;
 using test::passedAttempt;
 
 MetricStandard atMost(const std::string& metric, double most, const std::string& otherwise) {
@@ -131,18 +135,46 @@ TEST(Judgement, WhatWasNotTriedDoesNotCount) {
 }
 
 TEST(Judgement, APassCountsAtALevelOnceSomethingVouchesForIt) {
-  const PassRule rule{std::nullopt, {atMost("passes", 1, "there were too many passes")}, 100};
+  Level level = levelNamed("a", 1);
+  level.pass = {std::nullopt, {atMost("passes", 1, "there were too many passes")}, 100};
   AttemptFacts attempt = passedAttempt("a");
   for (const AttemptProof proof : {AttemptProof::Proven, AttemptProof::Accepted, AttemptProof::Earlier}) {
     attempt.proof = proof;
-    EXPECT_TRUE(counts(withMetric(attempt, "passes", 1), rule));
+    EXPECT_TRUE(counts(withMetric(attempt, "passes", 1), level));
   }
   attempt.proof = AttemptProof::Unproven;
-  EXPECT_TRUE(judge(rule, withMetric(attempt, "passes", 1)).passed);
-  EXPECT_FALSE(counts(withMetric(attempt, "passes", 1), rule));
-  EXPECT_TRUE(counts(withMetric(attempt, "passes", 2), rule)) << "as a failure";
+  EXPECT_TRUE(judge(level.pass, withMetric(attempt, "passes", 1)).passed);
+  EXPECT_FALSE(counts(withMetric(attempt, "passes", 1), level));
+  EXPECT_TRUE(counts(withMetric(attempt, "passes", 2), level)) << "as a failure";
   attempt.state = AttemptState::Abandoned;
-  EXPECT_FALSE(counts(withMetric(attempt, "passes", 0), rule)) << "before the skin";
+  EXPECT_FALSE(counts(withMetric(attempt, "passes", 0), level)) << "before the skin";
+}
+
+TEST(Judgement, ATestThatWasNotOpenIsPractice) {
+  Curriculum course = courseOf({levelNamed("a", 1)});
+  Level& level = course.levels[0];
+  AttemptFacts passed = passedAttempt("a"), failed = failedAttempt("a");
+  const auto outcomes = [&](AttemptSitting sitting) {
+    passed.sitting = failed.sitting = sitting;
+    return outcomeWords(passed, &course) + "; " + outcomeWords(failed, &course);
+  };
+  using enum AttemptSitting;
+  for (const AttemptSitting any : {None, Earlier, Opened, SelfAdministered, Practice, Undecided})
+    EXPECT_EQ(outcomes(any), "Passed; Failed because it did not succeed") << "the level is no test";
+  level.assistance = Assistance::Test;
+  for (const AttemptSitting open : {Earlier, Opened, SelfAdministered}) {
+    const std::string alone = open == SelfAdministered ? " (self-administered)" : "";
+    EXPECT_EQ(outcomes(open), "Passed" + alone + "; Failed because it did not succeed" + alone);
+    EXPECT_TRUE(counts(passed, level) && counts(failed, level));
+  }
+  for (const AttemptSitting closed : {None, Practice, Undecided}) {
+    EXPECT_EQ(outcomes(closed),
+              "Practice, the test was not open: would pass; Practice, the test was not open: would fail because it did "
+              "not succeed");
+    EXPECT_FALSE(counts(passed, level) || counts(failed, level));
+    EXPECT_EQ(passedIn(course, failed), std::nullopt);
+    EXPECT_EQ(progressOf(course, std::vector{passed, failed}, kNoon_us)[0].attempts, 0);
+  }
 }
 
 /// A crash, or a trainee who ends the program: nothing was measured.

@@ -5,6 +5,7 @@
 #include <insonate/curriculum/ClassImport.h>
 #include <insonate/curriculum/CommentStore.h>
 #include <insonate/curriculum/FormStore.h>
+#include <insonate/curriculum/OpeningStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/SiteUpload.h>
 #include <insonate/curriculum/StoreUpkeep.h>
@@ -150,6 +151,33 @@ std::vector<Call> attemptCalls(const Target& target) {
        [=](const SignedIn& by) { return outcome(AttemptStore(by).voidAttempt(attempt, "device failed")); }}};
 }
 
+std::vector<Call> openingCalls(const Target& target) {
+  const std::string spring = target.school.spring.id;
+  return {{"open test", "im",
+           [=](const SignedIn& by) {
+             return outcome(OpeningStore(by).open({.cohort = spring, .level = "jugular_test", .code = "venus"}));
+           }},
+          {"open test for everyone", "m",
+           [=](const SignedIn& by) {
+             return outcome(
+                 OpeningStore(by).open({.curriculum = "central_line", .level = "jugular_test", .code = "venus"}));
+           }},
+          {"close test", "im",
+           [=](const SignedIn& by) {
+             const std::string said = outcome(OpeningStore(by).close(spring, freshUuid()));
+             return said.find("no such opening") == std::string::npos ? said : "";
+           }},
+          {"close test for everyone", "m",
+           [=](const SignedIn& by) {
+             const std::string said = outcome(OpeningStore(by).close("", freshUuid()));
+             return said.find("no such opening") == std::string::npos ? said : "";
+           }},
+          {"see openings", "im", [=](const SignedIn& by) { return outcome(OpeningStore(by).ofCohort(spring)); }},
+          {"see all openings", "m", [=](const SignedIn& by) { return outcome(OpeningStore(by).all()); }},
+          {"see admission", "abiom",
+           [=](const SignedIn& by) { return outcome(OpeningStore(by).admission("central_line", "jugular_test")); }}};
+}
+
 std::vector<Call> storeCalls(const Target& target) {
   const std::string anna = target.school.anna.id;
   return {
@@ -182,7 +210,7 @@ std::vector<Call> storeCalls(const Target& target) {
 
 std::vector<Call> allCalls(const Target& target) {
   std::vector<Call> calls = peopleCalls(target);
-  for (const auto& more : {attemptCalls(target), storeCalls(target)})
+  for (const auto& more : {attemptCalls(target), openingCalls(target), storeCalls(target)})
     calls.insert(calls.end(), more.begin(), more.end());
   return calls;
 }

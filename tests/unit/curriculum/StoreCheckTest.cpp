@@ -95,7 +95,7 @@ TEST_P(StoreCheckOnBoth, ARowThatIsMadeUpOrDeletedIsNamed) {
             "INSERT INTO attempts SELECT arrival + 1, '" + made +
                 "', person, run, curriculum, curriculum_version, level, procedure, procedure_version, case_name, "
                 "case_hash, workstation, begun_us, state, crashed, length_us, succeeded, critical_errors, points, "
-                "metrics, recording, recording_hash, voided_us, voided_by, void_reason FROM attempts");
+                "metrics, recording, recording_hash, voided_us, voided_by, void_reason, sitting FROM attempts");
   EXPECT_THAT(valueOf(check->againstLog()), ElementsAre(differs(made, "attempt")));
   writePast(*rig, "UPDATE attempts SET arrival = 0 WHERE id = '" + made + "'");
   EXPECT_THAT(valueOf(check->againstLog()), ElementsAre(differs(made, "attempt"))) << "nor before the first";

@@ -4,6 +4,7 @@
 #include <insonate/curriculum/AuditLog.h>
 #include <insonate/curriculum/CommentStore.h>
 #include <insonate/curriculum/FormStore.h>
+#include <insonate/curriculum/OpeningStore.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/SiteService.h>
 #include <insonate/curriculum/SiteUpload.h>
@@ -37,7 +38,10 @@ class StoreSite : public OnBoth {
     rig->services.workstation = "server";
     if (GetParam() == Place::Server) rig->services.recordings = rig->folder / "recordings";
     school.emplace(rig->open());
-    valueOf(PublishedCurricula(school->admin).publish("course", 1, curriculumText(courseOf({levelNamed("a", 1)}))));
+    Level exam = levelNamed("exam", 1);
+    exam.assistance = Assistance::Test;
+    valueOf(
+        PublishedCurricula(school->admin).publish("course", 1, curriculumText(courseOf({levelNamed("a", 1), exam}))));
     succeed(CohortStore(school->admin).setCurriculum(school->spring.id, "course", 1));
     rig->pass(kSecond_us);
     ward.services.now_us = [this] { return rig->now_us; };
@@ -66,11 +70,11 @@ class StoreSite : public OnBoth {
     return valueOf(near->signIn(person.name, kPassword));
   }
   /// An attempt that passes, with a recording of this size.
-  AttemptFacts attemptOf(const SignedIn& by, std::size_t size_bytes = 2000) {
+  AttemptFacts attemptOf(const SignedIn& by, std::size_t size_bytes = 2000, const std::string& level = "a") {
     const auto file = ward.folder / "recording";
     const std::string content(size_bytes, static_cast<char>('a' + attempts++));
     std::ofstream(file) << content;
-    AttemptFacts facts = passedAttempt("a", rig->now_us);
+    AttemptFacts facts = passedAttempt(level, rig->now_us);
     facts.id = freshUuid(), facts.person = {}, facts.caseName = "textbook", facts.proof = AttemptProof::Proven;
     facts.recording = "a.rec", facts.recordingHash = store::sha256(content);
     valueOf(AttemptStore(by).add(facts, file));
@@ -100,7 +104,7 @@ TEST_P(StoreSite, AWorkstationKnowsOnlyWhoSignedInAtIt) {
   EXPECT_TRUE(near->signIn("anna", kPassword)) << "without connection, too";
   EXPECT_FALSE(near->signIn("ben", kPassword));
   const StoreUpkeep upkeep(here(school->admin.person()));
-  EXPECT_EQ(valueOf(upkeep.facts()).people, 2) << "anna and the administrator";
+  EXPECT_EQ(valueOf(upkeep.facts()).people, 3) << "anna, her instructor and the administrator";
 }
 
 TEST_P(StoreSite, AnInstructorBringsTheLearnersWithoutTheirPasswords) {
@@ -284,7 +288,8 @@ TEST_P(StoreSite, ProofsAndActsThatAWorkstationClaimsAreNotBelieved) {
                                 {"recording", "a.rec"},
                                 {"recordingHash", std::string(64, 'a')},
                                 {"handsHash", ""},
-                                {"proof", "demonstration"}}},
+                                {"proof", "demonstration"},
+                                {"sitting", "earlier"}}},
                               {"crashed", false},
                               {"voidReason", ""},
                               {"voided_us", nullptr},
@@ -313,9 +318,33 @@ TEST_P(StoreSite, ProofsAndActsThatAWorkstationClaimsAreNotBelieved) {
   EXPECT_THAT(acts, HasSubstr("accepted"));
   EXPECT_THAT(acts, HasSubstr("commented on"));
   EXPECT_EQ(onServer(facts).facts.state, AttemptState::Completed);
+  EXPECT_EQ(onServer(facts).facts.sitting, AttemptSitting::None) << "the level is no test";
   EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Verifying);
   EXPECT_EQ(masteredBy(school->anna), 0);
   EXPECT_THAT(valueOf(CommentStore(school->admin).ofAttempt(facts.id)), IsEmpty());
+}
+
+TEST_P(StoreSite, TheServerDecidesWhetherATestWasOpen) {
+  const SignedIn anna = here(school->anna);
+  const auto sittings = [&](const AttemptFacts& facts) {
+    return std::pair(valueOf(AttemptStore(anna).attempt(facts.id)).facts.sitting, onServer(facts).facts.sitting);
+  };
+  using enum AttemptSitting;
+  const AttemptFacts closed = attemptOf(anna, 2000, "exam");
+  valueOf(site().exchange());
+  EXPECT_EQ(sittings(closed), std::pair(Practice, Practice));
+
+  valueOf(OpeningStore(school->as(school->ina)).open({.cohort = school->spring.id, .level = "exam", .code = "blue"}));
+  valueOf(site().exchange());
+  rig->pass(kSecond_us);
+  const OpeningStore openings(anna);
+  EXPECT_EQ(valueOf(openings.admission("course", "exam")).kind, TestAdmission::Kind::NeedsCode);
+  EXPECT_FALSE(openings.enterCode("course", "exam", "green"));
+  valueOf(openings.enterCode("course", "exam", "blue"));
+  const AttemptFacts open = attemptOf(anna, 2000, "exam");
+  valueOf(site().exchange());
+  EXPECT_EQ(sittings(open), std::pair(Opened, Opened));
+  EXPECT_EQ(sittings(closed), std::pair(Practice, Practice)) << "decided once";
 }
 
 TEST_P(StoreSite, AnInstructorWhoSignedInHereMayActHere) {

@@ -327,7 +327,7 @@ TEST(StoreUpkeepOfFile, AnOddFileNameIsAFileName) {
 
 /// A store that an earlier program left, one file for each schema that was ever published: `sqlite3 FILE .dump`.
 class StoreUpkeepOfEarlier : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Schemas, StoreUpkeepOfEarlier, ::testing::Range(1, 9));
+INSTANTIATE_TEST_SUITE_P(Schemas, StoreUpkeepOfEarlier, ::testing::Range(1, 11));
 
 std::string dumpOf(int schema) {
   return bytesOf(fs::path(INSONATE_SOURCE_DIR) / "tests/unit/curriculum/schemas" / (std::to_string(schema) + ".sql"));
@@ -374,6 +374,7 @@ void expectAllThatItHeld(const CurriculumStore& store, int schema) {
   EXPECT_EQ(history[0].metrics, endedFacts({}).metrics);
   EXPECT_EQ(history[1].state, AttemptState::Voided);
   EXPECT_EQ(history[0].proof, AttemptProof::Earlier) << "it counts as it did";
+  EXPECT_EQ(history[0].sitting, AttemptSitting::Earlier);
   EXPECT_EQ(valueOf(CommentStore(anna).countsOf(anna.person().id)).size(), schema < 7 ? 0U : 1U);
 }
 

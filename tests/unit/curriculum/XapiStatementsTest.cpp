@@ -150,6 +150,22 @@ TEST(XapiStatements, APassThatNothingProvesIsLeftOutUntilItIsAccepted) {
   EXPECT_EQ(statementsOf({passed}).at(0)["verb"]["id"], "http://adlnet.gov/expapi/verbs/failed");
 }
 
+TEST(XapiStatements, ATestThatWasNotOpenIsLeftOut) {
+  Level level = test::levelNamed("a", 1);
+  level.assistance = Assistance::Test;
+  AttemptFacts taken = attempt();
+  const auto made = [&](AttemptSitting sitting) {
+    taken.sitting = sitting;
+    return xapiStatements(kSite, test::courseOf({level}), ada(), std::vector{taken}).value();
+  };
+  EXPECT_EQ(json::parse(made(AttemptSitting::SelfAdministered)
+                            .statements.at(0))["context"]["extensions"]["https://training.example.org/sitting"],
+            "self-administered");
+  const XapiExport practice = made(AttemptSitting::Practice);
+  EXPECT_TRUE(practice.statements.empty());
+  EXPECT_EQ(leftOutSentence(practice.leftOut), "Left out: 1 attempt (1 practice, since no test was open).");
+}
+
 TEST(XapiStatements, ActorsByMailWhereTheyHaveOne) {
   const json s = statementsOf({attempt()}, {"https://training.example.org", true}).at(0);
   EXPECT_EQ(s["actor"]["mbox"], "mailto:ada@example.org");

@@ -34,6 +34,20 @@ TEST_F(WebPages, AnAttemptSaysWhatItsLevelAsksFor) {
   EXPECT_THAT(page, Not(HasSubstr("Implausible"))) << "flags are for instructors";
 }
 
+TEST_F(WebPages, ATestThatWasNotOpenIsPractice) {
+  const WebSchool school(rig.open());
+  const Curriculum curriculum = valueOf(loadCurriculum("central_line"));
+  AttemptFacts facts = begunFacts();
+  facts.curriculumVersion = curriculum.version, facts.level = "jugular_test";
+  facts.procedure = curriculum.level("jugular_test")->procedure, facts.sitting = AttemptSitting::Opened;
+  const std::string id = keepAttempt(school.as(school.anna), facts).id, secret = school.signIn("anna");
+  const std::string attempt = school.get("/attempts/" + id, secret).body;
+  EXPECT_THAT(attempt, HasSubstr("<dt>Test</dt><dd>practice</dd>"));
+  EXPECT_THAT(attempt, HasSubstr("Practice, the test was not open: would fail"));
+  EXPECT_THAT(school.get("/me", secret).body, HasSubstr("an attempt counts if an instructor has opened the test"));
+  EXPECT_THAT(school.get("/attempts/" + school.annas, secret).body, Not(HasSubstr("<dt>Test</dt>")));
+}
+
 TEST_F(WebPages, AVoidedAttemptSaysWhy) {
   const WebSchool school(rig.open());
   succeed(AttemptStore(school.as(school.ina)).voidAttempt(school.annas, "the device lost its zero"));

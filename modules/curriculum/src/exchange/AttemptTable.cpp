@@ -58,10 +58,27 @@ const char* wordOf(AttemptProof proof) {
   return "not proven";
 }
 
+const char* wordOf(AttemptSitting sitting) {
+  switch (sitting) {
+    case AttemptSitting::Earlier:
+      return "earlier";
+    case AttemptSitting::Opened:
+      return "opened";
+    case AttemptSitting::SelfAdministered:
+      return "self-administered";
+    case AttemptSitting::None:
+    case AttemptSitting::Practice:
+      return "practice";
+    case AttemptSitting::Undecided:
+      break;
+  }
+  return "undecided";
+}
+
 std::vector<std::string> attemptColumns() {
   return {"id",     "begun (UTC)",     "curriculum", "version",   "level",  "procedure",
           "case",   "assistance",      "state",      "broke off", "voided", "succeeded",
-          "passed", "critical errors", "points",     "length, s", "proof"};
+          "passed", "critical errors", "points",     "length, s", "proof",  "sitting"};
 }
 
 std::vector<std::string> attemptRow(const AttemptFacts& attempt, const Curriculum* curriculum) {
@@ -82,7 +99,8 @@ std::vector<std::string> attemptRow(const AttemptFacts& attempt, const Curriculu
           std::to_string(attempt.criticalErrors),
           csvNumber(attempt.points),
           csvNumber(static_cast<double>(attempt.length_us) * 1e-6),
-          wordOf(attempt.proof)};
+          wordOf(attempt.proof),
+          level && level->assistance == Assistance::Test ? wordOf(attempt.sitting) : ""};
 }
 
 }  // namespace insonate

@@ -1,4 +1,5 @@
 #include <insonate/core/AtomicFile.h>
+#include <insonate/curriculum/AttemptTable.h>
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/XapiStatements.h>
 
@@ -152,6 +153,8 @@ class Writer {
     context["extensions"] = {{home_ + "/case", attempt.caseName},
                              {home_ + "/procedure", attempt.procedure},
                              {home_ + "/procedureVersion", attempt.procedureVersion}};
+    if (level && level->assistance == Assistance::Test)
+      context["extensions"][home_ + "/sitting"] = wordOf(attempt.sitting);
     return context;
   }
 
@@ -187,11 +190,10 @@ std::string whyLeftOut(const Curriculum& curriculum, const AttemptFacts& attempt
     return "of version " + std::to_string(attempt.curriculumVersion) + " of the curriculum";
   const Level* level = curriculum.level(attempt.level);
   if (!level) return "of the level '" + attempt.level + "', which the curriculum lacks";
-  const bool isCounted = attempt.state == AttemptState::Voided || counts(attempt, level->pass);
-  if (isCounted) return {};
-  return attempt.proof == AttemptProof::Verifying
-             ? "being verified by the server, so its pass does not count yet"
-             : "not proven, so its pass does not count until an instructor accepts it";
+  if (attempt.state == AttemptState::Voided || counts(attempt, *level)) return {};
+  if (isPractice(attempt, *level)) return "practice, since no test was open";
+  if (attempt.proof == AttemptProof::Verifying) return "being verified by the server, so its pass does not count yet";
+  return "not proven, so its pass does not count until an instructor accepts it";
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ const Level* levelOf(const Curriculum& curriculum, const AttemptFacts& attempt) 
 
 std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& attempt) {
   const Level* level = levelOf(curriculum, attempt);
-  return level && counts(attempt, level->pass) ? std::optional(judge(level->pass, attempt).passed) : std::nullopt;
+  return level && counts(attempt, *level) ? std::optional(judge(level->pass, attempt).passed) : std::nullopt;
 }
 
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
@@ -117,9 +117,20 @@ Judgement judge(const PassRule& rule, const AttemptFacts& attempt) {
   return judgement;
 }
 
-bool counts(const AttemptFacts& attempt, const PassRule& rule) {
+bool isPractice(const AttemptFacts& attempt, const Level& level) {
+  if (level.assistance != Assistance::Test) return false;
+  using enum AttemptSitting;
+  return attempt.sitting == None || attempt.sitting == Practice || attempt.sitting == Undecided;
+}
+
+bool countsAtLevels(const AttemptFacts& attempt) {
+  return counts(attempt) && !attempt.curriculum.empty() && attempt.sitting != AttemptSitting::Practice &&
+         attempt.sitting != AttemptSitting::Undecided;
+}
+
+bool counts(const AttemptFacts& attempt, const Level& level) {
   const bool hasProof = attempt.proof != AttemptProof::Unproven && attempt.proof != AttemptProof::Verifying;
-  return counts(attempt) && (hasProof || !judge(rule, attempt).passed);
+  return counts(attempt) && !isPractice(attempt, level) && (hasProof || !judge(level.pass, attempt).passed);
 }
 
 std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt) {
@@ -143,11 +154,14 @@ std::string outcomeWords(const AttemptFacts& attempt, const Curriculum* curricul
   if (!level && hasBrokenOff(attempt)) return "Abandoned: its recording broke off";
   if (!level)
     return attempt.state == AttemptState::Abandoned ? "Abandoned" : attempt.succeeded ? "Succeeded" : "Did not succeed";
-  if (!counts(attempt, level->pass))
+  const std::string reason = reasonOfFailure(level->pass, attempt);
+  if (isPractice(attempt, *level))
+    return "Practice, the test was not open: would " + (reason.empty() ? "pass" : "fail because " + reason);
+  if (!counts(attempt, *level))
     return attempt.proof == AttemptProof::Verifying ? "Would pass; counts when the server has verified it"
                                                     : "Would pass, not proven; does not count";
-  const std::string reason = reasonOfFailure(level->pass, attempt);
-  return reason.empty() ? "Passed" : "Failed because " + reason;
+  const bool isAlone = level->assistance == Assistance::Test && attempt.sitting == AttemptSitting::SelfAdministered;
+  return (reason.empty() ? "Passed" : "Failed because " + reason) + (isAlone ? " (self-administered)" : "");
 }
 
 }  // namespace insonate

@@ -30,7 +30,7 @@ AttemptFacts passing(const Curriculum& curriculum, const Level& level) {
   AttemptFacts facts;
   facts.curriculum = curriculum.name, facts.level = level.name, facts.procedure = level.procedure;
   facts.state = AttemptState::Completed, facts.succeeded = true, facts.points = 100;
-  facts.proof = AttemptProof::Demonstration;
+  facts.proof = AttemptProof::Demonstration, facts.sitting = AttemptSitting::Opened;
   std::map<std::string, Range> ranges;
   for (const MetricStandard& one : level.pass.standards) {
     Range& range = ranges[one.metric];

@@ -56,7 +56,7 @@ std::vector<LevelRecord> recordsOf(const Curriculum& curriculum, const Indices& 
   for (std::size_t i = 0; i < history.size(); ++i) {
     const AttemptFacts& attempt = history[i];
     const Level* at = levelOf(curriculum, attempt);
-    if (!at || !counts(attempt, at->pass)) continue;
+    if (!at || !counts(attempt, *at)) continue;
     const auto level = indices.find(attempt.level);
     for (const std::size_t practised : built[level->second]) records[practised].practised(times[i]);
     records[level->second].take(attempt, times[i]);

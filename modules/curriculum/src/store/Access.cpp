@@ -32,6 +32,10 @@ constexpr std::array kRules{
     Rule{SeeAttempts,       "see attempts",           None, Self,   Taught,    All},
     Rule{SeeCohortAttempts, "see cohort's attempts",  None, None,   Taught,    All, kWholeCohort},
     Rule{FindRecording,     "find recording",         None, All,    All,       All, kUnlogged},
+    Rule{OpenTest,          "open test",              None, None,   Taught,    All, kOnServer},
+    Rule{CloseTest,         "close test",             None, None,   Taught,    All, kOnServer},
+    Rule{SeeOpenings,       "see openings of tests",  None, None,   Taught,    All, kUnlogged},
+    Rule{EnterTest,         "enter test",             None, Self,   Self,      Self},
     Rule{VoidAttempt,       "void attempt",           None, None,   Taught,    All, kNotOneself},
     Rule{AcceptAttempt,     "accept attempt",         None, None,   Taught,    All, kNotOneself},
     Rule{ReadCurricula,     "read curricula",         All,  All,    All,       All, kUnlogged},
@@ -155,7 +159,8 @@ Verdict decide(Transaction& transaction, Actor& actor, const Request& request) {
     verdict.refusal = refusalOf(rule, actor);
   else if (const auto site = transaction.row("SELECT server FROM site");
            rule.has(kOnServer) && site && !site->text(0).empty())
-    verdict.refusal = Error{"People, classes and curricula are stored on " + site->text(0) + "; change them there."};
+    verdict.refusal = Error{"People, classes, curricula and openings of tests are stored on " + site->text(0) +
+                            "; change them there."};
   verdict.logged = verdict.refusal || (!rule.has(kUnlogged) && !own);
   if (!verdict.refusal && rule.has(kWholeCohort))
     verdict.learners =

@@ -2,6 +2,7 @@
 
 #include "store/MetricsText.h"
 #include "store/Names.h"
+#include "store/OpeningRows.h"
 
 namespace insonate::store {
 
@@ -25,17 +26,18 @@ AttemptFacts factsOf(const Row& row) {
           .criticalErrors = row.count(14),
           .points = row.real(15),
           .metrics = metricsOf(row.text(16)),
-          .proof = proofNamed(row.text(18))};
+          .proof = proofNamed(row.text(18)),
+          .sitting = sittingNamed(row.text(19))};
 }
 
 KeptAttempt keptOf(const Row& row) {
   KeptAttempt kept{
-      .facts = factsOf(row), .arrival = row.number(0), .crashed = row.truth(11), .voidReason = row.text(23)};
-  kept.facts.caseHash = row.text(19);
-  kept.facts.workstation = row.text(20);
-  kept.facts.recording = row.text(21);
-  kept.facts.recordingHash = row.text(22);
-  kept.facts.handsHash = row.text(24);
+      .facts = factsOf(row), .arrival = row.number(0), .crashed = row.truth(11), .voidReason = row.text(24)};
+  kept.facts.caseHash = row.text(20);
+  kept.facts.workstation = row.text(21);
+  kept.facts.recording = row.text(22);
+  kept.facts.recordingHash = row.text(23);
+  kept.facts.handsHash = row.text(25);
   return kept;
 }
 
@@ -59,10 +61,9 @@ std::optional<KeptAttempt> findAttempt(Transaction& transaction, const std::stri
 void insertAttempt(Transaction& transaction, const AttemptFacts& facts, const std::string& run) {
   transaction.run(
       "INSERT INTO attempts SELECT COALESCE(MAX(arrival), 0) + 1, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 'open', 0, 0, 0, "
-      "0, "
-      "NULL, '[]', '', '', NULL, NULL, NULL FROM attempts",
+      "0, NULL, '[]', '', '', NULL, NULL, NULL, ? FROM attempts",
       facts.id, facts.person, run, facts.curriculum, facts.curriculumVersion, facts.level, facts.procedure,
-      facts.procedureVersion, facts.caseName, facts.caseHash, facts.workstation, facts.begun_us);
+      facts.procedureVersion, facts.caseName, facts.caseHash, facts.workstation, facts.begun_us, nameOf(facts.sitting));
 }
 
 void endAttempt(Transaction& transaction, const AttemptFacts& facts, bool crashed) {

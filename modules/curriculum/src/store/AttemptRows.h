@@ -12,17 +12,21 @@
 
 namespace insonate::store {
 
+/// Accepted difference between the clocks of two computers.
+inline constexpr std::int64_t kClocksDiffer_us = 600'000'000;
+
 /// Columns of the table `attempts` that keptOf() reads.
 #define INSONATE_ATTEMPT_COLUMNS                                                                                    \
   "arrival, id, person, curriculum, curriculum_version, level, procedure, procedure_version, case_name, begun_us, " \
   "state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us, " INSONATE_PROOF_COLUMN       \
-  ", case_hash, workstation, "                                                                                      \
+  ", sitting, case_hash, workstation, "                                                                             \
   "recording, recording_hash, void_reason, "                                                                        \
   "COALESCE((SELECT MIN(hash) FROM hands WHERE attempt = attempts.id), '')"
 /// The first of INSONATE_ATTEMPT_COLUMNS, as factsOf() reads them for AttemptStore::history().
 #define INSONATE_HISTORY_COLUMNS                                                                                    \
   "arrival, id, person, curriculum, curriculum_version, level, procedure, procedure_version, case_name, begun_us, " \
-  "state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us, " INSONATE_PROOF_COLUMN
+  "state, crashed, length_us, succeeded, critical_errors, points, metrics, voided_us, " INSONATE_PROOF_COLUMN       \
+  ", sitting"
 
 /// SQL condition for attempts that were abandoned before the needle reached the skin. The pattern matches the text that
 /// metricsText() writes for such an attempt. `attempts` must be the only table in the query with such columns.
@@ -30,6 +34,9 @@ namespace insonate::store {
 /// SQL condition for attempts that count, equal to counts() of Judgement.h. `attempts` must be the only table in the
 /// query with such columns.
 #define INSONATE_COUNTS "state <> 'open' AND voided_us IS NULL AND NOT (" INSONATE_UNTRIED ")"
+
+/// SQL condition for attempts that were no practice: neither free practice nor a test that was not open.
+#define INSONATE_AT_LEVELS "curriculum <> '' AND sitting NOT IN ('practice', 'undecided')"
 
 /// SQL expression that computes Member::changes (a counter of changes) of the selected attempts.
 #define INSONATE_CHANGES                                         \

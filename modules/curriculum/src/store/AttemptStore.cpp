@@ -3,6 +3,7 @@
 #include "store/CrashedAttempts.h"
 #include "store/Hands.h"
 #include "store/KeptRecordings.h"
+#include "store/OpeningRows.h"
 #include "store/Outbox.h"
 #include "store/Paging.h"
 #include "store/Seals.h"
@@ -19,12 +20,7 @@
 #include <string>
 
 namespace insonate::store {
-namespace {
-
-/// Accepted difference between the clocks of two computers.
-constexpr std::int64_t kClocksDiffer_us = 600'000'000;
-
-}  // namespace
+namespace {}  // namespace
 
 Result<void> refuseImpossibleDates(Transaction& transaction, const AttemptFacts& facts, std::int64_t now_us) {
   const std::int64_t latest_us = now_us + kClocksDiffer_us;
@@ -56,6 +52,25 @@ tl::unexpected<Error> otherwiseBegun(const std::string& id) {
               "another attempt.");
 }
 
+/// Replaces the sitting that the caller states.
+AttemptFacts decided(AttemptFacts facts, AttemptSitting sitting) {
+  facts.sitting = sitting;
+  return facts;
+}
+
+/// An attempt that is added after its end has begun at its time, like one whose beginning arrived late.
+AttemptSitting sittingOfAdded(Transaction& transaction, const AttemptFacts& facts) {
+  if (facts.proof == AttemptProof::Demonstration && !facts.level.empty()) return AttemptSitting::Opened;
+  return store::sittingAt(transaction, facts, facts.begun_us);
+}
+
+/// The first decision is final, but for a beginning that arrived late.
+void settleSitting(Transaction& transaction, const AttemptFacts& kept) {
+  if (kept.sitting == AttemptSitting::Undecided)
+    transaction.run("UPDATE attempts SET sitting = ? WHERE id = ?",
+                    store::nameOf(store::sittingAt(transaction, kept, kept.begun_us)), kept.id);
+}
+
 Result<std::string> beginAttempt(Transaction& transaction, const Core& core, const AttemptFacts& facts) {
   if (const auto kept = store::findAttempt(transaction, facts.id)) {
     if (!store::sameBeginning(kept->facts, facts)) return otherwiseBegun(facts.id);
@@ -83,6 +98,7 @@ Result<void> endKept(Transaction& transaction, const Core& core, const AttemptFa
   }
   if (auto ok = store::refuseImpossibleDates(transaction, facts, core.now_us()); !ok) return ok;
   if (auto ok = store::refuseKnownHands(transaction, facts); !ok) return ok;
+  settleSitting(transaction, kept->facts);
   store::endAttempt(transaction, facts, false);
   store::keepHands(transaction, facts, core.now_us());
   store::keepProof(transaction, facts);
@@ -119,6 +135,8 @@ Result<void> acceptKept(Transaction& transaction, const Core& core, const std::s
         "broke off.");
   if (facts.proof == AttemptProof::Verifying)
     return fail("The server is verifying the attempt. Wait until it has finished, then look at the attempt again.");
+  if (facts.sitting == AttemptSitting::Practice)
+    return fail("The test was not open when the attempt began, so the attempt is practice and stays practice.");
   if (facts.proof != AttemptProof::Unproven)
     return fail("The attempt counts already. It does not need to be accepted.");
   store::acceptAttempt(transaction, id, by);
@@ -138,16 +156,16 @@ Result<void> checkReason(const std::string& reason, const char* what) {
 /// Attempts from the arrival of the first of each person's last attempts on.
 constexpr std::string_view kLastOfCohort =
     "WITH since AS (SELECT m.person, COALESCE((SELECT arrival FROM attempts AS a WHERE a.person = m.person "
-    "AND curriculum <> '' AND " INSONATE_COUNTS
+    "AND " INSONATE_AT_LEVELS " AND " INSONATE_COUNTS
     " ORDER BY arrival DESC LIMIT 1 OFFSET ?), 0) AS first "
     "FROM memberships AS m WHERE m.cohort = ? AND m.teaches = 0) "
     "SELECT arrival, id, attempts.person, curriculum, curriculum_version, level, procedure, procedure_version, "
     "case_name, "
     "begun_us, state, crashed, length_us, succeeded, critical_errors, points, metrics, "
     "voided_us, " INSONATE_PROOF_COLUMN
-    " "
+    ", sitting "
     "FROM since JOIN attempts ON attempts.person = since.person AND arrival >= since.first "
-    "WHERE curriculum <> '' AND " INSONATE_COUNTS " ORDER BY attempts.person, arrival";
+    "WHERE " INSONATE_AT_LEVELS " AND " INSONATE_COUNTS " ORDER BY attempts.person, arrival";
 
 /// Completes facts as the store keeps them: the signed-in user, this workstation, an id.
 AttemptFacts ownFacts(const SignedIn& by, AttemptFacts facts) {
@@ -163,9 +181,10 @@ Result<std::string> AttemptStore::begin(const AttemptFacts& facts) const {
   Core& core = by_.session()->core();
   const AttemptFacts begun = ownFacts(by_, facts);
   if (auto ok = store::checkBegun(begun); !ok) return tl::unexpected(ok.error());
-  return by_.session()->write(
-      {.act = Act::MakeAttempt, .person = begun.person},
-      [&](Transaction& transaction, const Actor&) { return beginAttempt(transaction, core, begun); });
+  return by_.session()->write({.act = Act::MakeAttempt, .person = begun.person}, [&](Transaction& transaction,
+                                                                                     const Actor&) {
+    return beginAttempt(transaction, core, decided(begun, store::sittingOnArrival(transaction, begun, core.now_us())));
+  });
 }
 
 Result<void> AttemptStore::end(const AttemptFacts& facts) const {
@@ -183,21 +202,20 @@ Result<std::string> AttemptStore::add(const AttemptFacts& facts, const std::file
   if (auto ok = store::checkBegun(own); !ok) return tl::unexpected(ok.error());
   if (auto ok = store::checkEnded(own); !ok) return tl::unexpected(ok.error());
   bool isNewFile = false;
-  auto added = by_.session()->write({.act = Act::MakeAttempt, .person = own.person},
-                                    [&](Transaction& transaction, const Actor&) -> Result<std::string> {
-                                      auto begun = beginAttempt(transaction, core, own);
-                                      if (!begun) return begun;
-                                      if (auto ended = endKept(transaction, core, own); !ended)
-                                        return tl::unexpected(ended.error());
-                                      if (recording.empty() || core.recordings().empty()) return begun;
-                                      // Copies the recording before the row is committed: a row whose recording was
-                                      // lost would count without proof.
-                                      const auto kept =
-                                          store::keepRecording(core.recordings(), own.id, recording, own.recordingHash);
-                                      if (!kept) return tl::unexpected(kept.error());
-                                      isNewFile = *kept;
-                                      return begun;
-                                    });
+  auto added = by_.session()->write(
+      {.act = Act::MakeAttempt, .person = own.person},
+      [&](Transaction& transaction, const Actor&) -> Result<std::string> {
+        auto begun = beginAttempt(transaction, core, decided(own, sittingOfAdded(transaction, own)));
+        if (!begun) return begun;
+        if (auto ended = endKept(transaction, core, own); !ended) return tl::unexpected(ended.error());
+        if (recording.empty() || core.recordings().empty()) return begun;
+        // Copies the recording before the row is committed: a row whose recording was
+        // lost would count without proof.
+        const auto kept = store::keepRecording(core.recordings(), own.id, recording, own.recordingHash);
+        if (!kept) return tl::unexpected(kept.error());
+        isNewFile = *kept;
+        return begun;
+      });
   std::error_code ignored;
   if (!added && isNewFile) std::filesystem::remove(store::keptRecording(core.recordings(), own.id), ignored);
   return added;

@@ -59,10 +59,11 @@ const std::vector<Table>& tables() {
         "recording_hash",
         "voided_us",
         "voided_by",
-        "void_reason"},
+        "void_reason",
+        "sitting"},
        "SELECT arrival, id, person, curriculum, curriculum_version, level, procedure, procedure_version, case_name, "
        "case_hash, workstation, begun_us, state, crashed, length_us, succeeded, critical_errors, points, metrics, "
-       "recording, recording_hash, voided_us, voided_by, void_reason FROM attempts ORDER BY arrival"},
+       "recording, recording_hash, voided_us, voided_by, void_reason, sitting FROM attempts ORDER BY arrival"},
       {"hands", {"hash", "attempt", "since_us"}, "SELECT hash, attempt, since_us FROM hands ORDER BY hash"},
       {"proofs",
        {"attempt", "state", "accepted_by"},
@@ -75,6 +76,14 @@ const std::vector<Table>& tables() {
        {"id", "attempt", "at_us", "author", "written_us", "text", "read_us", "removed_us", "removed_by"},
        "SELECT id, attempt, at_us, author, written_us, text, read_us, removed_us, removed_by FROM comments ORDER BY "
        "attempt, at_us, id"},
+      {"openings",
+       {"id", "cohort", "curriculum", "level", "start_us", "end_us", "has_code", "opened_by", "opened_us", "closed_by",
+        "closed_us"},
+       "SELECT id, cohort, curriculum, level, start_us, end_us, CASE WHEN code = '' THEN 0 ELSE 1 END, opened_by, "
+       "opened_us, closed_by, closed_us FROM openings ORDER BY opened_us, id"},
+      {"opening_entries",
+       {"opening", "person", "entered_us"},
+       "SELECT opening, person, entered_us FROM opening_entries ORDER BY opening, person"},
       {"audit",
        {"number", "time_us", "actor", "workstation", "act", "person", "detail", "allowed", "hash"},
        "SELECT number, time_us, actor, workstation, act, person, detail, allowed, hash FROM audit ORDER BY number"}};

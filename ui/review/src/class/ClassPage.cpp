@@ -1,5 +1,6 @@
 #include "ClassPage.h"
 
+#include "../openings/OpeningBar.h"
 #include "ClassDesk.h"
 #include "ClassTable.h"
 #include "ClassWords.h"
@@ -82,6 +83,7 @@ ClassPage::ClassPage(ClassDesk& desk, ui::Commands& commands, QWidget* parent)
   auto* column = new QVBoxLayout(both);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(ui::kGap);
+  column->addWidget(new OpeningBar(desk_, commands));
   column->addWidget(buildTable(), 1);
   column->addWidget(buildConcerns());
   centre_->addWidget(words_);

@@ -3,6 +3,7 @@
 #include <insonate/curriculum/CohortStore.h>
 #include <insonate/curriculum/Curriculum.h>
 #include <insonate/curriculum/Implausible.h>
+#include <insonate/curriculum/OpeningStore.h>
 #include <insonate/curriculum/SignedIn.h>
 #include <insonate/teaching/HeatMap.h>
 
@@ -26,6 +27,7 @@ struct ClassFacts {
   std::optional<Curriculum> curriculum{};
   std::string trouble{};  ///< sentence that says why there is no curriculum, and what to do
   std::vector<Member> learners{};
+  std::vector<TestOpening> openings{};        ///< of tests, also for everyone; newest first
   HeatMap heat{};                             ///< heat map over the last kLastAttempts of each learner
   std::vector<FlaggedAttempt> implausible{};  ///< implausible attempts among these, the latest first
 };

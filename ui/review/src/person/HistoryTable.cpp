@@ -52,11 +52,11 @@ QString whyNoReplay(const KeptAttempt& attempt) {
            QDir::toNativeSeparators(ui::attemptsFolder()));
 }
 
-/// The attempt has ended and is not proven.
+/// The attempt has ended and is not proven; an instructor can make it count.
 bool isUnproven(const KeptAttempt& attempt) {
   const AttemptState state = attempt.facts.state;
   return (state == AttemptState::Completed || state == AttemptState::Abandoned) && !attempt.crashed &&
-         attempt.facts.proof == AttemptProof::Unproven;
+         attempt.facts.proof == AttemptProof::Unproven && attempt.facts.sitting != AttemptSitting::Practice;
 }
 
 }  // namespace

@@ -44,7 +44,8 @@ QString attemptAxis(const std::string& level) {
 
 std::vector<const AttemptFacts*> attemptsAt(const PersonFacts& facts, const std::string& level) {
   const auto isOf = [&](const AttemptFacts& one) {
-    return facts.curriculum && one.level == level && levelOf(*facts.curriculum, one);
+    const Level* at = facts.curriculum && one.level == level ? levelOf(*facts.curriculum, one) : nullptr;
+    return at && !isPractice(one, *at);
   };
   std::vector<const AttemptFacts*> attempts;
   for (const AttemptFacts& one : facts.history)
@@ -81,7 +82,7 @@ ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level) {
   }
   std::vector<bool> passes;
   for (const AttemptFacts* one : attemptsAt(facts, level))
-    if (counts(*one, known->pass)) passes.push_back(judge(known->pass, *one).passed);
+    if (counts(*one, *known)) passes.push_back(judge(known->pass, *one).passed);
   auto picture = ui::cusumPicture(passes, *known->mastery.cusum);
   picture.title = tr("LC-CUSUM, at least %1 attempts").arg(fewestAttempts(known->mastery));
   picture.xTitle = attemptAxis(level);

@@ -21,7 +21,7 @@ ResultFeature::ResultFeature(const ReviewModel& model, AttemptPage& page, SceneF
     : Feature(model),
       page_(page),
       scene_(scene),
-      result_(new ResultPage(model.session)),
+      result_(new ResultPage(model.session, model.judging)),
       path_(new PathPane(model.session)) {
   model_.workspace.commands().beginSection(tr("Result"));
   addForAttempt({.id = QStringLiteral("review.result.show"),

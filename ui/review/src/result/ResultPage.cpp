@@ -2,9 +2,11 @@
 
 #include "../ReviewSession.h"
 #include "../attempt/Words.h"
+#include "../judge/JudgeDesk.h"
 #include "MetricTable.h"
 
 #include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
 
 #include <QCoreApplication>
 #include <QHBoxLayout>
@@ -17,6 +19,25 @@ namespace insonate::review {
 namespace {
 
 constexpr int kPoints_pt = 30;
+
+/// Words about a test; none for other attempts.
+QString sittingWords(AttemptSitting sitting) {
+  const auto tr = [](const char* text) { return QCoreApplication::translate("Review", text); };
+  switch (sitting) {
+    case AttemptSitting::Opened:
+      return tr("● Test: an instructor had opened it when the attempt began.");
+    case AttemptSitting::SelfAdministered:
+      return tr("● Test: self-administered, without an instructor.");
+    case AttemptSitting::Practice:
+      return tr("○ Practice: the test was not open when the attempt began, so the attempt does not count.");
+    case AttemptSitting::Undecided:
+      return tr("○ Test: it is not decided yet whether it was open when the attempt began.");
+    case AttemptSitting::None:
+    case AttemptSitting::Earlier:
+      break;
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -44,11 +65,13 @@ QString pointsNoteOf(const AttemptDigest& attempt) {
                                   : tr("of 100 points. The attempt did not succeed.");
 }
 
-ResultPage::ResultPage(ReviewSession& session, QWidget* parent)
+ResultPage::ResultPage(ReviewSession& session, const JudgeDesk& judging, QWidget* parent)
     : QWidget(parent),
       session_(session),
+      judging_(judging),
       points_(new QLabel),
       success_(new QLabel),
+      sitting_(ui::paragraph("resultSitting")),
       advice_(new QLabel),
       errors_(new QLabel),
       metrics_(new MetricTableView) {
@@ -73,6 +96,7 @@ ResultPage::ResultPage(ReviewSession& session, QWidget* parent)
   auto* words = new QVBoxLayout;
   words->setSpacing(ui::kSmallGap);
   words->addWidget(success_);
+  words->addWidget(sitting_);
   words->addWidget(advice_);
   words->addWidget(errors_);
   auto* top = new QHBoxLayout;
@@ -86,6 +110,15 @@ ResultPage::ResultPage(ReviewSession& session, QWidget* parent)
   box->addWidget(metrics_, 1);
   errors_->setTextFormat(Qt::RichText);
   connect(&session_, &ReviewSession::attemptChanged, this, [this] { show(); });
+  connect(&judging_, &JudgeDesk::changed, this, [this] { showSitting(); });
+  showSitting();
+}
+
+void ResultPage::showSitting() {
+  const auto& origin = judging_.origin();
+  const bool isKnown = origin && origin->attempt && origin->same;
+  sitting_->setText(isKnown ? sittingWords(origin->attempt->sitting) : QString());
+  sitting_->setVisible(!sitting_->text().isEmpty());
 }
 
 void ResultPage::show() {

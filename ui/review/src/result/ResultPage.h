@@ -9,19 +9,23 @@ class QVBoxLayout;
 
 namespace insonate::review {
 
+class JudgeDesk;
 class MetricTableView;
 class ReviewSession;
 
-/// Result of an attempt: points, advice, critical errors, and every metric beside published values.
+/// Result of an attempt: points, for a test whether it was open, advice, critical errors, and every metric beside
+/// published values.
 class ResultPage : public QWidget {
  public:
-  explicit ResultPage(ReviewSession& session, QWidget* parent = nullptr);
+  ResultPage(ReviewSession& session, const JudgeDesk& judging, QWidget* parent = nullptr);
 
  private:
   void show();
+  void showSitting();
 
   ReviewSession& session_;
-  QLabel *points_, *success_, *advice_, *errors_;
+  const JudgeDesk& judging_;
+  QLabel *points_, *success_, *sitting_, *advice_, *errors_;
   MetricTableView* metrics_;
 };
 

@@ -164,6 +164,8 @@ void AttemptKeeper::begin() {
     facts_->curriculum = unsealed.curriculum, facts_->curriculumVersion = unsealed.curriculumVersion;
     facts_->level = unsealed.level;
   }
+  if (const AttemptAim aim = aim_ ? aim_() : AttemptAim(); aim.level && sitting_)
+    facts_->sitting = sitting_(*aim.level);
   keep(*facts_, {});
   next_.reset();
   prepare();

@@ -49,6 +49,8 @@ class AttemptKeeper final : public QObject {
   void setAccount(ui::Account& account);
   /// Sets the function that returns the aim when an attempt begins.
   void setAim(std::function<AttemptAim()> aim) { aim_ = std::move(aim); }
+  /// Sets the function that returns the sitting of an attempt that begins now, for ended(); the store decides it.
+  void setSitting(std::function<AttemptSitting(const Level&)> sitting) { sitting_ = std::move(sitting); }
   /// Prepares the next attempt after the aim has changed.
   void prepare();
 
@@ -80,6 +82,7 @@ class AttemptKeeper final : public QObject {
   ui::Account* account_ = nullptr;
   const QString folder_;
   std::function<AttemptAim()> aim_;
+  std::function<AttemptSitting(const Level&)> sitting_;
   std::optional<AttemptFacts> facts_;  ///< facts of the running attempt
   std::optional<Sealed> next_;
   std::string starter_;     ///< id of the user who started the present attempt; "": a guest

@@ -117,7 +117,11 @@ Result<Course::Known> Course::ask(const SignedIn& by, const QString& unsent, con
   auto history = AttemptStore(by).history(person);
   if (!history) return tl::unexpected(history.error());
   known.history = std::move(*history);
-  for (const AttemptFacts& facts : unsentOf(unsent, person)) merge(known.history, facts);
+  for (AttemptFacts& facts : unsentOf(unsent, person)) {
+    // The store decides whether a test was open.
+    facts.sitting = AttemptSitting::Undecided;
+    merge(known.history, facts);
+  }
   return known;
 }
 

@@ -17,11 +17,11 @@
 
 namespace insonate::train {
 
-CoursePage::CoursePage(Course& course, LevelControl& levels, ui::Account* account, const QString& leavingKeys,
-                       QWidget* parent)
+CoursePage::CoursePage(Course& course, LevelControl& levels, TestAdmissions& admissions, ui::Account* account,
+                       const QString& leavingKeys, QWidget* parent)
     : QWidget(parent), tabs_(new QButtonGroup(this)), pages_(new QStackedWidget) {
   setObjectName(QStringLiteral("course"));
-  auto* path = new PathPage(course, levels);
+  auto* path = new PathPage(course, levels, admissions);
   auto* history = new HistoryPage(course, account);
   auto* questions = new QuestionnairePage(account, ui::formDraftsFolder());
   for (QWidget* page : {static_cast<QWidget*>(path), static_cast<QWidget*>(history), static_cast<QWidget*>(questions)})

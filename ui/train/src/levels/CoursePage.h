@@ -13,6 +13,7 @@ namespace insonate::train {
 
 class Course;
 class LevelControl;
+class TestAdmissions;
 
 /// The page in place of image and controls: the learning path of levels, the user's attempts with a learning curve, and
 /// the questionnaire.
@@ -23,8 +24,8 @@ class CoursePage final : public QWidget {
   enum Tab { Levels, Attempts, Questionnaire };
 
   /// `leavingKeys`: keys of the command that returns to the image, besides Esc.
-  CoursePage(Course& course, LevelControl& levels, ui::Account* account, const QString& leavingKeys,
-             QWidget* parent = nullptr);
+  CoursePage(Course& course, LevelControl& levels, TestAdmissions& admissions, ui::Account* account,
+             const QString& leavingKeys, QWidget* parent = nullptr);
 
   void showTab(Tab tab);
   /// Gives the keyboard focus to the list of the current tab.

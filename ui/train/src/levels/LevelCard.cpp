@@ -3,6 +3,8 @@
 #include "../attempt/AttemptWords.h"
 #include "LevelControl.h"
 #include "LevelWords.h"
+#include "TestAdmissions.h"
+#include "TestEntryDialog.h"
 
 #include <insonate/ui/PlainToolTip.h>
 #include <insonate/ui/Theme.h>
@@ -21,28 +23,36 @@ QPushButton* levelButton(const char* object, const QString& text, const QString&
 
 }  // namespace
 
-LevelCard::LevelCard(LevelControl& levels, const QString& showLevels, QWidget* parent)
+LevelCard::LevelCard(LevelControl& levels, TestAdmissions& admissions, const QString& showLevels, QWidget* parent)
     : QWidget(parent),
       levels_(levels),
+      admissions_(admissions),
       title_(ui::paragraph("levelTitle", "heading")),
-      rule_(ui::paragraph("levelRule", "quiet")) {
+      rule_(ui::paragraph("levelRule", "quiet")),
+      test_(ui::paragraph("levelTestState")) {
   auto* course = levelButton("levelsOpen", tr("Levels"), showLevels);
   open_ = levelButton("levelOpenCase", tr("Open its case"), tr("Opens the level's case in place of the present one"));
   free_ = levelButton("levelLeave", tr("Free practice"),
                       tr("Leaves the level; you can then choose any case, procedure and assistance"));
+  code_ = levelButton("levelCode", tr("Enter Code"), tr("Asks for the code of the test, from your instructor"));
   auto* row = new QHBoxLayout;
   row->setSpacing(ui::kSmallGap);
-  for (QPushButton* one : {course, open_, free_}) row->addWidget(one, 1);
+  for (QPushButton* one : {course, open_, code_, free_}) row->addWidget(one, 1);
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(ui::kSmallGap);
   box->addWidget(title_);
   box->addWidget(rule_);
+  box->addWidget(test_);
   box->addLayout(row);
   connect(course, &QPushButton::clicked, this, &LevelCard::courseWanted);
   connect(open_, &QPushButton::clicked, &levels_, &LevelControl::openCase);
   connect(free_, &QPushButton::clicked, &levels_, &LevelControl::leave);
+  connect(code_, &QPushButton::clicked, this, [this] {
+    if (levels_.level()) (new TestEntryDialog(admissions_, *levels_.level(), this))->open();
+  });
   connect(&levels_, &LevelControl::changed, this, [this] { refresh(); });
+  connect(&admissions_, &TestAdmissions::changed, this, [this] { refresh(); });
   refresh();
 }
 
@@ -52,6 +62,10 @@ void LevelCard::refresh() {
   rule_->setVisible(level);
   free_->setVisible(level);
   open_->setVisible(levels_.waitsForCase());
+  test_->setText(level ? admissions_.sentenceOf(*level) : QString());
+  test_->setVisible(!test_->text().isEmpty());
+  const auto admission = level ? admissions_.of(*level) : std::nullopt;
+  code_->setVisible(admission && admission->kind == TestAdmission::Kind::NeedsCode);
   if (!level) return;
   title_->setText(QString::fromStdString(level->title));
   rule_->setText(tr("%1. To pass: %2.").arg(capital(wordOf(level->assistance)), passOf(level->pass)));

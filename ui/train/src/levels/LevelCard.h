@@ -8,13 +8,14 @@ class QPushButton;
 namespace insonate::train {
 
 class LevelControl;
+class TestAdmissions;
 
 /// Card in the attempt panel that shows the next attempt's level and its rule, or that practice is free.
 class LevelCard final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit LevelCard(LevelControl& levels, const QString& showLevels, QWidget* parent = nullptr);
+  LevelCard(LevelControl& levels, TestAdmissions& admissions, const QString& showLevels, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   void courseWanted();
@@ -23,8 +24,9 @@ class LevelCard final : public QWidget {
   void refresh();
 
   LevelControl& levels_;
-  QLabel *title_, *rule_;
-  QPushButton *open_, *free_;
+  TestAdmissions& admissions_;
+  QLabel *title_, *rule_, *test_;
+  QPushButton *open_, *free_, *code_;
 };
 
 }  // namespace insonate::train

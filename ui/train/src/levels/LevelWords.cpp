@@ -45,8 +45,15 @@ const LevelProgress* find(std::span<const LevelProgress> all, const std::string&
 }
 
 /// Standards that were missed are told by themselves.
-QString headlineFor(const PassRule& rule, const AttemptFacts& attempt, bool passed) {
+QString headlineFor(const Level& level, const AttemptFacts& attempt, bool passed) {
+  const PassRule& rule = level.pass;
   if (!counts(attempt)) return tr("Does not count: it was abandoned before skin puncture");
+  if (isPractice(attempt, level))
+    return attempt.sitting == AttemptSitting::Undecided
+               ? tr("Not decided yet: the database must first state whether the test was open")
+           : judge(rule, attempt).passed
+               ? tr("Practice, does not count: the test was not open. The attempt would have passed")
+               : tr("Practice, does not count: the test was not open. The attempt would not have passed");
   const bool well = attempt.state == AttemptState::Completed && attempt.succeeded && attempt.criticalErrors == 0;
   if (!passed && well && !judge(rule, attempt).reachesStandards(rule)) return tr("Not passed");
   if (!passed && judge(rule, attempt).passed)
@@ -126,8 +133,8 @@ Verdict verdictOf(const Curriculum& curriculum, const Level& level, const Attemp
                   std::span<const LevelProgress> before, std::span<const LevelProgress> after) {
   const Judgement judgement = judge(level.pass, attempt);
   Verdict verdict;
-  verdict.passed = judgement.passed && counts(attempt, level.pass);
-  verdict.headline = headlineFor(level.pass, attempt, verdict.passed);
+  verdict.passed = judgement.passed && counts(attempt, level);
+  verdict.headline = headlineFor(level, attempt, verdict.passed);
   for (std::size_t i = 0; i < level.pass.standards.size(); ++i)
     (judgement.standardsMet[i] ? verdict.met : verdict.missed) << comparedWith(level.pass.standards[i], attempt);
   if (const LevelProgress* now = find(after, level.name)) verdict.changes << ui::qt(now->why);
@@ -145,9 +152,14 @@ QString outcomeOf(const Curriculum* curriculum, const AttemptFacts& attempt) {
   if (attempt.state == AttemptState::Abandoned) return tr("abandoned");
   const bool ours = curriculum && attempt.curriculum == curriculum->name && counts(attempt);
   const Level* level = ours ? curriculum->level(attempt.level) : nullptr;
-  if (level && !counts(attempt, level->pass))
+  if (level && isPractice(attempt, *level))
+    return attempt.sitting == AttemptSitting::Undecided ? tr("not decided yet") : tr("practice, the test was not open");
+  if (level && !counts(attempt, *level))
     return attempt.proof == AttemptProof::Verifying ? tr("being verified") : tr("not proven");
-  if (level) return judge(level->pass, attempt).passed ? tr("passed") : tr("failed");
+  const QString outcome = level && judge(level->pass, attempt).passed ? tr("passed") : tr("failed");
+  if (level && level->assistance == Assistance::Test && attempt.sitting == AttemptSitting::SelfAdministered)
+    return tr("%1, self-administered").arg(outcome);
+  if (level) return outcome;
   return attempt.level.empty() ? tr("free practice") : tr("completed");
 }
 

@@ -11,6 +11,7 @@
 #include "LevelCard.h"
 #include "LevelControl.h"
 #include "LevelWords.h"
+#include "TestAdmissions.h"
 #include "UnsentFacts.h"
 #include "VerdictView.h"
 
@@ -19,6 +20,7 @@
 
 #include <QAction>
 #include <QPushButton>
+#include <algorithm>
 
 namespace insonate::train {
 namespace {
@@ -32,6 +34,7 @@ LevelsFeature::LevelsFeature(TrainModel& model, TrainLayout& layout, AttemptCont
       attempt_(attempt),
       panel_(panel),
       course_(new Course(unsentFolder(), this)),
+      admissions_(new TestAdmissions(*course_, this)),
       levels_(new LevelControl(model.status, model.patientCase, model.imaging, model.motion, attempt, *course_, this)),
       keeper_(new AttemptKeeper(attempt, unsentFolder(), this)) {
   addCommands();
@@ -45,7 +48,7 @@ LevelsFeature::~LevelsFeature() {
 }
 
 void LevelsFeature::fillPanel() {
-  auto* card = new LevelCard(*levels_, commands().toolTip(kShowLevels));
+  auto* card = new LevelCard(*levels_, *admissions_, commands().toolTip(kShowLevels));
   verdict_ = new VerdictView;
   auto* toLevels = ui::pushButton("attemptLevels", tr("Levels"), commands().toolTip(kShowLevels), Qt::TabFocus);
   panel_.addCard(card);
@@ -57,6 +60,7 @@ void LevelsFeature::fillPanel() {
 
 void LevelsFeature::connectParts() {
   keeper_->setAim([this] { return levels_->aim(); });
+  keeper_->setSitting([this](const Level& level) { return admissions_->expectedSitting(level); });
   connect(levels_, &LevelControl::caseWanted, &layout_.workspace(), &ui::Workspace::caseWanted);
   connect(levels_, &LevelControl::changed, this, [this] {
     if (!holdsCase()) Q_EMIT caseReleased();
@@ -65,7 +69,9 @@ void LevelsFeature::connectParts() {
   connect(keeper_, &AttemptKeeper::said, &model_.status, &StatusLine::say);
   connect(keeper_, &AttemptKeeper::allSent, course_, &Course::refresh);
   connect(keeper_, &AttemptKeeper::ended, this, [this](const AttemptFacts& facts) { judge(facts); });
+  connect(course_, &Course::changed, this, [this] { judgeAgain(); });
   connect(&attempt_, &AttemptControl::begun, this, [this] {
+    judged_.reset();
     verdict_->show(course_->isSomebodys()
                        ? tr("Free practice: the attempt is listed, but counts for no level.")
                        : tr("You are a guest: the attempt is recorded, but does not count at any level."));
@@ -76,6 +82,7 @@ void LevelsFeature::setAccount(ui::Account& account) {
   account_ = &account;
   // Unsent facts are stored first, so that the course knows them.
   keeper_->setAccount(account);
+  admissions_->setAccount(account);
   course_->setAccount(account);
 }
 
@@ -84,7 +91,20 @@ void LevelsFeature::judge(const AttemptFacts& facts) {
   const Level* level = curriculum && facts.curriculum == curriculum->name ? curriculum->level(facts.level) : nullptr;
   const std::vector<LevelProgress> before = course_->progress();
   course_->add(facts);
-  if (level) verdict_->show(verdictOf(*curriculum, *level, facts, before, course_->progress()));
+  if (!level) return;
+  judged_ = facts;
+  verdict_->show(verdictOf(*curriculum, *level, facts, before, course_->progress()));
+}
+
+/// The store may decide otherwise than was expected whether a test was open.
+void LevelsFeature::judgeAgain() {
+  if (!judged_ || !course_->curriculum()) return;
+  const auto history = course_->history();
+  const auto now = std::ranges::find(history, judged_->id, &AttemptFacts::id);
+  const Level* level = course_->curriculum()->level(judged_->level);
+  if (now == history.end() || !level || now->sitting == judged_->sitting) return;
+  judged_->sitting = now->sitting;
+  verdict_->show(verdictOf(*course_->curriculum(), *level, *judged_, course_->progress(), course_->progress()));
 }
 
 void LevelsFeature::addCommands() {
@@ -105,7 +125,7 @@ bool LevelsFeature::holdsCase() const {
 
 void LevelsFeature::makePage() {
   ui::Workspace& workspace = layout_.workspace();
-  page_ = new CoursePage(*course_, *levels_, account_, keysOf(commands(), kShowLevels), &workspace);
+  page_ = new CoursePage(*course_, *levels_, *admissions_, account_, keysOf(commands(), kShowLevels), &workspace);
   connect(page_, &CoursePage::left, this, [this] { showPage(false); });
   connect(page_, &CoursePage::attemptWanted, &workspace, &ui::Workspace::attemptWanted);
   connect(page_, &CoursePage::said, &model_.status, &StatusLine::say);

@@ -2,11 +2,11 @@
 
 #include "../feature/Feature.h"
 
-class QAction;
+#include <insonate/curriculum/AttemptFacts.h>
 
-namespace insonate {
-struct AttemptFacts;
-}
+#include <optional>
+
+class QAction;
 
 namespace insonate::train {
 
@@ -16,6 +16,7 @@ class AttemptPanel;
 class Course;
 class CoursePage;
 class LevelControl;
+class TestAdmissions;
 class VerdictView;
 
 /// The feature for levels, the user's attempts and the questionnaire: the level in the attempt panel, the verdict
@@ -35,6 +36,7 @@ class LevelsFeature final : public Feature {
   void fillPanel();
   void connectParts();
   void judge(const AttemptFacts& facts);
+  void judgeAgain();
   void makePage();
   void showPage(bool isShown);
 
@@ -42,10 +44,12 @@ class LevelsFeature final : public Feature {
   AttemptPanel& panel_;
   QAction* pageAction_ = nullptr;
   Course* course_;
+  TestAdmissions* admissions_;
   LevelControl* levels_;
   AttemptKeeper* keeper_;
   VerdictView* verdict_ = nullptr;
-  CoursePage* page_ = nullptr;  ///< null until the page is first shown
+  std::optional<AttemptFacts> judged_;  ///< the attempt of the shown verdict, as it was judged
+  CoursePage* page_ = nullptr;          ///< null until the page is first shown
   ui::Account* account_ = nullptr;
 };
 

@@ -4,6 +4,8 @@
 #include "Course.h"
 #include "LevelControl.h"
 #include "LevelWords.h"
+#include "TestAdmissions.h"
+#include "TestEntryDialog.h"
 
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/procedure/Procedure.h>
@@ -44,7 +46,7 @@ QString settingOf(const Level& level) {
 const AttemptFacts* lastOf(const std::vector<AttemptFacts>& history, const Curriculum& curriculum, const Level& level) {
   const auto last = std::find_if(history.rbegin(), history.rend(), [&](const AttemptFacts& one) {
     return one.curriculum == curriculum.name && one.level == level.name && one.procedure == level.procedure &&
-           counts(one, level.pass);
+           counts(one, level);
   });
   return last == history.rend() ? nullptr : &*last;
 }
@@ -65,10 +67,11 @@ QString standardsOf(const Level& level, const AttemptFacts* last) {
 
 }  // namespace
 
-PathPage::PathPage(Course& course, LevelControl& levels, QWidget* parent)
+PathPage::PathPage(Course& course, LevelControl& levels, TestAdmissions& admissions, QWidget* parent)
     : QWidget(parent),
       course_(course),
       levels_(levels),
+      admissions_(admissions),
       head_(ui::paragraph("courseHead", "heading")),
       note_(ui::paragraph("courseNote", "quiet")) {
   auto* columns = new QHBoxLayout;
@@ -84,6 +87,7 @@ PathPage::PathPage(Course& course, LevelControl& levels, QWidget* parent)
   setFocusProxy(list_);
   connect(&course_, &Course::changed, this, [this] { refresh(); });
   connect(&levels_, &LevelControl::changed, this, [this] { refresh(); });
+  connect(&admissions_, &TestAdmissions::changed, this, [this] { refreshLevel(); });
   refresh();
 }
 
@@ -113,6 +117,7 @@ QWidget* PathPage::buildLevel() {
   title_ = ui::paragraph("levelHead", "title");
   about_ = ui::paragraph("levelAbout");
   why_ = ui::paragraph("levelWhy", "heading");
+  test_ = ui::paragraph("levelTest");
   setting_ = ui::paragraph("levelSetting", "quiet");
   pass_ = ui::paragraph("levelPass");
   standards_ = ui::paragraph("levelLimits", "quiet");
@@ -132,7 +137,7 @@ QWidget* PathPage::buildLevel() {
   auto* box = new QVBoxLayout(level_);
   box->setContentsMargins(0, 0, ui::kGap, 0);
   box->setSpacing(ui::kGap);
-  for (QLabel* one : {title_, setting_, why_, about_}) box->addWidget(one);
+  for (QLabel* one : {title_, setting_, why_, test_, about_}) box->addWidget(one);
   box->addLayout(row);
   for (QLabel* one : {pass_, standards_, mastery_}) box->addWidget(one);
   box->addStretch(1);
@@ -226,14 +231,28 @@ void PathPage::refreshLevel() {
   standards_->setVisible(!level->pass.standards.empty());
   mastery_->setText(tr("Mastery: %1.").arg(masteryOf(*level)));
   practise_->setEnabled(!locked);
-  practise_->setText(locked ? tr("Locked") : tr("Practice this level"));
+  test_->setText(admissions_.sentenceOf(*level));
+  test_->setVisible(!test_->text().isEmpty());
+  const auto admission = admissions_.of(*level);
+  const bool isOpen = admission && admission->kind != TestAdmission::Kind::Closed;
+  practise_->setText(locked ? tr("Locked") : isOpen ? tr("Take this test") : tr("Practice this level"));
   free_->setVisible(levels_.level());
 }
 
 void PathPage::practise() {
   const Level* level = selected();
   if (!level) return;
-  const std::string name = level->name;
+  const auto admission = admissions_.of(*level);
+  const LevelProgress* progress = course_.progressIn(level->name);
+  const bool isLocked = !progress || progress->state == LevelState::Locked;
+  const bool counts = admissions_.expectedSitting(*level) != AttemptSitting::Practice;
+  if (!admission || isLocked || counts) return begin(level->name);
+  auto* entry = new TestEntryDialog(admissions_, *level, this);
+  connect(entry, &QDialog::accepted, this, [this, name = level->name] { begin(name); });
+  entry->open();
+}
+
+void PathPage::begin(const std::string& name) {
   levels_.choose(name);
   if (levels_.level() && levels_.level()->name == name) Q_EMIT chosen();
 }

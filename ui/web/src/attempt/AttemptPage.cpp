@@ -38,6 +38,7 @@ Markup attemptFacts(const AttemptFacts& attempt, const Person& person, const Lev
                 term("Duration", text(numberOf(double(attempt.length_us / 100'000) / 10) + " s"));
   if (attempt.points) list += term("Points", text(numberOf(*attempt.points) + " of 100"));
   list += term("Origin", text(wordOf(attempt.proof)));
+  if (level && level->assistance == Assistance::Test) list += term("Test", text(wordOf(attempt.sitting)));
   return element("dl", {}, list);
 }
 

@@ -74,10 +74,13 @@ Markup levelsOf(const PersonFacts& facts) {
     const auto [state, mark] = stateWords(now.state);
     const int least = fewestAttempts(level.mastery);
     const std::string takes = "Takes at least " + std::to_string(least) + (least == 1 ? " attempt." : " attempts.");
+    const std::string test = level.assistance == Assistance::Test
+                                 ? " This is a test: an attempt counts if an instructor has opened the test."
+                                 : "";
     items += element("li", {{"class", std::string("level ") + state}},
                      element("span", {{"class", "state"}}, std::string(mark) + " " + state) +
                          element("h3", {}, level.title) + paragraph(now.why) +
-                         element("p", {{"class", "quiet"}}, level.about + " " + takes));
+                         element("p", {{"class", "quiet"}}, level.about + " " + takes + test));
   }
   return section("Levels", element("ol", {{"class", "levels"}}, items));
 }
@@ -95,6 +98,8 @@ AttemptChart learningCurve(const PersonFacts& facts, const std::string& level, c
   values.unit = metric.unit;
   for (const AttemptFacts& attempt : facts.history) {
     if (attempt.level != level || !counts(attempt)) continue;
+    const Level* at = facts.curriculum ? levelOf(*facts.curriculum, attempt) : nullptr;
+    if (at && isPractice(attempt, *at)) continue;
     const auto value = valueIn(attempt, metric);
     values.points.push_back(value ? std::optional(AttemptChart::Point{*value, markOf(facts, attempt)}) : std::nullopt);
   }

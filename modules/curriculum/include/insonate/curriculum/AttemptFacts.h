@@ -27,6 +27,16 @@ enum class AttemptProof {
   Demonstration,  ///< generated demonstration data (`insonate-cli curriculum demo`)
 };
 
+/// Circumstances in which a test was taken (AttemptFacts::sitting).
+enum class AttemptSitting {
+  None,              ///< the level was no test, or there was no level
+  Earlier,           ///< stored by an earlier program, which knew no openings of tests
+  Opened,            ///< an instructor had opened the test (OpeningStore.h) when the attempt began
+  SelfAdministered,  ///< the person had no class with another member, so that no instructor could open the test
+  Practice,          ///< no test was open for the person: the attempt does not count
+  Undecided,         ///< its beginning was reported late: its end decides; until then it does not count
+};
+
 /// Measured value of one metric of an attempt; empty if the attempt does not determine it.
 struct MetricFact {
   std::string id{};  ///< id of the metric (procedure/AttemptMetrics.h): "vein_punctures"
@@ -63,6 +73,7 @@ struct AttemptFacts {
   /// earlier program stored the attempt.
   std::string handsHash{};
   AttemptProof proof = AttemptProof::Unproven;
+  AttemptSitting sitting = AttemptSitting::None;  ///< decided by the database alone
 
   bool operator==(const AttemptFacts&) const = default;
 };

@@ -39,6 +39,9 @@ class AttemptStore {
   /// generates one if `facts` has none. Person and workstation are those of the signed-in user. Storing the same facts
   /// again is no error. Fails if the attempt begins in the future or before its curriculum was published; clocks may
   /// differ by ten minutes.
+  /// The database decides AttemptFacts::sitting by its own clock and the openings that it knows. If the beginning is
+  /// reported late, because the database could not be reached, the end decides, by `facts.begun_us`, which a proven
+  /// recording authenticates.
   Result<std::string> begin(const AttemptFacts& facts) const;
   /// Ends an attempt as Completed or Abandoned, with its metrics; values must be finite. Only the person who began the
   /// attempt may end it. Ending it again with the same facts is no error; if an attempt was marked abandoned after a
@@ -48,7 +51,7 @@ class AttemptStore {
   Result<void> end(const AttemptFacts& facts) const;
   /// Stores a finished attempt: begin() and end() in one transaction. Returns the id. If `recording` (the file with
   /// hash facts.recordingHash) is given, it is copied to the database's folder of recordings; if that fails, nothing is
-  /// added.
+  /// added. AttemptFacts::sitting is decided by `facts.begun_us`; a demonstration counts as if the test had been open.
   Result<std::string> add(const AttemptFacts& facts, const std::filesystem::path& recording = {}) const;
   /// Copies the recording of an ended attempt to the database's folder of recordings. Only the person who made the
   /// attempt may call this. Copying again is no error. If the database has no such folder, the function does nothing.

@@ -46,10 +46,18 @@ const Level* levelOf(const Curriculum& curriculum, const AttemptFacts& attempt);
 /// (levelOf() is null) or does not count.
 std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& attempt);
 
-/// Tells whether an attempt counts at a level with this rule. It must count in general (counts(attempt)); if it passes,
-/// it must also have a proof (neither Unproven nor Verifying). Failed attempts count without proof; otherwise trainees
-/// could exclude them.
-bool counts(const AttemptFacts& attempt, const PassRule& rule);
+/// Tells whether an attempt at a test is practice: no instructor had opened the test for the person
+/// (AttemptFacts::sitting). An attempt that was made before the level became a test is practice, too.
+bool isPractice(const AttemptFacts& attempt, const Level& level);
+
+/// Tells whether an attempt counts at a level. It must count in general (counts(attempt)) and not be practice; if it
+/// passes, it must also have a proof (neither Unproven nor Verifying). Failed attempts count without proof; otherwise
+/// trainees could exclude them.
+bool counts(const AttemptFacts& attempt, const Level& level);
+
+/// Tells whether an attempt counts in the figures of a class, whatever its level: it counts in general and was neither
+/// free practice nor a test that was not open.
+bool countsAtLevels(const AttemptFacts& attempt);
 
 Judgement judge(const PassRule& rule, const AttemptFacts& attempt);
 
@@ -66,7 +74,9 @@ std::vector<std::string> missedStandards(const PassRule& rule, const AttemptFact
 std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt);
 
 /// Returns the outcome of an attempt in words: "Passed", "Failed because ...", "Voided", by the rule of its level. An
-/// attempt without a level in `curriculum`, which may be null, has "Succeeded", "Did not succeed" or "Abandoned".
+/// attempt without a level in `curriculum`, which may be null, has "Succeeded", "Did not succeed" or "Abandoned". A
+/// practice attempt at a test has "Practice, the test was not open: would pass" or "... would fail because ..."; "
+/// (self-administered)" is added to the outcome of a test that the person took alone.
 std::string outcomeWords(const AttemptFacts& attempt, const Curriculum* curriculum);
 
 }  // namespace insonate

@@ -1,6 +1,7 @@
 #include "store/AuditChain.h"
 #include "store/CommentRows.h"
 #include "store/CurriculumRows.h"
+#include "store/OpeningRows.h"
 #include "store/Proofs.h"
 #include "store/StandingRows.h"
 #include "store/Texts.h"
@@ -34,13 +35,15 @@ Rows rowsByKey(Transaction& transaction, std::string_view sql) {
   return rows;
 }
 
-/// People whom an untrusted workstation knows, and learners of the classes that these people teach.
+/// People whom an untrusted workstation knows, the learners of the classes that these people teach, and the instructors
+/// of the classes that they attend (a person without an instructor takes tests alone).
 std::set<std::string> peopleFor(Transaction& transaction, const std::string& workstation) {
   std::set<std::string> people;
   for (const Row& row : transaction.rows(
            "SELECT person FROM workstation_people WHERE workstation = ? UNION "
            "SELECT theirs.person FROM workstation_people AS known JOIN memberships AS own ON own.person = known.person "
-           "AND own.teaches = 1 JOIN memberships AS theirs ON theirs.cohort = own.cohort WHERE workstation = ?",
+           "JOIN memberships AS theirs ON theirs.cohort = own.cohort AND (own.teaches = 1 OR theirs.teaches = 1) "
+           "WHERE workstation = ?",
            workstation, workstation))
     people.insert(row.text(0));
   return people;
@@ -49,10 +52,11 @@ std::set<std::string> peopleFor(Transaction& transaction, const std::string& wor
 /// State of the attempts that a person made at other workstations than this.
 std::string digestOf(Transaction& transaction, const std::string& person, const std::string& workstation) {
   std::string state;
-  for (const Row& row : transaction.rows("SELECT id, state, crashed, voided_us IS NOT NULL, " INSONATE_PROOF_COLUMN
-                                         " FROM attempts WHERE person = ? AND workstation <> ? AND state <> 'open' "
-                                         "ORDER BY id",
-                                         person, workstation))
+  for (const Row& row :
+       transaction.rows("SELECT id, state, crashed, sitting, voided_us IS NOT NULL, " INSONATE_PROOF_COLUMN
+                        " FROM attempts WHERE person = ? AND workstation <> ? AND state <> 'open' "
+                        "ORDER BY id",
+                        person, workstation))
     for (std::size_t i = 0; i < row.size(); ++i) state += row.text(i) + ' ';
   return state.empty() ? "" : sha256(state);
 }
@@ -79,6 +83,8 @@ void restrict(Transaction& transaction, Taught& taught, const std::string& works
   std::set<std::string> cohorts;
   for (const auto& [key, row] : taught.memberships) cohorts.insert(row[1]);
   std::erase_if(taught.cohorts, [&](const auto& row) { return !cohorts.contains(row.first); });
+  std::erase_if(taught.openings,
+                [&](const Row& row) { return !row.text(1).empty() && !cohorts.contains(row.text(1)); });
 }
 
 /// A password that the server does not send stays as it is here; if the server has another one, the person must sign in
@@ -210,6 +216,18 @@ void takeElsewhere(Transaction& here, const std::vector<SentAttempt>& attempts, 
   }
 }
 
+/// Openings that were made here before the workstation belonged to the server end.
+void takeOpenings(Transaction& here, const std::vector<Row>& openings, std::int64_t now_us) {
+  std::set<std::string> known;
+  for (const Row& row : openings) {
+    mergeOpening(here, row);
+    known.insert(row.text(0));
+  }
+  for (const Row& row : here.rows("SELECT id, opened_by FROM openings WHERE closed_us IS NULL"))
+    if (!known.contains(row.text(0)))
+      here.run("UPDATE openings SET closed_us = ?, closed_by = ? WHERE id = ?", now_us, row.text(1), row.text(0));
+}
+
 /// Applies the server's acceptances of attempts of this workstation.
 void takeAccepted(Transaction& here, const std::vector<Row>& accepted, std::int64_t now_us) {
   for (const Row& row : accepted) {
@@ -248,6 +266,7 @@ Result<Taught> readTaught(Core& server, const Sender& sender, const Digests& kno
         "SELECT " INSONATE_COMMENT_COLUMNS
         " FROM comments JOIN attempts ON attempts.id = attempt WHERE workstation = ? ORDER BY comments.id",
         sender.workstation);
+    taught.openings = transaction.rows("SELECT " INSONATE_OPENING_COLUMNS " FROM openings ORDER BY id");
     if (!sender.isTrusted) {
       restrict(transaction, taught, sender.workstation);
       addElsewhere(transaction, taught, sender.workstation, known);
@@ -271,6 +290,7 @@ Result<void> takeTaught(Core& here, Taught taught, UploadReport& report) {
     report.people = takePeople(transaction, taught);
     report.cohorts = takeCohorts(transaction, taught);
     report.curricula = takeCurricula(transaction, taught.curricula, report.troubles);
+    takeOpenings(transaction, taught.openings, here.now_us());
     takeElsewhere(transaction, taught.elsewhere, here.now_us(), report.troubles);
     takeVoided(transaction, taught.voided);
     takeRefused(transaction, here, taught.refused, report.troubles);

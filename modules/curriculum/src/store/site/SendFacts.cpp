@@ -3,6 +3,7 @@
 #include "store/CommentRows.h"
 #include "store/FormRows.h"
 #include "store/Hands.h"
+#include "store/OpeningRows.h"
 #include "store/StandingRows.h"
 #include "store/site/Site.h"
 #include "store/site/WorkstationRules.h"
@@ -65,8 +66,8 @@ std::optional<SentAttempt> readAttempt(Transaction& here, const std::string& id)
   if (!row) return std::nullopt;
   SentAttempt sent{.kept = keptOf(*row),
                    .voided_us = row->time(17),
-                   .voidedBy = row->text(25),
-                   .acceptedBy = row->text(26),
+                   .voidedBy = row->text(26),
+                   .acceptedBy = row->text(27),
                    .comments = commentRows(here, id)};
   sent.ended = sent.kept.facts;
   sent.ended.state = stateOfEnd(*row);
@@ -88,6 +89,8 @@ Result<void> mergeAttempt(Transaction& server, const Sender& sender, const SentA
     there->ended.state = AttemptState::Open;
   }
   if (!sameBeginning(there->ended, facts)) return another();
+  if (there->ended.sitting == AttemptSitting::Undecided && facts.sitting != AttemptSitting::Undecided)
+    server.run("UPDATE attempts SET sitting = ? WHERE id = ?", nameOf(facts.sitting), facts.id);
   const bool awaitsEnd = there->ended.state == AttemptState::Open || (there->kept.crashed && !sent.kept.crashed);
   if (facts.state != AttemptState::Open && awaitsEnd) {
     endAttempt(server, facts, sent.kept.crashed);

@@ -75,6 +75,7 @@ struct Taught {
   /// Of the workstation's attempts: id, voided_us, voided_by, void_reason; attempt, accepted_by; those that the server
   /// could not verify: attempt, why; INSONATE_COMMENT_COLUMNS
   std::vector<Row> voided{}, accepted{}, refused{}, comments{};
+  std::vector<Row> openings{};  ///< INSONATE_OPENING_COLUMNS
   /// Ended attempts at other workstations, of people for whom the workstation has another digest.
   std::vector<SentAttempt> elsewhere{};
 };

@@ -2,6 +2,7 @@
 
 #include "store/MetricsText.h"
 #include "store/Names.h"
+#include "store/OpeningRows.h"
 #include "store/Proofs.h"
 
 #include <utility>
@@ -81,7 +82,8 @@ json jsonOf(const AttemptFacts& facts) {
           {"recording", facts.recording},
           {"recordingHash", facts.recordingHash},
           {"handsHash", facts.handsHash},
-          {"proof", nameOf(facts.proof)}};
+          {"proof", nameOf(facts.proof)},
+          {"sitting", nameOf(facts.sitting)}};
 }
 
 AttemptFacts factsFrom(const json& from) {
@@ -105,7 +107,8 @@ AttemptFacts factsFrom(const json& from) {
           .recording = from.at("recording"),
           .recordingHash = from.at("recordingHash"),
           .handsHash = from.at("handsHash"),
-          .proof = proofNamed(from.at("proof").get<std::string>())};
+          .proof = proofNamed(from.at("proof").get<std::string>()),
+          .sitting = sittingNamed(from.at("sitting").get<std::string>())};
 }
 
 json jsonOf(const SentAttempt& sent) {
@@ -114,7 +117,7 @@ json jsonOf(const SentAttempt& sent) {
           {"comments", jsonOf(sent.comments)}};
 }
 
-constexpr std::size_t kCommentColumns = 9;
+constexpr std::size_t kCommentColumns = 9, kOpeningColumns = 11;
 
 SentAttempt attemptFrom(const json& from) {
   SentAttempt sent{.kept = {.crashed = from.at("crashed"), .voidReason = from.at("voidReason")},
@@ -228,7 +231,8 @@ json jsonOf(const Taught& taught) {
   return {
       {"people", taught.people},           {"classes", taught.cohorts},           {"members", taught.memberships},
       {"curricula", std::move(curricula)}, {"voided", jsonOf(taught.voided)},     {"accepted", jsonOf(taught.accepted)},
-      {"refused", jsonOf(taught.refused)}, {"comments", jsonOf(taught.comments)}, {"elsewhere", std::move(elsewhere)}};
+      {"refused", jsonOf(taught.refused)}, {"comments", jsonOf(taught.comments)}, {"openings", jsonOf(taught.openings)},
+      {"elsewhere", std::move(elsewhere)}};
 }
 
 Taught taughtFrom(const json& from) {
@@ -238,7 +242,8 @@ Taught taughtFrom(const json& from) {
                 .voided = rowsFrom(from.at("voided"), 4),
                 .accepted = rowsFrom(from.at("accepted"), 2),
                 .refused = rowsFrom(from.at("refused"), 2),
-                .comments = rowsFrom(from.at("comments"), kCommentColumns)};
+                .comments = rowsFrom(from.at("comments"), kCommentColumns),
+                .openings = rowsFrom(from.at("openings"), kOpeningColumns)};
   for (const json& kept : from.at("curricula"))
     taught.curricula.push_back({{.name = kept.at("name"),
                                  .version = kept.at("version"),

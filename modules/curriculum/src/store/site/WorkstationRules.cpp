@@ -2,6 +2,7 @@
 
 #include "store/Access.h"
 #include "store/AttemptRows.h"
+#include "store/OpeningRows.h"
 #include "store/Texts.h"
 
 #include <algorithm>
@@ -30,6 +31,18 @@ Result<void> checkAttempt(Transaction& server, const Core& core, const Sender& s
   if (facts.state != AttemptState::Open)
     if (auto ok = checkEnded(facts); !ok) return ok;
   return refuseImpossibleDates(server, facts, core.now_us());
+}
+
+/// The server's openings decide, not the workstation. A code is checked at the workstation, where it was entered; what
+/// the workstation told the trainee to be practice stays practice.
+AttemptSitting sittingOf(Transaction& server, const AttemptFacts& facts) {
+  const AttemptSitting decided = sittingAt(server, facts, facts.begun_us);
+  using enum AttemptSitting;
+  if (decided == Opened && facts.sitting == Practice) return Practice;
+  const bool isCodeEntered =
+      decided == Practice && facts.sitting == Opened &&
+      !codedOpenings(server, facts.person, facts.curriculum, facts.level, facts.begun_us).empty();
+  return isCodeEntered ? Opened : decided;
 }
 
 /// Removes acts of instructors that the instructor may not do on the server.
@@ -86,6 +99,7 @@ Result<void> applyRules(Transaction& server, const Core& core, const Sender& sen
                         std::vector<std::string>& troubles) {
   if (item.attempt) {
     if (auto ok = checkAttempt(server, core, sender, *item.attempt); !ok) return ok;
+    item.attempt->ended.sitting = sittingOf(server, item.attempt->ended);
     removeActs(server, sender, *item.attempt, troubles);
   }
   if (item.form)

@@ -1,0 +1,225 @@
+#include "OpeningDialog.h"
+
+#include "../class/ClassDesk.h"
+#include "../class/ClassWords.h"
+#include "OpeningWords.h"
+
+#include <insonate/ui/Account.h>
+#include <insonate/ui/AttemptWords.h>
+#include <insonate/ui/Theme.h>
+#include <insonate/ui/Widgets.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDateTimeEdit>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+namespace insonate::review {
+namespace {
+
+constexpr int kTable_px = 760, kTable_rows_px = 190, kUsualLength_s = 2 * 60 * 60, kLongestCode = 32;
+enum OpeningColumn { kOpeningState, kTest, kWhom, kStart, kEnd, kCode, kOpenedBy, kOpeningColumns };
+
+QDateTimeEdit* timeField(const char* object, const QString& name, const QString& tip, const QDateTime& time) {
+  auto* field = ui::named(new QDateTimeEdit(time), object, name, tip);
+  field->setDisplayFormat(QStringLiteral("d MMM yyyy  HH:mm"));
+  field->setCalendarPopup(true);
+  return field;
+}
+
+std::int64_t timeIn(const QDateTimeEdit& field) {
+  return field.dateTime().toMSecsSinceEpoch() * 1000;
+}
+
+}  // namespace
+
+OpeningDialog::OpeningDialog(ClassDesk& desk, QWidget* parent)
+    : QDialog(parent),
+      desk_(desk),
+      cohort_(desk.facts()->cohort.id),
+      openings_(new QTableWidget),
+      test_(ui::choiceBox("openingTest", tr("Test"), tr("Level that is opened"))),
+      whom_(ui::choiceBox("openingWhom", tr("For"), tr("People for whom the test is opened"))),
+      ends_(new QCheckBox(tr("End"))),
+      code_(new QLineEdit),
+      open_(new QPushButton(tr("Open Test"))),
+      close_(ui::pushButton("openingClose", tr("Close Test"),
+                            tr("Ends the marked opening now; attempts that have begun still count"))),
+      said_(ui::paragraph("openingSaid")) {
+  setObjectName(QStringLiteral("openingDialog"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  const QString name = QString::fromStdString(desk_.facts()->cohort.name);
+  setWindowTitle(tr("Tests of %1").arg(name));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(ui::kLargeGap, ui::kLargeGap, ui::kLargeGap, ui::kLargeGap);
+  column->setSpacing(ui::kGap);
+  column->addWidget(ui::paragraph(
+      "openingAbout", "quiet",
+      tr("An attempt at a test counts only if the test is open when the attempt begins. Otherwise the attempt is "
+         "practice. A test is open for a time, for trainees who enter a code, or both.")));
+  column->addWidget(buildTable(), 1);
+  column->addWidget(buildForm());
+  column->addWidget(said_);
+  column->addWidget(buildButtons());
+  connect(&desk_, &ClassDesk::classChanged, this, [this] { refresh(); });
+  refresh();
+}
+
+QWidget* OpeningDialog::buildTable() {
+  ui::named(openings_, "openings", tr("Openings of tests, newest first"), tr("Openings of tests, newest first"));
+  openings_->setColumnCount(kOpeningColumns);
+  openings_->setHorizontalHeaderLabels(
+      {tr("State"), tr("Test"), tr("For"), tr("Start"), tr("End"), tr("Code"), tr("Opened by")});
+  openings_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  openings_->setSelectionMode(QAbstractItemView::SingleSelection);
+  openings_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  openings_->setTabKeyNavigation(false);
+  openings_->setShowGrid(false);
+  openings_->verticalHeader()->hide();
+  openings_->horizontalHeader()->setHighlightSections(false);
+  openings_->setMinimumSize(kTable_px, kTable_rows_px);
+  connect(openings_, &QTableWidget::currentCellChanged, this, [this] { showChosen(); });
+  return openings_;
+}
+
+QWidget* OpeningDialog::buildForm() {
+  const ClassFacts& facts = *desk_.facts();
+  for (const Level& level : facts.curriculum->levels)
+    if (level.assistance == Assistance::Test)
+      test_->addItem(QString::fromStdString(level.title), QString::fromStdString(level.name));
+  whom_->addItem(tr("the class %1").arg(QString::fromStdString(facts.cohort.name)));
+  if (desk_.administers()) whom_->addItem(tr("everyone"));
+  const QDateTime now = QDateTime::currentDateTime();
+  start_ = timeField("openingStart", tr("Start"), tr("Time from which attempts count; a past time means now"), now);
+  end_ = timeField("openingEnd", tr("End"), tr("Attempts that begin later are practice"), now.addSecs(kUsualLength_s));
+  ui::named(ends_, "openingEnds", tr("End"), tr("Without an end, the test stays open until you close it"));
+  ends_->setChecked(true);
+  connect(ends_, &QCheckBox::toggled, end_, &QWidget::setEnabled);
+  ui::named(code_, "openingCode", tr("Code"), tr("Trainees enter the code before their first attempt"));
+  code_->setPlaceholderText(tr("None"));
+  code_->setMaxLength(kLongestCode);
+  auto* part = new QWidget;
+  auto* form = new QFormLayout(part);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setVerticalSpacing(ui::kSmallGap);
+  form->addRow(tr("Test"), test_);
+  form->addRow(tr("For"), whom_);
+  form->addRow(tr("Start"), start_);
+  form->addRow(ends_, end_);
+  form->addRow(tr("Code"), code_);
+  return part;
+}
+
+QWidget* OpeningDialog::buildButtons() {
+  open_->setObjectName(QStringLiteral("openingOpen"));
+  open_->setToolTip(tr("Opens the test from its start on (Enter)"));
+  open_->setDefault(true);
+  ui::setRole(open_, "primary");
+  auto* done = ui::pushButton("openingDone", tr("Done"), tr("Back to the class (Esc)"));
+  connect(open_, &QPushButton::clicked, this, [this] { openTest(); });
+  connect(close_, &QPushButton::clicked, this, [this] { closeTest(); });
+  connect(done, &QPushButton::clicked, this, &QDialog::reject);
+  auto* part = new QWidget;
+  auto* row = new QHBoxLayout(part);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(ui::kGap);
+  row->addWidget(close_);
+  row->addStretch(1);
+  row->addWidget(done);
+  row->addWidget(open_);
+  return part;
+}
+
+void OpeningDialog::refresh() {
+  const ClassFacts* facts = desk_.facts();
+  // Another class, or another user: the openings that are shown here are no longer those of the page.
+  if (!facts || facts->cohort.id != cohort_ || !facts->curriculum) return reject();
+  const int before = openings_->currentRow();
+  openings_->setRowCount(int(facts->openings.size()));
+  for (int row = 0; row < openings_->rowCount(); ++row) {
+    const TestOpening& one = facts->openings[std::size_t(row)];
+    const OpeningState state = stateAt(one, facts->read_us);
+    const auto set = [&](int column, const QString& text) {
+      auto* item = new QTableWidgetItem(text);
+      item->setToolTip(plainToolTip(text));
+      openings_->setItem(row, column, item);
+    };
+    set(kOpeningState, signedWordOf(state));
+    set(kTest, levelTitle(&*facts->curriculum, one.level));
+    set(kWhom, one.cohort.empty() ? tr("everyone") : tr("the class"));
+    set(kStart, ui::dayAndTimeOf(one.start_us));
+    set(kEnd, one.closed_us ? tr("closed %1").arg(ui::dayAndTimeOf(*one.closed_us))
+              : one.end_us  ? ui::dayAndTimeOf(*one.end_us)
+                            : tr("none"));
+    set(kCode, one.hasCode ? tr("yes") : tr("no"));
+    set(kOpenedBy, QString::fromStdString(one.openedBy));
+  }
+  openings_->resizeColumnsToContents();
+  openings_->setCurrentCell(std::min(std::max(before, 0), openings_->rowCount() - 1), kOpeningState);
+  showChosen();
+}
+
+const TestOpening* OpeningDialog::chosen() const {
+  const ClassFacts* facts = desk_.facts();
+  const int row = openings_->currentRow();
+  return facts && row >= 0 && row < int(facts->openings.size()) ? &facts->openings[std::size_t(row)] : nullptr;
+}
+
+void OpeningDialog::showChosen() {
+  const TestOpening* one = chosen();
+  const OpeningState state = one ? stateAt(*one, desk_.facts()->read_us) : OpeningState::Ended;
+  close_->setEnabled((state == OpeningState::Open || state == OpeningState::Waiting) &&
+                     (desk_.administers() || !one->cohort.empty()));
+}
+
+NewOpening OpeningDialog::entered() const {
+  const bool isForAll = whom_->currentIndex() == 1;
+  NewOpening opening{.cohort = isForAll ? std::string() : cohort_,
+                     .curriculum = desk_.facts()->curriculum->name,
+                     .level = test_->currentData().toString().toStdString(),
+                     .start_us = timeIn(*start_),
+                     .code = code_->text().toStdString()};
+  if (ends_->isChecked()) opening.end_us = timeIn(*end_);
+  return opening;
+}
+
+void OpeningDialog::openTest() {
+  change(
+      [opening = entered()](const SignedIn& by) -> Result<bool> {
+        const auto opened = OpeningStore(by).open(opening);
+        return opened ? Result<bool>(true) : tl::unexpected(opened.error());
+      },
+      tr("'%1' is opened.").arg(test_->currentText()));
+}
+
+void OpeningDialog::closeTest() {
+  const TestOpening* one = chosen();
+  if (!one) return;
+  change(
+      [cohort = one->cohort, id = one->id](const SignedIn& by) -> Result<bool> {
+        const auto closed = OpeningStore(by).close(cohort, id);
+        return closed ? Result<bool>(true) : tl::unexpected(closed.error());
+      },
+      tr("'%1' is closed. Attempts that have begun still count.").arg(levelTitle(desk_.curriculum(), one->level)));
+}
+
+void OpeningDialog::change(std::function<Result<bool>(const SignedIn&)> change, const QString& done) {
+  for (QPushButton* one : {open_, close_}) one->setEnabled(false);
+  desk_.account()->ask<bool>(this, std::move(change), [this, done](const Result<bool>& changed) {
+    open_->setEnabled(true);
+    showChosen();
+    said_->setText(changed ? done : QStringLiteral("▲ ") + QString::fromStdString(changed.error().message));
+    if (!changed) return;
+    code_->clear();
+    desk_.refresh();
+  });
+}
+
+}  // namespace insonate::review

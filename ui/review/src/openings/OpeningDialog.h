@@ -1,0 +1,58 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/curriculum/OpeningStore.h>
+
+#include <QDialog>
+#include <QString>
+#include <functional>
+#include <string>
+
+class QCheckBox;
+class QComboBox;
+class QDateTimeEdit;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableWidget;
+
+namespace insonate {
+class SignedIn;
+}
+
+namespace insonate::review {
+
+class ClassDesk;
+
+/// Dialog in which an instructor opens tests of a class, sees all openings, and closes them. An administrator can also
+/// open a test for everyone.
+class OpeningDialog final : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit OpeningDialog(ClassDesk& desk, QWidget* parent = nullptr);
+
+ private:
+  QWidget* buildTable();
+  QWidget* buildForm();
+  QWidget* buildButtons();
+  void refresh();
+  void showChosen();
+  const TestOpening* chosen() const;
+  NewOpening entered() const;
+  void openTest();
+  void closeTest();
+  void change(std::function<Result<bool>(const SignedIn&)> change, const QString& done);
+
+  ClassDesk& desk_;
+  const std::string cohort_;  ///< the class that was shown when the dialog was opened
+  QTableWidget* openings_;
+  QComboBox *test_, *whom_;
+  QDateTimeEdit *start_, *end_;
+  QCheckBox* ends_;
+  QLineEdit* code_;
+  QPushButton *open_, *close_;
+  QLabel* said_;
+};
+
+}  // namespace insonate::review

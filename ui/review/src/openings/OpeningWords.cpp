@@ -1,0 +1,59 @@
+#include "OpeningWords.h"
+
+#include "../class/ClassWords.h"
+
+#include <insonate/ui/AttemptWords.h>
+#include <insonate/ui/Text.h>
+
+#include <QStringList>
+#include <algorithm>
+
+namespace insonate::review {
+namespace {
+
+/// "'Jugular test' until 20 Nov 2026 14:30, with a code"
+QString openingWords(const ClassFacts& facts, const TestOpening& opening, OpeningState state) {
+  QString words =
+      QStringLiteral("'%1'").arg(levelTitle(facts.curriculum ? &*facts.curriculum : nullptr, opening.level));
+  if (state == OpeningState::Waiting) words += tr(" from %1").arg(ui::dayAndTimeOf(opening.start_us));
+  words += opening.end_us ? tr(" until %1").arg(ui::dayAndTimeOf(*opening.end_us)) : tr(" until it is closed");
+  return opening.hasCode ? words + tr(", with a code") : words;
+}
+
+QString listedWords(const ClassFacts& facts, OpeningState state, std::int64_t now_us) {
+  QStringList words;
+  for (const TestOpening& one : facts.openings)
+    if (one.curriculum == facts.curriculum->name && stateAt(one, now_us) == state)
+      words << openingWords(facts, one, state);
+  return words.join(QStringLiteral("; "));
+}
+
+}  // namespace
+
+QString signedWordOf(OpeningState state) {
+  switch (state) {
+    case OpeningState::Waiting:
+      return tr("◔ waiting");
+    case OpeningState::Open:
+      return tr("● open");
+    case OpeningState::Ended:
+      return tr("○ ended");
+    case OpeningState::Closed:
+      break;
+  }
+  return tr("○ closed");
+}
+
+QString openTestsWords(const ClassFacts& facts, std::int64_t now_us) {
+  if (!facts.curriculum || !std::ranges::count(facts.curriculum->levels, Assistance::Test, &Level::assistance))
+    return {};
+  const QString open = listedWords(facts, OpeningState::Open, now_us);
+  const QString waiting = listedWords(facts, OpeningState::Waiting, now_us);
+  QStringList words;
+  words << (open.isEmpty() ? tr("○ No test is open: an attempt at a test is practice until you open the test")
+                           : tr("● Open tests: %1").arg(open));
+  if (!waiting.isEmpty()) words << tr("◔ Waiting: %1").arg(waiting);
+  return words.join(QStringLiteral("   ·   "));
+}
+
+}  // namespace insonate::review
