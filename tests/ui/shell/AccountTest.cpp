@@ -400,6 +400,9 @@ TEST_F(AccountWindow, AnEmptyWorkstationJoinsASiteAndPeopleSignInWithTheirPasswo
   signOut();
   signIn("anna", "of my own choice");
   EXPECT_TRUE(waitUntil([&] { return account().isSignedIn(); })) << "without the server, too";
+  signOut();
+  signIn("root", ServedSite::kPassword);
+  EXPECT_TRUE(waitUntil([&] { return trouble(dialogWith("signInName")).contains("signed in on this computer"); }));
 }
 
 TEST_F(AccountWindow, NoKeyMeansTwoThings) {

@@ -149,13 +149,18 @@ void Account::signIn(const QString& name, const QString& password, Done done) {
   open(
       [database = address_, name = name.toStdString(),
        password = password.toStdString()](const CurriculumStore& store) -> Result<Entered> {
-        if (const SiteSettings settings = readSiteSettings(database); settings.isHttp()) {
-          const auto site = siteUploadOf(store, settings, {});
-          if (!site) return tl::unexpected(site.error());
-          // Without connection, this computer knows those who have signed in here before.
-          if (const auto reached = site->signIn(name, password); !reached) return tl::unexpected(reached.error());
-        }
-        return store.signIn(name, password).map(asEntered);
+        const SiteSettings settings = readSiteSettings(database);
+        if (!settings.isHttp()) return store.signIn(name, password).map(asEntered);
+        const auto site = siteUploadOf(store, settings, {});
+        if (!site) return tl::unexpected(site.error());
+        const auto reached = site->signIn(name, password);
+        if (!reached) return tl::unexpected(reached.error());
+        auto session = store.signIn(name, password);
+        if (!session && *reached == SiteUpload::Reached::No)
+          return fail(tr("The server cannot be reached. Without it, only people who have signed in on this computer "
+                         "before can sign in, with the password that they had then.")
+                          .toStdString());
+        return session.map(asEntered);
       },
       std::move(done));
 }

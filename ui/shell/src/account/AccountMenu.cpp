@@ -262,8 +262,11 @@ void AccountMenu::askServer() {
   const QString last = site_.outcome().isEmpty() ? tr("Nothing was sent yet.") : site_.outcome();
   (new EntryDialog(
        tr("Server of the site"),
-       tr("Attempts and completed forms are sent to the server; people, classes and curricula come from it, and "
-          "everyone signs in with the password of the server. Without a server, all data stay on this computer. %1")
+       tr("Enter the address of your hospital's server and the token of this computer, which the server's "
+          "administrator "
+          "gives you.\n\nAttempts and completed forms are sent to the server; people, classes and curricula come from "
+          "it, and everyone signs in with the password of the server. Without a server, all data stay on this "
+          "computer.\n\n%1")
            .arg(last),
        {{"serverAddress", tr("Address"), tr("https://HOST, or postgresql://USER@HOST/DATABASE; empty: no server"),
          site_.server()},

@@ -72,7 +72,7 @@ using Digests = std::map<std::string, std::string>;
 struct Taught {
   Rows people{}, cohorts{}, memberships{};
   std::vector<KeptCurriculum> curricula{};
-  /// Of the workstation's attempts: id, voided_us, voided_by, void_reason; attempt, accepted_by; those that the server
+  /// Rows about the workstation's attempts: id, voided_us, voided_by, void_reason; attempt, accepted_by; those that the server
   /// could not verify: attempt, why; INSONATE_COMMENT_COLUMNS
   std::vector<Row> voided{}, accepted{}, refused{}, comments{};
   std::vector<Row> openings{};  ///< INSONATE_OPENING_COLUMNS
