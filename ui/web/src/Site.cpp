@@ -126,9 +126,14 @@ constexpr Route kRoutes[]{
     {"POST", "/password", Access::SignedIn, &changePassword},
     {"GET", "/me", Access::SignedIn, &showOwnTraining},
     {"GET", "/attempts/*", Access::SignedIn, &showAttempt},
+    {"POST", "/attempts/*/comments", Access::SignedIn, &addComment},
+    {"POST", "/attempts/*/comments/*/remove", Access::SignedIn, &removeComment},
     {"GET", "/classes", Access::SignedIn, &showClasses},
     {"GET", "/classes/*", Access::SignedIn, &showClass},
     {"GET", "/classes/*/people/*", Access::SignedIn, &showMember},
+    {"GET", "/classes/*/export/attempts.csv", Access::SignedIn, &exportClassAttempts},
+    {"GET", "/classes/*/export/grades.csv", Access::SignedIn, &exportClassGrades},
+    {"GET", "/classes/*/export/statements.json", Access::SignedIn, &exportClassStatements},
     {"GET", "/audit", Access::SignedIn, &showAudit},
 };
 
