@@ -114,6 +114,7 @@ Response plain(int status, std::string sentence) {
 
 struct HttpServer::Impl {
   Answer answer;
+  Refused refused;
   HttpLimits limits;
   Certificate certificate;
   ConnectionDeadlines deadlines;
@@ -126,6 +127,7 @@ struct HttpServer::Impl {
 
   void work(std::deque<Exchange*>& queue);
   bool submit(Exchange* exchange);
+  MHD_Result refuse(MHD_Connection* connection, const Response& response) const;
   MHD_Result begin(MHD_Connection* connection, const char* url, const char* method, void** state);
   MHD_Result take(Exchange& exchange, const char* data, std::size_t* size);
 
@@ -167,14 +169,19 @@ bool HttpServer::Impl::submit(Exchange* exchange) {
   return true;
 }
 
+MHD_Result HttpServer::Impl::refuse(MHD_Connection* connection, const Response& response) const {
+  if (refused) refused(response.status);
+  return send(connection, response);
+}
+
 MHD_Result HttpServer::Impl::begin(MHD_Connection* connection, const char* url, const char* method, void** state) {
   const char* length = MHD_lookup_connection_value(connection, MHD_HEADER_KIND, MHD_HTTP_HEADER_CONTENT_LENGTH);
   std::size_t announced_bytes = 0;
   if (length) std::from_chars(length, length + std::strlen(length), announced_bytes);
   int lengths = 0;
   MHD_get_connection_values(connection, MHD_HEADER_KIND, &countLengths, &lengths);
-  if (lengths > 1) return send(connection, plain(400, "The length of the request is stated twice."));
-  if (announced_bytes > kLargestBody_bytes) return send(connection, plain(413, "The request is too large."));
+  if (lengths > 1) return refuse(connection, plain(400, "The length of the request is stated twice."));
+  if (announced_bytes > kLargestBody_bytes) return refuse(connection, plain(413, "The request is too large."));
   auto* exchange = new Exchange{
       .connection = connection, .socket = socketOf(connection), .request = requestOf(connection, url, method)};
   *state = exchange;
@@ -193,12 +200,12 @@ MHD_Result HttpServer::Impl::take(Exchange& exchange, const char* data, std::siz
     return send(exchange.connection, exchange.response);
   }
   if (exchange.body.size() > kLargestBody_bytes)
-    return send(exchange.connection, plain(413, "The request is too large."));
+    return refuse(exchange.connection, plain(413, "The request is too large."));
   exchange.request.form = fieldsOfForm(exchange.body);
   if (submit(&exchange)) return MHD_YES;
   Response busy = plain(503, "The server is busy. Try again in a few seconds.");
   busy.headers.emplace_back("Retry-After", "5");
-  return send(exchange.connection, busy);
+  return refuse(exchange.connection, busy);
 }
 
 MHD_Result HttpServer::Impl::onRequest(void* self, MHD_Connection* connection, const char* url, const char* method,
@@ -230,10 +237,11 @@ void HttpServer::Impl::onEnd(void* self, MHD_Connection* connection, void** stat
 HttpServer::HttpServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 Result<std::unique_ptr<HttpServer>> HttpServer::start(const WebOptions& options, Answer answer,
-                                                      const HttpLimits& limits) {
+                                                      const HttpLimits& limits, Refused refused) {
   auto impl = std::make_unique<Impl>();
   impl->answer = std::move(answer);
   impl->limits = limits;
+  impl->refused = std::move(refused);
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(static_cast<std::uint16_t>(options.port));
