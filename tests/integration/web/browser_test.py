@@ -10,8 +10,10 @@ import sys
 
 try:
     from selenium import webdriver
+    from selenium.common.exceptions import TimeoutException
     from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.common.by import By
+    from selenium.webdriver.support.ui import WebDriverWait
 except ImportError:
     print("Skipped: python3-selenium is not installed")
     sys.exit(77)
@@ -26,7 +28,7 @@ MOST_OF_A_KIND = 1
 # What a screen reader and a person with weak sight need: names of controls, labels of fields, one main heading, contrast.
 CHECKS = """
 const found = [];
-for (const field of document.querySelectorAll('input:not([type=hidden], [hidden]), select'))
+for (const field of document.querySelectorAll('input:not([type=hidden], [hidden]), select, textarea'))
   if (!field.labels || !field.labels.length || !field.labels[0].textContent.trim()) found.push('no label: ' + field.outerHTML);
 for (const one of document.querySelectorAll('a[href], button, summary'))
   if (!one.textContent.trim()) found.push('no name: ' + one.outerHTML);
@@ -110,6 +112,40 @@ def walk(driver, base, label, folder):
         yield f"{label}: no attempt was reached, only {sorted(opened)}"
 
 
+def comment(driver, base, folder):
+    """An instructor comments on an attempt, and its trainee reads the comment. Yields what is wrong."""
+    sign_in(driver, base, "made-up-001")
+    attempt = driver.find_element(By.CSS_SELECTOR, "main a[href*='/attempts/']").get_attribute("href")
+    driver.delete_all_cookies()
+    # The session has ended: the page that was asked for comes after signing in.
+    driver.get(attempt)
+    driver.find_element(By.NAME, "name").send_keys("made-up-teacher")
+    driver.find_element(By.NAME, "password").send_keys(PASSWORD)
+    driver.find_element(By.CSS_SELECTOR, "main button").click()
+    try:
+        WebDriverWait(driver, 30).until(lambda _: driver.current_url == attempt)
+    except TimeoutException:
+        yield f"signing in leads to {driver.current_url}, not to {attempt}"
+    for time, expected in {"soon": "is no time", "0:01": "Hold the probe still."}.items():
+        field = driver.find_element(By.NAME, "at")
+        field.clear()
+        field.send_keys(time)
+        text = driver.find_element(By.NAME, "text")
+        text.clear()
+        text.send_keys("Hold the probe still.")
+        driver.find_element(By.XPATH, "//button[text()='Add comment']").click()
+        if expected not in driver.find_element(By.TAG_NAME, "main").text:
+            yield f"a comment at '{time}' does not say '{expected}'"
+        for sentence in driver.execute_script(CHECKS):
+            yield f"comment at {time}: {sentence}"
+        if folder:
+            driver.save_screenshot(str(folder / f"comment-{time.replace(':', '-')}.png"))
+    sign_in(driver, base, "made-up-001")
+    driver.get(attempt)
+    if "Hold the probe still." not in driver.find_element(By.TAG_NAME, "main").text:
+        yield "the trainee does not see the comment"
+
+
 def main():
     if not DRIVER.exists():
         print("Skipped: chromium-driver is not installed")
@@ -117,7 +153,8 @@ def main():
     folder = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
     if folder:
         folder.mkdir(parents=True, exist_ok=True)
-    server = subprocess.Popen([sys.argv[1], "--demo", "--listen", "127.0.0.1:0"], stdout=subprocess.PIPE, text=True)
+    server = subprocess.Popen([sys.argv[1], "--demo", "--listen", "127.0.0.1:0"], stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL, text=True)
     try:
         base = next(match.group(0) for line in server.stdout if (match := re.search(r"http://\S+", line)))
         troubles = []
@@ -127,6 +164,7 @@ def main():
                 for name, role in ROLES.items():
                     sign_in(driver, base, name)
                     troubles += walk(driver, base, f"{width_name} {role}", folder)
+                troubles += comment(driver, base, folder)
                 driver.find_element(By.XPATH, "//button[text()='Sign out']").click()
                 if "Sign in" not in driver.title:
                     troubles.append(f"{width_name}: signing out leads to '{driver.title}'")

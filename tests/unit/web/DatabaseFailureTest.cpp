@@ -62,6 +62,23 @@ TEST(WebDatabaseFailure, JunkInTheDatabaseEndsRequestsOfNewThreads) {
   }).join();
 }
 
+TEST(WebDatabaseFailure, AServerThatIsAwayIsSaidUntilItIsBack) {
+  PostgresServer* server = PostgresServer::shared();
+  if (!server) GTEST_SKIP() << "PostgreSQL 15 is not installed";
+  const StoreRig rig(Place::Server);
+  const WebSchool school(rig.open());
+  const std::string anna = school.signIn("anna");
+  server->crash();
+  for (const web::Response& response :
+       {school.get("/me", anna), school.post("/sign-in", {{"name", "anna"}, {"password", kPassword}})}) {
+    EXPECT_EQ(response.status, 503);
+    EXPECT_THAT(response.body,
+                AllOf(HasSubstr("database cannot be used"), Not(HasSubstr("postgresql")), Not(HasSubstr("127.0.0.1"))));
+  }
+  server->start();
+  EXPECT_EQ(school.get("/me", anna).status, 200) << "the session goes on";
+}
+
 TEST(WebDatabaseFailure, RefusalsAreNoFailures) {
   const StoreRig rig;
   const WebSchool school(rig.open());

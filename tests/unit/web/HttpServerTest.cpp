@@ -56,8 +56,9 @@ class RawClient {
   bool connected_ = false, isEnded_ = false;
 };
 
-std::unique_ptr<HttpServer> serving(const HttpServer::Answer& answer, const HttpLimits& limits = {}) {
-  auto server = HttpServer::start({.port = 0}, answer, limits);
+std::unique_ptr<HttpServer> serving(const HttpServer::Answer& answer, const HttpLimits& limits = {},
+                                    const HttpServer::Refused& refused = {}) {
+  auto server = HttpServer::start({.port = 0}, answer, limits, refused);
   if (!server) throw std::runtime_error(server.error().message);
   return std::move(*server);
 }
@@ -90,11 +91,13 @@ TEST(WebHttpServer, PassesTheRequestOn) {
 }
 
 TEST(WebHttpServer, RefusesWhatIsTooLargeOrNoRequest) {
-  std::atomic<int> answered = 0;
-  const auto server = serving([&](const Request& request) {
-    ++answered;
-    return echo(request);
-  });
+  std::atomic<int> answered = 0, tooLarge = 0;
+  const auto server = serving(
+      [&](const Request& request) {
+        ++answered;
+        return echo(request);
+      },
+      {}, [&](int status) { tooLarge += status == 413 ? 1 : 0; });
   const std::string large(HttpServer::kLargestBody_bytes + 1, 'a');
   EXPECT_THAT(
       RawClient(server->port())
@@ -104,6 +107,7 @@ TEST(WebHttpServer, RefusesWhatIsTooLargeOrNoRequest) {
   for (int i = 0; i < 20; ++i) chunked += "1000\r\n" + std::string(4096, 'a') + "\r\n";
   EXPECT_THAT(RawClient(server->port()).ask(chunked + "0\r\n\r\n"), StartsWith("HTTP/1.1 413"));
   EXPECT_EQ(answered, 0);
+  EXPECT_EQ(tooLarge, 2);
   EXPECT_THAT(
       RawClient(server->port()).ask("GET / HTTP/1.1\r\n" + kClose + "X: " + std::string(40'000, 'a') + "\r\n\r\n"),
       HasSubstr(" 4"));

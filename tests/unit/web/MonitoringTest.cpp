@@ -98,6 +98,10 @@ TEST(WebLog, HasOneObjectARequestAndNoPersonalData) {
   EXPECT_TRUE(entry["ms"].is_number());
   EXPECT_EQ(nlohmann::json::parse(log[3].second)["route"], "other");
   EXPECT_EQ(nlohmann::json::parse(log[4].second)["method"], "other");
+  school.site.noteRefused(413);
+  EXPECT_EQ(nlohmann::json::parse(log[5].second)["route"], "refused");
+  EXPECT_THAT(school.site.answer(WebSchool::fromHere("/metrics")).body,
+              HasSubstr("{method=\"other\",route=\"refused\",status=\"413\"} 1\n"));
 }
 
 TEST(WebLog, AFailureOfTheDatabaseIsLoggedWithItsPlace) {

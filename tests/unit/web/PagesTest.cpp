@@ -1,8 +1,12 @@
 #include "WebRig.h"
 #include "page/Charts.h"
+#include "page/Page.h"
 
 #include <insonate/curriculum/Unlocking.h>
 #include <insonate/teaching/HeatMap.h>
+
+#include <QDateTime>
+#include <algorithm>
 
 namespace insonate::test {
 namespace {
@@ -46,6 +50,34 @@ TEST_F(WebPages, ATestThatWasNotOpenIsPractice) {
   EXPECT_THAT(attempt, HasSubstr("Practice, the test was not open: would fail"));
   EXPECT_THAT(school.get("/me", secret).body, HasSubstr("an attempt counts if an instructor has opened the test"));
   EXPECT_THAT(school.get("/attempts/" + school.annas, secret).body, Not(HasSubstr("<dt>Test</dt>")));
+}
+
+TEST_F(WebPages, TimesHaveTheirZone) {
+  const std::string html = web::timeOf(kToday_us).html();
+  EXPECT_THAT(html, HasSubstr("datetime=\"2026-11-22T00:00:00Z\""));
+  const std::string zone = QDateTime::fromMSecsSinceEpoch(kToday_us / 1000).timeZoneAbbreviation().toStdString();
+  ASSERT_FALSE(zone.empty());
+  EXPECT_THAT(html, HasSubstr(" " + zone + "</time>"));
+}
+
+TEST_F(WebPages, WordsOfTheFieldAreExplainedWhereTheyStand) {
+  const WebSchool school(rig.open());
+  const std::string admin = school.signIn("admin");
+  EXPECT_THAT(school.get("/attempts/" + school.annas, admin).body,
+              HasSubstr("proven<span class=\"quiet\">: the recording"));
+  EXPECT_THAT(school.get("/audit", admin).body, HasSubstr("Act: what this user did or tried."));
+  const Curriculum curriculum = valueOf(loadCurriculum("central_line"));
+  const auto level =
+      std::ranges::find_if(curriculum.levels, [](const Level& one) { return one.mastery.cusum.has_value(); });
+  ASSERT_NE(level, curriculum.levels.end());
+  EXPECT_THAT(school.get("/me?level=" + level->name, school.signIn("anna")).body,
+              HasSubstr("LC-CUSUM is a score that rises with each pass"));
+}
+
+TEST_F(WebPages, APageOfTheLogWithoutEntriesSaysSo) {
+  const WebSchool school(rig.open());
+  EXPECT_THAT(school.get("/audit?before=1", school.signIn("admin")).body,
+              AllOf(HasSubstr("There are no entries before number 1."), Not(HasSubstr("<table"))));
 }
 
 TEST_F(WebPages, AVoidedAttemptSaysWhy) {

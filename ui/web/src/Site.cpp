@@ -130,9 +130,14 @@ constexpr Route kRoutes[]{
     {"POST", "/password", Access::SignedIn, &changePassword},
     {"GET", "/me", Access::SignedIn, &showOwnTraining},
     {"GET", "/attempts/*", Access::SignedIn, &showAttempt},
+    {"POST", "/attempts/*/comments", Access::SignedIn, &addComment},
+    {"POST", "/attempts/*/comments/*/remove", Access::SignedIn, &removeComment},
     {"GET", "/classes", Access::SignedIn, &showClasses},
     {"GET", "/classes/*", Access::SignedIn, &showClass},
     {"GET", "/classes/*/people/*", Access::SignedIn, &showMember},
+    {"GET", "/classes/*/export/attempts.csv", Access::SignedIn, &exportClassAttempts},
+    {"GET", "/classes/*/export/grades.csv", Access::SignedIn, &exportClassGrades},
+    {"GET", "/classes/*/export/statements.json", Access::SignedIn, &exportClassStatements},
     {"GET", "/audit", Access::SignedIn, &showAudit},
 };
 
@@ -187,7 +192,9 @@ Response Site::answer(const Request& request) const {
     response.headers.emplace_back("Retry-After", "30");
   }
   addProtection(response, options_);
-  note(request, route, response, std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count());
+  const bool isUsual = request.method == "GET" || request.method == "POST";
+  note(isUsual ? request.method : "other", std::string(nameOf(route)), response.status,
+       std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count());
   return response;
 }
 
@@ -230,15 +237,17 @@ Response Site::answerPage(const Visit& visit, const Route& route) const {
   return route.answer(visit, *partsOf(route.path, request.path));
 }
 
-void Site::note(const Request& request, const Route* route, const Response& response, double seconds) const {
-  const std::string method = request.method == "GET" || request.method == "POST" ? request.method : "other";
-  const std::string path(nameOf(route));
-  metrics_.count(method, path, response.status, seconds);
+void Site::noteRefused(int status) const {
+  note("other", "refused", status, 0);
+}
+
+void Site::note(const std::string& method, const std::string& route, int status, double seconds) const {
+  metrics_.count(method, route, status, seconds);
   if (!options_.log) return;
   const nlohmann::ordered_json object{{"event", "request"},
                                       {"method", method},
-                                      {"route", path},
-                                      {"status", response.status},
+                                      {"route", route},
+                                      {"status", status},
                                       {"ms", std::round(seconds * 1e4) / 10}};
   options_.log(LogLevel::Info, object.dump());
 }

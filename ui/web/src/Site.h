@@ -21,12 +21,14 @@ class Site {
   Site(CurriculumStore store, WebOptions options) : store_(std::move(store)), options_(std::move(options)) {}
 
   Response answer(const Request& request) const;
+  /// Counts and logs a request that the connection refused (HttpServer::Refused).
+  void noteRefused(int status) const;
 
  private:
   Response answerRoute(const Request& request, const Route* route) const;
   Response answerPage(const Visit& visit, const Route& route) const;
   Visit visitOf(const Request& request) const;
-  void note(const Request& request, const Route* route, const Response& response, double seconds) const;
+  void note(const std::string& method, const std::string& route, int status, double seconds) const;
   void noteFailure(const Route* route, const char* event, const std::string& sentence) const;
 
   CurriculumStore store_;

@@ -49,8 +49,9 @@ WebServer& WebServer::operator=(WebServer&&) noexcept = default;
 Result<WebServer> WebServer::start(const CurriculumStore& store, const WebOptions& options) {
   if (auto ok = checkOptions(options); !ok) return tl::unexpected(ok.error());
   auto impl = std::make_unique<Impl>(store, options);
-  auto http =
-      HttpServer::start(options, [site = &impl->site](const Request& request) { return site->answer(request); });
+  auto http = HttpServer::start(
+      options, [site = &impl->site](const Request& request) { return site->answer(request); }, {},
+      [site = &impl->site](int status) { site->noteRefused(status); });
   if (!http) return tl::unexpected(http.error());
   impl->http = std::move(*http);
   impl->verifier = std::make_unique<Verifier>(store, options.log);

@@ -227,10 +227,14 @@ std::string leftOutSentence(std::span<const LeftOutAttempt> leftOut) {
   return sentence + ").";
 }
 
-Result<void> writeXapi(const std::filesystem::path& file, std::span<const std::string> statements) {
+std::string xapiText(std::span<const std::string> statements) {
   std::string text = "[";
   for (std::size_t i = 0; i < statements.size(); ++i) text += (i ? ",\n" : "\n") + statements[i];
-  return writeAtomically(file, text + "\n]\n");
+  return text + "\n]\n";
+}
+
+Result<void> writeXapi(const std::filesystem::path& file, std::span<const std::string> statements) {
+  return writeAtomically(file, xapiText(statements));
 }
 
 }  // namespace insonate

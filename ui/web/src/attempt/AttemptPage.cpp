@@ -1,9 +1,11 @@
 #include "attempt/AttemptPage.h"
 
+#include "comments/Comments.h"
 #include "person/PersonPage.h"
 
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/curriculum/AttemptTable.h>
+#include <insonate/curriculum/CommentStore.h>
 #include <insonate/curriculum/Implausible.h>
 #include <insonate/curriculum/Judgement.h>
 #include <insonate/curriculum/PeopleStore.h>
@@ -29,6 +31,26 @@ Markup term(std::string_view name, const Markup& value) {
   return element("dt", {}, name) + element("dd", {}, value);
 }
 
+/// Explains the word for an attempt's origin to those who read it for the first time.
+std::string originNote(AttemptProof proof) {
+  switch (proof) {
+    case AttemptProof::Proven:
+      return ": the recording is complete, unchanged and this person's own";
+    case AttemptProof::Verifying:
+      return ": the server computes the result again from the recording; a pass counts after that";
+    case AttemptProof::Accepted:
+      return ": it was not proven, and an instructor accepted it";
+    case AttemptProof::Earlier:
+      return ": stored by a version that did not prove attempts yet";
+    case AttemptProof::Demonstration:
+      return ": person and attempt are made up";
+    case AttemptProof::Unproven:
+      break;
+  }
+  return ": nothing shows that the recording is this person's own and complete; a pass counts after an instructor "
+         "accepted it";
+}
+
 Markup attemptFacts(const AttemptFacts& attempt, const Person& person, const Level* level) {
   Markup list = term("Person", text(displayName(person))) + term("Begun", timeOf(attempt.begun_us)) +
                 term("Level", text(level                   ? level->title
@@ -37,7 +59,8 @@ Markup attemptFacts(const AttemptFacts& attempt, const Person& person, const Lev
                 term("Case", text(attempt.caseName)) +
                 term("Duration", text(numberOf(double(attempt.length_us / 100'000) / 10) + " s"));
   if (attempt.points) list += term("Points", text(numberOf(*attempt.points) + " of 100"));
-  list += term("Origin", text(wordOf(attempt.proof)));
+  list +=
+      term("Origin", text(wordOf(attempt.proof)) + element("span", {{"class", "quiet"}}, originNote(attempt.proof)));
   if (level && level->assistance == Assistance::Test) list += term("Test", text(wordOf(attempt.sitting)));
   return element("dl", {}, list);
 }
@@ -79,10 +102,18 @@ Markup flagSection(const AttemptFacts& attempt) {
   return section("Implausible", paragraph("An instructor should look at this attempt:") + element("ul", {}, items));
 }
 
-}  // namespace
+/// The query by which a page of the attempt leads back to this one.
+std::string queryOf(const Visit& visit) {
+  const std::string& cohort = valueOf(visit.request.query, "class");
+  return cohort.empty() ? "" : "?class=" + encoded(cohort);
+}
 
-Response showAttempt(const Visit& visit, const Parts& parts) {
-  const auto kept = AttemptStore(*visit.by).attempt(parts[0]);
+std::string addressOf(const Visit& visit, const std::string& attempt) {
+  return "/attempts/" + encoded(attempt) + queryOf(visit);
+}
+
+Response attemptPage(const Visit& visit, const std::string& id, const CommentDraft& draft, int status) {
+  const auto kept = AttemptStore(*visit.by).attempt(id);
   if (!kept) return refusal(visit, 404, kept.error().message);
   const auto person = PeopleStore(*visit.by).person(kept->facts.person);
   if (!person) return refusal(visit, 403, person.error().message);
@@ -91,9 +122,34 @@ Response showAttempt(const Visit& visit, const Parts& parts) {
   const std::string outcome = outcomeWords(kept->facts, rules ? &*rules : nullptr);
   Markup content = element("p", {{"class", "outcome"}}, outcome);
   if (!kept->voidReason.empty()) content += paragraph("Reason: " + kept->voidReason);
-  content += attemptFacts(kept->facts, *person, level) + metricSection(kept->facts, level);
+  content += attemptFacts(kept->facts, *person, level);
+  const auto comments = commentSection(visit, kept->facts, queryOf(visit), draft);
+  if (!comments) return refusal(visit, 403, comments.error().message);
+  content += *comments + metricSection(kept->facts, level);
   if (visit.by->person().role != Role::Trainee) content += flagSection(kept->facts);
-  return page(visit, "Attempt", content);
+  return page(visit, "Attempt", content, status);
+}
+
+}  // namespace
+
+Response showAttempt(const Visit& visit, const Parts& parts) {
+  return attemptPage(visit, parts[0], {}, 200);
+}
+
+Response addComment(const Visit& visit, const Parts& parts) {
+  CommentDraft draft{.time = valueOf(visit.request.form, "at"), .text = valueOf(visit.request.form, "text")};
+  const auto at_us = recordingTime(draft.time);
+  const auto added = at_us ? CommentStore(*visit.by).add(parts[0], *at_us, draft.text)
+                           : Result<std::string>(tl::unexpected(at_us.error()));
+  if (added) return redirect(addressOf(visit, parts[0]));
+  draft.trouble = added.error().message;
+  return attemptPage(visit, parts[0], draft, 400);
+}
+
+Response removeComment(const Visit& visit, const Parts& parts) {
+  if (auto removed = CommentStore(*visit.by).remove(parts[0], parts[1]); !removed)
+    return refusal(visit, 403, removed.error().message);
+  return redirect(addressOf(visit, parts[0]));
 }
 
 }  // namespace insonate::web

@@ -6,5 +6,9 @@ namespace insonate::web {
 
 /// Shows the result of an attempt, whose id is the only part, by the rules of the class named by the query's "class".
 Response showAttempt(const Visit& visit, const Parts& parts);
+/// Adds a comment to the attempt whose id is the only part, at the form's time "at" with its text "text".
+Response addComment(const Visit& visit, const Parts& parts);
+/// Removes a comment: parts are the ids of attempt and comment.
+Response removeComment(const Visit& visit, const Parts& parts);
 
 }  // namespace insonate::web

@@ -33,7 +33,17 @@ Response showAudit(const Visit& visit, const Parts& /*parts*/) {
     rows.push_back({text(std::to_string(one.number)), timeOf(one.time_us), nameOf(one.actor), text(one.act),
                     nameOf(one.person), text(one.allowed ? "allowed" : "refused"), text(one.detail),
                     text(one.workstation)});
+  if (rows.empty())
+    return page(visit, "Audit log",
+                paragraph(before > 0 ? "There are no entries before number " + std::to_string(before) + "."
+                                     : "There are no entries yet.") +
+                    (before > 0 ? element("p", {}, link("/audit", "Newest entries")) : Markup()));
   Markup content =
+      note(
+          "Each access to the data of others, each change and each refusal. Who: the user who acted. Act: what this "
+          "user "
+          "did or tried. About: the person whose data were concerned. Computer: the workstation or server where it "
+          "happened.") +
       table("Entries, newest first", {"Number", "Time", "Who", "Act", "About", "Outcome", "Detail", "Computer"}, rows);
   if (static_cast<int>(entries->size()) == kEntries)
     content += element("p", {}, link("/audit?before=" + std::to_string(entries->back().number), "Earlier entries"));

@@ -125,6 +125,32 @@ Markup skillSection(const ClassFacts& facts) {
                      table("Skill by metric", titles, rows));
 }
 
+Markup exportForm(const std::string& address, const Markup& field, std::string_view button) {
+  return element("form", {{"method", "get"}, {"action", address}, {"class", "line"}},
+                 field + element("button", {{"type", "submit"}}, button));
+}
+
+Markup exportSection(const Visit& visit, const ClassFacts& facts) {
+  const std::string address = "/classes/" + encoded(facts.cohort.id) + "/export/";
+  Markup content = exportForm(address + "attempts.csv", note("All attempts with their metrics, for spreadsheets (CSV)"),
+                              "Save attempts");
+  if (!facts.curriculum) return section("Export", content);
+  content += exportForm(
+      address + "grades.csv",
+      note("Share of mastered levels, for Moodle (CSV). Trainees without attempts are left out; by e-mail, those "
+           "without "
+           "an address, too.") +
+          choiceField("Identify trainees by", "by", {{"email", "e-mail address"}, {"name", "name"}}, "email"),
+      "Save grades");
+  const std::string home = "https://" + valueOf(visit.request.headers, "host");
+  content += exportForm(address + "statements.json",
+                        note("Attempts as statements of the Experience API (xAPI 1.0.3), for a learning record store. "
+                             "Attempts that do not count are left out.") +
+                            inputField("Address of your site, always the same", "home", "url", "url", home),
+                        "Save statements");
+  return section("Export", content);
+}
+
 }  // namespace
 
 Response showClasses(const Visit& visit, const Parts& /*parts*/) {
@@ -148,7 +174,8 @@ Response showClass(const Visit& visit, const Parts& parts) {
   if (cohort == cohorts->end()) return refusal(visit, 404, "There is no such class, or it is not yours.");
   const auto facts = readClass(*visit.by, *cohort);
   if (!facts) return refusal(visit, 403, facts.error().message);
-  return page(visit, facts->cohort.name, attentionSection(*facts) + memberSection(*facts) + skillSection(*facts));
+  return page(visit, facts->cohort.name,
+              attentionSection(*facts) + memberSection(*facts) + skillSection(*facts) + exportSection(visit, *facts));
 }
 
 }  // namespace insonate::web

@@ -124,6 +124,7 @@ bool isOfWorkstation(const Request& request) {
 
 struct HttpServer::Impl {
   Answer answer;
+  Refused refused;
   HttpLimits limits;
   Certificate certificate;
   ConnectionDeadlines deadlines;
@@ -137,6 +138,7 @@ struct HttpServer::Impl {
 
   void work(std::deque<Exchange*>& queue);
   bool submit(Exchange* exchange);
+  MHD_Result refuse(MHD_Connection* connection, const Response& response) const;
   MHD_Result begin(MHD_Connection* connection, const char* url, const char* method, void** state);
   MHD_Result take(Exchange& exchange, const char* data, std::size_t* size);
 
@@ -180,16 +182,21 @@ bool HttpServer::Impl::submit(Exchange* exchange) {
   return true;
 }
 
+MHD_Result HttpServer::Impl::refuse(MHD_Connection* connection, const Response& response) const {
+  if (refused) refused(response.status);
+  return send(connection, response);
+}
+
 MHD_Result HttpServer::Impl::begin(MHD_Connection* connection, const char* url, const char* method, void** state) {
   const char* length = MHD_lookup_connection_value(connection, MHD_HEADER_KIND, MHD_HTTP_HEADER_CONTENT_LENGTH);
   std::size_t announced_bytes = 0;
   if (length) std::from_chars(length, length + std::strlen(length), announced_bytes);
   int lengths = 0;
   MHD_get_connection_values(connection, MHD_HEADER_KIND, &countLengths, &lengths);
-  if (lengths > 1) return send(connection, plain(400, "The length of the request is stated twice."));
+  if (lengths > 1) return refuse(connection, plain(400, "The length of the request is stated twice."));
   Request request = requestOf(connection, url, method);
   const std::size_t largest_bytes = isOfWorkstation(request) ? kLargestBodyOfWorkstation_bytes : kLargestBody_bytes;
-  if (announced_bytes > largest_bytes) return send(connection, plain(413, "The request is too large."));
+  if (announced_bytes > largest_bytes) return refuse(connection, plain(413, "The request is too large."));
   auto* exchange = new Exchange{.connection = connection,
                                 .socket = socketOf(connection),
                                 .request = std::move(request),
@@ -216,14 +223,14 @@ MHD_Result HttpServer::Impl::take(Exchange& exchange, const char* data, std::siz
     return send(exchange.connection, exchange.response);
   }
   if (exchange.isCut && exchange.request.body.size() <= exchange.largest_bytes)
-    return send(exchange.connection, plain(503, "The server is busy. Try again in a few seconds."));
+    return refuse(exchange.connection, plain(503, "The server is busy. Try again in a few seconds."));
   if (exchange.isCut || exchange.request.body.size() > exchange.largest_bytes)
-    return send(exchange.connection, plain(413, "The request is too large."));
+    return refuse(exchange.connection, plain(413, "The request is too large."));
   if (!isOfWorkstation(exchange.request)) exchange.request.form = fieldsOfForm(exchange.request.body);
   if (submit(&exchange)) return MHD_YES;
   Response busy = plain(503, "The server is busy. Try again in a few seconds.");
   busy.headers.emplace_back("Retry-After", "5");
-  return send(exchange.connection, busy);
+  return refuse(exchange.connection, busy);
 }
 
 MHD_Result HttpServer::Impl::onRequest(void* self, MHD_Connection* connection, const char* url, const char* method,
@@ -256,10 +263,11 @@ void HttpServer::Impl::onEnd(void* self, MHD_Connection* connection, void** stat
 HttpServer::HttpServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 Result<std::unique_ptr<HttpServer>> HttpServer::start(const WebOptions& options, Answer answer,
-                                                      const HttpLimits& limits) {
+                                                      const HttpLimits& limits, Refused refused) {
   auto impl = std::make_unique<Impl>();
   impl->answer = std::move(answer);
   impl->limits = limits;
+  impl->refused = std::move(refused);
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(static_cast<std::uint16_t>(options.port));

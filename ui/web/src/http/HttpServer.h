@@ -25,12 +25,14 @@ struct HttpLimits {
 class HttpServer {
  public:
   using Answer = std::function<Response(const Request&)>;
+  /// Takes the status of a request that was refused before it reached `answer`: too large, ambiguous, or too many.
+  using Refused = std::function<void(int status)>;
   static constexpr std::size_t kLargestBody_bytes = 64 << 10, kLargestBodyOfWorkstation_bytes = 4 << 20;
 
   /// Starts to listen. Fails if the address is in use or if certificate and key cannot be used. `answer` is called on
-  /// several threads at the same time and must not throw.
+  /// several threads at the same time and must not throw; so is `refused`, which may be empty.
   static Result<std::unique_ptr<HttpServer>> start(const WebOptions& options, Answer answer,
-                                                   const HttpLimits& limits = {});
+                                                   const HttpLimits& limits = {}, Refused refused = {});
   /// Finishes the requests in progress, answers those that wait with status 503, then stops.
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;

@@ -51,6 +51,12 @@ Response redirect(const std::string& address) {
   return {.status = 303, .headers = {{"Location", address}}};
 }
 
+Response download(const std::string& fileName, const std::string& type, std::string content) {
+  return {.type = type,
+          .body = std::move(content),
+          .headers = {{"Content-Disposition", "attachment; filename=\"" + fileName + "\""}}};
+}
+
 Markup postForm(const Visit& visit, const std::string& address, const Markup& content, std::string_view button) {
   Markup inside;
   if (!visit.secret.empty())
@@ -68,6 +74,13 @@ Markup inputField(std::string_view label, const std::string& name, const std::st
                                                  {"required", ""},
                                                  {"maxlength", "200"},
                                                  {"autocomplete", completion}}));
+}
+
+Markup textField(std::string_view label, const std::string& name, const std::string& value) {
+  return element(
+      "label", {},
+      text(label) +
+          element("textarea", {{"name", name}, {"required", ""}, {"maxlength", "4000"}, {"rows", "4"}}, value));
 }
 
 Markup choiceField(std::string_view label, const std::string& name,
@@ -95,10 +108,20 @@ Markup paragraph(std::string_view sentence) {
   return element("p", {}, sentence);
 }
 
+Markup note(std::string_view sentence) {
+  return element("p", {{"class", "quiet"}}, sentence);
+}
+
+Markup troubleLine(std::string_view sentence) {
+  return element("p", {{"class", "trouble"}, {"role", "alert"}}, sentence);
+}
+
 Markup timeOf(std::int64_t time_us) {
   const QDateTime time = QDateTime::fromMSecsSinceEpoch(time_us / 1000);
   return element("time", {{"datetime", time.toUTC().toString(Qt::ISODate).toStdString()}},
-                 QLocale(QLocale::English).toString(time, QStringLiteral("d MMM yyyy, HH:mm")).toStdString());
+                 (QLocale(QLocale::English).toString(time, QStringLiteral("d MMM yyyy, HH:mm")) + QLatin1Char(' ') +
+                  time.timeZoneAbbreviation())
+                     .toStdString());
 }
 
 std::string displayName(const Person& person) {

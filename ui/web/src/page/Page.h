@@ -38,12 +38,17 @@ Response refusal(const Visit& visit, int status, std::string_view sentence);
 /// Returns an answer that sends the browser to another address of this server by GET.
 Response redirect(const std::string& address);
 
+/// Returns a file that the browser saves under this name.
+Response download(const std::string& fileName, const std::string& type, std::string content);
+
 /// Returns a form that sends POST to `address`, with the code of the user's session.
 Markup postForm(const Visit& visit, const std::string& address, const Markup& content, std::string_view button);
 /// Returns a labeled field. `type`: "text" or "password"; `completion`: value of the attribute autocomplete;
 /// `value`: text that the field shows at first.
 Markup inputField(std::string_view label, const std::string& name, const std::string& type,
                   const std::string& completion, const std::string& value = {});
+/// Returns a labeled field for a text of several lines; `value`: text that the field shows at first.
+Markup textField(std::string_view label, const std::string& name, const std::string& value);
 /// Returns a labeled list of choices (value, text), of which `chosen` is selected.
 Markup choiceField(std::string_view label, const std::string& name,
                    const std::vector<std::pair<std::string, std::string>>& choices, std::string_view chosen);
@@ -54,7 +59,11 @@ std::string formCode(const std::string& secret);
 /// Returns a section with a heading.
 Markup section(std::string_view heading, const Markup& content);
 Markup paragraph(std::string_view sentence);
-/// Returns a time in the server's time zone, "20 Nov 2026, 14:05", with the exact time for programs.
+/// Returns a less prominent paragraph, which explains words or figures beside it.
+Markup note(std::string_view sentence);
+/// Returns the reason why a form was refused, which screen readers announce.
+Markup troubleLine(std::string_view sentence);
+/// Returns a time in the server's time zone, "20 Nov 2026, 14:05 CET", with the exact time for programs.
 Markup timeOf(std::int64_t time_us);
 /// Returns the full name of a person, or the name for signing in if there is none.
 std::string displayName(const Person& person);

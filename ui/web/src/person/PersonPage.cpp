@@ -141,7 +141,11 @@ Markup curvesOf(const Visit& visit, const PersonFacts& facts) {
             choiceField("Metric", "metric", metrics, metric->id) + element("button", {{"type", "submit"}}, "Show");
   Markup content = element("form", {{"method", "get"}, {"action", facts.address}, {"class", "line"}}, fields) +
                    chart(learningCurve(facts, chosen->first, chosen->second, *metric));
-  if (const auto cusum = cusumCurve(facts, chosen->first, chosen->second)) content += chart(*cusum);
+  if (const auto cusum = cusumCurve(facts, chosen->first, chosen->second))
+    content += chart(*cusum) +
+               note(
+                   "LC-CUSUM is a score that rises with each pass and falls with each failure. Once it has reached the "
+                   "limit, the attempts show that the skill was learned.");
   return section("Learning curve", content);
 }
 

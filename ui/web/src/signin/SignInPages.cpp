@@ -35,7 +35,7 @@ Response signInPage(const Visit& visit, const std::string& trouble, int status) 
                    "This database has no accounts yet. Create the first administrator with insonate-cli curriculum "
                    "setup, or on a workstation that opens this database.");
   Markup fields;
-  if (!trouble.empty()) fields += element("p", {{"class", "trouble"}, {"role", "alert"}}, trouble);
+  if (!trouble.empty()) fields += troubleLine(trouble);
   fields += inputField("Name", "name", "text", "username", valueOf(visit.request.form, "name")) +
             inputField("Password", "password", "password", "current-password");
   const std::string& asked = valueOf(visit.request.method == "POST" ? visit.request.form : visit.request.query, "next");
@@ -52,7 +52,7 @@ Response passwordPage(const Visit& visit, const std::string& trouble, int status
                                     {"hidden", ""}});
   if (visit.by->mustChangePassword())
     fields += paragraph("Your password was set by another person. Choose one that only you know.");
-  if (!trouble.empty()) fields += element("p", {{"class", "trouble"}, {"role", "alert"}}, trouble);
+  if (!trouble.empty()) fields += troubleLine(trouble);
   fields += inputField("Present password", "old", "password", "current-password") +
             inputField("New password (8 to 200 characters)", "new", "password", "new-password") +
             inputField("New password again", "again", "password", "new-password");

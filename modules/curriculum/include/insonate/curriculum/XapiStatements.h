@@ -45,6 +45,8 @@ Result<XapiExport> xapiStatements(const XapiSite& site, const Curriculum& curric
 /// Returns a summary for the user: "Left out: 3 attempts (2 that have not ended, ...)."; "" if no attempt is left out.
 std::string leftOutSentence(std::span<const LeftOutAttempt> leftOut);
 
+/// Returns the statements as a JSON array.
+std::string xapiText(std::span<const std::string> statements);
 /// Writes the statements to a file as a JSON array.
 Result<void> writeXapi(const std::filesystem::path& file, std::span<const std::string> statements);
 
