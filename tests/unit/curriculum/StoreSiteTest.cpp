@@ -308,6 +308,7 @@ TEST_P(StoreSite, ProofsAndActsThatAWorkstationClaimsAreNotBelieved) {
   EXPECT_THAT(message([&](auto& attempt) { attempt["facts"]["begun_us"] = rig->now_us + 86'400 * kSecond_us; }),
               HasSubstr("in the future"));
   EXPECT_THAT(message([&](auto& attempt) { attempt["facts"]["points"] = 1000.0; }), HasSubstr("100"));
+  EXPECT_THAT(message([&](auto& attempt) { attempt["facts"]["criticalErrors"] = 1ll << 40; }), HasSubstr("negative"));
   EXPECT_EQ(valueOf(StoreUpkeep(school->admin).facts()).attempts, 0);
   const std::string acts = message([&](auto& attempt) {
     attempt["voided_us"] = rig->now_us, attempt["voidedBy"] = school->otto.id;

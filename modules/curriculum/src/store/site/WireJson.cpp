@@ -5,6 +5,7 @@
 #include "store/OpeningRows.h"
 #include "store/Proofs.h"
 
+#include <limits>
 #include <utility>
 
 namespace insonate::store {
@@ -20,6 +21,17 @@ json orNull(const std::optional<T>& value) {
 template <class T>
 std::optional<T> optionalFrom(const json& value) {
   return value.is_null() ? std::nullopt : std::optional(value.get<T>());
+}
+
+/// Throws for anything but a whole number; the library would convert a fraction.
+std::int64_t numberFrom(const json& value) {
+  return value.get_ref<const json::number_integer_t&>();
+}
+
+/// -1 for a number that is too large, which the checks refuse.
+int countFrom(const json& value) {
+  const std::int64_t number = numberFrom(value);
+  return number >= 0 && number <= std::numeric_limits<int>::max() ? static_cast<int>(number) : -1;
 }
 
 json jsonOf(const Row& row) {
@@ -44,7 +56,7 @@ Row rowFrom(const json& values, std::size_t size) {
     else if (value.is_string())
       row.push_back(bound(value.get<std::string>()));
     else
-      row.push_back(bound(value.get<std::int64_t>()));
+      row.push_back(bound(numberFrom(value)));
   }
   return Row(std::move(row));
 }
@@ -90,18 +102,18 @@ AttemptFacts factsFrom(const json& from) {
   return {.id = from.at("id"),
           .person = from.at("person"),
           .curriculum = from.at("curriculum"),
-          .curriculumVersion = from.at("curriculumVersion"),
+          .curriculumVersion = countFrom(from.at("curriculumVersion")),
           .level = from.at("level"),
           .procedure = from.at("procedure"),
-          .procedureVersion = from.at("procedureVersion"),
+          .procedureVersion = countFrom(from.at("procedureVersion")),
           .caseName = from.at("case"),
           .caseHash = from.at("caseHash"),
           .workstation = from.at("workstation"),
-          .begun_us = from.at("begun_us"),
-          .length_us = from.at("length_us"),
+          .begun_us = numberFrom(from.at("begun_us")),
+          .length_us = numberFrom(from.at("length_us")),
           .state = stateNamed(from.at("state").get<std::string>()),
           .succeeded = from.at("succeeded"),
-          .criticalErrors = from.at("criticalErrors"),
+          .criticalErrors = countFrom(from.at("criticalErrors")),
           .points = optionalFrom<double>(from.at("points")),
           .metrics = metricsOf(from.at("metrics").dump()),
           .recording = from.at("recording"),
@@ -139,11 +151,11 @@ json jsonOf(const FilledForm& form) {
 FilledForm formFrom(const json& from) {
   return {.id = from.at("id"),
           .form = from.at("form"),
-          .formVersion = from.at("formVersion"),
+          .formVersion = countFrom(from.at("formVersion")),
           .person = from.at("person"),
           .attempt = from.at("attempt"),
           .by = from.at("by"),
-          .filled_us = from.at("filled_us"),
+          .filled_us = numberFrom(from.at("filled_us")),
           .answers = from.at("answers")};
 }
 
@@ -157,7 +169,7 @@ json jsonOf(const SentItem& item) {
 }
 
 SentItem itemFrom(const json& from) {
-  SentItem item{.number = from.at("number"), .kind = from.at("kind"), .id = from.at("id")};
+  SentItem item{.number = numberFrom(from.at("number")), .kind = from.at("kind"), .id = from.at("id")};
   if (!from.at("attempt").is_null()) item.attempt = attemptFrom(from.at("attempt"));
   if (!from.at("form").is_null()) item.form = formFrom(from.at("form"));
   return item;
@@ -188,7 +200,7 @@ std::vector<SentPerson> peopleFrom(const json& list) {
     from.at("email").get_to(sent.person.email);
     from.at("password").get_to(sent.password);
     from.at("mustChange").get_to(sent.mustChange);
-    from.at("version").get_to(sent.version);
+    sent.version = numberFrom(from.at("version"));
   }
   return people;
 }
@@ -200,7 +212,7 @@ json jsonOf(const SentBatch& batch) {
 }
 
 SentBatch batchFrom(const json& from) {
-  SentBatch batch{.auditEnd = {.number = from.at("logEnd"), .hash = from.at("logHash")}};
+  SentBatch batch{.auditEnd = {.number = numberFrom(from.at("logEnd")), .hash = from.at("logHash")}};
   for (const json& item : from.at("items")) batch.items.push_back(itemFrom(item));
   return batch;
 }
@@ -246,9 +258,9 @@ Taught taughtFrom(const json& from) {
                 .openings = rowsFrom(from.at("openings"), kOpeningColumns)};
   for (const json& kept : from.at("curricula"))
     taught.curricula.push_back({{.name = kept.at("name"),
-                                 .version = kept.at("version"),
+                                 .version = countFrom(kept.at("version")),
                                  .hash = kept.at("hash"),
-                                 .published_us = kept.at("published_us"),
+                                 .published_us = numberFrom(kept.at("published_us")),
                                  .publishedBy = kept.at("publishedBy")},
                                 kept.at("text")});
   for (const json& sent : from.at("elsewhere")) taught.elsewhere.push_back(attemptFrom(sent));

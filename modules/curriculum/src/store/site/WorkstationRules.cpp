@@ -76,7 +76,7 @@ Result<void> checkForm(Transaction& server, const Sender& sender, const FilledFo
   const auto stays = [&](const std::string& why) {
     return fail("The form " + form.id.substr(0, 36) + " was not sent. " + why);
   };
-  if (!isUuid(form.id)) return stays("Its id is not a UUID in lower case.");
+  if (!isUuid(form.id) || form.formVersion < 0) return stays("Its id or its version is not one of Insonate.");
   if (!mayDo(server, sender, form.by, {.act = Act::FillForm, .person = form.person}))
     return stays("Its author may not fill it in on the server, or has not signed in there at this workstation.");
   if (auto ok = checkText("The form's name", form.form); !ok) return ok;
