@@ -62,7 +62,9 @@ TEST_P(WebComments, EachRoleWritesAndRemovesWhatTheDatabaseAllows) {
       EXPECT_EQ(school.post(address + "/" + own + "/remove", {}, secret).status, 403) << who;
     }
   }
-  EXPECT_EQ(school.post(address, comment("1", "guest")).status, 403);
+  const web::Response guests = school.post(address, comment("1", "guest"));
+  EXPECT_EQ(guests.status, 403);
+  EXPECT_THAT(guests.body, HasSubstr("nothing was stored"));
   EXPECT_EQ(valueOf(CommentStore(school.admin).ofAttempt(school.annas)).size(), 3U);
   web::Request forged = WebSchool::request("POST", address, school.signIn("ina"));
   forged.form = comment("1", "forged");

@@ -227,8 +227,11 @@ Response Site::answerPage(const Visit& visit, const Route& route) const {
   const Request& request = visit.request;
   const bool isPublic = route.access == Access::Everybody;
   if (!isPublic && !visit.by)
-    return request.method == "GET" ? redirect("/sign-in?next=" + encoded(targetOf(request)))
-                                   : refusal(visit, 403, "The session has ended. Sign in again.");
+    return request.method == "GET"
+               ? redirect("/sign-in?next=" + encoded(targetOf(request)))
+               : refusal(visit, 403,
+                         "The session has ended, and nothing was stored. Go back to copy what you typed, then sign in "
+                         "again.");
   if (request.method == "POST" && (comesFromElsewhere(request) || (visit.by && !hasFormCode(visit))))
     return refusal(visit, 403, "The form does not come from this page. Open the page again and repeat.");
   if (visit.by && visit.by->mustChangePassword() && !isPublic && request.path != "/password" &&

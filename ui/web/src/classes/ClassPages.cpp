@@ -137,16 +137,17 @@ Markup exportSection(const Visit& visit, const ClassFacts& facts) {
   if (!facts.curriculum) return section("Export", content);
   content += exportForm(
       address + "grades.csv",
-      note("Share of mastered levels, for Moodle (CSV). Trainees without attempts are left out; by e-mail, those "
-           "without "
-           "an address, too.") +
+      note("Share of mastered levels, for Moodle (CSV). Trainees without attempts are left out. If trainees are "
+           "identified "
+           "by e-mail address, those without one are left out, too.") +
           choiceField("Identify trainees by", "by", {{"email", "e-mail address"}, {"name", "name"}}, "email"),
       "Save grades");
   const std::string home = "https://" + valueOf(visit.request.headers, "host");
   content += exportForm(address + "statements.json",
                         note("Attempts as statements of the Experience API (xAPI 1.0.3), for a learning record store. "
-                             "Attempts that do not count are left out.") +
-                            inputField("Address of your site, always the same", "home", "url", "url", home),
+                             "Attempts that do not count are left out. Always enter the same address: the store "
+                             "recognizes people and attempts by it.") +
+                            inputField("Address of your site", "home", "url", "url", home),
                         "Save statements");
   return section("Export", content);
 }
