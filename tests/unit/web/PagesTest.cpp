@@ -2,6 +2,7 @@
 #include "page/Charts.h"
 #include "page/Page.h"
 
+#include <insonate/curriculum/SiteService.h>
 #include <insonate/curriculum/Unlocking.h>
 #include <insonate/teaching/HeatMap.h>
 
@@ -78,6 +79,29 @@ TEST_F(WebPages, APageOfTheLogWithoutEntriesSaysSo) {
   const WebSchool school(rig.open());
   EXPECT_THAT(school.get("/audit?before=1", school.signIn("admin")).body,
               AllOf(HasSubstr("There are no entries before number 1."), Not(HasSubstr("<table"))));
+}
+
+TEST_F(WebPages, AWorkstationGetsATokenOnceAndLosesItsAccess) {
+  const WebSchool school(rig.open());
+  const std::string admin = school.signIn("admin");
+  EXPECT_THAT(school.get("/workstations", admin).body, HasSubstr("There are no workstations yet."));
+  const std::string added = school.post("/workstations", {{"name", "<b>ward"}}, admin).body;
+  const std::size_t at = added.find("class=\"token\">");
+  ASSERT_NE(at, std::string::npos) << added;
+  const std::string token = added.substr(at + std::string("class=\"token\">").size(), 64);
+  EXPECT_EQ(valueOf(SiteService(school.store).workstationOf(token)), "<b>ward");
+  const std::string list = school.get("/workstations", admin).body;
+  EXPECT_THAT(list, AllOf(HasSubstr("&lt;b&gt;ward"), HasSubstr("in use"), Not(HasSubstr(token))));
+  EXPECT_THAT(school.post("/workstations", {{"name", "<b>ward"}}, admin).body, HasSubstr("has a token already"));
+  EXPECT_EQ(school.post("/workstations/revoke", {{"name", "<b>ward"}}, admin).status, 303);
+  EXPECT_EQ(valueOf(SiteService(school.store).workstationOf(token)), std::nullopt);
+  EXPECT_THAT(school.get("/workstations", admin).body, HasSubstr("revoked, "));
+  for (const std::string name : {"anna", "ina"}) {
+    EXPECT_THAT(school.post("/workstations", {{"name", "own"}}, school.signIn(name)).body,
+                HasSubstr("do not have the permission"));
+    EXPECT_THAT(school.post("/workstations/revoke", {{"name", "<b>ward"}}, school.signIn(name)).body,
+                HasSubstr("do not have the permission"));
+  }
 }
 
 TEST_F(WebPages, AVoidedAttemptSaysWhy) {

@@ -8,6 +8,7 @@
 #include "person/PersonPage.h"
 #include "signin/SignInPages.h"
 #include "site/SiteApi.h"
+#include "workstations/WorkstationPages.h"
 
 #include <insonate/curriculum/BrowserSessions.h>
 #include <insonate/curriculum/DatabaseFailures.h>
@@ -138,6 +139,9 @@ constexpr Route kRoutes[]{
     {"GET", "/classes/*/export/attempts.csv", Access::SignedIn, &exportClassAttempts},
     {"GET", "/classes/*/export/grades.csv", Access::SignedIn, &exportClassGrades},
     {"GET", "/classes/*/export/statements.json", Access::SignedIn, &exportClassStatements},
+    {"GET", "/workstations", Access::SignedIn, &showWorkstations},
+    {"POST", "/workstations", Access::SignedIn, &addWorkstation},
+    {"POST", "/workstations/revoke", Access::SignedIn, &revokeWorkstation},
     {"GET", "/audit", Access::SignedIn, &showAudit},
 };
 

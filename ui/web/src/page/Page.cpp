@@ -11,7 +11,8 @@ Markup navigation(const Visit& visit) {
   if (!visit.by) return {};
   Markup items = element("li", {}, link("/me", "My training"));
   if (visit.by->person().role != Role::Trainee) items += element("li", {}, link("/classes", "Classes"));
-  if (visit.by->person().role == Role::Administrator) items += element("li", {}, link("/audit", "Audit log"));
+  if (visit.by->person().role == Role::Administrator)
+    items += element("li", {}, link("/workstations", "Workstations")) + element("li", {}, link("/audit", "Audit log"));
   items += element("li", {{"class", "user"}}, displayName(visit.by->person()));
   items += element("li", {}, link("/password", "Change password"));
   items += element("li", {}, postForm(visit, "/sign-out", {}, "Sign out"));
