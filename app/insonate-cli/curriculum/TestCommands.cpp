@@ -69,7 +69,7 @@ Result<std::vector<TestOpening>> openingsOf(const SignedIn& by, const std::strin
   if (!cohorts) return tl::unexpected(cohorts.error());
   std::vector<TestOpening> all;
   for (const Cohort& cohort : *cohorts) {
-    const auto of = openings.ofCohort(cohort.id);
+    auto of = openings.ofCohort(cohort.id);
     if (!of) return of;
     for (const TestOpening& one : *of)
       if (std::ranges::find(all, one) == all.end()) all.push_back(one);

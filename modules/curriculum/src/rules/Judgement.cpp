@@ -136,8 +136,8 @@ bool counts(const AttemptFacts& attempt, const Level& level) {
 std::string reasonOfFailure(const PassRule& rule, const AttemptFacts& attempt) {
   const Judgement judgement = judge(rule, attempt);
   if (judgement.passed) return {};
-  const std::string grave = graveReason(attempt);
-  const std::string standards = listed(missedStandards(rule, attempt));
+  std::string grave = graveReason(attempt);
+  std::string standards = listed(missedStandards(rule, attempt));
   // An attempt that broke off has no measured standards; listing all of them would inform nobody.
   if (attempt.state == AttemptState::Abandoned && attempt.metrics.empty()) return grave;
   if (!grave.empty()) return standards.empty() ? grave : grave + "; " + standards;

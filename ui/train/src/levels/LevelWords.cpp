@@ -156,7 +156,7 @@ QString outcomeOf(const Curriculum* curriculum, const AttemptFacts& attempt) {
     return attempt.sitting == AttemptSitting::Undecided ? tr("not decided yet") : tr("practice, the test was not open");
   if (level && !counts(attempt, *level))
     return attempt.proof == AttemptProof::Verifying ? tr("being verified") : tr("not proven");
-  const QString outcome = level && judge(level->pass, attempt).passed ? tr("passed") : tr("failed");
+  QString outcome = level && judge(level->pass, attempt).passed ? tr("passed") : tr("failed");
   if (level && level->assistance == Assistance::Test && attempt.sitting == AttemptSitting::SelfAdministered)
     return tr("%1, self-administered").arg(outcome);
   if (level) return outcome;
