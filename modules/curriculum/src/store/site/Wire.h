@@ -72,8 +72,8 @@ using Digests = std::map<std::string, std::string>;
 struct Taught {
   Rows people{}, cohorts{}, memberships{};
   std::vector<KeptCurriculum> curricula{};
-  /// Rows about the workstation's attempts: id, voided_us, voided_by, void_reason; attempt, accepted_by; those that the server
-  /// could not verify: attempt, why; INSONATE_COMMENT_COLUMNS
+  /// Rows about the workstation's attempts: id, voided_us, voided_by, void_reason; attempt, accepted_by; those that the
+  /// server could not verify: attempt, why; INSONATE_COMMENT_COLUMNS
   std::vector<Row> voided{}, accepted{}, refused{}, comments{};
   std::vector<Row> openings{};  ///< INSONATE_OPENING_COLUMNS
   /// Ended attempts at other workstations, of people for whom the workstation has another digest.
