@@ -4,7 +4,11 @@
 #include <insonate/teaching/RecomputedAttempts.h>
 #include <insonate/teaching/SiteVerification.h>
 
+#include <exception>
+#include <fstream>
+#include <optional>
 #include <tuple>
+#include <utility>
 
 namespace insonate {
 namespace {
@@ -23,6 +27,9 @@ std::string whyOfAnother(const AttemptFacts& facts, const std::filesystem::path&
 std::string whyDifferent(const AttemptFacts& facts, const std::filesystem::path& file) {
   RecomputedAttempts result;
   if (const auto compared = compareWithRecording(facts, file, result); !compared) return compared.error().message;
+  // By this hash a recording counts once; comparing leaves it out where it is not stored.
+  if (const auto fresh = factsOfRecording(file, Hands::PersonOrScript); !fresh || fresh->handsHash != facts.handsHash)
+    return "The recording gives another hash of the hands' motion than the workstation states.";
   if (!result.differences.empty()) {
     const StoreDifference& first = result.differences.front();
     return "The recording gives another " + first.field + ": " + first.expected + " instead of " + first.stored + ".";
@@ -33,12 +40,16 @@ std::string whyDifferent(const AttemptFacts& facts, const std::filesystem::path&
   return {};
 }
 
-std::string whyRefused(const VerificationQueue& queue, const WaitingAttempt& attempt) {
+Result<std::string> whyRefused(const VerificationQueue& queue, const WaitingAttempt& attempt) {
   const AttemptFacts& facts = attempt.facts;
+  std::optional<Error> failure;
   const auto originOf = [&](const AttemptFacts& claimed, const std::string& nonce) {
-    return queue.originOf(facts.workstation, claimed, nonce);
+    auto origin = queue.originOf(facts.workstation, claimed, nonce);
+    if (!origin) failure = origin.error();
+    return origin;
   };
   const auto proof = proofOfAttempt(originOf, facts, attempt.recording);
+  if (failure) return tl::unexpected(*failure);
   if (!proof) return proof.error().message;
   if (proof->proof != AttemptProof::Proven) return proof->why;
   if (std::string why = whyOfAnother(facts, attempt.recording); !why.empty()) return why;
@@ -47,11 +58,14 @@ std::string whyRefused(const VerificationQueue& queue, const WaitingAttempt& att
 
 }  // namespace
 
-std::string whyNotVerified(const VerificationQueue& queue, const WaitingAttempt& attempt) {
-  std::string why = whyRefused(queue, attempt);
+Result<std::string> whyNotVerified(const VerificationQueue& queue, const WaitingAttempt& attempt) {
+  if (!std::ifstream(attempt.recording))
+    return fail(attempt.recording.string() + " cannot be read. Check the server's folder of recordings.");
+  auto why = whyRefused(queue, attempt);
+  if (!why) return why;
   // Sentences about a file begin with its path, which only the server knows.
   const std::string path = attempt.recording.string();
-  if (why.starts_with(path)) why.replace(0, path.size(), "The recording");
+  if (why->starts_with(path)) why->replace(0, path.size(), "The recording");
   return why;
 }
 
@@ -59,7 +73,14 @@ Result<bool> verifyNextAttempt(const VerificationQueue& queue) {
   const auto attempt = queue.take();
   if (!attempt) return tl::unexpected(attempt.error());
   if (!*attempt) return false;
-  const std::string why = whyNotVerified(queue, **attempt);
+  std::string why;
+  try {
+    auto found = whyNotVerified(queue, **attempt);
+    if (!found) return tl::unexpected(found.error());
+    why = std::move(*found);
+  } catch (const std::exception& error) {
+    why = std::string("The recording cannot be computed again: ") + error.what() + ".";
+  }
   const auto concluded = queue.conclude((*attempt)->facts.id, why.empty(), why);
   return concluded ? Result<bool>(true) : tl::unexpected(concluded.error());
 }

@@ -63,7 +63,7 @@ TEST_F(Openings, AnInstructorOpensATestWithACodeAndClosesIt) {
   EXPECT_EQ(cell(0, 5), "yes");
   EXPECT_EQ(cell(0, 6), "Dr ina");
   EXPECT_EQ(child<QLineEdit>("openingCode")->text(), "");
-  EXPECT_TRUE(text("openTests").startsWith("● Open tests: '")) << text("openTests").toStdString();
+  EXPECT_TRUE(text("openTests").startsWith("● Tests open now: '")) << text("openTests").toStdString();
   EXPECT_TRUE(text("openTests").endsWith(", with a code")) << text("openTests").toStdString();
   EXPECT_EQ(admissionOf(school_->anna).kind, TestAdmission::Kind::NeedsCode);
   press("openingClose");

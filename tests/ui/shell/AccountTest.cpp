@@ -346,7 +346,7 @@ TEST_F(AccountWindow, WhatIsDoneHereReachesTheServerAndItsPeopleComeHere) {
   ASSERT_TRUE(waitUntil([&] { return account().isSignedIn(); })) << "people come from the server";
 
   ASSERT_TRUE(site->setServer(home.filePath("nowhere/server.sqlite")));
-  EXPECT_TRUE(waitUntil([&] { return site->outcome().contains("Nothing was exchanged"); }))
+  EXPECT_TRUE(waitUntil([&] { return site->outcome().contains("The exchange with the server failed"); }))
       << site->outcome().toStdString();
 }
 

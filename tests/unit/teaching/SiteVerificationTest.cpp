@@ -100,7 +100,7 @@ class SiteVerificationTest : public testing::Test {
     const VerificationQueue queue(server);
     const auto waiting = received(queue.take());
     if (!waiting) throw std::runtime_error("nothing waits");
-    why = whyNotVerified(queue, *waiting);
+    why = received(whyNotVerified(queue, *waiting));
     if (auto done = queue.conclude(waiting->facts.id, why.empty(), why); !done)
       throw std::runtime_error(done.error().message);
     return received(AttemptStore(*admin).attempt(facts.id)).facts.proof;
@@ -130,6 +130,17 @@ TEST_F(SiteVerificationTest, BetterFactsThanThoseOfTheRecordingAreNot) {
 TEST_F(SiteVerificationTest, AMetricThatTheRecordingDoesNotGiveIsNot) {
   EXPECT_EQ(proofAfter(recorded(), [](AttemptFacts& facts) { facts.metrics.pop_back(); }), AttemptProof::Unproven);
   EXPECT_THAT(why, HasSubstr("another version of Insonate"));
+}
+
+TEST_F(SiteVerificationTest, AnAttemptThatHidesTheHashOfItsMotionIsNot) {
+  EXPECT_EQ(proofAfter(recorded(), [](AttemptFacts& facts) { facts.handsHash.clear(); }), AttemptProof::Unproven);
+  EXPECT_THAT(why, HasSubstr("hands' motion"));
+}
+
+TEST_F(SiteVerificationTest, ARecordingThatCannotBeReadIsWaitedFor) {
+  AttemptFacts facts = recorded();
+  const WaitingAttempt waiting{facts, folder / "nowhere.attempt"};
+  EXPECT_FALSE(whyNotVerified(VerificationQueue(server), waiting));
 }
 
 TEST_F(SiteVerificationTest, TheRecordingOfAnotherAttemptIsNot) {

@@ -2,6 +2,7 @@
 #include "page/Charts.h"
 #include "page/Page.h"
 
+#include <insonate/curriculum/OpeningStore.h>
 #include <insonate/curriculum/SiteService.h>
 #include <insonate/curriculum/Unlocking.h>
 #include <insonate/teaching/HeatMap.h>
@@ -102,6 +103,56 @@ TEST_F(WebPages, AWorkstationGetsATokenOnceAndLosesItsAccess) {
     EXPECT_THAT(school.post("/workstations/revoke", {{"name", "<b>ward"}}, school.signIn(name)).body,
                 HasSubstr("do not have the permission"));
   }
+}
+
+TEST_F(WebPages, AnInstructorOpensAndClosesATest) {
+  const WebSchool school(rig.open());
+  const std::string ina = school.signIn("ina"), anna = school.signIn("anna");
+  const std::string tests = "/classes/" + school.spring.id + "/tests";
+  const auto admission = [&] {
+    return valueOf(OpeningStore(school.as(school.anna)).admission("central_line", "jugular_test")).kind;
+  };
+  EXPECT_THAT(school.get(tests, ina).body, HasSubstr("attempts at tests are practice"));
+  const web::Fields form{{"level", "jugular_test"}, {"hours", "2"}, {"test-code", ""}};
+  EXPECT_EQ(school.post(tests, form, anna).status, 403) << "a trainee sees no tests of a class";
+  EXPECT_EQ(school.post(tests, form, school.signIn("otto")).status, 404) << "of another class";
+  EXPECT_EQ(admission(), TestAdmission::Kind::Closed);
+  EXPECT_EQ(school.post(tests, form, ina).status, 303);
+  EXPECT_EQ(admission(), TestAdmission::Kind::Open);
+  const std::string id = valueOf(OpeningStore(school.as(school.ina)).ofCohort(school.spring.id)).front().id;
+  EXPECT_THAT(school.get(tests, ina).body, AllOf(HasSubstr("<td>open</td>"), HasSubstr(id)));
+  EXPECT_EQ(school.post(tests + "/close", {{"opening", id}}, anna).status, 403);
+  EXPECT_EQ(admission(), TestAdmission::Kind::Open);
+  EXPECT_EQ(school.post(tests + "/close", {{"opening", id}}, ina).status, 303);
+  EXPECT_EQ(admission(), TestAdmission::Kind::Closed);
+  EXPECT_THAT(school.get(tests, ina).body, HasSubstr("closed by Dr ina"));
+
+  EXPECT_THAT(school.post(tests, {{"level", "jugular_test"}, {"hours", "0"}, {"test-code", ""}}, ina).body,
+              HasSubstr("role=\"alert\""))
+      << "without an end a code is needed";
+  EXPECT_EQ(school.post(tests, {{"level", "jugular_test"}, {"hours", "0"}, {"test-code", "venus"}}, ina).status, 303);
+  EXPECT_EQ(admission(), TestAdmission::Kind::NeedsCode);
+  for (const std::string hours : {"", "-1", "1000", "x"})
+    EXPECT_EQ(school.post(tests, {{"level", "jugular_test"}, {"hours", hours}, {"test-code", ""}}, ina).status, 422);
+}
+
+TEST_F(WebPages, AnInstructorAcceptsAndVoidsAnAttempt) {
+  const WebSchool school(rig.open());
+  AttemptFacts facts = endedFacts(begunFacts());
+  facts.curriculum.clear(), facts.level.clear(), facts.proof = AttemptProof::Unproven;
+  valueOf(AttemptStore(school.as(school.anna)).add(facts));
+  const std::string path = "/attempts/" + facts.id, ina = school.signIn("ina"), anna = school.signIn("anna");
+  const auto stored = [&] { return valueOf(AttemptStore(school.admin).attempt(facts.id)); };
+  EXPECT_THAT(school.get(path, anna).body, Not(HasSubstr("Does it count?")));
+  EXPECT_EQ(school.post(path + "/accept", {{"reason", "me"}}, anna).status, 400);
+  EXPECT_EQ(school.post(path + "/void", {{"reason", "me"}}, anna).status, 400);
+  EXPECT_EQ(school.post(path + "/void", {{"reason", "x"}}, school.signIn("otto")).status, 404);
+  EXPECT_EQ(stored().facts.proof, AttemptProof::Unproven);
+  EXPECT_THAT(school.post(path + "/accept", {{"reason", " "}}, ina).body, HasSubstr("for a reason"));
+  EXPECT_EQ(school.post(path + "/accept", {{"reason", "I watched it"}}, ina).status, 303);
+  EXPECT_EQ(stored().facts.proof, AttemptProof::Accepted);
+  EXPECT_EQ(school.post(path + "/void", {{"reason", "device failed"}}, ina).status, 303);
+  EXPECT_EQ(stored().voidReason, "device failed");
 }
 
 TEST_F(WebPages, AVoidedAttemptSaysWhy) {

@@ -4,6 +4,7 @@
 #include "audit/AuditPage.h"
 #include "classes/ClassPages.h"
 #include "monitoring/MonitoringPages.h"
+#include "openings/OpeningPages.h"
 #include "page/Page.h"
 #include "person/PersonPage.h"
 #include "signin/SignInPages.h"
@@ -131,6 +132,8 @@ constexpr Route kRoutes[]{
     {"POST", "/password", Access::SignedIn, &changePassword},
     {"GET", "/me", Access::SignedIn, &showOwnTraining},
     {"GET", "/attempts/*", Access::SignedIn, &showAttempt},
+    {"POST", "/attempts/*/accept", Access::SignedIn, &acceptAttempt},
+    {"POST", "/attempts/*/void", Access::SignedIn, &voidAttempt},
     {"POST", "/attempts/*/comments", Access::SignedIn, &addComment},
     {"POST", "/attempts/*/comments/*/remove", Access::SignedIn, &removeComment},
     {"GET", "/classes", Access::SignedIn, &showClasses},
@@ -139,6 +142,9 @@ constexpr Route kRoutes[]{
     {"GET", "/classes/*/export/attempts.csv", Access::SignedIn, &exportClassAttempts},
     {"GET", "/classes/*/export/grades.csv", Access::SignedIn, &exportClassGrades},
     {"GET", "/classes/*/export/statements.json", Access::SignedIn, &exportClassStatements},
+    {"GET", "/classes/*/tests", Access::SignedIn, &showOpenings},
+    {"POST", "/classes/*/tests", Access::SignedIn, &openTest},
+    {"POST", "/classes/*/tests/close", Access::SignedIn, &closeTest},
     {"GET", "/workstations", Access::SignedIn, &showWorkstations},
     {"POST", "/workstations", Access::SignedIn, &addWorkstation},
     {"POST", "/workstations/revoke", Access::SignedIn, &revokeWorkstation},

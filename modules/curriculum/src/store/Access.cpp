@@ -36,8 +36,8 @@ constexpr std::array kRules{
     Rule{CloseTest,         "close test",             None, None,   Taught,    All, kOnServer},
     Rule{SeeOpenings,       "see openings of tests",  None, None,   Taught,    All, kUnlogged},
     Rule{EnterTest,         "enter test",             None, Self,   Self,      Self},
-    Rule{VoidAttempt,       "void attempt",           None, None,   Taught,    All, kNotOneself},
-    Rule{AcceptAttempt,     "accept attempt",         None, None,   Taught,    All, kNotOneself},
+    Rule{VoidAttempt,       "void attempt",           None, None,   Taught,    All, kNotOneself | kOnSite},
+    Rule{AcceptAttempt,     "accept attempt",         None, None,   Taught,    All, kNotOneself | kOnSite},
     Rule{ReadCurricula,     "read curricula",         All,  All,    All,       All, kUnlogged},
     Rule{SeeDrafts,         "see drafts",             None, None,   All,       All, kUnlogged},
     Rule{WriteDrafts,       "write drafts",           None, None,   All,       All, kOnServer},
@@ -130,6 +130,15 @@ Error refusalOf(const Rule& rule, const Actor& actor) {
           "), or it does not exist. Ask an administrator for the permission."};
 }
 
+/// Refuses acts that are done on the server to which a workstation belongs.
+std::optional<Error> refusalOnWorkstation(const Rule& rule, const std::string& server) {
+  if (rule.has(kOnServer))
+    return Error{"People, classes, curricula and openings of tests are stored on " + server + "; change them there."};
+  if (rule.has(kOnSite) && server.starts_with("http"))
+    return Error{"Attempts are voided and accepted on " + server + ", in a browser."};
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::span<const Rule> rules() {
@@ -157,10 +166,8 @@ Verdict decide(Transaction& transaction, Actor& actor, const Request& request) {
   if (isUnknown || (own && rule.has(kNotOneself)) ||
       !isWithin(transaction, reach, rule, actor, request, verdict.person))
     verdict.refusal = refusalOf(rule, actor);
-  else if (const auto site = transaction.row("SELECT server FROM site");
-           rule.has(kOnServer) && site && !site->text(0).empty())
-    verdict.refusal = Error{"People, classes, curricula and openings of tests are stored on " + site->text(0) +
-                            "; change them there."};
+  else if (const auto site = transaction.row("SELECT server FROM site"); site && !site->text(0).empty())
+    verdict.refusal = refusalOnWorkstation(rule, site->text(0));
   verdict.logged = verdict.refusal || (!rule.has(kUnlogged) && !own);
   if (!verdict.refusal && rule.has(kWholeCohort))
     verdict.learners =

@@ -71,6 +71,7 @@ enum Condition : unsigned {
   kNotOneself = 2,    ///< the act is forbidden on the user's own data
   kOnlyTrainees = 4,  ///< instructors may do the act on trainees only
   kOnServer = 8,      ///< the act is refused on a workstation that belongs to a server
+  kOnSite = 32,       ///< the act is refused on a workstation that reaches its server through the network
   kWholeCohort = 16,  ///< the act discloses data of all learners in a cohort; their number is logged
 };
 

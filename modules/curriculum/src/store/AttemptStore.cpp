@@ -133,9 +133,14 @@ Result<void> acceptKept(Transaction& transaction, const Core& core, const std::s
     return fail(
         "Only an attempt that has ended can be accepted, but this one is still open, was voided, or its recording "
         "broke off.");
-  if (facts.proof == AttemptProof::Verifying)
-    return fail("The server is verifying the attempt. Wait until it has finished, then look at the attempt again.");
-  if (facts.sitting == AttemptSitting::Practice)
+  if (facts.proof == AttemptProof::Verifying) {
+    const auto waiting = transaction.row("SELECT received_us FROM verifications WHERE attempt = ?", id);
+    if (!waiting || !waiting->isNull(0))
+      return fail("The server is verifying the attempt. Wait until it has finished, then look at the attempt again.");
+    transaction.run("UPDATE verifications SET ended_us = ?, why = ? WHERE attempt = ?", core.now_us(),
+                    "It was accepted before its recording arrived.", id);
+    store::concludeProof(transaction, id, AttemptProof::Unproven);
+  } else if (facts.sitting == AttemptSitting::Practice)
     return fail("The test was not open when the attempt began, so the attempt is practice and stays practice.");
   if (facts.proof != AttemptProof::Unproven)
     return fail("The attempt counts already. It does not need to be accepted.");

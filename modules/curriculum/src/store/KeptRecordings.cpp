@@ -121,6 +121,24 @@ Result<bool> keepRecording(const fs::path& folder, const std::string& attempt, c
   return isNew;
 }
 
+namespace {
+
+/// Makes a complete part the recording of the attempt, or removes one that has another content.
+Result<ReceivedPart> takeWhole(const fs::path& part, const fs::path& whole, const std::string& attempt,
+                               const std::string& hash, std::int64_t total_bytes) {
+  std::error_code error;
+  const bool isRight = static_cast<std::int64_t>(fs::file_size(part, error)) == total_bytes && hashOfFile(part) == hash;
+  Result<void> kept =
+      isRight ? writeAtomically(whole, [&](const fs::path& beside) { return copyHashed(part, beside, hash); })
+              : Result<void>(fail("The recording of the attempt " + attempt +
+                                  " did not arrive as it was sent, or was changed; it is sent again later."));
+  if (kept || !isRight) fs::remove(part, error);
+  if (!kept) return tl::unexpected(kept.error());
+  return ReceivedPart{total_bytes, true};
+}
+
+}  // namespace
+
 Result<ReceivedPart> receiveRecording(const fs::path& folder, const std::string& attempt, const std::string& hash,
                                       std::int64_t offset_bytes, std::int64_t total_bytes, std::string_view bytes) {
   constexpr std::int64_t kLargest_bytes = std::int64_t{256} << 20;
@@ -135,27 +153,25 @@ Result<ReceivedPart> receiveRecording(const fs::path& folder, const std::string&
   const auto size = [&] { return static_cast<std::int64_t>(fs::file_size(part, error)); };
   const std::int64_t before = size();
   if (error) return fail("The server cannot store recordings: " + error.message() + ".");
-  if (bytes.empty() || offset_bytes != before) return ReceivedPart{before, false};
-  if (total_bytes > kLargest_bytes || before + static_cast<std::int64_t>(bytes.size()) > kLargest_bytes) {
+  if (total_bytes > kLargest_bytes || before > total_bytes) {
     fs::remove(part, error);
-    return fail("The recording of the attempt " + attempt + " is larger than 256 MB and was not stored.");
+    return fail("The recording of the attempt " + attempt +
+                " is larger than stated, or than 256 MB, and was not stored.");
   }
-  std::ofstream out(part, std::ios::binary | std::ios::app);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  if (!out) {
-    fs::resize_file(part, static_cast<std::uintmax_t>(before), error);
-    return fail("The server's disk for recordings is full. Tell its administrator; the recording is sent again later.");
+  // A file that is complete was not yet taken when the server ended.
+  if (before < total_bytes) {
+    if (bytes.empty() || offset_bytes != before) return ReceivedPart{before, false};
+    std::ofstream out(part, std::ios::binary | std::ios::app);
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    out.close();
+    if (!out) {
+      fs::resize_file(part, static_cast<std::uintmax_t>(before), error);
+      return fail(
+          "The server's disk for recordings is full. Tell its administrator; the recording is sent again later.");
+    }
+    if (size() < total_bytes) return ReceivedPart{size(), false};
   }
-  if (size() < total_bytes) return ReceivedPart{size(), false};
-  const bool isRight = size() == total_bytes && hashOfFile(part) == hash;
-  Result<void> kept =
-      isRight ? writeAtomically(whole, [&](const fs::path& beside) { return copyHashed(part, beside, hash); })
-              : Result<void>(fail("The recording of the attempt " + attempt +
-                                  " did not arrive as it was sent, or was changed; it is sent again later."));
-  if (kept || !isRight) fs::remove(part, error);
-  if (!kept) return tl::unexpected(kept.error());
-  return ReceivedPart{total_bytes, true};
+  return takeWhole(part, whole, attempt, hash, total_bytes);
 }
 
 Result<void> copyRecordings(const fs::path& from, const fs::path& to, const Progress& progress) {

@@ -45,13 +45,13 @@ OpeningDialog::OpeningDialog(ClassDesk& desk, QWidget* parent)
       desk_(desk),
       cohort_(desk.facts()->cohort.id),
       openings_(new QTableWidget),
-      test_(ui::choiceBox("openingTest", tr("Test"), tr("Level that is opened"))),
+      test_(ui::choiceBox("openingTest", tr("Test"), tr("Test to open"))),
       whom_(ui::choiceBox("openingWhom", tr("For"), tr("People for whom the test is opened"))),
       ends_(new QCheckBox(tr("End"))),
       code_(new QLineEdit),
       open_(new QPushButton(tr("Open Test"))),
       close_(ui::pushButton("openingClose", tr("Close Test"),
-                            tr("Ends the marked opening now; attempts that have begun still count"))),
+                            tr("Closes the selected opening now; attempts that have begun still count"))),
       said_(ui::paragraph("openingSaid")) {
   setObjectName(QStringLiteral("openingDialog"));
   setAttribute(Qt::WA_DeleteOnClose);
@@ -99,7 +99,8 @@ QWidget* OpeningDialog::buildForm() {
   const QDateTime now = QDateTime::currentDateTime();
   start_ = timeField("openingStart", tr("Start"), tr("Time from which attempts count; a past time means now"), now);
   end_ = timeField("openingEnd", tr("End"), tr("Attempts that begin later are practice"), now.addSecs(kUsualLength_s));
-  ui::named(ends_, "openingEnds", tr("End"), tr("Without an end, the test stays open until you close it"));
+  ui::named(ends_, "openingEnds", tr("End"),
+            tr("Without an end, the test stays open until you close it, and needs a code"));
   ends_->setChecked(true);
   connect(ends_, &QCheckBox::toggled, end_, &QWidget::setEnabled);
   ui::named(code_, "openingCode", tr("Code"), tr("Trainees enter the code before their first attempt"));
@@ -119,7 +120,7 @@ QWidget* OpeningDialog::buildForm() {
 
 QWidget* OpeningDialog::buildButtons() {
   open_->setObjectName(QStringLiteral("openingOpen"));
-  open_->setToolTip(tr("Opens the test from its start on (Enter)"));
+  open_->setToolTip(tr("Opens the test at its start (Enter)"));
   open_->setDefault(true);
   ui::setRole(open_, "primary");
   auto* done = ui::pushButton("openingDone", tr("Done"), tr("Back to the class (Esc)"));
@@ -196,7 +197,7 @@ void OpeningDialog::openTest() {
         const auto opened = OpeningStore(by).open(opening);
         return opened ? Result<bool>(true) : tl::unexpected(opened.error());
       },
-      tr("'%1' is opened.").arg(test_->currentText()));
+      tr("The opening of '%1' is stored.").arg(test_->currentText()));
 }
 
 void OpeningDialog::closeTest() {

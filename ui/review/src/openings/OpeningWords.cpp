@@ -51,7 +51,7 @@ QString openTestsWords(const ClassFacts& facts, std::int64_t now_us) {
   const QString waiting = listedWords(facts, OpeningState::Waiting, now_us);
   QStringList words;
   words << (open.isEmpty() ? tr("○ No test is open: an attempt at a test is practice until you open the test")
-                           : tr("● Open tests: %1").arg(open));
+                           : tr("● Tests open now: %1").arg(open));
   if (!waiting.isEmpty()) words << tr("◔ Waiting: %1").arg(waiting);
   return words.join(QStringLiteral("   ·   "));
 }

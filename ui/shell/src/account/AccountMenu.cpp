@@ -268,14 +268,16 @@ void AccountMenu::askServer() {
           "it, and everyone signs in with the password of the server. Without a server, all data stay on this "
           "computer.\n\n%1")
            .arg(last),
-       {{"serverAddress", tr("Address"), tr("https://HOST, or postgresql://USER@HOST/DATABASE; empty: no server"),
-         site_.server()},
+       {{"serverAddress", tr("Address"),
+         tr("https://HOST, or postgresql://USER@HOST/DATABASE; leave empty to use no server"), site_.server()},
         {"serverToken",
          tr("Token"),
-         tr("Token of this computer, from the administrator of an https server; empty: the former one"),
+         tr("Token of this computer, from the administrator of an https server; leave empty to keep the present one"),
          {},
          true},
-        {"serverAuthority", tr("Certificate file"), tr("Certificate (PEM) of the site's own authority; usually empty"),
+        {"serverAuthority", tr("Certificate file"),
+         tr("Certificate (PEM) of the authority that signed the server's; leave empty if this computer trusts it "
+            "already"),
          site_.authorityFile()}},
        tr("Connect"), act, window_))
       ->open();

@@ -34,7 +34,7 @@ LevelCard::LevelCard(LevelControl& levels, TestAdmissions& admissions, const QSt
   open_ = levelButton("levelOpenCase", tr("Open its case"), tr("Opens the level's case in place of the present one"));
   free_ = levelButton("levelLeave", tr("Free practice"),
                       tr("Leaves the level; you can then choose any case, procedure and assistance"));
-  code_ = levelButton("levelCode", tr("Enter Code"), tr("Asks for the code of the test, from your instructor"));
+  code_ = levelButton("levelCode", tr("Enter Code"), tr("Enter the code of the test, which your instructor gave you"));
   auto* row = new QHBoxLayout;
   row->setSpacing(ui::kSmallGap);
   for (QPushButton* one : {course, open_, code_, free_}) row->addWidget(one, 1);

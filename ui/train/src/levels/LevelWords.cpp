@@ -50,7 +50,7 @@ QString headlineFor(const Level& level, const AttemptFacts& attempt, bool passed
   if (!counts(attempt)) return tr("Does not count: it was abandoned before skin puncture");
   if (isPractice(attempt, level))
     return attempt.sitting == AttemptSitting::Undecided
-               ? tr("Not decided yet: the database must first state whether the test was open")
+               ? tr("Pending: it is not yet confirmed that the test was open")
            : judge(rule, attempt).passed
                ? tr("Practice, does not count: the test was not open. The attempt would have passed")
                : tr("Practice, does not count: the test was not open. The attempt would not have passed");

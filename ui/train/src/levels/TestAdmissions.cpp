@@ -18,11 +18,12 @@ bool isTest(const Level& level) {
 }
 
 QString closedSentence(const TestAdmission& admission) {
-  const QString sentence =
-      TestAdmissions::tr("○ Your instructor has not opened this test: an attempt now is practice and does not count.");
-  return admission.next_us
-             ? TestAdmissions::tr("%1 It opens on %2.").arg(sentence, ui::dayAndTimeOf(*admission.next_us))
-             : sentence;
+  if (!admission.next_us)
+    return TestAdmissions::tr(
+        "○ Your instructor has not opened this test: an attempt now is practice and does not count.");
+  return TestAdmissions::tr(
+             "○ This test is not open yet: it opens on %1. Until then, an attempt is practice and does not count.")
+      .arg(ui::dayAndTimeOf(*admission.next_us));
 }
 
 }  // namespace

@@ -102,6 +102,23 @@ Markup flagSection(const AttemptFacts& attempt) {
   return section("Implausible", paragraph("An instructor should look at this attempt:") + element("ul", {}, items));
 }
 
+/// Forms by which an instructor decides whether the attempt counts; empty for others.
+Markup decisionSection(const Visit& visit, const AttemptFacts& attempt, const std::string& query,
+                       const std::string& trouble) {
+  const Person& by = visit.by->person();
+  const bool hasEnded = attempt.state == AttemptState::Completed || attempt.state == AttemptState::Abandoned;
+  if (by.role == Role::Trainee || by.id == attempt.person || !hasEnded) return {};
+  const std::string address = "/attempts/" + encoded(attempt.id);
+  Markup content;
+  if (!trouble.empty()) content += troubleLine(trouble);
+  if (attempt.proof == AttemptProof::Unproven || attempt.proof == AttemptProof::Verifying)
+    content += note("The attempt has no proof, so that its pass does not count. Accept it if you have seen it.") +
+               postForm(visit, address + "/accept" + query, inputField("Reason", "reason", "text", "off"), "Accept");
+  content += note("A voided attempt counts neither as a pass nor as a failure, for instance if a device failed.") +
+             postForm(visit, address + "/void" + query, inputField("Reason", "reason", "text", "off"), "Void");
+  return section("Does it count?", content);
+}
+
 /// The query by which a page of the attempt leads back to this one.
 std::string queryOf(const Visit& visit) {
   const std::string& cohort = valueOf(visit.request.query, "class");
@@ -112,7 +129,8 @@ std::string addressOf(const Visit& visit, const std::string& attempt) {
   return "/attempts/" + encoded(attempt) + queryOf(visit);
 }
 
-Response attemptPage(const Visit& visit, const std::string& id, const CommentDraft& draft, int status) {
+Response attemptPage(const Visit& visit, const std::string& id, const CommentDraft& draft, int status,
+                     const std::string& decisionTrouble = {}) {
   const auto kept = AttemptStore(*visit.by).attempt(id);
   if (!kept) return refusal(visit, 404, kept.error().message);
   const auto person = PeopleStore(*visit.by).person(kept->facts.person);
@@ -127,6 +145,7 @@ Response attemptPage(const Visit& visit, const std::string& id, const CommentDra
   if (!comments) return refusal(visit, 403, comments.error().message);
   content += *comments + metricSection(kept->facts, level);
   if (visit.by->person().role != Role::Trainee) content += flagSection(kept->facts);
+  content += decisionSection(visit, kept->facts, queryOf(visit), decisionTrouble);
   return page(visit, "Attempt", content, status);
 }
 
@@ -134,6 +153,17 @@ Response attemptPage(const Visit& visit, const std::string& id, const CommentDra
 
 Response showAttempt(const Visit& visit, const Parts& parts) {
   return attemptPage(visit, parts[0], {}, 200);
+}
+
+Response acceptAttempt(const Visit& visit, const Parts& parts) {
+  const auto accepted = AttemptStore(*visit.by).accept(parts[0], valueOf(visit.request.form, "reason"));
+  return accepted ? redirect(addressOf(visit, parts[0]))
+                  : attemptPage(visit, parts[0], {}, 400, accepted.error().message);
+}
+
+Response voidAttempt(const Visit& visit, const Parts& parts) {
+  const auto voided = AttemptStore(*visit.by).voidAttempt(parts[0], valueOf(visit.request.form, "reason"));
+  return voided ? redirect(addressOf(visit, parts[0])) : attemptPage(visit, parts[0], {}, 400, voided.error().message);
 }
 
 Response addComment(const Visit& visit, const Parts& parts) {

@@ -176,7 +176,9 @@ Response showClass(const Visit& visit, const Parts& parts) {
   const auto facts = readClass(*visit.by, *cohort);
   if (!facts) return refusal(visit, 403, facts.error().message);
   return page(visit, facts->cohort.name,
-              attentionSection(*facts) + memberSection(*facts) + skillSection(*facts) + exportSection(visit, *facts));
+              element("p", {}, link("/classes/" + encoded(facts->cohort.id) + "/tests", "Tests: open and close")) +
+                  attentionSection(*facts) + memberSection(*facts) + skillSection(*facts) +
+                  exportSection(visit, *facts));
 }
 
 }  // namespace insonate::web

@@ -26,8 +26,9 @@ namespace {
 
 constexpr int kWorkers = 4, kPasswordWorkers = 2;
 constexpr std::size_t kHeaderMemory_bytes = 32 << 10;
-/// Bodies of all connections together.
-constexpr std::size_t kMostBodies_bytes = std::size_t{256} << 20;
+/// Bodies of all connections together; those of workstations leave room for forms.
+constexpr std::size_t kMostBodies_bytes = std::size_t{256} << 20,
+                      kMostBodiesOfWorkstations_bytes = std::size_t{192} << 20;
 /// Requests that wait for a worker; further ones are told to come back, since a queue without limit only grows.
 constexpr std::size_t kMostWaiting = 500;
 
@@ -209,7 +210,9 @@ MHD_Result HttpServer::Impl::begin(MHD_Connection* connection, const char* url, 
 MHD_Result HttpServer::Impl::take(Exchange& exchange, const char* data, std::size_t* size) {
   if (*size > 0) {
     std::string& body = exchange.request.body;
-    if (body.size() <= exchange.largest_bytes && bodies_bytes + *size <= kMostBodies_bytes) {
+    const bool isLarge = exchange.largest_bytes > kLargestBody_bytes;
+    const std::size_t most_bytes = isLarge ? kMostBodiesOfWorkstations_bytes : kMostBodies_bytes;
+    if (body.size() <= exchange.largest_bytes && bodies_bytes + *size <= most_bytes) {
       body.append(data, *size);
       bodies_bytes += *size;
     } else {

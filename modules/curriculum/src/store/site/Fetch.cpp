@@ -35,17 +35,27 @@ Rows rowsByKey(Transaction& transaction, std::string_view sql) {
   return rows;
 }
 
-/// People whom an untrusted workstation knows, the learners of the classes that these people teach, and the instructors
-/// of the classes that they attend (a person without an instructor takes tests alone).
-std::set<std::string> peopleFor(Transaction& transaction, const std::string& workstation) {
-  std::set<std::string> people;
+/// People of whom an untrusted workstation may have data.
+struct PeopleFor {
+  std::set<std::string> known{};     ///< those who have signed in at it, and the learners of the instructors among them
+  std::set<std::string> teachers{};  ///< instructors of these people: a person without one takes tests alone
+};
+
+PeopleFor peopleFor(Transaction& transaction, const std::string& workstation) {
+  PeopleFor people;
   for (const Row& row : transaction.rows(
            "SELECT person FROM workstation_people WHERE workstation = ? UNION "
-           "SELECT theirs.person FROM workstation_people AS known JOIN memberships AS own ON own.person = known.person "
-           "JOIN memberships AS theirs ON theirs.cohort = own.cohort AND (own.teaches = 1 OR theirs.teaches = 1) "
-           "WHERE workstation = ?",
+           "SELECT theirs.person FROM workstation_people AS here JOIN people ON people.id = here.person AND disabled = "
+           "0 JOIN memberships AS own ON own.person = here.person AND own.teaches = 1 JOIN memberships AS theirs ON "
+           "theirs.cohort = own.cohort AND theirs.teaches = 0 WHERE workstation = ?",
            workstation, workstation))
-    people.insert(row.text(0));
+    people.known.insert(row.text(0));
+  for (const Row& row : transaction.rows(
+           "SELECT DISTINCT theirs.person FROM workstation_people AS here JOIN memberships AS own ON own.person = "
+           "here.person JOIN memberships AS theirs ON theirs.cohort = own.cohort AND theirs.teaches = 1 WHERE "
+           "workstation = ?",
+           workstation))
+    people.teachers.insert(row.text(0));
   return people;
 }
 
@@ -62,8 +72,9 @@ std::string digestOf(Transaction& transaction, const std::string& person, const 
 }
 
 /// Adds the attempts of people whose attempts elsewhere are not known to the workstation as they are now.
-void addElsewhere(Transaction& transaction, Taught& taught, const std::string& workstation, const Digests& known) {
-  for (const auto& [person, row] : taught.people) {
+void addElsewhere(Transaction& transaction, Taught& taught, const std::set<std::string>& people,
+                  const std::string& workstation, const Digests& known) {
+  for (const std::string& person : people) {
     const auto digest = known.find(person);
     if (digestOf(transaction, person, workstation) == (digest == known.end() ? "" : digest->second)) continue;
     for (const Row& attempt :
@@ -75,11 +86,14 @@ void addElsewhere(Transaction& transaction, Taught& taught, const std::string& w
 }
 
 /// Leaves out what an untrusted workstation does not need: other people, their classes, and all passwords.
-void restrict(Transaction& transaction, Taught& taught, const std::string& workstation) {
-  const std::set<std::string> people = peopleFor(transaction, workstation);
-  std::erase_if(taught.people, [&](const auto& row) { return !people.contains(row.first); });
-  for (auto& [id, row] : taught.people) row[kPasswordColumn].clear();
-  std::erase_if(taught.memberships, [&](const auto& row) { return !people.contains(row.second[2]); });
+void restrict(Taught& taught, const PeopleFor& people) {
+  const auto isFor = [&](const std::string& id) { return people.known.contains(id) || people.teachers.contains(id); };
+  std::erase_if(taught.people, [&](const auto& row) { return !isFor(row.first); });
+  for (auto& [id, row] : taught.people) {
+    row[kPasswordColumn].clear();
+    if (!people.known.contains(id)) row[kEmailColumn].clear();
+  }
+  std::erase_if(taught.memberships, [&](const auto& row) { return !isFor(row.second[2]); });
   std::set<std::string> cohorts;
   for (const auto& [key, row] : taught.memberships) cohorts.insert(row[1]);
   std::erase_if(taught.cohorts, [&](const auto& row) { return !cohorts.contains(row.first); });
@@ -118,7 +132,8 @@ int takePeople(Transaction& here, Taught& taught) {
   for (const Row& row : here.rows("SELECT id FROM outbox WHERE kind = 'password'")) unsent.insert(row.text(0));
   const auto rows = changed(taught.people, own);
   // Two people may have exchanged names: existing names are cleared before new ones are assigned.
-  for (const auto& row : rows) here.run("UPDATE people SET name_key = id WHERE id = ?", row[0]);
+  // A name may also have belonged to a person of whom the server tells nothing anymore.
+  for (const auto& row : rows) here.run("UPDATE people SET name_key = id WHERE id = ? OR name_key = ?", row[0], row[2]);
   for (const auto& row : rows) {
     here.run(
         "INSERT INTO people VALUES (?, ?, ?, ?, ?, ?, ?) ON CONFLICT (id) DO UPDATE SET name = excluded.name, "
@@ -216,18 +231,6 @@ void takeElsewhere(Transaction& here, const std::vector<SentAttempt>& attempts, 
   }
 }
 
-/// Openings that were made here before the workstation belonged to the server end.
-void takeOpenings(Transaction& here, const std::vector<Row>& openings, std::int64_t now_us) {
-  std::set<std::string> known;
-  for (const Row& row : openings) {
-    mergeOpening(here, row);
-    known.insert(row.text(0));
-  }
-  for (const Row& row : here.rows("SELECT id, opened_by FROM openings WHERE closed_us IS NULL"))
-    if (!known.contains(row.text(0)))
-      here.run("UPDATE openings SET closed_us = ?, closed_by = ? WHERE id = ?", now_us, row.text(1), row.text(0));
-}
-
 /// Applies the server's acceptances of attempts of this workstation.
 void takeAccepted(Transaction& here, const std::vector<Row>& accepted, std::int64_t now_us) {
   for (const Row& row : accepted) {
@@ -268,8 +271,9 @@ Result<Taught> readTaught(Core& server, const Sender& sender, const Digests& kno
         sender.workstation);
     taught.openings = transaction.rows("SELECT " INSONATE_OPENING_COLUMNS " FROM openings ORDER BY id");
     if (!sender.isTrusted) {
-      restrict(transaction, taught, sender.workstation);
-      addElsewhere(transaction, taught, sender.workstation, known);
+      const PeopleFor people = peopleFor(transaction, sender.workstation);
+      restrict(taught, people);
+      addElsewhere(transaction, taught, people.known, sender.workstation, known);
     }
     return taught;
   });
@@ -290,7 +294,7 @@ Result<void> takeTaught(Core& here, Taught taught, UploadReport& report) {
     report.people = takePeople(transaction, taught);
     report.cohorts = takeCohorts(transaction, taught);
     report.curricula = takeCurricula(transaction, taught.curricula, report.troubles);
-    takeOpenings(transaction, taught.openings, here.now_us());
+    for (const Row& opening : taught.openings) mergeOpening(transaction, opening);
     takeElsewhere(transaction, taught.elsewhere, here.now_us(), report.troubles);
     takeVoided(transaction, taught.voided);
     takeRefused(transaction, here, taught.refused, report.troubles);

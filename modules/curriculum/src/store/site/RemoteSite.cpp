@@ -132,6 +132,9 @@ Result<void> RemoteSite::takeRecordings(Core& here, UploadReport& report, const 
                           [](const json& answer) { return answer.at("attempts").get<std::vector<std::string>>(); });
   if (!wanted) return tl::unexpected(wanted.error());
   std::vector<std::string> missing;
+  // One recording that cannot be sent does not hold up the others; without connection all fail.
+  constexpr int kMostFailures = 3;
+  int failures = 0;
   for (std::size_t i = 0; i < wanted->size(); ++i) {
     if (!insonate::report(progress, "sending recordings", static_cast<double>(i) / static_cast<double>(wanted->size())))
       return fail(std::string(kCancelled));
@@ -141,8 +144,10 @@ Result<void> RemoteSite::takeRecordings(Core& here, UploadReport& report, const 
       missing.push_back((*wanted)[i]);
       continue;
     }
-    if (auto sent = sendFile(link_, (*wanted)[i], file); !sent) return sent;
-    ++report.recordings;
+    if (auto sent = sendFile(link_, (*wanted)[i], file); sent)
+      ++report.recordings;
+    else if (report.troubles.push_back(sent.error().message); ++failures == kMostFailures)
+      break;
   }
   if (missing.empty()) return {};
   const auto told = ask(link_, "unavailable", {{"attempts", missing}}, [](const json&) { return true; });

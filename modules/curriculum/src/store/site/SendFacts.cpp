@@ -43,9 +43,12 @@ Result<void> mergeItem(Transaction& transaction, const Core& server, const Sende
                        Taken& taken) {
   if (!sender.isTrusted)
     if (auto ok = applyRules(transaction, server, sender, item, taken.troubles); !ok) return ok;
-  if (item.attempt)
+  if (item.attempt && item.isForeign) {
+    for (const Row& comment : item.attempt->comments) mergeComment(transaction, comment);
+  } else if (item.attempt) {
     if (auto merged = mergeAttempt(transaction, sender, *item.attempt, server.now_us()); !merged) return merged;
-  if (item.kind == "attempt" && item.attempt)
+  }
+  if (item.kind == "attempt" && item.attempt && !item.isForeign)
     server.audit(transaction, "", "receive attempt", item.attempt->ended.person,
                  item.attempt->ended.id + " of " + forLog(item.attempt->ended.workstation));
   if (item.form)
@@ -102,7 +105,7 @@ Result<void> mergeAttempt(Transaction& server, const Sender& sender, const SentA
     if (sender.isTrusted && facts.proof != AttemptProof::Verifying)
       mergeProof(server, facts.id, facts.proof, sent.acceptedBy);
     else if (!sender.isTrusted)
-      awaitVerification(server, facts, sent.acceptedBy, now_us);
+      awaitVerification(server, facts, now_us);
   }
   if (sent.voided_us && !there->voided_us)
     server.run("UPDATE attempts SET voided_us = ?, voided_by = ?, void_reason = ? WHERE id = ?", *sent.voided_us,

@@ -18,8 +18,8 @@ using store::StoreSite;
 using store::Transaction;
 using store::Way;
 
-constexpr std::int64_t kMinute_us = std::int64_t{60} * 1'000'000;
-constexpr std::size_t kMostPeople = 10'000;
+constexpr std::int64_t kMinute_us = std::int64_t{60} * 1'000'000, kDay_us = 24 * 60 * kMinute_us;
+constexpr std::size_t kMostPeople = 10'000, kMostItems = 500;
 
 /// One request, with everything that answers it.
 struct Call {
@@ -91,8 +91,9 @@ Result<json> addPeople(const Call& call) {
 }
 
 Result<json> takeFacts(const Call& call) {
-  return written(call.site.take(store::batchFrom(call.content)),
-                 [](const store::Taken& taken) { return store::jsonOf(taken); });
+  const store::SentBatch batch = store::batchFrom(call.content);
+  if (batch.items.size() > kMostItems) return fail("The message has more than 500 entries. Install the same version.");
+  return written(call.site.take(batch), [](const store::Taken& taken) { return store::jsonOf(taken); });
 }
 
 Result<json> directory(const Call& call) {
@@ -114,15 +115,18 @@ Result<json> wantedRecordings(const Call& call) {
   return written(wanted, [](const auto& ids) { return json{{"attempts", ids}}; });
 }
 
-/// Attempts whose recordings the workstation does not have cannot be verified.
+/// Attempts whose recordings the workstation still does not have after a day cannot be verified. Before, the recording
+/// may be on its way into the workstation's folder, or the folder may not be connected.
 Result<json> unavailable(const Call& call) {
   const auto ids = call.content.at("attempts").get<std::vector<std::string>>();
+  if (ids.size() > kMostPeople) return fail("The message has more than 10 000 attempts. Install the same version.");
   const auto done = inTransaction(call.core, Way::Write, [&](Transaction& transaction) -> Result<void> {
     for (const std::string& id : ids) {
       const auto changed = transaction.run(
           "UPDATE verifications SET ended_us = ?, why = ? WHERE attempt = ? AND ended_us IS NULL AND received_us IS "
-          "NULL AND attempt IN (SELECT id FROM attempts WHERE workstation = ?)",
-          call.core.now_us(), "The workstation does not have the recording.", id, call.workstation);
+          "NULL AND since_us < ? AND attempt IN (SELECT id FROM attempts WHERE workstation = ?)",
+          call.core.now_us(), "The workstation does not have the recording.", id, call.core.now_us() - kDay_us,
+          call.workstation);
       if (changed == 0) continue;
       store::concludeProof(transaction, id, AttemptProof::Unproven);
       call.core.audit(transaction, "", "refuse attempt", "", id + ": its workstation does not have the recording",

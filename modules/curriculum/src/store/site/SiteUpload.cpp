@@ -26,6 +26,8 @@ Result<void> joinServer(Core& here, const std::string& server) {
     if (!site->text(0).empty())
       return fail(here.place() + " belongs to " + site->text(0) + ". A workstation can have only one server.");
     transaction.run("UPDATE site SET server = ?", server);
+    // From now on, tests are opened on the server only.
+    transaction.run("UPDATE openings SET closed_us = ?, closed_by = opened_by WHERE closed_us IS NULL", here.now_us());
     here.audit(transaction, "", "join server", "", server);
     return {};
   });
@@ -42,10 +44,14 @@ Result<void> sendPeople(Core& here, store::Site& server, UploadReport& report) {
   std::vector<store::SentPerson> sent;
   for (const store::SentPerson& person : *people)
     if (unknown->contains(person.person.id)) sent.push_back(person);
-  if (sent.empty()) return {};
-  const auto troubles = server.addPeople(sent);
-  if (!troubles) return tl::unexpected(troubles.error());
-  report.troubles.insert(report.troubles.end(), troubles->begin(), troubles->end());
+  constexpr std::size_t kAtOnce = 100;
+  for (std::size_t i = 0; i < sent.size(); i += kAtOnce) {
+    const auto begin = sent.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto end = sent.begin() + static_cast<std::ptrdiff_t>(std::min(sent.size(), i + kAtOnce));
+    const auto troubles = server.addPeople({begin, end});
+    if (!troubles) return tl::unexpected(troubles.error());
+    report.troubles.insert(report.troubles.end(), troubles->begin(), troubles->end());
+  }
   return {};
 }
 
@@ -134,6 +140,7 @@ Result<void> SiteUpload::keep(const store::SentPerson& person) const {
   // If the password was changed just now, the person signs in once more.
   if (row != taught->people.end() && row->second[store::kVersionColumn] == std::to_string(person.version))
     row->second[store::kPasswordColumn] = person.password;
+  taught->refused.clear();  // told once, by the next exchange
   UploadReport report;
   return store::takeTaught(*here_.core_, std::move(*taught), report);
 }

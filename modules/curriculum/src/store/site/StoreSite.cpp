@@ -40,7 +40,7 @@ Result<Taught> StoreSite::teach(const Digests& known) {
 
 Result<std::optional<SentPerson>> StoreSite::signIn(const std::string& name, const std::string& password) {
   if (sender_.isTrusted) return std::nullopt;
-  const auto known = provePassword(*core_, name, password);
+  const auto known = provePassword(*core_, name, password, "workstation " + sender_.workstation);
   if (!known) return tl::unexpected(known.error());
   return inTransaction(*core_, Way::Write, [&](Transaction& transaction) -> Result<std::optional<SentPerson>> {
     knowAt(transaction, sender_.workstation, known->person.id, core_->now_us());
@@ -51,7 +51,7 @@ Result<std::optional<SentPerson>> StoreSite::signIn(const std::string& name, con
 
 Result<SentPerson> StoreSite::changePassword(const std::string& name, const std::string& old,
                                              const std::string& password) {
-  const auto known = provePassword(*core_, name, old);
+  const auto known = provePassword(*core_, name, old, "workstation " + sender_.workstation);
   if (!known) return tl::unexpected(known.error());
   const SignedIn by(std::make_shared<Session>(core_, known->person, known->passwordVersion, known->mustChange));
   if (auto changed = PeopleStore(by).changeOwnPassword(old, password); !changed) return tl::unexpected(changed.error());

@@ -37,6 +37,7 @@ struct SentItem {
   std::string kind{}, id{};
   std::optional<SentAttempt> attempt{};  ///< for a form: its attempt, which must be on the server first
   std::optional<FilledForm> form{};
+  bool isForeign = false;  ///< the attempt is another workstation's: only comments and forms on it are sent
   std::string password{};
   bool mustChange = false;
   std::int64_t version = 0;
@@ -62,7 +63,7 @@ using Rows = std::map<std::string, std::vector<std::string>>;
 inline constexpr std::string_view kPeopleColumns =
     "id, name, name_key, full_name, email, role, disabled, password, must_change, version";
 
-inline constexpr std::size_t kPasswordColumn = 7, kVersionColumn = 9;
+inline constexpr std::size_t kEmailColumn = 4, kPasswordColumn = 7, kVersionColumn = 9;
 
 /// State of the attempts that people made at other workstations: a hash for each person (Person::id).
 using Digests = std::map<std::string, std::string>;

@@ -61,6 +61,26 @@ Row rowFrom(const json& values, std::size_t size) {
   return Row(std::move(row));
 }
 
+/// Tells whether arrays and objects are nested more deeply than in any message; code that follows them may be
+/// recursive.
+bool isDeep(const std::string& text) {
+  constexpr int kDeepest = 32;
+  int depth = 0;
+  bool isText = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (isText && c == '\\')
+      ++i;
+    else if (c == '"')
+      isText = !isText;
+    else if (!isText && (c == '[' || c == '{') && ++depth > kDeepest)
+      return true;
+    else if (!isText && (c == ']' || c == '}'))
+      --depth;
+  }
+  return false;
+}
+
 json jsonOf(const std::vector<Row>& rows) {
   json list = json::array();
   for (const Row& row : rows) list.push_back(jsonOf(row));
@@ -71,6 +91,13 @@ std::vector<Row> rowsFrom(const json& list, std::size_t size) {
   std::vector<Row> rows;
   for (const json& row : list) rows.push_back(rowFrom(row, size));
   return rows;
+}
+
+/// The array that metricsText() writes.
+std::vector<MetricFact> metricsFrom(const json& list) {
+  std::vector<MetricFact> metrics;
+  for (const json& one : list) metrics.push_back({one.at(0), countFrom(one.at(1)), optionalFrom<double>(one.at(2))});
+  return metrics;
 }
 
 json jsonOf(const AttemptFacts& facts) {
@@ -115,7 +142,7 @@ AttemptFacts factsFrom(const json& from) {
           .succeeded = from.at("succeeded"),
           .criticalErrors = countFrom(from.at("criticalErrors")),
           .points = optionalFrom<double>(from.at("points")),
-          .metrics = metricsOf(from.at("metrics").dump()),
+          .metrics = metricsFrom(from.at("metrics")),
           .recording = from.at("recording"),
           .recordingHash = from.at("recordingHash"),
           .handsHash = from.at("handsHash"),
@@ -273,6 +300,7 @@ std::string messageOf(json content) {
 }
 
 Result<json> readMessage(const std::string& text) {
+  if (isDeep(text)) return fail("The message is nested too deeply to be one of Insonate.");
   json message = json::parse(text, nullptr, false);
   if (!message.is_object() || !message.contains("version"))
     return fail("The message is not one of Insonate. Check the address of the server.");

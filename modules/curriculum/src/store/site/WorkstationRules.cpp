@@ -18,12 +18,17 @@ bool mayDo(Transaction& server, const Sender& sender, const std::string& actor, 
   return !decide(server, by, request).refusal;
 }
 
-Result<void> checkAttempt(Transaction& server, const Core& core, const Sender& sender, const SentAttempt& sent) {
+/// `isForeign`: set if the attempt was made at another workstation, from which the server has it already.
+Result<void> checkAttempt(Transaction& server, const Core& core, const Sender& sender, const SentAttempt& sent,
+                          bool& isForeign) {
   const AttemptFacts& facts = sent.ended;
   const auto stays = [&](const std::string& why) {
     return fail("The attempt " + facts.id.substr(0, 36) + " was not sent. " + why);
   };
-  if (facts.workstation != sender.workstation)
+  const auto there = server.row("SELECT workstation FROM attempts WHERE id = ?", facts.id);
+  isForeign = there && there->text(0) != sender.workstation && there->text(0) == facts.workstation;
+  if (isForeign) return {};
+  if (facts.workstation != sender.workstation || (there && there->text(0) != sender.workstation))
     return stays("It was made at the workstation '" + facts.workstation.substr(0, 64) + "'; send it from there.");
   if (!isKnownAt(server, sender.workstation, facts.person))
     return stays("Its person has not signed in to the server at this workstation. Let this person sign in here once.");
@@ -45,31 +50,39 @@ AttemptSitting sittingOf(Transaction& server, const AttemptFacts& facts) {
   return isCodeEntered ? Opened : decided;
 }
 
-/// Removes acts of instructors that the instructor may not do on the server.
-void removeActs(Transaction& server, const Sender& sender, SentAttempt& sent, std::vector<std::string>& troubles) {
-  const std::string &id = sent.ended.id, &person = sent.ended.person;
+/// A workstation states who voided or accepted an attempt, which proves nothing: these acts are made on the server.
+void removeActs(Transaction& server, SentAttempt& sent, std::vector<std::string>& troubles) {
+  const std::string& id = sent.ended.id;
+  const auto there = server.row(
+      "SELECT voided_us, COALESCE((SELECT proofs.state FROM proofs WHERE attempt = attempts.id), '') FROM attempts "
+      "WHERE "
+      "id = ?",
+      id);
   const auto refuse = [&](const char* act) {
     troubles.push_back("The attempt " + id + " was " + act +
-                       " here by somebody who may not do that on the server, so the server did not take this over.");
+                       " on this computer, which the server does not take over. " + "Repeat this on the server.");
   };
-  if (sent.voided_us && !mayDo(server, sender, sent.voidedBy, {.act = Act::VoidAttempt, .person = person})) {
-    sent.voided_us.reset();
-    refuse("voided");
-  }
-  if (!sent.acceptedBy.empty() &&
-      !mayDo(server, sender, sent.acceptedBy, {.act = Act::AcceptAttempt, .person = person})) {
-    sent.acceptedBy.clear();
-    refuse("accepted");
-  }
-  const auto isAllowed = [&](const Row& comment) {
-    const auto may = [&](std::size_t column, Act act) {
-      return mayDo(server, sender, comment.text(column), {.act = act, .person = person});
-    };
-    const bool isOwn = comment.text(1) == id && isUuid(comment.text(0)) && checkText("", comment.text(5), 4000);
-    const bool isKnown = server.row("SELECT id FROM comments WHERE id = ?", comment.text(0)).has_value();
-    return isOwn && (isKnown || may(3, Act::WriteComment)) && (comment.isNull(7) || may(8, Act::RemoveComment));
-  };
-  if (std::erase_if(sent.comments, [&](const Row& comment) { return !isAllowed(comment); }) > 0) refuse("commented on");
+  if (sent.voided_us && (!there || there->isNull(0))) refuse("voided");
+  if (!sent.acceptedBy.empty() && (!there || there->text(1) != "accepted")) refuse("accepted");
+  sent.voided_us.reset();
+  sent.acceptedBy.clear();
+}
+
+bool mayTake(Transaction& server, const Sender& sender, const SentAttempt& sent, const Row& comment) {
+  const std::string id = comment.text(0), author = comment.text(3);
+  if (comment.text(1) != sent.ended.id || !isUuid(id) || !checkText("", comment.text(5), 4000)) return false;
+  const auto known = server.row("SELECT attempt, author FROM comments WHERE id = ?", id);
+  if (known && (known->text(0) != sent.ended.id || known->text(1) != author)) return false;
+  const auto may = [&](Act act) { return mayDo(server, sender, author, {.act = act, .person = sent.ended.person}); };
+  if (!known && !may(Act::WriteComment)) return false;
+  return comment.isNull(7) || (comment.text(8) == author && may(Act::RemoveComment));
+}
+
+void removeComments(Transaction& server, const Sender& sender, SentAttempt& sent, std::vector<std::string>& troubles) {
+  if (std::erase_if(sent.comments, [&](const Row& comment) { return !mayTake(server, sender, sent, comment); }) > 0)
+    troubles.push_back("A comment on the attempt " + sent.ended.id +
+                       " was not sent: its author may not write or remove it on the server, or has not signed in there "
+                       "at this workstation.");
 }
 
 Result<void> checkForm(Transaction& server, const Sender& sender, const FilledForm& form) {
@@ -79,6 +92,13 @@ Result<void> checkForm(Transaction& server, const Sender& sender, const FilledFo
   if (!isUuid(form.id) || form.formVersion < 0) return stays("Its id or its version is not one of Insonate.");
   if (!mayDo(server, sender, form.by, {.act = Act::FillForm, .person = form.person}))
     return stays("Its author may not fill it in on the server, or has not signed in there at this workstation.");
+  const auto attempt = server.row("SELECT person FROM attempts WHERE id = ?", form.attempt);
+  if (!form.attempt.empty() && attempt && attempt->text(0) != form.person)
+    return stays("The attempt is not one of the person whom the form is about.");
+  if (!form.attempt.empty() &&
+      server.number("SELECT COUNT(*) FROM forms WHERE attempt = ? AND form = ? AND filled_by = ? AND id <> ?",
+                    form.attempt, form.form, form.by, form.id) > 0)
+    return stays("Its author has handed in this form about this attempt already.");
   if (auto ok = checkText("The form's name", form.form); !ok) return ok;
   return checkJsonObject("The form's answers", form.answers);
 }
@@ -98,10 +118,13 @@ void knowAt(Transaction& server, const std::string& workstation, const std::stri
 Result<void> applyRules(Transaction& server, const Core& core, const Sender& sender, SentItem& item,
                         std::vector<std::string>& troubles) {
   if (item.attempt) {
-    if (auto ok = checkAttempt(server, core, sender, *item.attempt); !ok) return ok;
+    if (auto ok = checkAttempt(server, core, sender, *item.attempt, item.isForeign); !ok) return ok;
     item.attempt->ended.sitting = sittingOf(server, item.attempt->ended);
-    removeActs(server, sender, *item.attempt, troubles);
+    removeActs(server, *item.attempt, troubles);
+    removeComments(server, sender, *item.attempt, troubles);
   }
+  if (item.form && item.attempt && item.attempt->ended.person != item.form->person)
+    return fail("The form " + item.form->id.substr(0, 36) + " was not sent. Its attempt is of another person.");
   if (item.form)
     if (auto ok = checkForm(server, sender, *item.form); !ok) return ok;
   if (item.kind == "password")
@@ -111,13 +134,11 @@ Result<void> applyRules(Transaction& server, const Core& core, const Sender& sen
   return {};
 }
 
-void awaitVerification(Transaction& server, const AttemptFacts& facts, const std::string& acceptedBy,
-                       std::int64_t now_us) {
+void awaitVerification(Transaction& server, const AttemptFacts& facts, std::int64_t now_us) {
   if (facts.recordingHash.empty())
     concludeProof(server, facts.id, AttemptProof::Unproven);
   else if (server.number("SELECT COUNT(*) FROM verifications WHERE attempt = ?", facts.id) == 0)
     server.run("INSERT INTO verifications VALUES (?, ?, NULL, NULL, NULL, '')", facts.id, now_us);
-  if (!acceptedBy.empty()) acceptAttempt(server, facts.id, acceptedBy);
 }
 
 }  // namespace insonate::store
