@@ -49,8 +49,7 @@ QString headlineFor(const Level& level, const AttemptFacts& attempt, bool passed
   const PassRule& rule = level.pass;
   if (!counts(attempt)) return tr("Does not count: it was abandoned before skin puncture");
   if (isPractice(attempt, level))
-    return attempt.sitting == AttemptSitting::Undecided
-               ? tr("Pending: it is not yet confirmed that the test was open")
+    return attempt.sitting == AttemptSitting::Undecided ? tr("Pending: it is not yet confirmed that the test was open")
            : judge(rule, attempt).passed
                ? tr("Practice, does not count: the test was not open. The attempt would have passed")
                : tr("Practice, does not count: the test was not open. The attempt would not have passed");
