@@ -254,6 +254,21 @@ TEST_P(StoreSite, ARecordingOfAnotherContentIsNotTaken) {
   EXPECT_FALSE(valueOf(VerificationQueue(school->store).take()));
 }
 
+TEST_P(StoreSite, AnAttemptOfALostWorkstationCanBeAccepted) {
+  const AttemptFacts facts = attemptOf(here(school->anna));
+  std::filesystem::remove(near->recordings() / (facts.id + ".attempt"));
+  valueOf(site().exchange());
+  ASSERT_EQ(onServer(facts).facts.proof, AttemptProof::Verifying);
+  succeed(AttemptStore(school->as(school->ina)).accept(facts.id, "I watched it"));
+  EXPECT_EQ(onServer(facts).facts.proof, AttemptProof::Accepted);
+  EXPECT_EQ(masteredBy(school->anna), 1);
+  EXPECT_EQ(valueOf(VerificationQueue(school->store).waiting()), 0);
+  const AttemptFacts arrived = attemptOf(here(school->anna));
+  valueOf(site().exchange());
+  EXPECT_THAT(refusalOf(AttemptStore(school->as(school->ina)).accept(arrived.id, "I watched it")),
+              HasSubstr("is verifying the attempt"));
+}
+
 TEST_P(StoreSite, WithoutItsRecordingAnAttemptStaysUnproven) {
   const AttemptFacts facts = attemptOf(here(school->anna));
   std::filesystem::remove(near->recordings() / (facts.id + ".attempt"));
@@ -313,6 +328,11 @@ TEST_P(StoreSite, ProofsAndActsThatAWorkstationClaimsAreNotBelieved) {
   EXPECT_THAT(message([&](auto& attempt) { attempt["facts"]["points"] = 1000.0; }), HasSubstr("100"));
   EXPECT_THAT(message([&](auto& attempt) { attempt["facts"]["criticalErrors"] = 1ll << 40; }), HasSubstr("negative"));
   EXPECT_EQ(valueOf(StoreUpkeep(school->admin).facts()).attempts, 0);
+  const AttemptFacts bens = keepAttempt(school->as(school->ben));
+  EXPECT_THAT(
+      message([&](auto& attempt) { attempt["facts"]["id"] = bens.id, attempt["facts"]["workstation"] = "server"; }),
+      HasSubstr("made at the workstation 'server'"))
+      << "an attempt elsewhere, said to be of a person whom its author may comment on";
   const std::string acts = message([&](auto& attempt) {
     attempt["voided_us"] = rig->now_us, attempt["voidedBy"] = school->otto.id;
     attempt["acceptedBy"] = school->anna.id;

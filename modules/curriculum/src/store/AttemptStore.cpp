@@ -20,7 +20,6 @@
 #include <string>
 
 namespace insonate::store {
-namespace {}  // namespace
 
 Result<void> refuseImpossibleDates(Transaction& transaction, const AttemptFacts& facts, std::int64_t now_us) {
   const std::int64_t latest_us = now_us + kClocksDiffer_us;
@@ -125,6 +124,17 @@ Result<void> voidKept(Transaction& transaction, const Core& core, const std::str
   return {};
 }
 
+/// Ends the verification of an attempt whose recording has not arrived, perhaps since its workstation is lost.
+Result<void> waitNoMore(Transaction& transaction, const Core& core, const std::string& id) {
+  const auto waiting = transaction.row("SELECT received_us FROM verifications WHERE attempt = ?", id);
+  if (!waiting || !waiting->isNull(0))
+    return fail("The server is verifying the attempt. Wait until it has finished, then look at the attempt again.");
+  transaction.run("UPDATE verifications SET ended_us = ?, why = ? WHERE attempt = ?", core.now_us(),
+                  "It was accepted before its recording arrived.", id);
+  store::concludeProof(transaction, id, AttemptProof::Unproven);
+  return {};
+}
+
 Result<void> acceptKept(Transaction& transaction, const Core& core, const std::string& id, const std::string& by) {
   const auto kept = store::findAttempt(transaction, id);
   const AttemptFacts& facts = kept->facts;
@@ -133,17 +143,13 @@ Result<void> acceptKept(Transaction& transaction, const Core& core, const std::s
     return fail(
         "Only an attempt that has ended can be accepted, but this one is still open, was voided, or its recording "
         "broke off.");
-  if (facts.proof == AttemptProof::Verifying) {
-    const auto waiting = transaction.row("SELECT received_us FROM verifications WHERE attempt = ?", id);
-    if (!waiting || !waiting->isNull(0))
-      return fail("The server is verifying the attempt. Wait until it has finished, then look at the attempt again.");
-    transaction.run("UPDATE verifications SET ended_us = ?, why = ? WHERE attempt = ?", core.now_us(),
-                    "It was accepted before its recording arrived.", id);
-    store::concludeProof(transaction, id, AttemptProof::Unproven);
-  } else if (facts.sitting == AttemptSitting::Practice)
+  if (facts.sitting == AttemptSitting::Practice)
     return fail("The test was not open when the attempt began, so the attempt is practice and stays practice.");
-  if (facts.proof != AttemptProof::Unproven)
+  if (facts.proof == AttemptProof::Verifying) {
+    if (auto ended = waitNoMore(transaction, core, id); !ended) return ended;
+  } else if (facts.proof != AttemptProof::Unproven) {
     return fail("The attempt counts already. It does not need to be accepted.");
+  }
   store::acceptAttempt(transaction, id, by);
   // The standings were computed without this attempt.
   transaction.run("DELETE FROM standings WHERE person = ?", facts.person);

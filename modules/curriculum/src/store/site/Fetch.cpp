@@ -63,8 +63,9 @@ PeopleFor peopleFor(Transaction& transaction, const std::string& workstation) {
 std::string digestOf(Transaction& transaction, const std::string& person, const std::string& workstation) {
   std::string state;
   for (const Row& row :
-       transaction.rows("SELECT id, state, crashed, sitting, voided_us IS NOT NULL, " INSONATE_PROOF_COLUMN
-                        " FROM attempts WHERE person = ? AND workstation <> ? AND state <> 'open' "
+       transaction.rows("SELECT id, state, crashed, sitting, voided_us IS NOT NULL, COALESCE((SELECT proofs.state FROM "
+                        "proofs WHERE attempt = attempts.id), 'unproven') FROM attempts WHERE person = ? AND "
+                        "workstation <> ? AND state <> 'open' "
                         "ORDER BY id",
                         person, workstation))
     for (std::size_t i = 0; i < row.size(); ++i) state += row.text(i) + ' ';

@@ -25,8 +25,9 @@ Result<void> checkAttempt(Transaction& server, const Core& core, const Sender& s
   const auto stays = [&](const std::string& why) {
     return fail("The attempt " + facts.id.substr(0, 36) + " was not sent. " + why);
   };
-  const auto there = server.row("SELECT workstation FROM attempts WHERE id = ?", facts.id);
-  isForeign = there && there->text(0) != sender.workstation && there->text(0) == facts.workstation;
+  const auto there = server.row("SELECT workstation, person FROM attempts WHERE id = ?", facts.id);
+  isForeign = there && there->text(0) != sender.workstation && there->text(0) == facts.workstation &&
+              there->text(1) == facts.person;
   if (isForeign) return {};
   if (facts.workstation != sender.workstation || (there && there->text(0) != sender.workstation))
     return stays("It was made at the workstation '" + facts.workstation.substr(0, 64) + "'; send it from there.");
@@ -55,12 +56,11 @@ void removeActs(Transaction& server, SentAttempt& sent, std::vector<std::string>
   const std::string& id = sent.ended.id;
   const auto there = server.row(
       "SELECT voided_us, COALESCE((SELECT proofs.state FROM proofs WHERE attempt = attempts.id), '') FROM attempts "
-      "WHERE "
-      "id = ?",
+      "WHERE id = ?",
       id);
   const auto refuse = [&](const char* act) {
     troubles.push_back("The attempt " + id + " was " + act +
-                       " on this computer, which the server does not take over. " + "Repeat this on the server.");
+                       " on this computer, which the server does not take over. Repeat this on the server.");
   };
   if (sent.voided_us && (!there || there->isNull(0))) refuse("voided");
   if (!sent.acceptedBy.empty() && (!there || there->text(1) != "accepted")) refuse("accepted");
