@@ -80,6 +80,44 @@ class StoreSite : public OnBoth {
     valueOf(AttemptStore(by).add(facts, file));
     return facts;
   }
+  /// Answer of the server to a completed attempt of Anna that claims all it can, changed by `change`.
+  template <class Change>
+  std::string troublesOf(const AttemptFacts& facts, const Change& change) const {
+    nlohmann::json attempt = {{"facts",
+                               {{"id", facts.id},
+                                {"person", school->anna.id},
+                                {"curriculum", "course"},
+                                {"curriculumVersion", 1},
+                                {"level", "a"},
+                                {"procedure", "p"},
+                                {"procedureVersion", 1},
+                                {"case", "textbook"},
+                                {"caseHash", ""},
+                                {"workstation", "ward 7"},
+                                {"begun_us", rig->now_us},
+                                {"length_us", 60'000'000},
+                                {"state", "completed"},
+                                {"succeeded", true},
+                                {"criticalErrors", 0},
+                                {"points", 95.0},
+                                {"metrics", nlohmann::json::array()},
+                                {"recording", "a.rec"},
+                                {"recordingHash", std::string(64, 'a')},
+                                {"handsHash", ""},
+                                {"proof", "demonstration"},
+                                {"sitting", "earlier"}}},
+                              {"crashed", false},
+                              {"voidReason", ""},
+                              {"voided_us", nullptr},
+                              {"voidedBy", ""},
+                              {"acceptedBy", ""},
+                              {"comments", nlohmann::json::array()}};
+    change(attempt);
+    const nlohmann::json item = {
+        {"number", 1}, {"kind", "attempt"}, {"id", facts.id}, {"attempt", attempt}, {"form", nullptr}};
+    const nlohmann::json batch = {{"version", 1}, {"items", {item}}, {"logEnd", 1}, {"logHash", "x"}};
+    return nlohmann::json::parse(valueOf(passOn("facts", batch.dump())).text)["troubles"].dump();
+  }
   KeptAttempt onServer(const AttemptFacts& facts) const {
     return valueOf(AttemptStore(school->admin).attempt(facts.id));
   }
@@ -280,46 +318,19 @@ TEST_P(StoreSite, WithoutItsRecordingAnAttemptStaysUnproven) {
   EXPECT_EQ(masteredBy(school->anna), 0);
 }
 
+TEST_P(StoreSite, AnAttemptElsewhereIsOfThePersonWhoMadeIt) {
+  here(school->anna);
+  const AttemptFacts bens = keepAttempt(school->as(school->ben));
+  EXPECT_THAT(troublesOf(bens, [](auto& attempt) { attempt["facts"]["workstation"] = "server"; }),
+              HasSubstr("made at the workstation 'server'"))
+      << "said to be of a person on whose attempts the author may comment";
+}
+
 TEST_P(StoreSite, ProofsAndActsThatAWorkstationClaimsAreNotBelieved) {
   const SignedIn anna = here(school->anna);
   here(school->otto);  // teaches another class
   const AttemptFacts facts = attemptOf(anna);
-  const auto message = [&](auto change) {
-    nlohmann::json attempt = {{"facts",
-                               {{"id", facts.id},
-                                {"person", school->anna.id},
-                                {"curriculum", "course"},
-                                {"curriculumVersion", 1},
-                                {"level", "a"},
-                                {"procedure", "p"},
-                                {"procedureVersion", 1},
-                                {"case", "textbook"},
-                                {"caseHash", ""},
-                                {"workstation", "ward 7"},
-                                {"begun_us", rig->now_us},
-                                {"length_us", 60'000'000},
-                                {"state", "completed"},
-                                {"succeeded", true},
-                                {"criticalErrors", 0},
-                                {"points", 95.0},
-                                {"metrics", nlohmann::json::array()},
-                                {"recording", "a.rec"},
-                                {"recordingHash", std::string(64, 'a')},
-                                {"handsHash", ""},
-                                {"proof", "demonstration"},
-                                {"sitting", "earlier"}}},
-                              {"crashed", false},
-                              {"voidReason", ""},
-                              {"voided_us", nullptr},
-                              {"voidedBy", ""},
-                              {"acceptedBy", ""},
-                              {"comments", nlohmann::json::array()}};
-    change(attempt);
-    const nlohmann::json item = {
-        {"number", 1}, {"kind", "attempt"}, {"id", facts.id}, {"attempt", attempt}, {"form", nullptr}};
-    const nlohmann::json batch = {{"version", 1}, {"items", {item}}, {"logEnd", 1}, {"logHash", "x"}};
-    return nlohmann::json::parse(valueOf(passOn("facts", batch.dump())).text)["troubles"].dump();
-  };
+  const auto message = [&](auto change) { return troublesOf(facts, change); };
   EXPECT_THAT(message([&](auto& attempt) { attempt["facts"]["workstation"] = "ward 8"; }), HasSubstr("ward 8"));
   EXPECT_THAT(message([&](auto& attempt) { attempt["facts"]["person"] = school->ben.id; }),
               HasSubstr("has not signed in"));
@@ -328,11 +339,6 @@ TEST_P(StoreSite, ProofsAndActsThatAWorkstationClaimsAreNotBelieved) {
   EXPECT_THAT(message([&](auto& attempt) { attempt["facts"]["points"] = 1000.0; }), HasSubstr("100"));
   EXPECT_THAT(message([&](auto& attempt) { attempt["facts"]["criticalErrors"] = 1ll << 40; }), HasSubstr("negative"));
   EXPECT_EQ(valueOf(StoreUpkeep(school->admin).facts()).attempts, 0);
-  const AttemptFacts bens = keepAttempt(school->as(school->ben));
-  EXPECT_THAT(
-      message([&](auto& attempt) { attempt["facts"]["id"] = bens.id, attempt["facts"]["workstation"] = "server"; }),
-      HasSubstr("made at the workstation 'server'"))
-      << "an attempt elsewhere, said to be of a person whom its author may comment on";
   const std::string acts = message([&](auto& attempt) {
     attempt["voided_us"] = rig->now_us, attempt["voidedBy"] = school->otto.id;
     attempt["acceptedBy"] = school->anna.id;
