@@ -1,13 +1,10 @@
 #include "KeptSignIn.h"
 
-#include <insonate/core/AtomicFile.h>
+#include "PrivateJson.h"
+
 #include <insonate/curriculum/PeopleStore.h>
 
-#include <QByteArray>
-#include <QFile>
-#include <QJsonDocument>
 #include <QJsonObject>
-#include <fstream>
 #include <system_error>
 
 namespace insonate::ui {
@@ -21,9 +18,7 @@ const QString kKeptName = QStringLiteral("name"), kToken = QStringLiteral("token
 }  // namespace
 
 KeptSignIn readKeptSignIn(const fs::path& file) {
-  QFile stream(QString::fromStdString(file.string()));
-  if (!stream.open(QIODevice::ReadOnly)) return {};
-  const QJsonObject json = QJsonDocument::fromJson(stream.readAll()).object();
+  const QJsonObject json = readPrivateJson(file);
   const auto text = [&json](const QString& key) { return json[key].toString().toStdString(); };
   return {text(kKeptName), text(kToken), text(kPassword)};
 }
@@ -33,15 +28,7 @@ Result<void> writeKeptSignIn(const fs::path& file, const KeptSignIn& kept) {
   QJsonObject json{{kKeptName, text(kept.name)}};
   if (!kept.token.empty()) json[kToken] = text(kept.token);
   if (!kept.generatedPassword.empty()) json[kPassword] = text(kept.generatedPassword);
-  const QByteArray bytes = QJsonDocument(json).toJson();
-  return writeAtomically(file, [&bytes](const fs::path& beside) -> Result<void> {
-    std::ofstream stream(beside, std::ios::binary);
-    std::error_code error;
-    fs::permissions(beside, fs::perms::owner_read | fs::perms::owner_write, error);
-    if (error || !stream.write(bytes.data(), bytes.size()).flush())
-      return fail("Could not write " + beside.string() + ".");
-    return {};
-  });
+  return writePrivateJson(file, json);
 }
 
 Result<void> keepSignedIn(const fs::path& file, const SignedIn& by) {

@@ -1,15 +1,13 @@
 #include "SiteSettings.h"
 
-#include <insonate/core/AtomicFile.h>
+#include "PrivateJson.h"
+
 #include <insonate/site/HttpLink.h>
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
-#include <QJsonDocument>
 #include <QJsonObject>
 #include <QSettings>
-#include <fstream>
 #include <system_error>
 
 namespace insonate::ui {
@@ -33,9 +31,7 @@ bool SiteSettings::isHttp() const {
 SiteSettings readSiteSettings(const QString& database) {
   SiteSettings settings{.address = QSettings().value(kServer).toString()};
   if (!settings.isHttp()) return settings;
-  QFile stream(fileOf(database));
-  if (!stream.open(QIODevice::ReadOnly)) return settings;
-  const QJsonObject json = QJsonDocument::fromJson(stream.readAll()).object();
+  const QJsonObject json = readPrivateJson(fileOf(database).toStdString());
   settings.token = json[kSiteToken].toString().toStdString();
   settings.authorityFile = json[kAuthority].toString();
   return settings;
@@ -45,17 +41,8 @@ Result<void> writeSiteSettings(const QString& database, const SiteSettings& sett
   const fs::path file = fileOf(database).toStdString();
   if (settings.isHttp()) {
     QDir().mkpath(QFileInfo(database).absolutePath());
-    const QByteArray bytes = QJsonDocument(QJsonObject{{kSiteToken, QString::fromStdString(settings.token)},
-                                                       {kAuthority, settings.authorityFile}})
-                                 .toJson();
-    auto written = writeAtomically(file, [&bytes](const fs::path& beside) -> Result<void> {
-      std::ofstream stream(beside, std::ios::binary);
-      std::error_code error;
-      fs::permissions(beside, fs::perms::owner_read | fs::perms::owner_write, error);
-      if (error || !stream.write(bytes.data(), bytes.size()).flush())
-        return fail("Could not write " + beside.string() + ".");
-      return {};
-    });
+    auto written = writePrivateJson(
+        file, {{kSiteToken, QString::fromStdString(settings.token)}, {kAuthority, settings.authorityFile}});
     if (!written) return written;
   } else {
     std::error_code ignored;
