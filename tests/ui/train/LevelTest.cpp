@@ -103,6 +103,19 @@ TEST_F(TrainLevel, AWholeOneFromChoosingItToTheNextThatOpens) {
   EXPECT_EQ(stored().front().facts.level, "") << "free practice";
 }
 
+TEST_F(TrainLevel, PositionsAreNotOfferedWhileTheVeinHasToBeFound) {
+  signIn();
+  practise(0);
+  openWide();
+  EXPECT_TRUE(shown("positions"));
+  attempt_->start();
+  ASSERT_TRUE(waitFor([&] { return attempt_->isRunning(); }));
+  EXPECT_FALSE(shown("positions")) << "they are refused";
+  attempt_->finish();
+  ASSERT_TRUE(waitFor([&] { return attempt_->state() == State::Over; }));
+  EXPECT_TRUE(shown("positions"));
+}
+
 TEST_F(TrainLevel, ARecordingThatCannotBeCopiedCostsNoAttempt) {
   QFile blocking(storeFile() + ".recordings");
   ASSERT_TRUE(blocking.open(QIODevice::WriteOnly));

@@ -29,7 +29,7 @@ void ProbeMotion::connectCase() {
     control_.setHand(std::nullopt);
     models_.hands.setCase(nullptr, nullptr);
     models_.history.clear();
-    levelStart_.reset();
+    releaseStart();
     unplaced_.reset();
   });
   connect(patientCase, &CaseModel::handMade, this, [this](const ProbeHand& hand) {
@@ -157,6 +157,11 @@ void ProbeMotion::beginAt(const ProbeHandState& state) {
   control_.restore(state);
   moved({});
   models_.history.clear();
+  Q_EMIT startHeldChanged();
+}
+
+void ProbeMotion::releaseStart() {
+  if (std::exchange(levelStart_, std::nullopt)) Q_EMIT startHeldChanged();
 }
 
 Vec3 ProbeMotion::targetNear_mm() const {

@@ -55,7 +55,8 @@ class ProbeMotion : public QObject {
   /// Moves the probe to the start of an attempt at a level. Until releaseStart(), home() returns to this start, undo
   /// cannot go back before it, and goTo() is refused. A probe held by a device does not move.
   void beginAt(const ProbeHandState& state);
-  void releaseStart() { levelStart_.reset(); }
+  void releaseStart();
+  bool isStartHeld() const { return levelStart_.has_value(); }
   /// Position from which the nearest vein is an attempt's target: the probe or, in a level, the case's start pose,
   /// since at the level's start another vein may be nearer.
   Vec3 targetNear_mm() const;
@@ -68,8 +69,9 @@ class ProbeMotion : public QObject {
   void placeOnSkin();
 
  Q_SIGNALS:
-  void handMoved();       ///< emitted when the probe has moved, or is placed for the first time
-  void placingChanged();  ///< emitted when isUnplaced() has changed
+  void handMoved();         ///< emitted when the probe has moved, or is placed for the first time
+  void startHeldChanged();  ///< emitted when isStartHeld() has changed
+  void placingChanged();    ///< emitted when isUnplaced() has changed
 
  private:
   void connectCase();

@@ -86,6 +86,7 @@ Positions::Positions(StatusLine& status, History& history, CaseModel& patientCas
   connect(&patientCase_, &CaseModel::caseChanged, this, [this] { refresh(); });
   connect(&motion_, &ProbeMotion::handMoved, this, [this] {
     if (!saveButton_->isEnabled()) refresh();
+    if (!going_) list_->setCurrentRow(-1);
   });
   refresh();
 }
@@ -161,7 +162,9 @@ void Positions::recall(int place) {
   const auto poses = all();
   if (place < 0 || place >= int(poses.size())) return;
   list_->setCurrentRow(place);
+  going_ = true;
   motion_.goTo(poses[place]);
+  going_ = false;
 }
 
 void Positions::change(Own next, const QString& what, int current) {

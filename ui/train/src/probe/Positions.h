@@ -65,6 +65,7 @@ class Positions : public QWidget {
   QPushButton* saveButton_;
   QPushButton* menuButton_;
   bool refreshing_ = false;
+  bool going_ = false;  ///< the probe is moved to a position of the list
   QMap<QString, std::vector<StartPose>> own_;
 };
 

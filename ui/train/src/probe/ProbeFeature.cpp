@@ -57,8 +57,11 @@ QWidget* ProbeFeature::buildPositionSection() {
   box->addWidget(numbers);
   connect(&model_.motion, &ProbeMotion::handMoved, numbers,
           [this, numbers] { numbers->show(model_.motion.numbers()); });
-  connect(&model_.disclosure, &DisclosureModel::changed, positions_,
-          [this] { positions_->setVisible(model_.disclosure.current().anatomy); });
+  const auto offer = [this] {
+    positions_->setVisible(model_.disclosure.current().anatomy && !model_.motion.isStartHeld());
+  };
+  connect(&model_.disclosure, &DisclosureModel::changed, positions_, offer);
+  connect(&model_.motion, &ProbeMotion::startHeldChanged, positions_, offer);
   return section;
 }
 

@@ -19,13 +19,13 @@ struct AngleRow {
 };
 constexpr AngleRow kAngleRows[] = {
     {HandAxis::Rotation, "rotation", "°", -180, 180, 2,
-     "About the probe's axis, in degrees; 0: across the body, the marker to the patient's left (Q, E)"},
+     "Rotation about the probe's long axis, in degrees. 0: transverse, with the marker to the patient's left (Q, E)"},
     {HandAxis::Tilt, "tilt", "°", -ProbeHand::kMostAngle_deg, ProbeHand::kMostAngle_deg, 1,
-     "Fanning out of the image's plane, in degrees; 0: square to the skin (W, S)"},
+     "Angle by which the image plane is tilted from the perpendicular to the skin, in degrees (W, S)"},
     {HandAxis::Rock, "rock", "°", -ProbeHand::kMostAngle_deg, ProbeHand::kMostAngle_deg, 1,
-     "Rocking within the image's plane, in degrees; 0: square to the skin (A, D)"},
-    {HandAxis::Press, "press", " mm", -ProbeHand::kLift_mm, ProbeHand::kMostPress_mm, 0.5,
-     "Into the skin, in mm; below 0 off it (+, -)"},
+     "Angle by which the probe is rocked within the image plane, in degrees. 0: perpendicular to the skin (A, D)"},
+    {HandAxis::Press, "compress", " mm", -ProbeHand::kLift_mm, ProbeHand::kMostPress_mm, 0.5,
+     "Depth to which the probe compresses the skin, in mm. Negative: the probe is lifted off the skin (+, -)"},
 };
 
 struct Axis {
@@ -33,9 +33,9 @@ struct Axis {
   const char* says;
 };
 constexpr Axis kAxes[] = {
-    {"x", "Where the probe touches the skin, in mm of the CT: to the patient's left"},
-    {"y", "Where the probe touches the skin, in mm of the CT: to the patient's back"},
-    {"z", "Where the probe touches the skin, in mm of the CT: to the patient's head"},
+    {"x", "Center of the probe face on the skin, in mm of the CT: x increases to the patient's left"},
+    {"y", "Center of the probe face on the skin, in mm of the CT: y increases to the patient's back"},
+    {"z", "Center of the probe face on the skin, in mm of the CT: z increases to the patient's head"},
 };
 /// No body is larger, and few scanners count from further away.
 constexpr double kFar_mm = 2999;
@@ -47,7 +47,7 @@ QLabel* quiet(const char* name, QWidget* parent) {
 }
 
 QString hint(const char* says) {
-  return QString::fromUtf8(says) + QWidget::tr("\nEnter applies, arrows and wheel step.");
+  return QString::fromUtf8(says) + QWidget::tr("\nEnter applies the number; arrow keys and wheel change it in steps.");
 }
 
 }  // namespace
