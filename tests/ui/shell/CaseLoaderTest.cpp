@@ -191,7 +191,7 @@ TEST_F(CaseLoader, ShowsWhatIsMadeAndWhatIsLeftOut) {
   QDialog* choice = dialog();
   ASSERT_TRUE(choice) << failed.toStdString();
   const QString notes = choice->findChild<QLabel*>("importNotes")->text();
-  EXPECT_TRUE(notes.contains("49.0 x 41.0 x 17.0 mm, axes toward L, P, S, origin at -24.0, -6.0, -8.0 mm"))
+  EXPECT_TRUE(notes.contains("49.0 x 41.0 x 17.0 mm, axes toward L, P, H, origin at -24.0, -6.0, -8.0 mm"))
       << notes.toStdString();
   auto* leftOut = choice->findChild<QPlainTextEdit*>("leftOut");
   EXPECT_TRUE(leftOut->isVisible());

@@ -57,7 +57,7 @@ TEST_F(TrainGuide, EachActIsNamedWithItsKeyAndItsControlIsMarked) {
   EXPECT_TRUE(says("Slide the probe")) << "the vein is no longer in the middle";
   for (int i = 0; i < 8; ++i) key(Qt::Key_Left);
   EXPECT_TRUE(says("Compress with +, then release with -"));
-  EXPECT_TRUE(workspace_->findChild<QWidget*>("compress")) << "the field that the act marks while it is in sight";
+  EXPECT_TRUE(workspace_->findChild<QWidget*>("indentation")) << "the field that the act marks while it is in sight";
   for (int i = 0; i < 20; ++i) key(Qt::Key_Plus);
   EXPECT_TRUE(says("press I, or click the button in-plane")) << text("attemptAct").toStdString();
   EXPECT_TRUE(marks("stripAlong"));

@@ -61,7 +61,7 @@ TEST_F(ProbeNumbersTyped, ArrowsStep) {
   QTest::keyClick(child<NumberField>("tilt"), Qt::Key_Up);
   EXPECT_NEAR(model_->motion.numbers().tilt_deg, 1, 1e-6);
   const double press_mm = model_->motion.numbers().press_mm;
-  QTest::keyClick(child<NumberField>("compress"), Qt::Key_Up);
+  QTest::keyClick(child<NumberField>("indentation"), Qt::Key_Up);
   EXPECT_NEAR(model_->motion.numbers().press_mm, press_mm + 0.5, 1e-6);
 }
 

@@ -17,14 +17,14 @@ std::string letters(SliceKind kind) {
 TEST(SlicePlane, LettersFollowRadiologicalConvention) {
   // Left, right, top, bottom of the display.
   EXPECT_EQ(letters(SliceKind::Axial), "R L A P");
-  EXPECT_EQ(letters(SliceKind::Coronal), "R L S I");
-  EXPECT_EQ(letters(SliceKind::Sagittal), "A P S I");
+  EXPECT_EQ(letters(SliceKind::Coronal), "R L H F");
+  EXPECT_EQ(letters(SliceKind::Sagittal), "A P H F");
 }
 
 TEST(SlicePlane, LettersOfOblique) {
   EXPECT_EQ(orientationLetters({-0.8, -0.6, 0}), "RA");
-  EXPECT_EQ(orientationLetters({0.1, 0, 1}), "S");
-  EXPECT_EQ(orientationLetters({1, 1.1, 1.2}), "SPL");
+  EXPECT_EQ(orientationLetters({0.1, 0, 1}), "H");
+  EXPECT_EQ(orientationLetters({1, 1.1, 1.2}), "HPL");
 }
 
 TEST(SlicePlane, TheSideOfThePatientIsThatOfTheNearestAxis) {

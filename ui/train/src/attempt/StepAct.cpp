@@ -93,10 +93,10 @@ class ActFinder {
     return {tr("Slide the probe with the %1, or drag on the image.").arg(key("train.probe.slide").toLower()), {}};
   }
   StepAct compress() const {
-    if (hands_.isProbeInDevice) return {tr("Compress, then release, with the device of the probe."), "compress"};
+    if (hands_.isProbeInDevice) return {tr("Compress, then release, with the device of the probe."), "indentation"};
     return {tr("Compress with %1, then release with %2, or turn the wheel over the image.")
                 .arg(key("train.probe.press", 0), key("train.probe.press", 1)),
-            "compress"};
+            "indentation"};
   }
   StepAct take() const {
     if (hands_.isNeedleInDevice)

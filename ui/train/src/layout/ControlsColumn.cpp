@@ -1,11 +1,14 @@
 #include "ControlsColumn.h"
 
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace insonate::train {
 namespace {
 
 constexpr int kScrollBar_px = 16;
+/// The titles of the procedures that come with Insonate are shown whole.
+constexpr int kLeast_px = 310;
 
 }  // namespace
 
@@ -23,7 +26,7 @@ ControlsColumn::ControlsColumn(QWidget* parent)
 
 void ControlsColumn::addSection(QWidget* section) {
   sections_->insertWidget(sections_->count() - 1, section);
-  setMinimumWidth(inner_->minimumSizeHint().width() + kScrollBar_px);
+  setMinimumWidth(std::max(kLeast_px, inner_->minimumSizeHint().width() + kScrollBar_px));
 }
 
 void ControlsColumn::setFoot(QWidget* foot) {

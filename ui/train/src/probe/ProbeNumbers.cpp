@@ -18,14 +18,15 @@ struct AngleRow {
   const char* says;
 };
 constexpr AngleRow kAngleRows[] = {
-    {HandAxis::Rotation, "rotation", "°", -180, 180, 2,
-     "Rotation about the probe's long axis, in degrees. 0: transverse, with the marker to the patient's left (Q, E)"},
     {HandAxis::Tilt, "tilt", "°", -ProbeHand::kMostAngle_deg, ProbeHand::kMostAngle_deg, 1,
      "Angle by which the image plane is tilted from the perpendicular to the skin, in degrees (W, S)"},
     {HandAxis::Rock, "rock", "°", -ProbeHand::kMostAngle_deg, ProbeHand::kMostAngle_deg, 1,
      "Angle by which the probe is rocked within the image plane, in degrees. 0: perpendicular to the skin (A, D)"},
-    {HandAxis::Press, "compress", " mm", -ProbeHand::kLift_mm, ProbeHand::kMostPress_mm, 0.5,
-     "Depth to which the probe compresses the skin, in mm. Negative: the probe is lifted off the skin (+, -)"},
+    {HandAxis::Rotation, "rotation", "°", -180, 180, 2,
+     "Rotation about the probe's long axis, in degrees. 0: transverse, with the marker to the patient's left (Q, E)"},
+    {HandAxis::Press, "indentation", " mm", -ProbeHand::kLift_mm, ProbeHand::kMostPress_mm, 0.5,
+     "Distance by which the probe has moved into the tissue since it touched the skin, in mm. "
+     "Negative: the probe is off the skin (+, -)"},
 };
 
 struct Axis {
@@ -77,9 +78,10 @@ void ProbeNumbers::addAngles() {
       if (refused_) refused_(sentence);
     });
     fields_[i] = {row.axis, box};
-    const int column = int(i % 2) * 2, line = int(i / 2);
-    grid->addWidget(quiet(row.name, this), line, column);
-    grid->addWidget(box, line, column + 1);
+    // Short names stand side by side in the first line.
+    const int line = i < 2 ? 0 : int(i) - 1, column = i < 2 ? int(i) * 2 : 0;
+    grid->addWidget(quiet(row.name, this), line, column, 1, i < 2 ? 1 : 3);
+    grid->addWidget(box, line, i < 2 ? column + 1 : 3);
   }
 }
 
@@ -106,7 +108,7 @@ void ProbeNumbers::addPlace() {
   }
   auto* unit = quiet("mm", this);
   row->addWidget(unit);
-  static_cast<QGridLayout*>(layout())->addLayout(row, 2, 0, 1, 4);
+  static_cast<QGridLayout*>(layout())->addLayout(row, 3, 0, 1, 4);
 }
 
 void ProbeNumbers::show(const HandNumbers& numbers) {

@@ -39,7 +39,7 @@ std::string orientationLetters(Vec3 direction) {
   };
   std::array<Part, 3> parts{{{std::abs(direction.x), direction.x > 0 ? 'L' : 'R'},
                              {std::abs(direction.y), direction.y > 0 ? 'P' : 'A'},
-                             {std::abs(direction.z), direction.z > 0 ? 'S' : 'I'}}};
+                             {std::abs(direction.z), direction.z > 0 ? 'H' : 'F'}}};
   std::ranges::stable_sort(parts, [](const Part& a, const Part& b) { return a.size > b.size; });
   std::string letters;
   // A component below sin(15 degrees) counts as an inaccuracy of the hand.

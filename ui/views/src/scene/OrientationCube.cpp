@@ -24,8 +24,8 @@ OrientationCube::OrientationCube() {
   cube->SetXMinusFaceText("R");
   cube->SetYPlusFaceText("P");
   cube->SetYMinusFaceText("A");
-  cube->SetZPlusFaceText("S");
-  cube->SetZMinusFaceText("I");
+  cube->SetZPlusFaceText("H");
+  cube->SetZMinusFaceText("F");
   // The letters are upright for a patient whose head is up.
   cube->SetXFaceTextRotation(0);
   cube->SetYFaceTextRotation(0);

@@ -37,8 +37,8 @@ struct SlicePlane {
   double distance_mm(Vec3 point_mm) const { return dot(point_mm - centre_mm, axes.normal); }
 };
 
-/// Returns the orientation letters of a direction (LPS): L or R, P or A, S or I, with the largest component first and
-/// small components left out, e.g. "A", "RA", "SPL".
+/// Returns the orientation letters of a direction (LPS): L or R, P or A, H (head) or F (foot), as in DICOM, with the
+/// largest component first and small components left out, e.g. "A", "RA", "HPL".
 std::string orientationLetters(Vec3 direction);
 /// Returns the side of the patient toward which a direction (LPS) mainly points, at most 55 degrees away: "R", "L",
 /// "A", "P", "Head" or "Foot".
