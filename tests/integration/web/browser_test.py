@@ -146,6 +146,27 @@ def comment(driver, base, folder):
         yield "the trainee does not see the comment"
 
 
+def live(base, folder):
+    """The page of a class shows by itself what was done in another browser."""
+    page, other = browser(WIDTHS["laptop"], "dark"), browser(WIDTHS["laptop"], "dark")
+    try:
+        sign_in(page, base, "made-up-teacher")
+        page.get(base.rstrip("/") + "/classes")
+        page.find_element(By.CSS_SELECTOR, "main a[href^='/classes/']").click()
+        sign_in(other, base, "made-up-teacher")
+        troubles = list(comment(other, base, None))
+        try:
+            WebDriverWait(page, 30).until(lambda d: "Updated at" in d.find_element(By.CSS_SELECTOR, "[role=status]").text)
+        except TimeoutException:
+            troubles.append("The page of a class was not updated after a comment")
+        if folder:
+            page.save_screenshot(str(folder / "live.png"))
+        return troubles + [f"live: {entry['message']}" for entry in page.get_log("browser")]
+    finally:
+        page.quit()
+        other.quit()
+
+
 def main():
     if not DRIVER.exists():
         print("Skipped: chromium-driver is not installed")
@@ -170,6 +191,7 @@ def main():
                     troubles.append(f"{width_name}: signing out leads to '{driver.title}'")
             finally:
                 driver.quit()
+        troubles += live(base, folder)
     finally:
         server.terminate()
         if server.wait(timeout=20) != 0:

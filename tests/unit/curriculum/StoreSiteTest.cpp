@@ -8,6 +8,7 @@
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/SiteService.h>
 #include <insonate/curriculum/SiteUpload.h>
+#include <insonate/curriculum/StoreChanges.h>
 #include <insonate/curriculum/StoreUpkeep.h>
 #include <insonate/curriculum/VerificationQueue.h>
 #include <insonate/curriculum/Workstations.h>
@@ -399,8 +400,11 @@ TEST_P(StoreSite, WhatIsSaidHereAboutAnAttemptElsewhereReachesTheServer) {
   valueOf(site().exchange());
   const std::string nearToken = std::exchange(token, farToken);
   const SiteUpload farSite(far, link());
+  StoreChanges changes(far.guest());
+  valueOf(changes.take());
   valueOf(farSite.signIn("ina", kPassword));
   valueOf(farSite.exchange());
+  EXPECT_TRUE(valueOf(changes.take()).contains(school->anna.id)) << "pages here are to show the attempt";
   const SignedIn ina = valueOf(far.signIn("ina", kPassword));
   valueOf(CommentStore(ina).add(facts.id, 5, "good"));
   valueOf(FormStore(ina).add({"", "global_rating", 1, school->anna.id, facts.id, "", 0, "{}"}));

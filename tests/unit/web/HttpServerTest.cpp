@@ -1,3 +1,4 @@
+#include "http/EventStream.h"
 #include "http/HttpServer.h"
 
 #include <arpa/inet.h>
@@ -42,6 +43,15 @@ class RawClient {
     ssize_t count = 0;
     while ((count = ::recv(socket_, part, sizeof part, 0)) > 0) all.append(part, std::size_t(count));
     isEnded_ = count == 0 || errno == ECONNRESET;
+    return all;
+  }
+  /// Returns what arrives until `text` has arrived, or until the server closes the connection.
+  std::string receiveUntil(const std::string& text) {
+    std::string all;
+    char part[4096];
+    ssize_t count = 0;
+    while (all.find(text) == std::string::npos && (count = ::recv(socket_, part, sizeof part, 0)) > 0)
+      all.append(part, std::size_t(count));
     return all;
   }
   /// The server closed the connection; otherwise receive() lost its patience.
@@ -129,6 +139,42 @@ TEST(WebHttpServer, RefusesALengthThatCanBeReadInTwoWays) {
     EXPECT_THAT(RawClient(server->port()).ask("POST / HTTP/1.1\r\n" + kClose + headers + "\r\n0\r\n\r\n"),
                 HasSubstr(" 400 "))
         << headers;
+}
+
+TEST(WebHttpServer, EventsArriveOneByOneWhileTheConnectionStaysOpen) {
+  const auto stream = std::make_shared<EventStream>();
+  // The time for taking an answer does not end a stream.
+  const auto server = serving([&](const Request&) { return Response{.type = "text/event-stream", .events = stream}; },
+                              {.answer = std::chrono::milliseconds(200)});
+  RawClient client(server->port());
+  client.send("GET /events HTTP/1.1\r\n" + kClose + "\r\n");
+  EXPECT_THAT(client.receiveUntil("retry: 5000\n\n"), HasSubstr("text/event-stream"));
+  for (int i = 1; i <= 3; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    stream->push("changed", i);
+    EXPECT_THAT(client.receiveUntil("data:\n\n"), HasSubstr("id: " + std::to_string(i) + "\nevent: changed\n"));
+  }
+  stream->keepAlive();
+  EXPECT_THAT(client.receiveUntil(":\n\n"), HasSubstr(":\n\n"));
+  EXPECT_FALSE(stream->isOver());
+  stream->end();
+  client.receive();
+  EXPECT_TRUE(client.isEnded());
+}
+
+TEST(WebHttpServer, AStreamWhoseBrowserWentAwayIsOver) {
+  const auto stream = std::make_shared<EventStream>();
+  const auto server = serving([&](const Request&) { return Response{.type = "text/event-stream", .events = stream}; });
+  {
+    RawClient client(server->port());
+    client.send("GET /events HTTP/1.1\r\n" + kClose + "\r\n");
+    client.receiveUntil("retry");
+  }
+  for (int i = 0; i < 500 && !stream->isOver(); ++i) {
+    stream->keepAlive();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_TRUE(stream->isOver());
 }
 
 TEST(WebHttpServer, PasswordChecksHoldNoOtherRequestUp) {

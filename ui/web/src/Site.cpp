@@ -106,6 +106,10 @@ Response showIcon(const Visit& /*visit*/, const Parts& /*parts*/) {
   return {.type = "image/svg+xml", .body = fileNamed("icon"), .headers = {kKeptForAnHour}};
 }
 
+Response showLiveScript(const Visit& /*visit*/, const Parts& /*parts*/) {
+  return {.type = "text/javascript; charset=utf-8", .body = fileNamed("live"), .headers = {kKeptForAnHour}};
+}
+
 Response showStyleSheet(const Visit& /*visit*/, const Parts& /*parts*/) {
   std::string style = fileNamed("style");
   for (int step = 0; step <= 10; ++step) {
@@ -120,6 +124,7 @@ Response showStyleSheet(const Visit& /*visit*/, const Parts& /*parts*/) {
 constexpr Route kRoutes[]{
     {"GET", "/style.css", Access::File, &showStyleSheet},
     {"GET", "/icon.svg", Access::File, &showIcon},
+    {"GET", "/live.js", Access::File, &showLiveScript},
     {"GET", "/health", Access::Monitoring, &showHealth},
     {"GET", "/metrics", Access::Monitoring, &showMetrics},
     {"POST", "/api/site/*", Access::Workstation, &answerWorkstation},
@@ -131,6 +136,7 @@ constexpr Route kRoutes[]{
     {"GET", "/password", Access::SignedIn, &showPasswordForm},
     {"POST", "/password", Access::SignedIn, &changePassword},
     {"GET", "/me", Access::SignedIn, &showOwnTraining},
+    {"GET", "/me/events", Access::SignedIn, &followOwnTraining},
     {"GET", "/attempts/*", Access::SignedIn, &showAttempt},
     {"POST", "/attempts/*/accept", Access::SignedIn, &acceptAttempt},
     {"POST", "/attempts/*/void", Access::SignedIn, &voidAttempt},
@@ -138,7 +144,9 @@ constexpr Route kRoutes[]{
     {"POST", "/attempts/*/comments/*/remove", Access::SignedIn, &removeComment},
     {"GET", "/classes", Access::SignedIn, &showClasses},
     {"GET", "/classes/*", Access::SignedIn, &showClass},
+    {"GET", "/classes/*/events", Access::SignedIn, &followClass},
     {"GET", "/classes/*/people/*", Access::SignedIn, &showMember},
+    {"GET", "/classes/*/people/*/events", Access::SignedIn, &followMember},
     {"GET", "/classes/*/export/attempts.csv", Access::SignedIn, &exportClassAttempts},
     {"GET", "/classes/*/export/grades.csv", Access::SignedIn, &exportClassGrades},
     {"GET", "/classes/*/export/statements.json", Access::SignedIn, &exportClassStatements},
@@ -152,9 +160,11 @@ constexpr Route kRoutes[]{
 };
 
 void addProtection(Response& response, const WebOptions& options) {
-  response.headers.emplace_back("Content-Security-Policy",
-                                "default-src 'none'; style-src 'self'; img-src 'self'; form-action 'self'; "
-                                "frame-ancestors 'none'; base-uri 'none'");
+  response.headers.emplace_back(
+      "Content-Security-Policy",
+      "default-src 'none'; style-src 'self'; img-src 'self'; script-src 'self'; connect-src 'self'; "
+      "form-action 'self'; "
+      "frame-ancestors 'none'; base-uri 'none'");
   response.headers.emplace_back("X-Content-Type-Options", "nosniff");
   response.headers.emplace_back("Referrer-Policy", "same-origin");
   response.headers.emplace_back("Cross-Origin-Opener-Policy", "same-origin");
@@ -209,7 +219,7 @@ Response Site::answer(const Request& request) const {
 }
 
 Visit Site::visitOf(const Request& request) const {
-  return {.request = request, .store = store_, .options = options_, .metrics = metrics_};
+  return {.request = request, .store = store_, .options = options_, .metrics = metrics_, .live = live_};
 }
 
 Response Site::answerRoute(const Request& request, const Route* route) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "http/Messages.h"
+#include "live/LiveUpdates.h"
 #include "monitoring/Metrics.h"
 
 #include <insonate/curriculum/CurriculumStore.h>
@@ -18,11 +19,14 @@ struct Visit;
 /// between requests.
 class Site {
  public:
-  Site(CurriculumStore store, WebOptions options) : store_(std::move(store)), options_(std::move(options)) {}
+  Site(CurriculumStore store, WebOptions options)
+      : store_(std::move(store)), options_(std::move(options)), live_(store_, options_.log) {}
 
   Response answer(const Request& request) const;
   /// Counts and logs a request that the connection refused (HttpServer::Refused).
   void noteRefused(int status) const;
+  /// Ends the streams of open pages, which must be done before the connections end.
+  void endStreams() { live_.end(); }
 
  private:
   Response answerRoute(const Request& request, const Route* route) const;
@@ -34,6 +38,7 @@ class Site {
   CurriculumStore store_;
   WebOptions options_;
   mutable Metrics metrics_{};
+  mutable LiveUpdates live_;
 };
 
 }  // namespace insonate::web

@@ -34,6 +34,7 @@ Result<void> checkOptions(const WebOptions& options) {
 
 struct WebServer::Impl {
   Impl(const CurriculumStore& store, WebOptions serverOptions) : options(serverOptions), site(store, serverOptions) {}
+  ~Impl() { site.endStreams(); }
 
   WebOptions options;
   Site site;

@@ -14,7 +14,7 @@ namespace insonate::store {
 /// Rows of INSONATE_COMMENT_COLUMNS, also of removed comments.
 std::vector<Row> commentRows(Transaction& transaction, const std::string& attempt);
 /// Adds a comment of another database, or what was done with it there. The result does not depend on the order or the
-/// number of repetitions. `row`: INSONATE_COMMENT_COLUMNS.
-void mergeComment(Transaction& here, const Row& row);
+/// number of repetitions. `row`: INSONATE_COMMENT_COLUMNS. Returns whether anything changed.
+bool mergeComment(Transaction& here, const Row& row);
 
 }  // namespace insonate::store

@@ -1,5 +1,6 @@
 #include "classes/ClassPages.h"
 
+#include "live/LiveUpdates.h"
 #include "person/PersonPage.h"
 
 #include <insonate/curriculum/AttemptStore.h>
@@ -169,16 +170,26 @@ Response showClasses(const Visit& visit, const Parts& /*parts*/) {
 }
 
 Response showClass(const Visit& visit, const Parts& parts) {
+  const std::int64_t since = visit.live.numberOfLastChange();
   const auto cohorts = CohortStore(*visit.by).cohorts();
   if (!cohorts) return refusal(visit, 403, cohorts.error().message);
   const auto cohort = std::ranges::find(*cohorts, parts[0], &Cohort::id);
   if (cohort == cohorts->end()) return refusal(visit, 404, "There is no such class, or it is not yours.");
   const auto facts = readClass(*visit.by, *cohort);
   if (!facts) return refusal(visit, 403, facts.error().message);
-  return page(visit, facts->cohort.name,
-              element("p", {}, link("/classes/" + encoded(facts->cohort.id) + "/tests", "Tests: open and close")) +
-                  attentionSection(*facts) + memberSection(*facts) + skillSection(*facts) +
-                  exportSection(visit, *facts));
+  const std::string address = "/classes/" + encoded(facts->cohort.id);
+  return livePage(visit, facts->cohort.name,
+                  element("p", {}, link(address + "/tests", "Tests: open and close")) + attentionSection(*facts) +
+                      memberSection(*facts) + skillSection(*facts) + exportSection(visit, *facts),
+                  address + "/events", since);
+}
+
+Response followClass(const Visit& visit, const Parts& parts) {
+  const auto members = CohortStore(*visit.by).members(parts[0]);
+  if (!members) return refusal(visit, 403, members.error().message);
+  std::set<std::string> people;
+  for (const Member& one : *members) people.insert(one.person.id);
+  return follow(visit, std::move(people));
 }
 
 }  // namespace insonate::web

@@ -13,5 +13,7 @@ Response exportClassGrades(const Visit& visit, const Parts& parts);
 Response exportClassStatements(const Visit& visit, const Parts& parts);
 /// Shows who needs attention, the members and the heat map of a class, whose id is the only part.
 Response showClass(const Visit& visit, const Parts& parts);
+/// Sends an event whenever data of a class have changed (livePage()).
+Response followClass(const Visit& visit, const Parts& parts);
 
 }  // namespace insonate::web

@@ -2,6 +2,7 @@
 
 #include "http/Certificate.h"
 #include "http/ConnectionDeadlines.h"
+#include "http/EventStream.h"
 #include "site/SiteApi.h"
 
 #include <arpa/inet.h>
@@ -100,9 +101,34 @@ Request requestOf(MHD_Connection* connection, const char* url, const char* metho
   return request;
 }
 
-MHD_Result send(MHD_Connection* connection, const Response& answer) {
+/// A stream as the library reads it; owned by the library's response.
+struct StreamReader {
+  std::shared_ptr<EventStream> stream;
+  MHD_Connection* connection;
+};
+
+MHD_Response* streamResponse(MHD_Connection* connection, const std::shared_ptr<EventStream>& stream) {
+  constexpr std::size_t kBlock_bytes = 1024;
+  const auto read = [](void* self, std::uint64_t /*position*/, char* to, std::size_t most_bytes) -> ssize_t {
+    const auto& reader = *static_cast<StreamReader*>(self);
+    return reader.stream->read(reader.connection, to, most_bytes, MHD_CONTENT_READER_END_OF_STREAM);
+  };
+  const auto release = [](void* self) {
+    static_cast<StreamReader*>(self)->stream->detach();
+    delete static_cast<StreamReader*>(self);
+  };
+  auto reader = std::make_unique<StreamReader>(stream, connection);
   MHD_Response* response =
-      MHD_create_response_from_buffer(answer.body.size(), const_cast<char*>(answer.body.data()), MHD_RESPMEM_MUST_COPY);
+      MHD_create_response_from_callback(MHD_SIZE_UNKNOWN, kBlock_bytes, read, reader.get(), release);
+  if (response) (void)reader.release();
+  return response;
+}
+
+MHD_Result send(MHD_Connection* connection, const Response& answer) {
+  MHD_Response* response = answer.events
+                               ? streamResponse(connection, answer.events)
+                               : MHD_create_response_from_buffer(
+                                     answer.body.size(), const_cast<char*>(answer.body.data()), MHD_RESPMEM_MUST_COPY);
   if (!response) return MHD_NO;
   MHD_add_response_header(response, MHD_HTTP_HEADER_CONTENT_TYPE, answer.type.c_str());
   for (const auto& [name, value] : answer.headers) MHD_add_response_header(response, name.c_str(), value.c_str());
@@ -222,7 +248,7 @@ MHD_Result HttpServer::Impl::take(Exchange& exchange, const char* data, std::siz
     return MHD_YES;
   }
   if (exchange.submitted) {
-    deadlines.set(exchange.socket, limits.answer);
+    deadlines.set(exchange.socket, exchange.response.events ? std::nullopt : std::optional(limits.answer));
     return send(exchange.connection, exchange.response);
   }
   if (exchange.isCut && exchange.request.body.size() <= exchange.largest_bytes)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,8 @@ using Fields = std::map<std::string, std::string, std::less<>>;
 
 /// Returns the value of a field, or "" if there is none.
 const std::string& valueOf(const Fields& fields, std::string_view name);
+
+class EventStream;
 
 /// An HTTP request. Names of headers are in lower case; of fields that occur more than once the first counts.
 struct Request {
@@ -27,6 +30,8 @@ struct Response {
   std::string type = "text/html; charset=utf-8";
   std::string body{};
   std::vector<std::pair<std::string, std::string>> headers{};
+  std::shared_ptr<EventStream>
+      events{};  ///< if set, what the answer goes on with after its headers, in place of `body`
 };
 
 /// Reads "a=1&b=x%20y" (application/x-www-form-urlencoded). Text that is no valid UTF-8 and control characters other

@@ -1,8 +1,11 @@
 #include "page/Page.h"
 
+#include "live/LiveUpdates.h"
+
 #include <QDateTime>
 #include <QLocale>
 #include <QMessageAuthenticationCode>
+#include <charconv>
 
 namespace insonate::web {
 namespace {
@@ -19,25 +22,48 @@ Markup navigation(const Visit& visit) {
   return element("nav", {{"aria-label", "Pages"}}, element("ul", {}, items));
 }
 
-}  // namespace
-
-Response page(const Visit& visit, std::string_view title, const Markup& content, int status) {
+Response wholePage(const Visit& visit, std::string_view title, const Markup& content, int status,
+                   const std::string& events) {
   const std::string inTitle = std::string(title) + " - Insonate";
   const Markup head = element("meta", {{"charset", "utf-8"}}, "") +
                       element("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}}, "") +
                       element("meta", {{"name", "color-scheme"}, {"content", "dark light"}}, "") +
                       element("title", {}, inTitle) + element("link", {{"rel", "stylesheet"}, {"href", "/style.css"}}) +
-                      element("link", {{"rel", "icon"}, {"href", "/icon.svg"}});
+                      element("link", {{"rel", "icon"}, {"href", "/icon.svg"}}) +
+                      (events.empty() ? Markup() : element("script", {{"src", "/live.js"}, {"defer", ""}}, ""));
   const Markup skip = element("a", {{"class", "skip"}, {"href", "#main"}}, "Skip to the content");
   const Markup top =
       element("header", {}, element("a", {{"class", "brand"}, {"href", "/"}}, "Insonate") + navigation(visit));
-  const Markup main = element("main", {{"id", "main"}}, element("h1", {}, title) + content);
+  Attributes attributes{{"id", "main"}};
+  if (!events.empty()) attributes.emplace_back("data-events", events);
+  const Markup main = element("main", attributes, element("h1", {}, title) + content);
   Response response{.status = status};
   response.body =
       "<!DOCTYPE html>\n" +
       element("html", {{"lang", "en"}}, element("head", {}, head) + element("body", {}, skip + top + main)).html() +
       "\n";
   return response;
+}
+
+}  // namespace
+
+Response page(const Visit& visit, std::string_view title, const Markup& content, int status) {
+  return wholePage(visit, title, content, status, {});
+}
+
+Response livePage(const Visit& visit, std::string_view title, const Markup& content, const std::string& events,
+                  std::int64_t since) {
+  return wholePage(visit, title, content, 200, events + "?since=" + std::to_string(since));
+}
+
+Response follow(const Visit& visit, std::set<std::string> people) {
+  const std::string& last = valueOf(visit.request.headers, "last-event-id");
+  const std::string& asked = last.empty() ? valueOf(visit.request.query, "since") : last;
+  std::int64_t since = -1;
+  std::from_chars(asked.data(), asked.data() + asked.size(), since);
+  auto stream = visit.live.open(visit.secret, std::move(people), since);
+  if (!stream) return refusal(visit, 503, "Too many pages are open. Reload this page to see new data.");
+  return {.type = "text/event-stream", .events = std::move(stream)};
 }
 
 Response refusal(const Visit& visit, int status, std::string_view sentence) {

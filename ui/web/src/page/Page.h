@@ -10,12 +10,14 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace insonate::web {
 
+class LiveUpdates;
 class Metrics;
 
 /// One request, with the user who makes it.
@@ -24,6 +26,7 @@ struct Visit {
   const CurriculumStore& store;
   const WebOptions& options;
   const Metrics& metrics;
+  LiveUpdates& live;
   std::optional<SignedIn> by{};  ///< empty: nobody is signed in; never empty in pages that require sign-in
   std::string secret{};          ///< secret of the browser's session (BrowserSessions); empty if there is none
 };
@@ -33,6 +36,12 @@ using Parts = std::vector<std::string>;
 
 /// Returns a whole page: head, navigation for the user's role, title as heading, and content.
 Response page(const Visit& visit, std::string_view title, const Markup& content, int status = 200);
+/// Returns a page whose content the browser asks for again when an event of the stream at `events` says that it has
+/// changed. `since`: LiveUpdates::numberOfLastChange() before the content was read.
+Response livePage(const Visit& visit, std::string_view title, const Markup& content, const std::string& events,
+                  std::int64_t since);
+/// Returns the stream of events for a page that shows these people (Person::id).
+Response follow(const Visit& visit, std::set<std::string> people);
 /// Returns a page that states in one sentence why there is nothing else to see.
 Response refusal(const Visit& visit, int status, std::string_view sentence);
 /// Returns an answer that sends the browser to another address of this server by GET.

@@ -1,5 +1,6 @@
 #include "person/PersonPage.h"
 
+#include "live/LiveUpdates.h"
 #include "page/Charts.h"
 
 #include <insonate/curriculum/AttemptStore.h>
@@ -173,11 +174,30 @@ Markup attemptsOf(const PersonFacts& facts) {
   return section("Attempts", content);
 }
 
-Response personPage(const Visit& visit, const Result<PersonFacts>& facts, const std::string& title) {
+Response personPage(const Visit& visit, const Result<PersonFacts>& facts, const std::string& title,
+                    std::int64_t since) {
   if (!facts) return refusal(visit, 403, facts.error().message);
   Markup content;
   if (facts->cohort) content += element("p", {{"class", "quiet"}}, "Class: " + facts->cohort->name);
-  return page(visit, title, content + levelsOf(*facts) + curvesOf(visit, *facts) + attemptsOf(*facts));
+  return livePage(visit, title, content + levelsOf(*facts) + curvesOf(visit, *facts) + attemptsOf(*facts),
+                  facts->address + "/events", since);
+}
+
+/// Calls work(Cohort) for the class of a member's page, or returns a page that says why the user may not see it.
+template <class Work>
+Response withMember(const Visit& visit, const Parts& parts, const Work& work) {
+  const auto cohorts = CohortStore(*visit.by).cohorts();
+  if (!cohorts) return refusal(visit, 403, cohorts.error().message);
+  const auto cohort = std::ranges::find(*cohorts, parts[0], &Cohort::id);
+  if (cohort == cohorts->end()) return refusal(visit, 404, "There is no such class, or it is not yours.");
+  if (parts[1] != visit.by->person().id) {
+    const auto members = CohortStore(*visit.by).members(cohort->id);
+    if (!members) return refusal(visit, 403, members.error().message);
+    const bool learns =
+        std::ranges::any_of(*members, [&](const Member& one) { return one.person.id == parts[1] && !one.teaches; });
+    if (!learns) return refusal(visit, 404, "The class has no such trainee.");
+  }
+  return work(*cohort);
 }
 
 }  // namespace
@@ -192,6 +212,7 @@ Result<std::optional<Curriculum>> curriculumOf(const SignedIn& by, const Cohort&
 }
 
 Response showOwnTraining(const Visit& visit, const Parts& /*parts*/) {
+  const std::int64_t since = visit.live.numberOfLastChange();
   const auto cohorts = CohortStore(*visit.by).cohorts();
   if (!cohorts) return refusal(visit, 403, cohorts.error().message);
   auto chosen = std::ranges::find(*cohorts, valueOf(visit.request.query, "class"), &Cohort::id);
@@ -199,24 +220,24 @@ Response showOwnTraining(const Visit& visit, const Parts& /*parts*/) {
   auto facts =
       readPerson(*visit.by, visit.by->person().id, chosen == cohorts->end() ? std::nullopt : std::optional(*chosen));
   if (facts) facts->address = "/me";
-  return personPage(visit, facts, "My training");
+  return personPage(visit, facts, "My training", since);
 }
 
 Response showMember(const Visit& visit, const Parts& parts) {
-  const auto cohorts = CohortStore(*visit.by).cohorts();
-  if (!cohorts) return refusal(visit, 403, cohorts.error().message);
-  const auto cohort = std::ranges::find(*cohorts, parts[0], &Cohort::id);
-  if (cohort == cohorts->end()) return refusal(visit, 404, "There is no such class, or it is not yours.");
-  if (parts[1] != visit.by->person().id) {
-    const auto members = CohortStore(*visit.by).members(cohort->id);
-    if (!members) return refusal(visit, 403, members.error().message);
-    const bool learns =
-        std::ranges::any_of(*members, [&](const Member& one) { return one.person.id == parts[1] && !one.teaches; });
-    if (!learns) return refusal(visit, 404, "The class has no such trainee.");
-  }
-  auto facts = readPerson(*visit.by, parts[1], *cohort);
-  if (facts) facts->address = "/classes/" + encoded(parts[0]) + "/people/" + encoded(parts[1]);
-  return personPage(visit, facts, facts ? displayName(facts->person) : "");
+  const std::int64_t since = visit.live.numberOfLastChange();
+  return withMember(visit, parts, [&](const Cohort& cohort) {
+    auto facts = readPerson(*visit.by, parts[1], cohort);
+    if (facts) facts->address = "/classes/" + encoded(parts[0]) + "/people/" + encoded(parts[1]);
+    return personPage(visit, facts, facts ? displayName(facts->person) : "", since);
+  });
+}
+
+Response followOwnTraining(const Visit& visit, const Parts& /*parts*/) {
+  return follow(visit, {visit.by->person().id});
+}
+
+Response followMember(const Visit& visit, const Parts& parts) {
+  return withMember(visit, parts, [&](const Cohort& /*cohort*/) { return follow(visit, {parts[1]}); });
 }
 
 }  // namespace insonate::web

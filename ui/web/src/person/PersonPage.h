@@ -13,6 +13,9 @@ namespace insonate::web {
 Response showOwnTraining(const Visit& visit, const Parts& parts);
 /// Shows the same of a member of a class: parts are the ids of class and person.
 Response showMember(const Visit& visit, const Parts& parts);
+/// Send an event whenever the data of such a page have changed (livePage()).
+Response followOwnTraining(const Visit& visit, const Parts& parts);
+Response followMember(const Visit& visit, const Parts& parts);
 
 /// Returns the curriculum by which a class is taught; empty if it has none.
 Result<std::optional<Curriculum>> curriculumOf(const SignedIn& by, const Cohort& cohort);

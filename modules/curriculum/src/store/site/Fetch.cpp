@@ -194,12 +194,12 @@ int takeCurricula(Transaction& here, const std::vector<KeptCurriculum>& server, 
 }
 
 /// Voids here what instructors voided on the server, for attempts made here.
-void takeVoided(Transaction& here, const std::vector<Row>& voided) {
+void takeVoided(Transaction& here, const std::vector<Row>& voided, std::set<std::string>& changed) {
   for (const Row& row : voided)
-    here.run(
-        "UPDATE attempts SET voided_us = ?, voided_by = ?, void_reason = ? WHERE id = ? AND voided_us IS NULL AND "
-        "state <> 'open'",
-        row.number(1), row.text(2), row.text(3), row.text(0));
+    if (here.run("UPDATE attempts SET voided_us = ?, voided_by = ?, void_reason = ? WHERE id = ? AND voided_us IS NULL "
+                 "AND state <> 'open'",
+                 row.number(1), row.text(2), row.text(3), row.text(0)) > 0)
+      changed.insert(here.row("SELECT person FROM attempts WHERE id = ?", row.text(0))->text(0));
 }
 
 /// Withdraws the proofs of attempts that the server could not verify.
@@ -220,7 +220,7 @@ void takeRefused(Transaction& here, const Core& core, const std::vector<Row>& re
 }
 
 void takeElsewhere(Transaction& here, const std::vector<SentAttempt>& attempts, std::int64_t now_us,
-                   std::vector<std::string>& troubles) {
+                   std::vector<std::string>& troubles, std::set<std::string>& changed) {
   std::set<std::string> people;
   for (const SentAttempt& sent : attempts) {
     if (auto merged = mergeAttempt(here, Sender{}, sent, now_us); !merged) troubles.push_back(merged.error().message);
@@ -230,10 +230,12 @@ void takeElsewhere(Transaction& here, const std::vector<SentAttempt>& attempts, 
     here.run("DELETE FROM standings WHERE person = ?", person);
     renewStandings(here, person, now_us);
   }
+  changed.merge(people);
 }
 
 /// Applies the server's acceptances of attempts of this workstation.
-void takeAccepted(Transaction& here, const std::vector<Row>& accepted, std::int64_t now_us) {
+void takeAccepted(Transaction& here, const std::vector<Row>& accepted, std::int64_t now_us,
+                  std::set<std::string>& changed) {
   for (const Row& row : accepted) {
     const auto person = here.row(
         "SELECT person FROM attempts JOIN proofs ON attempt = attempts.id WHERE attempts.id = ? AND proofs.state = "
@@ -243,6 +245,14 @@ void takeAccepted(Transaction& here, const std::vector<Row>& accepted, std::int6
     acceptAttempt(here, row.text(0), row.text(1));
     here.run("DELETE FROM standings WHERE person = ?", person->text(0));
     renewStandings(here, person->text(0), now_us);
+    changed.insert(person->text(0));
+  }
+}
+
+void takeComments(Transaction& here, const std::vector<Row>& comments, std::set<std::string>& changed) {
+  for (const Row& comment : comments) {
+    const auto attempt = here.row("SELECT person FROM attempts WHERE id = ?", comment.text(1));
+    if (attempt && mergeComment(here, comment)) changed.insert(attempt->text(0));
   }
 }
 
@@ -296,12 +306,13 @@ Result<void> takeTaught(Core& here, Taught taught, UploadReport& report) {
     report.cohorts = takeCohorts(transaction, taught);
     report.curricula = takeCurricula(transaction, taught.curricula, report.troubles);
     for (const Row& opening : taught.openings) mergeOpening(transaction, opening);
-    takeElsewhere(transaction, taught.elsewhere, here.now_us(), report.troubles);
-    takeVoided(transaction, taught.voided);
+    std::set<std::string> changed;
+    takeElsewhere(transaction, taught.elsewhere, here.now_us(), report.troubles, changed);
+    takeVoided(transaction, taught.voided, changed);
     takeRefused(transaction, here, taught.refused, report.troubles);
-    takeAccepted(transaction, taught.accepted, here.now_us());
-    for (const Row& comment : taught.comments)
-      if (transaction.row("SELECT id FROM attempts WHERE id = ?", comment.text(1))) mergeComment(transaction, comment);
+    takeAccepted(transaction, taught.accepted, here.now_us(), changed);
+    takeComments(transaction, taught.comments, changed);
+    for (const std::string& person : changed) here.audit(transaction, "", "receive from server", person, "");
     return {};
   });
 }

@@ -43,16 +43,23 @@ Result<void> mergeItem(Transaction& transaction, const Core& server, const Sende
                        Taken& taken) {
   if (!sender.isTrusted)
     if (auto ok = applyRules(transaction, server, sender, item, taken.troubles); !ok) return ok;
+  const auto note = [&](std::string_view act, const std::string& person, const std::string& id) {
+    server.audit(transaction, "", act, person, id + " of " + forLog(sender.workstation));
+  };
   if (item.attempt && item.isForeign) {
-    for (const Row& comment : item.attempt->comments) mergeComment(transaction, comment);
+    for (const Row& comment : item.attempt->comments)
+      if (mergeComment(transaction, comment))
+        note("receive comment", item.attempt->ended.person, item.attempt->ended.id);
   } else if (item.attempt) {
     if (auto merged = mergeAttempt(transaction, sender, *item.attempt, server.now_us()); !merged) return merged;
   }
   if (item.kind == "attempt" && item.attempt && !item.isForeign)
     server.audit(transaction, "", "receive attempt", item.attempt->ended.person,
                  item.attempt->ended.id + " of " + forLog(item.attempt->ended.workstation));
-  if (item.form)
+  if (item.form) {
     if (auto kept = keepForm(transaction, *item.form); !kept) return tl::unexpected(kept.error());
+    note("receive form", item.form->person, item.form->id);
+  }
   if (item.kind == "password" && sender.isTrusted) mergePassword(transaction, item);
   taken.attempts += item.kind == "attempt";
   taken.forms += item.kind == "form";

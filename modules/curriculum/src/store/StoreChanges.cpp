@@ -1,0 +1,42 @@
+#include "store/Session.h"
+
+#include <insonate/curriculum/StoreChanges.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace insonate {
+namespace {
+
+using store::Transaction;
+using store::Way;
+
+/// Larger changes, such as an import, count as changes of everything.
+constexpr std::int64_t kMostEntries = 1000;
+
+/// Words at the beginning of acts that change nothing that is shown (Rule::words). What an upload brings has entries
+/// of its own.
+constexpr std::array<std::string_view, 5> kViews{"see ", "read ", "sign in", "stay signed in", "upload"};
+
+bool isChange(std::string_view act) {
+  return std::ranges::none_of(kViews, [&](std::string_view view) { return act.starts_with(view); });
+}
+
+}  // namespace
+
+Result<std::set<std::string>> StoreChanges::take() {
+  const auto read = [&](Transaction& transaction) -> Result<std::set<std::string>> {
+    const std::int64_t before = lastEntry_;
+    lastEntry_ = transaction.number("SELECT number FROM audit_end");
+    if (before < 0) return {};
+    if (lastEntry_ - before > kMostEntries) return std::set<std::string>{""};
+    std::set<std::string> people;
+    for (const store::Row& row : transaction.rows("SELECT act, person FROM audit WHERE number > ?", before))
+      if (isChange(row.text(0))) people.insert(row.text(1));
+    return people;
+  };
+  return inTransaction(by_.session()->core(), Way::Read, read);
+}
+
+}  // namespace insonate

@@ -1,0 +1,86 @@
+"use strict";
+// Shows new data of this page when they arrive: the server sends the event "changed", and the content is asked for
+// again. Without this script the page stays as it is until it is reloaded.
+{
+  const main = document.getElementById("main");
+  const shortestPause_ms = 5000;
+  let source = null;
+  let isDue = false;
+  let isWaiting = false;
+
+  const announcement = document.createElement("p");
+  announcement.className = "quiet updated";
+  announcement.setAttribute("role", "status");
+  main.before(announcement);
+
+  // Typed text and an open list would be lost.
+  const isInUse = () => {
+    const fields = [...main.querySelectorAll("input, textarea")];
+    return (
+      main.querySelector("input:focus, textarea:focus, select:focus") !== null ||
+      fields.some((field) => field.value !== field.defaultValue || field.checked !== field.defaultChecked)
+    );
+  };
+
+  const replaceContent = (content) => {
+    const focused = document.activeElement;
+    const address = main.contains(focused) ? focused.getAttribute("href") : null;
+    main.replaceChildren(...content.childNodes);
+    if (address === null) return;
+    const same = [...main.querySelectorAll("a")].find((link) => link.getAttribute("href") === address);
+    if (same) same.focus({ preventScroll: true });
+  };
+
+  const refresh = async () => {
+    isDue = false;
+    const answer = await fetch(location.href);
+    if (!answer.ok || answer.redirected) {
+      close();
+      announcement.textContent = "This page is not updated any more. Reload it to see new data.";
+      return;
+    }
+    const page = new DOMParser().parseFromString(await answer.text(), "text/html");
+    const content = page.getElementById("main");
+    if (!content || isInUse()) {
+      isDue = true;
+      announcement.textContent = "There are new data. Reload the page to see them.";
+      return;
+    }
+    main.dataset.events = content.dataset.events;
+    replaceContent(content);
+    const time = new Date().toLocaleTimeString([], { hour: "2-digit", minute: "2-digit", second: "2-digit" });
+    announcement.textContent = `Updated at ${time}`;
+  };
+
+  // At most one update in five seconds, however fast attempts arrive.
+  const refreshSoon = () => {
+    isDue = true;
+    if (isWaiting) return;
+    isWaiting = true;
+    refresh()
+      .catch(() => {
+        isDue = true;
+      })
+      .finally(() =>
+        setTimeout(() => {
+          isWaiting = false;
+          if (isDue) refreshSoon();
+        }, shortestPause_ms),
+      );
+  };
+
+  const close = () => {
+    if (source) source.close();
+    source = null;
+  };
+  const open = () => {
+    if (source) return;
+    source = new EventSource(main.dataset.events);
+    source.addEventListener("changed", refreshSoon);
+  };
+
+  // A browser keeps few connections to a server: pages in the background release theirs.
+  const follow = () => (document.visibilityState === "visible" ? open() : close());
+  document.addEventListener("visibilitychange", follow);
+  follow();
+}

@@ -1,0 +1,71 @@
+#include "StoreRig.h"
+
+#include <insonate/curriculum/CommentStore.h>
+#include <insonate/curriculum/PublishedCurricula.h>
+#include <insonate/curriculum/StoreChanges.h>
+
+namespace insonate::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+class StoreChangesTest : public OnBoth {
+ protected:
+  void SetUp() override {
+    OnBoth::SetUp();
+    if (IsSkipped()) return;
+    school.emplace(rig->open());
+    changes.emplace(school->as(school->ina));
+    EXPECT_THAT(valueOf(changes->take()), IsEmpty()) << "the first call only begins";
+  }
+  std::optional<School> school;
+  std::optional<StoreChanges> changes;
+};
+INSONATE_ON_BOTH(StoreChangesTest);
+
+TEST_P(StoreChangesTest, NameThePeopleConcernedOnce) {
+  const AttemptFacts facts = keepAttempt(school->as(school->anna));
+  EXPECT_THAT(valueOf(changes->take()), ElementsAre(school->anna.id));
+  EXPECT_THAT(valueOf(changes->take()), IsEmpty());
+  valueOf(CommentStore(school->as(school->ina)).add(facts.id, 0, "Steeper"));
+  EXPECT_THAT(valueOf(changes->take()), ElementsAre(school->anna.id));
+  succeed(AttemptStore(school->as(school->ina)).voidAttempt(facts.id, "device failed"));
+  keepAttempt(school->as(school->carl));
+  std::set<std::string> both{school->anna.id, school->carl.id};
+  EXPECT_EQ(valueOf(changes->take()), both);
+}
+
+TEST_P(StoreChangesTest, AreSeenFromAnotherProgramToo) {
+  keepAttempt(valueOf(rig->open().signIn("ben", kPassword)));
+  EXPECT_THAT(valueOf(changes->take()), ElementsAre(school->ben.id));
+}
+
+TEST_P(StoreChangesTest, AClassConcernsNoPersonInParticular) {
+  valueOf(CohortStore(school->admin).add("Summer"));
+  EXPECT_TRUE(valueOf(changes->take()).contains(""));
+}
+
+TEST_P(StoreChangesTest, SigningInAndSeeingChangeNothing) {
+  const int version = valueOf(loadCurriculum("central_line")).version;
+  valueOf(PublishedCurricula(school->admin).publish("central_line", version, curriculumOf(version)));
+  succeed(CohortStore(school->admin).setCurriculum(school->spring.id, "central_line", version));
+  keepAttempt(school->as(school->anna));
+  EXPECT_FALSE(valueOf(changes->take()).empty());
+  const SignedIn ina = school->as(school->ina);
+  valueOf(CohortStore(ina).members(school->spring.id));
+  const std::vector<std::string> people{school->anna.id};
+  valueOf(CohortStore(ina).standings(school->spring.id, people));
+  valueOf(AttemptStore(ina).history(school->anna.id));
+  valueOf(AttemptStore(ina).lastOfCohort(school->spring.id, 5));
+  EXPECT_THAT(valueOf(changes->take()), IsEmpty());
+}
+
+TEST_P(StoreChangesTest, ManyAreAChangeOfEverything) {
+  const SignedIn anna = school->as(school->anna);
+  for (int i = 0; i < 501; ++i) keepAttempt(anna);
+  EXPECT_THAT(valueOf(changes->take()), ElementsAre(""));
+}
+
+}  // namespace
+}  // namespace insonate::test
