@@ -18,8 +18,8 @@ struct SimulatedSet {
   unsigned seed = 1;  ///< another seed gives other necks, views and settings
   /// Case folders used in addition to the built-in necks: CTs of patients, atlases.
   std::vector<std::filesystem::path> cases = {};
-  /// Probes and planes, used in turn. Empty: those of the real images, in turn; any plane for a real image whose plane
-  /// is not stated.
+  /// Probes and planes, used in turn. If a list is empty, the probes or planes of the real images are used in turn; any
+  /// plane for a real image whose plane is not stated.
   std::vector<ProbeShape> probes = {};
   std::vector<ScanPlane> planes = {};
   bool clips = false;  ///< true: only clips are simulated; false: clips for real clips and stills for real stills
@@ -37,8 +37,8 @@ Result<std::vector<SourceImage>> simulatedImages(const SimulatedSet& set, const 
 /// Comparison of one image feature between real and simulated images.
 struct RealismFeature {
   std::string name;
-  double real = 0, realLow = 0, realHigh = 0;                 ///< median, 10th and 90th percentile
-  double simulated = 0, simulatedLow = 0, simulatedHigh = 0;  ///< likewise for simulated images
+  double real = 0, realLow = 0, realHigh = 0;                 ///< real images: median, 10th and 90th percentile
+  double simulated = 0, simulatedLow = 0, simulatedHigh = 0;  ///< simulated images: median, 10th and 90th percentile
   RocArea separation;  ///< ROC area by which this feature separates the two sets; larger values count as simulated
   double floor = 0;    ///< ROC area, 0.5 to 1, by which real sources differ: median over real sources with at least 4
                        ///< images of the area that separates the source from all others; NaN without two such sources
