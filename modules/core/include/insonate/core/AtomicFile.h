@@ -20,8 +20,8 @@ Result<void> writeAtomically(const std::filesystem::path& target,
 /// is unchanged.
 Result<void> writeAtomically(const std::filesystem::path& target, std::string_view bytes);
 
-/// Checks, before any work, whether a folder can be written as `target`. Refuses an empty name, a file or a dangling
-/// link in its place, a missing parent folder, and missing permissions.
+/// Checks, before any work, whether a folder can be written as `target`. Refuses an empty name, a `target` that is a
+/// file or a dangling link, a missing parent folder, and missing permissions.
 Result<void> checkFolderTarget(const std::filesystem::path& target);
 
 /// Writes the folder `target` atomically: `write` fills a new folder beside it, which then takes its place. A missing
