@@ -40,8 +40,8 @@ class AttemptStore {
   /// again is no error. Fails if the attempt begins in the future or before its curriculum was published; clocks may
   /// differ by ten minutes.
   /// The database decides AttemptFacts::sitting by its own clock and the openings that it knows. If the beginning is
-  /// reported late, because the database could not be reached, the end decides, by `facts.begun_us`, which a proven
-  /// recording authenticates.
+  /// reported late because the database could not be reached, AttemptFacts::sitting is decided when the attempt ends,
+  /// by `facts.begun_us`, which a proven recording authenticates.
   Result<std::string> begin(const AttemptFacts& facts) const;
   /// Ends an attempt as Completed or Abandoned, with its metrics; values must be finite. Only the person who began the
   /// attempt may end it. Ending it again with the same facts is no error; if an attempt was marked abandoned after a
@@ -57,8 +57,8 @@ class AttemptStore {
   /// attempt may call this. Copying again is no error. If the database has no such folder, the function does nothing.
   /// Fails, with nothing changed, if the file does not have the attempt's recordingHash, or if it cannot be copied.
   Result<void> keepRecording(const std::string& attempt, const std::filesystem::path& recording) const;
-  /// Issues nonce and key for the recording of a new attempt of the signed-in user. They depend on the attempt's id,
-  /// curriculum and level.
+  /// Issues nonce and key for the recording of a new attempt of the signed-in user. Nonce and key depend on the
+  /// attempt's id, curriculum and level.
   Result<AttemptSeal> seal(const AttemptFacts& facts) const;
   /// Tells whether this database issued `nonce` to the attempt with the id, person, curriculum and level of `facts`.
   Result<NonceOrigin> originOf(const AttemptFacts& facts, const std::string& nonce) const;

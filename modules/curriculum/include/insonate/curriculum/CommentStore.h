@@ -15,12 +15,12 @@ namespace insonate {
 struct AttemptComment {
   std::string id{};        ///< UUID
   std::string attempt{};   ///< AttemptFacts::id
-  std::int64_t at_us = 0;  ///< time in the recording, from its begin
+  std::int64_t at_us = 0;  ///< time since the recording began
   std::string by{};        ///< author (Person::id)
   std::string author{};    ///< full name of the author, or sign-in name if there is no full name
   std::int64_t written_us = 0;
   std::string text{};
-  bool isRead = false;  ///< the trainee who made the attempt has read it
+  bool isRead = false;  ///< true: the trainee who made the attempt has read the comment
 
   bool operator==(const AttemptComment&) const = default;
 };

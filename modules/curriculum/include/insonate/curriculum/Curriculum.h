@@ -63,7 +63,7 @@ struct FailureRule {
 struct MasteryRule {
   int passesInARow = 1;
   std::optional<CusumRule> cusum{};
-  /// mastery lapses after this number of days without an attempt at this level or at a level that has it as
+  /// mastery lapses after this number of days without an attempt at this level or at a level of which this level is a
   /// prerequisite; empty: never
   std::optional<int> lapsesAfter_days{};
   std::optional<FailureRule> lapsesAfter{};

@@ -80,7 +80,7 @@ using FormAnswers = std::map<std::string, std::variant<std::string, double>>;
 /// Returns the key of FormAnswers under which a rater's note on a question is stored; it differs from all
 /// FormItem::name.
 std::string noteKey(const FormItem& item);
-/// Returns an answer as shown to readers: an option's title, a number or a text; "" without an answer.
+/// Returns an answer as shown to users: an option's title, a number or a text; "" without an answer.
 std::string answerText(const FormItem& item, const FormAnswers& answers);
 std::string noteText(const FormItem& item, const FormAnswers& answers);
 

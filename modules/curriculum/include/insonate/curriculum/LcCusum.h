@@ -9,7 +9,8 @@
 namespace insonate {
 
 /// Learning curve CUSUM (Biau, Williams, Schlup, Nizard, Porcher, Br J Surg 2008, 95:925). The test assumes that a
-/// trainee is not able until it signals: when the score shows that the trainee fails no more often than is acceptable.
+/// trainee is not able until it signals. It signals when the score shows that the trainee fails no more often than is
+/// acceptable.
 struct LcCusum {
   double acceptable = 0.1;     ///< p0: acceptable failure rate, of a trainee who is able; above 0
   double unacceptable = 0.25;  ///< p1: unacceptable failure rate, of a trainee who is not able; above p0, below 1

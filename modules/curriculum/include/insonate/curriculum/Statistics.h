@@ -75,8 +75,8 @@ struct BoxPlot {
 };
 std::optional<BoxPlot> boxPlotOf(std::span<const double> values);
 
-/// Returns the percentile rank of `value` among `values`, 0 to 100: the share of values below it plus half of the share
-/// equal to it.
+/// Returns the percentile rank of `value` among `values`, 0 to 100: the share of values below `value` plus half of the
+/// share of values equal to `value`.
 std::optional<double> percentileRank(std::span<const double> values, double value);
 
 }  // namespace insonate

@@ -17,7 +17,8 @@ struct StoreDifference {
   /// attempt concerned (AttemptFacts::id); "": the difference is in a standing (progress of a trainee)
   std::string attempt{};
   std::string person{};  ///< person concerned: Person::id
-  /// Name of the value: "points", "metric needle_path_mm", "standing in central_line 5: level".
+  /// Name of the value, e.g. "points" or "metric needle_path_mm". For a standing in version 5 of the curriculum
+  /// central_line: "standing in central_line 5: level".
   std::string field{};
   std::string stored{};
   std::string expected{};  ///< value according to the source
