@@ -76,8 +76,8 @@ struct DeviceMatch {
 struct ArmTable {
   std::array<double, 3> length_mm{};              ///< lengths: height of the turret, upper bar, lower bar
   std::array<double, 3> countsPerTurn{};          ///< encoder counts per turn of each motor
-  std::array<double, 3> bodyTurnsPerMotorTurn{};  ///< gear ratio of each cable drive, with sign: turns of the turret or
-                                                  ///< bar per turn of its motor
+  std::array<double, 3> bodyTurnsPerMotorTurn{};  ///< gear ratio of each cable drive, with sign: turns of the turret
+                                                  ///< or the bar per turn of the motor
   std::array<double, 3> torque_NmmPermA{};        ///< torque per current of each motor
   /// angles of turret, upper and lower bar in the home posture, from which the encoders count
   std::array<double, 3> homeAngle_deg{};
