@@ -8,9 +8,9 @@
 
 namespace insonate {
 
-/// Identifies the attempt in a curriculum store (database of people and attempts) of which this is the recording. All
-/// members are empty if the recording belongs to no store. The store issues the nonce when the attempt begins, for this
-/// person, level and id (curriculum/AttemptSeal.h).
+/// Identifies the recorded attempt in a curriculum store (database of people and attempts). All members are empty if
+/// the recording belongs to no store. When the attempt begins, the store issues the nonce for this person, level and
+/// attempt id (curriculum/AttemptSeal.h).
 struct RecordedFor {
   std::string attempt{}, person{};  ///< ids of attempt and person: AttemptFacts::id, Person::id
   std::string curriculum{};         ///< name of the curriculum; "": free practice
@@ -21,8 +21,8 @@ struct RecordedFor {
   bool operator==(const RecordedFor&) const = default;
 };
 
-/// Header of a recording: procedure, case and settings of the attempt. A replay uses the same ones, and fails if they
-/// are not available.
+/// Header of a recording: procedure, case and settings of the attempt. A replay uses the same procedure, case and
+/// settings, and fails if they are not available.
 struct AttemptHeader {
   std::string software{};   ///< name and version of the program that made the recording: "insonate 0.1.0"
   std::string begun{};      ///< time at which the attempt began: ISO 8601, UTC

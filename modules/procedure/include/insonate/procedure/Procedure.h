@@ -86,11 +86,11 @@ struct Procedure {
   std::string target;
   std::vector<PatientPosition> positions;
   std::vector<ProcedureStep> steps;  ///< steps in their order, at least one
-  /// index of the step to which the attempt returns if the needle leaves the body before the steps that need it are
-  /// done
+  /// index of the step to which the attempt returns if the needle leaves the body before all steps that need the needle
+  /// are done
   std::size_t passBegins = 0;
   std::vector<ProcedureRule> rules;
-  /// conditions of success: at the end, the values must be beyond all of these limits
+  /// conditions of success: at the end of the attempt, the value of each of these metrics must be beyond its limit
   std::vector<MetricLimit> success;
   std::vector<MetricNorm> norms;  ///< published values, at most one for each metric; metrics without an entry have none
 };
