@@ -40,9 +40,9 @@ class NeedleHand {
   static constexpr double kInitialAngle_deg = 20;
 
   /// Places a needle beside a probe, outside the skin, at the angle kInitialAngle_deg to the skin. Along: the needle
-  /// lies in the image plane, at the end of the probe's face opposite the marker; if the shape of the skin does not
-  /// allow that, as for Across. Across: the needle is beside the middle of the face. `halfWidth_mm`: half the width of
-  /// the face.
+  /// lies in the image plane, at the end of the probe's face opposite the marker. If the shape of the skin does not
+  /// allow that, the needle is placed as for Across. Across: the needle is beside the middle of the face.
+  /// `halfWidth_mm`: half the width of the face.
   static NeedleHand beside(const ProbeHand& probe, double halfWidth_mm, NeedlePlane plane);
 
   /// Moves the entry point over the skin along the probe's lateral and elevation directions. No effect while the tip is
