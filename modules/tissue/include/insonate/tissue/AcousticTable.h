@@ -21,7 +21,7 @@ struct BoundaryLayer {
   /// Dependence of the echo on the beam's angle, 0 to 1. 0: none; 1: the amplitude decreases as 0.12 + 0.88 cos^2(angle
   /// of incidence).
   double anisotropy = 1;
-  double patchiness = 0;  ///< interruption of the layer along the boundary, 0 to 1; 0: continuous
+  double patchiness = 0;  ///< degree to which the layer is interrupted along the boundary, 0 to 1; 0: continuous
   bool operator==(const BoundaryLayer&) const = default;
 };
 
