@@ -44,7 +44,8 @@ struct Effects {
 };
 static_assert(sizeof(Effects) == 13, "Effects::none() switches off every one");
 
-/// Settings of the operator and the renderer. Defaults are for the linear probe on a neck; see settingsFor().
+/// Settings of the simulated ultrasound machine and of the renderer. Defaults are for the linear probe on a neck; see
+/// settingsFor().
 struct ImagingSettings {
   double depth_mm = 40;
   double frequency_MHz = 7.5;  ///< frequency received; with harmonic imaging, twice the transmitted frequency
