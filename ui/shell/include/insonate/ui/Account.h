@@ -29,7 +29,7 @@ class Account : public QObject {
  public:
   enum class State {
     Opening,
-    Unreachable,  ///< trouble() says why
+    Unreachable,  ///< the store cannot be reached or opened; trouble() says why
     NobodyYet,    ///< there is no store, or the store has no people: an administrator must be set up first
     Guest,        ///< no user is signed in
     SignedIn,
@@ -105,7 +105,7 @@ class Account : public QObject {
   }
   struct Entered {
     SignedIn session;
-    std::string generatedPassword{};  ///< empty if the user has chosen a password
+    std::string generatedPassword{};  ///< generated password; empty if the user has chosen a password
   };
   static Entered asEntered(const SignedIn& session) { return {session}; }
   using Entering = std::function<Result<Entered>(const CurriculumStore&)>;
@@ -121,7 +121,7 @@ class Account : public QObject {
   void changePasswordAtSite(const std::string& old, const std::string& password, Done done);
   void take(State state, std::optional<Entered> entered, const QString& trouble);
 
-  std::string generatedPassword_;  ///< of the signed-in user; empty if the user has chosen one
+  std::string generatedPassword_;  ///< generated password of the signed-in user; empty if the user has chosen one
   const QString address_;
   const StoreServices services_;
   State state_ = State::Opening;

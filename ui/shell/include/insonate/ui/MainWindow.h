@@ -129,7 +129,7 @@ class MainWindow : public QMainWindow {
   QStackedWidget* stack_;
   StatusStrip* status_;
   HelpWindow* help_ = nullptr;
-  bool sure_ = false;     ///< true: close without asking about unsaved changes
+  bool sure_ = false;     ///< true: the window closes without asking about unsaved changes
   bool passing_ = false;  ///< true: a key event is being passed to the workspace
 };
 
