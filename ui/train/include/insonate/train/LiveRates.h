@@ -9,7 +9,7 @@ struct LiveRates {
   int images = 0;
   double seconds = 0;
   double imagesPerSecond = 0;
-  double median_ms = 0, p95_ms = 0;  ///< time from the setting of a pose until its image is drawn
+  double median_ms = 0, p95_ms = 0;  ///< time from setting a pose until its image is drawn: median, 95th percentile
   double cpu_ms = 0;                 ///< processor time of the whole program per image
   double window_ms = 0;              ///< part of cpu_ms that the window's thread used
 };
@@ -18,9 +18,9 @@ struct LiveRates {
 /// follows the probe.
 struct HandRates {
   double imagesPerSecond = 0;
-  /// number of ticks of the force loop; number of ticks that began more than a period late
+  /// number of ticks of the force loop; number of those that began more than a period late
   double ticks = 0, late = 0;
-  double p50_us = 0, p99_us = 0, p999_us = 0, max_us = 0;  ///< computing time of a tick
+  double p50_us = 0, p99_us = 0, p999_us = 0, max_us = 0;  ///< percentiles and maximum of the computing time of a tick
 };
 
 /// Frame rate of the 3D view while it turns.

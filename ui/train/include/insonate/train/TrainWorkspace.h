@@ -30,12 +30,13 @@ class TrainWorkspace : public ui::Workspace {
   void setAccount(ui::Account& account) override;
   void setOrigin(const ui::CaseOrigin& origin) override;
   void setCase(std::shared_ptr<const PatientCase> patient) override;
-  /// Shows the saved case; during an attempt, or while a level is selected, not before the end of the attempt or level.
+  /// Shows the saved case. During an attempt or while a level is selected, the case is shown only after the attempt or
+  /// level has ended.
   void caseSaved(std::shared_ptr<const PatientCase> patient) override;
   QString statusText() const override;
   QString engineText() const override;
   QString engineNote() const override;
-  /// Returns a sentence while an attempt is running.
+  /// Returns a sentence while an attempt is in progress; else an empty text.
   QString endsWithTheCase() const override;
   QString blocksWorkspaceChange() const override;
   bool isReady() const override;
