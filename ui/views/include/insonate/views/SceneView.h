@@ -76,8 +76,8 @@ class SceneView final : public View {
   /// the direction of insertion; the bevel faces -y.
   struct Needle {
     Transform patientFromNeedle;
-    double length_mm = 70, diameter_mm = 1.27;  ///< of the shaft; default 18 G
-    Colour colour = theme::kText;               ///< of the shaft
+    double length_mm = 70, diameter_mm = 1.27;  ///< length and diameter of the shaft; defaults: 18 G
+    Colour colour = theme::kText;               ///< color of the shaft
   };
   void setNeedle(std::optional<Needle> needle);
 

@@ -16,7 +16,7 @@ namespace insonate::views {
 
 /// Outline and handles that are drawn over the image while the user edits a shape, e.g. the field of view.
 struct PictureGuide {
-  std::vector<PicturePoint> outline;  ///< closed polygon
+  std::vector<PicturePoint> outline;  ///< outline, a closed polygon
   std::vector<PicturePoint> handles;
   std::vector<std::string> words;  ///< labels of the handles; may be fewer than handles
   int chosen = -1;                 ///< index of the handle that is held or has the keyboard focus
@@ -39,9 +39,9 @@ struct PictureName {
 
 /// Mesh of the tissue in the image plane at its present positions.
 struct PictureTissue {
-  int columns = 0, rows = 0;        ///< number of nodes; no mesh if either is below 2
-  std::vector<PicturePoint> nodes;  ///< in row-major order
-  std::vector<float> pressure_kPa;  ///< of the mesh's cells, (columns-1) x (rows-1)
+  int columns = 0, rows = 0;        ///< number of nodes in each direction; there is no mesh if either is below 2
+  std::vector<PicturePoint> nodes;  ///< positions of the nodes in row-major order
+  std::vector<float> pressure_kPa;  ///< pressure in the mesh's cells, (columns-1) x (rows-1) values
 };
 
 /// A view of the live image, as large as possible with square pixels, on black, with depth scale, focus, gray bar, the
@@ -72,8 +72,8 @@ class UltrasoundView final : public View {
   void setTgc(std::span<const double> tgc_dB);
   /// Marks the position of the pointer in another view; empty: no mark.
   void setPointer(std::optional<PicturePoint> point);
-  /// Sets a notice. It is written over the image and says how this image differs from a normal one; if there is no
-  /// image, it says why. Empty: no notice.
+  /// Sets a notice that is written over the image. The notice says how the image differs from a normal one or, if there
+  /// is no image, why there is none. Empty: no notice.
   void setNotice(const std::string& words);
   /// Sets calipers, which are drawn with their values and numbered in this order.
   void setCallipers(std::vector<Calliper> callipers);

@@ -56,7 +56,7 @@ class View {
   /// the window's thread. When setWake() has returned, the previous listener is no longer called.
   void setWake(std::function<void()> listener);
 
-  /// Input handlers; each returns true if the view has used the input.
+  /// Handlers of user input; each returns true if the view has used the input.
   virtual bool pressed(const Pointer&) { return false; }
   virtual bool moved(const Pointer&) { return false; }
   virtual bool released(const Pointer&) { return false; }
@@ -77,9 +77,9 @@ class View {
   virtual void attached(vtkRenderWindow&) {}
   virtual void detached(vtkRenderWindow&) {}
 
-  /// Steps of drawing a frame: handOver(), on the window's thread, passes the state of the view; takeOver(), on the
-  /// drawing thread, receives it; draw(), on the drawing thread, draws. handOver() and takeOver() never run at the same
-  /// time; draw() may run while the window's thread sets new state.
+  /// These functions are the steps of drawing a frame. handOver() passes the state of the view, on the window's thread.
+  /// takeOver() receives the state, on the drawing thread. draw() draws, on the drawing thread. handOver() and
+  /// takeOver() never run at the same time; draw() may run while the window's thread sets new state.
   virtual void handOver() {}
   virtual void takeOver() {}
   virtual void draw();
