@@ -7,7 +7,7 @@ namespace insonate::bench {
 
 /// Files of one numbered image that readers see: one for a still, several for a clip.
 struct SheetItem {
-  std::vector<std::string> files;  ///< relative to the page
+  std::vector<std::string> files;  ///< paths of the files, relative to the page
 };
 
 /// Returns the page on which readers rate a set: protocol, one image after another with six ratings, and a file to
@@ -22,7 +22,7 @@ std::string readerInstructions(std::size_t images, bool hasClips);
 /// spaces) plays these frames in a loop, and a click stops and continues it.
 const char* clipScript();
 
-/// Text with the characters & < > " replaced by HTML entities.
+/// Returns the text with the characters & < > " replaced by HTML entities.
 std::string escapedHtml(const std::string& text);
 
 }  // namespace insonate::bench
