@@ -18,7 +18,7 @@ class PatientBody {
   bool contains(Vec3 p_mm) const {
     const Vec3 index = indexFromPatient_ * p_mm;
     if (labelled_) return sampleNearest(patient_.labels, index) != 0;
-    constexpr int kBody_HU = -300;  // between air and fat
+    constexpr int kBody_HU = -300;  // threshold between air and fat
     return inGrid(p_mm) && sampleLinear(patient_.ct, index) > kBody_HU;
   }
   bool inGrid(Vec3 p_mm) const {
