@@ -36,7 +36,7 @@ struct NeedleForce {
 class NeedleMechanics {
  public:
   /// Sets the needle's table of forces. `steepest_Npmm`: maximum stiffness that the haptic device can render; the
-  /// stiffness of each spring is limited to a fraction of it.
+  /// stiffness of each spring is limited to a fraction of this maximum.
   void configure(const NeedleTable& table, double steepest_Npmm);
   /// Removes the needle from the tissue, and adds a Withdrawn event for every wall that it had punctured.
   void remove(std::int64_t time_ns, NeedleEvents& events) noexcept;

@@ -24,12 +24,12 @@ struct TankLimits {
   double mass_kg = 0.05;     ///< minimum mass that the device's force has to move
 };
 
-/// Passivity control of one tool: keeps account of the energy that the user's hand puts into the virtual tissue, and
-/// limits forces so that no more is returned. It removes the energy that sampling a spring once per millisecond creates
-/// while the hand withdraws (K v^2 T / 2 per second), and the energy that an encoder's steps hide. It is a passivity
-/// observer and controller (Hannaford and Ryu, IEEE Trans Robot Autom 2002;18:1) that computes one tick ahead: a force
-/// is limited to the energy that the account could provide if the stylus followed the force. A force against a motion
-/// that cannot reverse within a tick is not limited.
+/// Passivity control of one tool: measures the energy that the user's hand puts into the virtual tissue, and limits
+/// forces so that no more energy is returned. This removes the energy that sampling a spring once per millisecond
+/// creates while the hand withdraws (K v^2 T / 2 per second), and the energy that an encoder's steps hide. The method
+/// is a passivity observer and controller (Hannaford and Ryu, IEEE Trans Robot Autom 2002;18:1) that computes one tick
+/// ahead: a force is limited to the energy that the account could provide if the stylus followed the force. A force
+/// against a motion that cannot reverse within a tick is not limited.
 class EnergyTank {
  public:
   void setLimits(const TankLimits& limits) { limits_ = limits; }
