@@ -60,7 +60,8 @@ inline constexpr int kTextureKinds = 6;
 /// Texture::None has a single zero voxel.
 const TextureTile& textureTile(Texture kind);
 
-/// Returns a tile of smooth noise with SD 1 (stored as 32), for the variation of echoes along boundaries.
+/// Returns a tile of smooth noise for the variation of echoes along boundaries. The noise has SD 1; the integer 32
+/// represents the value 1.
 const TextureTile& patchTile();
 
 }  // namespace insonate
