@@ -20,7 +20,7 @@ struct LabelRules {
 
   LabelSet locked, hidden;
   Over over = Over::Every;
-  std::uint8_t inside = kBackground;  ///< the label of Over::Inside
+  std::uint8_t inside = kBackground;  ///< the label that may be overwritten if Over::Inside is selected
   std::optional<HuRange> editable;
 
   bool mayEdit(std::uint8_t label) const { return !locked.test(label) && !hidden.test(label); }

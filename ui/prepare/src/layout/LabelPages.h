@@ -9,12 +9,12 @@ class QTabBar;
 
 namespace insonate::prepare {
 
-/// The pages of the label step. One is shown at a time, since each needs the column's height.
+/// The pages of the label step. Only one page is shown at a time, since each page needs the column's height.
 class LabelPages : public QWidget {
   Q_OBJECT
 
  public:
-  /// Prepares a page to make a structure. Returns false if the page cannot make this label.
+  /// Function that prepares a page to make a structure. Returns false if the page cannot make this label.
   using Make = std::function<bool(std::uint8_t label)>;
 
   LabelPages();

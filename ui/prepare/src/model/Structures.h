@@ -15,8 +15,8 @@ namespace insonate::prepare {
 /// Appearance of a structure.
 struct StructureLook {
   views::Colour colour;
-  double opacity = 1;   ///< of its surface in 3D, 0 to 1
-  bool visible = true;  ///< in 3D and over the slices
+  double opacity = 1;   ///< opacity of the structure's surface in 3D, 0 to 1
+  bool visible = true;  ///< true: the structure is drawn in 3D and over the slices
   double onSlices = 1;  ///< opacity over the slices, as a fraction (0 to 1) of the opacity that all labels share
   bool operator==(const StructureLook&) const = default;
 };
