@@ -18,7 +18,7 @@ struct Portfolio {
   PersonFacts person{};
   std::vector<KeptAttempt> attempts{};  ///< all attempts, in the order in which they were begun
   std::vector<KeptForm> judgements{};   ///< checklists and ratings, in the order of submission
-  std::string reader{};                 ///< full name of the user who reads it
+  std::string reader{};                 ///< full name of the user who reads the portfolio
 };
 
 /// Queries a portfolio on the account's thread; `curriculum` is that of the person's class.
