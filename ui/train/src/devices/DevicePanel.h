@@ -16,8 +16,8 @@ class DeviceList;
 class HandPlots;
 class HandSection;
 
-/// Window for haptic devices: connections, assignment to hands, forces, and timing of the servo. A separate window, so
-/// that hands and image are visible at once. Uses no computing time while it is closed.
+/// Window for haptic devices: connections, assignment to probe and needle, forces, and timing of the servo. The panel
+/// is a separate window, so that the user sees it together with the image. Uses no computing time while it is closed.
 class DevicePanel final : public QDialog {
   Q_OBJECT
 

@@ -10,7 +10,7 @@ namespace insonate::train {
 
 class DevicePanel;
 
-/// The feature for the hands that hold probe and needle, and for the panel of haptic devices.
+/// The feature for the devices that move probe and needle, and for the panel of haptic devices.
 class DevicesFeature final : public Feature {
   Q_OBJECT
 

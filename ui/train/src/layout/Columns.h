@@ -13,8 +13,8 @@ class Columns final : public QSplitter {
  public:
   explicit Columns(QWidget* parent);
 
-  /// Sets the columns; `patient` may be null. All their widgets must exist already, so that Tab goes through one column
-  /// after the other.
+  /// Sets the columns; `patient` may be null. All widgets of the columns must already exist, so that Tab goes through
+  /// one column after the other.
   void set(QWidget* controls, QWidget* image, QWidget* patient);
   /// Widens the patient's column at the image's expense, or restores it.
   void expandPatient(bool isExpanded);

@@ -48,7 +48,7 @@ class LevelsFeature final : public Feature {
   LevelControl* levels_;
   AttemptKeeper* keeper_;
   VerdictView* verdict_ = nullptr;
-  std::optional<AttemptFacts> judged_;  ///< the attempt of the shown verdict, as it was judged
+  std::optional<AttemptFacts> judged_;  ///< facts of the attempt whose verdict is shown, as they were judged
   CoursePage* page_ = nullptr;          ///< null until the page is first shown
   ui::Account* account_ = nullptr;
 };

@@ -11,7 +11,7 @@ namespace insonate::train {
 /// The patient's mechanical model and blood pressure, as chosen in the panel.
 struct TissueChoice {
   std::string model = "elastic";  ///< see TissueMechanics::model
-  Physiology body;                ///< includes heartbeat and breathing even if they are switched off
+  Physiology body;                ///< physiology; includes heartbeat and breathing even if they are switched off
   bool pulse = true, breathing = true;
 };
 bool operator==(const TissueChoice& a, const TissueChoice& b);
