@@ -31,8 +31,8 @@ struct CameraPlace {
   double angle_deg = 30;
 };
 
-/// State that determines a frame of a scene, as plain data: written by the window's thread, passed to the drawing
-/// thread. Large parts are shared; copying it into a state of the same case allocates nothing.
+/// State that determines a frame of a scene, as plain data. The window's thread writes the state and passes it to the
+/// drawing thread. Large parts are shared. Copying a state into another state of the same case allocates nothing.
 struct SceneState {
   int width_px = 1, height_px = 1;
   double scale = 1;
@@ -46,7 +46,7 @@ struct SceneState {
   ImagingSettings settings;
   Transform patientFromProbe;
   bool probeVisible = true, planeVisible = true;
-  BModeImage image;  ///< empty if there is no image of the present probe
+  BModeImage image;  ///< live image; empty if there is no image of the present probe
   std::optional<SceneView::Needle> needle;
   std::optional<Transform> tray;
   std::shared_ptr<const std::vector<ScenePath>> paths;  ///< null: no paths
@@ -54,7 +54,7 @@ struct SceneState {
   Stereo stereo = Stereo::Off;
   std::optional<HeadCoupling> coupling;
   bool moving = false;
-  /// Numbers of changes, compared instead of the data themselves.
+  /// Counters of changes, which are compared instead of the data themselves.
   int probeChanges = 0, imageChanges = 0, needleChanges = 0;
 };
 
