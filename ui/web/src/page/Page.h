@@ -24,7 +24,7 @@ struct Visit {
   const CurriculumStore& store;
   const WebOptions& options;
   const Metrics& metrics;
-  std::optional<SignedIn> by{};  ///< empty: nobody is signed in; never empty in pages that require sign-in
+  std::optional<SignedIn> by{};  ///< user; empty: no user is signed in; never empty in pages that require sign-in
   std::string secret{};          ///< secret of the browser's session (BrowserSessions); empty if there is none
 };
 
@@ -33,7 +33,7 @@ using Parts = std::vector<std::string>;
 
 /// Returns a whole page: head, navigation for the user's role, title as heading, and content.
 Response page(const Visit& visit, std::string_view title, const Markup& content, int status = 200);
-/// Returns a page that states in one sentence why there is nothing else to see.
+/// Returns a page with one sentence that says why the requested page cannot be shown.
 Response refusal(const Visit& visit, int status, std::string_view sentence);
 /// Returns an answer that sends the browser to another address of this server by GET.
 Response redirect(const std::string& address);
@@ -59,9 +59,9 @@ std::string formCode(const std::string& secret);
 /// Returns a section with a heading.
 Markup section(std::string_view heading, const Markup& content);
 Markup paragraph(std::string_view sentence);
-/// Returns a less prominent paragraph, which explains words or figures beside it.
+/// Returns a less prominent paragraph, which explains the words or figures beside the paragraph.
 Markup note(std::string_view sentence);
-/// Returns the reason why a form was refused, which screen readers announce.
+/// Returns the reason why a form was refused. Screen readers announce the reason.
 Markup troubleLine(std::string_view sentence);
 /// Returns a time in the server's time zone, "20 Nov 2026, 14:05 CET", with the exact time for programs.
 Markup timeOf(std::int64_t time_us);
