@@ -29,8 +29,8 @@ enum class CaseFit {
   Looking,  ///< the hash of the open case is being computed
 };
 
-/// An open recorded attempt: its events and metrics, the present time, and the patient. Uses no widgets. For the
-/// window's thread.
+/// An open recorded attempt: its events and metrics, the present time, and the patient. Uses no widgets. May be used
+/// only on the window's thread.
 class ReviewSession : public QObject {
   Q_OBJECT
 

@@ -11,7 +11,7 @@
 namespace insonate::phantom {
 
 /// Mathematical model of a whole neck: depth and structure at each patient position, from which label maps are sampled.
-/// Immutable.
+/// The object is immutable.
 class NeckModel {
  public:
   NeckModel(const NeckParameters& parameters, std::uint32_t seed);

@@ -18,7 +18,7 @@ struct SliceGrid {
 };
 
 /// Decides the label of every voxel of one level: layers of the skin, organs in order of precedence, muscles separated
-/// by fascia, and fat and connective tissue in the rest. For one thread at a time.
+/// by fascia, and fat and connective tissue in the rest. Only one thread at a time may use one object.
 class SliceLabels {
  public:
   SliceLabels(std::span<const Structure> structures, BodySurface::Slice body, const Platysma& platysma, SliceGrid grid);

@@ -13,7 +13,7 @@ namespace insonate {
 /// Skin of a patient, on which probe and needle are moved by mouse and keys. The fraction of body (labels other than
 /// background) is averaged over about 2 mm and stored on a grid of about 2 mm; the skin is the surface on which the
 /// fraction is 0.5. Background enclosed by the body counts as body. The volume's outermost voxels continue outside it,
-/// so that there is no skin at the end of the scan. Patient LPS, mm. Immutable.
+/// so that there is no skin at the end of the scan. Patient LPS, mm. The object is immutable.
 class SkinSurface {
  public:
   static Result<SkinSurface> make(const LabelMap& labels);

@@ -12,8 +12,8 @@ namespace insonate {
 
 /// Detects in live images that the trainee has found the target vein: the vein has been in the middle of the image for
 /// a second (reported once), or the probe has compressed the vein there (reported once each time the vein comes to the
-/// middle). In a case without a target each vein counts. Neither waits nor allocates. Not for concurrent use of one
-/// object.
+/// middle). In a case without a target each vein counts. Neither waits nor allocates. One object must not be used
+/// concurrently.
 class VeinWatch {
  public:
   /// Position of the target vein relative to the middle line of an image.

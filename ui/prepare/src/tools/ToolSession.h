@@ -13,7 +13,7 @@ namespace insonate::prepare {
 struct PrepareModel;
 
 /// The selected tool, its parameters, the points that were clicked for the tool, and its preview. Preview, Enter and
-/// Esc have the same meaning for all tools. For the window's thread.
+/// Esc have the same meaning for all tools. May be used only on the window's thread.
 class ToolSession : public QObject {
   Q_OBJECT
 

@@ -47,8 +47,8 @@ struct AttemptDigest {
 };
 inline constexpr int kTrack_Hz = 50;
 
-/// Reads a recording. Fails if the file is no recording or was written by a newer program, and when cancelled. May be
-/// called on any thread; takes about a second for a recording of ten minutes.
+/// Reads a recording. Fails if the file is no recording or was written by a newer version of the program, and when
+/// cancelled. May be called on any thread; takes about a second for a recording of ten minutes.
 Result<std::shared_ptr<const AttemptDigest>> digestOf(const std::string& file, const Progress& progress = {});
 
 }  // namespace insonate::review

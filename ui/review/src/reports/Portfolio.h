@@ -27,14 +27,15 @@ Result<Portfolio> readPortfolio(const SignedIn& by, const std::string& person,
 
 /// Size of the drawing of one level's curves, in pixels of the screen.
 inline constexpr QSizeF kCurves_px{665, 250};
-/// Draws the curves of each level that has attempts, as vectors. For the window's thread, since charts are widgets.
+/// Draws the curves of each level that has attempts, as vectors. May be used only on the window's thread, since charts
+/// are widgets.
 std::vector<QPicture> curvesOf(const Portfolio& portfolio);
 
 /// Text of the portfolio, without the curves.
 QString portfolioText(const Portfolio& portfolio);
 
 /// Writes a portfolio as PDF: levels, tests, curves, checklists and ratings, attempts. The text fits both A4 and Letter
-/// at actual size. The file is first written under another name and then renamed. For any thread.
+/// at actual size. The file is first written under another name and then renamed. May be used on any thread.
 Result<void> writePortfolio(const QString& file, const Portfolio& portfolio, const std::vector<QPicture>& curves,
                             QPageSize::PageSizeId paper, const Progress& progress);
 

@@ -19,7 +19,7 @@ struct LabelsPreview {
   std::array<std::size_t, 256> voxels{};  ///< number of voxels by label
 };
 
-/// Computes the preview of labels on the grid of `ct`. For any thread.
+/// Computes the preview of labels on the grid of `ct`. May be used on any thread.
 LabelsPreview labelsPreviewOf(const CtVolume& ct, const LabelReadResult& read);
 
 /// Shows how the program understands the labels of a file, with a slice of the CT, before the labels replace the case's

@@ -18,7 +18,7 @@ namespace insonate::ui {
 class Account;
 
 /// The store's curricula, and the selected curriculum. Uses no widgets. A draft is saved in the store a moment after
-/// each change, and when another curriculum is selected. For the window's thread.
+/// each change, and when another curriculum is selected. May be used only on the window's thread.
 class CurriculumDesk : public QObject {
   Q_OBJECT
 

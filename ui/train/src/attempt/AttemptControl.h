@@ -20,8 +20,8 @@ namespace insonate::train {
 struct TrainModel;
 
 /// Runs an attempt at a procedure, from its start to its result, and records it in the user's folder. An attempt that
-/// is in progress when the case or the program is closed is saved as abandoned. Uses no widgets. For the window's
-/// thread.
+/// is in progress when the case or the program is closed is saved as abandoned. Uses no widgets. May be used only on
+/// the window's thread.
 class AttemptControl : public QObject {
   Q_OBJECT
 

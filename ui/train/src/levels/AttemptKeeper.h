@@ -39,7 +39,7 @@ using KeptFacts = QFuture<std::optional<AttemptFacts>>;
 /// store cannot be reached. Waiting facts are sent once a minute, when a server is reachable again, and when the user
 /// whom the facts concern signs in. Signing out ends an attempt as abandoned. Attempts of guests are not stored. The
 /// seal of the next attempt's recording is requested beforehand, so that the attempt begins at once, even while a
-/// server is unreachable. For the window's thread; no call blocks.
+/// server is unreachable. May be used only on the window's thread; no call blocks.
 class AttemptKeeper final : public QObject {
   Q_OBJECT
 

@@ -19,7 +19,7 @@ class Account;
 namespace insonate::train {
 
 /// The user's curriculum, progress and attempts. The curriculum is that of one of the user's classes, else the built-in
-/// curriculum. Guests have no progress. For the window's thread; no call blocks.
+/// curriculum. Guests have no progress. May be used only on the window's thread; no call blocks.
 class Course final : public QObject {
   Q_OBJECT
 

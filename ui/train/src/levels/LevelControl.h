@@ -24,7 +24,8 @@ class ProbeMotion;
 class StatusLine;
 
 /// Stores the level that the user practices, or no level in free practice. A level sets case, procedure, position and
-/// assistance. Opening another case ends the practice of the level. Uses no widgets. For the window's thread.
+/// assistance. Opening another case ends the practice of the level. Uses no widgets. May be used only on the window's
+/// thread.
 class LevelControl final : public QObject {
   Q_OBJECT
 

@@ -30,7 +30,7 @@ struct NeedleShown {
 };
 
 /// Controls what moves probe and needle: mouse and keys, haptic devices and their assignment, and a pedal. Forces and
-/// punctures always come from the servo. For the window's thread.
+/// punctures always come from the servo. May be used only on the window's thread.
 class HandsControl : public QObject {
   Q_OBJECT
 

@@ -10,7 +10,7 @@ namespace insonate::train {
 class StatusLine;
 
 /// The user's undoable steps of all kinds, in one order, on a QUndoStack. A step exchanges the present state with the
-/// former state, so that the same function serves undo and redo. For one thread.
+/// former state, so that the same function serves undo and redo. One object must be used on one thread only.
 class History {
  public:
   static constexpr int kMost = 200;

@@ -23,7 +23,7 @@ struct HandNumbers {
 HandNumbers numbersOf(const ProbeHandState& state);
 
 /// The probe that the user moves. A gesture (a key held down, a drag, a turn of the wheel) is undone as one move.
-/// Without a ProbeHand all moves have no effect. For one thread.
+/// Without a ProbeHand all moves have no effect. One object must be used on one thread only.
 class ProbeControl {
  public:
   void setHand(std::optional<ProbeHand> hand);

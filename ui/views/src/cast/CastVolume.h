@@ -42,7 +42,7 @@ struct CastVolume {
 /// Makes a volume on the caller's thread; takes a tenth of a second for a large CT.
 std::shared_ptr<const CastVolume> makeCastVolume(std::shared_ptr<const PatientCase> patient);
 
-/// A patient's CT with a transfer function, prepared for ray casting. Constant.
+/// A patient's CT with a transfer function, prepared for ray casting. The object is constant.
 struct CastLook {
   struct Entry {
     float red = 0, green = 0, blue = 0;  ///< components of the color, 0 to 1

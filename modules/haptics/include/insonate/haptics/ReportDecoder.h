@@ -31,7 +31,8 @@ enum class ReportOutcome : std::uint8_t {
   kUnknown,  ///< rejected: no layout has the report's id, or the report is empty
 };
 
-/// Decodes the HID reports of one device by its device table. Neither allocates nor throws. For one thread.
+/// Decodes the HID reports of one device by its device table. Neither allocates nor throws. One object must be used on
+/// one thread only.
 class ReportDecoder {
  public:
   /// `table` must outlive the decoder.

@@ -59,7 +59,7 @@ class HandsSession {
   /// moves the tool.
   void putMouse(Hand hand, const Transform& patientFromTool);
   /// Sets the pose of a tool that mouse and keys request. The tool moves there smoothly, or jumps if the distance is
-  /// long; with a simulated device it moves there as far as the forces allow. No effect if a real device moves the
+  /// long; with a simulated device it moves there as far as the forces allow. Has no effect if a real device moves the
   /// tool.
   void moveByMouse(Hand hand, const Transform& patientFromTool);
   /// Returns the device that moves a tool (`hand`: probe or needle); null: none.
@@ -80,8 +80,8 @@ class HandsSession {
   std::uint32_t takePresses();
 
   /// Makes the device of a tool exert this force (device frame) for a second, so that the user can check the device.
-  /// The force is limited to 1 N and to HandSetup::mostForce_N. The tool does not move meanwhile. No effect without a
-  /// device.
+  /// The force is limited to 1 N and to HandSetup::mostForce_N. The tool does not move meanwhile. Has no effect without
+  /// a device.
   void testForce(Hand hand, Vec3 force_N);
 
   /// Returns inputs and outputs of the last tick of the force loop; time_ns is 0 while no device is assigned.

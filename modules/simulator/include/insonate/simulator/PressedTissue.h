@@ -22,7 +22,7 @@ BloodPressure bloodPressure(const Physiology& physiology, const MechanicalTable&
 Result<Transform> poseOnSkin(const LabelMap& labels, const ProbeFace& face, const Transform& patientFromProbe);
 
 /// Computes the deformation of tissue in the image plane by a probe's face. If the face is inside the undeformed
-/// tissue, the depth of the face in it is the indentation. Not for concurrent use of one object.
+/// tissue, the depth of the face in it is the indentation. One object must not be used concurrently.
 class PressedTissue {
  public:
   /// Makes the model for a probe. Fails as validate() does. `maxIterations`: maximum number of iterations per solution;

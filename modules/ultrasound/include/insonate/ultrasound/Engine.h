@@ -14,7 +14,7 @@
 
 namespace insonate {
 
-/// Renders the echo envelope of a scene for a pose of the probe. Not for concurrent use of one object.
+/// Renders the echo envelope of a scene for a pose of the probe. One object must not be used concurrently.
 class Engine {
  public:
   virtual ~Engine() = default;

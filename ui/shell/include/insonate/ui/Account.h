@@ -21,8 +21,8 @@ namespace insonate::ui {
 QString usualStore();
 
 /// The signed-in user, and the connection to the store (database) of people, levels and attempts. Queries run one after
-/// the other on a background thread, which owns the connection; their results arrive on the window's thread. For the
-/// window's thread only.
+/// the other on a background thread, which owns the connection; their results arrive on the window's thread. May be
+/// used only on the window's thread.
 class Account : public QObject {
   Q_OBJECT
 
@@ -61,7 +61,7 @@ class Account : public QObject {
   void setUpAlone(const QString& fullName, const QString& password, Done done);
   /// Signs in. On a workstation of a site (SiteExchange), the site's server checks the password, if it can be reached.
   void signIn(const QString& name, const QString& password, Done done);
-  /// Signs out. No effect while hasGeneratedPassword(): the user does not know the password and could not sign in
+  /// Signs out. Has no effect while hasGeneratedPassword(): the user does not know the password and could not sign in
   /// again.
   void signOut();
   /// Tells whether the signed-in user has not chosen a password yet.

@@ -21,7 +21,7 @@ enum class InputRank {
 };
 
 /// The input handlers of one canvas, which is the widget that receives the events of a view. This object is a child of
-/// the canvas, and the canvas's only event filter. For the window's thread only.
+/// the canvas, and the canvas's only event filter. May be used only on the window's thread.
 class CanvasInput : public QObject {
   Q_OBJECT
 

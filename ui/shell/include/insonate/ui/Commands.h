@@ -54,7 +54,7 @@ struct Command {
 };
 
 /// Registry of all commands of one workspace. Keys, menu entries, tooltips and the list of keys are made from this
-/// registry. Features add their commands when they are constructed. For the window's thread only.
+/// registry. Features add their commands when they are constructed. May be used only on the window's thread.
 class Commands : public QObject {
   Q_OBJECT
 

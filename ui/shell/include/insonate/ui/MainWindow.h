@@ -60,7 +60,7 @@ class MainWindow : public QMainWindow {
   void openBuiltIn(const QString& variant);
   /// Opens a recorded attempt in the workspace that shows attempts, and shows that workspace.
   void openAttempt(const QString& file);
-  /// Reads the case from its folder again. No effect on a case that is not on disk.
+  /// Reads the case from its folder again. Has no effect on a case that is not on disk.
   void reload();
   /// Writes the case with all edits to its folder; if it has none, asks for a folder.
   void saveCase();

@@ -22,7 +22,7 @@ class ValueSlider;
 
 /// Controls of a 3D view: skin transparency, structures, the CT with its transfer function, a clipping plane, stereo
 /// and the head-coupled view. While the user moves a control, the view is drawn at a lower resolution. The panel is
-/// narrow and long: put it into a QScrollArea. For the window's thread only.
+/// narrow and long: put it into a QScrollArea. May be used only on the window's thread.
 ///
 /// The panel uses SceneView::setStructuresChanged(), by which the scene notifies it of surfaces and changes of their
 /// appearance. A scene can therefore have only one panel.

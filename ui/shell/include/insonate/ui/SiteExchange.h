@@ -13,7 +13,7 @@ class Account;
 
 /// Synchronizes this computer's store with its site's server while the window is open: some seconds after a user signs
 /// in or out, and every five minutes. The exchange runs in the background. Without a server or a store, nothing is
-/// done. Data that could not be sent wait for the next exchange. For the window's thread only.
+/// done. Data that could not be sent wait for the next exchange. May be used only on the window's thread.
 class SiteExchange : public QObject {
   Q_OBJECT
 

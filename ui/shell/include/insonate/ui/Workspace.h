@@ -32,7 +32,7 @@ using CaseEdit = std::function<void(PatientCase&)>;
 
 /// Base class of the workspaces Prepare, Train and Review. They exist as long as the window, which shows one of them at
 /// a time. A hidden workspace should use no computing time (showEvent, hideEvent). The window's View menu lists the
-/// actions() of the workspace that is shown. For the window's thread only.
+/// actions() of the workspace that is shown. May be used only on the window's thread.
 class Workspace : public QWidget {
   Q_OBJECT
 

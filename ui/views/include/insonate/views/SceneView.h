@@ -47,8 +47,8 @@ class SceneView final : public View {
   /// a surface has changed.
   void setStructuresChanged(std::function<void()> listener);
 
-  /// Shows or hides the volume-rendered CT. No effect without a case. Initially, the CT is hidden and has the transfer
-  /// function for bone.
+  /// Shows or hides the volume-rendered CT. Has no effect without a case. Initially, the CT is hidden and has the
+  /// transfer function for bone.
   void setCtVisible(bool visible);
   bool isCtVisible() const;
   /// Sets the transfer function, corrected by tidied().

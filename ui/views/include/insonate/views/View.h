@@ -16,9 +16,9 @@ namespace insonate::views {
 
 class DrawingThread;
 
-/// Base class of all views: a renderer in an OpenGL window that the caller provides, with one view per window. For the
-/// window's thread only; a DrawingThread may draw the frames. Setters are fast, since their effects are computed at the
-/// next rendering.
+/// Base class of all views: a renderer in an OpenGL window that the caller provides, with one view per window. May be
+/// used only on the window's thread; a DrawingThread may draw the frames. Setters are fast, since their effects are
+/// computed at the next rendering.
 class View {
  public:
   View();
@@ -36,7 +36,7 @@ class View {
   int width_px() const { return width_px_; }
   int height_px() const { return height_px_; }
 
-  /// Renders the window now; if a DrawingThread draws the view, waits for it. No effect without a window.
+  /// Renders the window now; if a DrawingThread draws the view, waits for it. Has no effect without a window.
   void render();
   /// Waits until the graphics card, which works asynchronously, has completed the rendered image.
   void finish();
