@@ -33,14 +33,14 @@ struct SpeckleStatistics {
 SpeckleStatistics speckleStatistics(const BModeImage& image, const PixelBox& patch);
 
 /// Gray levels in and around a vessel's lumen, measured from a box well inside the lumen. A box more than 2.5 times as
-/// wide as tall is a long-axis view: its surroundings are the bands above and below, and the enhancement behind it is
-/// not measured.
+/// wide as tall is a long-axis view. In a long-axis view, the surroundings are the bands above and below the box, and
+/// the enhancement behind the lumen is not measured.
 struct Lumen {
   double mean = 0, sd = 0;
   /// Mean gray of the lumen, divided by the mean gray of a ring around the box at 1.7 to 2.4 times its half axes; NaN
   /// if the ring is not in the image.
   double overSurroundings = 0;
-  double nearMinusFar = 0;  ///< mean gray of the box's top fifth minus that of its bottom fifth
+  double nearMinusFar = 0;  ///< mean gray of the box's top fifth minus mean gray of the bottom fifth
   /// Enhancement: mean gray of the region 0.4 to 1 box heights below the box, divided by the mean gray beside this
   /// region; NaN in long-axis views.
   double belowOverSides = 0;

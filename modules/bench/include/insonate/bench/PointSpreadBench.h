@@ -12,8 +12,8 @@
 
 namespace insonate {
 
-/// Properties of a beam at one depth, measured in the amplitude image of a point. Contrasts and correlation lengths are
-/// those of fully developed speckle with this point-spread function. The members from cnr4 on are measured in images of
+/// Properties of a beam at one depth, measured in the amplitude image of a point. Contrasts and correlation lengths
+/// apply to fully developed speckle with this point-spread function. The members from cnr4 on are measured in images of
 /// speckle with anechoic cysts, without noise.
 struct PointSpreadFigures {
   double lateral_mm = 0, lateral20dB_mm = 0;  ///< lateral full widths: at half maximum; at -20 dB, side lobes included

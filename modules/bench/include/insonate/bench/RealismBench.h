@@ -44,8 +44,8 @@ struct RealismFeature {
                        ///< images of the area that separates the source from all others; NaN without two such sources
   double p = 1;        ///< probability of such a difference between equal sets, corrected for the number of features of
                        ///< all comparisons (Holm, Scand J Stat 1979, 6:65)
-  /// Tells whether the feature separates simulated from real images better than it separates real sources from each
-  /// other, with p below 0.05.
+  /// Tells whether the feature separates simulated from real images better than the feature separates real sources from
+  /// each other, with p below 0.05.
   bool exceedsFloor() const;
 };
 
