@@ -6,8 +6,8 @@
 
 namespace insonate {
 
-/// Tests whether a patient position lies in the body: every labeled voxel or, if nothing is labeled, every voxel
-/// denser than air. Refers to the volumes, which must outlive it.
+/// Tests whether a patient position lies in the body. The body consists of every labeled voxel or, if nothing is
+/// labeled, of every voxel denser than air. Refers to the volumes, which must outlive the object.
 class PatientBody {
  public:
   explicit PatientBody(const CaseView& patient)

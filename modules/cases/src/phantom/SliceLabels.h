@@ -9,7 +9,7 @@
 
 namespace insonate::phantom {
 
-/// One level of a grid whose axes are those of the patient.
+/// One level of a grid whose axes are the patient's axes.
 struct SliceGrid {
   double z_mm;
   std::uint32_t seed;

@@ -42,7 +42,7 @@ Result<Volume<std::int32_t>> readLabelValues(const std::filesystem::path& file);
 /// file replaces the earlier one.
 Result<LabelReadResult> readLabelMap(const std::filesystem::path& file);
 
-/// Meaning of the numbers of a label map whose file does not state it.
+/// Meaning of the numbers of a label map, for a file that does not state the meaning.
 struct NumberMeaning {
   std::filesystem::path names{};  ///< file that names the numbers: see importLabels(); empty: none
   bool areOurs = false;           ///< true: numbers without names are label numbers of this program
