@@ -17,11 +17,11 @@ struct Moment {
 /// failure; the time doubles with each further failure, up to an hour.
 std::int64_t lockAfter_us(std::int64_t failures);
 
-/// Returns the seconds until sign-in with a name may be tried again. 0: it may be tried now, and the try counts as a
-/// failure until resetFailures(), so that simultaneous tries gain nothing.
+/// Returns the seconds until sign-in with a name may be tried again. If the result is 0, the sign-in may be tried now,
+/// and the try counts as a failure until resetFailures(), so that simultaneous tries gain nothing.
 ///
 /// Waiting time is measured by the computer's up time; after a restart, by the wall clock. If the clock was set back,
-/// the wait starts again, so that it never exceeds an hour.
+/// the wait starts again, so that the wait never exceeds an hour.
 std::int64_t secondsLockedAfterTry(Transaction& transaction, const std::string& name, const Moment& moment);
 
 /// Does the same for the network address of a browser. The limit is wider, since a class may share an address: 30 wrong

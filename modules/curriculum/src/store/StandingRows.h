@@ -20,8 +20,8 @@ Standing standingFrom(const Row& row, std::size_t column);
 /// result. `changes`: the person's present Member::changes.
 bool isCurrent(const Row& row, std::size_t column, std::int64_t changes, std::int64_t now_us);
 
-/// Returns a person's progress in a curriculum: the stored standing if it is current; otherwise it is computed from all
-/// attempts and stored.
+/// Returns a person's progress in a curriculum: the stored standing if it is current; otherwise a standing that is
+/// computed from all attempts and stored.
 Standing currentStanding(Transaction& transaction, const std::string& person, const Curriculum& curriculum,
                          std::int64_t now_us);
 

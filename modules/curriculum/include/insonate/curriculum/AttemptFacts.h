@@ -51,7 +51,7 @@ struct MetricFact {
 /// Stored facts about one attempt; the motion of probe and needle is in its recording. The facts do not change after
 /// the end of the attempt, except that the attempt can be voided.
 struct AttemptFacts {
-  std::string id{};          ///< UUID of the attempt, made by the workstation at which it was begun
+  std::string id{};          ///< UUID of the attempt, made by the workstation at which the attempt was begun
   std::string person{};      ///< id of the trainee: Person::id
   std::string curriculum{};  ///< name of the curriculum (Curriculum::name); "": free practice
   int curriculumVersion = 0;

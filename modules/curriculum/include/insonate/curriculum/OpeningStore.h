@@ -11,7 +11,7 @@
 
 namespace insonate {
 
-/// Data of an opening that is to be made. It has an end, a code, or both.
+/// Data of an opening that is to be made. The opening has an end, a code, or both.
 struct NewOpening {
   std::string cohort{};                    ///< class for which the test is opened (Cohort::id); "": everyone
   std::string curriculum{};                ///< name of the curriculum; used only if `cohort` is empty
@@ -29,7 +29,7 @@ struct TestOpening {
   std::int64_t start_us = 0;
   std::optional<std::int64_t> end_us{};
   bool hasCode = false;
-  std::string openedBy{};  ///< full name of the person who opened it, or sign-in name if there is no full name
+  std::string openedBy{};  ///< full name of the person who opened the test, or sign-in name if there is no full name
   std::int64_t opened_us = 0;
   std::optional<std::int64_t> closed_us{};  ///< time at which the opening was closed before its end
   std::string closedBy{};

@@ -11,8 +11,8 @@
 
 namespace insonate {
 
-/// A value in the database that does not agree with the data from which it was computed: a recording, the attempts, or
-/// the audit log.
+/// A value in the database that does not agree with the data from which the value was computed: a recording, the
+/// attempts, or the audit log.
 struct StoreDifference {
   /// attempt concerned (AttemptFacts::id); "": the difference is in a standing (progress of a trainee)
   std::string attempt{};
@@ -39,8 +39,8 @@ class StoreCheck {
   /// without an entry, and entries without an attempt. Programs before schema 3 made no entries: in a database from
   /// such a program, attempts before the first one with an entry are left out.
   Result<std::vector<StoreDifference>> againstLog() const;
-  /// Returns the differences of stored current standings (progress of trainees) from those that follow from the
-  /// attempts.
+  /// Compares the stored current standings (progress of trainees) with standings computed from the attempts, and
+  /// returns the differences.
   Result<std::vector<StoreDifference>> standings() const;
 
  private:

@@ -32,7 +32,7 @@ class Workstations {
   /// this name that was revoked gets a new token. `name`: 1..64 characters; fails if a workstation of this name is in
   /// use.
   Result<std::string> add(const std::string& name) const;
-  /// Ends the access of a workstation at once; what it has sent stays.
+  /// Ends the access of a workstation at once; data that the workstation has sent stays.
   Result<void> revoke(const std::string& name) const;
   /// Returns all workstations, sorted by name.
   Result<std::vector<Workstation>> list() const;
