@@ -35,7 +35,7 @@ struct DeformationInput {
   ProbeFace face;
   BloodPressure pressure;
   /// Pose of the tissue plane in the patient. With a pose, the iteration starts from the last solution even after the
-  /// probe has moved; without a pose, it starts from undeformed tissue.
+  /// probe has moved; without a pose, the iteration starts from undeformed tissue.
   std::optional<Transform> patientFromProbe;
   /// Required contact force. If above 0, the face is moved along z until the contact force has this value; else the
   /// face stays at z = 0.
@@ -81,8 +81,9 @@ struct DeformationSettings {
   int maxIterations = 60;
   /// Maximum movement of a node in the last iteration of a converged solution; 0: the model's default.
   double tolerance_mm = 0;
-  /// Tolerance for a solution that continues an earlier one, as while the probe moves: the solution is accepted once an
-  /// iteration moves no node by more than this, and the next image continues it. 0: not used.
+  /// Tolerance for a solution that continues an earlier solution, as while the probe moves. The solution is accepted
+  /// once an iteration moves no node by more than this tolerance, and the next image continues the solution. 0: not
+  /// used.
   double movingTolerance_mm = 0;
 };
 

@@ -29,7 +29,7 @@ struct Physiology {
 /// Fails with a sentence that names field, value and allowed range.
 Result<void> checkPhysiology(const Physiology& physiology);
 
-/// Returns the blood pressures in the neck at a time in s. They are continuous and periodic with heartbeat and
+/// Returns the blood pressures in the neck at a time in s. The pressures are continuous and periodic with heartbeat and
 /// respiration. vein_kPa is never below 0, since a vein collapses near atmospheric pressure. The physiology must be
 /// valid; a time that is not finite counts as 0.
 BloodPressure bloodPressureAt(const Physiology& physiology, double time_s);
