@@ -26,8 +26,8 @@ struct Stiffening {
 /// Stiffness of a wall (e.g. the skin) that the needle's tip drags sideways.
 inline constexpr double kAside_Npmm = 0.2;
 
-/// Cutting resistance of tissue: it yields like a spring in front of the needle's tip until it is cut, and stays cut.
-/// Acts against insertion only.
+/// Cutting resistance of tissue. The tissue yields like a spring in front of the needle's tip until it is cut, and
+/// stays cut. The resistance acts against insertion only.
 class CutFront {
  public:
   void restart(double s_mm) { uncut_mm_ = s_mm; }

@@ -10,7 +10,7 @@ namespace insonate::haptics {
 struct StylusPlace {
   Vec3 position_mm;
   Vec3 turned_rad;  ///< rotation vector since the last tick; used for devices with torque
-  /// Energy that the hand has put in since the last tick, N mm; empty: it is computed from force and path.
+  /// Energy that the hand has put in since the last tick, N mm; empty: the energy is computed from force and path.
   std::optional<double> given_mJ;
 };
 
@@ -34,9 +34,9 @@ class EnergyTank {
  public:
   void setLimits(const TankLimits& limits) { limits_ = limits; }
   void reset();
-  /// Updates the account with the stylus's new `place`, reached under the force that was returned last, and returns the
-  /// new force, limited if necessary. `free_N`: part of `wanted` that needs no limit here, since another account covers
-  /// it.
+  /// Updates the account with the stylus's new `place`, which was reached under the force that was returned last.
+  /// Returns the new force, limited if necessary. `free_N`: part of `wanted` that needs no limit here, since another
+  /// account covers this part.
   Force pass(const Force& wanted, Vec3 free_N, const StylusPlace& place, double step_s) noexcept;
   double energy_J() const { return energy_mJ_ * 1e-3; }
 

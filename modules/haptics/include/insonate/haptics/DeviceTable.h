@@ -22,15 +22,16 @@ enum class DeviceKind : std::uint8_t {
 
 std::string_view nameOf(DeviceKind kind);
 
-/// Quantity that a field of a HID report contains. The stated unit is that of the raw value times ReportField::scale.
+/// Quantity that a field of a HID report contains. The unit stated for each quantity is the unit of the raw value times
+/// ReportField::scale.
 enum class Quantity : std::uint8_t {
   kEncoder,     ///< encoder counts; index 0..5 selects the joint
   kPosition,    ///< position, mm, device frame; index 0..2: x, y, z
   kQuaternion,  ///< attitude as a quaternion; index 0..3: w, x, y, z
   kDeflection,  ///< deflection of a 3D mouse's spring-loaded cap, -1..1; index 0..2: along x, y, z; 3..5: about x, y, z
   kButtons,     ///< one bit per button; index: number of the button in the lowest bit
-  /// a single button; it is pressed if one of ReportField::count consecutive fields equals ReportField::usage; index:
-  /// number of the button
+  /// a single button; the button is pressed if one of ReportField::count consecutive fields equals ReportField::usage;
+  /// index: number of the button
   kKey,
   kStatus,    ///< status bits whose meaning is specific to the device
   kSequence,  ///< sequence number of the report
@@ -101,7 +102,7 @@ struct DeviceTable {
 /// beyond the end of their report, and a force device without an output report.
 Result<DeviceTable> parseDeviceTable(std::string_view json);
 
-/// Returns the built-in device tables, those of resources/haptics/devices.
+/// Returns the built-in device tables, which are in resources/haptics/devices.
 const std::vector<DeviceTable>& builtInDeviceTables();
 
 }  // namespace insonate
