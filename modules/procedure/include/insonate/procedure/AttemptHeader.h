@@ -29,7 +29,7 @@ struct AttemptHeader {
   std::string procedure{};  ///< id of the procedure
   int procedureVersion = 0;
   std::string caseName{}, caseHash{};
-  std::string settingsHash{};  ///< hash of `settings`; the recorder fills it in
+  std::string settingsHash{};  ///< hash of `settings`; the recorder computes the hash
   std::string engine{};        ///< name of the ultrasound engine that made the images
   ImageField picture{};
   /// Names of the case's vessels; the first one is the target vein of this attempt. Empty: the case has no target in a
@@ -45,7 +45,7 @@ struct AttemptHeader {
   bool operator==(const AttemptHeader&) const = default;
 };
 
-/// Change of settings during an attempt. The new settings replace those of the header or of the previous change.
+/// Change of settings during an attempt. The new settings replace the settings of the header or of the previous change.
 struct SettingsChange {
   std::int64_t time_us = 0;  ///< time of the change since the recording began
   std::string settings;      ///< all settings, in the form of AttemptHeader::settings

@@ -53,7 +53,8 @@ enum class Better { Lower, Higher, Neither };
 struct MetricDefinition {
   Metric metric;
   std::string_view id;    ///< name of the metric in files and JSON: "vein_punctures"
-  int version;            ///< version of the definition; it increases with each change that may give other values
+  int version;            ///< version of the definition; the version increases with each change that may give other
+                          ///< values
   std::string_view unit;  ///< unit of the values: "", "s", "mm", "%", "deg", "N"
   Better better;
   std::string_view definition;  ///< description of the counted or measured quantity, with thresholds
