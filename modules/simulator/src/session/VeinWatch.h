@@ -35,7 +35,7 @@ class VeinWatch {
   std::optional<AttemptEvent> look(std::int64_t time_us, const std::optional<Sight>& sight, Vec3 axial);
 
  private:
-  /// time since which the target vein has been in the middle; empty: it is not in the middle
+  /// time since which the target vein has been in the middle; empty: the vein is not in the middle
   std::optional<std::int64_t> since_us_;
   double max_mm_ = 0;  ///< maximum thickness of the target vein since since_us_
   bool isCenteredTold_ = false, isCompressedTold_ = false;

@@ -18,10 +18,10 @@ namespace insonate {
 class LiveAttempt;
 
 /// Moves probe and needle over a patient by haptic devices, or by mouse and keys. A "hand" (enum Hand) is one of these
-/// two tools; it is empty while no device is assigned to it. The session runs the force loop (ServoThread). While a
-/// device is assigned, a thread of the session passes the tissue in front of the probe's face and around the needle's
-/// tip to the force loop 60 times a second, and passes the pose of the probe to the live imaging. While both hands are
-/// empty and there is no pedal, the session does no work.
+/// two tools; a hand is empty while no device is assigned to the tool. The session runs the force loop (ServoThread).
+/// While a device is assigned, a thread of the session passes the tissue in front of the probe's face and around the
+/// needle's tip to the force loop 60 times a second, and passes the pose of the probe to the live imaging. While both
+/// hands are empty and there is no pedal, the session does no work.
 ///
 /// Every member may be called from any thread. put() and the destructor may wait up to a tenth of a second; all others
 /// return within a fraction of a millisecond.

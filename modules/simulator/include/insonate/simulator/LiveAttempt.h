@@ -69,7 +69,7 @@ class LiveAttempt final : public TickListener {
   /// receives new tissue.
   void show(Surroundings around);
   /// Passes the latest live image, in which the attempt detects whether the target vein is centered or compressed, and
-  /// where the needle aims; null: there is no live image. Call it as often as show(), on the same thread.
+  /// where the needle aims; null: there is no live image. Call this function as often as show(), on the same thread.
   void see(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around);
 
   /// Records an event that the user interface reports: needle replaced, image frozen or released, patient positioned.

@@ -35,8 +35,8 @@ struct LivePress {
   /// with the blood pressure of the CT.
   std::vector<LumenArea> lumens;
   BloodPressure pressure;
-  /// Affine map from the present to the undeformed position of tissue near the needle's tip, patient space. It does not
-  /// include the tenting by the tip. Without a needle it is the identity.
+  /// Affine map from the present to the undeformed position of tissue near the needle's tip, patient space. The map
+  /// does not include the tenting by the tip. Without a needle the map is the identity.
   Transform restFromPatient;
   /// Undeformed positions, in patient space, of the tissue on the probe's axis in the image, from the face to the depth
   /// of the image, every kMiddleStep_mm of depth.

@@ -77,7 +77,7 @@ class ProbeHand {
   /// not rigid changes nothing.
   HandMove setPose(const Transform& patientFromProbe);
 
-  /// Returns the rigid transform patientFromProbe, as ultrasound engines take it.
+  /// Returns the rigid transform patientFromProbe, in the form that ultrasound engines take.
   Transform pose() const;
 
   const ProbeHandState& state() const { return state_; }
