@@ -10,7 +10,8 @@ namespace insonate {
 
 /// Address of a site's server (insonate-server), and the workstation's token for it.
 struct SiteAddress {
-  std::string url{};    ///< "https://training.example.org"; http:// at a loopback address only
+  std::string url{};    ///< address of the server: "https://training.example.org"; http:// is allowed at a loopback
+                        ///< address only
   std::string token{};  ///< token that `insonate-cli curriculum workstations add` has issued
   /// File (PEM) with the certificate of the authority that signed the server's certificate; empty: the authorities that
   /// the system trusts.
