@@ -44,7 +44,7 @@ struct AcousticTissue {
   /// Strength of the texture, 0 to 40.
   double textureStrength_dB = 0;
   bool vessel = false;  ///< the structure is a vessel: its sides cast edge shadows
-  bool gas = false;     ///< the structure contains gas: it casts dirty shadows, filled with reverberation
+  bool gas = false;     ///< the structure contains gas: gas casts dirty shadows, which are filled with reverberation
   std::vector<BoundaryLayer> layers;
   bool operator==(const AcousticTissue&) const = default;
 };
