@@ -15,8 +15,8 @@ namespace insonate {
 /// Sizes are powers of two, so that a position can be wrapped with a mask.
 struct TextureTile {
   /// Number of padding voxels after each row along w and each plane of rows. The padding repeats the row's beginning,
-  /// so that a voxel and the next ones can be loaded as one word, and it avoids cache conflicts between rows, whose
-  /// length is a power of two.
+  /// so that a voxel and the next voxels can be loaded as one word. The padding also avoids cache conflicts between
+  /// rows, whose length is a power of two.
   static constexpr int kGap = 64;
 
   std::array<int, 3> size{};
