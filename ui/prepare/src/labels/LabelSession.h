@@ -28,14 +28,14 @@ namespace insonate::prepare {
 /// Edits the labels of the open case: tools, brush strokes, undo, recorded steps and unsaved changes.
 ///
 /// There are three kinds of label maps. The case's own labels never change while they are shared. The working map is a
-/// copy, made when the first tool is selected (getReady); brush strokes, undo and redo write to it on the window's
-/// thread. Code on other threads (tools, previews, surfaces, the live image, the check, saving) reads a snapshot
-/// (LabelSnapshots). Taking a snapshot takes time in proportion to the changes since the last one; it shares the CT of
-/// the case. While a background thread writes a tool's result, the window reads the snapshot, too. Therefore no map is
-/// read and written at the same time. Memory besides the case: the working map, normally three snapshots, two proposals
-/// while a slider is dragged, and LabelEdit's steps.
+/// copy, made when the first tool is selected (getReady); brush strokes, undo and redo write to the working map on the
+/// window's thread. Code on other threads (tools, previews, surfaces, the live image, the check, saving) reads a
+/// snapshot (LabelSnapshots). Taking a snapshot takes time in proportion to the changes since the last snapshot. The
+/// snapshot shares the CT of the case. While a background thread writes a tool's result, the window reads the snapshot,
+/// too. Therefore no map is read and written at the same time. Memory besides the case: the working map, normally three
+/// snapshots, two proposals while a slider is dragged, and LabelEdit's steps.
 ///
-/// For the window's thread.
+/// May be used only on the window's thread.
 class LabelSession : public QObject {
   Q_OBJECT
 
@@ -81,7 +81,7 @@ class LabelSession : public QObject {
   bool isFree() const;
   /// Stops the tool that run() started, without a change of the labels.
   void cancel() { settle(); }
-  /// Computes the result that run() would have, and shows it in preview().
+  /// Computes the result that run() would have, and shows this result in preview().
   void wantPreview(LabelStep step);
   LabelPreview& preview() { return preview_; }
   const LabelPreview& preview() const { return preview_; }

@@ -23,7 +23,7 @@ class LabelPages : public QWidget {
   void showPage(QWidget* page);
   /// Shows another page in place of this one.
   void leavePage(QWidget* page);
-  /// Shows the first page that can make a structure, prepared for it.
+  /// Shows the first page that can make a structure, and prepares the page for this structure.
   void makeStructure(std::uint8_t label);
 
  Q_SIGNALS:

@@ -21,11 +21,11 @@ struct StructureLook {
   bool operator==(const StructureLook&) const = default;
 };
 
-/// Looks by label.
+/// Appearance of each structure, by label.
 using StructureLooks = std::array<StructureLook, 256>;
 
-/// Returns the default looks: the case's colors, and opacities at which the skin and other filling tissue are
-/// translucent.
+/// Returns the default appearance of each structure: the case's color, and an opacity at which the skin and other
+/// filling tissue are translucent.
 StructureLooks defaultLooks(const LabelColours& colours);
 double defaultOpacity(std::uint8_t label);
 /// Returns the default of StructureLook::onSlices. Labels that fill the patient are fainter, since an artery has nearly
