@@ -51,7 +51,7 @@ class ReviewSession : public QObject {
   CaseFit fit() const { return fit_; }
   /// Tells whether the hands are shown on the patient.
   bool fits() const { return fit_ == CaseFit::Same || fit_ == CaseFit::Changed; }
-  /// Sets whether the workspace is visible; nothing is computed while it is not.
+  /// Sets whether the workspace is visible. While the workspace is not visible, nothing is computed.
   void setAwake(bool awake);
 
   /// Present time, from 0 to the attempt's end. Setting the time never waits: if the time is set many times in quick
