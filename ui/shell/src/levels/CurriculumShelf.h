@@ -34,12 +34,12 @@ Result<std::string> textOf(const SignedIn& by, const OfferedCurriculum& offered)
 /// Assigns a published version or a preset to a class.
 Result<void> teachBy(const SignedIn& by, const OfferedCurriculum& taught, const std::string& cohort);
 
-/// A draft as it is in the store.
+/// A draft in its stored state.
 struct KeptDraft {
   std::string name{}, text{};
 };
-/// Returns the draft for the next version after the newest published one. Creates it if there is none; an existing
-/// draft is returned unchanged.
+/// Returns the draft for the next version after the newest published one. Creates this draft if there is none; an
+/// existing draft is returned unchanged.
 Result<KeptDraft> draftFrom(const SignedIn& by, const OfferedCurriculum& taught);
 /// Creates a draft with one empty level. Fails if a curriculum of this name exists.
 Result<KeptDraft> newDraft(const SignedIn& by, const std::string& name);

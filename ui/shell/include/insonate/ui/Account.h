@@ -72,9 +72,9 @@ class Account : public QObject {
   /// Tries again to open a store that could not be reached.
   void reopen();
 
-  /// Queues `question` for the store's thread. When it has run, `done` is called once on the window's thread with its
-  /// result, unless `asker` has been deleted. If another user has signed in meanwhile, `done` receives an error, so
-  /// that no user sees another user's data. `question` is executed in any case.
+  /// Queues `question` for the store's thread. When `question` has run, `done` is called once on the window's thread
+  /// with the result, unless `asker` has been deleted. If another user has signed in meanwhile, `done` receives an
+  /// error, so that no user sees another user's data. `question` is executed in any case.
   template <class T>
   void ask(const QObject* asker, std::function<Result<T>(const SignedIn&)> question,
            std::function<void(Result<T>)> done) {

@@ -42,7 +42,8 @@ struct SurfaceWish {
 };
 
 /// Computes the results of CaseWork on a background thread. The destructor does not wait: it asks the thread to stop,
-/// and discards results that have not been delivered. The step in progress ends in the background (see waitForJobs()).
+/// and discards results that have not been passed to the callbacks. The step in progress ends in the background (see
+/// waitForJobs()).
 class CaseWorker : public QObject {
  public:
   CaseWorker(std::shared_ptr<const PatientCase> patient, CaseWork work, std::vector<SurfaceWish> wishes);

@@ -62,7 +62,7 @@ class MainWindow : public QMainWindow {
   void openAttempt(const QString& file);
   /// Reads the case from its folder again. Has no effect on a case that is not on disk.
   void reload();
-  /// Writes the case with all edits to its folder; if it has none, asks for a folder.
+  /// Writes the case with all edits to its folder. If the case has no folder, asks the user for a folder.
   void saveCase();
   const LoadedCase& current() const;
 
@@ -73,8 +73,8 @@ class MainWindow : public QMainWindow {
 
   /// Returns the commands of the window itself, for example "window.case.open".
   Commands& commands() { return *commands_; }
-  /// Returns the list of keys: first those of the present workspace, then those of the window, then those of the other
-  /// workspaces.
+  /// Returns the list of keys: first the keys of the present workspace, then the keys of the window, then the keys of
+  /// the other workspaces.
   std::vector<ShortcutGroup> keyList() const;
   Account& account() { return *account_; }
   TaskBar& tasks() { return *tasks_; }

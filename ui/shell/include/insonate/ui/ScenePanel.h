@@ -24,13 +24,13 @@ class ValueSlider;
 /// and the head-coupled view. While the user moves a control, the view is drawn at a lower resolution. The panel is
 /// narrow and long: put it into a QScrollArea. May be used only on the window's thread.
 ///
-/// The panel uses SceneView::setStructuresChanged(), by which the scene notifies it of surfaces and changes of their
-/// appearance. A scene can therefore have only one panel.
+/// The panel uses SceneView::setStructuresChanged(), by which the scene notifies the panel of surfaces and of changes
+/// of their appearance. A scene can therefore have only one panel.
 class ScenePanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// Widget that contains the controls for visibility, color and opacity of structures, including the skin.
+  /// Location of the controls for visibility, color and opacity of structures, including the skin.
   enum class Structures {
     Here,
     Elsewhere,  ///< these controls are in another widget; this panel does not change structures
