@@ -46,7 +46,7 @@ class AttemptPanel final : public QWidget {
   /// Hides the choice of procedure and assistance while a level determines both.
   void setProcedureFixed(bool isFixed);
 
-  /// Sets the maximum height; below it, the panel is as high as its text needs.
+  /// Sets the maximum height. If its text needs less, the panel is only as high as the text.
   void setMostHeight(int most_px);
 
  Q_SIGNALS:

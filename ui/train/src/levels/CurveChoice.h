@@ -12,7 +12,7 @@
 
 namespace insonate::train {
 
-/// Attempts that a learning curve shows: those of a level, or all of a procedure.
+/// Attempts that a learning curve shows: the attempts at a level, or all attempts at a procedure.
 struct CurveChoice {
   QString title{};
   std::string procedure{};

@@ -40,7 +40,7 @@ class LevelControl final : public QObject {
   /// Curriculum and level of the next attempt.
   AttemptAim aim() const;
 
-  /// Chooses a level. If it is locked or an attempt is running, nothing changes and the status line says why.
+  /// Chooses a level. If the level is locked or an attempt is running, nothing changes and the status line says why.
   void choose(const std::string& level);
   void leave();
   /// Requests the level's case from the window.

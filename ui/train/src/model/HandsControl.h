@@ -67,7 +67,7 @@ class HandsControl : public QObject {
   double wantedAdvance_mm() const { return advance_mm_; }
   /// The needle in use, moved by mouse and keys or by a device; empty if there is none.
   const std::optional<NeedleShown>& needle() const { return needle_; }
-  /// Takes a needle and holds it beside the probe, ready for insertion.
+  /// Takes a needle and puts it beside the probe, ready for insertion.
   void takeNeedle(NeedlePlane plane);
   /// Plane in which the needle was last taken.
   NeedlePlane needlePlane() const { return plane_; }
@@ -78,8 +78,8 @@ class HandsControl : public QObject {
   /// Moves the entry point to the skin nearest to a point. Has an effect only while the needle is outside the skin.
   void needleTo(Vec3 patient_mm);
 
-  /// true: freezes the needle together with the image, so that it stays in place, whatever moves it; false: releases
-  /// it.
+  /// true: freezes the needle together with the image, so that the needle stays in place, whatever moves it; false:
+  /// releases the needle.
   void setHeld(bool held);
 
   // Devices

@@ -20,8 +20,8 @@ class History {
 
   /// Function that exchanges the present and the former state.
   using Exchange = std::function<void()>;
-  /// Function that tells whether a step can be undone or redone now; if not, it shows the reason. It is called before
-  /// undo and redo, since QUndoStack cannot refuse a step.
+  /// Function that tells whether a step can be undone or redone now; if not, the function shows the reason. The
+  /// function is called before undo and redo, since QUndoStack cannot refuse a step.
   using Check = std::function<bool()>;
 
   History();

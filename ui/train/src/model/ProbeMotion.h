@@ -57,8 +57,9 @@ class ProbeMotion : public QObject {
   void beginAt(const ProbeHandState& state);
   void releaseStart();
   bool isStartHeld() const { return levelStart_.has_value(); }
-  /// Returns the position from which the vein nearest to it is an attempt's target: the position of the probe or, in a
-  /// level, of the case's start pose. At the level's start, another vein may be nearer.
+  /// Returns the position that determines the target of an attempt: the target is the vein nearest to this position.
+  /// The position is that of the probe or, in a level, that of the case's start pose, since another vein may be nearer
+  /// to the level's start.
   Vec3 targetNear_mm() const;
   /// Returns the ProbeHand with the probe at the case's start pose; empty if there is no ProbeHand.
   std::optional<ProbeHand> handAtStart() const;

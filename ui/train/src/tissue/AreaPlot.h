@@ -23,8 +23,8 @@ class AreaPlot final : public QWidget {
 
   /// Adds the point of a new live image to the trace, if the probe compresses tissue.
   void add(const LivePress& press);
-  /// Shows the point of the image on display without adding it to the trace; no point if there is no vessel in the
-  /// plane.
+  /// Shows the point of the image on display without adding the point to the trace. Shows no point if there is no
+  /// vessel in the plane.
   void show(const LivePress& press);
   void clear();
   std::size_t points() const { return trace_.size(); }
