@@ -8,7 +8,8 @@
 
 namespace insonate::views {
 
-/// A label's surface as it was set. Constant; shared by the threads that describe and draw the scene.
+/// A label's surface as it was set. The object is constant, and is shared by the threads that describe and draw the
+/// scene.
 struct SceneShape {
   struct Triangles {
     std::vector<float> points_mm, normals;

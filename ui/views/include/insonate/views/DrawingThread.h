@@ -29,9 +29,9 @@ class DrawingThread {
   DrawingThread(const DrawingThread&) = delete;
   DrawingThread& operator=(const DrawingThread&) = delete;
 
-  /// Waits for all images in progress. No drawing thread draws while the caller holds the returned lock. Hold it while
-  /// another OpenGL window is opened or closed: VTK and the graphics driver have global state, which was corrupted when
-  /// a window was closed during drawing.
+  /// Waits for all images in progress. No drawing thread draws while the caller holds the returned lock. Hold the lock
+  /// while another OpenGL window is opened or closed: VTK and the graphics driver have global state, which was
+  /// corrupted when a window was closed during drawing.
   [[nodiscard]] static std::unique_lock<std::mutex> pause();
 
   /// Requests an image of the view's present state. The image is drawn after the image in progress; earlier requests

@@ -30,9 +30,9 @@ class SceneView final : public View {
   void setCase(std::shared_ptr<const VtkCase> patient);
 
   /// Copies the surface of a label; an empty surface removes it. Color and opacity do not change; initially the color
-  /// is that of the label table, and all surfaces except the skin are opaque. `coarse` is a simplified surface that is
-  /// drawn during movement. If it is empty, a simplified surface is computed for surfaces with more than 12 000
-  /// triangles.
+  /// is the one in the label table, and all surfaces except the skin are opaque. `coarse` is a simplified surface that
+  /// is drawn during movement. If `coarse` is empty, a simplified surface is computed for surfaces with more than 12
+  /// 000 triangles.
   void setSurface(std::uint8_t label, const Surface& surface, const Surface& coarse = {});
   void setColour(std::uint8_t label, Colour colour);
   void setOpacity(std::uint8_t label, double opacity);

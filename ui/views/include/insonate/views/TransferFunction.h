@@ -18,8 +18,8 @@ struct TransferNode {
   bool operator==(const TransferNode&) const = default;
 };
 
-/// Maps a CT's Hounsfield units to opacity and color, linear between nodes and constant beyond the first and the last.
-/// Plain data, used both by the view that draws with it and by its editor.
+/// Maps a CT's Hounsfield units to opacity and color, linear between nodes and constant beyond the first and the last
+/// node. The function is plain data, which the view uses for drawing, and the editor for editing.
 struct TransferFunction {
   static constexpr double kLeast_HU = -1024, kMost_HU = 3071;
   static constexpr int kMostNodes = 32;

@@ -60,8 +60,8 @@ class UltrasoundView final : public View {
   /// Sets whether the image is mirrored. Normally the marker's side (+lateral) is on the right; mirrored, on the left.
   void setMirrored(bool mirrored);
 
-  /// Sets the direction of +lateral in patient space (LPS). From it, the sides of the image are marked R and L, A and
-  /// P, or Head and Foot; empty: no marks. The layout is updated only if a mark changes.
+  /// Sets the direction of +lateral in patient space (LPS). According to this direction, the sides of the image are
+  /// marked R and L, A and P, or Head and Foot; empty: no marks. The layout is updated only if a mark changes.
   void setLateral(std::optional<Vec3> lateral);
   void setFocus(std::optional<double> focus_mm);
   void setFrozen(bool frozen);
@@ -89,9 +89,9 @@ class UltrasoundView final : public View {
   void setNames(std::vector<PictureName> names);
   const std::vector<PictureName>& names() const { return names_; }
 
-  /// Sets an overlay of the tissue. `grid`, true: some of the lines of the mesh; `pressure`, true: the pressure in the
-  /// cells as colors with a color scale. Copies its arguments. It does not update the layout, so that it can be called
-  /// with each image.
+  /// Sets an overlay of the tissue. `grid`, true: some of the lines of the mesh are drawn; `pressure`, true: the
+  /// pressure in the cells is shown by colors, with a color scale. Copies its arguments. The function does not update
+  /// the layout, so that it can be called with each image.
   void setTissue(const PictureTissue& tissue, bool grid, bool pressure);
 
   /// Converts display pixels to mm in the image, also outside the image; displayFromPicture() converts back.
