@@ -6,7 +6,7 @@
 
 namespace insonate::web {
 
-/// Text that the user typed in the form of a comment, and the reason why it was refused.
+/// Text that the user typed in the form for a comment, and the reason why the comment was refused.
 struct CommentDraft {
   std::string time{}, text{}, trouble{};
 };
