@@ -6,7 +6,7 @@
 
 namespace insonate::bench {
 
-/// One image of a blind test in which readers tell real from simulated images.
+/// One image of a blind test in which readers distinguish real from simulated images.
 struct BlindImage {
   const SourceImage* image = nullptr;
   bool simulated = false;

@@ -11,8 +11,8 @@ struct SheetItem {
 };
 
 /// Returns the page on which readers rate a set: protocol, one image after another with six ratings, and a file to
-/// save. It needs no network and no other program than a browser. `key` names the set, so that a browser can continue
-/// an interrupted reading.
+/// save. The page needs no network and no other program than a browser. `key` names the set, so that a browser can
+/// continue an interrupted reading.
 std::string sheetHtml(const std::vector<SheetItem>& items, const std::string& key);
 
 /// Returns the same protocol as text, for readers who fill in ratings.csv by hand.

@@ -68,10 +68,12 @@ Result<RealismBench> runRealismBench(std::vector<SourceImage> real, const Simula
                                      const Progress& progress = {});
 
 /// Writes features.csv, index.md, index.html and a blind test; either all of it or nothing. The folder `blind/`
-/// contains images and clips, numbered in random order, with one scale and the same file compression; the page on which
-/// readers rate them (sheet.html); sheets of images (sheet-N.png); instructions; and a list for ratings by hand
-/// (ratings.csv). key.csv, outside `blind/`, states which images are real. Images of a kind (probe, still or clip) that
-/// only one of the sets contains could be recognized by their kind. They are written to `unmatched/` instead, and
+/// contains the blind test:
+/// - images and clips, numbered in random order, with one scale and the same file compression
+/// - the page on which readers rate the images (sheet.html), and a list for ratings by hand (ratings.csv)
+/// - sheets of images (sheet-N.png), and instructions
+/// key.csv, outside `blind/`, states which images are real. Images of a kind (probe, still or clip) that only one of
+/// the sets contains could be recognized by their kind. These images are written to `unmatched/` instead, and
 /// unmatched.csv lists them.
 Result<void> writeRealismBench(const RealismBench& bench, const std::filesystem::path& folder);
 

@@ -29,7 +29,7 @@ struct SourceImage {
   /// inside of the field of view. Fan: the largest rectangle inside the fan. Clip: this part of the middle frame.
   GreyPicture image;
   ProbeShape probe = ProbeShape::Linear;
-  std::optional<ScanPlane> plane = std::nullopt;  ///< empty if the list does not state it
+  std::optional<ScanPlane> plane = std::nullopt;  ///< plane of the image; empty if the list does not state the plane
   /// Frames that the readers of a blind test see, at shownPixelsPer_mm(): one frame for a still of a fan, kClipFrames
   /// for a clip. Empty for a still of a linear probe; its readers see `image`.
   std::vector<GreyPicture> frames = {};
