@@ -97,7 +97,7 @@ struct Curriculum {
   bool operator==(const Curriculum&) const = default;
 };
 
-/// Returns the names of the built-in curricula, those in resources/curricula.
+/// Returns the names of the built-in curricula, which are in resources/curricula.
 std::vector<std::string> curriculumPresetNames();
 /// Loads a built-in curriculum by name, or a JSON file of the same format. Fails with a sentence that names the place,
 /// the error and the possible values.

@@ -66,7 +66,7 @@ struct Form {
   bool operator==(const Form&) const = default;
 };
 
-/// Returns the names of the built-in forms, those in resources/forms.
+/// Returns the names of the built-in forms, which are in resources/forms.
 std::vector<std::string> formPresetNames();
 /// Loads a built-in form by name, or a JSON file of the same format. Fails with a sentence that names the place and the
 /// error.

@@ -12,8 +12,9 @@ namespace insonate {
 /// trainee is not able until it signals. It signals when the score shows that the trainee fails no more often than is
 /// acceptable.
 struct LcCusum {
-  double acceptable = 0.1;     ///< p0: acceptable failure rate, of a trainee who is able; above 0
-  double unacceptable = 0.25;  ///< p1: unacceptable failure rate, of a trainee who is not able; above p0, below 1
+  double acceptable = 0.1;     ///< p0: acceptable failure rate, the rate of a trainee who is able; above 0
+  double unacceptable = 0.25;  ///< p1: unacceptable failure rate, the rate of a trainee who is not able; above p0,
+                               ///< below 1
 
   double successWeight() const;  ///< change of the score by a success: ln((1 - p0) / (1 - p1)), positive
   double failureWeight() const;  ///< change of the score by a failure: ln(p0 / p1), negative

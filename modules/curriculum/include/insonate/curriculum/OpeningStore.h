@@ -16,9 +16,9 @@ struct NewOpening {
   std::string cohort{};                    ///< class for which the test is opened (Cohort::id); "": everyone
   std::string curriculum{};                ///< name of the curriculum; used only if `cohort` is empty
   std::string level{};                     ///< Level::name of a test
-  std::optional<std::int64_t> start_us{};  ///< since 1970, UTC; empty or in the past: now
-  std::optional<std::int64_t> end_us{};    ///< since 1970, UTC; empty: the test stays open until it is closed
-  std::string code{};                      ///< 4 to 32 characters that trainees enter; "": none
+  std::optional<std::int64_t> start_us{};  ///< start, since 1970, UTC; empty or in the past: now
+  std::optional<std::int64_t> end_us{};    ///< end, since 1970, UTC; empty: the test stays open until it is closed
+  std::string code{};                      ///< code of 4 to 32 characters that trainees enter; "": none
 };
 
 /// A period during which attempts at a test count, for all versions of the curriculum.
@@ -39,10 +39,10 @@ struct TestOpening {
 
 /// State of an opening at a time.
 enum class OpeningState {
-  Waiting,  ///< before its start
+  Waiting,  ///< before the start of the opening
   Open,
-  Ended,   ///< after its end
-  Closed,  ///< closed before its end
+  Ended,   ///< after the end of the opening
+  Closed,  ///< closed before the end of the opening
 };
 OpeningState stateAt(const TestOpening& opening, std::int64_t now_us);
 /// Returns "waiting", "open", "ended" or "closed".

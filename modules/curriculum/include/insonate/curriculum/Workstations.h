@@ -13,10 +13,11 @@ namespace insonate {
 
 /// A workstation that may exchange data with the server of a database (SiteService).
 struct Workstation {
-  std::string name{};     ///< as in AttemptFacts::workstation
-  std::string addedBy{};  ///< full name, or sign-in name if there is none
+  std::string name{};     ///< name, as in AttemptFacts::workstation
+  std::string addedBy{};  ///< full name of the person who added the workstation, or sign-in name if there is no full
+                          ///< name
   std::int64_t added_us = 0;
-  std::optional<std::int64_t> seen_us{};  ///< time of its last request; empty: none yet
+  std::optional<std::int64_t> seen_us{};  ///< time of the workstation's last request; empty: none yet
   std::optional<std::int64_t> revoked_us{};
 
   bool operator==(const Workstation&) const = default;
