@@ -8,8 +8,8 @@
 namespace insonate::haptics {
 
 /// Force k1 d + k2 d^2 of a wall (surface of a structure) against the needle's tip before puncture (Okamura, Simone and
-/// O'Leary, IEEE Trans Biomed Eng 2004;51:1707). It continues linearly from the depth at which its slope reaches the
-/// maximum that the haptic device can render.
+/// O'Leary, IEEE Trans Biomed Eng 2004;51:1707). The force continues linearly from the depth at which its slope reaches
+/// the maximum that the haptic device can render.
 struct Stiffening {
   double k1_Npmm = 0, k2_Npmm2 = 0, steepest_Npmm = 1e9;
 
