@@ -95,7 +95,7 @@ struct Procedure {
   std::vector<MetricNorm> norms;  ///< published values, at most one for each metric; metrics without an entry have none
 };
 
-/// Returns the names of the built-in procedures, those in resources/procedures.
+/// Returns the names of the built-in procedures, which are in resources/procedures.
 std::vector<std::string> procedurePresetNames();
 /// Loads a built-in procedure by name, or a JSON file of the same format. Fails with a sentence that names the place,
 /// the error and the possible values.
