@@ -7,7 +7,7 @@
 namespace insonate {
 
 /// Labels those structures of a CT that can be distinguished by Hounsfield units and connectivity. The label map has
-/// the grid of the CT. It has these labels:
+/// the grid of the CT, and these labels:
 /// - background: everything except the largest body, such as outside air, the couch and clothes
 /// - skin: a closed shell under the body's surface, at least 1 mm and one voxel thick. The shell is 2 mm thick, or ends
 ///   at the fat if the fat begins earlier.

@@ -68,7 +68,7 @@ class LabelEdit {
   void beginStroke(std::string name);
   void endStroke();
 
-  /// Names, for a menu, of the steps that undo() and redo() would apply; no value if there is none.
+  /// Names, for a menu, of the steps that undo() and redo() would apply; no value if there is no such step.
   std::optional<std::string_view> undoName() const;
   std::optional<std::string_view> redoName() const;
   LabelChange undo();
