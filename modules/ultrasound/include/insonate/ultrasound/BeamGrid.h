@@ -44,7 +44,7 @@ class BeamGrid {
   double step_mm_, depth_mm_;
   double pitch_;              // distance between scanlines at the face: linear: mm, else radians
   double radius_mm_;          // r1, distance from the virtual apex to the face; 0 for linear
-  double steering_rad_;       // 0 for fans
+  double steering_rad_;       // steering angle; 0 for fans
   double depthAlong_mm_ = 0;  // range from the face at which a scanline reaches the image's depth
 };
 
