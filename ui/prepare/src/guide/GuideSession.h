@@ -99,8 +99,8 @@ class GuideSession : public QObject {
   void finished(int index, bool well);
   void goToNext();
   void findWarnings(int index);
-  /// Searches again for findings of steps that have a finding that cannot be accepted, since an edit of the labels may
-  /// have corrected the result.
+  /// Searches again for findings of each step whose result cannot be accepted, since an edit of the labels may have
+  /// corrected the result.
   void findWarningsAgain();
   /// Writes a recipe beside the saved case. The recipe contains all steps that made the case's labels since the CT was
   /// imported, for replay.

@@ -15,7 +15,7 @@ struct LabelRules {
     Every,
     Filling,     ///< labels that fill the body between named structures (kFilling)
     Unlabelled,  ///< only unlabeled voxels (kUnlabelled)
-    Inside       ///< one label, `inside`
+    Inside       ///< one label: `inside`
   };
 
   LabelSet locked, hidden;

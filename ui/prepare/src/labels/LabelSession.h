@@ -145,7 +145,7 @@ class LabelSession : public QObject {
   QUndoStack& undo_;
   std::shared_ptr<const PatientCase> patient_;
   std::optional<QFuture<std::shared_ptr<Copies>>> ready_;
-  std::shared_ptr<LabelMap> working_;  ///< null before the first edit
+  std::shared_ptr<LabelMap> working_;  ///< the working map; null before the first edit
   std::unique_ptr<LabelEdit> edit_;
   std::unique_ptr<LabelSnapshots> snapshots_;
   std::shared_ptr<const LabelMap> before_;  ///< map that is displayed while a result is being written

@@ -71,7 +71,7 @@ class CaseMeasuring : public QObject {
 
   ui::TaskBar& tasks_;
   std::shared_ptr<const PatientCase> patient_;
-  std::shared_ptr<const LabelMap> labels_;  ///< null after awaitLabels() until setLabels()
+  std::shared_ptr<const LabelMap> labels_;  ///< labels to measure; null after awaitLabels() until setLabels()
   std::shared_ptr<const CaseManifest> manifest_;
   std::shared_ptr<const CaseMeasures> measures_;
   QString trouble_;
