@@ -23,7 +23,7 @@ namespace insonate::review {
 /// Agreement between the case that is open in the window and the attempt's case.
 enum class CaseFit {
   Missing,  ///< no case is open
-  Other,    ///< the open case has another title; hands are not shown on it
+  Other,    ///< the open case has another title; probe and needle are not shown on it
   Changed,  ///< the title agrees, but CT or labels differ from those of the attempt
   Same,
   Looking,  ///< the hash of the open case is being computed
@@ -49,7 +49,7 @@ class ReviewSession : public QObject {
   void setPatient(std::shared_ptr<const PatientCase> patient);
   const std::shared_ptr<const PatientCase>& patient() const { return patient_; }
   CaseFit fit() const { return fit_; }
-  /// Tells whether the hands are shown on the patient.
+  /// Tells whether probe and needle are shown on the patient.
   bool fits() const { return fit_ == CaseFit::Same || fit_ == CaseFit::Changed; }
   /// Sets whether the workspace is visible. While the workspace is not visible, nothing is computed.
   void setAwake(bool awake);
@@ -61,7 +61,7 @@ class ReviewSession : public QObject {
   void step(double seconds) { setTime(time_us_ + std::int64_t(seconds * 1e6)); }
   /// Moves to the next or previous moment; no effect if there is none.
   void stepMoment(int by);
-  /// State of the hands at the present time; empty in a damaged part of the recording.
+  /// State of probe and needle at the present time; empty in a damaged part of the recording.
   const std::optional<AttemptSample>& sample() const { return sample_; }
   /// Place of the needle's tip at the present time.
   AttemptDigest::PlaceChange needle() const;
