@@ -134,7 +134,7 @@ class Account : public QObject {
   QTimer again_;
   std::optional<CurriculumStore> store_;  ///< used on the store's thread only
   QThread thread_;
-  QObject worker_;  ///< lives on the store's thread
+  QObject worker_;  ///< object on the store's thread
 };
 
 }  // namespace insonate::ui

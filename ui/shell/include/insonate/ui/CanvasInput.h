@@ -44,7 +44,7 @@ class CanvasInput : public QObject {
 
   explicit CanvasInput(QWidget& canvas);
 
-  std::vector<Entry> entries_;  ///< sorted by rank
+  std::vector<Entry> entries_;  ///< handlers, sorted by rank
 };
 
 }  // namespace insonate::ui

@@ -75,8 +75,8 @@ class Commands : public QObject {
   /// Adds a mouse gesture, or a key that an action or a widget handles itself, to the list of keys only.
   void addListed(const QString& keys, const QString& does);
 
-  /// Performs the available command that has this key, or only searches for it if `isPerformed` is false. @returns
-  /// whether there is such a command
+  /// Performs the available command that has this key; if `isPerformed` is false, only searches for the command.
+  /// @returns whether there is such a command
   bool key(const QKeyEvent& event, bool isPerformed) const;
   /// Handles a key event of a canvas. Keys of commands take precedence over shortcuts of the window. @returns whether
   /// the event is consumed

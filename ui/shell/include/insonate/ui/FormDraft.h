@@ -11,7 +11,7 @@ namespace insonate::ui {
 /// Author of the answers to a form, and the attempt that the form is about; both ids are UUIDs.
 struct FormSubject {
   std::string by{};
-  std::string attempt{};  ///< "": no attempt in particular
+  std::string attempt{};  ///< attempt that the form is about; "": no particular attempt
 
   bool operator==(const FormSubject&) const = default;
 };

@@ -32,7 +32,7 @@ class FormSheet final : public QWidget {
 
  private:
   Form form_;
-  std::vector<FormQuestion*> questions_;  ///< in the order of the form
+  std::vector<FormQuestion*> questions_;  ///< widgets of the questions, in the order of the form
 };
 
 }  // namespace insonate::ui
