@@ -78,7 +78,7 @@ class AttemptControl : public QObject {
   /// Recording of the finished attempt; empty if it could not be saved.
   QString file() const { return file_; }
 
-  // Actions of the hands, except moves of probe and needle.
+  // Actions of the user, except moves of probe and needle.
   bool isAspirating() const { return aspirating_; }
   void setAspirating(bool on);
   /// Takes a new needle from the tray. Refused while the old needle is in the skin.

@@ -46,7 +46,7 @@ class DevicePanel final : public QDialog {
   QElapsedTimer sinceCount_;
   QHash<QString, quint64> counted_;  ///< number of state reports per device at the last count
   QHash<QString, double> rates_Hz_;
-  int known_ = -1;  ///< number of devices when the hands' lists were filled; -1: not yet
+  int known_ = -1;  ///< number of devices when the lists of devices for probe and needle were filled; -1: not yet
 };
 
 }  // namespace insonate::train

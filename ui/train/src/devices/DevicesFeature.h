@@ -27,7 +27,7 @@ class DevicesFeature final : public Feature {
   void showPanel();
 
   QAction* panelAction_ = nullptr;
-  QPointer<DevicePanel> panel_;  ///< null until the panel is first shown
+  QPointer<DevicePanel> panel_;  ///< the panel; null until it is first shown
 };
 
 }  // namespace insonate::train

@@ -49,7 +49,7 @@ class LevelsFeature final : public Feature {
   AttemptKeeper* keeper_;
   VerdictView* verdict_ = nullptr;
   std::optional<AttemptFacts> judged_;  ///< facts of the attempt whose verdict is shown, as they were judged
-  CoursePage* page_ = nullptr;          ///< null until the page is first shown
+  CoursePage* page_ = nullptr;          ///< the page; null until it is first shown
   ui::Account* account_ = nullptr;
 };
 

@@ -88,7 +88,7 @@ class HandsControl : public QObject {
   void assign(Hand hand, const QString& device);
   void assignPedal(const QString& device);
   void setMapping(const QString& device, const HandMapping& mapping);
-  /// Makes the present pose of the device in this hand the start pose of the tool.
+  /// Makes the present pose of the device that moves this tool the start pose of the tool.
   void beginHere(Hand hand);
   /// Returns a connected device; null if it is not connected.
   std::shared_ptr<HapticDevice> deviceOf(const QString& id);
@@ -102,7 +102,7 @@ class HandsControl : public QObject {
  Q_SIGNALS:
   void needleChanged();
   void probeDriven();   ///< emitted when drivenPose() has changed
-  void handsChanged();  ///< emitted when the devices or tools in the hands have changed
+  void handsChanged();  ///< emitted when the tools, or the devices that move them, have changed
   void said(const QString& sentence);
   void pedalPressed(int button);
   /// Emitted while the first button of the needle's device is held. The view turns about the patient by these rotations

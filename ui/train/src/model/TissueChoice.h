@@ -10,7 +10,7 @@ namespace insonate::train {
 
 /// The patient's mechanical model and blood pressure, as chosen in the panel.
 struct TissueChoice {
-  std::string model = "elastic";  ///< see TissueMechanics::model
+  std::string model = "elastic";  ///< name of the mechanical model: TissueMechanics::model
   Physiology body;                ///< physiology; includes heartbeat and breathing even if they are switched off
   bool pulse = true, breathing = true;
 };

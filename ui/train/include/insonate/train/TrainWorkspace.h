@@ -83,7 +83,8 @@ class TrainWorkspace : public ui::Workspace {
   PatientViews* patient_ = nullptr;
   std::unique_ptr<TrainBenchmark> benchmark_;
   ui::CaseOrigin origin_;                         ///< origin of the case that setCase() will set next
-  std::shared_ptr<const PatientCase> savedCase_;  ///< saved case that waits until no feature holds the present one
+  std::shared_ptr<const PatientCase> savedCase_;  ///< saved case that replaces the present case as soon as no feature
+                                                  ///< needs the present case
   QString trouble_;                               ///< reason why there is no image, if not reported yet
   bool isReady_ = false;
 };
