@@ -50,7 +50,7 @@ struct SceneState {
   BModeImage image;  ///< live image; empty if there is no image of the present probe
   std::optional<SceneView::Needle> needle;
   std::optional<Transform> tray;
-  std::shared_ptr<const std::vector<ScenePath>> paths;  ///< null: no paths
+  std::shared_ptr<const std::vector<ScenePath>> paths;  ///< lines in space; null: none
   CameraPlace camera;
   Stereo stereo = Stereo::Off;
   std::optional<HeadCoupling> coupling;

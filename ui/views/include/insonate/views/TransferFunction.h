@@ -26,7 +26,7 @@ struct TransferFunction {
   /// Minimum distance between two nodes, in HU.
   static constexpr double kLeastGap_HU = 1;
 
-  std::vector<TransferNode> nodes;  ///< in increasing order of HU
+  std::vector<TransferNode> nodes;  ///< nodes in increasing order of HU
   bool operator==(const TransferFunction&) const = default;
 
   /// Returns the opacity for a Hounsfield value; 0 if there are no nodes.
