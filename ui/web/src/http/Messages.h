@@ -15,7 +15,7 @@ const std::string& valueOf(const Fields& fields, std::string_view name);
 
 /// An HTTP request. Names of headers are in lower case. If a field occurs more than once, the first one counts.
 struct Request {
-  std::string method{};  ///< "GET", "POST", ...; HEAD arrives as GET
+  std::string method{};  ///< method: "GET", "POST", ...; HEAD arrives as GET
   std::string path{};    ///< decoded path without query: "/classes/5"
   Fields query{}, form{}, cookies{}, headers{};
   std::string body{};    ///< body of the request, as it was sent

@@ -18,7 +18,8 @@ struct AttemptChart {
   };
   std::string title{};                         ///< caption: "Points at Textbook neck"
   std::string unit{};                          ///< unit of the values, or empty
-  std::vector<std::optional<Point>> points{};  ///< for each attempt, from number 1; empty where there is no value
+  std::vector<std::optional<Point>> points{};  ///< value of each attempt, from number 1; empty if an attempt has no
+                                               ///< value
   std::optional<double> limit{};               ///< a horizontal line, such as the limit of LC-CUSUM
   std::string limitName{};                     ///< name of the horizontal line
 };

@@ -52,8 +52,8 @@ Markup textField(std::string_view label, const std::string& name, const std::str
 /// Returns a labeled list of choices (value, text), of which `chosen` is selected.
 Markup choiceField(std::string_view label, const std::string& name,
                    const std::vector<std::pair<std::string, std::string>>& choices, std::string_view chosen);
-/// Returns the code that forms of a session carry. It proves that a form comes from a page of this session, and does
-/// not reveal the session's secret.
+/// Returns the code that forms of a session contain. The code proves that a form comes from a page of this session, and
+/// does not reveal the session's secret.
 std::string formCode(const std::string& secret);
 
 /// Returns a section with a heading.

@@ -33,7 +33,7 @@ struct WebOptions {
   /// Secret by which programs on other computers may read /health and /metrics: 16 characters or more. Empty: only
   /// programs on this computer may.
   std::string monitoringToken{};
-  Log log{};  ///< empty: nothing is logged
+  Log log{};  ///< receives events to be logged; empty: nothing is logged
 };
 
 /// Fails with a sentence if the options contradict each other, would send passwords without encryption over a network,
