@@ -11,8 +11,8 @@
 namespace insonate {
 
 /// A periodic block of fine tissue structure that a CT does not resolve. Axes: u (along fibers), v, and w (thin,
-/// perpendicular to sheets). Values are -127..127 for -1..1, and are multiplied by a tissue's texture strength in dB.
-/// Sizes are powers of two, so that a position can be wrapped with a mask.
+/// perpendicular to sheets). Values are -127 to 127 for -1 to 1, and are multiplied by a tissue's texture strength in
+/// dB. Sizes are powers of two, so that a position can be wrapped with a mask.
 struct TextureTile {
   /// Number of padding voxels after each row along w and each plane of rows. The padding repeats the row's beginning,
   /// so that a voxel and the next voxels can be loaded as one word. The padding also avoids cache conflicts between

@@ -10,7 +10,7 @@ struct PixelBox {
   bool operator==(const PixelBox&) const = default;
 };
 
-/// Statistics of the gray values 0..255 of the displayed image inside a box; the box must lie in the image and not be
+/// Statistics of the gray values 0 to 255 of the displayed image inside a box; the box must lie in the image and not be
 /// empty.
 struct GrayStatistics {
   double p25 = 0, p50 = 0, p75 = 0, p95 = 0, p99 = 0, mean = 0;

@@ -71,7 +71,7 @@ struct CaseVersion {
 
 /// Display settings of a structure's surface in 3D.
 struct StructureShown {
-  double opacity = 1;  ///< opacity of the surface, 0..1
+  double opacity = 1;  ///< opacity of the surface, 0 to 1
   bool visible = true;
   bool operator==(const StructureShown&) const = default;
 };

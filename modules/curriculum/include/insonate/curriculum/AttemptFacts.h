@@ -66,7 +66,7 @@ struct AttemptFacts {
   AttemptState state = AttemptState::Open;
   bool succeeded = false;
   int criticalErrors = 0;
-  std::optional<double> points{};     ///< score of the attempt, 0..100
+  std::optional<double> points{};     ///< score of the attempt, 0 to 100
   std::vector<MetricFact> metrics{};  ///< values of the metrics that existed when the attempt was made
   std::string recording{};            ///< file name within the workstation's recordings; "": no recording
   std::string recordingHash{};        ///< SHA-256 of the recording's file, hexadecimal

@@ -72,14 +72,14 @@ class AttemptStore {
   Result<void> voidAttempt(const std::string& attempt, const std::string& reason) const;
 
   Result<KeptAttempt> attempt(const std::string& id) const;
-  /// Returns attempts of a person, newest first: at most `count` (1..1000) attempts whose KeptAttempt::arrival is below
-  /// `before`. `before` 0: no limit.
+  /// Returns attempts of a person, newest first: at most `count` (1 to 1000) attempts whose KeptAttempt::arrival is
+  /// below `before`. `before` 0: no limit.
   Result<std::vector<KeptAttempt>> page(const std::string& person, int count, std::int64_t before = 0) const;
   /// Returns all attempts of a person in the order in which they were begun, for unlocking levels and for statistics;
   /// caseHash, workstation, recording, recordingHash and handsHash stay empty.
   Result<std::vector<AttemptFacts>> history(const std::string& person) const;
-  /// Returns, for each learner in a cohort, the last `count` (1..1000) attempts that count (Judgement.h), without free
-  /// practice; grouped by person, each group in the order of history().
+  /// Returns, for each learner in a cohort, the last `count` (1 to 1000) attempts that count (Judgement.h), without
+  /// free practice; grouped by person, each group in the order of history().
   Result<std::vector<AttemptFacts>> lastOfCohort(const std::string& cohort, int count) const;
 
   /// Returns the id of the attempt whose recording has this hash; if there is none, the id of an attempt on this

@@ -45,7 +45,7 @@ class CohortStore {
   /// is no full name.
   Result<std::vector<Member>> members(const std::string& cohort) const;
 
-  /// Adds a cohort. The name has 1..200 characters and is unique, ignoring case. Administrators only.
+  /// Adds a cohort. The name has 1 to 200 characters and is unique, ignoring case. Administrators only.
   Result<Cohort> add(const std::string& name) const;
   Result<void> rename(const std::string& cohort, const std::string& name) const;
   /// Adds a person to a cohort as instructor (`teaches` is true) or learner (false). The role of an existing member is

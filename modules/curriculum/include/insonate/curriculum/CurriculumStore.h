@@ -32,7 +32,7 @@ struct StoreServices {
 
 /// Data of a person for whom an account is to be created.
 struct NewPerson {
-  std::string name{};  ///< name for signing in: 1..64 letters, digits and . _ - + @, all letters of one script
+  std::string name{};  ///< name for signing in: 1 to 64 letters, digits and . _ - + @, all letters of one script
   std::string fullName{};
   std::string email{};
   Role role = Role::Trainee;

@@ -88,7 +88,7 @@ class SiteUpload {
   std::shared_ptr<store::Site> server_;
 };
 
-/// Returns attempts and forms that wait to be sent to the server, oldest first, at most `count` (1..1000). For
+/// Returns attempts and forms that wait to be sent to the server, oldest first, at most `count` (1 to 1000). For
 /// administrators and instructors.
 Result<std::vector<PendingUpload>> pendingUploads(const SignedIn& by, int count);
 

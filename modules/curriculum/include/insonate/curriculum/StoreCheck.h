@@ -32,7 +32,7 @@ class StoreCheck {
  public:
   explicit StoreCheck(SignedIn by) : by_(std::move(by)) {}
 
-  /// Returns attempts of all people, in the order of KeptAttempt::arrival: at most `count` (1..1000) with an arrival
+  /// Returns attempts of all people, in the order of KeptAttempt::arrival: at most `count` (1 to 1000) with an arrival
   /// above `after`.
   Result<std::vector<KeptAttempt>> attempts(std::int64_t after, int count) const;
   /// Returns attempts whose person, level, end or recording differs from their entries in the audit log, attempts

@@ -30,7 +30,7 @@ class Workstations {
   explicit Workstations(SignedIn by) : by_(std::move(by)) {}
 
   /// Adds a workstation and returns its token, 64 hexadecimal digits, which cannot be shown again. A workstation of
-  /// this name that was revoked gets a new token. `name`: 1..64 characters; fails if a workstation of this name is in
+  /// this name that was revoked gets a new token. `name`: 1 to 64 characters; fails if a workstation of this name is in
   /// use.
   Result<std::string> add(const std::string& name) const;
   /// Ends the access of a workstation at once; data that the workstation has sent stays.

@@ -74,8 +74,8 @@ struct Deformation {
 
 /// Resolution and tolerances of a model, and the depth to which it computes the tissue.
 struct DeformationSettings {
-  double mesh_mm = 0.5;  ///< edge of the mesh's cells near vessels and face; 0.1..4
-  double depth_mm = 50;  ///< depth below the face at which tissue does not move; 10..200
+  double mesh_mm = 0.5;  ///< edge of the mesh's cells near vessels and face; 0.1 to 4
+  double depth_mm = 50;  ///< depth below the face at which tissue does not move; 10 to 200
   /// maximum number of iterations per solution; live imaging uses a small number and continues the solution with the
   /// next image
   int maxIterations = 60;

@@ -87,7 +87,7 @@ struct LiveStatus {
 
 struct LiveOptions {
   int threads = 0;             ///< threads that compute images; 0: all cores except one, which is left to the GUI
-  double sceneMargin_mm = 15;  ///< extent of a scene beyond the image region, on each side; 2..100
+  double sceneMargin_mm = 15;  ///< extent of a scene beyond the image region, on each side; 2 to 100
   /// the next scene is built when the image region is this close to the edge of the present scene
   double sceneReserve_mm = 9;
   std::size_t cineBytes = 256 << 20;  ///< memory for past images; the latest image is always kept

@@ -20,7 +20,7 @@ using Log = std::function<void(LogLevel, const std::string& object)>;
 /// Address of a server, and how its connections are protected.
 struct WebOptions {
   std::string address = "127.0.0.1";  ///< IPv4 address on which the server listens
-  int port = 8443;                    ///< port, 1..65535; 0: any free port
+  int port = 8443;                    ///< port, 1 to 65535; 0: any free port
   /// Files (PEM) with the server's certificate chain and its private key. Both empty: HTTP without encryption, which is
   /// allowed at a loopback address only.
   std::filesystem::path certificate{}, key{};
