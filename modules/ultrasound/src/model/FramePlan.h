@@ -16,7 +16,7 @@ inline constexpr double kFwhmPerSd = 2.3548200450309493;
 /// Envelope of the echo of a perfect plane reflector (R = 1) perpendicular to the beam; 0 dB is the speckle of a 0 dB
 /// tissue.
 inline constexpr double kReflectorGain_dB = 58;
-/// Decay of the movement of tissue below skin that is drawn to the face: depth over which the movement falls to 1/e.
+/// Depth over which the movement of tissue falls to 1/e, below skin that is drawn to the face.
 inline constexpr double kContactDepth_mm = 15;
 /// Maximum distance between face and skin at which the probe receives echoes.
 inline constexpr double kContactReach_mm = 12;

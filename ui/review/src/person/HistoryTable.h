@@ -45,7 +45,7 @@ class HistoryTable final : public QWidget {
   QString commentsOf(const std::string& attempt) const;
   const KeptAttempt* chosen() const;
   void replay();
-  /// Change of an attempt for which the user is asked for a reason.
+  /// Change of an attempt. The user must give a reason for it.
   enum class Change { None, Void, Accept };
   void askReason(Change change);
   void wordReason(bool voids);

@@ -8,8 +8,8 @@ namespace insonate::train {
 
 class ProbeMotion;
 
-/// Handles a key that compresses the tissue while it is held down: one step at once and, after a moment, continuous
-/// motion until a key is released, even if the keyboard focus has moved meanwhile.
+/// Handles a key that compresses the tissue while the user holds the key down: one step at once and, after a moment,
+/// continuous motion until a key is released, even if the keyboard focus has moved meanwhile.
 class HeldPress final : public QObject {
  public:
   static constexpr int kBegins_ms = 250;

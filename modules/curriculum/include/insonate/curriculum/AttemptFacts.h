@@ -14,7 +14,7 @@ enum class AttemptState {
   Voided,     ///< excluded from all counts by an instructor, with a reason; still stored
 };
 
-/// Evidence that an attempt was really made as its stored facts say.
+/// Evidence that an attempt was really made and that its stored facts are true.
 enum class AttemptProof {
   /// No evidence: the recording was made for another database or by an earlier version of the program, or its origin is
   /// unknown.

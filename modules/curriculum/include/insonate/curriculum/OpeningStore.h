@@ -24,7 +24,7 @@ struct NewOpening {
 /// A period during which attempts at a test count, for all versions of the curriculum.
 struct TestOpening {
   std::string id{};      ///< UUID
-  std::string cohort{};  ///< Cohort::id; "": everyone
+  std::string cohort{};  ///< class (Cohort::id); "": everyone
   std::string curriculum{}, level{};
   std::int64_t start_us = 0;
   std::optional<std::int64_t> end_us{};

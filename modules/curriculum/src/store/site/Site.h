@@ -52,7 +52,8 @@ struct Sender {
   bool isTrusted = true;
 };
 
-/// The server's database. Used by workstations that open it directly, and by the server's program for its workstations.
+/// The server's database. A workstation uses this class if it opens the database directly; the server's program uses
+/// this class for its workstations.
 class StoreSite final : public Site {
  public:
   StoreSite(std::shared_ptr<Core> core, Sender sender) : core_(std::move(core)), sender_(std::move(sender)) {}

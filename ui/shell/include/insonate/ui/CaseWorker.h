@@ -26,7 +26,7 @@ struct CaseWork {
   /// on the frontmost skin, and the reason. If this callback is empty, or if there is no skin, `failed` is called.
   std::function<void(ProbeHand, QString)> unplaced;
   std::function<void(std::vector<std::uint8_t>)> structures;  ///< the labels that occur in the patient
-  /// receives a surface; that of kSkin is the surface of the whole body
+  /// receives a surface; the surface with the label kSkin is the surface of the whole body
   std::function<void(std::uint8_t label, std::shared_ptr<const Mesh>)> surface;
   std::function<void()> surfacesDone;   ///< called when all surfaces that were requested so far have arrived
   std::function<void(QString)> failed;  ///< receives an error message; other results may still arrive after it
