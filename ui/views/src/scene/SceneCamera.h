@@ -10,7 +10,7 @@ namespace insonate::views {
 /// side.
 void lookAt(vtkCamera& camera, Viewpoint from, const double box[6], double widthOverHeight);
 
-/// Reads and sets the position of a camera.
+/// placeOf() reads, and stand() sets, the position of a camera.
 CameraPlace placeOf(vtkCamera& camera);
 void stand(vtkCamera& camera, const CameraPlace& place);
 

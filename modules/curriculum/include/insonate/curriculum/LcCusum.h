@@ -36,9 +36,9 @@ struct CusumTrials {
 /// this is the rate of false signals, for p0 (acceptable) the power.
 double signalRate(const LcCusum& test, double limit, double failureRate, const CusumTrials& trials = {});
 
-/// Returns the smallest limit that no more than the share `falseSignals` of simulated trainees with failure rate p1
-/// (unacceptable) reach. The true share may be slightly larger: a share of 10 % of 20 000 trainees has a standard error
-/// of 0.2 %. Fails with a sentence on impossible numbers, or if cancelled.
+/// Returns the smallest limit that is reached by no more than the share `falseSignals` of simulated trainees with the
+/// failure rate p1 (unacceptable). The true share may be slightly larger: a share of 10 % of 20 000 trainees has a
+/// standard error of 0.2 %. Fails with a sentence on impossible numbers, or if cancelled.
 Result<double> calibratedLimit(const LcCusum& test, double falseSignals, const CusumTrials& trials = {},
                                const Progress& progress = {});
 

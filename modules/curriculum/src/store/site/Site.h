@@ -25,7 +25,7 @@ class Site {
   virtual bool answers() = 0;
   /// Fails if the server cannot be reached, refuses the workstation, or has no people yet.
   virtual Result<void> greet(Core& here) = 0;
-  /// Returns those of the ids that no person of the server has.
+  /// Returns the ids that belong to no person on the server.
   virtual Result<std::set<std::string>> unknownPeople(const std::set<std::string>& ids) = 0;
   /// Adds people as disabled trainees, with another sign-in name if the name is taken. Returns sentences for the user.
   virtual Result<std::vector<std::string>> addPeople(const std::vector<SentPerson>& people) = 0;
