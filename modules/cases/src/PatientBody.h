@@ -28,7 +28,7 @@ class PatientBody {
     return true;
   }
   /// Returns the width above which a gap of air along a ray counts as outside the patient. Without labels the width is
-  /// larger, since the windpipe, up to 25 mm wide, cannot be told from outside air.
+  /// larger, since the windpipe, up to 25 mm wide, cannot be distinguished from outside air.
   double outsideWidth_mm() const { return labelled_ ? 5 : 30; }
 
  private:

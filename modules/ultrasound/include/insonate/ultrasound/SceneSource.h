@@ -19,7 +19,7 @@ class SceneSource {
   static Result<std::shared_ptr<const SceneSource>> make(const CtVolume& ct, const LabelMap& labels);
   ~SceneSource();
 
-  /// Returns a hash of the CT, which identifies the patient independent of edits of the labels.
+  /// Returns a hash of the CT, which identifies the patient even after the labels were edited.
   std::uint32_t patient() const;
 
   /// Computes one part of the data that a scene of this region needs and that is not yet cached: the part nearest to
