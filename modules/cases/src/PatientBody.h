@@ -6,8 +6,8 @@
 
 namespace insonate {
 
-/// Tests whether a patient position lies in the body: every labeled voxel or, if nothing is labeled, every voxel
-/// denser than air. Refers to the volumes, which must outlive it.
+/// Tests whether a patient position lies in the body. The body consists of every labeled voxel or, if nothing is
+/// labeled, of every voxel denser than air. Refers to the volumes, which must outlive the object.
 class PatientBody {
  public:
   explicit PatientBody(const CaseView& patient)
@@ -18,7 +18,7 @@ class PatientBody {
   bool contains(Vec3 p_mm) const {
     const Vec3 index = indexFromPatient_ * p_mm;
     if (labelled_) return sampleNearest(patient_.labels, index) != 0;
-    constexpr int kBody_HU = -300;  // between air and fat
+    constexpr int kBody_HU = -300;  // threshold between air and fat
     return inGrid(p_mm) && sampleLinear(patient_.ct, index) > kBody_HU;
   }
   bool inGrid(Vec3 p_mm) const {
@@ -28,7 +28,7 @@ class PatientBody {
     return true;
   }
   /// Returns the width above which a gap of air along a ray counts as outside the patient. Without labels the width is
-  /// larger, since the windpipe, up to 25 mm wide, cannot be told from outside air.
+  /// larger, since the windpipe, up to 25 mm wide, cannot be distinguished from outside air.
   double outsideWidth_mm() const { return labelled_ ? 5 : 30; }
 
  private:

@@ -8,7 +8,7 @@
 namespace insonate {
 
 /// Runs a VTK filter; error messages that VTK would print become the returned error. Reports progress from `from` to
-/// `to`. If the listener cancels, asks the filter to stop.
+/// `to`. If the Progress callback cancels, asks the filter to stop.
 Result<void> runFilter(vtkAlgorithm& filter, const Progress& progress, std::string_view doing, double from, double to);
 
 }  // namespace insonate

@@ -20,17 +20,17 @@ class TaskBar;
 
 namespace insonate::review {
 
-/// Agreement between the open case and the attempt's case.
+/// Agreement between the case that is open in the window and the attempt's case.
 enum class CaseFit {
   Missing,  ///< no case is open
-  Other,    ///< the case has another title; hands are not shown on it
+  Other,    ///< the open case has another title; probe and needle are not shown on it
   Changed,  ///< the title agrees, but CT or labels differ from those of the attempt
   Same,
   Looking,  ///< the hash of the open case is being computed
 };
 
-/// An open recorded attempt: its events and metrics, the present time, and the patient. Uses no widgets. For the
-/// window's thread.
+/// An open recorded attempt: its events and metrics, the present time, and the patient. Uses no widgets. May be used
+/// only on the window's thread.
 class ReviewSession : public QObject {
   Q_OBJECT
 
@@ -38,7 +38,8 @@ class ReviewSession : public QObject {
   explicit ReviewSession(QObject* parent = nullptr);
   ~ReviewSession() override;
 
-  /// Reads a file as a job of the task bar. The former attempt stays open until then, or if reading fails.
+  /// Reads a file as a job of the task bar. The former attempt stays open until the file has been read, or if reading
+  /// fails.
   void open(const QString& file, ui::TaskBar& tasks);
   void close();
   const std::shared_ptr<const AttemptDigest>& attempt() const { return attempt_; }
@@ -48,19 +49,19 @@ class ReviewSession : public QObject {
   void setPatient(std::shared_ptr<const PatientCase> patient);
   const std::shared_ptr<const PatientCase>& patient() const { return patient_; }
   CaseFit fit() const { return fit_; }
-  /// Tells whether the hands are shown on the patient.
+  /// Tells whether probe and needle are shown on the patient.
   bool fits() const { return fit_ == CaseFit::Same || fit_ == CaseFit::Changed; }
-  /// Sets whether the workspace is visible; nothing is computed while it is not.
+  /// Sets whether the workspace is visible. While the workspace is not visible, nothing is computed.
   void setAwake(bool awake);
 
-  /// Present time, from 0 to the attempt's end. Setting it never waits: if it is set many times in a row, the image of
-  /// the latest time is computed.
+  /// Present time, from 0 to the attempt's end. Setting the time never waits: if the time is set many times in quick
+  /// succession, the image of the latest time is computed.
   std::int64_t time_us() const { return time_us_; }
   void setTime(std::int64_t time_us);
   void step(double seconds) { setTime(time_us_ + std::int64_t(seconds * 1e6)); }
   /// Moves to the next or previous moment; no effect if there is none.
   void stepMoment(int by);
-  /// State of the hands at the present time; empty in a damaged part of the recording.
+  /// State of probe and needle at the present time; empty in a damaged part of the recording.
   const std::optional<AttemptSample>& sample() const { return sample_; }
   /// Place of the needle's tip at the present time.
   AttemptDigest::PlaceChange needle() const;
@@ -75,7 +76,7 @@ class ReviewSession : public QObject {
   ReplayPicture& picture() { return picture_; }
   const ReplayReader* reader() const { return reader_ ? &*reader_ : nullptr; }
   bool surfacesThere() const { return !surfaces_ || surfacesDone_; }
-  /// Tells whether the image of the present time is ready, or there will be none.
+  /// Tells whether the image of the present time is ready, or whether there will be no image.
   bool isSettled() const;
   QString message() const;
 

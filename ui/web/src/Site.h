@@ -14,9 +14,9 @@ namespace insonate::web {
 struct Route;
 struct Visit;
 
-/// Answers requests to a curriculum database: finds the page for an address, the user of the session, and refuses what
-/// does not come from the server's own pages. Counts and logs each request. For any thread; keeps only the counts
-/// between requests.
+/// Answers requests to a curriculum database: finds the page for an address and the user of the session, and refuses
+/// requests that do not come from the server's own pages. Counts and logs each request. Keeps only the counts between
+/// requests. May be used on any thread.
 class Site {
  public:
   Site(CurriculumStore store, WebOptions options)

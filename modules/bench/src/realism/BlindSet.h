@@ -6,14 +6,14 @@
 
 namespace insonate::bench {
 
-/// One image of a blind test in which readers tell real from simulated images.
+/// One image of a blind test in which readers distinguish real from simulated images.
 struct BlindImage {
   const SourceImage* image = nullptr;
   bool simulated = false;
 };
 
-/// Images of both sets: those of a blind test, in an order that the seed determines, and those that cannot be in it,
-/// since only one of the sets has images of their kind (probe, still or clip).
+/// Real and simulated images, divided into the images of a blind test, in an order that the seed determines, and images
+/// that cannot be in the test, since only one of the sets has images of their kind (probe, still or clip).
 struct BlindImages {
   std::vector<BlindImage> matched, unmatched;
 };
@@ -21,11 +21,11 @@ BlindImages blindImages(const RealismBench& bench);
 
 /// Name of the file, or of the folder of a clip's frames, for image `n` (from 0): "003".
 std::string numbered(std::size_t n);
-/// Names of the files of image `n`, relative to the folder of writeImages().
+/// Returns the names of the files of image `n`, relative to the folder of writeImages().
 SheetItem filesOf(const BlindImage& image, std::size_t n);
 
-/// Writes images as numbered JPEG files, clips as folders of frames. Returns the images as readers see them, of clips
-/// the middle frame.
+/// Writes images as numbered JPEG files, and clips as folders of frames. Returns each image as readers see it; for a
+/// clip, the middle frame.
 Result<std::vector<GreyPicture>> writeImages(const std::vector<BlindImage>& images,
                                              const std::filesystem::path& folder);
 

@@ -10,10 +10,10 @@ PixelBox largestRectangle(const cv::Mat& mask);
 /// Returns the smallest rectangle around all pixels that are not 0.
 PixelBox boundsOf(const cv::Mat& mask);
 
-/// An image whose pixels outside a mask are black, cropped to the mask.
+/// Returns the image cropped to a mask, with black pixels outside the mask.
 GreyPicture onlyInside(const GreyPicture& image, const cv::Mat& mask);
 
-/// Resamples to the scale that readers see.
+/// Resamples an image to the scale at which the readers of a blind test see it.
 GreyPicture atShownScale(const GreyPicture& image, double pixelsPer_mm, ProbeShape probe);
 
 }  // namespace insonate::bench

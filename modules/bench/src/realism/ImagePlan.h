@@ -24,24 +24,24 @@ class Choices {
 /// Kind of an image to simulate.
 struct ImageKind {
   ProbeShape probe = ProbeShape::Linear;
-  std::optional<ScanPlane> plane;  ///< any if empty
+  std::optional<ScanPlane> plane;  ///< plane of the image; empty: any plane
   bool clip = false, sweeps = false;
 };
 
 /// Everything that determines one simulated image or clip, apart from patient and noise.
 struct ImagePlan {
   ImagingSetup setup;
-  std::vector<Transform> patientFromProbe;  ///< one for each frame
+  std::vector<Transform> patientFromProbe;  ///< pose of the probe for each frame
   ScanPlane plane = ScanPlane::Transverse;
   double force_N = 0;     ///< compression force of the probe
-  double medianGray = 0;  ///< gray to which the gain is adjusted
+  double medianGray = 0;  ///< median gray value to which the gain is adjusted
   double start_s = 0;     ///< time of the first frame in heartbeat and breath
   std::string about;
 
   const Transform& middle() const { return patientFromProbe[patientFromProbe.size() / 2]; }
 };
 
-/// Plane of a start pose: within 30 degrees of transverse or longitudinal, else oblique.
+/// Returns the plane of a start pose: transverse or longitudinal if the pose is within 30 degrees of it, else oblique.
 ScanPlane planeOf(const StartPose& view);
 
 /// Draws a machine, settings, and a pose near one of the start poses at which the whole face touches the skin. Fails if

@@ -20,7 +20,7 @@ inline cv::Mat bytesOf(const GreyPicture& picture) {
 GreyPicture pictureOf(const cv::Mat& bytes);
 
 /// Returns a quantile of values in any order, with linear interpolation between neighbors; NaN without values. `share`
-/// 0..1.
+/// 0 to 1.
 double quantile(std::vector<double> values, double share);
 
 }  // namespace insonate::bench

@@ -14,8 +14,8 @@ class SvgAxis {
     double value;
     std::string label;
   };
-  /// Makes an axis that spans the `values` that it can show (a logarithmic axis: those above 0), and ends on round
-  /// numbers. `lastPixel` may be less than `firstPixel`.
+  /// Makes an axis that spans those of the `values` that the axis can show (a logarithmic axis: values above 0), and
+  /// that ends on round numbers. `lastPixel` may be less than `firstPixel`.
   SvgAxis(const PlotAxis& axis, const std::vector<double>& values, double firstPixel, double lastPixel);
 
   bool shows(double value) const;

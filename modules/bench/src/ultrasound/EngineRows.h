@@ -16,10 +16,10 @@ class EngineRows {
   static Result<EngineRows> make(const UltrasoundBenchPlan& plan, const AcousticScene& scene,
                                  std::span<const Transform> path);
 
-  /// Returns the settings to measure, those of UltrasoundBenchPlan::setup first.
+  /// Returns the settings to measure; the settings of UltrasoundBenchPlan::setup come first.
   const std::vector<ImagingSettings>& settings() const { return settings_; }
-  /// Measures one of settings() with every engine, with one thread and, if the engine uses several, with all, and
-  /// appends a row for each to `rows`.
+  /// Measures one of settings() with every engine, and appends a row for each measurement to `rows`. Each engine is
+  /// measured with one thread and, if it uses several threads, also with all threads.
   Result<void> measure(const ImagingSettings& settings, std::vector<UltrasoundBenchRow>& rows) const {
     return measure(settings, {}, rows);
   }

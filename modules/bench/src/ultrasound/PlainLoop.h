@@ -37,7 +37,7 @@ class PlainLoop {
   std::vector<float> axialKernel_;
   std::vector<std::vector<float>> lateralKernel_;  // lateral blur kernel for each depth sample
   std::vector<Pixel> pixels_;
-  std::vector<float> re_, im_, blurredRe_, blurredIm_, level_;  // [sample][scanline]
+  std::vector<float> re_, im_, blurredRe_, blurredIm_, level_;  // values, index [sample][scanline]
 };
 
 }  // namespace insonate::bench

@@ -4,7 +4,7 @@
 
 namespace insonate::bench {
 
-/// Median and range of a measure over 15 real B-mode images of the neck from several machines: gray 0..255 of the
+/// Median and range of a measure over 15 real B-mode images of the neck from several machines: gray 0 to 255 of the
 /// final display, inside the field of view.
 struct RealismRange {
   std::string_view measure;

@@ -15,11 +15,11 @@ namespace insonate {
 /// Name of one number of a label map, from another program.
 struct NumberName {
   std::string name;
-  std::string snomedCode{};             ///< empty if not stated
-  std::optional<LabelColour> colour{};  ///< no value if not stated
+  std::string snomedCode{};             ///< SNOMED CT code; empty if not stated
+  std::optional<LabelColour> colour{};  ///< color; no value if not stated
 };
 
-/// By number in the label map.
+/// Names of numbers, by number in the label map.
 using NumberNames = std::map<std::int32_t, NumberName>;
 
 /// Reads a file that names the numbers of a label map: a label description of ITK-SNAP, a color table of 3D Slicer
@@ -27,8 +27,8 @@ using NumberNames = std::map<std::int32_t, NumberName>;
 /// one that names nothing.
 Result<NumberNames> readNumberNames(const std::filesystem::path& file);
 
-/// Names in the label table of a NIfTI header extension (Caret's XML, as TotalSegmentator writes it); empty if there
-/// are none.
+/// Returns the names in the label table of a NIfTI header extension (Caret's XML, as TotalSegmentator writes it); empty
+/// if there are none.
 NumberNames namesInExtension(std::string_view text);
 
 }  // namespace insonate

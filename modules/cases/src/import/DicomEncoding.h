@@ -13,7 +13,7 @@ namespace insonate {
 
 inline constexpr const char* kCtImageStorage = "1.2.840.10008.5.1.4.1.1.2";
 
-/// UIDs of a written CT series; objects that refer to the series use the same ones.
+/// UIDs of a written CT series. Objects that refer to the series use the same UIDs.
 struct SeriesUids {
   std::string study, series, frameOfReference;
 };

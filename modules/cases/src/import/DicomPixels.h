@@ -12,8 +12,8 @@
 namespace insonate {
 
 struct SliceValues {
-  std::vector<std::int16_t> hu;  ///< of all slices, in the series' order
-  std::size_t saturated = 0;     ///< values above the range of 16 bits, which were limited
+  std::vector<std::int16_t> hu;  ///< HU of all slices, in the series' order
+  std::size_t saturated = 0;     ///< number of values above the range of 16 bits, which were limited to the range
 };
 
 /// Decodes every slice of a series, in the series' order, to HU, with each slice's own slope and intercept; padding and

@@ -25,7 +25,7 @@ struct DicomSlice {
   std::optional<double> slope, intercept;
   bool lookupTable = false;  ///< true if values are converted by a lookup table instead of slope and intercept
   std::string kernel;        ///< reconstruction kernel, as the scanner names it
-  std::string description, date, bodyPart;    ///< as in SeriesInfo
+  std::string description, date, bodyPart;    ///< description, date and body part, as in SeriesInfo
   std::optional<std::array<int, 2>> padding;  ///< stored values from..to that mean "no image here"
   bool burnedInText = false;
   bool lossy = false;      ///< true if the image has been compressed with loss

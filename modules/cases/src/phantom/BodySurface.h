@@ -33,7 +33,8 @@ struct Platysma {
   double top_z_mm = 46;
 };
 
-/// The neck's outline: radius of the investing fascia by angle and level, covered by fat and skin. Immutable.
+/// The neck's outline: radius of the investing fascia by angle and level, covered by fat and skin. The object is
+/// immutable.
 class BodySurface {
  public:
   explicit BodySurface(const LayerOptions& options) : options_(options) {}

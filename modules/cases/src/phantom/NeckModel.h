@@ -11,13 +11,13 @@
 namespace insonate::phantom {
 
 /// Mathematical model of a whole neck: depth and structure at each patient position, from which label maps are sampled.
-/// Immutable.
+/// The object is immutable.
 class NeckModel {
  public:
   NeckModel(const NeckParameters& parameters, std::uint32_t seed);
 
-  /// Returns the labels at the voxel centers of a grid whose axes are those of the patient. Identical bytes on any
-  /// number of threads.
+  /// Returns the labels at the voxel centers of a grid whose axes are the patient's axes. Returns identical bytes on
+  /// any number of threads.
   Result<LabelMap> rasterise(const VolumeGeometry& geometry, const Progress& progress) const;
 
   /// Returns the depth below the skin's surface at a patient position (negative outside), mm, to first order.

@@ -13,7 +13,8 @@ std::vector<Target> jugularTargets(const NeckModel& neck);
 /// pointing along the skin's inward normal.
 std::vector<StartPose> jugularStartPoses(const NeckModel& neck);
 
-/// Returns the target in the right subclavian vein below the middle of the clavicle, where it is called axillary.
+/// Returns the target in the right subclavian vein below the middle of the clavicle. At this level, the vein is called
+/// axillary.
 std::vector<Target> axillaryTargets(const NeckModel& neck);
 
 /// Returns two probe poses over the axillary vein: transverse with the marker toward the head, longitudinal with the

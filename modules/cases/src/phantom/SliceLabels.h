@@ -9,7 +9,7 @@
 
 namespace insonate::phantom {
 
-/// One level of a grid whose axes are those of the patient.
+/// One level of a grid whose axes are the patient's axes.
 struct SliceGrid {
   double z_mm;
   std::uint32_t seed;
@@ -18,7 +18,7 @@ struct SliceGrid {
 };
 
 /// Decides the label of every voxel of one level: layers of the skin, organs in order of precedence, muscles separated
-/// by fascia, and fat and connective tissue in the rest. For one thread at a time.
+/// by fascia, and fat and connective tissue in the rest. Only one thread at a time may use one object.
 class SliceLabels {
  public:
   SliceLabels(std::span<const Structure> structures, BodySurface::Slice body, const Platysma& platysma, SliceGrid grid);

@@ -55,30 +55,30 @@ enum class Act {
   LookAfterStore
 };
 
-/// People whose data a role may access by an act.
+/// People whose data a role may access by one kind of access.
 enum class Reach {
   None,
   Self,  ///< the user's own data
-  /// The user's own data, and data of learners in a cohort that the user teaches. For acts on a cohort: a cohort that
-  /// the user teaches.
+  /// The user's own data, and data of learners in a cohort that the user teaches. If the access is to a cohort: a
+  /// cohort that the user teaches.
   Taught,
   All,
 };
 
-/// Further conditions of an act: flags of Rule::conditions.
+/// Further conditions of a kind of access: flags of Rule::conditions.
 enum Condition : unsigned {
-  kUnlogged = 1,      ///< the act is not logged, since it discloses nothing about others
-  kNotOneself = 2,    ///< the act is forbidden on the user's own data
-  kOnlyTrainees = 4,  ///< instructors may do the act on trainees only
-  kOnServer = 8,      ///< the act is refused on a workstation that belongs to a server
-  kOnSite = 32,       ///< the act is refused on a workstation that reaches its server through the network
-  kWholeCohort = 16,  ///< the act discloses data of all learners in a cohort; their number is logged
+  kUnlogged = 1,      ///< the access is not logged, since it discloses nothing about others
+  kNotOneself = 2,    ///< access to the user's own data is forbidden
+  kOnlyTrainees = 4,  ///< instructors have access to the data of trainees only
+  kOnServer = 8,      ///< access is refused on a workstation that belongs to a server
+  kOnSite = 32,       ///< access is refused on a workstation that reaches its server through the network
+  kWholeCohort = 16,  ///< the access discloses data of all learners in a cohort; the number of learners is logged
 };
 
-/// Permission for one act. All permissions are stated by the table rules() alone.
+/// Permission for one kind of access. Only the table rules() states permissions.
 struct Rule {
   Act act;
-  std::string_view words;  ///< name of the act in the audit log: "see attempts"
+  std::string_view words;  ///< name of the kind of access in the audit log: "see attempts"
   Reach guest, trainee, instructor, administrator;
   unsigned conditions = 0;
 
@@ -88,13 +88,13 @@ struct Rule {
 std::span<const Rule> rules();
 const Rule& ruleOf(Act act);
 
-/// A request to perform an act. If the request names an attempt, permission is checked for the data of the person who
-/// made the attempt.
+/// A request for an access. If the request names an attempt, permission is checked for the data of the person who made
+/// the attempt.
 struct Request {
   Act act;
   std::string person{}, cohort{}, attempt{};
   std::string detail{};                   ///< further text for the audit log
-  std::span<const std::string> people{};  ///< further people whose data is accessed; all are named in the audit log
+  std::span<const std::string> people{};  ///< further people whose data is accessed; the audit log names all of them
 };
 
 struct Actor {
@@ -107,7 +107,8 @@ struct Verdict {
   std::optional<Error> refusal{};
   bool logged = false;
   std::string person{};                    ///< owner of the accessed data; for an attempt, the person who made it
-  std::optional<std::int64_t> learners{};  ///< number of learners in the cohort; set for acts with kWholeCohort
+  std::optional<std::int64_t> learners{};  ///< number of learners in the cohort; set for kinds of access with
+                                           ///< kWholeCohort
 };
 
 /// Looks up the actor's present role, decides whether the request is permitted, and finds the owner of the data.

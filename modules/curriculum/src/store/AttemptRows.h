@@ -62,7 +62,7 @@ Result<void> checkEnded(const AttemptFacts& facts);
 /// Fails if an attempt begins or ends later than `now_us`, or begins before its curriculum was published in this
 /// store; a version that is not published here is not checked.
 Result<void> refuseImpossibleDates(Transaction& transaction, const AttemptFacts& facts, std::int64_t now_us);
-/// Tells whether two attempts have the same facts of the beginning; sameEnd() compares those of the end.
+/// Tells whether two attempts have the same facts about the beginning. sameEnd() compares the facts about the end.
 bool sameBeginning(const AttemptFacts& a, const AttemptFacts& b);
 bool sameEnd(const AttemptFacts& a, const AttemptFacts& b);
 

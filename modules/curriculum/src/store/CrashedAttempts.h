@@ -12,8 +12,8 @@ class Core;
 /// later.
 void keepRun(Transaction& transaction, const Core& core);
 
-/// Marks attempts as abandoned that crashed processes of this workstation left open. Attempts of running processes, and
-/// of other workstations, stay open.
+/// Finds attempts that crashed processes of this workstation left open, and marks these attempts as abandoned. Attempts
+/// of running processes, and attempts of other workstations, stay open.
 Result<void> abandonCrashed(Core& core);
 
 }  // namespace insonate::store

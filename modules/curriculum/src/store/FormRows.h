@@ -24,7 +24,8 @@ KeptForm keptFormOf(const Row& row);
 /// Converts rows to filled forms, without the answers that `reader` (a person's id) may not see yet. For each attempt
 /// and kind of form the rows must contain all forms or none.
 std::vector<KeptForm> allKept(const std::vector<Row>& rows, const std::string& reader);
-/// Stores a filled form. Storing the same form again is no error; a different form with the same id is.
+/// Stores a filled form. Storing the same form again is no error; storing a different form with the same id is an
+/// error.
 Result<std::string> keepForm(Transaction& transaction, const FilledForm& filled);
 
 }  // namespace insonate::store

@@ -36,10 +36,10 @@ struct ReceivedPart {
   std::int64_t size_bytes = 0;  ///< bytes received so far
   bool isComplete = false;
 };
-/// Appends `bytes` at `offset_bytes` to the recording of an attempt that arrives in `folder`. Another offset than that
-/// of the end changes nothing, so that a part that arrives twice counts once; the sender continues at the returned
-/// size. At `total_bytes` the file becomes the recording of the attempt if it has the SHA-256 `hash`; otherwise it is
-/// removed, as is one of more than 256 MB.
+/// Appends `bytes` at `offset_bytes` to the recording of an attempt that arrives in `folder`. If `offset_bytes` is not
+/// the end of the part that has arrived, nothing changes, so that bytes that arrive twice are stored once; the sender
+/// continues at the returned size. A file of `total_bytes` becomes the recording of the attempt if it has the SHA-256
+/// `hash`; otherwise the file is removed. A file of more than 256 MB is also removed.
 Result<ReceivedPart> receiveRecording(const std::filesystem::path& folder, const std::string& attempt,
                                       const std::string& hash, std::int64_t offset_bytes, std::int64_t total_bytes,
                                       std::string_view bytes);

@@ -13,21 +13,21 @@ struct Moment {
   std::string boot{};
 };
 
-/// Returns the time for which a sign-in name is locked after this many consecutive failures: 30 s after the fifth,
-/// doubled by each further one up to an hour.
+/// Returns the time for which a sign-in name is locked after this many consecutive failures: 30 s after the fifth
+/// failure; the time doubles with each further failure, up to an hour.
 std::int64_t lockAfter_us(std::int64_t failures);
 
-/// Returns the seconds until sign-in with a name may be tried again. 0: it may be tried now, and the try counts as a
-/// failure until resetFailures(), so that simultaneous tries gain nothing.
+/// Returns the seconds until sign-in with a name may be tried again. If the result is 0, the sign-in may be tried now,
+/// and the try counts as a failure until resetFailures(), so that simultaneous tries gain nothing.
 ///
 /// Waiting time is measured by the computer's up time; after a restart, by the wall clock. If the clock was set back,
-/// the wait starts again, so that it never exceeds an hour.
+/// the wait starts again, so that the wait never exceeds an hour.
 std::int64_t secondsLockedAfterTry(Transaction& transaction, const std::string& name, const Moment& moment);
 
-/// Does the same for the address of a browser, whose limit is wider, since a class may share an address: 30 wrong
+/// Does the same for the network address of a browser. The limit is wider, since a class may share an address: 30 wrong
 /// passwords at once, and one more each minute.
 std::int64_t secondsAddressLockedAfterTry(Transaction& transaction, const std::string& address, const Moment& moment);
-/// Takes back the count of a try from this address whose password was right; wrong ones still count.
+/// Removes a try with the right password from the count of this address; tries with wrong passwords still count.
 void discountTry(Transaction& transaction, const std::string& address);
 
 void resetFailures(Transaction& transaction, const std::string& name);

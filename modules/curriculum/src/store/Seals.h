@@ -14,7 +14,7 @@ Result<void> keepSecret(Core& core);
 
 /// Makes nonce and key (AttemptSeal) for an attempt with this id, person, curriculum and level.
 Result<AttemptSeal> freshSeal(Transaction& transaction, const AttemptFacts& facts);
-/// Returns the database's secret, in hexadecimal digits. It may leave the database for its own server only.
+/// Returns the database's secret, in hexadecimal digits. A database may send its secret only to its own server.
 Result<std::string> secretText(Transaction& transaction);
 /// Tells whether the store with this secret (secretText()) issued `nonce`; see AttemptStore::originOf().
 NonceOrigin originBySecret(const std::string& secret, const AttemptFacts& facts, const std::string& nonce);

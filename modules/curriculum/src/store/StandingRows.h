@@ -16,12 +16,12 @@ namespace insonate::store {
 
 /// Converts a row with INSONATE_STANDING_COLUMNS, the first of which is at `column`, to a Standing.
 Standing standingFrom(const Row& row, std::size_t column);
-/// Tells whether computing the stored standing in a row now would give the same. `changes`: the person's present
-/// Member::changes.
+/// Tells whether the standing that is stored in `row` is current: computing the standing now would give the same
+/// result. `changes`: the person's present Member::changes.
 bool isCurrent(const Row& row, std::size_t column, std::int64_t changes, std::int64_t now_us);
 
-/// Returns a person's progress in a curriculum: the stored standing if it is current; otherwise it is computed from all
-/// attempts and stored.
+/// Returns a person's progress in a curriculum: the stored standing if it is current; otherwise a standing that is
+/// computed from all attempts and stored.
 Standing currentStanding(Transaction& transaction, const std::string& person, const Curriculum& curriculum,
                          std::int64_t now_us);
 

@@ -14,7 +14,7 @@ Result<void> checkText(std::string_view what, std::string_view text, std::size_t
 /// Checks a title or full name: no line breaks, no control characters, and no characters that change the reading
 /// direction of surrounding text.
 Result<void> checkTitle(std::string_view what, std::string_view text);
-/// Checks a name for signing in: 1..64 letters, digits and . _ - + @, all letters of one script, so that no two names
+/// Checks a name for signing in: 1 to 64 letters, digits and . _ - + @, all letters of one script, so that no two names
 /// look the same.
 Result<void> checkSignInName(std::string_view name);
 Result<void> checkEmail(std::string_view email);

@@ -15,7 +15,7 @@ class Contact {
   static constexpr float kStiffness_kPa_mm = 1500;
 
   void prepare(const Nodes& rest, int columns);
-  /// Samples the outline of the face at the present x of the top row's nodes; the samples are used until the next
+  /// Samples the outline of the face at the present x of the top row's nodes. The samples are used until the next
   /// meet(), even if nodes slide. If the same mesh meets the face again, each sampling position moves only half-way to
   /// the node's present x; otherwise, strongly compressed skin under the rounded ends of the face would oscillate.
   /// Columns that touched at the end of the last solution count as touching in the first iteration; otherwise the skin

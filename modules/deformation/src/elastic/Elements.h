@@ -36,8 +36,8 @@ struct Elements {
   std::vector<float> fullAbove;  ///< Jfull of each cell: relative area from which a vessel's wall resists
   std::vector<float> guarded;    ///< above 0: allowedShare() limits the Newton step for the sake of this cell
   /// Pressure of each cell, the factor of the area's second derivative in the tangent. The pressure is treated as an
-  /// unknown that changes linearly with each step (mixed Newton); if it were computed from the present area, steps
-  /// would overshoot.
+  /// unknown that changes linearly with each step (mixed Newton). If the pressure were computed from the present area,
+  /// steps would overshoot.
   std::vector<float> carried;
 
   void resize(int c, int r);

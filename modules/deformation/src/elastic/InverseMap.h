@@ -7,8 +7,8 @@
 namespace insonate::elastic {
 
 /// Extent of the lattice on which invertMesh() computes the displacement: |x| up to `half_mm`, z from `top_mm` to
-/// `bottom_mm`, spacing `step_mm`. The spacing is finer than the mesh: a collapsed lumen lies between two rows of the
-/// lattice, so that in the image it would follow the lattice in visible steps.
+/// `bottom_mm`, spacing `step_mm`. The spacing is finer than that of the mesh, since a collapsed lumen lies between two
+/// rows of the lattice: with a coarser lattice, the lumen in the image would follow the lattice in visible steps.
 struct InverseMapExtent {
   float half_mm = 30, top_mm = -5, bottom_mm = 50, step_mm = 0.25f;
 };

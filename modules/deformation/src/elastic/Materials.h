@@ -14,8 +14,8 @@ struct Materials {
   std::vector<float> mu, bulk;  ///< shear modulus mu and area modulus bulk (lambda + mu) of each cell, kPa
   std::vector<float> hoop;  ///< modulus of each cell that is added to bulk while a lumen is wider than at rest, kPa;
                             ///< see VesselWall.h
-  /// Share of a cell's area inside an artery or a vein, whatever the material of the vessel; 0..1. 0 beside the blocks
-  /// of small cells (MeshLines::across).
+  /// Share of a cell's area inside an artery or a vein, whatever the material of the vessel; 0 to 1. The share is 0
+  /// beside the blocks of small cells (MeshLines::across).
   std::vector<float> artery, vein;
   /// Share of a cell's area inside an artery or a vein that contains blood (Mechanics::Lumen); else 0.
   std::vector<float> arteryBlood, veinBlood;

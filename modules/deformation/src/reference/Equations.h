@@ -7,7 +7,7 @@ namespace insonate::reference {
 /// Loads on a body, other than its own stresses.
 struct Load {
   BloodPressure blood;
-  const FaceProfile* face = nullptr;  ///< the face that presses; null if none does
+  const FaceProfile* face = nullptr;  ///< the probe's face; null if no face presses
   double shift_mm = 0;                ///< shift of the face along z
   /// Node positions whose x determines where each node meets the face's profile; they are not updated while the nodes
   /// move. Nodes that followed the profile within one solution would alternately touch the face's edge and lose

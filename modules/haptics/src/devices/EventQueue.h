@@ -16,8 +16,8 @@ inline std::int64_t monotonic_ns() noexcept {
       .count();
 }
 
-/// Queue of messages about devices for the user interface. For use on any thread except the force loop's. The oldest
-/// messages are dropped when kMost is exceeded.
+/// Queue of messages about devices for the user interface. May be used on any thread except the force loop's. The
+/// oldest messages are dropped when kMost is exceeded.
 class EventQueue {
  public:
   void put(DeviceEvent event) {

@@ -21,7 +21,7 @@ struct HidFound {
                                             ///< table; empty: those of the table apply
 };
 
-/// An open HID interface. For use on one thread.
+/// An open HID interface. One object must be used on one thread only.
 class HidHandle {
  public:
   virtual ~HidHandle() = default;
@@ -32,7 +32,7 @@ class HidHandle {
   virtual bool write(std::span<const std::uint8_t> report) noexcept = 0;
 };
 
-/// Lists and opens plugged-in HID devices. For use on one thread.
+/// Lists and opens plugged-in HID devices. One object must be used on one thread only.
 class HidBus {
  public:
   virtual ~HidBus() = default;

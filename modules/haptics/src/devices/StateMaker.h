@@ -26,7 +26,7 @@ class StateMaker {
   /// Computes the device's state at `now_ns`, which must not decrease. `reported_ns`: time of the last report.
   DeviceState make(const DeviceReading& reading, std::int64_t reported_ns, std::int64_t now_ns) noexcept;
   DeviceOutput outputFor(const Force& force, const DeviceReading& reading) const noexcept;
-  /// Declares the encoder counts of `reading` as those of the home posture.
+  /// Declares that the encoder counts of `reading` belong to the home posture.
   void calibrate(const DeviceReading& reading) noexcept { home_ = reading.encoder; }
   void reset() noexcept;
 

@@ -30,13 +30,13 @@ struct NeedleForce {
   Vec3 viscous_N;  ///< part of force_N that depends on speed (viscous friction)
 };
 
-/// Mechanics of a needle in tissue: which walls (surfaces of structures) it has punctured, and the resistance of the
-/// tissue. Both are computed along the path of the tip in steps of a quarter of a millimeter, so that no wall is missed
-/// at high speed or at a thin vessel. Positions are stored in undeformed tissue.
+/// Mechanics of a needle in tissue: which walls (surfaces of structures) the needle has punctured, and the resistance
+/// of the tissue. Both are computed along the path of the tip in steps of a quarter of a millimeter, so that no wall is
+/// missed at high speed or at a thin vessel. Positions are stored in undeformed tissue.
 class NeedleMechanics {
  public:
   /// Sets the needle's table of forces. `steepest_Npmm`: maximum stiffness that the haptic device can render; the
-  /// stiffness of each spring is limited to a fraction of it.
+  /// stiffness of each spring is limited to a fraction of this maximum.
   void configure(const NeedleTable& table, double steepest_Npmm);
   /// Removes the needle from the tissue, and adds a Withdrawn event for every wall that it had punctured.
   void remove(std::int64_t time_ns, NeedleEvents& events) noexcept;
@@ -56,11 +56,12 @@ class NeedleMechanics {
   struct Contact {
     bool active = false;
     bool slides = false;    ///< true: the angle to the wall is too flat for a puncture
-    bool inwards = true;    ///< true: the tip moves into the structure; false: out of it
+    bool inwards = true;    ///< true: the tip moves into the structure; false: the tip moves out of the structure
     Vec3 point, direction;  ///< first point of contact with the wall, and direction in which the tip pushes
     Vec3 normal;            ///< unit normal of the wall, on the side toward which the tip moves
     double depth_mm = 0, force_N = 0;
-    /// Displacement of the tip perpendicular to its direction, by which it drags the skin sideways before it slips.
+    /// Displacement of the tip perpendicular to its direction, by which the tip drags the skin sideways before the tip
+    /// slips.
     Vec3 aside_mm;
   };
   struct Hole {

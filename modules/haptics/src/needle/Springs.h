@@ -8,8 +8,8 @@
 namespace insonate::haptics {
 
 /// Force k1 d + k2 d^2 of a wall (surface of a structure) against the needle's tip before puncture (Okamura, Simone and
-/// O'Leary, IEEE Trans Biomed Eng 2004;51:1707). It continues linearly from the depth at which its slope reaches the
-/// maximum that the haptic device can render.
+/// O'Leary, IEEE Trans Biomed Eng 2004;51:1707). The force continues linearly from the depth at which its slope reaches
+/// the maximum that the haptic device can render.
 struct Stiffening {
   double k1_Npmm = 0, k2_Npmm2 = 0, steepest_Npmm = 1e9;
 
@@ -26,8 +26,8 @@ struct Stiffening {
 /// Stiffness of a wall (e.g. the skin) that the needle's tip drags sideways.
 inline constexpr double kAside_Npmm = 0.2;
 
-/// Cutting resistance of tissue: it yields like a spring in front of the needle's tip until it is cut, and stays cut.
-/// Acts against insertion only.
+/// Cutting resistance of tissue. The tissue yields like a spring in front of the needle's tip until it is cut, and
+/// stays cut. The resistance acts against insertion only.
 class CutFront {
  public:
   void restart(double s_mm) { uncut_mm_ = s_mm; }

@@ -10,7 +10,7 @@ namespace insonate::haptics {
 struct StylusPlace {
   Vec3 position_mm;
   Vec3 turned_rad;  ///< rotation vector since the last tick; used for devices with torque
-  /// Energy that the hand has put in since the last tick, N mm; empty: it is computed from force and path.
+  /// Energy that the hand has put in since the last tick, N mm; empty: the energy is computed from force and path.
   std::optional<double> given_mJ;
 };
 
@@ -24,19 +24,19 @@ struct TankLimits {
   double mass_kg = 0.05;     ///< minimum mass that the device's force has to move
 };
 
-/// Passivity control of one tool: keeps account of the energy that the user's hand puts into the virtual tissue, and
-/// limits forces so that no more is returned. It removes the energy that sampling a spring once per millisecond creates
-/// while the hand withdraws (K v^2 T / 2 per second), and the energy that an encoder's steps hide. It is a passivity
-/// observer and controller (Hannaford and Ryu, IEEE Trans Robot Autom 2002;18:1) that computes one tick ahead: a force
-/// is limited to the energy that the account could provide if the stylus followed the force. A force against a motion
-/// that cannot reverse within a tick is not limited.
+/// Passivity control of one tool: measures the energy that the user's hand puts into the virtual tissue, and limits
+/// forces so that no more energy is returned. This removes the energy that sampling a spring once per millisecond
+/// creates while the hand withdraws (K v^2 T / 2 per second), and the energy that an encoder's steps hide. The method
+/// is a passivity observer and controller (Hannaford and Ryu, IEEE Trans Robot Autom 2002;18:1) that computes one tick
+/// ahead: a force is limited to the energy that the account could provide if the stylus followed the force. A force
+/// against a motion that cannot reverse within a tick is not limited.
 class EnergyTank {
  public:
   void setLimits(const TankLimits& limits) { limits_ = limits; }
   void reset();
-  /// Updates the account with the stylus's new `place`, reached under the force that was returned last, and returns the
-  /// new force, limited if necessary. `free_N`: part of `wanted` that needs no limit here, since another account covers
-  /// it.
+  /// Updates the account with the stylus's new `place`, which was reached under the force that was returned last.
+  /// Returns the new force, limited if necessary. `free_N`: part of `wanted` that needs no limit here, since another
+  /// account covers this part.
   Force pass(const Force& wanted, Vec3 free_N, const StylusPlace& place, double step_s) noexcept;
   double energy_J() const { return energy_mJ_ * 1e-3; }
 

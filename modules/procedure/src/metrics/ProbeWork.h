@@ -10,7 +10,7 @@
 namespace insonate::metrics {
 
 /// Counts fast movements of the probe. A movement begins when the speed exceeds `limit`, and ends once the speed has
-/// stayed below for 0.2 s.
+/// stayed below `limit` for 0.2 s.
 class Movements {
  public:
   explicit Movements(double limit) : limit_(limit) {}
@@ -30,8 +30,8 @@ class ProbeWork {
   static constexpr double kStep_mm = 1;
   static constexpr std::int64_t kSpeed_us = 50'000;  ///< time over which a speed is computed
 
-  /// Adds a sample. `counting`: the probe's path is counted now (from the first puncture of the skin until that of the
-  /// vein).
+  /// Adds a sample. `counting`, true: the probe's path counts at this time, i.e. from the first puncture of the skin to
+  /// the first puncture of the vein.
   void follow(std::int64_t time_us, const std::optional<Transform>& patientFromProbe, double force_N, bool counting);
 
   std::optional<double> path_mm() const;

@@ -6,10 +6,10 @@ namespace insonate::metrics {
 
 /// Counts the punctures of one structure: decides which crossings of its wall by the needle's tip are new punctures.
 /// The d1 logic follows the thesis: d1 is the depth below the puncture of the skin at which the needle entered the
-/// structure. If the wall is crossed again at this depth, the needle leaves by its entry hole; if beyond, it has gone
-/// through the posterior wall. Two changes make this robust. The direction of travel decides, since the walls of a
-/// fully compressed vessel are punctured at the same depth. A trembling tip makes no new puncture: for a new one it
-/// must first withdraw by kTolerance_mm.
+/// structure. If the needle crosses the wall again at this depth, it leaves by its entry hole. If it crosses the wall
+/// at a greater depth, it has gone through the posterior wall. Two changes make this robust. The direction of travel
+/// decides, since the walls of a fully compressed vessel are punctured at the same depth. A trembling tip makes no new
+/// puncture: for a new puncture, the tip must first withdraw by kTolerance_mm.
 class Punctures {
  public:
   static constexpr double kTolerance_mm = 1;

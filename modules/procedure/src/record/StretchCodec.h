@@ -7,8 +7,8 @@
 #include <optional>
 
 /// Encoding of a stretch (about a second of a recording) as bytes that zlib compresses well. Each channel is stored
-/// separately, as differences of the order (first, second, ...) that gives the smallest numbers, lowest bytes first.
-/// Stretches are decoded independently.
+/// separately, as its values, or as their first, second or higher differences if these are smaller. The lowest bytes of
+/// all numbers of a channel come first, then the next bytes. Stretches are decoded independently.
 namespace insonate::record {
 
 /// Encodes a stretch of samples and events. Times of samples must not decrease, and must lie within an hour of each

@@ -31,7 +31,7 @@ typename itk::Image<T, 3>::Pointer itkImageOver(Volume<T>& volume) {
   return image;
 }
 
-/// Runs a filter; if the listener cancels, stops the filter and throws Cancelled.
+/// Runs a filter. If the Progress callback cancels, stops the filter and throws Cancelled.
 template <class Filter>
 void run(Filter& filter, const Progress& progress, std::string_view doing) {
   const auto tell = [&](itk::Object*, const itk::EventObject&) {

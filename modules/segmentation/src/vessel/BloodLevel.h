@@ -32,11 +32,11 @@ BloodLevel mixed(const BloodLevel& a, const BloodLevel& b, double share);
 /// effect. The CT values of the surrounding tissue stay those of `levels`.
 std::vector<BloodLevel> measured(const std::vector<BloodLevel>& levels, const std::vector<double>& blood_HU);
 
-/// Returns the level of blood at each click. `way_mm` is a path through the blood in steps of a millimeter, and click n
-/// is its point `clickOnWay[n]`. The ball around a click contains only a few voxels, whose noise would affect the level
-/// up to the next click, whereas blood changes little along a vessel. The level is therefore the median over the path
-/// around the click. Exception: the click's own level is used if it differs by more than the scatter along the path
-/// explains, as at a thin end.
+/// Returns the level of blood at each click. `way_mm` is a path through the blood in steps of a millimeter; click n is
+/// the point with the index `clickOnWay[n]` of this path. The ball around a click contains only a few voxels, whose
+/// noise would affect the level up to the next click, whereas blood changes little along a vessel. The level is
+/// therefore the median over the path around the click. Exception: the click's own level is used if it differs by more
+/// than the scatter along the path explains, as at a thin end.
 std::vector<BloodLevel> levelsAtClicks(const CtVolume& ct, std::span<const Vec3> clicks_mm,
                                        std::span<const Vec3> way_mm, std::span<const std::size_t> clickOnWay,
                                        double reach_mm, Work& work);

@@ -13,12 +13,12 @@ namespace insonate {
 /// Skin of a patient, on which probe and needle are moved by mouse and keys. The fraction of body (labels other than
 /// background) is averaged over about 2 mm and stored on a grid of about 2 mm; the skin is the surface on which the
 /// fraction is 0.5. Background enclosed by the body counts as body. The volume's outermost voxels continue outside it,
-/// so that there is no skin at the end of the scan. Patient LPS, mm. Immutable.
+/// so that there is no skin at the end of the scan. Patient LPS, mm. The object is immutable.
 class SkinSurface {
  public:
   static Result<SkinSurface> make(const LabelMap& labels);
 
-  /// Returns the fraction of body around a point, 0..1.
+  /// Returns the fraction of body around a point, 0 to 1.
   double body(Vec3 patient_mm) const;
 
   /// Returns the outward normal of the skin, averaged over about the footprint of a probe, so that noise, ears and
@@ -50,7 +50,7 @@ class SkinSurface {
   std::array<int, 3> parts_{};   ///< number of voxels per grid node, along each axis
   Vec3 spacing_mm_;              ///< distance between grid nodes
   Transform nodeFromPatient_, patientFromNode_;
-  std::vector<float> body_;  ///< share of the surroundings that is body, not air, for each grid node; 0..1
+  std::vector<float> body_;  ///< share of the surroundings that is body, not air, for each grid node; 0 to 1
   /// Fraction of body averaged over about the footprint of a probe, from which normals are computed; one value for each
   /// grid node.
   std::vector<float> footprint_;

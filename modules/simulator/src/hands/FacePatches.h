@@ -8,7 +8,7 @@
 namespace insonate {
 
 /// Skin in front of a probe's face as the force loop feels it: plane patches (SkinPatch) that follow the probe, with
-/// the stiffness found by the last computed deformation. For one thread; allocates nothing.
+/// the stiffness found by the last computed deformation. One object must be used on one thread only. Allocates nothing.
 class FacePatches {
  public:
   static constexpr int kCount = 3;  ///< number of patches along the probe's face

@@ -51,7 +51,7 @@ class GridMaker {
   // Center lines of veins, and the label map to which they belong; used only by the thread, set once for each case.
   std::weak_ptr<const LabelMap> veinsOf_;
   std::shared_ptr<const std::vector<CentreLine>> veins_;
-  std::jthread thread_;  // last: the thread uses the other members
+  std::jthread thread_;  // declared last, since the thread uses the other members
 };
 
 }  // namespace insonate

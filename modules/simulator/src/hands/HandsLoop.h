@@ -95,7 +95,7 @@ class HandsSession::Impl {
   Transform driven_;  ///< probe pose that was passed to the live imaging last
   std::optional<Test> test_;
   std::condition_variable_any changed_;
-  std::jthread thread_;  // last: the thread uses the other members
+  std::jthread thread_;  // declared last, since the thread uses the other members
 };
 
 }  // namespace insonate

@@ -7,8 +7,8 @@
 
 namespace insonate {
 
-/// Distance from the image plane up to which tissue is displaced like that in the plane, since the probe's housing
-/// rests on it; the displacement decreases to zero at twice this distance.
+/// Distance from the image plane up to which tissue is displaced like the tissue in the plane, since the probe's
+/// housing rests on this tissue; the displacement decreases to zero at twice this distance.
 inline constexpr double kMovesBeside_mm = 8;
 
 /// Returns an affine map from patient space to the undeformed position of the tissue, valid near `patient_mm`. The map

@@ -8,7 +8,7 @@
 
 namespace insonate::live {
 
-/// Cine memory: the last images, as many as fit into a given memory. Not for concurrent use.
+/// Cine memory: the last images, as many as fit into a given memory. One object must not be used concurrently.
 class Cine {
  public:
   using Frame = std::shared_ptr<const LiveFrame>;

@@ -59,8 +59,8 @@ class LiveImaging::Impl {
   };
 
   static constexpr double kNever_s = HUGE_VAL;
-  /// Maximum number of images over which one deformation is iterated; if it has not converged then, it is not expected
-  /// to.
+  /// Maximum number of images over which one deformation is iterated. A deformation that has not converged by then is
+  /// not expected to converge.
   static constexpr int kMaxOfOneSolve = 30;
 
   void wake();

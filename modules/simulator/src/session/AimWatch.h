@@ -9,10 +9,10 @@
 
 namespace insonate {
 
-/// Finds what the needle would meet first if it were advanced along its axis by its whole length. The tissue is taken
-/// as undeformed, which moves a vein by a few millimeters at most; a needle whose tip is in the body and that passes
-/// within kAimTolerance_mm of a vein therefore aims at it. With another vein before the target, it aims beside the
-/// target. Beyond the grid nothing is met. Neither waits nor allocates.
+/// Finds what the needle would meet first if it were advanced along its axis by its whole length. The computation uses
+/// undeformed tissue; compression moves a vein by a few millimeters at most. A needle whose tip is in the body and that
+/// passes within kAimTolerance_mm of a vein therefore counts as aimed at the vein. If another vein is in front of the
+/// target, the result is Beside. Beyond the grid nothing is met. Neither waits nor allocates.
 NeedleAim aimOf(const Needle& needle, const TissueGrid& grid, const VesselNames& vessels,
                 std::span<const CentreLine> veins) noexcept;
 

@@ -14,7 +14,7 @@ namespace insonate {
 
 /// Computes the tissue deformation and the ultrasound image of one moment of an attempt, from the state of that moment
 /// alone: the deformation is solved from the undeformed state, and no image affects the next. The same moment therefore
-/// gives the same bits in any order. Not for concurrent use; uses the calling thread's TBB arena.
+/// gives the same bits in any order. One object must not be used concurrently; uses the calling thread's TBB arena.
 class MomentImaging {
  public:
   /// `source`: source of acoustic scenes of a case whose volumes have the geometry `grid`; these volumes must outlive

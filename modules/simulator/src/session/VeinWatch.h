@@ -12,8 +12,8 @@ namespace insonate {
 
 /// Detects in live images that the trainee has found the target vein: the vein has been in the middle of the image for
 /// a second (reported once), or the probe has compressed the vein there (reported once each time the vein comes to the
-/// middle). In a case without a target each vein counts. Neither waits nor allocates. Not for concurrent use of one
-/// object.
+/// middle). In a case without a target each vein counts. Neither waits nor allocates. One object must not be used
+/// concurrently.
 class VeinWatch {
  public:
   /// Position of the target vein relative to the middle line of an image.
@@ -35,7 +35,7 @@ class VeinWatch {
   std::optional<AttemptEvent> look(std::int64_t time_us, const std::optional<Sight>& sight, Vec3 axial);
 
  private:
-  /// time since which the target vein has been in the middle; empty: it is not in the middle
+  /// time since which the target vein has been in the middle; empty: the vein is not in the middle
   std::optional<std::int64_t> since_us_;
   double max_mm_ = 0;  ///< maximum thickness of the target vein since since_us_
   bool isCenteredTold_ = false, isCompressedTold_ = false;

@@ -20,8 +20,8 @@ class ApertureTransmission {
   /// Multiplies the shares that gates pass, along each ray, from the face down. The arrays contact() and passed() must
   /// have been filled before.
   void followRays();
-  /// Scales the scattering of a block of scanlines by the amplitude that reaches it through the aperture (zero if none
-  /// does), and then adds the block's boundary echoes.
+  /// Scales the scattering of a block of scanlines by the amplitude that reaches the scattering through the aperture
+  /// (zero if none does), and then adds the block's boundary echoes.
   void light(int firstLine, BlockEchoes& echoes) const;
 
  private:

@@ -7,8 +7,8 @@
 
 namespace insonate::cpu {
 
-/// The point-spread function's kernels of a frame plan as floats, and the weights that interpolate from gates to
-/// samples.
+/// Tables of a frame plan as floats: the kernels of the point-spread function, and the weights for interpolation from
+/// gates (points of a scanline at which echoes are computed) to samples.
 struct BeamTables {
   std::vector<float> axialKernel;    ///< half of each gate's axial kernel, [gate][maxAxialRadius + 1], center first
   std::vector<float> lateralKernel;  ///< half of each gate's lateral kernel, [gate][maxLateralRadius + 1], center first

@@ -43,7 +43,7 @@ HWY_INLINE GateInt wholeBits(GateVec x) {
 inline constexpr float kOctavesPerDecibel = 0.16609640474F;
 
 /// Returns 10^(dB / 20), at least 10^-36. Computed as 2^x, with a Taylor polynomial for the fraction of x (relative
-/// error below 3e-6 on -0.5..0.5).
+/// error below 3e-6 on -0.5 to 0.5).
 HWY_INLINE GateVec amplitudeOf(GateVec level_dB) {
   const GateTag d;
   const GateIntTag di;
@@ -67,7 +67,7 @@ HWY_INLINE V tileWords(const TextureTile& tile, V place) {
   return hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(tile.value.data()), place);
 }
 
-/// Extracts byte kByte of each lane as a signed number: -127..127.
+/// Extracts byte kByte of each lane as a signed number: -127 to 127.
 template <int kByte, class V>
 HWY_INLINE V byteOf(V word) {
   return hn::ShiftRight<24>(hn::ShiftLeft<24 - 8 * kByte>(word));

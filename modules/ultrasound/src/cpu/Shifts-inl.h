@@ -1,4 +1,4 @@
-// Rest positions of displaced tissue along the scanlines of a block.
+// Undeformed positions of displaced tissue along the scanlines of a block.
 #if defined(INSONATE_CPU_SHIFTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef INSONATE_CPU_SHIFTS_INL_H_
 #undef INSONATE_CPU_SHIFTS_INL_H_

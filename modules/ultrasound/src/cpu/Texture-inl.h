@@ -20,9 +20,9 @@ struct Scattering {
   GateVec echo_dB, sheet;
 };
 
-/// Returns the texture of one structure on one side of the midline, -127..127. The echo of sheets depends on the beam's
-/// angle to them. `line` is the vector's first scanline; `shift`, if not null, leads from the displayed points to the
-/// rest positions of their tissue.
+/// Returns the texture of one structure on one side of the midline, -127 to 127. The echo of sheets depends on the
+/// beam's angle to them. `line` is the vector's first scanline; `shift`, if not null, leads from the displayed points
+/// to the rest positions of their tissue.
 HWY_INLINE GateVec textureOf(const TextureTile& tile, const TextureRays& rays, int line, GateVec range,
                              const PlaneShifts<GateVec>* shift, float elevation_mm) {
   const GateTag d;

@@ -100,7 +100,7 @@ struct TraceInput {
   PlaneAxes patientAxes, latticeAxes;
   std::vector<float> lineGap_mm, lineStrength;  ///< Contact::gap_mm and Contact::strength of each scanline
   std::vector<float> columnGap_mm;
-  std::vector<float> contactDecay;  ///< share of the skin's shift that remains at this depth, [node row], then [gate]
+  std::vector<float> contactDecay;  ///< share of the skin's shift that remains at each depth, [node row], then [gate]
   std::vector<float> elevation_mm;  ///< offset of each elevation plane from the central plane, [plane][gate]
   std::vector<float> scatterScale;  ///< factor on the amplitude of scatterers in each elevation plane, [plane][gate]
   RayArrays latticeLines;           ///< scanlines in the scatterers' lattice

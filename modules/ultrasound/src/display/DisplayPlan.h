@@ -18,8 +18,8 @@ inline constexpr double kHeadroom_dB = 15;
 /// Minimum of ImagingSettings::noise_dB: stands for no noise, and has no cost.
 inline constexpr double kNoNoise_dB = -120;
 
-/// Haze: weak echoes that side lobes and reverberation add to dark regions. Level of the haze relative to the echoes at
-/// smaller depth that cause it.
+/// Haze: weak echoes that side lobes and reverberation add to dark regions. This is the level of the haze relative to
+/// the echoes at smaller depth that cause the haze.
 inline constexpr double kHazeShare_dB = -10.5;
 inline constexpr double kHazeTail_mm = 1.1;
 /// Lateral SD by which haze spreads while it falls to 1/e along the depth (kHazeTail_mm).
@@ -29,8 +29,9 @@ inline constexpr double kHazeGrain = 0.3;        ///< share of the haze that is 
 /// Axial length of the local mean with which the speckle of a sample is compared.
 inline constexpr double kHazeGrain_mm = 0.7;
 inline constexpr double kHazeCeiling_dB = 6;  ///< level of an echo above which the haze behind it does not grow
-/// Haze behind strong reflectors such as bone: its level relative to the reflector, and the depth over which it falls
-/// to 1/e. Chosen so that the shadow of bone has 0.33 to 0.52 of the gray of the tissue above.
+/// Haze behind strong reflectors such as bone: level of the haze relative to the reflector, and depth over which the
+/// haze falls to 1/e. The values were chosen so that the shadow of bone has 0.33 to 0.52 of the gray of the tissue
+/// above.
 inline constexpr double kHazeLongShare_dB = -30, kHazeLongTail_mm = 6;
 /// Minimum depth of strong reflectors with haze behind them; shallower echoes are from the skin and the face.
 inline constexpr double kHazeLongFrom_mm = 3;

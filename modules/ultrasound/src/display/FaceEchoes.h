@@ -34,10 +34,10 @@ class FaceEchoes {
   void findRinging(const Probe& probe, const ImagingSettings& settings, const BeamGrid& grid);
 
   int columns_;
-  Plane line_, lack_;  ///< line_: power of each scanline's ringing; lack_: share of its ringing that is as in air
+  Plane line_, lack_;  ///< line_: power of each scanline's ringing; lack_: share of the ringing that is as in air
   std::optional<Plane> contact_;          ///< share of the amplitude that each scanline keeps, [block][scanline]
-  std::vector<float> touching_, lifted_;  ///< [row] power of the ringing where the face touches the skin, and where it
-                                          ///< is lifted; ends with the ringing
+  std::vector<float> touching_, lifted_;  ///< power of the ringing in each row, where the face touches the skin and
+                                          ///< where the face is lifted; ends where the ringing ends
 };
 
 }  // namespace insonate::display

@@ -18,8 +18,9 @@ class Haze {
  public:
   Haze(const Probe& probe, const ImagingSettings& settings, const DisplayPlan& plan);
 
-  /// Computes the haze of a frame from the mean power of each block of rows, with strong echoes limited (`blockPower`)
-  /// and in full (`strongPower`). `face` gives the loss where the face is lifted off the skin; may be null.
+  /// Computes the haze of a frame from the mean power of each block of rows: `blockPower` with strong echoes limited,
+  /// `strongPower` with strong echoes in full. `face` gives the loss where the face is lifted off the skin; may be
+  /// null.
   void follow(Plane& blockPower, Plane& strongPower, const FaceEchoes* face);
   /// Returns the power of the haze of each scanline in a block of rows; 0 before follow().
   const float* row(int block) const { return haze_.row(block); }

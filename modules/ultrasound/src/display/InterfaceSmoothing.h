@@ -12,7 +12,7 @@ namespace insonate::display {
 /// filtering, 1999), in units of the point-spread function, in which speckle has no preferred direction.
 class InterfaceSmoothing {
  public:
-  /// `strength` is the weight of the smoothed levels in the output of smooth(), 0..1; the rest are the input levels.
+  /// `strength` is the weight of the smoothed levels in the output of smooth(), 0 to 1; the rest are the input levels.
   InterfaceSmoothing(const DisplayPlan& plan, double strength);
 
   /// Finds the interfaces of an image from `blockLevels`, the levels averaged over blocks of rows, whose margins must

@@ -25,7 +25,8 @@ class Plane {
   static int padded(int columns) { return (columns + kVector - 1) / kVector * kVector; }
   int rows() const { return rows_; }
   int stride() const { return stride_; }
-  /// Returns a pointer to column 0 of a row; for a row outside the grid, of the nearest existing row.
+  /// Returns a pointer to column 0 of a row. For a row outside the grid, returns a pointer to column 0 of the nearest
+  /// existing row.
   float* row(int r) { return data_.get() + std::size_t(std::clamp(r, 0, rows_ - 1)) * stride_ + kMargin; }
   const float* row(int r) const { return const_cast<Plane*>(this)->row(r); }
   void clear() { std::fill_n(data_.get(), std::size_t(rows_) * stride_, 0.0F); }

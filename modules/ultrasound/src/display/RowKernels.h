@@ -40,8 +40,8 @@ struct TensorRow {
 };
 void tensorRow(const TensorRow& task);
 
-/// Task of orientRow(): computes from the structure tensor, averaged over neighbors, the strength of structure (0..1),
-/// the strength of an interface that can be followed (0..1, not more than that of structure), and the interface's
+/// Task of orientRow(): computes from the structure tensor, averaged over neighbors, the strength of structure (0 to
+/// 1), the strength of an interface that can be followed (0 to 1, not more than that of structure), and the interface's
 /// slope, which is set for the first of every 8 scanlines.
 struct OrientRow {
   /// Rows of the tensor's components, from two blocks above to two below.
@@ -69,7 +69,7 @@ struct SmoothRow {
   const float *structureBefore, *structureAfter, *edgeBefore, *edgeAfter, *meanBefore, *meanAfter;
   float mix;
   float contrast, contrastBend, contrastReach;
-  float strength;  ///< weight of the smoothed levels in the output, 0..1
+  float strength;  ///< weight of the smoothed levels in the output, 0 to 1
   int margin, columns;
   float* out;
 };

@@ -36,7 +36,7 @@ std::vector<Circle> circlesThrough(std::vector<PixelPoint> points, double leastR
 
 /// Finds the values near which most of the input values lie, the best first: centers of windows of this width.
 std::vector<double> modesOf(std::vector<double> values, double width, int most);
-/// Returns the quantile of the values for a `share` of 0..1; 0 if there are no values.
+/// Returns the quantile of the values for a `share` of 0 to 1; 0 if there are no values.
 double quantile(std::vector<double> values, double share);
 
 }  // namespace insonate::fit

@@ -15,7 +15,7 @@ struct EdgeEvidence {
 
 struct Evidence {
   std::array<EdgeEvidence, kEdges> edges;
-  double outline = 0;    ///< `seen` minus `against`, over the whole visible outline; -1..1
+  double outline = 0;    ///< `seen` minus `against`, over the whole visible outline; -1 to 1
   double agreement = 0;  ///< `seen` divided by the sum of `seen` and `against`
   double cover = 0;   ///< agreement of the model's area with the body (the bright area of the image); dark areas inside
                       ///< count little
@@ -24,7 +24,8 @@ struct Evidence {
   double score() const { return 0.5 * outline + 0.5 * cover; }
 };
 
-/// Returns the evidence for minus against the outline of a model, without its area, -1..1. Fast.
+/// Returns the evidence for the outline of a model minus the evidence against the outline, -1 to 1. The model's area is
+/// not used. Fast.
 double outlineFor(const FovModel& model, const Plate& plate, double tolerance_px);
 /// Computes the evidence in an image for a model. A strip of `tolerance_px` to either side of the outline is ignored.
 Evidence evidenceFor(const FovModel& model, const Plate& plate, double tolerance_px);

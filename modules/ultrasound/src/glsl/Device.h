@@ -44,8 +44,8 @@ struct EditedFile {
   std::string name, text;
 };
 
-/// shaderFile() and shaderText() return the text of a shader file of the project (by name without extension): as it is,
-/// or with included files inserted. Empty if no file has this name.
+/// shaderFile() and shaderText() return the text of a shader file of the project, by its name without extension.
+/// shaderFile() returns the text unchanged, shaderText() with included files inserted. Empty if no file has this name.
 std::string_view shaderFile(std::string_view name);
 std::string shaderText(std::string_view name, const EditedFile& edited = {});
 /// Returns shader text that defines the acoustic model's constants, generated from those in C++.

@@ -35,8 +35,8 @@ enum EffectBit : std::int32_t {
   kEdgeShadow = 128,
 };
 
-/// Bits of ChannelBlock::flags: kSheets: the texture has sheets, which echo coherently; kGas: the channel is gas;
-/// kVessel: it is a vessel.
+/// Bits of ChannelBlock::flags. kSheets: the texture has sheets, which echo coherently. kGas: the channel is gas.
+/// kVessel: the channel is a vessel.
 inline constexpr std::int32_t kSheets = 1, kGas = 2, kVessel = 4;
 
 /// Acoustic constants of one channel (structure): mirrors the structure Channel of shaders/frame.glsl.

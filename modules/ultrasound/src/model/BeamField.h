@@ -7,7 +7,7 @@
 namespace insonate {
 
 /// The beam's two-way field perpendicular to its axis, by depth, of a probe with these settings. The value is the RMS
-/// amplitude, over the pulse's band, of a point's echo, divided by that of a point on the axis.
+/// amplitude, over the pulse's band, of the echo of a point, divided by the RMS amplitude for a point on the axis.
 ///
 /// In the imaging plane each element is a line source; in elevation, the element's height is a row of line sources.
 /// Their waves exp(i k (r - delay)) / sqrt(r) are summed by frequency in homogeneous tissue, as Garcia, Comput Methods
@@ -19,7 +19,7 @@ class BeamField {
   BeamField(const Probe& probe, const ImagingSettings& settings);
 
   /// lateral() and elevation() return the field at an offset (of either sign) from the axis; 0 far from the axis. A
-  /// range outside the image reads as the nearest end of the image.
+  /// range outside the image counts as the range of the nearest end of the image.
   double lateral(double off_mm, double range_mm) const { return across(lateral_, off_mm, range_mm); }
   double elevation(double off_mm, double range_mm) const { return across(elevation_, off_mm, range_mm); }
 
@@ -51,7 +51,7 @@ class BeamField {
 
   double spacing_mm_;
   Profiles lateral_, elevation_;
-  std::vector<double> sliceIntegral_mm_, sliceSd_mm_;  // [node]
+  std::vector<double> sliceIntegral_mm_, sliceSd_mm_;  // properties of the slice profile at each node
 };
 
 }  // namespace insonate

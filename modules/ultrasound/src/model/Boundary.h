@@ -38,12 +38,13 @@ inline double roughnessDepth_mm(const AcousticTissue& surface) {
   return kRoughnessDepth_mmPdB * surface.roughness_dB;
 }
 
-/// Presence of a layer at a place of mean patch, and its slope.
+/// Presence of a layer at a point with the mean value of `patch`, and the slope of the presence.
 inline constexpr double kLayerPresence = 0.5, kLayerPresencePerPatch = 0.9;
 
-/// Returns the share of a place that connective layers cover, where their profile has the given occupancy. `patch` is
-/// the local value of a random field of SD 1. Where it is low, a patchy layer is thinner as well as darker, since the
-/// profile's flanks fall below zero first, and interrupted where nothing of the profile is left.
+/// Returns the share of the tissue at a point that connective layers cover. `occupancy` is the occupancy of the layers'
+/// profile at the point, `patchiness` the patchiness of the layers. `patch` is the local value of a random field of SD
+/// 1. Where `patch` is low, a patchy layer is thinner as well as darker, since the profile's flanks fall below zero
+/// first. The layer is interrupted where nothing of the profile is left.
 inline double layerCover(double occupancy, double patchiness, double patch) {
   const double presence = std::clamp(kLayerPresence + kLayerPresencePerPatch * patch, 0.0, 1.0);
   return std::max(0.0, occupancy - patchiness * (1 - presence));

@@ -16,7 +16,7 @@ inline constexpr double kFwhmPerSd = 2.3548200450309493;
 /// Envelope of the echo of a perfect plane reflector (R = 1) perpendicular to the beam; 0 dB is the speckle of a 0 dB
 /// tissue.
 inline constexpr double kReflectorGain_dB = 58;
-/// Decay of the movement of tissue below skin that is drawn to the face: depth over which the movement falls to 1/e.
+/// Depth over which the movement of tissue falls to 1/e, below skin that is drawn to the face.
 inline constexpr double kContactDepth_mm = 15;
 /// Maximum distance between face and skin at which the probe receives echoes.
 inline constexpr double kContactReach_mm = 12;
@@ -56,9 +56,10 @@ struct FramePlan {
   int cellGates = 1, cellLines = 1;
   int nodeRows = 0, nodeColumns = 0;
 
-  /// Offset of each elevation plane from the central plane, in SDs of the slice (BeamField::sliceSd_mm), and its
-  /// weights. Each plane represents the part of the slice that is nearest to it. Its weight is the root of this part's
-  /// power for scattering (unit total power), and this part's amplitude for boundaries (unit sum).
+  /// Offset of each elevation plane from the central plane, in SDs of the slice (BeamField::sliceSd_mm), and the
+  /// weights of each plane. Each plane represents the part of the slice that is nearest to the plane. For scattering,
+  /// the weight is the root of this part's power (unit total power); for boundaries, the weight is this part's
+  /// amplitude (unit sum).
   std::vector<double> planeOffset_sd, scatterWeight, boundaryWeight;
   std::vector<double> elevationSd_mm;  ///< SD of the slice at each gate (BeamField::sliceSd_mm)
   /// Distance between neighboring elevation planes in SDs of the slice; 0 for a single plane, which has no thickness.

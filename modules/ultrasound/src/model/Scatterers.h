@@ -24,7 +24,7 @@ struct ScattererLattice {
 /// with independent speckle): re and im of each look in turn, three numbers in each half of the hash. Each has 5 bits
 /// and is uniform; the total power is 1.
 inline constexpr int kScattererShift[6] = {0, 5, 10, 16, 21, 26};
-inline constexpr double kScattererUnit = 0.07658395810674835;  // 1 / (sqrt(2) * SD of 0..31)
+inline constexpr double kScattererUnit = 0.07658395810674835;  // 1 / (sqrt(2) * SD of 0 to 31)
 inline constexpr double kScattererMean = 15.5;
 
 /// Returns the complex amplitudes of all looks (renderings with independent speckle) at a patient point: {re, im} per

@@ -10,7 +10,7 @@ namespace insonate {
 
 /// Tissue at one gate of one scanline in one elevation plane.
 struct TissueSample {
-  Vec3 patient_mm;       ///< position of the gate in tissue at rest
+  Vec3 patient_mm;       ///< undeformed position of the tissue at the gate
   bool inside = true;    ///< true if the gate lies within the volume
   bool outside = false;  ///< true if the gate is in front of the skin, in gel
   std::uint8_t label = 0;

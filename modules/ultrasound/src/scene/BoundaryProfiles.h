@@ -18,8 +18,8 @@ class BoundaryProfiles {
   static constexpr double kStep_mm = 0.0251;
   static constexpr double kReach_mm = kEntries / 2 * kStep_mm;
 
-  /// Packs one entry of the table into 32 bits: occupancy (0..255: 0..1), echo (0..255: -32..+31.75 dB), anisotropy and
-  /// patchiness (0..255: 0..1), from the lowest byte up.
+  /// Packs one entry of the table into 32 bits: occupancy (0 to 255: 0 to 1), echo (0 to 255: -32 to +31.75 dB),
+  /// anisotropy and patchiness (0 to 255: 0 to 1), from the lowest byte up.
   static std::uint32_t pack(double occupancy, double echo_dB, double anisotropy, double patchiness);
 
   BoundaryProfiles() = default;

@@ -24,7 +24,7 @@ struct CaseFacts {
   /// labels count as soft tissue.
   std::uint32_t labelsNear(const NodeBox& voxels) const;
 
-  std::uint32_t patient = 0;          ///< hash of the CT; identifies the patient independent of edits of the labels
+  std::uint32_t patient = 0;          ///< hash of the CT; identifies the patient even after the labels were edited
   LabelMeans mean_HU{};               ///< mean HU of the voxels of each label; 0 if the label does not occur
   double midline_mm = 0;              ///< x of the patient's midline, across which textures are mirrored
   std::array<Vec3, 2> muscleFibre;    ///< fiber direction of the sternocleidomastoid, right and left; unit, patient LPS

@@ -28,8 +28,8 @@ class DistanceTransform {
   /// lattice do not exist. The result depends on nothing else.
   DistanceTransform(const NodeLattice& lattice, const NodeLabels& nodes, const NodeBox& block, Stopped stopped);
 
-  /// Returns the distances to those of the candidate labels (one bit per label) that are within reach. The result must
-  /// not be used if the computation was stopped.
+  /// Returns the distances to those candidate labels (one bit per label) that are within reach. The result must not be
+  /// used if the computation was stopped.
   Result distances(std::uint32_t candidates);
 
  private:

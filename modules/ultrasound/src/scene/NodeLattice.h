@@ -20,7 +20,7 @@ using Stopped = std::function<bool()>;
 struct NodeBox {
   std::array<int, 3> low{}, size{};
 
-  int high(int axis) const { return low[axis] + size[axis]; }  ///< index after the last one along the axis
+  int high(int axis) const { return low[axis] + size[axis]; }  ///< index after the last node along the axis
   std::size_t count() const { return std::size_t(size[0]) * size[1] * size[2]; }
   std::size_t offset(int i, int j, int k) const {
     return (std::size_t(k - low[2]) * size[1] + (j - low[1])) * size[0] + (i - low[0]);

@@ -11,12 +11,12 @@
 namespace insonate {
 
 /// A periodic block of fine tissue structure that a CT does not resolve. Axes: u (along fibers), v, and w (thin,
-/// perpendicular to sheets). Values are -127..127 for -1..1, and are multiplied by a tissue's texture strength in dB.
-/// Sizes are powers of two, so that a position can be wrapped with a mask.
+/// perpendicular to sheets). Values are -127 to 127 for -1 to 1, and are multiplied by a tissue's texture strength in
+/// dB. Sizes are powers of two, so that a position can be wrapped with a mask.
 struct TextureTile {
   /// Number of padding voxels after each row along w and each plane of rows. The padding repeats the row's beginning,
-  /// so that a voxel and the next ones can be loaded as one word, and it avoids cache conflicts between rows, whose
-  /// length is a power of two.
+  /// so that a voxel and the next voxels can be loaded as one word. The padding also avoids cache conflicts between
+  /// rows, whose length is a power of two.
   static constexpr int kGap = 64;
 
   std::array<int, 3> size{};
@@ -60,7 +60,8 @@ inline constexpr int kTextureKinds = 6;
 /// Texture::None has a single zero voxel.
 const TextureTile& textureTile(Texture kind);
 
-/// Returns a tile of smooth noise with SD 1 (stored as 32), for the variation of echoes along boundaries.
+/// Returns a tile of smooth noise for the variation of echoes along boundaries. The noise has SD 1; the integer 32
+/// represents the value 1.
 const TextureTile& patchTile();
 
 }  // namespace insonate

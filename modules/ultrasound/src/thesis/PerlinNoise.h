@@ -27,7 +27,7 @@ constexpr double fadeSlope(double t) {
 }
 
 struct NoiseGradient {
-  double x, y;  ///< components of the gradient, each uniform in -1..1
+  double x, y;  ///< components of the gradient, each uniform in -1 to 1
 };
 
 constexpr NoiseGradient gradientAt(std::int32_t column, std::int32_t row, std::uint32_t seed) {

@@ -10,7 +10,7 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// Shows facts about the case; the title can be edited.
+/// Shows facts about the case; the user can edit the title.
 class CaseFacts : public QWidget {
  public:
   explicit CaseFacts(PrepareModel& shared, QWidget* parent = nullptr);

@@ -7,7 +7,7 @@ class QHBoxLayout;
 
 namespace insonate::prepare {
 
-/// The feature for the case itself: the step that imports it, and its facts.
+/// The feature for the case itself: the step that imports the case, and facts about the case.
 class CaseFeature final : public Feature {
  public:
   CaseFeature(PrepareModel& model, PrepareLayout& layout);

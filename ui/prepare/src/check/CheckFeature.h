@@ -6,7 +6,7 @@ namespace insonate::prepare {
 
 class Section;
 
-/// The feature for the check: findings that lead to their places, and difficulty.
+/// The feature for the check: the findings, each of which leads to its position, and the difficulty.
 class CheckFeature final : public Feature {
  public:
   CheckFeature(PrepareModel& model, PrepareLayout& layout);

@@ -9,8 +9,8 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// Shows the case's difficulty as computed from its labels, with the measures behind it, and lets the author state a
-/// grade.
+/// Shows the case's difficulty as computed from its labels, with the measured values from which the difficulty was
+/// computed. The author can set a grade.
 class DifficultyBox : public QWidget {
  public:
   explicit DifficultyBox(PrepareModel& shared, QWidget* parent = nullptr);

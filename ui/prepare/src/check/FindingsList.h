@@ -12,11 +12,12 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// Counts the findings in words: "2 errors, 1 warning"; "fit for training" if there are no errors and no warnings.
+/// Returns the number of findings in words: "2 errors, 1 warning"; "fit for training" if there are no errors and no
+/// warnings.
 QString findingCount(const std::vector<Finding>& findings);
 
-/// Shows the verdict and the findings of the check: errors, warnings, notes. Selecting a finding shows its place and
-/// structure, or the step that makes a missing structure. The last findings stay while the check runs again.
+/// Shows the verdict and the findings of the check: errors, warnings, notes. Selecting a finding shows its position and
+/// structure, or the step that makes a missing structure. While the check runs again, the last findings stay.
 class FindingsList : public QWidget {
   Q_OBJECT
 

@@ -24,7 +24,7 @@ class Feature : public QObject {
 
   virtual void save(QSettings& /*settings*/) const {}
   virtual void restore(QSettings& /*settings*/) {}
-  /// Engine and its rate for the status bar; empty if the feature computes nothing.
+  /// Returns the engine and its frame rate for the status bar; empty if the feature computes no images.
   virtual QString engineText() const { return {}; }
 
  protected:
@@ -32,8 +32,8 @@ class Feature : public QObject {
   using Keys = std::vector<std::pair<int, std::function<void()>>>;
 
   ui::Commands& commands();
-  /// Adds a command, with texts as in ui::Command. It is available while a case is open and `isAvailable`, if there is
-  /// one, returns true.
+  /// Adds a command, with texts as in ui::Command. The command is available while a case is open and, if `isAvailable`
+  /// is given, while `isAvailable` returns true.
   void add(const char* id, const QString& listed, const QString& does, const Keys& keys,
            std::function<bool()> isAvailable = {});
 

@@ -11,7 +11,7 @@ class Section;
 /// The feature for the guide: labels from a few clicks, step by step.
 class GuideFeature final : public Feature {
  public:
-  /// `tool`: section of the selected tool, whose remark says that the guide waits.
+  /// `tool`: section of the selected tool. The section's remark says that the guide waits.
   GuideFeature(PrepareModel& model, PrepareLayout& layout, Section& tool);
 
  private:
@@ -19,7 +19,7 @@ class GuideFeature final : public Feature {
 
   GuideSession* guide_;
   GuidePage* page_;
-  bool isChosen_ = true;  ///< a page was selected for this case
+  bool isChosen_ = true;  ///< true: a page was selected for this case
 };
 
 }  // namespace insonate::prepare

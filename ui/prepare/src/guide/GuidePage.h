@@ -11,8 +11,8 @@ namespace insonate::prepare {
 
 class GuideSession;
 
-/// Lists the steps of the guide with their states. For the current step it shows what to do, the result, and what can
-/// be done about problems.
+/// Lists the steps of the guide with their states. For the current step, the page also shows what to do, the result,
+/// and how problems can be solved.
 class GuidePage : public QWidget {
   Q_OBJECT
 

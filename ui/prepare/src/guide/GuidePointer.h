@@ -20,9 +20,9 @@ namespace insonate::prepare {
 class GuideSession;
 struct PrepareModel;
 
-/// Mouse input in slices while the current step of the guide needs points. A click adds a point, dragging moves it, the
-/// right button or the Delete key removes it, Enter continues. During a correction the left button paints the label,
-/// and with Ctrl erases it. All other events go to the slice.
+/// Mouse input in slices while the current step of the guide needs points. A click adds a point, dragging moves a
+/// point, the right button or the Delete key removes a point, and Enter continues. During a correction the left button
+/// paints the label, and with Ctrl erases the label. All other events go to the slice.
 class GuidePointer : public QObject {
  public:
   GuidePointer(GuideSession& guide, PrepareModel& shared, QObject* parent);
@@ -52,7 +52,7 @@ class GuidePointer : public QObject {
   std::optional<std::size_t> dragged_;
   std::optional<QPoint> pressed_;
   bool painting_ = false;
-  bool added_ = false;  ///< the last click has added a point
+  bool added_ = false;  ///< true: the last click has added a point
 };
 
 }  // namespace insonate::prepare

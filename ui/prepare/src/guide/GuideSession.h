@@ -33,7 +33,7 @@ class GuideSession : public QObject {
   State state(int index) const;
   /// Tells whether the author had used the guide when the case was saved and required steps are still to do.
   bool goesOn() const;
-  /// Sentences about a step's state, for example why its result may be wrong.
+  /// Returns sentences about a step's state, for example why the step's result may be wrong.
   QStringList remarks(int index) const;
 
   /// Sets whether the guide's page is shown: clicks in slices then belong to the current step.
@@ -54,7 +54,7 @@ class GuideSession : public QObject {
   void run();
   /// Stops the running step; the labels are as they were before.
   void cancel();
-  /// Accepts the result of the current step and selects the next step that is to do.
+  /// Accepts the result of the current step and selects the next step that is still to do.
   void accept();
   /// Skips the current step and selects the next.
   void skip();
@@ -71,7 +71,7 @@ class GuideSession : public QObject {
  Q_SIGNALS:
   void changed();
   void clicksChanged();
-  /// Emitted with a sentence for the author.
+  /// Emitted with a sentence about the last event for the author.
   void told(const QString& sentence);
 
  private:
@@ -82,9 +82,9 @@ class GuideSession : public QObject {
   struct StepProgress {
     std::vector<Vec3> clicks_mm{};
     std::size_t made = 0;   ///< number of recorded steps of this guide step
-    bool restored = false;  ///< was done before the case was opened
+    bool restored = false;  ///< true: the step was done before the case was opened
     bool accepted = false, skipped = false;
-    bool isWrong() const;  ///< a finding remains that cannot be accepted
+    bool isWrong() const;  ///< tells whether the step has a finding with which the author cannot accept the result
     std::vector<GuideFinding> findings{};
     QString caution{};  ///< warning about the method by which the step was made
     int look = 0;       ///< number of the last search for findings; earlier results are dropped
@@ -99,9 +99,11 @@ class GuideSession : public QObject {
   void finished(int index, bool well);
   void goToNext();
   void findWarnings(int index);
-  /// Searches again where a finding cannot be accepted, since an edit of the labels may have corrected it.
+  /// Searches again for findings of each step whose result cannot be accepted, since an edit of the labels may have
+  /// corrected the result.
   void findWarningsAgain();
-  /// Writes a recipe beside the saved case: all steps that made its labels since the CT was imported, for replay.
+  /// Writes a recipe beside the saved case. The recipe contains all steps that made the case's labels since the CT was
+  /// imported, for replay.
   void saveRecipe();
 
   PrepareModel& shared_;
@@ -113,7 +115,7 @@ class GuideSession : public QObject {
   int current_ = 0, working_ = -1;
   int looks_ = 0;
   bool shown_ = false, correcting_ = false;
-  bool begun_ = false;  ///< the case's structures are known, and the first step to do is selected
+  bool begun_ = false;  ///< true: the case's structures are known, and the first step that is to do was selected
   double brush_mm_ = 2;
 };
 

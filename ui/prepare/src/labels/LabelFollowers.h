@@ -10,7 +10,7 @@
 
 namespace insonate::prepare {
 
-/// Updates results that depend on the labels after every edit, when the author pauses: first the surfaces of changed
+/// Updates results that depend on the labels after edits, as soon as the author pauses: first the surfaces of changed
 /// labels and the live image, later volumes and the check.
 class LabelFollowers : public QObject {
   Q_OBJECT

@@ -12,7 +12,7 @@
 
 namespace insonate::prepare {
 
-/// Preview of a labeling step, computed on a background thread. A new step stops the computation of an earlier one; a
+/// Preview of a labeling step, computed on a background thread. A new step stops the computation of an earlier step. A
 /// result that was finished before that is still shown, so that the preview follows a dragged slider.
 class LabelPreview : public QObject {
   Q_OBJECT
@@ -28,7 +28,7 @@ class LabelPreview : public QObject {
 
   /// The computed proposal; null if there is none.
   const std::shared_ptr<const Proposal>& proposal() const { return proposal_; }
-  /// Label of the step; the proposal may contain others, too.
+  /// Label of the step. The proposal may contain other labels, too.
   std::uint8_t label() const { return label_; }
   /// Tells whether the latest step is being computed.
   bool isComputing() const { return computing_; }
@@ -49,7 +49,7 @@ class LabelPreview : public QObject {
   };
   void begin(Wish wish);
   void setComputing(bool computing);
-  /// Returns a proposal to be filled; it still has former contents.
+  /// Returns a proposal to be filled; the proposal still has former contents.
   std::shared_ptr<Proposal> takeBuffer();
   void take(int number, std::uint8_t label, const Made& made);
 

@@ -15,12 +15,12 @@ struct LabelRules {
     Every,
     Filling,     ///< labels that fill the body between named structures (kFilling)
     Unlabelled,  ///< only unlabeled voxels (kUnlabelled)
-    Inside       ///< one label, `inside`
+    Inside       ///< one label: `inside`
   };
 
   LabelSet locked, hidden;
   Over over = Over::Every;
-  std::uint8_t inside = kBackground;  ///< the label of Over::Inside
+  std::uint8_t inside = kBackground;  ///< the label that may be overwritten if Over::Inside is selected
   std::optional<HuRange> editable;
 
   bool mayEdit(std::uint8_t label) const { return !locked.test(label) && !hidden.test(label); }

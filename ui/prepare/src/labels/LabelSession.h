@@ -28,14 +28,14 @@ namespace insonate::prepare {
 /// Edits the labels of the open case: tools, brush strokes, undo, recorded steps and unsaved changes.
 ///
 /// There are three kinds of label maps. The case's own labels never change while they are shared. The working map is a
-/// copy, made when the first tool is selected (getReady); brush strokes, undo and redo write to it on the window's
-/// thread. Code on other threads (tools, previews, surfaces, the live image, the check, saving) reads a snapshot
-/// (LabelSnapshots). Taking a snapshot takes time in proportion to the changes since the last one; it shares the CT of
-/// the case. While a background thread writes a tool's result, the window reads the snapshot, too. Therefore no map is
-/// read and written at the same time. Memory besides the case: the working map, normally three snapshots, two proposals
-/// while a slider is dragged, and LabelEdit's steps.
+/// copy, made when the first tool is selected (getReady); brush strokes, undo and redo write to the working map on the
+/// window's thread. Code on other threads (tools, previews, surfaces, the live image, the check, saving) reads a
+/// snapshot (LabelSnapshots). Taking a snapshot takes time in proportion to the changes since the last snapshot. The
+/// snapshot shares the CT of the case. While a background thread writes a tool's result, the window reads the snapshot,
+/// too. Therefore no map is read and written at the same time. Memory besides the case: the working map, normally three
+/// snapshots, two proposals while a slider is dragged, and LabelEdit's steps.
 ///
-/// For the window's thread.
+/// May be used only on the window's thread.
 class LabelSession : public QObject {
   Q_OBJECT
 
@@ -43,18 +43,18 @@ class LabelSession : public QObject {
   using Done = std::function<void(const Result<LabelChange>&)>;
 
   LabelSession(ui::TaskBar& tasks, QUndoStack& undo, QObject* parent);
-  /// Sets the function that names labels in sentences; by default, names of the label table are used.
+  /// Sets the function that names labels in sentences; by default, the names of the label table are used.
   void setNames(std::function<QString(std::uint8_t)> names) { names_ = std::move(names); }
   ~LabelSession() override;
 
-  /// Sets the case; null: no case. Edits are dropped, and a running tool is stopped.
+  /// Sets the case; null: no case. Edits are discarded, and a running tool is stopped.
   void setCase(std::shared_ptr<const PatientCase> patient);
   /// Replaces the case by its saved state, whose labels are labels() at the time of saving.
   void replaceCase(std::shared_ptr<const PatientCase> patient);
 
   /// The labels as displayed. Call it only while a case is open.
   const LabelMap& labels() const { return *seen(); }
-  /// The displayed labels, shared with views of this thread; seenChanged() is emitted when another map is displayed.
+  /// The displayed labels, shared with views of this thread. When another map is displayed, seenChanged() is emitted.
   std::shared_ptr<const LabelMap> seen() const;
   /// Returns the present labels, for use on other threads.
   std::shared_ptr<const LabelMap> snapshot();
@@ -63,43 +63,43 @@ class LabelSession : public QObject {
 
   const LabelRules& rules() const { return rules_; }
   void setRules(const LabelRules& rules);
-  /// Locks a label, so that tools do not change it, or unlocks it.
+  /// Locks a label, so that tools do not change the label, or unlocks it.
   void setLocked(std::uint8_t label, bool locked);
 
   /// Copies the labels for the first edit on a background thread, so that the edit need not wait.
   void getReady();
 
-  /// Tells whether a tool is running; no other edit is possible then.
+  /// Tells whether a tool is running. No other edit is possible while a tool is running.
   bool isBusy() const { return busy_; }
   /// Computes a step on a background thread, as a long job of the window that can be cancelled, and writes the result
-  /// as one undoable, recorded step. rules() are added to the step's own. Calls `done`, with kCancelled if the step was
-  /// cancelled; other failures also emit failed().
+  /// as one undoable, recorded step. rules() apply in addition to the step's own rules. Calls `done`, with kCancelled
+  /// if the step was cancelled; other failures also emit failed().
   void run(LabelStep step, const QString& name, Done done = {});
-  /// Runs a step of a recipe(). Its own rules apply instead of rules(), so that it has the same result again.
+  /// Runs a step of a recipe() again. The step's own rules apply instead of rules(), so that the result is the same.
   void runAgain(LabelStep step, const QString& name, Done done);
   /// Tells whether no job is running that a tool would end.
   bool isFree() const;
-  /// Stops the tool that was started by run(), without a change of the labels.
+  /// Stops the tool that run() started, without a change of the labels.
   void cancel() { settle(); }
-  /// Computes the result that run() would have, and shows it in preview().
+  /// Computes the result that run() would have, and shows this result in preview().
   void wantPreview(LabelStep step);
   LabelPreview& preview() { return preview_; }
   const LabelPreview& preview() const { return preview_; }
 
-  /// Begins a brush stroke, which is written at once and is one step from its first to its last point. Returns false
-  /// and emits failed() if painting is not possible.
+  /// Begins a brush stroke. Points of the stroke are written at once; the whole stroke is one step. Returns false and
+  /// emits failed() if painting is not possible.
   bool beginStroke(LabelStep step, const QString& name);
   void strokeTo(Vec3 patient_mm);
   void endStroke();
 
-  /// Returns all steps since the case was opened that were not undone.
+  /// Returns all steps that were made since the case was opened and were not undone.
   Recipe recipe() const;
   /// Bytes of memory that undo uses.
   std::size_t undoBytes() const { return edit_ ? edit_->bytes() : 0; }
 
  Q_SIGNALS:
   void caseSet();
-  /// Emitted when voxels have changed by a tool, a stroke, undo or redo.
+  /// Emitted when a tool, a stroke, undo or redo has changed voxels.
   void changed(const insonate::LabelChange& change);
   void seenChanged();
   void busyChanged();
@@ -122,7 +122,7 @@ class LabelSession : public QObject {
   /// Undoes the last step; returns false if that step was discarded.
   bool undo();
   void redo();
-  /// Sentence that says why a label may not be edited now; empty if it may.
+  /// Returns a sentence that says why a label may not be edited now; empty if the label may be edited.
   QString refusal(std::uint8_t label) const;
   void start(LabelStep step, const QString& name, Done done);
   void beginWork();
@@ -145,7 +145,7 @@ class LabelSession : public QObject {
   QUndoStack& undo_;
   std::shared_ptr<const PatientCase> patient_;
   std::optional<QFuture<std::shared_ptr<Copies>>> ready_;
-  std::shared_ptr<LabelMap> working_;  ///< null before the first edit
+  std::shared_ptr<LabelMap> working_;  ///< the working map; null before the first edit
   std::unique_ptr<LabelEdit> edit_;
   std::unique_ptr<LabelSnapshots> snapshots_;
   std::shared_ptr<const LabelMap> before_;  ///< map that is displayed while a result is being written

@@ -14,12 +14,13 @@ namespace insonate::prepare {
 /// that writes to the map.
 class LabelSnapshots {
  public:
-  /// Number of snapshots normally in use at once: one by computations on earlier labels, one by the next reader. Taking
-  /// a further one takes some hundredths of a second for a large map; its memory is freed when it is released.
+  /// Number of snapshots that are normally in use at once: one by computations on earlier labels, one by the next
+  /// reader. Taking another snapshot takes some hundredths of a second for a large map. The memory of that snapshot is
+  /// freed when it is released.
   static constexpr int kUsual = 2;
   using Copies = std::array<LabelMap, kUsual>;
 
-  /// The map must outlive this object; snapshots need not. `copies` must be equal to the map.
+  /// The map must outlive this object; snapshots may exist longer. `copies` must be equal to the map.
   LabelSnapshots(const LabelMap& labels, Copies copies);
 
   /// Must be called after each change of voxels in `box`.

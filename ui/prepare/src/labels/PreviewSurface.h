@@ -10,8 +10,8 @@ namespace insonate::prepare {
 
 class LabelPreview;
 
-/// Surface of the voxels that a preview would write, at low resolution. Computed on a background thread; follows the
-/// latest preview.
+/// Surface of the voxels that a preview would write, at low resolution. The surface is computed on a background thread
+/// and follows the latest preview.
 class PreviewSurface : public QObject {
   Q_OBJECT
 
@@ -29,7 +29,7 @@ class PreviewSurface : public QObject {
 
   LabelPreview& preview_;
   std::shared_ptr<std::atomic<bool>> stop_;  ///< stops the running computation; null if none is running
-  bool again_ = false;                       ///< the preview has changed during the computation
+  bool again_ = false;                       ///< true: the preview has changed during the computation
 };
 
 }  // namespace insonate::prepare

@@ -14,11 +14,12 @@ namespace insonate::prepare {
 
 class LabelSession;
 
-/// Performs labeling steps one after the other on a background thread, and inserts them between earlier steps: later
-/// steps are first undone and then repeated with their own rules.
+/// Performs labeling steps one after the other on a background thread, and inserts them between earlier steps. For
+/// this, the steps after the insertion are first undone and then repeated with their own rules.
 class StepReplay : public QObject {
  public:
-  /// Called with true after success. After a failure, with false: the labels are as they were before.
+  /// Called with true after success, and with false after a failure. After a failure the labels are as they were
+  /// before.
   using Done = std::function<void(bool well)>;
 
   StepReplay(LabelSession& labels, QUndoStack& undo, QObject* parent) : QObject(parent), labels_(labels), undo_(undo) {}
@@ -27,7 +28,7 @@ class StepReplay : public QObject {
   /// be undone.
   bool run(std::vector<LabelStep> steps, std::size_t first, std::size_t end, const QString& name, Done done);
   bool isRunning() const { return running_; }
-  /// Drops the steps in progress, since another case is open.
+  /// Discards the steps in progress, since another case is open.
   void forget() { ++number_, running_ = false; }
 
  private:
@@ -43,7 +44,7 @@ class StepReplay : public QObject {
   QUndoStack& undo_;
   std::vector<LabelStep> before_;  ///< the recorded steps before run()
   std::deque<LabelStep> todo_;
-  /// Index of the first replaced step; number of steps at the end of todo_ that are repeated.
+  /// first_: index of the first replaced step; again_: number of steps at the end of todo_ that are repeated.
   std::size_t first_ = 0, again_ = 0;
   int here_ = 0;  ///< position in the undo stack
   QString name_;

@@ -25,8 +25,8 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// Four views of the patient: axial, coronal and sagittal slices with one crosshair, and 3D with the probe. A click on
-/// a structure in 3D moves the crosshair there.
+/// Four views of the patient: axial, coronal and sagittal slices with a common crosshair, and a 3D view with the probe.
+/// A click on a structure in 3D moves the crosshair to the clicked point.
 class CaseViews : public QWidget {
  public:
   static constexpr int kSlices = 3;
@@ -36,7 +36,7 @@ class CaseViews : public QWidget {
 
   const std::shared_ptr<views::SceneView>& sharedScene() { return scene_; }
   views::MprView& slice(int index) { return *slices_[std::size_t(index)]; }
-  /// Widgets of the slices and, as the last, of 3D.
+  /// Widgets of the slices, followed by the widget of the 3D view.
   const std::array<ui::ViewWidget*, kSlices + 1>& widgets() const { return widgets_; }
   const PreviewSurface& previewSurface() const { return previewSurface_; }
   /// Tells whether the 3D view is up to date and in full detail.
@@ -83,7 +83,7 @@ class CaseViews : public QWidget {
   std::shared_ptr<views::SceneView> scene_;
   std::array<ui::ViewWidget*, kSlices + 1> widgets_{};
   QSplitter* rows_ = nullptr;
-  QLabel* empty_ = nullptr;  ///< text over 3D while there is nothing to show
+  QLabel* empty_ = nullptr;  ///< text that the 3D view shows while there is nothing else to show
   std::array<QSplitter*, 2> columns_{};
   QTimer follow_, rest_;
   std::function<void()> rested_;

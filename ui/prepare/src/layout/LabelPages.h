@@ -9,12 +9,12 @@ class QTabBar;
 
 namespace insonate::prepare {
 
-/// The pages of the label step. One is shown at a time, since each needs the column's height.
+/// The pages of the label step. Only one page is shown at a time, since each page needs the column's height.
 class LabelPages : public QWidget {
   Q_OBJECT
 
  public:
-  /// Prepares a page to make a structure. Returns false if the page cannot make this label.
+  /// Function that prepares a page to make a structure. Returns false if the page cannot make this label.
   using Make = std::function<bool(std::uint8_t label)>;
 
   LabelPages();
@@ -23,7 +23,7 @@ class LabelPages : public QWidget {
   void showPage(QWidget* page);
   /// Shows another page in place of this one.
   void leavePage(QWidget* page);
-  /// Shows the first page that can make a structure, prepared for it.
+  /// Shows the first page that can make a structure, and prepares the page for this structure.
   void makeStructure(std::uint8_t label);
 
  Q_SIGNALS:

@@ -7,7 +7,7 @@
 
 namespace insonate::prepare {
 
-/// The author's places in the form in which they are drawn.
+/// The author's places (targets, landmarks, start poses) in the form in which views draw them.
 struct MarkedPlaces {
   std::vector<views::NamedPlace> places;  ///< points on slices, with their names
   /// Lines in 3D: crosses and, for a start pose, the probe's face and its viewing direction.

@@ -11,14 +11,15 @@ namespace insonate::prepare {
 
 class LabelPages;
 
-/// One step of the path from import to publication: a heading with a mark of its progress, and the features' controls.
+/// One step of the path from import to publication: a heading with a mark of the step's progress, and the features'
+/// controls.
 class PathStep : public QWidget {
  public:
   explicit PathStep(const QString& title);
 
-  /// Adds controls below the earlier ones; `stretch` as in QBoxLayout.
+  /// Adds controls below the earlier controls; `stretch` as in QBoxLayout.
   void add(QWidget* controls, int stretch = 0);
-  /// Shows in a few words how far the step is.
+  /// Shows the step's progress in a few words.
   void setMark(const QString& mark);
   void setNumber(int number);
   /// Tells whether no feature has added controls.
@@ -30,7 +31,8 @@ class PathStep : public QWidget {
   QVBoxLayout* box_;
 };
 
-/// The left column: the steps of a case (import, label, check, publish), and below them buttons for the case.
+/// The left column: the steps of preparing a case (import, label, check, publish), and buttons for the case below the
+/// steps.
 class PathColumn : public QWidget {
  public:
   PathColumn();

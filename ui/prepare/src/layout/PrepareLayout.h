@@ -17,14 +17,14 @@ class PathColumn;
 struct PrepareModel;
 class RightColumn;
 
-/// The workspace's layout: slots that the features fill, and the views that they share.
+/// The workspace's layout: slots that the features fill, and views that the features share.
 class PrepareLayout {
  public:
   PrepareLayout(ui::Workspace& workspace, PrepareModel& model);
   /// Deletes the widgets.
   ~PrepareLayout();
 
-  /// The workspace: owner of the commands, and emitter of signals to the window.
+  /// The workspace, which owns the commands and emits signals to the window.
   ui::Workspace& workspace() { return workspace_; }
   /// The page that is shown while no case is open.
   ui::EmptyWorkspace& empty() { return *empty_; }
@@ -35,7 +35,8 @@ class PrepareLayout {
 
   /// Puts a bar above the views.
   void addBar(QWidget* bar);
-  /// Has a view perform the keys of the workspace's commands, before its own keys and the window's shortcuts.
+  /// Lets a view perform the keys of the workspace's commands. These keys take precedence over the view's own keys and
+  /// the window's shortcuts.
   void offerKeys(ui::ViewWidget& view);
   /// Adds the columns to the window, after the features have filled them.
   void assemble();

@@ -12,26 +12,27 @@ namespace insonate::prepare {
 
 class Section;
 
-/// The column beside the slices: two pages of sections, of which one is shown, sections above both, and a foot that is
-/// always visible.
+/// The column beside the slices: sections that are always shown at the top, two pages of sections, one of which is
+/// shown, and a footer that is always visible.
 class RightColumn : public QSplitter {
  public:
   enum class Place {
-    Top,   ///< above both pages; hidden until setShown()
+    Top,   ///< sections above both pages; each is hidden until setShown() shows it
     Case,  ///< the page about the case and its display
     Check  ///< the page about findings, difficulty and places
   };
 
   RightColumn();
 
-  /// Adds a section below the earlier ones of its place. `key` identifies it in the settings.
+  /// Adds a section below the earlier sections of the same place. `key` identifies the section in the settings.
   Section& addSection(Place place, const QString& key, const QString& title, QWidget* content);
   void setFoot(QWidget* foot);
   void setTips(const QString& casePage, const QString& checkPage);
 
   bool showsCheck() const;
   void showCheck(bool isShown);
-  /// Shows or hides a section of the top, expands it, and scrolls to the top of the column.
+  /// Shows or hides a section at Place::Top. A section that is shown is also expanded, and the column scrolls to its
+  /// top.
   void setShown(Section& section, bool isShown);
   /// Scrolls to a widget once the layout is known.
   void scrollTo(QWidget& widget);

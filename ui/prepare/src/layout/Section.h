@@ -8,7 +8,7 @@ class QToolButton;
 
 namespace insonate::prepare {
 
-/// A section of a column, which can be collapsed under its heading.
+/// A section of a column. The user can collapse the section under its heading.
 class Section : public QWidget {
  public:
   /// `key` identifies the section in the settings.

@@ -21,7 +21,7 @@ struct PrepareModel;
 /// The small ultrasound image computed from the labels, always visible.
 class UltrasoundPane : public QWidget {
  public:
-  /// `commands` have the keys that tooltips name.
+  /// `commands`: their keys appear in tooltips.
   UltrasoundPane(PrepareModel& shared, const ui::Commands& commands);
 
   ui::ViewWidget& widget() { return *widget_; }

@@ -24,7 +24,7 @@ class LabellingMeasure : public QObject {
                    std::function<void(std::vector<LabellingTime>)> done);
 
  private:
-  /// A visible result of a task, with the time that each repetition took to show it.
+  /// A result of a task that becomes visible, with the time that each repetition took to show it.
   struct Sight {
     QString name;
     std::function<bool()> there;
@@ -62,7 +62,8 @@ class LabellingMeasure : public QObject {
   std::size_t task_ = 0;
   int repeat_ = 0;
   bool acting_ = false;
-  /// The result has reached the slices or the 3D scene, and must now be drawn.
+  /// slicesKnow_: the result has reached the slices; sceneKnows_: the result has reached the 3D scene. The views must
+  /// then draw the result.
   bool slicesKnow_ = false, sceneKnows_ = false;
   std::array<int, 4> renderings_{};  ///< number of renderings of each view when the result arrived
   double tickWork_ms_ = 0;

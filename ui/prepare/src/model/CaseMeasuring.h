@@ -25,8 +25,9 @@ struct CaseMeasures {
   Result<DifficultyEstimate> difficulty;
 };
 
-/// Measures and checks a case as a long job of the window, while this is allowed. If another job takes its place, the
-/// measurement begins again after that job. If the user cancels it, it begins again only after start().
+/// Measures and checks a case as a long job of the window, while this is allowed. If another job replaces the
+/// measurement, the measurement begins again after that job. If the user cancels the measurement, it begins again only
+/// after start().
 class CaseMeasuring : public QObject {
   Q_OBJECT
 
@@ -36,26 +37,27 @@ class CaseMeasuring : public QObject {
   CaseMeasuring(ui::TaskBar& tasks, QObject* parent);
   ~CaseMeasuring() override;
 
-  /// Sets the case and discards former measures; null: no case.
+  /// Sets the case and discards the former results; null: no case.
   void setCase(std::shared_ptr<const PatientCase> patient);
-  /// Sets edited labels in place of the case's and measures them; former measures stay until the new ones are ready.
+  /// Sets edited labels in place of the case's labels and measures them. The former results stay until the new results
+  /// are ready.
   void setLabels(std::shared_ptr<const LabelMap> labels);
-  /// Announces that the labels will be edited: a running measurement ends and releases them, and none begins before
-  /// setLabels().
+  /// Announces that the labels will be edited. A running measurement ends and releases the labels, and no measurement
+  /// begins before setLabels().
   void awaitLabels();
   /// Sets edited targets, landmarks and start poses, and the meanings of labels, and checks again.
   void setWords(const CasePlaces& places, const LabelTerms& terms);
-  /// Allows measurements to begin, or not; a running measurement continues.
+  /// Allows or forbids the start of measurements; a running measurement continues.
   void setAllowed(bool allowed);
-  /// Begins to measure, also after the user has cancelled.
+  /// Starts a measurement, even if the user has cancelled the last one.
   void start();
 
   State state() const { return state_; }
-  /// The measures; null before they are ready.
+  /// The results; null until they are ready.
   const std::shared_ptr<const CaseMeasures>& measures() const { return measures_; }
-  /// Tells whether the measures have voxels of a label; false before they are ready.
+  /// Tells whether the label has voxels according to the results; false until the results are ready.
   bool hasVoxels(std::uint8_t label) const { return measures_ && measures_->statistics.voxels[label] > 0; }
-  /// Sentence that says why there are no measures.
+  /// Sentence that says why there are no results.
   const QString& trouble() const { return trouble_; }
 
  Q_SIGNALS:
@@ -69,7 +71,7 @@ class CaseMeasuring : public QObject {
 
   ui::TaskBar& tasks_;
   std::shared_ptr<const PatientCase> patient_;
-  std::shared_ptr<const LabelMap> labels_;  ///< null after awaitLabels() until setLabels()
+  std::shared_ptr<const LabelMap> labels_;  ///< labels to measure; null after awaitLabels() until setLabels()
   std::shared_ptr<const CaseManifest> manifest_;
   std::shared_ptr<const CaseMeasures> measures_;
   QString trouble_;

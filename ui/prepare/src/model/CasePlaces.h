@@ -7,8 +7,8 @@
 
 namespace insonate::prepare {
 
-/// The author's data about a case besides its voxels: targets, names of vessels, landmarks, start poses and grade.
-/// Edited and undone as a whole.
+/// The author's data about a case besides its voxels: targets, names of vessels, landmarks, start poses and grade. All
+/// these data are edited and undone together.
 struct CasePlaces {
   std::vector<Target> targets;
   std::vector<NamedVessel> vessels;

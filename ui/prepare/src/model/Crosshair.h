@@ -10,7 +10,7 @@ class LivePatient;
 class Notice;
 class OpenCase;
 
-/// The point of the patient at which all slices intersect; the probe follows it.
+/// The point of the patient at which all slices intersect. The probe follows this point.
 class Crosshair : public QObject {
   Q_OBJECT
 

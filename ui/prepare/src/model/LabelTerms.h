@@ -7,8 +7,8 @@
 
 namespace insonate::prepare {
 
-/// The author's data about labels: the meanings of the author's own labels, and the progress on each label. Edited and
-/// undone as a whole.
+/// The author's data about labels: the meanings of the author's own labels, and the progress on each label. All these
+/// data are edited and undone together.
 struct LabelTerms {
   OwnLabels own;
   LabelStates states;
@@ -24,7 +24,7 @@ inline void putTerms(const LabelTerms& terms, CaseManifest& manifest) {
 
 inline constexpr LabelState kLabelStates[] = {LabelState::NotStarted, LabelState::InProgress, LabelState::Completed,
                                               LabelState::Flagged};
-/// Return the state as a word, and as a symbol that does not depend on color.
+/// stateWord() returns the state as a word, stateIcon() as a symbol that does not depend on color.
 QString stateWord(LabelState state);
 QIcon stateIcon(LabelState state);
 

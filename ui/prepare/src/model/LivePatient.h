@@ -14,9 +14,9 @@
 
 namespace insonate::prepare {
 
-/// Results computed in the background for a patient: surfaces for 3D, and the ultrasound image of the labels, as seen
-/// by a probe on the skin nearest to the crosshair. Images are computed only while setAwake() is on, and only when the
-/// probe has moved.
+/// Results that background threads compute for a patient: surfaces for 3D, and the ultrasound image of the labels, as
+/// seen by a probe on the skin nearest to the crosshair. Images are computed only after setAwake(true), and only when
+/// the probe has moved.
 class LivePatient : public QObject {
   Q_OBJECT
 
@@ -31,17 +31,17 @@ class LivePatient : public QObject {
   void wantSurface(const ui::SurfaceWish& wish);
   /// Sets the tissues of the author's own labels.
   void setOwnLabels(const OwnLabels& own);
-  /// Sets edited labels in place of the patient's: the image is computed from them from now on, and so are the surfaces
-  /// in `wishes`. `outsideMoved`: the skin has changed, so the probe is placed on it again.
+  /// Sets edited labels in place of the patient's. The image and the surfaces in `wishes` are computed from these
+  /// labels from now on. `outsideMoved`, true: the skin has changed, so the probe is placed on the skin again.
   void setLabels(std::shared_ptr<const LabelMap> labels, std::vector<ui::SurfaceWish> wishes, bool outsideMoved);
   /// Starts or stops live imaging. While stopped, there is no live probe and no scene; results stay.
   void setAwake(bool awake);
   /// Ends the background threads.
   void stop();
 
-  /// Moves the probe to the skin nearest to a point of the patient, with the rotation of the pose that was chosen last
-  /// (start(), goTo()), and without compression: not as it came there. Images follow after a pause, so that the slices
-  /// are drawn first.
+  /// Moves the probe to the skin nearest to a point of the patient. The probe gets the rotation of the pose that was
+  /// chosen last (start(), goTo()) and does not compress the tissue, whatever its rotation and compression were before.
+  /// Images follow after a pause, so that the slices are drawn first.
   void follow(Vec3 patient_mm);
   /// Moves the probe to a pose.
   void goTo(const StartPose& pose);
@@ -62,7 +62,7 @@ class LivePatient : public QObject {
   /// Tells whether all requested surfaces have arrived, and the image shows the probe's present pose or state() says
   /// why there is none.
   bool isSettled() const;
-  /// Sentence that says why there is no image, or that one is being computed; empty otherwise.
+  /// Returns a sentence that says why there is no image, or that an image is being computed; empty otherwise.
   QString state() const;
 
  Q_SIGNALS:
@@ -89,7 +89,7 @@ class LivePatient : public QObject {
   ImagingSetup setup_;
   std::optional<StartPose> start_;
   std::optional<ProbeHand> hand_;
-  std::optional<Vec3> wanted_mm_;  ///< point to move the probe to when there is a hand
+  std::optional<Vec3> wanted_mm_;  ///< point to which the probe is to be moved when there is a ProbeHand
   QTimer showing_;                 ///< time until images follow the crosshair
   struct Chosen {
     Transform pose;
@@ -100,12 +100,12 @@ class LivePatient : public QObject {
   LiveStatus status_;
   QString trouble_;
   double press_mm_ = 0;
-  double rotation_deg_ = 0;  ///< of the pose that was chosen last
+  double rotation_deg_ = 0;  ///< rotation of the pose that was chosen last
   bool awake_ = false, surfacesDone_ = true;
   int skin_ = 0;     ///< number of the last skin search; earlier results are dropped
   int tissues_ = 0;  ///< number of the last conversion to tissues; earlier results are dropped
   bool tissuesDue_ = false;
-  bool stale_ = false;  ///< restarted live imaging has not produced an image yet
+  bool stale_ = false;  ///< true: restarted live imaging has not produced an image yet
   ui::LiveFeed feed_;
   std::unique_ptr<ui::CaseWorker> worker_;
 };

@@ -11,7 +11,7 @@
 
 namespace insonate::prepare {
 
-/// The open case: the voxels as they were opened or saved, its folder and title, and the undo stack of all edits.
+/// The open case: its voxels as they were opened or last saved, its folder and title, and the undo stack of all edits.
 class OpenCase : public QObject {
   Q_OBJECT
 
@@ -36,10 +36,10 @@ class OpenCase : public QObject {
   static constexpr int kMostUndo = int(LabelEdit::kMostSteps);
 
  Q_SIGNALS:
-  void closing();      ///< emitted before another case is set; patient() is still the former case
-  void opened();       ///< emitted first after setCase(): the parts of the model take over the case
-  void caseChanged();  ///< emitted second after setCase(): panels show the case
-  void shown();        ///< emitted last after setCase(): background work begins
+  void closing();      ///< emitted before another case is set, while patient() is still the former case
+  void opened();       ///< emitted first after setCase(), so that the parts of the model take over the case
+  void caseChanged();  ///< emitted second after setCase(), so that panels show the case
+  void shown();        ///< emitted last after setCase(), so that background work begins
   void saved();        ///< emitted when replaceCase() has replaced patient()
   void originChanged();
   void titleChanged();

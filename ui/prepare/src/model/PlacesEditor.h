@@ -27,13 +27,13 @@ class PlacesEditor : public QObject {
 
   const CasePlaces& value() const { return places_; }
   void set(CasePlaces places, const QString& what);
-  /// If the case has no start pose, makes the probe's pose its start pose, to be saved with the case.
+  /// If the case has no start pose, makes the probe's pose the start pose, which is saved with the case.
   void keepStart();
   /// Tells whether the case has no start pose although the live image has a pose that could become one.
   bool lacksStart() const;
   /// Adds to `all` an edit that sets these places, if they differ from the present ones.
   void restore(const CasePlaces& places, QUndoCommand& all);
-  /// Asks for the controls that mark a place of this kind.
+  /// Requests the controls that mark a place of this kind.
   void requestMark(const QString& kind) { Q_EMIT markRequested(kind); }
   /// Announces that the user has chosen what to mark, and that the next click sets its position.
   void beginMarking() { Q_EMIT markingBegun(); }

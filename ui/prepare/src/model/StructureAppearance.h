@@ -43,7 +43,7 @@ class StructureAppearance : public QObject {
 
   /// Forbids tools to change labels that are not visible.
   void protectHidden();
-  /// Saves the user's defaults; restoreHabits() reads them. They apply from the next case.
+  /// Saves the user's defaults, which restoreHabits() reads. The defaults apply from the next case on.
   void saveHabits(QSettings& settings) const;
   void restoreHabits(QSettings& settings);
 

@@ -28,9 +28,11 @@ class StructureList : public QObject {
   void select(std::uint8_t label);
   /// Selects the next or previous structure of the table.
   void selectNext(int step);
-  /// Adds a structure without voxels to the list and selects it. Undoable if it is one of the author's own structures.
+  /// Adds a structure without voxels to the list and selects the structure. The user can undo this for one of the
+  /// author's own structures.
   void add(std::uint8_t label);
-  /// Changes all voxels of a structure to soft tissue; a structure of the author's own without voxels is removed.
+  /// Changes all voxels of a structure to soft tissue (voxels of soft tissue to background). If one of the author's own
+  /// structures has no voxels, removes the structure.
   void removeVoxels(std::uint8_t label);
   /// Moves a listed structure to its next state, and shows a message.
   void toNextState(std::uint8_t label);

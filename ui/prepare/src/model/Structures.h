@@ -15,17 +15,17 @@ namespace insonate::prepare {
 /// Appearance of a structure.
 struct StructureLook {
   views::Colour colour;
-  double opacity = 1;   ///< of its surface in 3D, 0 to 1
-  bool visible = true;  ///< in 3D and over the slices
+  double opacity = 1;   ///< opacity of the structure's surface in 3D, 0 to 1
+  bool visible = true;  ///< true: the structure is drawn in 3D and over the slices
   double onSlices = 1;  ///< opacity over the slices, as a fraction (0 to 1) of the opacity that all labels share
   bool operator==(const StructureLook&) const = default;
 };
 
-/// Looks by label.
+/// Appearance of each structure, by label.
 using StructureLooks = std::array<StructureLook, 256>;
 
-/// Returns the default looks: the case's colors, and opacities at which the skin and other filling tissue are
-/// translucent.
+/// Returns the default appearance of each structure: the case's color, and an opacity at which the skin and other
+/// filling tissue are translucent.
 StructureLooks defaultLooks(const LabelColours& colours);
 double defaultOpacity(std::uint8_t label);
 /// Returns the default of StructureLook::onSlices. Labels that fill the patient are fainter, since an artery has nearly

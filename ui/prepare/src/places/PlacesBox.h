@@ -15,8 +15,8 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// Lists the targets, vessel names, landmarks and start poses of the case. They can be placed at the crosshair or the
-/// probe, shown, renamed, moved and removed. The first start pose is the one where the case begins.
+/// Lists the targets, vessel names, landmarks and start poses of the case. The user can place them at the crosshair or
+/// the probe, show, rename, move and remove them. Training on the case begins at the first start pose.
 class PlacesBox : public QWidget {
  public:
   explicit PlacesBox(PrepareModel& shared, QWidget* parent = nullptr);

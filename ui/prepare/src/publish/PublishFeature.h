@@ -4,7 +4,7 @@
 
 namespace insonate::prepare {
 
-/// The feature for the last step: it publishes the saved case for trainees.
+/// The feature for the last step, which publishes the saved case for trainees.
 class PublishFeature final : public Feature {
  public:
   PublishFeature(PrepareModel& model, PrepareLayout& layout);

@@ -14,10 +14,10 @@ class PathStep;
 struct PrepareModel;
 
 /// The last step of preparing a case: publishes the saved case, if it is fit for training. Trainees get this version
-/// until another is published.
+/// until another version is published.
 class PublishStep : public QWidget {
  public:
-  /// `step` shows the published version as its mark.
+  /// `step`: its mark shows the published version.
   PublishStep(PrepareModel& shared, ui::TaskBar& tasks, PathStep& step);
 
  private:

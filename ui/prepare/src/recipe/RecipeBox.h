@@ -12,8 +12,8 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// Saves the labeling steps since the case was opened as a recipe, and replays a recipe. A replay runs step by step as
-/// long jobs that can be cancelled; either all steps are applied or none.
+/// Saves the labeling steps since the case was opened as a recipe, and replays a recipe. A replay runs its steps one by
+/// one as long jobs that can be cancelled. Either all steps are applied or none.
 class RecipeBox : public QWidget {
  public:
   explicit RecipeBox(PrepareModel& shared, QWidget* parent = nullptr);

@@ -4,7 +4,7 @@
 
 namespace insonate::prepare {
 
-/// The feature for the steps of labeling so far, which can be saved and replayed.
+/// The feature for recipes: the user can save the labeling steps so far and replay them.
 class RecipeFeature final : public Feature {
  public:
   RecipeFeature(PrepareModel& model, PrepareLayout& layout);

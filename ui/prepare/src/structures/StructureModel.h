@@ -26,7 +26,7 @@ class StructureModel : public QAbstractTableModel {
 
   std::uint8_t labelAt(int row) const;
   int rowOf(std::uint8_t label) const;
-  /// Shows the states' words beside their symbols, if there is space.
+  /// Sets whether the states' words are shown beside their symbols, for which a wide table has space.
   void setRoomy(bool roomy);
 
  private:
@@ -39,7 +39,7 @@ class StructureModel : public QAbstractTableModel {
 
   PrepareModel& shared_;
   QIcon locked_, unlocked_;
-  QIcon shown_, unseen_, hidden_;  ///< unseen_: visible, but with opacity 0
+  QIcon shown_, unseen_, hidden_;  ///< unseen_: icon of a structure that is visible but has the opacity 0
   std::array<QIcon, std::size(kLabelStates)> states_;
   bool roomy_ = false;
 };

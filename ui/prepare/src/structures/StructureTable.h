@@ -16,9 +16,9 @@ namespace insonate::prepare {
 struct PrepareModel;
 class StructureModel;
 
-/// The table of structures, with commands for the selected one. Space shows or hides it, Enter chooses a color (unless
-/// a tool is selected), F2 renames a structure of the author's own. A wide table also shows tissue, term and number of
-/// voxels.
+/// The table of structures, with commands for the selected structure. Space shows or hides the structure, Enter chooses
+/// a color (unless a tool is selected), and F2 renames one of the author's own structures. A wide table also shows
+/// tissue, term and number of voxels.
 class StructureTable : public QWidget {
  public:
   StructureTable(PrepareModel& shared, const ui::Commands& commands);

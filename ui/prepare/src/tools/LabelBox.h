@@ -13,7 +13,7 @@ class LabelBox : public QComboBox {
  public:
   LabelBox(PrepareModel& shared, const QString& name, const QString& hint);
 
-  /// Shows a label; no label if the case has no such structure.
+  /// Selects a label; no label if the case has no such structure.
   void show(std::uint8_t label);
 
  Q_SIGNALS:

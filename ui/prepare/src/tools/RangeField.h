@@ -6,8 +6,8 @@ class QSpinBox;
 
 namespace insonate::prepare {
 
-/// Editor of a range of Hounsfield units: on the histogram, as two numbers, and by splitting it at the threshold that
-/// separates the histogram best.
+/// Editor of a range of Hounsfield units. The user can drag the range on the histogram, type two numbers, or split the
+/// range at the threshold that separates the histogram best.
 class RangeField : public QWidget {
   Q_OBJECT
 

@@ -8,7 +8,7 @@
 
 namespace insonate::prepare {
 
-/// Shows a range of Hounsfield units over the CT's histogram. Each end can be dragged, or both together by the band
+/// Shows a range of Hounsfield units over the CT's histogram. The user can drag each end, or both together by the band
 /// between them.
 class RangeStrip : public QWidget {
   Q_OBJECT

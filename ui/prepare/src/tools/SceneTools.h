@@ -10,11 +10,11 @@ namespace insonate::prepare {
 class CaseViews;
 class ToolSession;
 
-/// Scissors over 3D: a left drag, or clicks, draw an outline around the part to cut along the viewing direction. With
-/// Ctrl or Shift, a drag turns or shifts the view as usual.
+/// Scissors over 3D: a left drag, or clicks, draw an outline. The part inside the outline is cut along the viewing
+/// direction. With Ctrl or Shift, a drag turns or shifts the view as usual.
 class SceneTools : public QObject {
  public:
-  /// Belongs to `views`.
+  /// `views` is the parent of this object.
   SceneTools(CaseViews& views, ToolSession& tools);
 
  protected:

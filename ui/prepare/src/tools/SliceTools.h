@@ -17,12 +17,13 @@ namespace insonate::prepare {
 class CaseViews;
 class LabelPreview;
 
-/// Applies the selected tool to the slices. It takes mouse input before the guide and the slices, if the tool uses the
-/// mouse; input with Ctrl or Shift still goes to the slice. Shows points, outline, brush and preview over all three
-/// slices. The status line describes the voxel under the tool.
+/// Applies the selected tool to the slices. If the tool uses the mouse, the tool receives mouse input before the guide
+/// and the slices do; input with Ctrl or Shift still goes to the slice. Points, outline, brush and preview are shown
+/// over all three slices. The status line describes the voxel under the tool.
 class SliceTools : public QObject {
  public:
-  /// Belongs to `views`. `commands` have the keys of tools, which on a slice come before those of the guide.
+  /// `views` is the parent of this object. `commands` contain the keys of tools, which take precedence over the keys of
+  /// the guide on a slice.
   SliceTools(CaseViews& views, ToolSession& tools, PrepareModel& shared, const ui::Commands& commands);
 
  protected:

@@ -18,8 +18,9 @@ struct ToolNumber {
   QString hint;
   std::function<double(const LabelTool&)> get;
   std::function<void(LabelTool&, double)> set;
-  bool ofVoxels = false;    ///< the range depends on the CT's voxel size and extent
-  bool fromAVoxel = false;  ///< the range begins at the smallest voxel size, below which the number has no effect
+  bool ofVoxels = false;    ///< true: the range depends on the CT's voxel size and extent
+  bool fromAVoxel = false;  ///< true: the range begins at the smallest voxel size, below which the number has no
+                            ///< effect
 };
 
 /// The range of Hounsfield units that a tool uses.
@@ -49,25 +50,25 @@ enum class ToolInput {
   Nothing,
   Brush,    ///< a left drag paints at once
   Outline,  ///< a left drag, or clicks, draw an outline
-  Points,   ///< clicks set points, a right click removes the nearest
+  Points,   ///< clicks set points; a right click removes the nearest point
   Range     ///< a click sets the range around the clicked Hounsfield value
 };
 
-/// A tool in the window: an entry of LabelTool in the segmentation module, or two entries that differ in what they
-/// write.
+/// A tool in the window: an entry of LabelTool in the segmentation module. Two tools can use the same entry and differ
+/// in what they write.
 struct Tool {
   QString id, name;
-  QString group;  ///< tools of one group share a button in the palette
-  int key = 0;    ///< Qt::Key of the tool's group; 0: no key
+  QString group;  ///< group of the tool; tools of one group share a button in the palette
+  int key = 0;    ///< key of the tool's group: Qt::Key; 0: no key
   ToolInput input = ToolInput::Nothing;
-  QString advice;  ///< instructions, a sentence or two
+  QString advice;  ///< instructions in one or two sentences
   LabelTool usual;
   std::vector<ToolNumber> numbers{};
   std::vector<ToolChoice> choices{};
   std::optional<ToolRange> range{};
   std::optional<ToolLabel> other{};
   int leastPoints = 0;
-  bool erases = false;  ///< removes the painted voxels from the label
+  bool erases = false;  ///< true: the tool removes the painted voxels from the label
 };
 
 /// All tools, in the palette's order.

@@ -13,13 +13,13 @@ namespace insonate::prepare {
 
 class ToolSession;
 
-/// The palette: one button for each tool, or for each group of tools, which then opens a menu. The selected tool is
+/// The palette: one button for each tool or group of tools. The button of a group opens a menu. The selected tool is
 /// marked. If there is not enough space for all names, only icons are shown.
 class ToolBar : public QWidget {
  public:
-  /// `commands` have the keys that tooltips name.
+  /// `commands`: their keys appear in tooltips.
   ToolBar(ToolSession& tools, const ui::Commands& commands);
-  /// Names are hidden first, so that the palette does not take space from the views.
+  /// The width is 0, since names are hidden first: the palette does not take space from the views.
   QSize minimumSizeHint() const override { return {0, QWidget::minimumSizeHint().height()}; }
 
  protected:
@@ -37,8 +37,8 @@ class ToolBar : public QWidget {
   std::vector<Entry> entries_;
 };
 
-/// Returns the tool that a key selects: the first of its group or, if one of the group is selected, the next. Empty if
-/// the key has no tool.
+/// Returns the tool that a key selects: the first tool of the key's group or, if a tool of the group is selected, the
+/// next tool of the group. Empty if the key has no tool.
 QString toolOfKey(int key, const QString& inHand);
 
 }  // namespace insonate::prepare

@@ -27,10 +27,10 @@ class ToolSession;
 struct ToolChoice;
 struct ToolNumber;
 
-/// Shows the selected tool: instructions, its parameters, preview and apply.
+/// Shows the selected tool: instructions, parameters, and buttons for preview and for applying the tool.
 class ToolPanel : public QWidget {
  public:
-  /// `commands` have the keys that tooltips name.
+  /// `commands`: their keys appear in tooltips.
   ToolPanel(PrepareModel& shared, ToolSession& tools, const ui::Commands& commands);
   ~ToolPanel() override;
 
@@ -51,7 +51,8 @@ class ToolPanel : public QWidget {
   ToolSession& tools_;
   const QString applies_, leaves_;  ///< tooltips of the buttons
   QLabel *name_, *advice_;
-  /// Reason why a step had no result; shown here in full, since the status bar shares its space with jobs.
+  /// Shows the reason why a step had no result. The reason is shown here in full, since the status bar shares its space
+  /// with jobs.
   QLabel* told_;
   LabelBox* label_;
   RulesBox* rules_;
@@ -61,7 +62,8 @@ class ToolPanel : public QWidget {
   QWidget* fields_ = nullptr;
   QVBoxLayout* box_;
   std::vector<std::function<void()>> shown_;  ///< functions that update the fields
-  QTimer slow_;                               ///< runs while a preview is computed; then shows that it takes long
+  QTimer slow_;                               ///< runs while a preview is computed; when the timer ends, the panel
+                                              ///< shows that the preview takes long
   bool showing_ = false;
 };
 

@@ -12,8 +12,8 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// The selected tool, its parameters, the points clicked for it, and its preview. Preview, Enter and Esc have the same
-/// meaning for all tools. For the window's thread.
+/// The selected tool, its parameters, the points that were clicked for the tool, and its preview. Preview, Enter and
+/// Esc have the same meaning for all tools. May be used only on the window's thread.
 class ToolSession : public QObject {
   Q_OBJECT
 
@@ -43,7 +43,7 @@ class ToolSession : public QObject {
   /// Adds a corner of an outline drawn over 3D; the cut begins at the surface under the first corner.
   void addScenePoint(Vec3 patient_mm, const ScissorsView& look);
   void removeNearest(Vec3 patient_mm);
-  /// Sets the range to the Hounsfield units around a point.
+  /// Sets the range of the tool to the Hounsfield units around a point.
   void takeRange(Vec3 patient_mm);
 
   bool beginStroke(Vec3 patient_mm, views::SliceKind slice);

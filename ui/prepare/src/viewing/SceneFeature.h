@@ -14,7 +14,7 @@ class SceneFeature final : public Feature {
  public:
   SceneFeature(PrepareModel& model, PrepareLayout& layout);
 
-  /// Counts the values of the open case's CT.
+  /// Returns the editor of the transfer function, which computes the histogram of the open case's CT.
   ui::HistogramEditor& histogram();
   void save(QSettings& settings) const override;
   void restore(QSettings& settings) override;

@@ -14,10 +14,10 @@ namespace insonate::prepare {
 
 struct PrepareModel;
 
-/// Controls for the display of slices: window and level of the CT, and the labels over it.
+/// Controls for the display of slices: window and level of the CT, and the labels over the CT.
 class SliceControls : public QWidget {
  public:
-  /// `commands` have the keys that tooltips name.
+  /// `commands`: their keys appear in tooltips.
   SliceControls(PrepareModel& shared, const ui::Commands& commands);
 
  private:

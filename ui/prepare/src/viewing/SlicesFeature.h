@@ -4,7 +4,7 @@
 
 namespace insonate::prepare {
 
-/// The feature for the display of slices: window and level of the CT, and the labels over it.
+/// The feature for the display of slices: window and level of the CT, and the labels over the CT.
 class SlicesFeature final : public Feature {
  public:
   SlicesFeature(PrepareModel& model, PrepareLayout& layout);

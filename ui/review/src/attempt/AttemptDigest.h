@@ -13,32 +13,32 @@
 
 namespace insonate::review {
 
-/// Positions of both hands at one time of the attempt, for lanes and paths.
+/// Positions of probe and needle at one time of the attempt, for the timeline's lanes and for paths.
 struct TrackPoint {
   std::int64_t time_us = 0;
-  std::optional<double> needleDepth_mm;  ///< empty while the needle is outside
-  std::optional<Vec3> tip_mm;            ///< patient's frame (LPS)
-  /// Position of the tip in the probe's frame at that time: lateral, elevation, depth. Empty unless both hands are
-  /// present.
+  std::optional<double> needleDepth_mm;  ///< depth of the needle; empty while the needle is outside
+  std::optional<Vec3> tip_mm;            ///< position of the needle's tip in the patient's frame (LPS)
+  /// Position of the tip in the probe's frame at that time: lateral, elevation, depth. Empty unless both probe and
+  /// needle are held.
   std::optional<Vec3> tip_probe;
   double probeForce_N = 0;
   NeedlePlace place = NeedlePlace::Clean;
   bool probeOnSkin = false, aspirating = false;
 };
 
-/// Data of a recording that was read once from beginning to end. Constant; for any thread.
+/// Data of a recording that was read once from beginning to end. The data are constant; any thread may read them.
 struct AttemptDigest {
   std::string file;
   std::shared_ptr<const AttemptRecording> recording;
   std::int64_t end_us = 0;
-  std::vector<TrackPoint> track;  ///< in order of time, about kTrack_Hz points per second
+  std::vector<TrackPoint> track;  ///< positions in the order of their times, about kTrack_Hz per second
   struct PlaceChange {
     std::int64_t time_us = 0;
     NeedlePlace place = NeedlePlace::Clean;
     std::string vessel{};  ///< result of ProcedureRun::vesselIn()
   };
   std::vector<PlaceChange> places;     ///< changes of the needle's place, each with its time
-  std::vector<AttemptMoment> moments;  ///< in order of time
+  std::vector<AttemptMoment> moments;  ///< moments in the order of their times
   /// Score; empty if parts of the recording are missing, since numbers would be wrong.
   std::optional<AttemptScore> score;
   std::vector<std::string> troubles;
@@ -47,8 +47,8 @@ struct AttemptDigest {
 };
 inline constexpr int kTrack_Hz = 50;
 
-/// Reads a recording. Fails if the file is no recording, was written by a newer program, or when cancelled. For any
-/// thread; takes about a second for ten minutes of recording.
+/// Reads a recording. Fails if the file is no recording or was written by a newer version of the program, and when
+/// cancelled. May be called on any thread; takes about a second for a recording of ten minutes.
 Result<std::shared_ptr<const AttemptDigest>> digestOf(const std::string& file, const Progress& progress = {});
 
 }  // namespace insonate::review

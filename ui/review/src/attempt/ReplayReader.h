@@ -8,8 +8,9 @@
 
 namespace insonate::review {
 
-/// Returns the state of both hands at any time of a recording. Recordings are stored in blocks of about a second; a
-/// block is unpacked when the time moves into it. One object must not be used by several threads at once.
+/// Returns the state of probe and needle at any time of a recording. Recordings are stored in blocks of about a second;
+/// a block is decompressed when a time within the block is requested. One object must not be used by several threads at
+/// once.
 class ReplayReader {
  public:
   explicit ReplayReader(std::shared_ptr<const AttemptRecording> recording) : recording_(std::move(recording)) {}

@@ -6,7 +6,7 @@ namespace insonate::review {
 
 class AttemptPage;
 
-/// Requests the case of the open attempt from the window, and states what is wrong with recording and case.
+/// Requests the case of the open attempt from the window, and states what is wrong with the recording and the case.
 class CaseFeature final : public Feature {
  public:
   CaseFeature(const ReviewModel& model, AttemptPage& page);
@@ -17,7 +17,7 @@ class CaseFeature final : public Feature {
   void showNotice();
 
   AttemptPage& page_;
-  bool keptWanted_ = false;  ///< the case version on which this attempt was made has been requested
+  bool keptWanted_ = false;  ///< true: the case version on which this attempt was made has been requested
 };
 
 }  // namespace insonate::review

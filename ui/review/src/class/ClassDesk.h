@@ -17,8 +17,8 @@ class Account;
 namespace insonate::review {
 
 /// The classes of the signed-in user, and the selected class. Uses no widgets. The store is queried on the account's
-/// thread. Outdated standings arrive for a few people at a time, since each is computed from all attempts of the
-/// person.
+/// thread. The progress of people whose stored progress is outdated arrives for a few people at a time, since it is
+/// computed from all attempts of each person.
 class ClassDesk : public QObject {
   Q_OBJECT
 
@@ -47,7 +47,7 @@ class ClassDesk : public QObject {
   /// Tells whether a query other than for standings is running.
   bool isReading() const { return asking_ > 0; }
   int pendingStandings() const { return int(queue_.size()); }
-  /// Sentence that says why there are no data, and what to do; empty if there is no problem.
+  /// Returns a sentence that says why there are no data, and what to do; empty if there is no problem.
   QString trouble() const { return trouble_; }
 
  Q_SIGNALS:
@@ -71,7 +71,8 @@ class ClassDesk : public QObject {
   int chosen_ = 0;
   std::optional<ClassFacts> facts_;
   std::optional<Curriculum> own_;   ///< curriculum of a signed-in trainee
-  std::vector<std::string> queue_;  ///< ids of people whose standing must be computed; the last is computed first
+  std::vector<std::string> queue_;  ///< ids of people whose standing must be computed; the last id in the list is
+                                    ///< computed first
   int asking_ = 0;
   int round_ = 0;  ///< number of the last selection; results for earlier classes are dropped
   QString trouble_;

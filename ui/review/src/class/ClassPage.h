@@ -24,7 +24,8 @@ namespace insonate::review {
 class ClassDesk;
 class ClassTable;
 
-/// Overview of a class: which class, each person's progress and performance, and who needs the instructor's help.
+/// Overview of a class: choice of the class, each person's progress and performance, and people who need the
+/// instructor's help.
 class ClassPage final : public QWidget {
   Q_OBJECT
 

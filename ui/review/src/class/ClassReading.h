@@ -15,7 +15,7 @@
 /// Queries of Review to the store, on the account's thread.
 namespace insonate::review {
 
-/// An attempt that an instructor should look at, and why.
+/// An attempt that an instructor should look at, with the reasons.
 struct FlaggedAttempt {
   AttemptFacts facts{};
   std::vector<Implausible> flags{};
@@ -27,9 +27,11 @@ struct ClassFacts {
   std::optional<Curriculum> curriculum{};
   std::string trouble{};  ///< sentence that says why there is no curriculum, and what to do
   std::vector<Member> learners{};
-  std::vector<TestOpening> openings{};        ///< of tests, also for everyone; newest first
+  std::vector<TestOpening> openings{};        ///< openings of tests of the class and of tests for everyone, newest
+                                              ///< first
   HeatMap heat{};                             ///< heat map over the last kLastAttempts of each learner
-  std::vector<FlaggedAttempt> implausible{};  ///< implausible attempts among these, the latest first
+  std::vector<FlaggedAttempt> implausible{};  ///< implausible attempts among the last attempts in `heat`, the latest
+                                              ///< first
 };
 Result<ClassFacts> readClass(const SignedIn& by, const Cohort& cohort);
 

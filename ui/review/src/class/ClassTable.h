@@ -42,7 +42,7 @@ class ClassTable final : public QAbstractTableModel {
   const ClassDesk& desk_;
 };
 
-/// Paints a cell of the heat map: its color, and the value on it.
+/// Paints a cell of the heat map: the cell's color, and the value on this color.
 class HeatDelegate final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;

@@ -21,9 +21,9 @@ QString titleWithUnit(const MetricMeaning& meaning);
 QString countOf(int count, const QString& one, const QString& many);
 /// Formats a date in the user's time zone: "20 Nov 2026".
 QString dayOf(std::int64_t time_us);
-/// Returns the state of a learner for which the instructor may act, when the class was read.
+/// Returns the state of a learner at the time when the class was read, if the instructor may need to act.
 Attention attentionOf(const ClassFacts& facts, const Member& member);
-/// Describes this state: "stuck", "idle for 5 weeks"; "" if there is none.
+/// Describes the state that attentionOf() returns: "stuck", "idle for 5 weeks"; "" if there is none.
 QString attentionWords(const ClassFacts& facts, const Member& member);
 /// Describes the implausible values of an attempt: "skin to vein in 1.5 s, completed in 4.0 s".
 QString wordsOf(const AttemptFacts& attempt, const std::vector<Implausible>& flags);

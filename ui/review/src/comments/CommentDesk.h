@@ -17,8 +17,8 @@ class JudgeDesk;
 class ReviewSession;
 
 /// Comments on the open attempt, in the order of their times. Uses no widgets. The store is queried on the account's
-/// thread. If the trainee of the attempt is signed in, reading them marks them as read in the store; in comments() they
-/// stay unread until the attempt is opened again.
+/// thread. If the trainee of the attempt is signed in, reading the comments marks them as read in the store; in
+/// comments() they stay unread until the attempt is opened again.
 class CommentDesk : public QObject {
   Q_OBJECT
 
@@ -28,7 +28,8 @@ class CommentDesk : public QObject {
 
   const std::vector<AttemptComment>& comments() const { return comments_; }
   bool isReading() const { return asking_ > 0; }
-  /// Id of the attempt whose comments these are; empty if the recording belongs to no attempt that the user may see.
+  /// Id of the attempt to which the comments belong; empty if the recording belongs to no attempt that the user may
+  /// see.
   const std::string& attempt() const { return attempt_; }
   /// Tells whether the user may comment on the attempt.
   bool mayWrite() const;
@@ -54,7 +55,7 @@ class CommentDesk : public QObject {
   ui::Account* account_ = nullptr;
   std::string attempt_, file_, reader_;  ///< reader_: user who read the comments
   std::vector<AttemptComment> comments_;
-  int asking_ = 0, round_ = 0;  ///< round_: results about an earlier attempt or user are dropped
+  int asking_ = 0, round_ = 0;  ///< round_: number of the last attempt or user; results for earlier ones are dropped
 };
 
 }  // namespace insonate::review

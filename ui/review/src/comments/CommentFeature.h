@@ -13,7 +13,8 @@ class AttemptPage;
 class CommentPane;
 class ReplayFeature;
 
-/// Comments at a time of the replay: their marks on the timeline, the list, and the commands to write and remove one.
+/// Comments at times of the replay: their marks on the timeline, the list of comments, and the commands to write and to
+/// remove a comment.
 class CommentFeature final : public Feature {
  public:
   CommentFeature(const ReviewModel& model, AttemptPage& page, ReplayFeature& replay);

@@ -10,8 +10,8 @@ namespace insonate::review {
 
 class ReviewSession;
 
-/// Lists comments with their marks of the timeline. A click moves the time to a comment; the last comment before the
-/// present time is the current row.
+/// Lists comments, with the same marks as on the timeline. A click moves the time to a comment. The last comment before
+/// the present time is the current row.
 class CommentList final : public WrappedList {
   Q_OBJECT
 

@@ -20,9 +20,9 @@ class CommentDesk;
 class CommentList;
 class ReviewSession;
 
-/// The comments on the open attempt, below the moments. A click moves the time to a comment. An instructor writes one
-/// at the time shown; its author or an administrator removes it, after a question. Hidden if the user can neither read
-/// nor write any.
+/// The comments on the open attempt, below the moments. A click moves the time to a comment. An instructor can write a
+/// comment at the present time. The author of a comment or an administrator can remove the comment after a
+/// confirmation. The pane is hidden if the user can neither read nor write comments.
 class CommentPane final : public QWidget {
   Q_OBJECT
 
@@ -32,12 +32,13 @@ class CommentPane final : public QWidget {
   CommentList& list() { return *list_; }
   /// Opens the field for a comment at the present time, with the text that was left unsaved.
   void startWriting();
-  /// Asks whether to remove the selected comment.
+  /// Asks the user whether to remove the selected comment.
   void askRemoval();
   bool canRemove() const;
 
  protected:
-  /// Enter saves, Shift+Enter begins a line, Esc closes the field. Backspace in the field never leaves the attempt.
+  /// Handles keys in the field: Enter saves, Shift+Enter begins a line, Esc closes the field. Backspace in the field
+  /// never leaves the attempt.
   bool eventFilter(QObject* field, QEvent* event) override;
 
  private:
@@ -66,8 +67,8 @@ class CommentPane final : public QWidget {
   QWidget *field_, *question_, *buttons_;
   QPlainTextEdit* text_;
   QPushButton *save_, *write_, *remove_;
-  std::string attempt_;                  ///< attempt that the field belongs to
-  std::map<std::string, Draft> drafts_;  ///< by attempt
+  std::string attempt_;                  ///< attempt to which the text in the field belongs
+  std::map<std::string, Draft> drafts_;  ///< unsaved comments, by id of the attempt
   std::int64_t at_us_ = 0;               ///< time of the comment in the field
 };
 

@@ -42,7 +42,7 @@ class ComparePage final : public QWidget {
   QLabel *own_, *words_;
   QComboBox *other_, *metric_;
   ui::Chart* chart_;
-  std::string ownId_;  ///< Cohort::id of the user's selected class
+  std::string ownId_;  ///< Cohort::id of the class with which the other class is compared
   std::optional<ClassFacts> otherFacts_;
   int round_ = 0;  ///< number of the last query; results of earlier queries are dropped
 };

@@ -21,11 +21,11 @@ class ReviewSession;
 
 /// The state that all features share.
 struct ReviewModel {
-  ui::Workspace& workspace;  ///< emits the signals to the window
+  ui::Workspace& workspace;  ///< the workspace, which emits signals to the window
   ReviewSession& session;    ///< the open attempt
   JudgeDesk& judging;        ///< trainee and judgements of the open attempt
   ui::TaskBar& tasks;
-  QAction& save;  ///< saves what is shown
+  QAction& save;  ///< action that saves what is shown
 };
 
 /// One feature of the workspace. The constructor makes the feature's widgets, connects them with the model, and adds

@@ -24,13 +24,13 @@ class PersonPage;
 class RatersPage;
 class SaveMenu;
 
-/// The pages that are shown while no attempt is open. For a signed-in user: class, person and recordings, as far as the
-/// user may see them. For a guest: the recordings on this computer.
+/// The pages that are shown while no attempt is open. A signed-in user gets the pages class, person and recordings, as
+/// far as permitted. A guest gets only the recordings on this computer.
 class ReviewHome final : public QWidget {
   Q_OBJECT
 
  public:
-  /// The page of recordings shows `list`.
+  /// `list` is shown on the page of recordings.
   ReviewHome(AttemptList& list, ui::Commands& commands, ui::TaskBar& tasks, QWidget* parent = nullptr);
 
   void setAccount(ui::Account& account);

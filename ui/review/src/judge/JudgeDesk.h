@@ -21,16 +21,16 @@ namespace insonate::review {
 
 class ReviewSession;
 
-/// Attempt and trainee of a recording according to the store.
+/// The attempt to which a recording belongs according to the store, and the trainee of that attempt.
 struct RecordingOrigin {
-  std::optional<AttemptFacts> attempt{};  ///< empty if the store has no attempt with this recording
+  std::optional<AttemptFacts> attempt{};  ///< attempt with this recording; empty if the store has none
   Person person{};                        ///< trainee of the attempt
-  bool same = false;                      ///< the file's SHA-256 is that of the attempt's recording
+  bool same = false;                      ///< true: the file has the SHA-256 of the attempt's recording
   std::vector<KeptForm> forms{};          ///< forms about the attempt, in the order of submission
 };
 
-/// The trainee of a replayed attempt, and the raters' judgements of it. Uses no widgets. The store is queried on the
-/// account's thread.
+/// The trainee of a replayed attempt, and the raters' judgements of the attempt. Uses no widgets. The store is queried
+/// on the account's thread.
 class JudgeDesk : public QObject {
   Q_OBJECT
 
@@ -38,7 +38,7 @@ class JudgeDesk : public QObject {
   explicit JudgeDesk(const ReviewSession& session, QObject* parent = nullptr);
   void setAccount(ui::Account& account);
 
-  /// Announces that the recording that will be opened next was selected as this attempt's recording.
+  /// Announces that the file to be opened next was selected as this attempt's recording.
   void expect(const QString& file, const QString& attempt);
 
   /// Origin of the recording; empty until it is known.
@@ -46,7 +46,7 @@ class JudgeDesk : public QObject {
   bool isReading() const { return reading_; }
   /// Tells whether the file differs from the attempt's recording; the replay is then not the trainee's attempt.
   bool isOther() const { return origin_ && origin_->attempt && !origin_->same; }
-  /// Name of the attempt's trainee, or the reason why there is none.
+  /// Returns the name of the attempt's trainee, or the reason why there is none.
   QString words() const;
   /// Tells whether the user may submit judgements of this attempt: the user must be an instructor or administrator and
   /// not the trainee, and the file must be the attempt's recording.

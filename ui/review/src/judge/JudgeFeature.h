@@ -9,12 +9,13 @@ namespace insonate::review {
 class AttemptPage;
 class ReplayFeature;
 
-/// Checklists and ratings of the open attempt, in place of 3D.
+/// Checklists and ratings of the open attempt, which are shown in place of 3D.
 class JudgeFeature final : public Feature {
  public:
   JudgeFeature(const ReviewModel& model, AttemptPage& page, ReplayFeature& replay);
 
-  /// Sentence about the last action, until the attempt or the time changes; empty if there is none.
+  /// Sentence about the last action; empty if there is none, or when the user has moved to another time or attempt
+  /// since.
   const QString& said() const { return said_; }
 
   bool isReady() const override;

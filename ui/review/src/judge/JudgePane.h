@@ -26,9 +26,9 @@ namespace insonate::review {
 class JudgeDesk;
 class JudgementTable;
 
-/// Checklists and ratings beside a replay, to be filled in, and submitted ones to be read. Unfinished answers are
-/// stored as a draft when the user moves in the replay, leaves the attempt, signs out or closes the window, and are
-/// shown again.
+/// Checklists and ratings beside a replay: the user fills in forms, and reads submitted forms. Unfinished answers are
+/// stored as a draft when the user moves in the replay, leaves the attempt, signs out or closes the window. The draft
+/// is shown again later.
 class JudgePane final : public QWidget {
   Q_OBJECT
 
@@ -40,7 +40,7 @@ class JudgePane final : public QWidget {
   void said(const QString& sentence);
 
  protected:
-  /// Ignores Backspace in a form, so that it does not leave the attempt.
+  /// Ignores Backspace in a form, so that Backspace does not leave the attempt.
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
@@ -62,7 +62,7 @@ class JudgePane final : public QWidget {
   JudgeDesk& desk_;
   const std::vector<Form> forms_;
   const std::shared_ptr<ui::FormDraft> draft_;
-  ui::FormSubject subject_;                   ///< subject of the answers in the form
+  ui::FormSubject subject_;                   ///< attempt and author of the answers in the form
   std::pair<ui::FormSubject, Form> handing_;  ///< subject and form that were submitted last
   QTimer keeping_;
   QButtonGroup* tabs_;

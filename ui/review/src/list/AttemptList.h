@@ -24,10 +24,10 @@ struct ListedAttempt {
 };
 
 /// Returns the recordings in a folder, the latest first, including attempts that were cut short. Files that cannot be
-/// read are left out. For any thread; takes some milliseconds per file.
+/// read are left out. May be called on any thread; takes some milliseconds per file.
 std::vector<ListedAttempt> attemptsIn(const QString& folder);
 
-/// Lists the user's attempts, the latest first; Enter or a double click opens an attempt.
+/// Lists the user's attempts, the latest first. Enter or a double click opens an attempt.
 class AttemptList : public QWidget {
   Q_OBJECT
 

@@ -31,7 +31,7 @@ class OpeningBar final : public QWidget {
   QLabel* words_;
   QPushButton* tests_;
   QElapsedTimer sinceRead_;  ///< time since the class was read
-  QTimer again_;             ///< openings begin and end without a query
+  QTimer again_;             ///< updates the text, since openings begin and end without a query
 };
 
 }  // namespace insonate::review

@@ -45,7 +45,7 @@ class OpeningDialog final : public QDialog {
   void change(std::function<Result<bool>(const SignedIn&)> change, const QString& done);
 
   ClassDesk& desk_;
-  const std::string cohort_;  ///< the class that was shown when the dialog was opened
+  const std::string cohort_;  ///< id of the class that was shown when the dialog was opened
   QTableWidget* openings_;
   QComboBox *test_, *whom_;
   QDateTimeEdit *start_, *end_;

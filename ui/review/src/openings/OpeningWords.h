@@ -7,8 +7,8 @@
 
 namespace insonate::review {
 
-/// Returns whether tests of the class are open, in words: "● Open: 'Jugular test' until 20 Nov 2026 14:30, with a
-/// code", or that attempts at tests are practice; "" if the curriculum has no tests.
+/// Describes the open tests of a class: "● Open: 'Jugular test' until 20 Nov 2026 14:30, with a code". If no test is
+/// open, says that attempts at tests are practice. Returns "" if the curriculum has no tests.
 QString openTestsWords(const ClassFacts& facts, std::int64_t now_us);
 /// Returns the sign and the word of a state: "● open".
 QString signedWordOf(OpeningState state);

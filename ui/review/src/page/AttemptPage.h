@@ -19,8 +19,8 @@ namespace insonate::review {
 
 struct ReviewModel;
 
-/// Layout of the page of an open attempt: a bar with title, tabs and buttons, a notice, three columns, and widgets
-/// below the columns. The features fill it. The right column shows 3D with what lies below it, or the forms of raters.
+/// Layout of the page of an open attempt, which the features fill: a bar with title, tabs and buttons, a notice, three
+/// columns, and widgets below the columns. The right column shows 3D and the widgets below it, or the forms of raters.
 class AttemptPage final : public QWidget {
   Q_OBJECT
 

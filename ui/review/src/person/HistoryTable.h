@@ -21,7 +21,7 @@ namespace insonate::review {
 class PersonDesk;
 
 /// Lists a person's attempts, newest first. Enter replays an attempt whose recording is on this computer. An instructor
-/// can void an attempt, or accept an unproven one, and must give a reason.
+/// can void an attempt, or accept an attempt without proof, and must give a reason.
 class HistoryTable final : public QWidget {
   Q_OBJECT
 
@@ -45,7 +45,7 @@ class HistoryTable final : public QWidget {
   QString commentsOf(const std::string& attempt) const;
   const KeptAttempt* chosen() const;
   void replay();
-  /// Change for which the user is asked a reason.
+  /// Change of an attempt. The user must give a reason for it.
   enum class Change { None, Void, Accept };
   void askReason(Change change);
   void wordReason(bool voids);

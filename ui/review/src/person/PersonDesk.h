@@ -26,7 +26,7 @@ class PersonDesk : public QObject {
   /// Queries everything about a person; "" shows no person.
   void show(const std::string& person, const std::optional<Curriculum>& curriculum);
   void refresh();
-  /// Queries the numbers of comments alone, for example after some were read.
+  /// Queries only the numbers of comments, for example after comments were read.
   void refreshComments();
   /// Facts of the person; null until they are read.
   const PersonFacts* facts() const { return facts_ ? &*facts_ : nullptr; }
@@ -37,10 +37,11 @@ class PersonDesk : public QObject {
 
   /// Tells whether the user may void this person's attempts.
   bool mayVoid() const;
-  /// Sentence that says why an attempt is implausible; empty if it is not, or if the user does not teach the person.
+  /// Returns a sentence that says why an attempt is implausible; empty if the attempt is plausible, or if the user does
+  /// not teach the person.
   QString attentionReason(const AttemptFacts& attempt) const;
   void voidAttempt(const std::string& attempt, const QString& reason);
-  /// Makes an unproven attempt count. Only if mayVoid().
+  /// Accepts an attempt without proof, so that it counts. Call it only if mayVoid().
   void acceptAttempt(const std::string& attempt, const QString& reason);
 
   /// Returns Account::address().

@@ -21,9 +21,9 @@ inline constexpr int kPage = 200;
 struct PersonFacts {
   Person person{};
   std::optional<Curriculum> curriculum{};
-  std::vector<AttemptFacts> history{};  ///< in the order in which the store received them
+  std::vector<AttemptFacts> history{};  ///< attempts in the order in which the store received them
   std::vector<LevelProgress> progress{};
-  std::optional<Standing> standing{};  ///< empty if there is no curriculum
+  std::optional<Standing> standing{};  ///< progress of the person; empty if there is no curriculum
   std::vector<KeptAttempt> newest{};   ///< the first kPage attempts, newest first
   /// Reasons by attempt id, for attempts that an instructor should look at.
   std::map<std::string, std::vector<Implausible>> implausible{};

@@ -13,7 +13,7 @@
 
 namespace insonate::review {
 
-/// A comment as the timeline shows it.
+/// A comment in the form in which the timeline shows it.
 struct TimelineComment {
   std::int64_t time_us = 0;
   QString words{};  ///< author and text
@@ -25,7 +25,8 @@ struct LaneLayout {
   static constexpr int kNames_px = 96, kMarks_px = 24, kBar_px = 12, kDepth_px = 54, kForce_px = 30, kAxis_px = 20;
   static constexpr int kGap_px = 6, kRight_px = 12, kComments_px = 18;
 
-  QRect marks, comments, probe, depth, aspirating, force, axis;  ///< comments: null if there are none
+  QRect marks, comments, probe, depth, aspirating, force, axis;  ///< comments: lane of the comments; null if there are
+                                                                 ///< no comments
   LaneLayout(int width_px, bool hasComments);
   int height_px() const { return axis.bottom() + 1; }
 };

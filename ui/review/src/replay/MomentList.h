@@ -6,8 +6,8 @@ namespace insonate::review {
 
 class ReviewSession;
 
-/// Lists the important moments with their marks of the timeline. A click moves the time to a moment; the last moment
-/// before the present time is the current row.
+/// Lists the important moments, with the same marks as on the timeline. A click moves the time to a moment. The last
+/// moment before the present time is the current row.
 class MomentList : public WrappedList {
   Q_OBJECT
 

@@ -14,8 +14,8 @@
 namespace insonate::review {
 
 /// Computes the ultrasound image at a time of an attempt (AttemptPictures) on a background thread, one image at a time.
-/// If several times are requested while it computes, only the latest one is computed next. Called on the window's
-/// thread.
+/// If several times are requested during a computation, only the image of the latest time is computed next. The
+/// functions are called on the window's thread.
 class ReplayPicture : public QObject {
   Q_OBJECT
 

@@ -20,8 +20,9 @@ class ViewWidget;
 
 namespace insonate::review {
 
-/// The patient in 3D, with probe and needle as they were held, and the path of the needle's tip. The path's colors show
-/// the place of the tip, with symbols where the place changes. Only the user moves the camera.
+/// The patient in 3D, with probe and needle in their recorded poses, and the path of the needle's tip. The path's
+/// colors show in which tissue or structure the tip was; symbols mark the points where this changes. Only the user
+/// moves the camera.
 class ReplayScene : public QObject {
  public:
   explicit ReplayScene(ReviewSession& session, QObject* parent = nullptr);
@@ -31,7 +32,7 @@ class ReplayScene : public QObject {
   /// Controls for structures, CT and clipping plane of the view; panelArea() scrolls them.
   ui::ScenePanel& panel() { return *panel_; }
   QScrollArea& panelArea() { return *panelArea_; }
-  /// Tells whether no further drawing is pending.
+  /// Tells whether no drawing is pending.
   bool isAtRest() const { return !follow_.isActive() && !rest_.isActive(); }
   void setRested(std::function<void()> listener) { rested_ = std::move(listener); }
 

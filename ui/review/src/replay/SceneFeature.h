@@ -13,7 +13,7 @@ namespace insonate::review {
 class AttemptPage;
 class ReplayScene;
 
-/// The patient in 3D beside the replay, with its settings below it.
+/// The patient in 3D beside the replay, with the settings of the 3D view below.
 class SceneFeature final : public Feature {
   Q_OBJECT
 

@@ -12,8 +12,8 @@ namespace insonate::review {
 class ReviewSession;
 
 /// Shows the attempt from left to right: moments as marks, whose shape and color show their severity, and lanes of the
-/// hands' movements. Comments have a lane of their own, if there are any. A click or drag sets the time; a click on a
-/// mark sets the mark's time. The wheel zooms about the pointer, a double click shows the whole attempt.
+/// movements of probe and needle. Comments, if there are any, have a lane of their own. A click or drag sets the time;
+/// a click on a mark sets the mark's time. The wheel zooms about the pointer; a double click shows the whole attempt.
 class Timeline : public QWidget {
  public:
   explicit Timeline(ReviewSession& session, QWidget* parent = nullptr);
@@ -52,7 +52,7 @@ class Timeline : public QWidget {
 
   ReviewSession& session_;
   std::int64_t first_us_ = 0, last_us_ = 0;
-  QPixmap lanes_;  ///< all but the cursor; null if it must be painted again
+  QPixmap lanes_;  ///< all contents except the cursor; null if they must be painted again
   std::vector<TimelineComment> comments_;
   bool dragging_ = false;
 };

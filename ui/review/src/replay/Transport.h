@@ -14,7 +14,7 @@ namespace insonate::review {
 
 class ReviewSession;
 
-/// Controls for play and stop, speed, moments and time, with a description of the hands at the present time.
+/// Controls for play and stop, speed, moments and time, with a description of probe and needle at the present time.
 class Transport : public QWidget {
  public:
   /// `commands` holds the commands of the buttons, "review.replay.play" and others.

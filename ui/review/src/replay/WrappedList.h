@@ -8,7 +8,7 @@ class QPainter;
 
 namespace insonate::review {
 
-/// A list whose rows are as high as their wrapped texts, each with a mark of the timeline.
+/// A list whose rows are as high as their wrapped texts. Each row has a mark as on the timeline.
 class WrappedList : public QListWidget {
  public:
   explicit WrappedList(QWidget* parent = nullptr);

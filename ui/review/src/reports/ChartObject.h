@@ -10,7 +10,7 @@
 
 namespace insonate::review {
 
-/// Draws charts in the text of a document, each as one character whose format has its index.
+/// Draws charts in the text of a document. Each chart is one character, whose format contains the index of the chart.
 class ChartObject final : public QObject, public QTextObjectInterface {
   Q_OBJECT
   Q_INTERFACES(QTextObjectInterface)

@@ -18,8 +18,8 @@ struct PaperSlice {
 };
 
 /// Divides a document that is laid out without pages into pages of this height. A row of a table, a line of text and a
-/// chart stay whole, and a heading stays with what follows it. Only a row or a paragraph that is higher than a page is
-/// divided, between two lines.
+/// chart stay whole, and a heading stays on the page of the text that follows it. Only a row or a paragraph that is
+/// higher than a page is divided, between two lines.
 std::vector<PaperSlice> slicesOf(const QTextDocument& document, double height);
 
 }  // namespace insonate::review

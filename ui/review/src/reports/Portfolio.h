@@ -18,7 +18,7 @@ struct Portfolio {
   PersonFacts person{};
   std::vector<KeptAttempt> attempts{};  ///< all attempts, in the order in which they were begun
   std::vector<KeptForm> judgements{};   ///< checklists and ratings, in the order of submission
-  std::string reader{};                 ///< full name of the user who reads it
+  std::string reader{};                 ///< full name of the user who reads the portfolio
 };
 
 /// Queries a portfolio on the account's thread; `curriculum` is that of the person's class.
@@ -27,14 +27,15 @@ Result<Portfolio> readPortfolio(const SignedIn& by, const std::string& person,
 
 /// Size of the drawing of one level's curves, in pixels of the screen.
 inline constexpr QSizeF kCurves_px{665, 250};
-/// Draws the curves of each level that has attempts, as vectors. For the window's thread, since charts are widgets.
+/// Draws the curves of each level that has attempts, as vectors. May be used only on the window's thread, since charts
+/// are widgets.
 std::vector<QPicture> curvesOf(const Portfolio& portfolio);
 
 /// Text of the portfolio, without the curves.
 QString portfolioText(const Portfolio& portfolio);
 
 /// Writes a portfolio as PDF: levels, tests, curves, checklists and ratings, attempts. The text fits both A4 and Letter
-/// at actual size. The file is first written under another name and then renamed. For any thread.
+/// at actual size. The file is first written under another name and then renamed. May be used on any thread.
 Result<void> writePortfolio(const QString& file, const Portfolio& portfolio, const std::vector<QPicture>& curves,
                             QPageSize::PageSizeId paper, const Progress& progress);
 

@@ -20,7 +20,7 @@ class PaperColumn {
   void heading(const QString& words);
   /// Writes a paragraph; the present position moves down by its height.
   void paragraph(const QString& words, const QColor& colour);
-  /// Writes a cell in the present line; a text that is too wide is cut.
+  /// Writes a cell in the present line; text beyond the width is cut off.
   void cell(double left, double width, const QString& words, const QColor& colour, int align = Qt::AlignLeft);
   /// Writes wrapped text from the present line on; y() does not change.
   void lines(double left, double width, const QString& words, const QColor& colour);

@@ -27,15 +27,15 @@ class SaveMenu final : public QMenu {
 
   void savePage(const QString& file);
   void saveTable(const QString& file);
-  /// Writes the person's portfolio as PDF in the background, with progress in the task bar, after the task that runs
-  /// there.
+  /// Writes the person's portfolio as PDF in the background, with progress in the task bar. If a task is running there,
+  /// the portfolio is written after that task.
   void savePortfolio(const QString& file);
   /// Saves all attempts as statements of a site with this home page; the data are queried and written on the account's
   /// thread.
   void saveXapi(const QString& file, const QString& homePage);
 
  Q_SIGNALS:
-  /// Emitted when a file was written. `folder` is empty if it is written later.
+  /// Emitted when a file was written. `folder` is empty if the file will be written later.
   void written(const QString& sentence, const QString& folder);
   void failed(const QString& what, const QString& advice);
 

@@ -15,7 +15,7 @@ class MetricTableView : public QTableWidget {
   enum Column { kName, kValue, kNovice, kBar, kExpert, kColumns };
 
   explicit MetricTableView(QWidget* parent = nullptr);
-  /// Shows scores, those with novice and expert values first. Empty: no scores.
+  /// Shows scores. Scores with novice and expert values come first. Empty: no scores.
   void show(const std::vector<MetricScore>& scores);
 
  private:

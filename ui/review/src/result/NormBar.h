@@ -8,9 +8,9 @@
 
 namespace insonate::review {
 
-/// Paints a value between the values of novices (left) and experts (right), whichever is the larger number: a band
-/// between the two, and a mark for the value, which is an arrow if the value is beyond an end. Paints nothing if one of
-/// the three is missing.
+/// Paints a value between the values of novices (left) and experts (right), whichever of the two is the larger number:
+/// a band from one to the other, and a mark at the value. If the value is beyond an end of the band, the mark is an
+/// arrow. Paints nothing if one of the three values is missing.
 void paintNormBar(QPainter& painter, const QRectF& place, const MetricScore& score, const ui::Ink& ink);
 
 }  // namespace insonate::review

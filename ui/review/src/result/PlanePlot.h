@@ -14,8 +14,9 @@ namespace insonate::review {
 /// The section through the patient on which the tip's path in the image plane is drawn.
 struct PlaneSection {
   std::int64_t time_us = 0;  ///< time of the probe pose that defines the section
-  QRectF place_mm;           ///< lateral from left to right, depth downward
-  QImage structures;         ///< transparent except for vessels, bone, air and skin; null without a case
+  QRectF place_mm;           ///< rectangle of the section: lateral from left to right, depth downward
+  QImage structures;         ///< image of the structures: vessels, bone, air and skin; transparent elsewhere; null
+                             ///< without a case
 };
 
 /// Computes the section in the image plane at the time when the vein was first reached, else when the needle was

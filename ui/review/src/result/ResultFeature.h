@@ -9,7 +9,8 @@ class PathPane;
 class ResultPage;
 class SceneFeature;
 
-/// Result of the open attempt: points and metrics in the center, the needle's path below 3D, and the result as a file.
+/// Result of the open attempt: points and metrics in the center, the needle's path below 3D, and the export of the
+/// result to a file.
 class ResultFeature final : public Feature {
  public:
   ResultFeature(const ReviewModel& model, AttemptPage& page, SceneFeature& scene);

@@ -13,8 +13,8 @@ class JudgeDesk;
 class MetricTableView;
 class ReviewSession;
 
-/// Result of an attempt: points, for a test whether it was open, advice, critical errors, and every metric beside
-/// published values.
+/// Result of an attempt: points, advice, critical errors, and every metric beside published values; for a test, also
+/// whether the test was open.
 class ResultPage : public QWidget {
  public:
   ResultPage(ReviewSession& session, const JudgeDesk& judging, QWidget* parent = nullptr);
@@ -43,7 +43,7 @@ class PathPane : public QWidget {
   PlaneSection section_;
 };
 
-/// Return the points, "74" or "–", and a sentence about them.
+/// pointsOf() returns the points, "74" or "–"; pointsNoteOf() returns a sentence about the points.
 QString pointsOf(const AttemptDigest& attempt);
 QString pointsNoteOf(const AttemptDigest& attempt);
 

@@ -10,21 +10,21 @@ class Account;
 class Commands;
 class SiteExchange;
 
-/// Menu with the account actions that are possible now: sign in, sign out, set up the first administrator, change the
+/// Menu with the account actions that are possible now: sign in, sign out, set up the first administrator, change one's
 /// own password and details.
 class AccountMenu : public QMenu {
   Q_OBJECT
 
  public:
-  /// Adds the keys of signing in and out to the window's commands.
+  /// Adds the keys for signing in and out to the window's commands.
   AccountMenu(Account& account, SiteExchange& site, Commands& commands, QWidget* window);
 
-  /// Text for the header: the user's name, for example "A. User", or "Sign in".
+  /// Returns the text for the header: the user's name, for example "A. User", or "Sign in".
   QString shortText() const;
 
   void showPeople();
   void showCurricula();
-  /// Asks at the first start who trains on this computer, once the store is known to have no people.
+  /// If the store has no people, asks the user at the first start who trains on this computer.
   void askAtFirstStart();
   void askAlone();
   void askSetUp();

@@ -19,8 +19,8 @@ namespace insonate::ui {
 
 class Account;
 
-/// Imports a class list (CSV). First shows what the import would do with each line, then imports all lines or none.
-/// Shows the first passwords once, to be saved or printed.
+/// Imports a class list (CSV). The dialog first shows what the import would do with each line, and then imports all
+/// lines or none. It shows the first passwords only once, for saving or printing.
 class ClassListDialog : public QDialog {
   Q_OBJECT
 
@@ -63,7 +63,7 @@ class ClassListDialog : public QDialog {
   QString path_;  ///< path of the class list
   std::vector<ClassImportRow> plan_;
   std::vector<FirstPassword> passwords_;  ///< passwords of the people who were added
-  bool handedOut_ = false;                ///< the passwords were saved or printed
+  bool handedOut_ = false;                ///< true: the passwords were saved or printed
   int round_ = 0;                         ///< number of the last chosen file; results about earlier files are dropped
   std::shared_ptr<Work> work_;
   QTimer looking_;

@@ -14,8 +14,8 @@ class QPushButton;
 
 namespace insonate::ui {
 
-/// A dialog with a few fields and one button. Its action takes a moment and may fail: then the dialog stays open with
-/// the entries and shows the reason.
+/// A dialog with a few fields and one button. The button's action takes a moment and may fail. After a failure the
+/// dialog stays open with the entries and shows the reason.
 class EntryDialog : public QDialog {
   Q_OBJECT
 
@@ -25,15 +25,15 @@ class EntryDialog : public QDialog {
     QString label, tip;
     QString text{};
     bool secret = false;
-    QStringList choices{};  ///< if not empty, the user selects one of these instead of typing
+    QStringList choices{};  ///< choices from which the user selects a value; empty: the user types a text
   };
-  /// Performs the action and calls `done`; the dialog closes if the action succeeded.
+  /// Function that performs the action and then calls `done`. The dialog closes if the action has succeeded.
   using Action = std::function<void(const QStringList& texts, std::function<void(Result<void>)> done)>;
 
   EntryDialog(const QString& title, const QString& explanation, const std::vector<Entry>& entries,
               const QString& button, Action action, QWidget* parent);
 
-  /// Adds a button that closes the dialog and does something else instead. `name`: object name of the button.
+  /// Adds a button that closes the dialog and calls `instead`. `name`: object name of the button.
   void offer(const char* name, const QString& text, const QString& tip, std::function<void()> instead);
 
  private:

@@ -8,12 +8,12 @@
 
 namespace insonate::ui {
 
-/// Sign-in that one user keeps on this computer, in a file that only its owner can read: a token, or the generated
-/// password of a user who has not chosen one.
+/// Data with which one user stays signed in on this computer, in a file that only its owner can read: a token, or the
+/// generated password of a user who has not chosen one.
 struct KeptSignIn {
-  std::string name{};               ///< for signing in; empty if nothing is kept
-  std::string token{};              ///< of PeopleStore::staySignedIn()
-  std::string generatedPassword{};  ///< empty if there is a token
+  std::string name{};               ///< name for signing in; empty if no data are kept
+  std::string token{};              ///< token that PeopleStore::staySignedIn() made
+  std::string generatedPassword{};  ///< generated password; empty if there is a token
 };
 
 /// Reads the file; returns an empty result if it is missing or damaged.

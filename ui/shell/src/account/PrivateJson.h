@@ -7,7 +7,7 @@
 
 namespace insonate::ui {
 
-/// Reads a file of writePrivateJson(); empty if there is none or it cannot be read.
+/// Reads a file that writePrivateJson() wrote; empty if the file is missing or cannot be read.
 QJsonObject readPrivateJson(const std::filesystem::path& file);
 /// Writes a file that only its owner can read. On failure the former file is unchanged.
 Result<void> writePrivateJson(const std::filesystem::path& file, const QJsonObject& json);

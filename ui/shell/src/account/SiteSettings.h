@@ -12,18 +12,20 @@ namespace insonate::ui {
 /// The server of the site to which a database of this computer belongs.
 struct SiteSettings {
   QString address{};        ///< https://HOST of insonate-server, or postgresql://USER@HOST/DATABASE; empty: no server
-  std::string token{};      ///< this computer's token; for https only
-  QString authorityFile{};  ///< file (PEM) of the authority that signed the server's certificate; empty: the system's
+  std::string token{};      ///< token of this computer; used only with an https address
+  QString authorityFile{};  ///< file (PEM) with the certificate of the authority that signed the server's certificate;
+                            ///< empty: the authorities that the system trusts
 
   bool isHttp() const;
 };
 
 /// Reads the settings: the address from the user's settings, the token from a file beside the database.
 SiteSettings readSiteSettings(const QString& database);
-/// Writes the settings; the file with the token is readable by its owner alone. Fails if it cannot be written.
+/// Writes the settings. Only the owner of the file with the token can read the file. Fails if the settings cannot be
+/// written.
 Result<void> writeSiteSettings(const QString& database, const SiteSettings& settings);
 
-/// Makes the exchange with the server. For an address of a database, this opens the database.
+/// Makes the exchange with the server. If the address is that of a database, this opens the database.
 Result<SiteUpload> siteUploadOf(const CurriculumStore& here, const SiteSettings& settings,
                                 const StoreServices& services);
 

@@ -9,11 +9,11 @@
 
 namespace insonate::ui {
 
-/// Folder of a built-in neck in the user's cache; its name depends on the program's version.
+/// Returns the folder of a built-in neck in the user's cache. The folder's name depends on the program's version.
 QString builtInFolder(const QString& variant);
 
-/// Reads a built-in neck (cases/Phantom.h) from `folder` or, if it is not there, generates it. A generated neck is
-/// returned at once and written to `folder` in the background; a failure to write it is ignored.
+/// Reads a built-in neck (cases/Phantom.h) from `folder`. If the folder does not contain the neck, generates it: the
+/// generated neck is returned at once and written to `folder` in the background; a failure to write it is ignored.
 Result<std::shared_ptr<const PatientCase>> builtInCase(const QString& variant, const QString& folder,
                                                        const Progress& progress);
 

@@ -21,8 +21,8 @@ struct OpenCase {
   std::vector<CaseEdit> edits;
 };
 
-/// Menu actions that export the open case to other programs, import labels from other programs, and crop the case to a
-/// new one. All actions work on a copy that includes unsaved changes.
+/// Menu actions that export the open case to other programs, import labels from other programs, and crop the case to
+/// make a new case. All actions work on a copy that includes unsaved changes.
 class CaseExchange : public QObject {
   Q_OBJECT
 
@@ -33,8 +33,8 @@ class CaseExchange : public QObject {
   void addTo(QMenu& menu);
   void setEnabled(bool enabled);
 
-  /// Reads the labels of a file, shows how they are understood, and replaces the case's labels if the user agrees.
-  /// `names`: file that names the numbers of a label map; empty: none.
+  /// Reads the labels of a file, shows how the program understands them, and replaces the case's labels if the user
+  /// agrees. `names`: file that names the numbers of a label map; empty: no such file.
   void importLabels(const QString& file, const QString& names = {});
   void crop(const CropOptions& options);
 

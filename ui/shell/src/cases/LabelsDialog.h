@@ -13,23 +13,23 @@ class QVBoxLayout;
 
 namespace insonate::ui {
 
-/// Facts about labels that take a pass over all voxels.
+/// Facts about labels whose computation takes a pass over all voxels.
 struct LabelsPreview {
-  QImage slice;                           ///< see labelPreview()
+  QImage slice;                           ///< image of a slice with the labels, as labelPreview() returns it
   std::array<std::size_t, 256> voxels{};  ///< number of voxels by label
 };
 
-/// Computes the preview of labels on the grid of `ct`. For any thread.
+/// Computes the preview of labels on the grid of `ct`. May be used on any thread.
 LabelsPreview labelsPreviewOf(const CtVolume& ct, const LabelReadResult& read);
 
-/// Shows how the labels of a file are understood, with a slice of the CT, before they replace the case's labels. If the
-/// file does not say what its numbers mean, they are accepted only once the user states that they are this program's
-/// numbers, or names them by another file.
+/// Shows how the program understands the labels of a file, with a slice of the CT, before the labels replace the case's
+/// labels. If the file does not say what its numbers mean, the dialog accepts the labels only after the user has stated
+/// that the numbers are this program's numbers, or has chosen a file that names the numbers.
 class LabelsDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `read` is only used while the dialog is made.
+  /// `read` is used only in the constructor.
   LabelsDialog(const QString& fileName, const LabelReadResult& read, const LabelsPreview& preview, QWidget* parent);
 
  Q_SIGNALS:
@@ -38,7 +38,8 @@ class LabelsDialog : public QDialog {
  private:
   void addUnnamed(QVBoxLayout& box);
 
-  QCheckBox* areOurs_ = nullptr;  ///< null if the file names its structures
+  QCheckBox* areOurs_ = nullptr;  ///< check box with which the user states that the numbers are this program's; null
+                                  ///< if the file names its structures
   QPushButton* replace_;
 };
 

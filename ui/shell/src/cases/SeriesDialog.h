@@ -19,14 +19,14 @@ class TaskBar;
 /// The user's choices for an import.
 struct ImportChoice {
   std::string uid;
-  bool label = true;                   ///< label the case automatically
+  bool label = true;                   ///< true: label the case automatically
   std::optional<int> shift_HU{};       ///< value for shiftValues(), if a shift was offered and accepted
-  bool saturate = false;               ///< import also if values exceed the range of a case
+  bool saturate = false;               ///< true: import the series even if values exceed the range of a case
   std::shared_ptr<ImportedCt> read{};  ///< the series, if it was already read for the preview
 };
 
-/// Lets the user choose a series of a folder to import. Lists what the scanner calls the series, its date, size,
-/// spacing and warnings, and shows the middle slice of the selected series.
+/// Lets the user choose a series of a folder to import. The dialog lists the scanner's description of each series, its
+/// date, size, spacing and warnings, and shows the middle slice of the selected series.
 class SeriesDialog : public QDialog {
   Q_OBJECT
 
@@ -41,7 +41,7 @@ class SeriesDialog : public QDialog {
   void arrange();
   void showChosen();
   void preview();
-  /// Shows data that are known only after the voxels were read.
+  /// Shows data that become known only when the voxels are read.
   void showWhatWasRead();
   void showPicture();
   void refreshImport();

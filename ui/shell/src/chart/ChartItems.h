@@ -7,7 +7,7 @@ class QwtPlot;
 
 namespace insonate::ui {
 
-/// Replaces the contents of a plot by a chart's.
+/// Replaces the contents of a plot by the contents of a chart.
 void fillPlot(QwtPlot& plot, const ChartPicture& picture, const Ink& ink);
 
 }  // namespace insonate::ui

@@ -11,14 +11,14 @@
 
 namespace insonate::ui {
 
-/// A QSpinBox or QDoubleSpinBox that explains rejected input in a sentence under the field: a letter is ignored, and a
-/// number out of range is replaced by the nearest permitted one. Accepts a comma or a point before decimals.
+/// A QSpinBox or QDoubleSpinBox that explains rejected input in a sentence under the field. A letter is ignored, and a
+/// number out of range is replaced by the nearest permitted number. Accepts a comma or a point before decimals.
 template <class SpinBox>
 class NumberBox : public SpinBox {
   using Value = decltype(std::declval<SpinBox>().value());
 
  public:
-  /// `name` begins each of the sentences.
+  /// `name` is the beginning of each sentence.
   explicit NumberBox(const QString& name, QWidget* parent = nullptr) : SpinBox(parent), name_(name) {
     QObject::connect(this->lineEdit(), &QLineEdit::inputRejected, this,
                      [this] { tell(said("%1 takes a number from %2 to %3.").arg(name_, least(), most())); });

@@ -17,8 +17,8 @@ namespace insonate::ui {
 
 class Account;
 
-/// The store's curricula and the selected one, without a widget. A draft is saved in the store a moment after each
-/// change and when another curriculum is selected. For the window's thread.
+/// The store's curricula, and the selected curriculum. Uses no widgets. A draft is saved in the store a moment after
+/// each change, and when another curriculum is selected. May be used only on the window's thread.
 class CurriculumDesk : public QObject {
   Q_OBJECT
 
@@ -34,8 +34,8 @@ class CurriculumDesk : public QObject {
   /// Selects a curriculum as soon as the changes of the present one are stored. If the store refuses the changes, the
   /// present curriculum stays selected.
   void choose(const OfferedCurriculum& offer);
-  /// Saves the draft, then calls `go`, or `refused` if the store does not accept the draft. Calls `go` at once if
-  /// nothing is unsaved or the draft is contested.
+  /// Saves the draft, then calls `go`, or `refused` if the store does not accept the draft. Calls `go` at once if there
+  /// are no unsaved changes or the draft is contested.
   void afterSaving(std::function<void()> go, std::function<void()> refused);
 
   /// The selected curriculum; null until it is read.
@@ -55,8 +55,8 @@ class CurriculumDesk : public QObject {
 
   /// Tells whether the store has the present state of the draft.
   bool isSaved() const { return saved_; }
-  /// Tells whether another user has saved a different state of the draft. Then nothing is saved until reloadDraft() or
-  /// overwriteTheirs() is called.
+  /// Tells whether another user has saved a different state of the draft. In that case, no changes are saved until
+  /// reloadDraft() or overwriteTheirs() is called.
   bool isContested() const { return contested_; }
   void reloadDraft();
   void overwriteTheirs();

@@ -14,12 +14,12 @@ namespace insonate::ui {
 /// A curriculum that can be selected.
 struct OfferedCurriculum {
   enum class Kind {
-    Draft,      ///< being written; may be incomplete
-    Published,  ///< cannot be changed
+    Draft,      ///< a curriculum that is being written; may be incomplete
+    Published,  ///< a published version, which cannot be changed
     Preset,     ///< supplied with the program; published when an instructor first assigns it to a class
   };
   std::string name{};
-  int version = 0;  ///< 0 for a draft, whose text has its future version
+  int version = 0;  ///< version; 0 for a draft, whose text contains its future version
   Kind kind = Kind::Published;
 
   bool operator==(const OfferedCurriculum&) const = default;
@@ -34,14 +34,14 @@ Result<std::string> textOf(const SignedIn& by, const OfferedCurriculum& offered)
 /// Assigns a published version or a preset to a class.
 Result<void> teachBy(const SignedIn& by, const OfferedCurriculum& taught, const std::string& cohort);
 
-/// A draft as it is in the store.
+/// A draft in its stored state.
 struct KeptDraft {
   std::string name{}, text{};
 };
-/// Returns the draft for the next version after the newest published one. Creates it if there is none; an existing
-/// draft is returned unchanged.
+/// Returns the draft for the next version after the newest published one. Creates this draft if there is none; an
+/// existing draft is returned unchanged.
 Result<KeptDraft> draftFrom(const SignedIn& by, const OfferedCurriculum& taught);
-/// Creates a draft whose first level is empty. Fails if a curriculum of this name exists.
+/// Creates a draft with one empty level. Fails if a curriculum of this name exists.
 Result<KeptDraft> newDraft(const SignedIn& by, const std::string& name);
 /// Saves the draft, publishes it and deletes the draft. `before` as in PublishedCurricula::saveDraft().
 Result<void> publishDraft(const SignedIn& by, const Curriculum& draft, const std::string& before);

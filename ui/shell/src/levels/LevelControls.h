@@ -11,7 +11,7 @@ namespace insonate::ui {
 /// A change of one level. It is emitted together with the name of the changed field, as in CurriculumDesk::edit().
 using LevelEdit = std::function<void(Level&)>;
 
-/// Sets a text without moving the cursor while the user types.
+/// Sets a field's text without moving the cursor while the user types.
 template <class Field>
 void showText(Field& field, const QString& text) {
   if (field.text() != text) field.setText(text);

@@ -16,8 +16,8 @@ class QTableWidget;
 
 namespace insonate::ui {
 
-/// Editor of the passing standard of one attempt: points, metric standards, and the number of standards to be met. In
-/// any case an attempt must be completed and succeed without a critical error.
+/// Editor of the passing standard of one attempt: points, metric standards, and the number of metric standards that
+/// must be met. In any case an attempt must be completed and must succeed without a critical error.
 class StandardsEditor final : public QWidget {
   Q_OBJECT
 

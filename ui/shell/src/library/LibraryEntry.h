@@ -10,7 +10,7 @@ namespace insonate::ui {
 /// One case of the library, with the facts read so far.
 struct LibraryEntry {
   enum class State {
-    Waiting,  ///< only place and title are known so far
+    Waiting,  ///< only folder and title are known so far
     Known,
     Broken  ///< the case cannot be read; `trouble` says why
   };
@@ -18,13 +18,13 @@ struct LibraryEntry {
   QString place;  ///< the case's folder, or the name of a built-in case
   bool builtIn = false;
   QString title, description;
-  int version = 0;  ///< 0: no version
+  int version = 0;  ///< number of the version; 0: no version
   QString date;     ///< date of the version
 
   State state = State::Waiting;
   QString trouble;
-  QString grade;        ///< "easy", "moderate", "hard" or empty
-  bool graded = false;  ///< graded by the case's author; else estimated
+  QString grade;        ///< grade: "easy", "moderate", "hard" or empty
+  bool graded = false;  ///< true: the case's author has set the grade; false: the grade is estimated
   QString reason;       ///< sentence about the reason for the grade or, without a grade, about what is missing
   QStringList structures;
   bool fit = false;

@@ -12,15 +12,16 @@ namespace insonate::ui {
 /// Folder in the user's cache that stores facts about cases between program starts.
 QString libraryCache();
 
-/// Returns, sorted, the folders that are cases among these folders and their direct subfolders.
+/// Returns those folders that contain a case, sorted; searches the given folders and their direct subfolders.
 QStringList casesIn(const QStringList& folders);
 
-/// Returns the facts that are known without reading volumes: place, title and version; for a broken case, the reason.
+/// Returns the facts that are known without reading volumes: folder, title and version; for a case that cannot be read,
+/// the reason.
 LibraryEntry listedCase(const QString& place, bool builtIn);
 
-/// Reads the case or its cached facts, and fills in images, grade and fitness. The cache's key depends on the case's
-/// state and contains no names or paths. Takes seconds for a new case. Call it on a background thread. Returns null if
-/// stopped.
+/// Reads the case or its cached facts, and adds images, grade and fitness for training. The cache's key depends on the
+/// case's state and contains no names or paths. Takes seconds for a new case. Call it on a background thread. Returns
+/// null if stopped.
 LibraryEntry knownCase(LibraryEntry listed, const QString& cache, const Progress& progress);
 
 }  // namespace insonate::ui

@@ -18,8 +18,8 @@ namespace insonate::ui {
 class LibraryFilter;
 class LibraryModel;
 
-/// Shows all available cases with contents and difficulty: those in the folders that the user has added, and the
-/// built-in necks. A background thread reads them one after the other while the window is open.
+/// Shows all available cases with contents and difficulty: the cases in the folders that the user has added, and the
+/// built-in necks. While the window is open, a background thread reads the cases one after the other.
 class LibraryWindow final : public QDialog {
   Q_OBJECT
 

@@ -20,10 +20,10 @@ class EyeControls : public QWidget {
  public:
   explicit EyeControls(std::shared_ptr<views::SceneView> scene, QWidget* parent = nullptr);
 
-  /// Updates the controls from the scene and from what its window supports.
+  /// Updates the controls from the scene and from the stereo modes that the scene's window supports.
   void refresh();
-  /// Saves the numbers, also while the view is off. The stereo mode is not saved, since it depends on the glasses in
-  /// use.
+  /// Saves the numbers, even while the head-coupled view is off. The stereo mode is not saved, since it depends on the
+  /// glasses in use.
   void save(QSettings& settings) const;
   void restore(QSettings& settings);
 

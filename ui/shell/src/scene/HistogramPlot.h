@@ -9,8 +9,8 @@
 
 namespace insonate::ui {
 
-/// Plot of a histogram with the transfer function over it, whose nodes can be dragged. The plot does not change the
-/// function itself: it requests changes by edited() and shows the function that it is given.
+/// Plot of a histogram with the transfer function drawn over it. The user can drag the nodes of the function. The plot
+/// does not change the function itself: edited() requests changes, and the plot shows the function that it is given.
 class HistogramPlot : public QWidget {
   Q_OBJECT
 

@@ -15,8 +15,8 @@ namespace insonate::ui {
 class CaseExchange;
 class TaskBar;
 
-/// The open case: opens, replaces and saves it, gives it to the workspaces, collects their edits, and asks before
-/// something would be lost. Its only widgets are dialogs.
+/// Manages the open case: opens, replaces and saves the case, passes it to the workspaces, collects their edits, and
+/// asks the user before data would be lost. Its only widgets are dialogs.
 class CaseDesk : public QObject {
   Q_OBJECT
 
@@ -29,7 +29,7 @@ class CaseDesk : public QObject {
 
   const LoadedCase& current() const { return case_; }
   CaseExchange& exchange() { return *exchange_; }
-  /// Tells whether workspaces have unsaved changes about which to ask.
+  /// Tells whether workspaces have unsaved changes about which the user must be asked.
   bool isChanged() const { return !unsavedEdits().empty(); }
   /// Tells whether save() would write something.
   bool isSaveUseful() const;
@@ -38,13 +38,13 @@ class CaseDesk : public QObject {
   /// Tells whether the case has never been on disk.
   bool isWithoutFolder() const;
 
-  /// Opens a case folder, a DICOM folder or a volume file. This and the next functions ask first if something would be
-  /// lost.
+  /// Opens a case folder, a DICOM folder or a volume file. This function and the following ones ask the user first if
+  /// data would be lost.
   void open(const QString& path);
   void openBuiltIn(const QString& variant);
   /// Reads the case from its folder again; no effect for a case that is not on disk.
   void reload();
-  /// Replaces the case by one that was made from it and is not on disk; does not ask.
+  /// Replaces the open case by a case that was made from it and is not on disk. Does not ask the user.
   void take(std::shared_ptr<const PatientCase> patient);
 
   /// Writes the case with all edits to its folder; asks for a folder if it has none.
@@ -54,7 +54,7 @@ class CaseDesk : public QObject {
 
   /// Returns everything that closing the window or opening another case would lose.
   Loss loss() const;
-  /// Calls `go` now if nothing would be lost, else when the user has agreed or the case is saved.
+  /// Calls `go` now if nothing would be lost; else calls it after the user has agreed or the case was saved.
   void confirmDiscard(LostBy by, std::function<void()> go);
 
  Q_SIGNALS:
@@ -65,7 +65,7 @@ class CaseDesk : public QObject {
   void said(const QString& sentence, const QString& folder);
   /// Emitted after an error. `what` says what happened, `advice` what to do.
   void failed(const QString& what, const QString& advice, const QString& details);
-  /// Emitted besides failed() if the case could not be read or written.
+  /// Emitted in addition to failed() if the case could not be read or written.
   void loadFailed(const QString& what);
 
  private:

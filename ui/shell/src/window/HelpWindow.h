@@ -18,7 +18,7 @@ class HelpWindow : public QDialog {
   explicit HelpWindow(QWidget* parent);
 
   void setShortcuts(const std::vector<ShortcutGroup>& groups);
-  /// Shows a page by its file's name; the first page if there is no such file.
+  /// Shows the page with this file name; the first page if there is no such file.
   void showPage(const QString& name);
   void showKeys();
   QString shownText() const;

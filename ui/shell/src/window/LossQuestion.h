@@ -5,12 +5,13 @@
 
 namespace insonate::ui {
 
-/// Losses about which to ask before closing or opening; all members may be empty.
+/// Data and activities that would be lost, about which the user is asked before closing the window or opening another
+/// case. All members may be empty.
 struct Loss {
   QString job;           ///< title of the running job: "Importing neck-ct"
-  QString ending;        ///< sentence about activity that would end, for example an attempt in progress
+  QString ending;        ///< sentence about an activity that would end, for example an attempt in progress
   QString title;         ///< title of a case with unsaved changes
-  bool nowhere = false;  ///< that case has never been saved to disk
+  bool nowhere = false;  ///< true: the case in `title` has never been saved to disk
 
   bool isWork() const { return !job.isEmpty() || !ending.isEmpty(); }
   explicit operator bool() const { return isWork() || !title.isEmpty(); }
@@ -18,7 +19,8 @@ struct Loss {
 
 enum class LostBy { Closing, Opening };
 
-/// Asks before closing the window or opening another case would lose something. The work continues meanwhile.
+/// Asks the user before something is lost because the window closes or another case opens. The work continues
+/// meanwhile.
 class LossQuestion : public QDialog {
   Q_OBJECT
 

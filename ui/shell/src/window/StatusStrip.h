@@ -8,7 +8,7 @@ class QToolButton;
 
 namespace insonate::ui {
 
-/// The window's bottom line: the last event or the next thing to do, the engine and its rate, help.
+/// The window's bottom line: the last event or the next thing to do, the engine and its frame rate, help.
 class StatusStrip : public QFrame {
   Q_OBJECT
 
@@ -17,7 +17,8 @@ class StatusStrip : public QFrame {
 
   /// Sets the text about the next thing to do; shown if there is no recent event.
   void setStanding(const QString& text);
-  /// Shows an event; the text of setStanding() returns after a while. If `folder` is given, a link opens it.
+  /// Shows an event; after a while the text of setStanding() is shown again. If `folder` is given, a link opens the
+  /// folder.
   void say(const QString& text, const QString& folder = {});
   /// Shows the engine. `note` says why this engine was chosen; may be empty.
   void setEngine(const QString& text, const QString& note);

@@ -16,11 +16,12 @@ class AttemptControl;
 class DisclosureModel;
 class LiveModel;
 
-/// Returns the aim of a needle in an image plane. A needle that is nearer than 30 degrees to the plane, with its tip in
-/// the slice, is aimed in-plane and has a line; otherwise it has the point in which it will cross the plane, if any.
+/// Returns the aim of a needle in an image plane. A needle counts as aimed in-plane, and has a line, if its angle to
+/// the plane is below 30 degrees and its tip lies in the slice. Any other needle has the point at which it will cross
+/// the plane, if there is one.
 views::PictureAim aimOf(const Needle& needle, const Transform& patientFromProbe, const ImagingSetup& setup);
 
-/// The needle's aim over the image during a guided attempt, while it is switched on.
+/// Draws the needle's aim over the image during a guided attempt, while the aim is switched on.
 class AimOverlay final : public QObject {
   Q_OBJECT
 

@@ -20,8 +20,8 @@ namespace insonate::train {
 struct TrainModel;
 
 /// Runs an attempt at a procedure, from its start to its result, and records it in the user's folder. An attempt that
-/// is in progress when the case or the program is closed is saved as abandoned. Uses no widgets. For the window's
-/// thread.
+/// is in progress when the case or the program is closed is saved as abandoned. Uses no widgets. May be used only on
+/// the window's thread.
 class AttemptControl : public QObject {
   Q_OBJECT
 
@@ -31,20 +31,20 @@ class AttemptControl : public QObject {
     Starting,  ///< waiting for the case's hash and the recording's seal
     Running,
     Writing,  ///< the recording is finished on a background thread
-    Over,     ///< view() and score() are about the whole attempt
+    Over,     ///< the attempt has ended; view() and score() describe the whole attempt
   };
 
   /// `folder` receives the recordings; empty: ui::attemptsFolder().
   explicit AttemptControl(TrainModel& model, QString folder = {}, QObject* parent = nullptr);
   ~AttemptControl() override;
 
-  // Choice of the next attempt
+  // Choice of the next attempt.
   const std::vector<Procedure>& procedures() const { return procedures_; }
   const Procedure& procedure() const { return procedures_[chosen_]; }
   void choose(const std::string& procedure);
-  /// Sentence that says why no attempt can begin on this case; empty if one can, as far as is known.
+  /// Returns a sentence that says why no attempt can begin on this case; empty if no reason is known.
   QString unfit() const;
-  /// Sets a further reason why no attempt can begin, a sentence; empty: no further reason.
+  /// Sets another reason, a sentence, why no attempt can begin; empty: no such reason.
   void setObstacle(const QString& why);
   Assistance assistance() const { return assistance_; }
   void setAssistance(Assistance assistance);
@@ -56,10 +56,10 @@ class AttemptControl : public QObject {
   void start();
   void finish() { end(AttemptStatus::Completed); }
   void abandon() { end(AttemptStatus::Abandoned); }
-  /// Abandons this attempt and starts another, with the needle put away and the probe at its start pose.
+  /// Abandons this attempt and starts another one, with the needle put away and the probe at its start pose.
   void startAgain();
-  /// Makes a starting attempt wait for setSeal(), some seconds at most. Without a seal the attempt begins without proof
-  /// of origin.
+  /// Makes an attempt that is starting wait for setSeal(), at most some seconds. Without a seal, the attempt begins
+  /// without proof of origin.
   void awaitSeal() { sealIsDue_ = true; }
   /// Sets the attempt's identity in a store, and the key that belongs to its nonce.
   void setSeal(const RecordedFor& whose, const std::optional<RecordKey>& key);
@@ -78,7 +78,7 @@ class AttemptControl : public QObject {
   /// Recording of the finished attempt; empty if it could not be saved.
   QString file() const { return file_; }
 
-  // Actions of the hands other than moving probe and needle
+  // Actions of the user, except moves of probe and needle.
   bool isAspirating() const { return aspirating_; }
   void setAspirating(bool on);
   /// Takes a new needle from the tray. Refused while the old needle is in the skin.
@@ -89,9 +89,10 @@ class AttemptControl : public QObject {
 
  Q_SIGNALS:
   void stateChanged();  ///< emitted also when procedure() or assistance() has changed
-  void starting();      ///< emitted when an attempt starts; seal its recording now
+  void starting();      ///< emitted when an attempt starts; setSeal() may now seal its recording
   void begun();
-  void ended();  ///< view(), score(), status() and file() are about the whole attempt, even if its case is closed
+  void ended();  ///< emitted when the attempt has ended; view(), score(), status() and file() describe the whole
+                 ///< attempt, even if its case is closed
   void viewChanged();
   void aspiratingChanged();
   void needleReplaced();
@@ -122,8 +123,8 @@ class AttemptControl : public QObject {
   QElapsedTimer sinceStart_;
   std::shared_ptr<LiveAttempt> attempt_;
   std::future<Result<MetricValues>> writing_;
-  bool again_ = false;     ///< start another attempt when this one is written
-  bool isClosed_ = false;  ///< do not show the result of the attempt that is being written
+  bool again_ = false;     ///< true: start another attempt when the present one has been written
+  bool isClosed_ = false;  ///< true: do not show the result of the attempt that is being written
   std::shared_future<std::string> hash_;
   AttemptView view_;
   AttemptScore score_;

@@ -25,8 +25,9 @@ class HandsControl;
 class ImagingModel;
 class LiveModel;
 
-/// The panel above the controls: before an attempt the choice of procedure, during it the steps with instructions and
-/// errors, after it the result. In test mode the panel discloses nothing before the end of the attempt.
+/// The panel above the controls. Before an attempt it shows the choice of procedure, during the attempt the steps with
+/// instructions and errors, after the attempt the result. In test mode the panel discloses nothing before the end of
+/// the attempt.
 class AttemptPanel final : public QWidget {
   Q_OBJECT
 
@@ -36,23 +37,23 @@ class AttemptPanel final : public QWidget {
 
   /// Adds a card above the choice of the procedure.
   void addCard(QWidget* card);
-  /// Adds a verdict below the result's errors, and a button to the result's buttons.
+  /// Adds a verdict below the errors in the result, and a button beside the buttons of the result.
   void addToResult(QWidget* verdict, QWidget* button);
   /// Adds a switch that concerns guided attempts only.
   void addGuideOption(QWidget* option);
-  /// Dismisses the standing error, if there is one.
+  /// Dismisses the error that stays on the screen (StandingError), if there is one.
   void dismissError();
-  /// Hides the choice of procedure and assistance while a level decides both.
+  /// Hides the choice of procedure and assistance while a level determines both.
   void setProcedureFixed(bool isFixed);
 
-  /// Sets the maximum height; below it, the panel is as high as its text needs.
+  /// Sets the maximum height. If its text needs less, the panel is only as high as the text.
   void setMostHeight(int most_px);
 
  Q_SIGNALS:
   /// Emitted when the user wants to see the recording of a finished attempt.
   void reviewWanted(const QString& file);
-  /// Emitted repeatedly while an attempt runs. `object`: object name of the control for the next act; empty: no
-  /// control, or the act is not disclosed.
+  /// Emitted repeatedly while an attempt runs. `object`: object name of the control for the trainee's next action;
+  /// empty: there is no control, or the action is not disclosed.
   void actControlNamed(const QString& object);
 
  protected:

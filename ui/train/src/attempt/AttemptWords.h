@@ -10,8 +10,8 @@
 
 namespace insonate::train {
 
-/// Returns the needle's place as far as it is disclosed. Without anatomy, only whether the needle is or was in the
-/// skin.
+/// Returns that part of the needle's place which is disclosed. If anatomy is not disclosed, the result says only
+/// whether the needle is or was in the skin.
 NeedlePlace disclosed(NeedlePlace place, const Disclosure& disclosure);
 
 /// Returns "guided", "hints" or "test".

@@ -11,8 +11,8 @@ class ControlMark final : public QWidget {
   /// `window`: widget over whose controls the mark is drawn.
   explicit ControlMark(QWidget& window);
 
-  /// Marks the control with this object name while it is fully visible; empty: no control. Call it again after the
-  /// layout may have changed.
+  /// Marks the control with this object name while the control is fully visible; empty: no control. Call this function
+  /// again after the layout may have changed.
   void pointAt(const QString& control);
 
  protected:

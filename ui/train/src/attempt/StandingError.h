@@ -11,15 +11,15 @@ struct Procedure;
 
 namespace insonate::train {
 
-/// The major or critical error of an attempt that stays in sight until it is dealt with: until the needle has left the
-/// skin after it, or the trainee dismisses it.
+/// The major or critical error of an attempt that stays on the screen until the needle has left the skin after the
+/// error, or until the trainee dismisses the error.
 class StandingError {
  public:
-  /// Returns the index into AttemptView::findings of the worst error that is not dealt with, of equal ones the last;
-  /// empty: there is none.
+  /// Returns the index into AttemptView::findings of the worst error that must stay on the screen; of several equally
+  /// bad errors, the last one. Empty if there is none.
   std::optional<std::size_t> find(const Procedure& procedure, const AttemptView& view) const;
   void dismiss(std::size_t finding) { dismissed_.insert(finding); }
-  /// Begins another attempt.
+  /// Forgets which errors were dismissed, for another attempt.
   void reset() { dismissed_.clear(); }
 
  private:

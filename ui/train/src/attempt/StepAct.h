@@ -19,27 +19,27 @@ namespace insonate::train {
 class HandsControl;
 class LiveModel;
 
-/// State of the hands, from which the next act follows.
+/// State of probe, needle and pedal, which determines the trainee's next action.
 struct HandsNow {
-  bool isProbeInDevice = false;   ///< a device moves the probe; mouse and keys do not
-  bool isNeedleInDevice = false;  ///< a device is chosen for the needle; mouse and keys do not move it
-  bool hasNeedle = false;         ///< a needle is in a hand
-  bool hasPedal = false;          ///< a pedal is chosen and connected
+  bool isProbeInDevice = false;   ///< true: a device moves the probe; mouse and keys do not
+  bool isNeedleInDevice = false;  ///< true: a device is chosen for the needle; mouse and keys do not move the needle
+  bool hasNeedle = false;         ///< true: the user holds a needle
+  bool hasPedal = false;          ///< true: a pedal is chosen and connected
   bool isAspirating = false, isFrozen = false;
-  NeedlePlane plane = NeedlePlane::Along;  ///< in which mouse and keys take the needle
+  NeedlePlane plane = NeedlePlane::Along;  ///< plane in which mouse and keys take the needle
   /// Angle between skin and needle; empty: the needle cannot be turned by mouse and keys now.
   std::optional<double> angle_deg;
-  bool canTurnNeedle = false;  ///< mouse and keys can turn the needle about its entry
+  bool canTurnNeedle = false;  ///< true: mouse and keys can turn the needle about its entry point
 };
 HandsNow handsNow(HandsControl& hands, const LiveModel& live, bool isAspirating);
 
-/// The act that comes next in an attempt.
+/// The trainee's next action in an attempt.
 struct StepAct {
   QString words;    ///< one sentence with the key and the control: "Aspirate: press B, or click Aspirate."
-  QString control;  ///< object name of the control; empty: the window has no control for the act
+  QString control;  ///< object name of the control; empty: the window has no control for the action
 };
 
-/// Returns the act that leads to the due step, or that finishes the attempt if no step is due.
+/// Returns the action that leads to the step that is due, or that finishes the attempt if no step is due.
 StepAct nextAct(const Procedure& procedure, const AttemptView& view, const HandsNow& hands,
                 const ui::Commands& commands);
 

@@ -19,11 +19,12 @@ class StepList final : public QWidget {
  public:
   explicit StepList(QWidget* parent = nullptr);
 
-  /// Shows an attempt; if not `withSteps`, only its errors. `act`: the next act, shown with the due step. `standing`:
-  /// finding that is shown elsewhere. Returns whether the list needs another height than before.
+  /// Shows an attempt. If `withSteps` is false, shows only the errors of the attempt. `act`: the trainee's next action,
+  /// shown with the due step. `standing`: finding that another widget shows. Returns whether the list needs another
+  /// height than before.
   bool show(const Procedure& procedure, const AttemptView& view, bool withSteps, const QString& act,
             std::optional<std::size_t> standing);
-  /// The label of the next act, which must be in sight.
+  /// Returns the widget that describes the trainee's next action, which must be visible to the user.
   QWidget& act();
 
  private:

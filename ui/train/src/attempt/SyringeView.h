@@ -19,9 +19,9 @@ class CaseModel;
 class DisclosureModel;
 class HandsControl;
 
-/// Shows the content of the syringe during aspiration: dark red, non-pulsatile blood from a vein, bright red, pulsatile
-/// blood from an artery, air from lung and airway, and nothing from other tissue. The content stays until another
-/// needle is taken.
+/// Shows the content of the syringe during aspiration: dark red non-pulsatile blood from a vein, bright red pulsatile
+/// blood from an artery, air from lung and airway, and nothing from other tissue. The content stays until the user
+/// takes another needle.
 class SyringeView final : public QWidget {
   Q_OBJECT
 
@@ -59,7 +59,7 @@ class SyringeView final : public QWidget {
   QElapsedTimer clock_;
 };
 
-/// Returns the content that a syringe aspirates if the needle's tip is in this tissue.
+/// Returns the content that a syringe aspirates while the needle's tip is in this tissue.
 SyringeView::Content drawnFrom(Label tissue);
 
 }  // namespace insonate::train

@@ -16,8 +16,8 @@ class DeviceList;
 class HandPlots;
 class HandSection;
 
-/// Window for haptic devices: connections, assignment to hands, forces, and timing of the servo. A separate window, so
-/// that hands and image are visible at once. Uses no computing time while it is closed.
+/// Window for haptic devices: connections, assignment to probe and needle, forces, and timing of the servo. The panel
+/// is a separate window, so that the user sees it together with the image. Uses no computing time while it is closed.
 class DevicePanel final : public QDialog {
   Q_OBJECT
 
@@ -46,7 +46,7 @@ class DevicePanel final : public QDialog {
   QElapsedTimer sinceCount_;
   QHash<QString, quint64> counted_;  ///< number of state reports per device at the last count
   QHash<QString, double> rates_Hz_;
-  int known_ = -1;  ///< number of devices when the hands' lists were filled; -1: not yet
+  int known_ = -1;  ///< number of devices when the lists of devices for probe and needle were filled; -1: not yet
 };
 
 }  // namespace insonate::train

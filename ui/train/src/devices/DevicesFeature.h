@@ -10,7 +10,7 @@ namespace insonate::train {
 
 class DevicePanel;
 
-/// The feature for the hands that hold probe and needle, and for the panel of haptic devices.
+/// The feature for the devices that move probe and needle, and for the panel of haptic devices.
 class DevicesFeature final : public Feature {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class DevicesFeature final : public Feature {
   void showPanel();
 
   QAction* panelAction_ = nullptr;
-  QPointer<DevicePanel> panel_;  ///< null until the panel is first shown
+  QPointer<DevicePanel> panel_;  ///< the panel; null until it is first shown
 };
 
 }  // namespace insonate::train

@@ -9,15 +9,16 @@ class QwtPlot;
 
 namespace insonate::train {
 
-/// Plots of the forces on both hands, and of the state rates of their devices, over the last seconds.
+/// Plots of the forces on probe and needle, and of the rates at which their devices report states, over the last
+/// seconds.
 class HandPlots final : public QWidget {
  public:
   static constexpr double kLast_s = 10;
 
   explicit HandPlots(QWidget* parent = nullptr);
 
-  /// Adds a point at the present time: each hand's force in N and its device's states per second; below 0 for a hand
-  /// without a device.
+  /// Adds a point at the present time: for probe and needle, the force in N and the number of states per second from
+  /// the device; below 0 if no device is assigned.
   void add(const std::array<double, 2>& force_N, const std::array<double, 2>& rate_Hz);
   std::size_t points() const { return times_s_.size(); }
 

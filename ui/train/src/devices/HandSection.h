@@ -17,7 +17,8 @@ namespace insonate::train {
 
 class NumberField;
 
-/// Controls of one hand in the device panel: its device, the mapping to the tool, force limits, and position.
+/// Controls of probe or needle in the device panel: the assigned device, the mapping from device to tool, force limits,
+/// and position.
 class HandSection final : public QFrame {
   Q_OBJECT
 
@@ -26,8 +27,8 @@ class HandSection final : public QFrame {
 
   /// Updates the list of devices and the controls.
   void refresh();
-  /// Shows position and force of the hand; call it a few times per second. `rate_Hz`: state reports per second of the
-  /// hand's device.
+  /// Shows position and force of the tool; call it a few times per second. `rate_Hz`: state reports per second from the
+  /// tool's device.
   void show(const ServoSnapshot& now, double rate_Hz);
 
  Q_SIGNALS:

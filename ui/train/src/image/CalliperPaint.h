@@ -9,12 +9,12 @@
 
 namespace insonate::train {
 
-/// Paints calipers and their numbers over an image whose first pixel is at `origin`, in the same way as over the live
-/// image. `letter`: height of the letters in pixels.
+/// Paints calipers and their numbers over an image whose first pixel is at `origin`. They look the same as over the
+/// live image. `letter`: height of the letters in pixels.
 void paintCallipers(QPainter& painter, const BModeImage& image, QPoint origin,
                     std::span<const views::Calliper> callipers, int letter);
 
-/// Paints the measured values from `top` down, one per line: "1  12.3 mm".
+/// Paints the measured values downward from `top`, one per line: "1  12.3 mm".
 void paintMeasures(QPainter& painter, QPoint top, std::span<const views::Calliper> callipers, int letter);
 int measuresHeight(std::size_t callipers, int letter);
 

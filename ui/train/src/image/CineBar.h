@@ -19,12 +19,13 @@ namespace insonate::train {
 class CaseModel;
 class LiveModel;
 
-/// The bar under the image, of constant size: the last seconds before a freeze, and commands for the image on display.
+/// The bar under the image, with a constant size: the images of the last seconds before a freeze, and commands for the
+/// image on display.
 class CineBar : public QWidget {
   Q_OBJECT
 
  public:
-  /// `commands`: those of measuring, saving and the CT beside the image, for menus and tooltips.
+  /// `commands`: commands for measuring, saving and the CT beside the image, which appear in menus and tooltips.
   CineBar(CaseModel& patientCase, LiveModel& live, ui::Commands& commands, QWidget* parent = nullptr);
 
   /// Selects a caliper (views::CalliperKind); -1: no caliper.
@@ -38,7 +39,7 @@ class CineBar : public QWidget {
 
  Q_SIGNALS:
   void ctBesideChosen(bool shown);
-  /// Emitted when the user wants to save the image as on the screen, with overlays and the CT beside it.
+  /// Emitted when the user wants to save the image as it is on the screen, with overlays and the CT beside it.
   void saveScreen();
   void saveClip();
 
@@ -52,9 +53,9 @@ class CineBar : public QWidget {
   LiveModel& live_;
   QSlider* slider_;
   QLabel* time_;
-  std::array<QAction*, 3> measures_{};  ///< in the order of views::CalliperKind
+  std::array<QAction*, 3> measures_{};  ///< actions in the order of views::CalliperKind
   std::array<QString, 3> measureNames_;
-  int calliper_ = -1;  ///< the selected caliper
+  int calliper_ = -1;  ///< the selected caliper (views::CalliperKind); -1: none
   QAction* withMeasurements_ = nullptr;
   bool compact_ = false;
   QPushButton *measure_, *beside_, *save_;

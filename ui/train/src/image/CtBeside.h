@@ -18,8 +18,8 @@ namespace insonate::train {
 class CaseModel;
 class LiveModel;
 
-/// Shows the CT beside the ultrasound image: the same plane at the same scale, cut to the field of view, with outlines
-/// of the structures. Follows the image on display at a rate that does not slow live images.
+/// Shows the CT beside the ultrasound image: the same plane at the same scale, limited to the field of view, with
+/// outlines of the structures. The CT follows the image on display at a rate that does not slow live images.
 class CtBeside : public QObject {
  public:
   CtBeside(CaseModel& patientCase, LiveModel& live, QWidget* parent);

@@ -4,7 +4,7 @@
 
 namespace insonate::train {
 
-/// Shows its visible children at equal size, side by side, or above each other if the widget is higher than wide.
+/// Shows its visible children at equal size: side by side, or above each other if the widget is higher than wide.
 /// Images that fit their panes therefore have equal scale.
 class EqualPanes : public QWidget {
  public:

@@ -6,14 +6,15 @@
 
 namespace insonate::train {
 
-/// Gain curve as on a console: eight sliders drawn close together. If vertical, they are stacked and set the gain by
-/// depth (TGC), from the probe's face down; if horizontal, the lateral gain from left to right. Drag across the sliders
-/// to draw a curve. A double click resets one slider, with Shift all of them; arrow keys change the selected slider.
+/// Gain curve as on a console: eight sliders that are drawn close together. Vertical sliders are stacked and set the
+/// gain by depth (TGC), from the probe's face down; horizontal sliders set the lateral gain from left to right.
+/// Dragging across the sliders draws a curve. A double click resets one slider, a double click with Shift all sliders;
+/// arrow keys change the selected slider.
 class GainSliders : public QWidget {
  public:
   static constexpr double kMost_dB = 20;
 
-  /// `along`: Vertical stacks the sliders. `name` is the label, `tooltip` the explanation.
+  /// `along`: Qt::Vertical for stacked sliders. `name`: label. `tooltip`: explanation.
   GainSliders(Qt::Orientation along, const QString& name, const QString& tooltip, QWidget* parent = nullptr);
 
   void setValues(const std::array<double, 8>& gain_dB);  ///< each -20 to 20; does not call the listener

@@ -22,7 +22,8 @@ class ImagePanel;
 class Measurements;
 class StructureNames;
 
-/// The feature for the ultrasound image: settings, measurements, the last seconds, the CT beside it, and export.
+/// The feature for the ultrasound image: settings, measurements, the images of the last seconds, the CT beside the
+/// image, and export.
 class ImageFeature final : public Feature {
   Q_OBJECT
 

@@ -14,7 +14,8 @@
 
 namespace insonate::train {
 
-/// While the pointer is over the image or a CT slice, marks the same point of the patient in the other views.
+/// Marks the point of the patient under the pointer in the other views, while the pointer is over the image or a CT
+/// slice.
 class LinkedPointer : public QObject {
  public:
   LinkedPointer(CaseModel& patientCase, LiveModel& live, views::UltrasoundView& picture, QWidget& canvas,

@@ -14,7 +14,7 @@ class ImageInput;
 class SliceMeasure;
 class StatusLine;
 
-/// Measurements with calipers, on the image and on the slices of the CT.
+/// Measurements with calipers, on the image and on CT slices.
 class Measurements final : public QObject {
   Q_OBJECT
 
@@ -24,13 +24,13 @@ class Measurements final : public QObject {
 
   /// Tells whether a caliper is selected.
   bool isMeasuring() const;
-  /// Selects a caliper (views::CalliperKind); -1: no caliper. Selecting the selected caliper again deselects it.
+  /// Selects a caliper (views::CalliperKind); -1: no caliper. If the caliper is already selected, deselects it.
   void choose(int kind);
   /// Removes all measurements; the user can undo this.
   void clear();
-  /// Removes the measurements on the image, since another image is shown.
+  /// Removes the measurements on the image, because another image is shown.
   void clearImage();
-  /// Removes all measurements without undo, since another case is shown.
+  /// Removes all measurements without undo, because another case is shown.
   void forget();
 
  private:

@@ -17,10 +17,10 @@
 
 namespace insonate::train {
 
-/// Makes a file name from the case's title, date and time; without extension, valid on every file system.
+/// Returns a file name made of the case's title, date and time, without extension, which is valid on every file system.
 QString exportName(const QString& caseTitle);
 
-/// Writes an image as PNG on a background thread, on which `make` is called, too. `ended` is then called on the
+/// Writes an image as PNG on a background thread, on which `make` is also called. After that, `ended` is called on the
 /// window's thread, unless the writer was deleted before. The destructor waits for the file. The file is written
 /// completely or not at all.
 class PictureWriter : public QObject {

@@ -8,9 +8,9 @@
 
 namespace insonate::train {
 
-/// Returns the image as it is saved: at its own resolution, with a depth scale in mm on the left, the probe's marker
-/// above, and its physical size (pHYs of a PNG). Calipers are drawn over the image, and their values are listed below
-/// it. For any thread.
+/// Returns the image in the form in which it is saved: at its own resolution, with a depth scale in mm on the left, the
+/// probe's marker above, and its physical size (pHYs of a PNG). Calipers are drawn over the image, and their values are
+/// listed below it. May be called on any thread.
 QImage scaledPicture(const BModeImage& image, std::span<const views::Calliper> callipers = {});
 
 /// Returns the position, in pixels, of the image within scaledPicture().

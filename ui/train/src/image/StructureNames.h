@@ -12,9 +12,9 @@ class DisclosureModel;
 class HandsControl;
 class LiveModel;
 
-/// The names of the labeled structures over the image, while they are switched on and anatomy is disclosed. Vessels
-/// have their own names, other structures that of their label; skin, fat and soft tissue have none. Names follow the
-/// compression in the image's middle.
+/// Shows the names of labeled structures over the image, while names are switched on and anatomy is disclosed. A vessel
+/// has its own name, any other structure the name of its label; skin, fat and soft tissue have no names. Names follow
+/// the compression in the middle of the image.
 class StructureNames final : public QObject {
   Q_OBJECT
 

@@ -13,15 +13,15 @@ class Columns final : public QSplitter {
  public:
   explicit Columns(QWidget* parent);
 
-  /// Sets the columns; `patient` may be null. All their widgets must exist already, so that Tab goes through one column
-  /// after the other.
+  /// Sets the columns; `patient` may be null. All widgets of the columns must already exist, so that Tab goes through
+  /// one column after the other.
   void set(QWidget* controls, QWidget* image, QWidget* patient);
-  /// Widens the patient's column at the image's expense, or restores it.
+  /// Widens the patient's column at the expense of the image, or restores the former width.
   void expandPatient(bool isExpanded);
   /// Puts the controls on the right and the patient on the left, or the reverse.
   void setLeftHanded(bool isLeftHanded);
 
-  /// Saves the columns' widths; for an expanded patient's column, the widths before it was expanded.
+  /// Saves the columns' widths. If the patient's column is expanded, saves the widths before the expansion.
   void save(QSettings& settings);
   void restore(const QSettings& settings);
 

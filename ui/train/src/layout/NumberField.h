@@ -6,15 +6,16 @@
 
 namespace insonate::train {
 
-/// A field for a number with a unit. The number is typed, or changed by arrows and, with keyboard focus, by the wheel.
-/// Enter applies it. Invalid input is rejected with a sentence under the field, and the former number is restored.
+/// A field for a number with a unit. The user types the number, or changes it by arrow keys and, while the field has
+/// the keyboard focus, by the wheel. Enter applies the number. Invalid input is rejected with a sentence under the
+/// field, and the former number is restored.
 class NumberField : public QLineEdit {
  public:
   struct Range {
     double low, high, step;
     int decimals = 1;
   };
-  /// `unit` as printed after the number, including a space if it needs one.
+  /// `unit`: text that follows the number, including a space if the unit needs one.
   NumberField(const QString& name, const QString& unit, const Range& range, QWidget* parent = nullptr);
 
   /// Shows a value, unless the user is typing. Emits nothing.

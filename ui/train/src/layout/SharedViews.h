@@ -24,11 +24,11 @@ class SharedViews : public QObject {
   Q_OBJECT
 
  public:
-  /// Tells whether a view uses a key itself, although a command may have it.
+  /// Function that tells whether a view uses a key itself, although a command may have the key.
   using OwnKeys = std::function<bool(const QKeyEvent& event)>;
 
-  /// The image's widget becomes a child of `parent`; a layout can move it. Keys in all views go to `commands`, which
-  /// must outlive the views.
+  /// The image's widget becomes a child of `parent`; a layout can move it. Keys in all views are passed to `commands`,
+  /// which must outlive the views.
   SharedViews(const ui::Commands& commands, QWidget& parent);
 
   views::UltrasoundView& image() { return *image_; }
@@ -42,7 +42,7 @@ class SharedViews : public QObject {
   /// Registers a slice, for the features that measure and point on slices.
   void addSlice(const Slice& slice, OwnKeys ownKeys = {});
   const std::vector<Slice>& slices() const { return slices_; }
-  /// Registers another view. Its keys go to the commands, except `ownKeys`.
+  /// Registers another view. Its keys are passed to the commands, except `ownKeys`.
   void add(ui::ViewWidget& widget, OwnKeys ownKeys = {});
   /// Ends the maximized state of any view.
   void restoreSizes();
@@ -50,7 +50,7 @@ class SharedViews : public QObject {
   /// Function that returns the part of the imaging plane to show for a field of view; nullopt: the bounds stay as they
   /// are.
   using Bounds = std::function<std::optional<views::PictureBounds>(const views::PictureBounds& fieldOfView)>;
-  /// Replaces the function; by default, the field of view is shown.
+  /// Sets the function that returns the bounds; by default, the field of view is shown.
   void setBounds(Bounds bounds);
   std::optional<views::PictureBounds> boundsFor(const views::PictureBounds& fieldOfView) const;
 

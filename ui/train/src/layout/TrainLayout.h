@@ -23,7 +23,7 @@ class TrainLayout {
   /// Deletes the widgets.
   ~TrainLayout();
 
-  /// The workspace: parent of dialogs, and emitter of signals to the window.
+  /// The workspace, which is the parent of dialogs and emits signals to the window.
   ui::Workspace& workspace() { return workspace_; }
   SharedViews& views() { return *views_; }
   Columns& columns() { return *columns_; }

@@ -37,9 +37,9 @@ using KeptFacts = QFuture<std::optional<AttemptFacts>>;
 /// Stores each attempt of the signed-in user, at its beginning and at its end, with the facts of its recording; the
 /// store keeps a copy of the recording. Facts are first written on this computer, so that nothing is lost while the
 /// store cannot be reached. Waiting facts are sent once a minute, when a server is reachable again, and when the user
-/// whose facts they are signs in. Signing out ends an attempt as abandoned. Attempts of guests are not stored. The seal
-/// of the next attempt's recording is requested beforehand, so that the attempt begins at once, also while a server is
-/// unreachable. For the window's thread; no call blocks.
+/// whom the facts concern signs in. Signing out ends an attempt as abandoned. Attempts of guests are not stored. The
+/// seal of the next attempt's recording is requested beforehand, so that the attempt begins at once, even while a
+/// server is unreachable. May be used only on the window's thread; no call blocks.
 class AttemptKeeper final : public QObject {
   Q_OBJECT
 
@@ -47,11 +47,12 @@ class AttemptKeeper final : public QObject {
   AttemptKeeper(AttemptControl& attempt, QString folder, QObject* parent = nullptr);
 
   void setAccount(ui::Account& account);
-  /// Sets the function that returns the aim when an attempt begins.
+  /// Sets the function that returns curriculum and level of an attempt when the attempt begins.
   void setAim(std::function<AttemptAim()> aim) { aim_ = std::move(aim); }
-  /// Sets the function that returns the sitting of an attempt that begins now, for ended(); the store decides it.
+  /// Sets the function that returns the probable sitting of an attempt that begins now, for ended(). The store decides
+  /// the sitting.
   void setSitting(std::function<AttemptSitting(const Level&)> sitting) { sitting_ = std::move(sitting); }
-  /// Prepares the next attempt after the aim has changed.
+  /// Prepares the next attempt after the curriculum or level has changed.
   void prepare();
 
  Q_SIGNALS:
@@ -63,7 +64,7 @@ class AttemptKeeper final : public QObject {
   void said(const QString& sentence);
 
  private:
-  /// A seal for the next attempt, valid for one person and one aim.
+  /// A seal for the next attempt, valid for one person, curriculum and level.
   struct Sealed {
     AttemptFacts facts{};
     AttemptSeal seal{};
@@ -86,7 +87,7 @@ class AttemptKeeper final : public QObject {
   std::optional<AttemptFacts> facts_;  ///< facts of the running attempt
   std::optional<Sealed> next_;
   std::string starter_;     ///< id of the user who started the present attempt; "": a guest
-  bool isAwaited_ = false;  ///< a starting attempt waits for the seal
+  bool isAwaited_ = false;  ///< true: a starting attempt waits for the seal
   std::string trouble_;     ///< last error that was reported
   QTimer again_;
 };

@@ -18,8 +18,8 @@ class Account;
 
 namespace insonate::train {
 
-/// The user's curriculum, standing and attempts. The curriculum is that of one of the user's classes, else the built-in
-/// one. Guests have no standing. For the window's thread; no call blocks.
+/// The user's curriculum, progress and attempts. The curriculum is that of one of the user's classes, else the built-in
+/// curriculum. Guests have no progress. May be used only on the window's thread; no call blocks.
 class Course final : public QObject {
   Q_OBJECT
 
@@ -27,12 +27,12 @@ class Course final : public QObject {
   explicit Course(QString unsentFolder, QObject* parent = nullptr);
 
   void setAccount(ui::Account& account);
-  /// Tells whether a user is signed in, so that attempts count.
+  /// Tells whether a user is signed in, whose attempts therefore count.
   bool isSomebodys() const;
 
   /// The curriculum; null until it is known.
   const Curriculum* curriculum() const { return known_ ? &known_->curriculum : nullptr; }
-  /// Origin of the curriculum in words: the class, or built-in.
+  /// Returns the origin of the curriculum in words: the name of the class, or "built-in".
   QString origin() const;
   /// The user's state in each level, in the curriculum's order.
   const std::vector<LevelProgress>& progress() const { return progress_; }
@@ -40,10 +40,11 @@ class Course final : public QObject {
   const LevelProgress* progressIn(std::string_view level) const;
   /// Attempts in the order in which the store received them.
   std::vector<AttemptFacts> history() const { return known_ ? known_->history : std::vector<AttemptFacts>{}; }
-  /// Sentence that says why the course, or a part of it, is not known, and what to do; empty if all is known.
+  /// Returns a sentence that says why the course, or a part of it, is not known, and what to do; empty if everything is
+  /// known.
   QString trouble() const { return trouble_; }
 
-  /// A curriculum that the user can choose: one for each class, else the built-in one.
+  /// A curriculum that the user can choose: the curriculum of each class, else the built-in curriculum.
   struct Choice {
     std::string cohort{};  ///< name of the class; "": the built-in curriculum
     std::string curriculum{};

@@ -57,7 +57,7 @@ class HistoryPage final : public QWidget {
   Course& course_;
   ui::Account* account_;
   std::vector<KeptAttempt> attempts_;                    ///< the attempts in the order of the table's rows
-  std::map<std::string, CommentStore::Count> comments_;  ///< by attempt id
+  std::map<std::string, CommentStore::Count> comments_;  ///< numbers of comments, by attempt id
   bool asked_ = false, more_ = false;
   int asking_ = 0;  ///< number of the last query; results of earlier queries are dropped
   QString trouble_;

@@ -10,7 +10,8 @@ namespace insonate::train {
 class LevelControl;
 class TestAdmissions;
 
-/// Card in the attempt panel that shows the next attempt's level and its rule, or that practice is free.
+/// Card in the attempt panel that shows the level of the next attempt and the level's rule, or that the attempt is free
+/// practice.
 class LevelCard final : public QWidget {
   Q_OBJECT
 

@@ -23,8 +23,9 @@ class ImagingModel;
 class ProbeMotion;
 class StatusLine;
 
-/// Holds the level that the user practices, or none in free practice. A level sets case, procedure, position and
-/// assistance; it is left when another case is opened. Uses no widgets. For the window's thread.
+/// Stores the level that the user practices, or no level in free practice. A level sets case, procedure, position and
+/// assistance. Opening another case ends the practice of the level. Uses no widgets. May be used only on the window's
+/// thread.
 class LevelControl final : public QObject {
   Q_OBJECT
 
@@ -39,7 +40,7 @@ class LevelControl final : public QObject {
   /// Curriculum and level of the next attempt.
   AttemptAim aim() const;
 
-  /// Chooses a level. If it is locked or an attempt is running, nothing changes and the status line says why.
+  /// Chooses a level. If the level is locked or an attempt is running, nothing changes and the status line says why.
   void choose(const std::string& level);
   void leave();
   /// Requests the level's case from the window.
@@ -64,7 +65,7 @@ class LevelControl final : public QObject {
   Course& course_;
   std::optional<Level> level_;
   std::mt19937 random_{std::random_device{}()};
-  int place_ = -1;  ///< index of the last attempt's start position; the next attempt gets a different one
+  int place_ = -1;  ///< index of the last attempt's start position; the next attempt gets another one
 };
 
 }  // namespace insonate::train

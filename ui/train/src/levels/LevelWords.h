@@ -31,10 +31,10 @@ QString masteryOf(const Level& level);
 /// error, ...".
 QString passOf(const PassRule& rule);
 
-/// Result of an attempt under its level's rule, and the resulting changes of the user's progress.
+/// Result of an attempt by the rule of its level, and the resulting changes of the user's progress.
 struct Verdict {
   bool passed = false;
-  QString headline{};  ///< "Passed", or the reason why not
+  QString headline{};  ///< "Passed", or the reason why the attempt did not pass
   QStringList met{};   ///< sentences with the standards that were met, and the values
   QStringList missed{};
   QStringList changes{};  ///< sentences about changes in the learning path

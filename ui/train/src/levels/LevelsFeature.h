@@ -48,8 +48,8 @@ class LevelsFeature final : public Feature {
   LevelControl* levels_;
   AttemptKeeper* keeper_;
   VerdictView* verdict_ = nullptr;
-  std::optional<AttemptFacts> judged_;  ///< the attempt of the shown verdict, as it was judged
-  CoursePage* page_ = nullptr;          ///< null until the page is first shown
+  std::optional<AttemptFacts> judged_;  ///< facts of the attempt whose verdict is shown, as they were judged
+  CoursePage* page_ = nullptr;          ///< the page; null until it is first shown
   ui::Account* account_ = nullptr;
 };
 

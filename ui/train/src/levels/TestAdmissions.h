@@ -24,8 +24,8 @@ namespace insonate::train {
 
 class Course;
 
-/// Holds whether the tests of the course are open for the signed-in user. The store is queried on the account's thread,
-/// again every few seconds. What is known here only informs the user: the store decides whether an attempt counts.
+/// Stores whether the tests of the course are open for the signed-in user. The store of attempts is queried on the
+/// account's thread, every few seconds. The results only inform the user: the store decides whether an attempt counts.
 class TestAdmissions final : public QObject {
   Q_OBJECT
 
@@ -33,15 +33,17 @@ class TestAdmissions final : public QObject {
   explicit TestAdmissions(Course& course, QObject* parent = nullptr);
   void setAccount(ui::Account& account);
 
-  /// The admission to a test; empty if it is not known, for other levels and for guests.
+  /// Returns whether a test is open for the user; empty if this is not known, for levels that are no test, and for
+  /// guests.
   std::optional<TestAdmission> of(const Level& level) const;
-  /// Returns a sentence about an attempt at a test that would begin now; empty for other levels and for guests.
+  /// Returns a sentence about an attempt at a test that would begin now; empty for levels that are no test, and for
+  /// guests.
   QString sentenceOf(const Level& level) const;
-  /// The sitting that the store will probably decide for an attempt that begins now.
+  /// Returns the sitting that the store will probably decide for an attempt that begins now.
   AttemptSitting expectedSitting(const Level& level) const;
 
   void refresh();
-  /// Enters the code of a test; `done` is called with an error if it was not accepted.
+  /// Enters the code of a test; `done` is called with an error if the code was not accepted.
   void enterCode(const std::string& level, const QString& code, std::function<void(Result<void>)> done);
 
  Q_SIGNALS:
@@ -53,7 +55,7 @@ class TestAdmissions final : public QObject {
 
   Course& course_;
   ui::Account* account_ = nullptr;
-  Known known_;  ///< by Level::name
+  Known known_;  ///< admissions by Level::name
   QTimer again_;
 };
 

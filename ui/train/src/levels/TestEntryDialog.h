@@ -13,8 +13,8 @@ namespace insonate::train {
 
 class TestAdmissions;
 
-/// Dialog before a test that is not open for the user, or asks for a code. The user enters the code, practices, or goes
-/// back. It is accepted when the level shall be opened, as a test or for practice.
+/// Dialog before a test that is not open for the user or needs a code. The user enters the code, chooses to practice,
+/// or goes back. The dialog is accepted if the level shall be opened, as a test or for practice.
 class TestEntryDialog final : public QDialog {
   Q_OBJECT
 

@@ -22,8 +22,8 @@ class ImagingModel;
 class LiveModel;
 class ProbeMotion;
 
-/// Slides and turns the probe like a hand and times the resulting images. The first images are not counted, since
-/// scenes and memory are set up during them.
+/// Slides and turns the probe like a hand, and measures the times of the resulting images. The first images do not
+/// count, since scenes and memory are set up during them.
 class LiveMeasure : public QObject {
  public:
   /// `done` is called once, on the window's thread.

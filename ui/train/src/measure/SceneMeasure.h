@@ -19,8 +19,8 @@ namespace insonate::train {
 
 class ProbeMotion;
 
-/// Measures 3D with the volume-rendered CT: turns the view, zooms, lets it rest, and moves the probe in it. Counts
-/// frames, and times how long the window's thread does not process events.
+/// Measures 3D with the volume-rendered CT: turns the view, zooms, lets the view rest, and moves the probe. Counts
+/// frames, and measures for how long the window's thread does not process events.
 class SceneMeasure : public QObject {
  public:
   /// Each movement takes `seconds`. `done` is called once, on the window's thread.
@@ -47,9 +47,10 @@ class SceneMeasure : public QObject {
   QTimer beat_;
   QElapsedTimer sinceBeat_, sincePart_;
   double moved_s_ = 0, beatProcessor_ms_ = 0;
-  int renderings_ = 0;      ///< number of renderings at the beginning of the part
+  int renderings_ = 0;      ///< number of renderings at the beginning of the present part of the measurement
   int beatRenderings_ = 0;  ///< number of renderings at the last timer tick
-  /// Durations without event processing, in intervals in which a frame was drawn.
+  /// Durations for which the window processed no events, in intervals in which a frame was drawn: while the view moved
+  /// (movingHolds_ms_) and while it was at rest (restHolds_ms_).
   std::vector<double> movingHolds_ms_, restHolds_ms_;
 };
 

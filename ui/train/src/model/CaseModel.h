@@ -37,7 +37,7 @@ class CaseModel : public QObject {
 
   /// The case's labels; empty until the background thread has read them.
   const std::optional<std::vector<std::uint8_t>>& structures() const { return structures_; }
-  /// Tells whether structures() are known and include neither vein nor artery.
+  /// Tells whether structures() is known and includes neither vein nor artery.
   bool lacksVessels() const;
 
   /// Start pose of the probe; known before the first image.
@@ -47,20 +47,20 @@ class CaseModel : public QObject {
 
   /// Requests the surfaces. They are computed after the first image or, if there will be no image, at once.
   void wantSurfaces();
-  /// Tells whether all surfaces that are shown have been computed.
+  /// Tells whether all visible surfaces have been computed.
   bool surfacesThere() const { return surfacesThere_; }
   /// Reports that there will be no image of this case; `why` is a sentence.
   void fail(const QString& why);
 
  Q_SIGNALS:
-  void stopping();  ///< the threads of the case are about to end
+  void stopping();  ///< emitted when the threads of the case are about to end
   void emptied();   ///< emitted before caseChanged(); data of the former case must not be used any more
   void caseChanged();
   void caseShown();     ///< emitted after all receivers have handled caseChanged()
   void tissuesKnown();  ///< emitted when tissueLabels() is set
   void startKnown();    ///< emitted when start() is set
   void handMade(const insonate::ProbeHand& hand);
-  void startMissing(const insonate::ProbeHand& hand);  ///< the case has no start pose, and none was found
+  void startMissing(const insonate::ProbeHand& hand);  ///< emitted when the case has no start pose, and none was found
   void structuresKnown();                              ///< emitted when structures() is set
   void surfaceMade(int label, std::shared_ptr<const insonate::Mesh> mesh);
   void surfacesDone();

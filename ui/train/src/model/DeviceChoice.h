@@ -10,12 +10,14 @@ class QSettings;
 
 namespace insonate::train {
 
-/// The user's choice of devices for probe, needle and pedal, by DeviceInfo::id, and the mapping of each device. Saved
-/// also for devices that are not connected. An empty id means mouse and keys or, for the pedal, no device.
+/// The devices that the user has chosen for probe, needle and pedal, by DeviceInfo::id, and the mapping of each device.
+/// The choice is saved, also for devices that are not connected. An empty id means mouse and keys or, for the pedal, no
+/// device.
 class DeviceChoice {
  public:
   const QString& device(Hand hand) const { return devices_[hand]; }
-  /// Assigns a device to a hand. If the other hand has this device, that hand returns to mouse and keys.
+  /// Assigns a device to probe or needle. If the device was assigned to the other tool, mouse and keys now move that
+  /// tool.
   void setDevice(Hand hand, const QString& device);
   bool isMouse(Hand hand) const { return devices_[hand].isEmpty(); }
   const QString& pedal() const { return pedal_; }
@@ -24,7 +26,7 @@ class DeviceChoice {
   HandMapping mapping(const QString& device) const { return mappings_.value(device); }
   void setMapping(const QString& device, const HandMapping& mapping) { mappings_[device] = mapping; }
 
-  /// Tells whether this device is assigned to a hand or as the pedal.
+  /// Tells whether this device is assigned to probe or needle, or as the pedal.
   bool has(const QString& device) const;
   bool isAny() const;
 

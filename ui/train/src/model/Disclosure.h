@@ -8,15 +8,15 @@ namespace insonate::train {
 
 class StatusLine;
 
-/// Parts of the screen that disclose more than the ultrasound image and a real procedure. A real procedure discloses
-/// skin and tools from outside, the marks on the shaft, forces in the hand, the blood in the syringe, and the time.
-/// Each widget that shows more than this asks DisclosureModel.
+/// Parts of the screen that disclose more than the ultrasound image and a real procedure do. A real procedure discloses
+/// skin and tools from outside, the marks on the shaft, forces on the hand, the blood in the syringe, and the time.
+/// Each widget that shows more asks DisclosureModel.
 struct Disclosure {
-  bool steps = true;     ///< the steps to do now, and the attempt's metrics so far
-  bool findings = true;  ///< errors in the attempt
-  /// Anatomy and the tissue at the needle's tip: CT, structures under the skin in 3D, areas of vessels and their curve,
-  /// grid and pressure over the image, single effects of the model, named positions of the probe, the patient's
-  /// pressures, the place of the tip and the name of its vessel.
+  bool steps = true;     ///< disclosed: the steps to do now, and the attempt's metrics so far
+  bool findings = true;  ///< disclosed: errors in the attempt
+  /// disclosed: anatomy and the tissue at the needle's tip, i.e. CT, structures under the skin in 3D, areas of vessels
+  /// and their curve, grid and pressure over the image, single effects of the model, named positions of the probe, the
+  /// patient's pressures, the place of the tip and the name of the vessel that contains the tip.
   bool anatomy = true;
 
   bool operator==(const Disclosure&) const = default;
@@ -25,7 +25,7 @@ struct Disclosure {
 /// Returns the disclosure for this assistance; outside an attempt everything is disclosed.
 Disclosure disclosureOf(Assistance assistance, bool inAttempt);
 
-/// The disclosure that applies now.
+/// The disclosure that applies now, and its changes.
 class DisclosureModel : public QObject {
   Q_OBJECT
 

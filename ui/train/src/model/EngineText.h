@@ -10,7 +10,7 @@ class CaseModel;
 class LiveModel;
 class ProbeMotion;
 
-/// Text about the engine and the rate of live images, updated a few times per second.
+/// Text about the engine and the frame rate of live images, updated a few times per second.
 class EngineText : public QObject {
   Q_OBJECT
 

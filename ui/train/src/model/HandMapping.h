@@ -15,17 +15,18 @@ enum class Stand { Head, Right, Left, Feet };
 /// then is the hardness of tissue conveyed correctly.
 struct HandMapping {
   Stand stand = Stand::Head;
-  Transform begin;  ///< deviceFromStylus for the tool's start pose
+  Transform begin;  ///< pose of the stylus in the device's frame at which the tool is at its start pose
   Vec3 apart_mm;    ///< offset from the device to its tool, in the device's frame
   double gain = 1;  ///< factor of forces, 0 to 1
   double mostForce_N = 3;
 };
 
-/// Returns a setup in which the stylus at `begin` holds the tool at `patientFromStart`. The limits come from the
-/// device.
+/// Returns a setup in which the tool is at `patientFromStart` when the stylus is at `begin`. The limits are those of
+/// the device.
 HandSetup setupOf(const HandMapping& mapping, const Transform& patientFromStart);
 
-/// Saves the mapping in the device's group of settings. When read, missing or invalid values get their defaults.
+/// Saves the mapping in the settings group of the device. When the mapping is read, missing or invalid values get their
+/// defaults.
 void save(const HandMapping& mapping, QSettings& settings);
 HandMapping restoredMapping(const QSettings& settings);
 

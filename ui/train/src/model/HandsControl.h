@@ -18,18 +18,19 @@ class QSettings;
 
 namespace insonate::train {
 
-/// Directions in which a hand can move the needle. Lateral and Elevation move the entry point over the skin, along the
-/// probe's directions.
+/// Directions in which the user can move the needle. Lateral and Elevation move the entry point over the skin, along
+/// the probe's directions.
 enum class NeedleAxis { Lateral, Elevation, Heading, Angle, Bevel, Advance };
 
 /// The needle's displayed pose and its state.
 struct NeedleShown {
-  Transform patientFromNeedle;  ///< tip at the origin, z along the insertion, bevel along -y; not drawn into bone
+  Transform patientFromNeedle;  ///< pose: tip at the origin, z along the insertion, bevel along -y; the tip is never
+                                ///< drawn inside bone
   NeedleState state;
 };
 
-/// The two hands: the needle held by mouse and keys, haptic devices and their assignment, and a pedal. Forces and
-/// punctures come from the servo for every kind of hand. For the window's thread.
+/// Controls what moves probe and needle: mouse and keys, haptic devices and their assignment, and a pedal. Forces and
+/// punctures always come from the servo. May be used only on the window's thread.
 class HandsControl : public QObject {
   Q_OBJECT
 
@@ -41,16 +42,16 @@ class HandsControl : public QObject {
 
   HandsSession& session() { return *session_; }
 
-  /// Sets a patient's tissues and vessel names, and the hand on the skin; null: no patient. Puts the needle away.
+  /// Sets a patient's tissues and vessel names, and a ProbeHand on the skin; null: no patient. Puts the needle away.
   void setCase(std::shared_ptr<const LabelMap> labels, const ProbeHand* hand, VesselNames vessels = {});
   /// Sets the attempt that receives each servo tick; null: no attempt. During an attempt the servo includes the probe,
   /// even without a needle.
   void setAttempt(std::shared_ptr<LiveAttempt> attempt);
   /// Suppresses messages about the needle's contacts, for attempts in test mode.
   void setSilent(bool silent);
-  /// Empties both hands while the workspace is not visible.
+  /// Assigns no device to probe and needle while the workspace is not visible (`watched` false).
   void setWatched(bool watched);
-  /// Sets the pose in which mouse and keys hold the probe, and half the width of its face.
+  /// Sets the pose that mouse and keys give the probe, and half the width of the probe's face.
   void probeMoved(const ProbeHand& hand, double halfWidth_mm);
 
   // The probe
@@ -60,24 +61,25 @@ class HandsControl : public QObject {
   const Transform& drivenPose() const { return driven_; }
 
   // The needle
-  /// The needle held by mouse and keys; null if there is none or a real device holds it.
+  /// The needle that mouse and keys move; null if there is none or a real device moves it.
   const NeedleHand* needleHand() const { return wish_ ? &*wish_ : nullptr; }
   /// Insertion depth that mouse and keys have requested; the needle moves toward it.
   double wantedAdvance_mm() const { return advance_mm_; }
-  /// The needle in a hand, held by mouse and keys or by a device; empty if there is none.
+  /// The needle in use, moved by mouse and keys or by a device; empty if there is none.
   const std::optional<NeedleShown>& needle() const { return needle_; }
-  /// Takes a needle and holds it beside the probe, ready for insertion.
+  /// Takes a needle and puts it beside the probe, ready for insertion.
   void takeNeedle(NeedlePlane plane);
-  /// Plane of the needle that was taken last.
+  /// Plane in which the needle was last taken.
   NeedlePlane needlePlane() const { return plane_; }
   void layNeedleDown();
   void moveNeedle(NeedleAxis axis, double mmOrDegrees);
   /// Moves the needle to a typed number; `axis` is Heading, Angle, Bevel or Advance.
   void setNeedle(NeedleAxis axis, double mmOrDegrees);
-  /// Moves the entry point to the skin nearest to a point. Only while the needle is outside the skin.
+  /// Moves the entry point to the skin nearest to a point. Has an effect only while the needle is outside the skin.
   void needleTo(Vec3 patient_mm);
 
-  /// Freezes the needle together with the image: it stays in place, in any hand, until this is called with false.
+  /// true: freezes the needle together with the image, so that the needle stays in place, whatever moves it; false:
+  /// releases the needle.
   void setHeld(bool held);
 
   // Devices
@@ -86,12 +88,12 @@ class HandsControl : public QObject {
   void assign(Hand hand, const QString& device);
   void assignPedal(const QString& device);
   void setMapping(const QString& device, const HandMapping& mapping);
-  /// Makes the present pose of the device in this hand the start pose of the tool.
+  /// Makes the present pose of the device that moves this tool the start pose of the tool.
   void beginHere(Hand hand);
   /// Returns a connected device; null if it is not connected.
   std::shared_ptr<HapticDevice> deviceOf(const QString& id);
 
-  /// Processes events of devices. While a device is in a hand, this is called automatically.
+  /// Processes events of devices. While a device is assigned to a tool, the object calls this function itself.
   void checkDevices();
 
   void save(QSettings& settings) const;
@@ -100,13 +102,14 @@ class HandsControl : public QObject {
  Q_SIGNALS:
   void needleChanged();
   void probeDriven();   ///< emitted when drivenPose() has changed
-  void handsChanged();  ///< emitted when the devices or tools in the hands have changed
+  void handsChanged();  ///< emitted when the tools, or the devices that move them, have changed
   void said(const QString& sentence);
   void pedalPressed(int button);
-  /// Emitted while the first button of the needle's device is held: the view turns about the patient by these rotations
+  /// Emitted while the first button of the needle's device is held. The view turns about the patient by these rotations
   /// of the stylus, in degrees, to the right and up.
   void anatomyTurned(double across_deg, double up_deg);
-  void aspirateButtonChanged(bool down);  ///< second button of the needle's device
+  void aspirateButtonChanged(bool down);  ///< emitted when the second button of the needle's device is pressed or
+                                          ///< released
   void deviceEvent(const insonate::DeviceEvent& event);
 
  private:

@@ -10,22 +10,23 @@ namespace insonate::train {
 class StatusLine;
 
 /// The user's undoable steps of all kinds, in one order, on a QUndoStack. A step exchanges the present state with the
-/// former one, so that the same function serves undo and redo. For one thread.
+/// former state, so that the same function serves undo and redo. One object must be used on one thread only.
 class History {
  public:
   static constexpr int kMost = 200;
-  /// Consecutive steps with the same key are joined if they follow within this time, e.g. those of a dragged slider.
+  /// Consecutive steps with the same key are joined into one if the time between them is below this, e.g. steps of a
+  /// dragged slider.
   static constexpr std::chrono::milliseconds kOneStep{1000};
 
-  /// Exchanges the states.
+  /// Function that exchanges the present and the former state.
   using Exchange = std::function<void()>;
-  /// Tells whether a step can be undone or redone now; if not, shows the reason. QUndoStack knows no refusal, so this
-  /// is called before.
+  /// Function that tells whether a step can be undone or redone now; if not, the function shows the reason. The
+  /// function is called before undo and redo, since QUndoStack cannot refuse a step.
   using Check = std::function<bool()>;
 
   History();
 
-  /// Adds a step that was made already; `what` is shown after "Undone: ". Steps that could be redone are dropped.
+  /// Adds a step that was already made; `what` is shown after "Undone: ". Steps that could be redone are discarded.
   void add(const QString& what, Exchange exchange, const QString& key = {}, Check check = {});
   /// Prevents the next step from being joined with the last one.
   void close() { open_ = false; }
@@ -43,7 +44,7 @@ class History {
 
   QUndoStack steps_;
   QString lastStepName_;
-  bool open_ = false;  ///< the next step may be joined with the last one
+  bool open_ = false;  ///< true: the next step may be joined with the last one
   std::chrono::steady_clock::time_point lastAdded_;
 };
 

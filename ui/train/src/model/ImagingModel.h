@@ -32,17 +32,17 @@ class ImagingModel : public QObject {
   /// for an unknown name.
   bool setProbe(const std::string& name);
   /// Uses a probe that is being edited. Consecutive changes of one kind (`what`) are undone together. If the probe's
-  /// default depth, frequency or focus have changed, the image uses the new ones. Fails for a probe that is out of
+  /// default depth, frequency or focus has changed, the image uses the new default. Fails for a probe that is out of
   /// range.
   Result<void> useProbe(const Probe& probe, const std::string& what);
   /// Applies settings; values outside the probe's range are set to the nearest permitted ones.
   void setSettings(ImagingSettings settings);
 
-  /// Shows one effect of EffectLayers.h by itself; refused while anatomy is not disclosed.
+  /// Shows a single effect of EffectLayers.h. Refused while anatomy is not disclosed.
   void setEffect(const std::string& name);
   const std::string& effect() const { return effect_; }
-  /// Shows the effect `by` places further in the order of effectLayers(); after the last and before the first comes the
-  /// whole model.
+  /// Shows the effect that is `by` places further in the order of effectLayers(). The whole model comes after the last
+  /// and before the first effect.
   void stepEffect(int by);
 
   const TissueChoice& tissue() const { return tissue_; }

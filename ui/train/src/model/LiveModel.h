@@ -43,8 +43,8 @@ class LiveModel : public QObject {
   void setPose(const Transform& patientFromProbe);
   /// Sets whether live images include the mesh of the tissue.
   void setMeshWanted(bool wanted);
-  /// Sets whether the image is visible. While it is not, vessels do not pulsate, so that a probe at rest uses no
-  /// computing time.
+  /// Sets whether the image is visible. While the image is not visible, vessels do not pulsate, so that a probe at rest
+  /// uses no computing time.
   void setWatched(bool watched);
   /// Stops or resumes imaging. While stopped, the last image stays and the memory of the scenes is released.
   void setAwake(bool awake);
@@ -78,7 +78,7 @@ class LiveModel : public QObject {
   HandsControl& hands_;
   StatusLine& status_;
   bool meshWanted_ = false, watched_ = true, awake_ = true;
-  bool frozen_ = false, wasFrozen_ = false;  ///< wasFrozen_: state of the former case
+  bool frozen_ = false, wasFrozen_ = false;  ///< wasFrozen_: frozen_ for the former case
   std::shared_ptr<const LiveFrame> shown_;
   std::vector<std::shared_ptr<const LiveFrame>> cine_;
   int cineIndex_ = 0;

@@ -6,7 +6,7 @@
 
 namespace insonate::train {
 
-/// The needle's disclosed state during an attempt, and the tray with a new needle beside the patient.
+/// Manages the disclosed state of the needle during an attempt, and the tray with a new needle beside the patient.
 class NeedleTray : public QObject {
   Q_OBJECT
 
@@ -15,7 +15,7 @@ class NeedleTray : public QObject {
 
   /// Tells whether the tray is beside the patient, as it is during an attempt.
   bool isOut() const { return isOut_; }
-  /// Place of the needle as far as it is disclosed; NeedlePlace::Clean outside attempts.
+  /// The disclosed part of the needle's place; NeedlePlace::Clean outside attempts.
   NeedlePlace needle() const { return needle_; }
   void set(bool isOut, NeedlePlace needle);
   /// Reports that the pointer or the needle touches the tray.

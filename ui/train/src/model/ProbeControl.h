@@ -8,13 +8,13 @@
 
 namespace insonate::train {
 
-/// Directions in which a hand can move the probe.
+/// Directions in which the user can move the probe.
 enum class HandAxis { Lateral, Elevation, Rotation, Tilt, Rock, Press };
 
-/// Position of the probe in the numbers that the user reads and types.
+/// Position of the probe as numbers that the user reads and types.
 struct HandNumbers {
-  Vec3 skin_mm;  ///< patient's frame (LPS)
-  /// -180 to 180; 0: the image plane is transverse, with the marker toward the patient's left.
+  Vec3 skin_mm;  ///< position on the skin in the patient's frame (LPS)
+  /// rotation, -180 to 180; 0: the image plane is transverse, with the marker toward the patient's left
   double rotation_deg = 0;
   double tilt_deg = 0, rock_deg = 0, press_mm = 0;
   double of(HandAxis axis) const;  ///< value for Rotation, Tilt, Rock or Press; 0 for the other axes
@@ -22,14 +22,14 @@ struct HandNumbers {
 
 HandNumbers numbersOf(const ProbeHandState& state);
 
-/// The probe in the user's hand. A gesture (a key held down, a drag, a turn of the wheel) is undone as one move.
-/// Without a hand all moves have no effect. For one thread.
+/// The probe that the user moves. A gesture (a key held down, a drag, a turn of the wheel) is undone as one move.
+/// Without a ProbeHand all moves have no effect. One object must be used on one thread only.
 class ProbeControl {
  public:
   void setHand(std::optional<ProbeHand> hand);
   bool ready() const { return hand_.has_value(); }
 
-  /// Begins a gesture: all moves until the next begin() belong to it.
+  /// Begins a gesture. All moves until the next begin() belong to the gesture.
   void begin() { gestureOpen_ = false; }
   /// Sets a listener that is called once per gesture, after its first move, with the probe's state before the gesture.
   void setGestureBegan(std::function<void(const ProbeHandState& before)> listener) {
@@ -37,14 +37,14 @@ class ProbeControl {
   }
   HandMove move(HandAxis axis, double mmOrDegrees);
   HandMove slide(double lateral_mm, double elevation_mm);
-  /// Moves to a typed number. Not for Lateral and Elevation, for which there is no number.
+  /// Moves the probe to a typed number. Not for Lateral and Elevation, for which there is no number.
   HandMove set(HandAxis axis, double mmOrDegrees);
   HandMove moveTo(Vec3 patient_mm);
   HandMove setPose(const StartPose& pose);
   HandMove setPose(const ProbeHandState& state);
-  /// Sets the pose in which a device holds the probe; no gesture.
+  /// Sets the pose that a device gives the probe; this is no gesture.
   void follow(const Transform& patientFromProbe);
-  /// Returns the probe to a former state; no gesture.
+  /// Returns the probe to a former state; this is no gesture.
   void restore(const ProbeHandState& state);
 
   const ProbeHand* hand() const { return hand_ ? &*hand_ : nullptr; }

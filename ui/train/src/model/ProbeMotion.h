@@ -15,12 +15,12 @@ class ImagingModel;
 class LiveModel;
 class StatusLine;
 
-/// Undoable moves of the probe. Refused while the image is frozen, or while a device holds the probe.
+/// Undoable moves of the probe. Moves are refused while the image is frozen, or while a device moves the probe.
 class ProbeMotion : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr double kDrag_degPerPx = 0.25;  ///< rotation by a drag of the mouse
+  static constexpr double kDrag_degPerPx = 0.25;  ///< rotation per pixel of a mouse drag
 
   struct Models {
     CaseModel& patientCase;
@@ -38,13 +38,13 @@ class ProbeMotion : public QObject {
   ProbeHandState state() const;
   Transform pose() const;
 
-  /// Begins a gesture: moves until the next call are undone together.
+  /// Begins a gesture. All moves until the next call are undone together.
   void beginGesture() { control_.begin(); }
   void move(HandAxis axis, double mmOrDegrees);
   void slide(double lateral_mm, double elevation_mm);
   void typed(HandAxis axis, double value);
   void moveTo(Vec3 patient_mm);
-  /// Moves to the skin nearest to a typed point, and shows the distance between point and skin.
+  /// Moves the probe to the skin nearest to a typed point, and shows the distance between point and skin.
   void placed(Vec3 patient_mm);
   /// Moves to a saved position. Refused in a level and while anatomy is not disclosed, since a position reveals where
   /// vessels are.
@@ -53,14 +53,15 @@ class ProbeMotion : public QObject {
   void home();
 
   /// Moves the probe to the start of an attempt at a level. Until releaseStart(), home() returns to this start, undo
-  /// cannot go back before it, and goTo() is refused. A probe held by a device does not move.
+  /// cannot go back before it, and goTo() is refused. A probe that a device moves stays where it is.
   void beginAt(const ProbeHandState& state);
   void releaseStart();
   bool isStartHeld() const { return levelStart_.has_value(); }
-  /// Position from which the nearest vein is an attempt's target: the probe or, in a level, the case's start pose,
-  /// since at the level's start another vein may be nearer.
+  /// Returns the position that determines the target of an attempt: the target is the vein nearest to this position.
+  /// The position is that of the probe or, in a level, that of the case's start pose, since another vein may be nearer
+  /// to the level's start.
   Vec3 targetNear_mm() const;
-  /// Returns the hand with the probe at the case's start pose; empty without a hand.
+  /// Returns the ProbeHand with the probe at the case's start pose; empty if there is no ProbeHand.
   std::optional<ProbeHand> handAtStart() const;
 
   /// Tells whether the case has no start pose and none was found; the probe then waits for placeOnSkin().
@@ -69,7 +70,7 @@ class ProbeMotion : public QObject {
   void placeOnSkin();
 
  Q_SIGNALS:
-  void handMoved();         ///< emitted when the probe has moved, or is placed for the first time
+  void handMoved();         ///< emitted when the probe has moved, or was placed for the first time
   void startHeldChanged();  ///< emitted when isStartHeld() has changed
   void placingChanged();    ///< emitted when isUnplaced() has changed
 

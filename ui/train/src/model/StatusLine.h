@@ -8,7 +8,8 @@
 
 namespace insonate::train {
 
-/// The sentence in the window's status bar: an event for some seconds, then the present state or the next thing to do.
+/// The sentence in the window's status bar: an event for some seconds, after that the present state or the next thing
+/// to do.
 class StatusLine : public QObject {
   Q_OBJECT
 

@@ -10,8 +10,8 @@ namespace insonate::train {
 
 /// The patient's mechanical model and blood pressure, as chosen in the panel.
 struct TissueChoice {
-  std::string model = "elastic";  ///< see TissueMechanics::model
-  Physiology body;                ///< includes heartbeat and breathing even if they are switched off
+  std::string model = "elastic";  ///< name of the mechanical model: TissueMechanics::model
+  Physiology body;                ///< physiology; includes heartbeat and breathing even if they are switched off
   bool pulse = true, breathing = true;
 };
 bool operator==(const TissueChoice& a, const TissueChoice& b);

@@ -16,8 +16,8 @@
 
 namespace insonate::train {
 
-/// The state that the workspace's features share. It only holds the parts; a class takes those that it uses. Uses no
-/// widgets. Each part receives the signals of earlier parts before any widget does.
+/// The state that the workspace's features share. This structure only contains the parts; a class uses the parts that
+/// it needs. Uses no widgets. Each part receives the signals of earlier parts before any widget does.
 struct TrainModel : public QObject {
   Q_OBJECT
 

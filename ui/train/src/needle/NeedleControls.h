@@ -22,8 +22,8 @@ class NeedleMotion;
 class ProbeMotion;
 class StatusLine;
 
-/// The panel's section about the needle: a button that takes it up or puts it away, its editable numbers, and its
-/// contacts.
+/// The panel's section about the needle: a button that takes the needle or puts it away, numbers that the user can
+/// edit, and contacts with tissue.
 class NeedleControls final : public QWidget {
   Q_OBJECT
 

@@ -14,14 +14,14 @@ namespace insonate::train {
 
 class NeedleMotion;
 
-/// Two buttons that take the needle in-plane or out-of-plane, or put it away; the plane of the needle in the hand is
-/// checked.
+/// Two buttons that take the needle in-plane or out-of-plane, or put it away. The button for the plane of the present
+/// needle is checked.
 class NeedlePlaneButtons final : public QWidget {
   Q_OBJECT
 
  public:
-  /// The buttons are called `object` + "Along" and `object` + "Across". With `isProminent`, the button that takes the
-  /// needle as it was last held stands out while no needle is in a hand.
+  /// The buttons are called `object` + "Along" and `object` + "Across". With `isProminent`, the button for the plane in
+  /// which the needle was last taken stands out while there is no needle.
   NeedlePlaneButtons(const QString& object, bool isProminent, HandsControl& hands, NeedleMotion& needle,
                      const ui::Commands& commands, QWidget* parent);
 

@@ -17,9 +17,9 @@ namespace insonate::train {
 class NeedleMotion;
 class NeedleTray;
 
-/// The line under the image during an attempt with the needle of mouse and keys: takes it, advances, withdraws and
-/// angles it. The panel with all its numbers may be scrolled out of sight on a small screen. Hidden while a device
-/// holds the needle.
+/// The line under the image with which mouse and keys take, advance, withdraw and angle the needle during an attempt.
+/// On a small screen, the panel with all numbers of the needle may be scrolled out of sight. Hidden while a device
+/// moves the needle.
 class NeedleStrip final : public QWidget {
   Q_OBJECT
 

@@ -23,17 +23,17 @@ class FourSlices : public QWidget {
   explicit FourSlices(QWidget* parent = nullptr);
   ~FourSlices() override;
 
-  /// Sets the case; at the next follow() the crosshair moves to the probe.
+  /// Sets the case. At the next follow() the crosshair moves to the probe.
   void setCase(const std::shared_ptr<views::VtkCase>& patient);
-  /// Sets the first slice to the probe's image plane. If the probe has moved, the crosshair goes to the center of its
+  /// Sets the first slice to the probe's image plane. If the probe has moved, the crosshair moves to the center of the
   /// image.
   void follow(const std::shared_ptr<const ImagingSetup>& setup, const Transform& patientFromProbe);
   void setWindowLevel(views::WindowLevel value);
-  /// Sets a listener for window and level changed by the user.
+  /// Sets a listener that is called when the user changes window or level.
   void setWindowChanged(const std::function<void(views::WindowLevel)>& listener);
   void setLabelOpacity(double opacity);
   void setLabelColour(std::uint8_t label, views::Colour colour);
-  /// Sum of the durations of each slice's last rendering.
+  /// Returns the sum of the durations of the last rendering of each slice.
   double renderTime_s() const;
 
   static constexpr std::size_t kCount = 4;

@@ -25,7 +25,7 @@ class Patient3dFeature final : public Feature {
   void connectNeedle();
 
   PatientViews* patient_ = nullptr;
-  bool touchesTray_ = false;  ///< the used needle, held in a hand, touches the tray
+  bool touchesTray_ = false;  ///< true: the used needle touches the tray while the user holds it
 };
 
 }  // namespace insonate::train

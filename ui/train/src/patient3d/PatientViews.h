@@ -38,7 +38,7 @@ struct TrainModel;
 /// the ultrasound image.
 class PatientViews : public QWidget {
  public:
-  /// `commands`: those of this column, for tooltips and menus.
+  /// `commands`: commands of this column, which appear in tooltips and menus.
   PatientViews(TrainModel& model, const ui::Commands& commands, QWidget* parent = nullptr);
   ~PatientViews() override;
 
@@ -55,8 +55,8 @@ class PatientViews : public QWidget {
   /// Uses shorter labels on the tabs.
   void setCompact(bool compact);
   bool showsAllSlices() const;
-  /// Sets a listener that is called with true when four slices are shown, which need more space than one, and with
-  /// false afterwards.
+  /// Sets a listener that is called with true when four slices are shown, which need more space than one slice, and
+  /// with false when four slices are no longer shown.
   void setRoomWanted(std::function<void(bool more)> listener) { roomWanted_ = std::move(listener); }
   FourSlices& allSlices() { return *four_; }
   /// Applies a preset of views::windowLevelPresets().
@@ -89,7 +89,7 @@ class PatientViews : public QWidget {
   void want();
   void follow();
   void showMoving();
-  /// Shows or hides anatomy. Hidden anatomy means that there is no CT and that the skin is opaque.
+  /// Shows or hides anatomy. While anatomy is hidden, the CT is not shown and the skin is opaque.
   void applyDisclosure();
 
   TrainModel& model_;
@@ -110,8 +110,8 @@ class PatientViews : public QWidget {
   QScrollArea* sceneScroll_ = nullptr;
   std::shared_ptr<const LiveFrame> followed_;
   std::shared_ptr<const ImagingSetup> shape_;  ///< setup of the probe that is drawn
-  bool cameraDue_ = false;                     ///< the camera must be placed for a new patient
-  bool sliceShown_ = false;                    ///< the slice shows the present case
+  bool cameraDue_ = false;                     ///< true: the camera must be placed for a new patient
+  bool sliceShown_ = false;                    ///< true: the slice shows the present case
   bool following_ = true;
   Transform pose_;
   SceneInput* input_ = nullptr;

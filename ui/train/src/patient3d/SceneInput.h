@@ -18,8 +18,8 @@ class HandsControl;
 class NeedleMotion;
 class ProbeMotion;
 
-/// Mouse input in 3D. On the skin the mouse moves the probe and, with Ctrl, the needle's entry point; beside the body,
-/// or with the middle button, it moves the camera.
+/// Mouse input in 3D. On the skin, the mouse moves the probe and, with Ctrl, the needle's entry point. Beside the body,
+/// or with the middle button, the mouse moves the camera.
 class SceneInput : public QObject {
  public:
   SceneInput(HandsControl& hands, ProbeMotion& motion, NeedleMotion& needle, views::SceneView& view, QWidget& canvas,
@@ -50,7 +50,7 @@ class SceneInput : public QObject {
   std::optional<Transform> tray_;
   std::function<void()> trayTaken_;
   Drag drag_ = Drag::None;
-  bool begun_ = false;  ///< the mouse has moved too far for a click
+  bool begun_ = false;  ///< true: the mouse has moved too far for a click
   QPointF from_, last_;
 };
 

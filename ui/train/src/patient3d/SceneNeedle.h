@@ -28,10 +28,10 @@ class SceneNeedle final : public QObject {
   /// Shows the tray on the side away from the probe, or hides it.
   void setTray(bool isVisible, Vec3 probe_mm);
   const std::optional<Transform>& tray() const { return tray_; }
-  /// Tells whether a point lies on the tray or just above it, like a tip that touches it.
+  /// Tells whether a point lies on the tray or just above it, so that a needle's tip at the point touches the tray.
   bool isOnTray(Vec3 patient_mm) const;
 
-  /// Opens the patient by a cut along the needle, toward the viewer, or closes the cut.
+  /// Cuts the patient open along the needle, toward the viewer, or closes the cut.
   void toggleCut();
   /// Closes the cut along the needle if there is one.
   void removeCut();

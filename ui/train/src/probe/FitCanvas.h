@@ -9,9 +9,9 @@
 
 namespace insonate::train {
 
-/// Shows a scanner's image with a field of view over it. Its sides, corners, face and end can be dragged; dragging
-/// inside moves the whole. With the keyboard, G selects the next handle and arrows move it (with Shift ten times as
-/// far).
+/// Shows a scanner's image with a field of view drawn over it. The user can drag the sides, corners, face and end of
+/// the field of view; dragging inside moves the whole. With the keyboard, G selects the next handle and arrows move the
+/// handle (with Shift ten times as far).
 class FitCanvas : public QWidget {
   Q_OBJECT
 
@@ -71,8 +71,8 @@ class FitCanvas : public QWidget {
   PixelPoint last_;
 };
 
-/// Returns the shape after a handle was dragged to the image point `to`; `from`, its former point, is used for Whole.
-/// Dragging a side leaves the other side in place.
+/// Returns the shape after a handle was dragged to the image point `to`. `from`, the former point, is used only for
+/// Handle::Whole. Dragging a side leaves the other side in place.
 FovShape draggedTo(FovShape shape, FitCanvas::Handle handle, PixelPoint to, PixelPoint from);
 
 }  // namespace insonate::train

@@ -22,13 +22,13 @@ namespace insonate::train {
 class FitCanvas;
 
 /// Makes a probe from a photograph or screen capture of a scanner. The image comes from a file, a drop or the
-/// clipboard. It is fitted on a background thread, shown with the fit over it, and corrected by the user. The image is
-/// discarded when the dialog closes.
+/// clipboard. A background thread fits a field of view to the image, and the dialog shows it over the image; the user
+/// corrects the fit. The image is discarded when the dialog closes.
 class FitDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `base` provides the values that an image does not show.
+  /// `base` provides the values that cannot be determined from an image.
   explicit FitDialog(const Probe& base, QWidget* parent = nullptr);
   ~FitDialog() override;
 
@@ -60,7 +60,7 @@ class FitDialog : public QDialog {
   void drawLine();
   void lineDrawn();
   void lineTyped(double mm);
-  double line_px() const;  ///< length of the drawn line; 0 if there is none
+  double line_px() const;  ///< returns the length of the drawn line; 0 if there is none
   void takeOver();
   void say(const QString& sentence, bool trouble);
 
@@ -75,7 +75,7 @@ class FitDialog : public QDialog {
   QLabel *trouble_ = nullptr, *notes_ = nullptr, *values_ = nullptr;
   QPushButton *take_ = nullptr, *draw_ = nullptr;
   double mmPerPx_ = 1;
-  double typedDepth_mm_ = 0;  ///< depth that determines the scale if it is above 0; else the image determines it
+  double typedDepth_mm_ = 0;  ///< depth; above 0, it determines the scale; else the image determines the scale
   bool refreshing_ = false;
 };
 

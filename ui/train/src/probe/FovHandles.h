@@ -16,7 +16,8 @@ class ImagingModel;
 class StatusLine;
 
 /// Handles on the live image that change the probe's field of view: its angle (or width), the face's radius, the depth.
-/// They are dragged with the mouse. With the keyboard, G selects the next handle and Ctrl with the arrows moves it.
+/// The user drags the handles with the mouse. With the keyboard, G selects the next handle, and Ctrl with the arrows
+/// moves the handle.
 class FovHandles : public QObject {
   Q_OBJECT
 

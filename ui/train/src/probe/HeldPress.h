@@ -8,8 +8,8 @@ namespace insonate::train {
 
 class ProbeMotion;
 
-/// Handles a press key that is held down: one step at once, then, after a moment, smooth motion until a key is
-/// released, even if the keyboard focus has moved by then.
+/// Handles a key that compresses the tissue while the user holds the key down: one step at once and, after a moment,
+/// continuous motion until a key is released, even if the keyboard focus has moved meanwhile.
 class HeldPress final : public QObject {
  public:
   static constexpr int kBegins_ms = 250;
@@ -17,7 +17,7 @@ class HeldPress final : public QObject {
 
   explicit HeldPress(ProbeMotion& motion, QObject* parent = nullptr);
 
-  /// Begins to press with steps of `step_mm`; below 0 the pressure is reduced.
+  /// Begins to change the compression in steps of `step_mm`; below 0 the compression is reduced.
   void begin(double step_mm);
   void end();
 

@@ -7,7 +7,7 @@ namespace insonate::train {
 class CaseModel;
 class ProbeMotion;
 
-/// Shown in place of the image if the case has no start pose: a button places the probe on the skin.
+/// Widget in place of the image while the case has no start pose. A button places the probe on the skin.
 class PlaceOffer final : public QWidget {
  public:
   PlaceOffer(CaseModel& patientCase, ProbeMotion& motion, QWidget* parent = nullptr);

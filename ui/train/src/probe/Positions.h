@@ -21,8 +21,8 @@ class History;
 class ProbeMotion;
 class StatusLine;
 
-/// List of positions that the probe can be moved to: those of the case, then the user's own, which are saved for each
-/// case.
+/// List of positions to which the probe can be moved: first the positions of the case, then the user's own positions,
+/// which are saved for each case.
 class Positions : public QWidget {
  public:
   Positions(StatusLine& status, History& history, CaseModel& patientCase, ProbeMotion& motion,
@@ -33,7 +33,7 @@ class Positions : public QWidget {
   void recall(int place);
   /// Saves the probe's present position as one of the user's own.
   void saveCurrent();
-  /// Removes one of the user's own positions; those of the case stay.
+  /// Removes one of the user's own positions; positions of the case cannot be removed.
   void remove(int place);
   void rename(int place, const QString& name);
   void shift(int place, int by);
@@ -65,7 +65,7 @@ class Positions : public QWidget {
   QPushButton* saveButton_;
   QPushButton* menuButton_;
   bool refreshing_ = false;
-  bool going_ = false;  ///< the probe is moved to a position of the list
+  bool going_ = false;  ///< true: the probe is being moved to a position of the list
   QMap<QString, std::vector<StartPose>> own_;
 };
 

@@ -10,7 +10,8 @@ namespace insonate::train {
 class ProbeLibrary;
 class ImagingModel;
 
-/// List of the built-in and the user's own probes, which selects the probe in use, and the button that edits it.
+/// List of the built-in and the user's own probes, from which the user selects the probe in use, and a button for
+/// editing the probe.
 class ProbeChooser : public QWidget {
   Q_OBJECT
 
@@ -18,7 +19,7 @@ class ProbeChooser : public QWidget {
   ProbeChooser(ImagingModel& imaging, ProbeLibrary& library, QWidget* parent = nullptr);
 
   QComboBox& list() { return *list_; }
-  /// Returns the selected probe's argument for loadProbe(), to be saved in settings.
+  /// Returns the argument with which loadProbe() loads the selected probe, for saving it in settings.
   QString key() const;
 
  Q_SIGNALS:

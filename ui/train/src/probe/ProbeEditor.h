@@ -33,15 +33,16 @@ class ProbeEditor : public ScrollingColumn {
 
   /// The edited probe, which may be invalid.
   const Probe& draft() const { return draft_; }
-  /// Replaces the whole draft, for example by a fitted probe; the image gets the probe's default depth.
+  /// Replaces the whole edited probe, for example by a fitted probe. The image gets the new probe's default depth.
   void take(const Probe& probe);
-  /// Error message about the draft; empty if the draft is in use.
+  /// Returns an error message about the edited probe; empty if the probe is in use.
   QString problem() const;
 
   bool save();
   bool rename();
   bool remove();
-  /// Restores the saved probe of this name, else the built-in probe of this name or shape.
+  /// Restores the saved probe of this name, else the built-in probe of this name, else the built-in probe of this
+  /// shape.
   void reset();
 
  Q_SIGNALS:

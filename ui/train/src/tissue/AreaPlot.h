@@ -13,18 +13,18 @@ struct LivePress;
 
 namespace insonate::train {
 
-/// Plots the areas of vein and artery against the probe's force: past points as a trace, and the present point.
-/// Allocates no memory once the trace has its full length.
+/// Plots the areas of vein and artery against the probe's force: earlier points as a trace, and the present point.
+/// Allocates no memory once the trace has its maximum length.
 class AreaPlot final : public QWidget {
  public:
   static constexpr std::size_t kMost = 4000;  ///< maximum number of points; the oldest are dropped first
 
   explicit AreaPlot(QWidget* parent = nullptr);
 
-  /// Adds the point of a new live image to the trace, if the probe presses.
+  /// Adds the point of a new live image to the trace, if the probe compresses tissue.
   void add(const LivePress& press);
-  /// Shows the point of the image on display without adding it to the trace; no point if there is no vessel in the
-  /// plane.
+  /// Shows the point of the image on display without adding the point to the trace. Shows no point if there is no
+  /// vessel in the plane.
   void show(const LivePress& press);
   void clear();
   std::size_t points() const { return trace_.size(); }
@@ -36,7 +36,8 @@ class AreaPlot final : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  /// Force and areas in % of the area in the CT; below 0 if the vessel is not in the plane.
+  /// A point of the plot: force, and areas in % of the area in the CT; an area is below 0 if the vessel is not in the
+  /// plane.
   struct Point {
     float force_N = 0, vein = -1, artery = -1;
   };

@@ -20,8 +20,8 @@ class DisclosureModel;
 class LiveModel;
 class StatusLine;
 
-/// Display of the tissue's mechanics in the image's column: the strip of numbers, the curve, and grid and pressure over
-/// the image. Grid and pressure are requested from the simulation only while they are shown.
+/// Display of the tissue's mechanics in the image's column: a strip with numbers, the curve, and grid and pressure over
+/// the image. Grid and pressure are requested from the simulator only while they are shown.
 class TissueShown final : public QObject {
  public:
   /// The widgets become children of `column`; a layout can move them.
@@ -39,7 +39,7 @@ class TissueShown final : public QObject {
   QWidget* buildCurve(QWidget* column);
   void showPicture();
   void choose();
-  /// Tells whether a display is switched on and disclosed.
+  /// Tells whether a display (`what` as in toggle()) is switched on and disclosed.
   bool shows(int what) const;
 
   StatusLine& status_;

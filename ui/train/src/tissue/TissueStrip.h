@@ -23,15 +23,15 @@ class CaseModel;
 class DisclosureModel;
 class LiveModel;
 
-/// The line under the image: the probe's force, its effect on the vessels, and switches for overlays. Empty without
-/// pressure. The numbers change only a few times per second, so that they are readable.
+/// The line under the image: the probe's force, the effect of the force on the vessels, and switches for overlays.
+/// Empty without compression. The numbers change only a few times per second, so that they are readable.
 class TissueStrip final : public QWidget {
   Q_OBJECT
 
  public:
   enum Show { kGrid, kPressure, kPlot, kShows };
 
-  /// `commands`: those that show or hide overlays, for the menu.
+  /// `commands`: commands that show or hide overlays, for the menu.
   TissueStrip(DisclosureModel& disclosure, CaseModel& patientCase, LiveModel& live, ui::Commands& commands,
               QWidget* parent = nullptr);
 
@@ -59,7 +59,7 @@ class TissueStrip final : public QWidget {
   QPushButton* menu_;
   QAction* actions_[kShows] = {};
   bool isShown_[kShows] = {};
-  bool tight_ = false;  ///< narrow layout, without the indentation, which the panel shows too
+  bool tight_ = false;  ///< true: the layout is narrow and omits the indentation, which the panel also shows
   ui::AreaForm form_ = ui::AreaForm::Full;
 };
 

@@ -10,10 +10,10 @@ namespace insonate::train {
 /// Returns the area of a vessel; null if the vessel is not in the plane.
 const LumenArea* lumenOf(const LivePress& press, Label label);
 
-/// Tells whether the probe's pressure is high enough for displaying a number.
+/// Tells whether the probe's force is large enough to be displayed as a number.
 bool presses(const LivePress& press);
 
-/// Color of a vessel in text and curves over the image.
+/// Returns the color of a vessel in text and curves over the image.
 QColor vesselColour(Label label);
 
 }  // namespace insonate::train

@@ -4,8 +4,8 @@
 
 namespace insonate::train {
 
-/// The feature for the keys of undo and redo. They work also without a patient, since a probe can be edited without
-/// one.
+/// The feature for the keys of undo and redo. The keys work even without a patient, since a probe can be edited without
+/// a patient.
 class UndoFeature final : public Feature {
   Q_OBJECT
 

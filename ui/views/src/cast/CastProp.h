@@ -40,8 +40,8 @@ class CastProp : public vtkProp {
   /// Tells whether a better image has become ready since the last frame.
   bool hasNews() const { return fresh_; }
 
-  /// Returns the distance between rays, in pixels along each axis, for an image with this number of pixels and this
-  /// duration of a ray.
+  /// Returns the distance between rays, in pixels along each axis, for an image with the number of pixels `pixels` if
+  /// one ray takes `perRay_ms`.
   static double spacingFor(double pixels, double perRay_ms);
 
   double* GetBounds() override;

@@ -42,10 +42,10 @@ struct CastVolume {
 /// Makes a volume on the caller's thread; takes a tenth of a second for a large CT.
 std::shared_ptr<const CastVolume> makeCastVolume(std::shared_ptr<const PatientCase> patient);
 
-/// A patient's CT with a transfer function, prepared for ray casting. Constant.
+/// A patient's CT with a transfer function, prepared for ray casting. The object is constant.
 struct CastLook {
   struct Entry {
-    float red = 0, green = 0, blue = 0;  ///< 0 to 1
+    float red = 0, green = 0, blue = 0;  ///< components of the color, 0 to 1
     float opacity = 0;                   ///< opacity of one step along the ray
   };
   static constexpr int kEntries = 4096, kFirst_HU = -1024;
@@ -54,7 +54,7 @@ struct CastLook {
   struct Level {
     double step_mm = 1;
     std::vector<Entry> entries;
-    std::vector<std::uint8_t> seen;  ///< for each block, whether it contains visible values
+    std::vector<std::uint8_t> seen;  ///< for each block: nonzero if the block contains visible values
   };
 
   CastLook(std::shared_ptr<const CastVolume> volume, const TransferFunction& function);

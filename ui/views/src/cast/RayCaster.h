@@ -12,14 +12,14 @@
 
 namespace insonate::views {
 
-/// Geometry of the rays, and the scene's depth at which they end.
+/// Geometry of the rays, and the depth of the scene at which each ray ends.
 struct CastView {
   /// Row-major matrix from normalized device coordinates (-1 to 1, OpenGL) to the patient.
   std::array<double, 16> patientFromSeen{};
   /// The camera's directions right, up and toward the viewer, in the patient's frame.
   std::array<Vec3, 3> patientFromCamera{};
   std::optional<ClippingPlane> clipping;
-  int width = 0, height = 0;  ///< size of `depth`
+  int width = 0, height = 0;  ///< columns and rows of `depth`
   /// Depth of the objects that are already drawn: 0 at the near plane, 1 at the far plane; rows from bottom to top, as
   /// in OpenGL.
   std::vector<float> depth;
@@ -32,13 +32,14 @@ struct CastTask {
   std::shared_ptr<const CastLook> look;
   CastView view;
   int across = 0, up = 0;  ///< number of rays per row, number of rows
-  bool coarse = false;     ///< rays use the copy at low resolution
+  bool coarse = false;     ///< true: rays use the copy of the CT at low resolution
 
   /// Tells whether both tasks show the same image, whatever their numbers of rays.
   bool showsAs(const CastTask& other) const { return look == other.look && view == other.view; }
 };
 
-/// Casts a task's rays, row by row. Several threads may cast rows at the same time. The light is the scene's.
+/// Casts a task's rays, row by row. Several threads may cast rows at the same time. The lamps are those of the scene
+/// (SceneLights.h).
 class RayCaster {
  public:
   /// The task must outlive the caster.

@@ -14,7 +14,7 @@ namespace insonate::views {
 /// An image with one ray for each pixel.
 struct CastPicture {
   CastTask task;
-  std::vector<std::uint8_t> rgba;  ///< as written by RayCaster::castRow()
+  std::vector<std::uint8_t> rgba;  ///< colors and opacities as RayCaster::castRow() writes them
 };
 
 /// Casts rays on its own low-priority threads, for images that take longer than the window may wait. All calls return

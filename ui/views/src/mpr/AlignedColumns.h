@@ -11,9 +11,9 @@
 
 namespace insonate::views {
 
-/// Speeds up slices whose rows are parallel to an axis of the grid, as in most scans. All rows then have the same
-/// sample positions along this axis, so that the interpolation across a row is computed once per voxel instead of once
-/// per pixel.
+/// Speeds up the sampling of slices whose rows are parallel to an axis of the grid, as in most scans. All rows of such
+/// a slice have the same sample positions along this axis. The interpolation across a row is therefore computed once
+/// per voxel instead of once per pixel.
 class AlignedColumns {
  public:
   struct Column {
@@ -36,7 +36,7 @@ class AlignedColumns {
   void mix(const CtVolume& ct, const Row& row, std::vector<float>& line) const;
   int hu(const std::vector<float>& line, int column) const;
 
-  /// First column within the grid; end() is one after the last.
+  /// first() returns the first column within the grid, end() the column after the last.
   int first() const { return first_; }
   int end() const { return first_ + int(columns_.size()); }
   const Column& column(int column) const { return columns_[std::size_t(column - first_)]; }

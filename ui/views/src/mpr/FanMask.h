@@ -8,7 +8,7 @@
 
 namespace insonate::views {
 
-/// Blackens everything outside an outline. Keeps its buffers between calls.
+/// Makes all pixels outside an outline black. Reuses its buffers from call to call.
 class FanMask {
  public:
   /// `outline` is a closed polygon in display pixels; `rgb` has width * height * 3 bytes, top row first.

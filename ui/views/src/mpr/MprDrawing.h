@@ -17,9 +17,9 @@ struct MprOverlay {
   std::optional<Vec3> crosshair_mm;
   std::optional<Vec3> pointer_mm;
   std::vector<DisplayPoint> fan;                    ///< outline of the field of view, a closed polygon
-  std::string slice;                                ///< "axial 42 / 120"
+  std::string slice;                                ///< kind and number of the slice, e.g. "axial 42 / 120"
   std::vector<std::pair<int, Calliper>> callipers;  ///< number, and the caliper in the slice's plane
-  std::vector<std::pair<int, Vec3>> marks_mm;       ///< number and position
+  std::vector<std::pair<int, Vec3>> marks_mm;       ///< number and position of each marked point
   const SliceMarks* toolMarks = nullptr;            ///< marks of the selected tool
   std::vector<const NamedPlace*> places;            ///< places near the slice
   WindowLevel windowLevel;
@@ -41,7 +41,7 @@ struct MprView::Drawing {
   std::vector<PlanePoint> fan;
   SlicePlane sampled;               ///< the plane that `quad` shows
   std::uint64_t sampledLabels = 0;  ///< revision of the labels that `quad` shows
-  bool paintStale = true;           ///< colors, window or case have changed since then
+  bool paintStale = true;           ///< true: colors, window or case have changed since `quad` was sampled
 };
 
 }  // namespace insonate::views

@@ -26,12 +26,12 @@ struct LabelPaint {
 class SliceSampler {
  public:
   void setWindowLevel(const WindowLevel& value);
-  /// Sets the outlines' width in pixels, at least 1; each of two adjoining labels contains half of the line.
+  /// Sets the outlines' width in pixels, at least 1. Where two labels adjoin, half of the line lies in each of them.
   void setOutlineWidth(int width_px) { outline_px_ = width_px; }
   void setPaint(std::uint8_t label, const LabelPaint& paint) { paint_[label] = paint; }
 
-  /// Sets the labels that a tool proposes in a block of the grid (255: no change), drawn over the others in their
-  /// colors. Null: no proposal.
+  /// Sets the labels that a tool proposes in a block of the grid (255: no change). They are drawn over the other
+  /// labels, in their own colors. Null: no proposal.
   void setProposal(const VoxelBox& box, const LabelMap* labels) { proposalBox_ = box, proposal_ = labels; }
 
   /// Range of display rows, counted from the top; `end` is one after the last.

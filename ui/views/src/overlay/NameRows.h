@@ -9,9 +9,9 @@
 
 namespace insonate::views {
 
-/// Places names beside marks so that no name covers another: in rows above each other, or not at all if too many marks
-/// are close together. The first name is placed in the row of its mark. A long name is cut, so that it crosses neither
-/// the image nor its edge. For logical or device pixels.
+/// Finds positions for names beside marks so that no name covers another. Names are placed in rows above each other; if
+/// too many marks are close together, a name gets no position. The first name is in the row of its mark. A long name is
+/// shortened, so that it crosses neither the image nor the image's edge. Positions are in logical or in device pixels.
 class NameRows {
  public:
   NameRows(double width_px, double size_px) : width_px_(width_px), size_px_(size_px) {}

@@ -20,7 +20,7 @@ struct TextStyle {
   double size_px = 13;
   Colour colour = theme::kText;
   bool bold = false;
-  Across across = Across::Left;  ///< which part of the text is at the point
+  Across across = Across::Left;  ///< part of the text that lies at the given point
   Along along = Along::Top;
 };
 

@@ -8,7 +8,8 @@
 
 namespace insonate::views {
 
-/// Clips a mapper: it draws only the side to which the plane's normal points; everything if there is no plane.
+/// Clips a mapper, so that it draws only the side to which the plane's normal points. Without a plane it draws
+/// everything.
 inline void clip(vtkAbstractMapper& mapper, const std::optional<ClippingPlane>& plane) {
   mapper.RemoveAllClippingPlanes();
   if (!plane) return;

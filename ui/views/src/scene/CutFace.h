@@ -12,7 +12,8 @@
 
 namespace insonate::views {
 
-/// The face of a structure cut by a plane: its inside in its color, and its wall as a line around the inside.
+/// The face at which a plane cuts a structure: the inside in the structure's color, and the wall as a line around the
+/// inside.
 class CutFace {
  public:
   CutFace();

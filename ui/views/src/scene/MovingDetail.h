@@ -11,9 +11,9 @@ class vtkRenderWindow;
 
 namespace insonate::views {
 
-/// Keeps a moving scene fast: it is drawn at reduced size in a corner of its window and then enlarged. The reduction
-/// depends on the durations of the last frames. Fewer pixels help most if there is no graphics card. Frames of a scene
-/// at rest are not reduced.
+/// Keeps a moving scene fast: the scene is drawn at reduced size in a corner of its window and then enlarged. The
+/// reduction depends on the durations of the last frames. Fewer pixels help most if there is no graphics card. Frames
+/// of a scene at rest are not reduced.
 class MovingDetail {
  public:
   explicit MovingDetail(int step = 0);
@@ -27,7 +27,7 @@ class MovingDetail {
   /// Number of window pixels per drawn pixel, along each axis.
   double shrink() const;
 
-  /// Returns the step of reduction for the next frame, if a frame with `step` took this long.
+  /// Returns the step of reduction for the next frame, if a frame with the step `step` took `took_ms`.
   static int nextStep(int step, double took_ms);
   static constexpr int kSteps = 8;
   static double shrinkOf(int step);

@@ -25,7 +25,7 @@ class PlaneCut {
     double across, up;
   };
   struct Edge {
-    Place low, high;  ///< ends with the lower and the higher `up`
+    Place low, high;  ///< low: end with the lower `up`; high: end with the higher `up`
     double acrossAt(double up) const;
   };
   void findEdges(const Surface& surface, const ClippingPlane& plane);
@@ -35,7 +35,7 @@ class PlaneCut {
 
   Vec3 origin_mm_, across_, up_;
   std::vector<float> distances_, points_mm_;
-  std::vector<Edge> edges_;  ///< sorted by the lower end
+  std::vector<Edge> edges_;  ///< edges, sorted by their lower ends
   std::vector<double> levels_;
   std::vector<const Edge*> active_;
   std::vector<std::uint32_t> triangles_, outline_;

@@ -10,14 +10,15 @@ namespace insonate::views {
 /// side.
 void lookAt(vtkCamera& camera, Viewpoint from, const double box[6], double widthOverHeight);
 
-/// Reads and sets the position of a camera.
+/// placeOf() reads, and stand() sets, the position of a camera.
 CameraPlace placeOf(vtkCamera& camera);
 void stand(vtkCamera& camera, const CameraPlace& place);
 
 /// Sets the near and far clipping distances so that the box lies between them.
 void enclose(vtkCamera& camera, const double box[6]);
 
-/// Completes a coupling: computes the screen's height from the view's size, and its pose from the default camera.
+/// Completes the data of a head-coupled view: computes the screen's height from the view's size, and the screen's pose
+/// from the default camera.
 HeadCoupling placed(HeadCoupling coupling, vtkCamera& usual, int width_px, int height_px);
 
 /// Places the camera at the eye, looking perpendicular to the screen's plane. `across_mm` is the distance of the eye to

@@ -18,18 +18,18 @@ struct SceneView::Drawing {
           wake();
         }) {}
 
-  // State of the window's thread; from `patient` on, data that the drawing thread does not need.
+  // State of the window's thread. The drawing thread does not need the data from `patient` on.
   SceneState state;
   std::shared_ptr<const VtkCase> patient;
   Clipping clipping;
   vtkNew<vtkCamera> usual, coupled;
   std::function<void()> structuresChanged;
   Viewpoint viewpoint = Viewpoint::Anterior;
-  bool framed = false;  ///< the camera was placed for visible objects
+  bool framed = false;  ///< true: the camera was placed so that all objects are visible
   Button held = Button::None;
   DisplayPoint last;
 
-  // State on the way from the window's thread to the drawing thread; never used by both at once.
+  // State that is passed from the window's thread to the drawing thread; the two threads never use it at the same time.
   SceneState handed;
   bool isHanded = false;
 
@@ -37,13 +37,13 @@ struct SceneView::Drawing {
   SceneState taken;
   bool isTaken = false;
 
-  // State of both threads.
+  // State that both threads use.
   std::atomic<bool> exact{false}, news{false};
   std::atomic<double> render_s{0};
   mutable std::mutex telling;
   std::string graphics;  ///< guarded by `telling`
 
-  /// Last member, so that it is destroyed first, with its threads.
+  /// Declared last, so that the stage and its threads are destroyed first.
   SceneStage stage;
 };
 

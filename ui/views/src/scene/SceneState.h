@@ -8,7 +8,8 @@
 
 namespace insonate::views {
 
-/// A label's surface as it was set. Constant; shared by the threads that describe and draw the scene.
+/// A label's surface as it was set. The object is constant, and is shared by the threads that describe and draw the
+/// scene.
 struct SceneShape {
   struct Triangles {
     std::vector<float> points_mm, normals;
@@ -31,8 +32,8 @@ struct CameraPlace {
   double angle_deg = 30;
 };
 
-/// State that determines a frame of a scene, as plain data: written by the window's thread, passed to the drawing
-/// thread. Large parts are shared; copying it into a state of the same case allocates nothing.
+/// State that determines a frame of a scene, as plain data. The window's thread writes the state and passes it to the
+/// drawing thread. Large parts are shared. Copying a state into another state of the same case allocates nothing.
 struct SceneState {
   int width_px = 1, height_px = 1;
   double scale = 1;
@@ -46,15 +47,15 @@ struct SceneState {
   ImagingSettings settings;
   Transform patientFromProbe;
   bool probeVisible = true, planeVisible = true;
-  BModeImage image;  ///< empty if there is no image of the present probe
+  BModeImage image;  ///< live image; empty if there is no image of the present probe
   std::optional<SceneView::Needle> needle;
   std::optional<Transform> tray;
-  std::shared_ptr<const std::vector<ScenePath>> paths;  ///< null: no paths
+  std::shared_ptr<const std::vector<ScenePath>> paths;  ///< lines in space; null: none
   CameraPlace camera;
   Stereo stereo = Stereo::Off;
   std::optional<HeadCoupling> coupling;
   bool moving = false;
-  /// Numbers of changes, compared instead of the data themselves.
+  /// Counters of changes, which are compared instead of the data themselves.
   int probeChanges = 0, imageChanges = 0, needleChanges = 0;
 };
 

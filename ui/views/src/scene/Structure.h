@@ -10,7 +10,7 @@
 
 namespace insonate::views {
 
-/// One label's surface, with a second one of lower resolution if it is large.
+/// The surface of one label. A large surface also has a version with lower resolution.
 class Structure {
  public:
   Structure();
@@ -21,7 +21,7 @@ class Structure {
   void setVisible(bool visible);
   void setCoarse(bool coarse);
   void setClipping(const std::optional<ClippingPlane>& plane);
-  /// Updates the face where the plane cuts the structure; no effect if it is up to date. `lift_mm` as in
+  /// Updates the face at which the plane cuts the structure; has no effect if the face is up to date. `lift_mm`: as for
   /// CutFace::cut().
   void close(double lift_mm);
 
@@ -39,7 +39,7 @@ class Structure {
   std::shared_ptr<const SceneShape> shape_;
   CutFace face_;
   std::optional<ClippingPlane> plane_;
-  bool open_ = false;  ///< the face does not match the plane
+  bool open_ = false;  ///< true: the face does not match the plane
   double opacity_ = 1;
   bool visible_ = true;
 };

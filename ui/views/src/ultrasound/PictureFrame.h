@@ -18,7 +18,7 @@ struct PictureFrame {
   std::vector<double> tgc_dB{};
   bool scale = true, greyBar = true, frozen = false;
   DisplayPoint marker_px{};  ///< the image's upper corner on the side of the probe's marker
-  bool markerRight = true;   ///< that corner is the right one
+  bool markerRight = true;   ///< true: `marker_px` is the right upper corner; false: the left one
   std::string notice{};
 };
 

@@ -21,7 +21,7 @@ namespace insonate::views {
 /// Position and scale of the image on the display.
 struct PicturePlane {
   double left_px = 0, top_px = 0, right_px = 0, bottom_px = 0;
-  DisplayPoint origin;                  ///< position of lateral 0, axial 0
+  DisplayPoint origin;                  ///< display position of the point with lateral 0, axial 0
   double across_px = 10, down_px = 10;  ///< display pixels per mm; across_px is negative if mirrored
 };
 

@@ -4,14 +4,17 @@
 
 namespace insonate::web {
 
-/// Shows the result of an attempt, whose id is the only part, by the rules of the class named by the query's "class".
+/// Shows the result of an attempt by the rules of a class. `parts`: the id of the attempt. "class" in the query: the id
+/// of the class.
 Response showAttempt(const Visit& visit, const Parts& parts);
-/// Accepts or voids the attempt whose id is the only part, for the form's "reason".
+/// Accepts an attempt, or voids it (voidAttempt()), for the reason in the form's field "reason". `parts`: the id of the
+/// attempt.
 Response acceptAttempt(const Visit& visit, const Parts& parts);
 Response voidAttempt(const Visit& visit, const Parts& parts);
-/// Adds a comment to the attempt whose id is the only part, at the form's time "at" with its text "text".
+/// Adds a comment to an attempt. The form's field "at" contains the time in the recording, "text" the text of the
+/// comment. `parts`: the id of the attempt.
 Response addComment(const Visit& visit, const Parts& parts);
-/// Removes a comment: parts are the ids of attempt and comment.
+/// Removes a comment. `parts`: the ids of attempt and comment.
 Response removeComment(const Visit& visit, const Parts& parts);
 
 }  // namespace insonate::web

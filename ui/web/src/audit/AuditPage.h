@@ -4,7 +4,8 @@
 
 namespace insonate::web {
 
-/// Shows a page of the audit log, newest entries first; the query's "before" is the number of the entry above the page.
+/// Shows a page of the audit log, newest entries first. "before" in the query: the number of the entry that precedes
+/// the page.
 Response showAudit(const Visit& visit, const Parts& parts);
 
 }  // namespace insonate::web

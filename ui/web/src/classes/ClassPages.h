@@ -6,12 +6,13 @@ namespace insonate::web {
 
 /// Shows the classes that the user may see.
 Response showClasses(const Visit& visit, const Parts& parts);
-/// Sends the attempts of a class as CSV, its grades for Moodle, or its xAPI statements; the class's id is the only
-/// part. The query of grades has "by" (email or name), that of statements "home" (address of the site).
+/// These three functions send a file about a class: its attempts as CSV, its grades for Moodle, or its xAPI statements.
+/// `parts`: the id of the class. The query of grades has "by" (email or name), the query of statements "home" (address
+/// of the site).
 Response exportClassAttempts(const Visit& visit, const Parts& parts);
 Response exportClassGrades(const Visit& visit, const Parts& parts);
 Response exportClassStatements(const Visit& visit, const Parts& parts);
-/// Shows who needs attention, the members and the heat map of a class, whose id is the only part.
+/// Shows the people of a class who need attention, the members, and the heat map. `parts`: the id of the class.
 Response showClass(const Visit& visit, const Parts& parts);
 /// Sends an event whenever data of a class have changed (livePage()).
 Response followClass(const Visit& visit, const Parts& parts);

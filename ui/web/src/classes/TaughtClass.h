@@ -21,7 +21,7 @@ struct TaughtClass {
 
 inline constexpr const char* kNoCurriculum = "The class has no curriculum, by which its levels would be judged.";
 
-/// Calls work(TaughtClass) for the class of this id, or returns a page that says why not.
+/// Calls work(TaughtClass) for the class with this id. If the user may not see the class, returns a page that says why.
 template <class Work>
 Response withClass(const Visit& visit, const std::string& id, const Work& work) {
   const auto cohorts = CohortStore(*visit.by).cohorts();

@@ -6,14 +6,14 @@
 
 namespace insonate::web {
 
-/// Text that the user typed in the form of a comment, and the reason why it was refused.
+/// Text that the user typed in the form for a comment, and the reason why the comment was refused.
 struct CommentDraft {
   std::string time{}, text{}, trouble{};
 };
 
-/// Returns the comments on an attempt with, for those who may comment on it, a form for another one. Fails if the draft
-/// was refused to a user without this form. `query`: that of the attempt's page, to which the form returns ("" or
-/// "?class=5"). A trainee has then read the comments.
+/// Returns the section with the comments on an attempt. Users who may comment on the attempt also get a form for a new
+/// comment. Fails if `draft` was refused and the user gets no form. `query`: query of the attempt's page, to which the
+/// form returns ("" or "?class=5"). If the user is the trainee, marks the comments as read.
 Result<Markup> commentSection(const Visit& visit, const AttemptFacts& attempt, const std::string& query,
                               const CommentDraft& draft);
 

@@ -11,7 +11,7 @@ namespace insonate::web {
 /// Certificate chain and private key of a server, as PEM.
 struct Certificate {
   std::string chain{}, key{};
-  std::int64_t validUntil_s = 0;  ///< since 1970, UTC
+  std::int64_t validUntil_s = 0;  ///< end of the certificate's validity, since 1970, UTC
 };
 
 /// Reads the files of a certificate chain and its private key. Fails with a sentence for each fault: a file that cannot

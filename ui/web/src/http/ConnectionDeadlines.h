@@ -9,8 +9,8 @@
 
 namespace insonate::web {
 
-/// Ends connections that miss their deadlines, so that a client which sends or takes one byte every few seconds does
-/// not keep its connection: libmicrohttpd limits only the time without any byte. For any thread.
+/// Ends connections that miss their deadlines. A client that sends or receives one byte every few seconds therefore
+/// cannot keep its connection; libmicrohttpd limits only the time without any byte. May be used on any thread.
 class ConnectionDeadlines {
  public:
   using Time = std::chrono::milliseconds;
@@ -22,7 +22,7 @@ class ConnectionDeadlines {
 
   /// Adds a connection, whose socket must stay open until remove().
   void add(int socket, Time within);
-  /// Gives a connection another deadline, or none. Ignores connections that are not there.
+  /// Changes the deadline of a connection, or removes it. Ignores unknown connections.
   void set(int socket, std::optional<Time> within);
   void remove(int socket);
 

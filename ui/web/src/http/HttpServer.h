@@ -11,29 +11,34 @@
 
 namespace insonate::web {
 
-/// Times and numbers by which a server protects itself from slow and many clients.
+/// Limits by which a server protects itself against slow clients and against too many clients.
 struct HttpLimits {
-  std::chrono::milliseconds request{30'000};  ///< for a whole request, from the connection or the answer before
-  std::chrono::milliseconds answer{120'000};  ///< for taking a whole answer
-  unsigned idle_s = 30;                       ///< without a byte in either direction
-  unsigned connections = 1000, connectionsOfOneAddress = 200;  ///< behind a proxy, all have one address
+  std::chrono::milliseconds request{30'000};  ///< time for receiving a whole request, since the connection or the
+                                              ///< previous answer
+  std::chrono::milliseconds answer{120'000};  ///< time in which a client must receive a whole answer
+  unsigned idle_s = 30;                       ///< time without a byte in either direction after which a connection
+                                              ///< ends
+  unsigned connections = 1000, connectionsOfOneAddress = 200;  ///< maximum number of connections, in total and from
+                                                               ///< one address; behind a proxy, all connections have
+                                                               ///< one address
 };
 
-/// Accepts HTTP or HTTPS connections and answers each request by `answer`, on a few worker threads: one thread waits
-/// for all connections (epoll), so that a slow client holds no worker. Bodies above kLargestBody_bytes are refused,
-/// those of workstations above kLargestBodyOfWorkstation_bytes.
+/// Accepts HTTP or HTTPS connections and answers each request by `answer`, on a few worker threads. One thread waits
+/// for all connections (epoll), so that a slow client occupies no worker. Bodies above kLargestBody_bytes are refused;
+/// for workstations, the limit is kLargestBodyOfWorkstation_bytes.
 class HttpServer {
  public:
   using Answer = std::function<Response(const Request&)>;
-  /// Takes the status of a request that was refused before it reached `answer`: too large, ambiguous, or too many.
+  /// Function that receives the status of each request that was refused before it reached `answer`: the request was too
+  /// large or ambiguous, or there were too many requests.
   using Refused = std::function<void(int status)>;
   static constexpr std::size_t kLargestBody_bytes = 64 << 10, kLargestBodyOfWorkstation_bytes = 4 << 20;
 
-  /// Starts to listen. Fails if the address is in use or if certificate and key cannot be used. `answer` is called on
-  /// several threads at the same time and must not throw; so is `refused`, which may be empty.
+  /// Starts to listen. Fails if the address is in use or if certificate and key cannot be used. `answer` and `refused`
+  /// are called on several threads at the same time and must not throw. `refused` may be empty.
   static Result<std::unique_ptr<HttpServer>> start(const WebOptions& options, Answer answer,
                                                    const HttpLimits& limits = {}, Refused refused = {});
-  /// Finishes the requests in progress, answers those that wait with status 503, then stops.
+  /// Finishes the requests in progress, answers waiting requests with status 503, then stops.
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;

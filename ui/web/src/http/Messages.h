@@ -16,12 +16,12 @@ const std::string& valueOf(const Fields& fields, std::string_view name);
 
 class EventStream;
 
-/// An HTTP request. Names of headers are in lower case; of fields that occur more than once the first counts.
+/// An HTTP request. Names of headers are in lower case. If a field occurs more than once, the first one counts.
 struct Request {
-  std::string method{};  ///< "GET", "POST", ...; HEAD arrives as GET
+  std::string method{};  ///< method: "GET", "POST", ...; HEAD arrives as GET
   std::string path{};    ///< decoded path without query: "/classes/5"
   Fields query{}, form{}, cookies{}, headers{};
-  std::string body{};    ///< as it was sent
+  std::string body{};    ///< body of the request, as it was sent
   std::string client{};  ///< IP address of the client, or of the proxy in front of this server
 };
 

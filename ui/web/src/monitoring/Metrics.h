@@ -10,13 +10,14 @@
 
 namespace insonate::web {
 
-/// Counts requests since the server was started, by the route of their page; never by address, person or query. For any
-/// thread.
+/// Counts requests since the server was started, by the route of their page. Addresses, people and queries are not
+/// recorded. May be used on any thread.
 class Metrics {
  public:
   Metrics();
 
-  /// Counts an answered request. `method` and `route` must be of a small set, since each pair makes a line.
+  /// Counts an answered request. `method` and `route` must have only few different values, since each pair makes a
+  /// line.
   void count(std::string_view method, std::string_view route, int status, double seconds);
   void countDatabaseFailures(std::int64_t failures);
 
@@ -26,7 +27,8 @@ class Metrics {
  private:
   static constexpr std::array kBounds_s{0.01, 0.05, 0.1, 0.5, 1.0, 5.0};
   struct Times {
-    std::array<std::int64_t, kBounds_s.size()> upTo{};  ///< requests that took at most this bound
+    std::array<std::int64_t, kBounds_s.size()> upTo{};  ///< for each bound: number of requests whose time was at most
+                                                        ///< the bound
     std::int64_t count = 0;
     double sum_s = 0;
   };

@@ -8,8 +8,8 @@
 
 namespace insonate::web {
 
-/// Values by attempt number, as a chart (SVG) with the same numbers as a table below, which screen readers and
-/// text browsers show.
+/// Values by attempt number. They are shown as a chart (SVG), and as a table below the chart for screen readers and
+/// text browsers.
 struct AttemptChart {
   enum class Mark { Passed, Failed, Other };
   struct Point {
@@ -18,12 +18,13 @@ struct AttemptChart {
   };
   std::string title{};                         ///< caption: "Points at Textbook neck"
   std::string unit{};                          ///< unit of the values, or empty
-  std::vector<std::optional<Point>> points{};  ///< for each attempt, from number 1; empty where there is no value
+  std::vector<std::optional<Point>> points{};  ///< value of each attempt, from number 1; empty if an attempt has no
+                                               ///< value
   std::optional<double> limit{};               ///< a horizontal line, such as the limit of LC-CUSUM
-  std::string limitName{};                     ///< name of this line
+  std::string limitName{};                     ///< name of the horizontal line
 };
 
-/// Draws the chart; a sentence if there are no values.
+/// Returns the chart; if there are no values, a sentence.
 Markup chart(const AttemptChart& values);
 
 }  // namespace insonate::web

@@ -8,8 +8,8 @@
 
 namespace insonate::web {
 
-/// A piece of HTML or SVG. Text and values of attributes enter it only through text() and element(), which escape them,
-/// so that no name of a person or class can become a tag.
+/// A piece of HTML or SVG. Text and values of attributes can be added only through text() and element(), which escape
+/// them, so that no name of a person or class can become a tag.
 class Markup {
  public:
   Markup() = default;

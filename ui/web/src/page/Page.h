@@ -27,7 +27,7 @@ struct Visit {
   const WebOptions& options;
   const Metrics& metrics;
   LiveUpdates& live;
-  std::optional<SignedIn> by{};  ///< empty: nobody is signed in; never empty in pages that require sign-in
+  std::optional<SignedIn> by{};  ///< user; empty: no user is signed in; never empty in pages that require sign-in
   std::string secret{};          ///< secret of the browser's session (BrowserSessions); empty if there is none
 };
 
@@ -42,7 +42,7 @@ Response livePage(const Visit& visit, std::string_view title, const Markup& cont
                   std::int64_t since);
 /// Returns the stream of events for a page that shows these people (Person::id).
 Response follow(const Visit& visit, std::set<std::string> people);
-/// Returns a page that states in one sentence why there is nothing else to see.
+/// Returns a page with one sentence that says why the requested page cannot be shown.
 Response refusal(const Visit& visit, int status, std::string_view sentence);
 /// Returns an answer that sends the browser to another address of this server by GET.
 Response redirect(const std::string& address);
@@ -61,16 +61,16 @@ Markup textField(std::string_view label, const std::string& name, const std::str
 /// Returns a labeled list of choices (value, text), of which `chosen` is selected.
 Markup choiceField(std::string_view label, const std::string& name,
                    const std::vector<std::pair<std::string, std::string>>& choices, std::string_view chosen);
-/// Returns the code that forms of a session carry. It proves that a form comes from a page of this session, and does
-/// not reveal the session's secret.
+/// Returns the code that forms of a session contain. The code proves that a form comes from a page of this session, and
+/// does not reveal the session's secret.
 std::string formCode(const std::string& secret);
 
 /// Returns a section with a heading.
 Markup section(std::string_view heading, const Markup& content);
 Markup paragraph(std::string_view sentence);
-/// Returns a less prominent paragraph, which explains words or figures beside it.
+/// Returns a less prominent paragraph, which explains the words or figures beside the paragraph.
 Markup note(std::string_view sentence);
-/// Returns the reason why a form was refused, which screen readers announce.
+/// Returns the reason why a form was refused. Screen readers announce the reason.
 Markup troubleLine(std::string_view sentence);
 /// Returns a time in the server's time zone, "20 Nov 2026, 14:05 CET", with the exact time for programs.
 Markup timeOf(std::int64_t time_us);

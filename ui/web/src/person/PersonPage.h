@@ -9,15 +9,15 @@
 
 namespace insonate::web {
 
-/// Shows the user's own levels, learning curve and attempts, in the class named by the query's "class".
+/// Shows the user's own levels, learning curve and attempts in a class. "class" in the query: the id of the class.
 Response showOwnTraining(const Visit& visit, const Parts& parts);
-/// Shows the same of a member of a class: parts are the ids of class and person.
+/// Shows levels, learning curve and attempts of a member of a class. `parts`: the ids of class and person.
 Response showMember(const Visit& visit, const Parts& parts);
 /// Send an event whenever the data of such a page have changed (livePage()).
 Response followOwnTraining(const Visit& visit, const Parts& parts);
 Response followMember(const Visit& visit, const Parts& parts);
 
-/// Returns the curriculum by which a class is taught; empty if it has none.
+/// Returns the curriculum of a class; empty if the class has none.
 Result<std::optional<Curriculum>> curriculumOf(const SignedIn& by, const Cohort& cohort);
 
 }  // namespace insonate::web

@@ -10,8 +10,8 @@ Response signOut(const Visit& visit, const Parts& parts);
 Response showPasswordForm(const Visit& visit, const Parts& parts);
 Response changePassword(const Visit& visit, const Parts& parts);
 
-/// Returns the name of the cookie that holds a session's secret. Browsers accept the prefix __Host- only for HTTPS, and
-/// then only from this very host.
+/// Returns the name of the cookie that contains a session's secret. Browsers accept the prefix __Host- only over HTTPS,
+/// and only if the cookie comes from this host.
 std::string sessionCookie(const WebOptions& options);
 
 }  // namespace insonate::web

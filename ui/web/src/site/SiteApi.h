@@ -6,8 +6,8 @@
 
 namespace insonate::web {
 
-/// Addresses at which workstations exchange data with the server. They carry a token in the header Authorization and
-/// no cookie, so that no page of another site can use them.
+/// Beginning of the addresses at which workstations exchange data with the server. Requests to these addresses contain
+/// a token in the header Authorization and no cookie, so that no page of another site can use these addresses.
 inline constexpr std::string_view kSiteApi = "/api/site/";
 
 /// Answers a request of a workstation (SiteService): status 200 with the answer, 401 without a valid token, 422 with a

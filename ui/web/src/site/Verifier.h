@@ -9,8 +9,8 @@
 
 namespace insonate::web {
 
-/// Verifies attempts that workstations have sent, one after another, on a thread of its own, until it is destroyed.
-/// Several servers with one database share the work.
+/// Verifies attempts that workstations have sent, one after another, on a thread of its own, until the object is
+/// destroyed. Several servers with one database share the work.
 class Verifier {
  public:
   /// `log`: receives failures of the database; may be empty.

@@ -18,16 +18,16 @@ struct DeformationBenchRow {
   double mesh_mm = 0;  ///< size of the mesh cells near vessels and the probe's face
   int unknowns = 0;
   int threads = 1;  ///< maximum number of threads
-  /// Change of the input between frames. `cold`: each frame is solved from undeformed tissue until it converges.
-  /// `warm`: the compression changes by 0.25 mm per frame. `moving`: in addition, the probe slides by 0.3 mm per frame.
-  /// `static`: the input does not change. `untouched`: the face is off the skin.
+  /// Change of the input between frames. `cold`: each frame is solved from undeformed tissue until the solution
+  /// converges. `warm`: the compression changes by 0.25 mm per frame. `moving`: in addition, the probe slides by 0.3 mm
+  /// per frame. `static`: the input does not change. `untouched`: the face is off the skin.
   std::string state;
   int frames = 0;
   /// Computing time of a whole frame: sampling of the tissue, solution, and inversion of the displacement.
   double median_ms = 0, p95_ms = 0, min_ms = 0;
   double iterations = 0;  ///< mean number of iterations per frame
   /// RMS and maximum difference from the displacement of the model `reference` at the same pose, over the tissue in the
-  /// image outside vessels. NaN if it was not compared.
+  /// image outside vessels. NaN if no comparison was made.
   double displacementRms_mm = 0, displacementMax_mm = 0;
   double forceError_percent = 0;
   double lumenAreaError = 0;  ///< error of the vein's cross-sectional area, as a fraction of its undeformed area

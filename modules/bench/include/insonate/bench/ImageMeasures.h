@@ -10,7 +10,7 @@ struct PixelBox {
   bool operator==(const PixelBox&) const = default;
 };
 
-/// Statistics of the gray values 0..255 of the displayed image inside a box; the box must lie in the image and not be
+/// Statistics of the gray values 0 to 255 of the displayed image inside a box; the box must lie in the image and not be
 /// empty.
 struct GrayStatistics {
   double p25 = 0, p50 = 0, p75 = 0, p95 = 0, p99 = 0, mean = 0;
@@ -33,14 +33,14 @@ struct SpeckleStatistics {
 SpeckleStatistics speckleStatistics(const BModeImage& image, const PixelBox& patch);
 
 /// Gray levels in and around a vessel's lumen, measured from a box well inside the lumen. A box more than 2.5 times as
-/// wide as tall is a long-axis view: its surroundings are the bands above and below, and the enhancement behind it is
-/// not measured.
+/// wide as tall is a long-axis view. In a long-axis view, the surroundings are the bands above and below the box, and
+/// the enhancement behind the lumen is not measured.
 struct Lumen {
   double mean = 0, sd = 0;
   /// Mean gray of the lumen, divided by the mean gray of a ring around the box at 1.7 to 2.4 times its half axes; NaN
   /// if the ring is not in the image.
   double overSurroundings = 0;
-  double nearMinusFar = 0;  ///< mean gray of the box's top fifth minus that of its bottom fifth
+  double nearMinusFar = 0;  ///< mean gray of the box's top fifth minus mean gray of the bottom fifth
   /// Enhancement: mean gray of the region 0.4 to 1 box heights below the box, divided by the mean gray beside this
   /// region; NaN in long-axis views.
   double belowOverSides = 0;

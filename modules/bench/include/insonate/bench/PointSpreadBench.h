@@ -12,15 +12,15 @@
 
 namespace insonate {
 
-/// Properties of a beam at one depth, measured in the amplitude image of a point. Contrasts and correlation lengths are
-/// those of fully developed speckle with this point-spread function. The members from cnr4 on are measured in images of
+/// Properties of a beam at one depth, measured in the amplitude image of a point. Contrasts and correlation lengths
+/// apply to fully developed speckle with this point-spread function. The members from cnr4 on are measured in images of
 /// speckle with anechoic cysts, without noise.
 struct PointSpreadFigures {
-  double lateral_mm = 0, lateral20dB_mm = 0;  ///< full widths at half maximum and, side lobes included, at -20 dB
-  double axial_mm = 0, slice_mm = 0;          ///< full widths at half maximum
+  double lateral_mm = 0, lateral20dB_mm = 0;  ///< lateral full widths: at half maximum; at -20 dB, side lobes included
+  double axial_mm = 0, slice_mm = 0;          ///< axial full width and slice thickness, at half maximum
   double endLateral_mm = 0;                   ///< lateral_mm at a distance of 1.2 mm from the array's end
   double aside_dB = 0;     ///< maximum level of the point's image at lateral distances of 2 mm and more
-  double sideLobe_dB = 0;  ///< maximum beyond the first minimum beside the main lobe; -120 if none
+  double sideLobe_dB = 0;  ///< maximum level beyond the first minimum beside the main lobe; -120 if there is none
   /// Level in the middle of a lumen of 4 or 8 mm diameter, relative to its surroundings.
   double lumen4_dB = 0, lumen8_dB = 0;
   /// Full widths at half maximum of the speckle intensity's autocorrelation.

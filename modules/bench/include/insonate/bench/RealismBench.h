@@ -18,8 +18,8 @@ struct SimulatedSet {
   unsigned seed = 1;  ///< another seed gives other necks, views and settings
   /// Case folders used in addition to the built-in necks: CTs of patients, atlases.
   std::vector<std::filesystem::path> cases = {};
-  /// Probes and planes, used in turn. Empty: those of the real images, in turn; any plane for a real image whose plane
-  /// is not stated.
+  /// Probes and planes, used in turn. If a list is empty, the probes or planes of the real images are used in turn; any
+  /// plane for a real image whose plane is not stated.
   std::vector<ProbeShape> probes = {};
   std::vector<ScanPlane> planes = {};
   bool clips = false;  ///< true: only clips are simulated; false: clips for real clips and stills for real stills
@@ -37,15 +37,15 @@ Result<std::vector<SourceImage>> simulatedImages(const SimulatedSet& set, const 
 /// Comparison of one image feature between real and simulated images.
 struct RealismFeature {
   std::string name;
-  double real = 0, realLow = 0, realHigh = 0;                 ///< median, 10th and 90th percentile
-  double simulated = 0, simulatedLow = 0, simulatedHigh = 0;  ///< likewise for simulated images
+  double real = 0, realLow = 0, realHigh = 0;                 ///< real images: median, 10th and 90th percentile
+  double simulated = 0, simulatedLow = 0, simulatedHigh = 0;  ///< simulated images: median, 10th and 90th percentile
   RocArea separation;  ///< ROC area by which this feature separates the two sets; larger values count as simulated
   double floor = 0;    ///< ROC area, 0.5 to 1, by which real sources differ: median over real sources with at least 4
                        ///< images of the area that separates the source from all others; NaN without two such sources
   double p = 1;        ///< probability of such a difference between equal sets, corrected for the number of features of
                        ///< all comparisons (Holm, Scand J Stat 1979, 6:65)
-  /// Tells whether the feature separates simulated from real images better than it separates real sources from each
-  /// other, with p below 0.05.
+  /// Tells whether the feature separates simulated from real images better than the feature separates real sources from
+  /// each other, with p below 0.05.
   bool exceedsFloor() const;
 };
 
@@ -68,10 +68,12 @@ Result<RealismBench> runRealismBench(std::vector<SourceImage> real, const Simula
                                      const Progress& progress = {});
 
 /// Writes features.csv, index.md, index.html and a blind test; either all of it or nothing. The folder `blind/`
-/// contains images and clips, numbered in random order, with one scale and the same file compression; the page on which
-/// readers rate them (sheet.html); sheets of images (sheet-N.png); instructions; and a list for ratings by hand
-/// (ratings.csv). key.csv, outside `blind/`, states which images are real. Images of a kind (probe, still or clip) that
-/// only one of the sets contains could be recognized by their kind. They are written to `unmatched/` instead, and
+/// contains the blind test:
+/// - images and clips, numbered in random order, with one scale and the same file compression
+/// - the page on which readers rate the images (sheet.html), and a list for ratings by hand (ratings.csv)
+/// - sheets of images (sheet-N.png), and instructions
+/// key.csv, outside `blind/`, states which images are real. Images of a kind (probe, still or clip) that only one of
+/// the sets contains could be recognized by their kind. These images are written to `unmatched/` instead, and
 /// unmatched.csv lists them.
 Result<void> writeRealismBench(const RealismBench& bench, const std::filesystem::path& folder);
 

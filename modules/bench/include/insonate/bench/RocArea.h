@@ -12,9 +12,10 @@ struct RocArea {
 };
 
 /// Computes the ROC area of two groups: the share of pairs in which the value of the positive group is larger; ties
-/// count half. The confidence interval is that of DeLong (Biometrics 1988, 44:837), computed for the logit, so that it
-/// stays within 0 and 1. If the groups are completely separated, it is the exact (Clopper-Pearson) interval of a
-/// proportion; with fewer than two values in a group, it is 0 to 1. Values must be finite.
+/// count half. The confidence interval is computed by the method of DeLong (Biometrics 1988, 44:837) for the logit, so
+/// that the interval stays within 0 and 1. If the groups are completely separated, the interval is the exact
+/// (Clopper-Pearson) interval of a proportion. With fewer than two values in a group, the interval is 0 to 1. Values
+/// must be finite.
 RocArea rocArea(std::span<const double> positive, std::span<const double> negative);
 
 /// Returns the two-sided p-value of the hypothesis that the ROC area is 0.5, computed with DeLong's variance; 1 if the

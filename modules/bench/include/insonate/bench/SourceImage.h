@@ -29,18 +29,18 @@ struct SourceImage {
   /// inside of the field of view. Fan: the largest rectangle inside the fan. Clip: this part of the middle frame.
   GreyPicture image;
   ProbeShape probe = ProbeShape::Linear;
-  std::optional<ScanPlane> plane = std::nullopt;  ///< empty if the list does not state it
-  /// Frames that readers see at shownPixelsPer_mm(): one for a still of a fan, kClipFrames for a clip. Empty for a
-  /// still of a linear probe, whose readers see `image`.
+  std::optional<ScanPlane> plane = std::nullopt;  ///< plane of the image; empty if the list does not state the plane
+  /// Frames that the readers of a blind test see, at shownPixelsPer_mm(): one frame for a still of a fan, kClipFrames
+  /// for a clip. Empty for a still of a linear probe; its readers see `image`.
   std::vector<GreyPicture> frames = {};
 
   bool isClip() const { return frames.size() > 1; }
-  /// Returns the still that readers see; for a clip, its middle frame.
+  /// Returns the still that the readers of a blind test see; for a clip, its middle frame.
   const GreyPicture& shown() const { return frames.empty() ? image : frames[frames.size() / 2]; }
 };
 
-/// Returns the resolution of the frames that readers see: kFeaturePixelsPer_mm for linear probes, half of it for fans,
-/// which are larger.
+/// Returns the resolution of the frames that the readers of a blind test see: kFeaturePixelsPer_mm for linear probes,
+/// half of it for fans, which are larger.
 double shownPixelsPer_mm(ProbeShape probe);
 
 /// Reads real images and clips. Each line of the list is `file,pixels per mm,source`. If a file shows more than the

@@ -127,7 +127,7 @@ struct BenchImage {
 
 struct UltrasoundBench {
   BenchComputer machine;
-  /// measurements of engines and settings; those of UltrasoundBenchPlan::setup first
+  /// measurements of engines and settings; the measurements of UltrasoundBenchPlan::setup come first
   std::vector<UltrasoundBenchRow> rows;
   FrameTimes plainLoop;  ///< times of a simple scalar program (PlainLoop) with UltrasoundBenchPlan::setup, one thread
   std::vector<StageLimits> stages;

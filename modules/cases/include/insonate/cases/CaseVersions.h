@@ -39,9 +39,10 @@ std::optional<std::filesystem::path> findVersion(const std::filesystem::path& fo
 /// volumes.
 std::vector<CaseVersion> versionsOf(const std::filesystem::path& folder);
 
-/// Publishes the case in a folder: keeps it as an unchanging version under `versions/NUMBER`. Trainees get this version
-/// until another one is published; later saves do not affect it. `seen` is the case that the author has checked; fails
-/// if the content of the folder differs from it. Does not check whether the case is fit for training.
+/// Publishes the case in a folder: keeps the case as an unchanging version under `versions/NUMBER`. Trainees get this
+/// version until another version is published; later saves do not affect the published version. `seen` is the case that
+/// the author has checked; fails if the content of the folder differs from `seen`. Does not check whether the case is
+/// fit for training.
 Result<CaseVersion> publishCase(const PatientCase& seen, const std::filesystem::path& folder, const std::string& date,
                                 const Progress& progress = {});
 

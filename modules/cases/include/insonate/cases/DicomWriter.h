@@ -23,7 +23,7 @@ Result<void> checkDicomTarget(const std::filesystem::path& folder);
 
 /// Writes one file per slice (Part 10, CT Image Storage, explicit VR little endian, unscaled HU) into a folder, which
 /// is created or must be empty. importSeries() reads the same HU (from -1024 up) at the same positions from these
-/// files; it reads the slices of a left-handed grid in the opposite order, which makes the grid right-handed. Positions
+/// files. The slices of a left-handed grid are read in the opposite order, which makes the grid right-handed. Positions
 /// are rounded to the 16 characters that DICOM allows for a number. On failure all written files are removed.
 Result<void> writeDicomSeries(const CtVolume& ct, const std::filesystem::path& folder,
                               const DicomSeriesIdentity& identity, const Progress& progress = {});

@@ -46,7 +46,7 @@ struct DifficultyEstimate {
 };
 
 /// Estimates the difficulty of puncturing the first target of the case. Fails, with the reason, if there is no target,
-/// if the target is not in its vessel, or if there is no skin in front of it.
+/// if the target is not in its vessel, or if there is no skin in front of the target.
 Result<DifficultyEstimate> estimateDifficulty(const CaseView& patient);
 
 /// Measures the vessel's cross-section at a target. Fails with the errors of estimateDifficulty().

@@ -69,7 +69,7 @@ Result<SeriesListing> listSeries(const std::filesystem::path& input, const Progr
 Result<ImportedCt> importSeries(const std::filesystem::path& input, const std::string& uid = {},
                                 const Progress& progress = {});
 
-/// Adds `shift_HU` to every value except padding (-1024), limits the result to -1024..32767 HU, and adds a warning.
+/// Adds `shift_HU` to every value except padding (-1024), limits the result to -1024 to 32767 HU, and adds a warning.
 void shiftValues(ImportedCt& imported, int shift_HU);
 
 /// Returns the sentence that asks whether a CT with saturated voxels shall be imported.

@@ -25,7 +25,7 @@ struct LabelReadResult {
   std::vector<std::string> notes;  ///< structures that were mapped, flattened or ignored, one sentence each
   LabelColours colours{};          ///< colors of the file's structures that differ from the label table's
   OwnLabels own{};  ///< structures that this program does not know, by the label numbers assigned to them
-  /// those of the author's own labels whose names come from a file of another program
+  /// numbers of the author's own labels whose names come from a file of another program
   std::set<std::uint8_t> foreign{};
   LabelStates states{};                     ///< the author's progress on each structure, if the file states it
   std::vector<ReadStructure> structures{};  ///< structures of the file that were read, for the author to check
@@ -42,7 +42,7 @@ Result<Volume<std::int32_t>> readLabelValues(const std::filesystem::path& file);
 /// file replaces the earlier one.
 Result<LabelReadResult> readLabelMap(const std::filesystem::path& file);
 
-/// Meaning of the numbers of a label map whose file does not state it.
+/// Meaning of the numbers of a label map, for a file that does not state the meaning.
 struct NumberMeaning {
   std::filesystem::path names{};  ///< file that names the numbers: see importLabels(); empty: none
   bool areOurs = false;           ///< true: numbers without names are label numbers of this program

@@ -71,7 +71,7 @@ struct CaseVersion {
 
 /// Display settings of a structure's surface in 3D.
 struct StructureShown {
-  double opacity = 1;  ///< opacity of the surface, 0..1
+  double opacity = 1;  ///< opacity of the surface, 0 to 1
   bool visible = true;
   bool operator==(const StructureShown&) const = default;
 };
@@ -130,8 +130,8 @@ struct CaseReadResult {
 };
 
 /// Reads a case from `ct.nrrd`, `labels.seg.nrrd` (or `labels.nrrd`) and `case.json` in a folder. Fails if a volume is
-/// missing or cannot be read, if the grids differ, if a voxel has more than one component, or if a newer program wrote
-/// the case (schemaVersion).
+/// missing or cannot be read, if the grids differ, if a voxel has more than one component, or if a newer version of the
+/// program wrote the case (schemaVersion).
 Result<CaseReadResult> readCase(const std::filesystem::path& folder);
 
 /// Refuses, before any work, a folder to which a case cannot be written (see checkFolderTarget); unless `replace` is

@@ -18,8 +18,8 @@ Result<StartPose> proposeStartPose(const CaseView& patient);
 /// Proposes a start pose for a transverse image over this target.
 Result<StartPose> poseOver(const CaseView& patient, const Target& target);
 
-/// Returns the case's first start pose; if the case has none, the proposed start pose. The command line uses it for the
-/// value `auto`.
+/// Returns the case's first start pose; if the case has none, the proposed start pose. The command line uses this
+/// function for the value `auto`.
 Result<StartPose> autoStartPose(const CaseView& patient);
 
 }  // namespace insonate

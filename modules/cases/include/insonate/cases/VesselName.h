@@ -28,7 +28,7 @@ enum class BodySide { Right, Left };
 /// Meaning of a vessel's name. A member is empty if the name does not state the property.
 struct VesselName {
   std::optional<NeckVessel> vessel{};
-  std::optional<BodySide> side{};  ///< also empty if the name states both sides
+  std::optional<BodySide> side{};  ///< side of the body; also empty if the name states both sides
   std::optional<Label> label{};    ///< kVein or kArtery
 };
 

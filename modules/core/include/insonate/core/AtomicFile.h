@@ -20,16 +20,16 @@ Result<void> writeAtomically(const std::filesystem::path& target,
 /// is unchanged.
 Result<void> writeAtomically(const std::filesystem::path& target, std::string_view bytes);
 
-/// Checks, before any work, whether a folder can be written as `target`. Refuses an empty name, a file or a dangling
-/// link in its place, a missing parent folder, and missing permissions.
+/// Checks, before any work, whether a folder can be written as `target`. Refuses an empty name, a `target` that is a
+/// file or a dangling link, a missing parent folder, and missing permissions.
 Result<void> checkFolderTarget(const std::filesystem::path& target);
 
-/// Writes the folder `target` atomically: `write` fills a new folder beside it, which then takes its place. A missing
-/// `target` is created. Other files of an existing `target` are kept, except those named in `superseded`. If files are
-/// replaced, the two folders are exchanged in one step, so that every reader finds either all old or all new files,
-/// even if the program is killed. If the file system cannot exchange folders, the replacement takes two steps; between
-/// them `target` is missing and both folders lie beside it. If `target` is the current working folder, the new files
-/// are moved into it one by one, because the folder itself must stay.
+/// Writes the folder `target` atomically: `write` fills a new folder beside `target`, and this folder then takes the
+/// place of `target`. A missing `target` is created. Other files of an existing `target` are kept, except those named
+/// in `superseded`. If files are replaced, the two folders are exchanged in one step, so that every reader finds either
+/// all old or all new files, even if the program is killed. If the file system cannot exchange folders, the replacement
+/// takes two steps; between the steps, `target` is missing and both folders lie beside it. If `target` is the current
+/// working folder, the new files are moved into it one by one, because the folder itself must stay.
 Result<void> writeFolderAtomically(const std::filesystem::path& target,
                                    const std::function<Result<void>(const std::filesystem::path& beside)>& write,
                                    const std::vector<std::string_view>& superseded = {});

@@ -41,8 +41,8 @@ class JsonEntry {
   double number(std::string_view key, double low, double high);
   /// Returns an optional number; no value if the key is missing. A number outside low to high is an error.
   std::optional<double> numberIfThere(std::string_view key, double low, double high);
-  /// Returns an optional number, as numberIfThere() does. In the file, it is a number, or an object with "value",
-  /// "range" [low, high] and "source". With `orInfinity`, the word "infinity" is also accepted.
+  /// Returns an optional number, as numberIfThere() does. In the file, the value is a number, or an object with
+  /// "value", "range" [low, high] and "source". With `orInfinity`, the word "infinity" is also accepted.
   std::optional<double> sourcedIfThere(std::string_view key, double low, double high, bool orInfinity = false);
   /// Returns the whole number under the key. A missing key, a fraction, or a number outside low to high is an error.
   int whole(std::string_view key, int low, int high);

@@ -15,7 +15,7 @@ struct Preset {
   std::string_view name, text;
 };
 
-/// Converts files that the CMake function insonate_embed() has compiled into the program to presets.
+/// Returns the presets for files that the CMake function insonate_embed() has compiled into the program.
 template <class Files>
 std::vector<Preset> presetsOf(const Files& files) {
   std::vector<Preset> presets;

@@ -14,27 +14,29 @@ enum class AttemptState {
   Voided,     ///< excluded from all counts by an instructor, with a reason; still stored
 };
 
-/// Evidence that an attempt was really made as its stored facts say.
+/// Evidence that an attempt was really made and that its stored facts are true.
 enum class AttemptProof {
-  /// No evidence: the recording was made for another database or by an earlier program, or its origin is unknown.
+  /// No evidence: the recording was made for another database or by an earlier version of the program, or its origin is
+  /// unknown.
   Unproven,
   Verifying,  ///< received by a server from a workstation, and not yet verified there; counts like Unproven
   /// Proven by the recording, which is complete and authenticated with the key that the database issued for the
   /// attempt.
   Proven,
   Accepted,       ///< accepted without evidence by an instructor or administrator, whose name is stored
-  Earlier,        ///< stored by an earlier program, which did not require evidence
+  Earlier,        ///< stored by an earlier version of the program, which did not require evidence
   Demonstration,  ///< generated demonstration data (`insonate-cli curriculum demo`)
 };
 
 /// Circumstances in which a test was taken (AttemptFacts::sitting).
 enum class AttemptSitting {
   None,              ///< the level was no test, or there was no level
-  Earlier,           ///< stored by an earlier program, which knew no openings of tests
+  Earlier,           ///< stored by an earlier version of the program, which knew no openings of tests
   Opened,            ///< an instructor had opened the test (OpeningStore.h) when the attempt began
   SelfAdministered,  ///< the person had no class with another member, so that no instructor could open the test
   Practice,          ///< no test was open for the person: the attempt does not count
-  Undecided,         ///< its beginning was reported late: its end decides; until then it does not count
+  Undecided,         ///< the beginning of the attempt was reported late; the database decides when the attempt ends;
+                     ///< until then the attempt does not count
 };
 
 /// Measured value of one metric of an attempt; empty if the attempt does not determine it.
@@ -49,7 +51,7 @@ struct MetricFact {
 /// Stored facts about one attempt; the motion of probe and needle is in its recording. The facts do not change after
 /// the end of the attempt, except that the attempt can be voided.
 struct AttemptFacts {
-  std::string id{};          ///< UUID of the attempt, made by the workstation at which it was begun
+  std::string id{};          ///< UUID of the attempt, made by the workstation at which the attempt was begun
   std::string person{};      ///< id of the trainee: Person::id
   std::string curriculum{};  ///< name of the curriculum (Curriculum::name); "": free practice
   int curriculumVersion = 0;
@@ -64,16 +66,16 @@ struct AttemptFacts {
   AttemptState state = AttemptState::Open;
   bool succeeded = false;
   int criticalErrors = 0;
-  std::optional<double> points{};     ///< score of the attempt, 0..100
+  std::optional<double> points{};     ///< score of the attempt, 0 to 100
   std::vector<MetricFact> metrics{};  ///< values of the metrics that existed when the attempt was made
   std::string recording{};            ///< file name within the workstation's recordings; "": no recording
   std::string recordingHash{};        ///< SHA-256 of the recording's file, hexadecimal
   /// BLAKE2b hash (256 bits, hexadecimal) of the recorded motion of probe and needle, without the header of the
-  /// recording. Equal hashes reveal copied recordings. Empty if nothing was moved, if there is no recording, or if an
-  /// earlier program stored the attempt.
+  /// recording. Equal hashes reveal copied recordings. Empty if neither probe nor needle was moved, if there is no
+  /// recording, or if an earlier version of the program stored the attempt.
   std::string handsHash{};
   AttemptProof proof = AttemptProof::Unproven;
-  AttemptSitting sitting = AttemptSitting::None;  ///< decided by the database alone
+  AttemptSitting sitting = AttemptSitting::None;  ///< circumstances of a test; only the database decides them
 
   bool operator==(const AttemptFacts&) const = default;
 };

@@ -6,8 +6,8 @@
 
 namespace insonate {
 
-/// Secret key with which the blocks of a recording are authenticated (procedure/RecordingProof.h); only the recorder
-/// may have it.
+/// Secret key with which the blocks of a recording are authenticated (procedure/RecordingProof.h). Only the recorder
+/// may have the key.
 using AttemptKey = std::array<std::uint8_t, 32>;
 
 /// Nonce and key that the curriculum store (database) issues at the beginning of an attempt, so that the recording can

@@ -29,8 +29,8 @@ struct KeptAttempt {
 };
 
 /// Access to the attempts in the database, with the permissions of a signed-in user. Attempts can be added and voided,
-/// but neither changed nor deleted. Trainees see and make their own attempts; instructors also see and void those of
-/// learners in their cohorts (classes); administrators see and void all. Guests have no access.
+/// but neither changed nor deleted. Trainees see and make their own attempts. Instructors also see and void attempts of
+/// learners in their cohorts (classes). Administrators see and void all attempts. Guests have no access.
 class AttemptStore {
  public:
   explicit AttemptStore(SignedIn by) : by_(std::move(by)) {}
@@ -40,25 +40,27 @@ class AttemptStore {
   /// again is no error. Fails if the attempt begins in the future or before its curriculum was published; clocks may
   /// differ by ten minutes.
   /// The database decides AttemptFacts::sitting by its own clock and the openings that it knows. If the beginning is
-  /// reported late, because the database could not be reached, the end decides, by `facts.begun_us`, which a proven
-  /// recording authenticates.
+  /// reported late because the database could not be reached, AttemptFacts::sitting is decided when the attempt ends,
+  /// by `facts.begun_us`, which a proven recording authenticates.
   Result<std::string> begin(const AttemptFacts& facts) const;
   /// Ends an attempt as Completed or Abandoned, with its metrics; values must be finite. Only the person who began the
-  /// attempt may end it. Ending it again with the same facts is no error; if an attempt was marked abandoned after a
-  /// crash, its real end can be stored later. Fails if another stored attempt, of any person, has the same handsHash,
-  /// since a recording counts only once. `facts.proof` is stored if the caller has determined it to be Proven or
-  /// Demonstration; otherwise the attempt is stored as Unproven.
+  /// attempt may end it. Ending the attempt again with the same facts is no error; if an attempt was marked abandoned
+  /// after a crash, its real end can be stored later. Fails if another stored attempt, of any person, has the same
+  /// handsHash, since a recording counts only once. `facts.proof` is stored if the caller has determined that the proof
+  /// is Proven or Demonstration; otherwise the attempt is stored as Unproven.
   Result<void> end(const AttemptFacts& facts) const;
   /// Stores a finished attempt: begin() and end() in one transaction. Returns the id. If `recording` (the file with
-  /// hash facts.recordingHash) is given, it is copied to the database's folder of recordings; if that fails, nothing is
-  /// added. AttemptFacts::sitting is decided by `facts.begun_us`; a demonstration counts as if the test had been open.
+  /// hash facts.recordingHash) is given, the file is copied to the database's folder of recordings; if the copy fails,
+  /// nothing is added. AttemptFacts::sitting is decided by `facts.begun_us`; a demonstration counts as if the test had
+  /// been open.
   Result<std::string> add(const AttemptFacts& facts, const std::filesystem::path& recording = {}) const;
   /// Copies the recording of an ended attempt to the database's folder of recordings. Only the person who made the
-  /// attempt may call this. Copying again is no error. If the database has no such folder, the function does nothing.
-  /// Fails, with nothing changed, if the file does not have the attempt's recordingHash, or if it cannot be copied.
+  /// attempt may call this function. Copying again is no error. If the database has no such folder, the function does
+  /// nothing. Fails, with nothing changed, if the file does not have the attempt's recordingHash, or if it cannot be
+  /// copied.
   Result<void> keepRecording(const std::string& attempt, const std::filesystem::path& recording) const;
-  /// Issues nonce and key for the recording of a new attempt of the signed-in user. They depend on the attempt's id,
-  /// curriculum and level.
+  /// Issues nonce and key for the recording of a new attempt of the signed-in user. Nonce and key depend on the
+  /// attempt's id, curriculum and level.
   Result<AttemptSeal> seal(const AttemptFacts& facts) const;
   /// Tells whether this database issued `nonce` to the attempt with the id, person, curriculum and level of `facts`.
   Result<NonceOrigin> originOf(const AttemptFacts& facts, const std::string& nonce) const;
@@ -70,14 +72,14 @@ class AttemptStore {
   Result<void> voidAttempt(const std::string& attempt, const std::string& reason) const;
 
   Result<KeptAttempt> attempt(const std::string& id) const;
-  /// Returns attempts of a person, newest first: at most `count` (1..1000) attempts whose KeptAttempt::arrival is below
-  /// `before`. `before` 0: no limit.
+  /// Returns attempts of a person, newest first: at most `count` (1 to 1000) attempts whose KeptAttempt::arrival is
+  /// below `before`. `before` 0: no limit.
   Result<std::vector<KeptAttempt>> page(const std::string& person, int count, std::int64_t before = 0) const;
   /// Returns all attempts of a person in the order in which they were begun, for unlocking levels and for statistics;
   /// caseHash, workstation, recording, recordingHash and handsHash stay empty.
   Result<std::vector<AttemptFacts>> history(const std::string& person) const;
-  /// Returns, for each learner in a cohort, the last `count` (1..1000) attempts that count (Judgement.h), without free
-  /// practice; grouped by person, each group in the order of history().
+  /// Returns, for each learner in a cohort, the last `count` (1 to 1000) attempts that count (Judgement.h), without
+  /// free practice; grouped by person, each group in the order of history().
   Result<std::vector<AttemptFacts>> lastOfCohort(const std::string& cohort, int count) const;
 
   /// Returns the id of the attempt whose recording has this hash; if there is none, the id of an attempt on this

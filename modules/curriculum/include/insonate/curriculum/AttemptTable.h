@@ -21,10 +21,10 @@ const char* wordOf(AttemptSitting sitting);
 /// "voided", "succeeded", "passed", ..., "proof", "sitting".
 std::vector<std::string> attemptColumns();
 
-/// Returns the values of an attempt for attemptColumns(). "broke off": hasBrokenOff(); "succeeded": the procedure's aim
-/// was reached; "passed": the level's rule in this curriculum was met, "" if the attempt has no level or does not count
-/// (Judgement.h); "assistance": that of the level in this curriculum, "" in free practice; "sitting": "" if the level
-/// is no test. `curriculum` may be null.
+/// Returns the values of an attempt for attemptColumns(). "broke off": hasBrokenOff(). "succeeded": the procedure's aim
+/// was reached. "passed": the level's rule in this curriculum was met; "" if the attempt has no level or does not count
+/// (Judgement.h). "assistance": assistance of the level in this curriculum; "" in free practice. "sitting": "" if the
+/// level is no test. `curriculum` may be null.
 std::vector<std::string> attemptRow(const AttemptFacts& attempt, const Curriculum* curriculum);
 
 /// Formats a number with the digits suitable for a table that people read: 0.25, 12.5, 130.

@@ -39,7 +39,7 @@ class AuditLog {
  public:
   explicit AuditLog(SignedIn by) : by_(std::move(by)) {}
 
-  /// Returns log entries, newest first: at most `count` (1..1000) entries whose number is below `before`; `before` 0:
+  /// Returns log entries, newest first: at most `count` (1 to 1000) entries whose number is below `before`; `before` 0:
   /// no limit. `person`: only entries by or about this person, including accesses to several people among whom the
   /// person is; "": all entries.
   Result<std::vector<AuditEntry>> page(int count, std::int64_t before = 0, const std::string& person = "") const;

@@ -12,8 +12,8 @@
 namespace insonate {
 
 /// Sessions of people who use the pages of a server in a browser. A session is identified by a secret, which only the
-/// browser keeps (in a cookie); the database keeps its SHA-256 hash. Since sessions are in the database, each of
-/// several servers that share it can answer each request. For any thread.
+/// browser keeps (in a cookie); the database keeps the SHA-256 hash of the secret. Since sessions are in the database,
+/// each of several servers that share the database can answer each request. May be used on any thread.
 class BrowserSessions {
  public:
   /// A session ends after this time without a request, and after kLongest_us in any case.
@@ -22,8 +22,9 @@ class BrowserSessions {
 
   explicit BrowserSessions(CurriculumStore store) : store_(std::move(store)) {}
 
-  /// Does what CurriculumStore::signIn() does, and also limits wrong passwords by the network address of the browser,
-  /// whatever the names: 30 at once, then one each minute. "": the address is unknown, and only the name is limited.
+  /// Does what CurriculumStore::signIn() does, and also limits the wrong passwords from one network address of a
+  /// browser, for all names together: 30 at once, then one each minute. If the address is "" (unknown), only the wrong
+  /// passwords for each name are limited.
   Result<SignedIn> signIn(const std::string& name, const std::string& password, const std::string& address) const;
   /// Begins a session of a person who has just signed in with a password, and returns its secret: 64
   /// hexadecimal digits. Sessions that have ended are removed from the database.

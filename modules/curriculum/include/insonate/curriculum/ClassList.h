@@ -14,8 +14,8 @@ namespace insonate {
 /// One person on a class list.
 struct ClassListEntry {
   int line = 0;
-  /// Trainee on this line. The sign-in name is taken from the column of user names, else from that of ID numbers, else
-  /// from that of e-mail addresses.
+  /// Trainee on this line. The sign-in name is taken from the column of user names, else from the column of ID numbers,
+  /// else from the column of e-mail addresses.
   NewPerson person{};
 };
 

@@ -21,8 +21,8 @@ struct Member {
   /// true: an instructor of this cohort, whose fields about attempts stay empty; false: a learner
   bool teaches = false;
   int attempts = 0;  ///< number of the member's attempts that count (Judgement.h), including free practice
-  /// Counter that increases with each attempt of the member that is ended or voided. Compared with Standing::changes,
-  /// it shows whether a standing is outdated.
+  /// Counter that increases with each attempt of the member that is ended or voided. If the counter differs from
+  /// Standing::changes, the standing is outdated.
   std::int64_t changes = 0;
   std::optional<std::int64_t> lastAttempt_us{};  ///< time at which the newest attempt was begun
   std::string lastLevel{};                       ///< level of the newest attempt (AttemptFacts::level)
@@ -45,7 +45,7 @@ class CohortStore {
   /// is no full name.
   Result<std::vector<Member>> members(const std::string& cohort) const;
 
-  /// Adds a cohort. The name has 1..200 characters and is unique, ignoring case. Administrators only.
+  /// Adds a cohort. The name has 1 to 200 characters and is unique, ignoring case. Administrators only.
   Result<Cohort> add(const std::string& name) const;
   Result<void> rename(const std::string& cohort, const std::string& name) const;
   /// Adds a person to a cohort as instructor (`teaches` is true) or learner (false). The role of an existing member is
@@ -60,10 +60,10 @@ class CohortStore {
   Result<void> setCurriculum(const std::string& cohort, const std::string& curriculum, int version) const;
 
   /// Returns the progress (Standing) of a cohort's learners in the cohort's curriculum, by Person::id. A stored
-  /// standing is returned if it is current; otherwise it is computed from all attempts of the person and stored. A new
-  /// member has no standing yet; a standing becomes outdated by new attempts, by the passage of days, and by a change
-  /// of the curriculum. People who have left the cohort are not included. Each call makes one entry in the audit log,
-  /// which names all people.
+  /// standing is returned if it is current; otherwise the standing is computed from all attempts of the person and
+  /// stored. A new member has no standing yet. A standing becomes outdated by new attempts, by the passage of days, and
+  /// by a change of the curriculum. People who have left the cohort are not included. Each call makes one entry in the
+  /// audit log, which names all people.
   Result<std::map<std::string, Standing>> standings(const std::string& cohort,
                                                     std::span<const std::string> people) const;
 

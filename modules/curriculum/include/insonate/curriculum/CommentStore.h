@@ -15,27 +15,27 @@ namespace insonate {
 struct AttemptComment {
   std::string id{};        ///< UUID
   std::string attempt{};   ///< AttemptFacts::id
-  std::int64_t at_us = 0;  ///< time in the recording, from its begin
+  std::int64_t at_us = 0;  ///< time since the recording began
   std::string by{};        ///< author (Person::id)
   std::string author{};    ///< full name of the author, or sign-in name if there is no full name
   std::int64_t written_us = 0;
   std::string text{};
-  bool isRead = false;  ///< the trainee who made the attempt has read it
+  bool isRead = false;  ///< true: the trainee who made the attempt has read the comment
 
   bool operator==(const AttemptComment&) const = default;
 };
 
 /// Access to comments on attempts in the database, with the permissions of a signed-in user. Instructors comment on
-/// attempts of learners in their cohorts (classes); the trainee who made the attempt and all who may see it read the
-/// comments. A comment cannot be changed. The recording does not change.
+/// attempts of learners in their cohorts (classes). The comments can be read by the trainee who made the attempt and by
+/// all who may see the attempt. A comment cannot be changed. The recording does not change.
 class CommentStore {
  public:
   explicit CommentStore(SignedIn by) : by_(std::move(by)) {}
 
   /// Adds a comment of 1 to 4000 bytes at a time within an ended attempt, and returns its id.
   Result<std::string> add(const std::string& attempt, std::int64_t at_us, const std::string& text) const;
-  /// Removes the text of a comment on `attempt`. Only its author, as long as the author may comment on the attempt, and
-  /// administrators may do so. Removing it again is no error.
+  /// Removes the text of a comment on `attempt`. This is allowed to administrators, and to the author of the comment as
+  /// long as the author may comment on the attempt. Removing the comment again is no error.
   Result<void> remove(const std::string& attempt, const std::string& comment) const;
 
   /// Returns the comments on an attempt, without removed ones, in the order of their times.

@@ -63,7 +63,7 @@ struct FailureRule {
 struct MasteryRule {
   int passesInARow = 1;
   std::optional<CusumRule> cusum{};
-  /// mastery lapses after this number of days without an attempt at this level or at a level that has it as
+  /// mastery lapses after this number of days without an attempt at this level or at a level of which this level is a
   /// prerequisite; empty: never
   std::optional<int> lapsesAfter_days{};
   std::optional<FailureRule> lapsesAfter{};
@@ -97,7 +97,7 @@ struct Curriculum {
   bool operator==(const Curriculum&) const = default;
 };
 
-/// Returns the names of the built-in curricula, those in resources/curricula.
+/// Returns the names of the built-in curricula, which are in resources/curricula.
 std::vector<std::string> curriculumPresetNames();
 /// Loads a built-in curriculum by name, or a JSON file of the same format. Fails with a sentence that names the place,
 /// the error and the possible values.

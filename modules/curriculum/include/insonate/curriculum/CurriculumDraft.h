@@ -20,8 +20,8 @@ struct DraftTrouble {
 
   bool operator==(const DraftTrouble&) const = default;
 };
-/// Returns the reasons why a draft cannot be published: at most one reason for each level, then those that concern the
-/// whole curriculum. Empty if parseCurriculum() and checkNames() accept the draft.
+/// Returns the reasons why a draft cannot be published: at most one reason for each level, then the reasons that
+/// concern the whole curriculum. Empty if parseCurriculum() and checkNames() accept the draft.
 std::vector<DraftTrouble> problemsOf(const Curriculum& draft, const TeachingNames& known);
 
 }  // namespace insonate

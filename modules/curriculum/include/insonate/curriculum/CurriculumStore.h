@@ -23,7 +23,7 @@ struct StoreServices {
   std::function<std::int64_t()> now_us{};     ///< wall-clock time since 1970, UTC; may jump
   std::function<std::int64_t()> upTime_us{};  ///< monotonic time since the computer's start
   std::string boot{};                         ///< boot id: identifies the present run of the operating system
-  std::string workstation{};                  ///< name of the computer, unique among those that share a server
+  std::string workstation{};                  ///< name of the computer, unique among the computers that share a server
   PasswordCost passwordCost = PasswordCost::Usual;
   /// Folder for the recordings of attempts, created with the first recording; "": FILE.recordings beside the database
   /// file. If the database is on a server, which keeps no recordings, each workstation names a folder of its own.
@@ -32,15 +32,15 @@ struct StoreServices {
 
 /// Data of a person for whom an account is to be created.
 struct NewPerson {
-  std::string name{};  ///< name for signing in: 1..64 letters, digits and . _ - + @, all letters of one script
+  std::string name{};  ///< name for signing in: 1 to 64 letters, digits and . _ - + @, all letters of one script
   std::string fullName{};
   std::string email{};
   Role role = Role::Trainee;
 };
 
 /// Database of people, curricula, attempts and forms, in a file (SQLite) or on a server (PostgreSQL). A signed-in user
-/// accesses it through these classes: PeopleStore, CohortStore, AttemptStore, PublishedCurricula, FormStore, AuditLog,
-/// StoreUpkeep. SiteUpload exchanges data with a server.
+/// accesses the database through these classes: PeopleStore, CohortStore, AttemptStore, PublishedCurricula, FormStore,
+/// AuditLog, StoreUpkeep. SiteUpload exchanges data with a server.
 ///
 /// Copies of an object refer to the same database. All functions wait for the disk or the server: do not call them on
 /// the GUI thread. Any other thread may call them; each thread has its own connection, which is made at its first call.

@@ -5,10 +5,11 @@
 
 namespace insonate {
 
-/// Collects the failures of databases on the thread that made the object, while the object exists: the database cannot
-/// be reached, read or written, or refused a statement. What the program itself refuses (a permission, a wrong
-/// password) is no failure. The functions of the stores return both as an Error; a server must not show the sentence
-/// of a failure, which names the place of the database, to a browser. The innermost object of a thread collects.
+/// Collects database failures on the thread that made the object, while the object exists. In a failure, the database
+/// cannot be reached, read or written, or it refuses a statement. A refusal by the program itself (missing permission,
+/// wrong password) is no failure. The functions of the stores return both as an Error. A server must not show a browser
+/// the sentence of a failure, since the sentence names the place of the database. If a thread has several such objects,
+/// only the innermost one collects.
 class DatabaseFailures {
  public:
   DatabaseFailures();

@@ -21,7 +21,8 @@ struct FirstPassword {
 
 /// Writes people and passwords as CSV to a new file that only its owner can read. Fails if the file exists, since it
 /// may contain passwords of an earlier import. A name that begins with =, +, - or @ is written after a no-break space,
-/// so that no spreadsheet takes it for a formula; parseClassList() and CurriculumStore::signIn() ignore the space.
+/// so that no spreadsheet interprets the name as a formula; parseClassList() and CurriculumStore::signIn() ignore the
+/// space.
 Result<void> writeFirstPasswords(const std::filesystem::path& file, std::span<const FirstPassword> passwords);
 
 }  // namespace insonate

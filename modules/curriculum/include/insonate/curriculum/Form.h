@@ -66,7 +66,7 @@ struct Form {
   bool operator==(const Form&) const = default;
 };
 
-/// Returns the names of the built-in forms, those in resources/forms.
+/// Returns the names of the built-in forms, which are in resources/forms.
 std::vector<std::string> formPresetNames();
 /// Loads a built-in form by name, or a JSON file of the same format. Fails with a sentence that names the place and the
 /// error.
@@ -80,7 +80,7 @@ using FormAnswers = std::map<std::string, std::variant<std::string, double>>;
 /// Returns the key of FormAnswers under which a rater's note on a question is stored; it differs from all
 /// FormItem::name.
 std::string noteKey(const FormItem& item);
-/// Returns an answer as shown to readers: an option's title, a number or a text; "" without an answer.
+/// Returns an answer as shown to users: an option's title, a number or a text; "" without an answer.
 std::string answerText(const FormItem& item, const FormAnswers& answers);
 std::string noteText(const FormItem& item, const FormAnswers& answers);
 

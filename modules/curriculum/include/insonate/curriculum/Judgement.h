@@ -22,11 +22,11 @@ struct Judgement {
   bool reachesStandards(const PassRule& rule) const;
 };
 
-/// Tells whether an attempt counts in statistics and progress. It counts if it was completed, if the trainee abandoned
-/// it, or if its recording broke off. It does not count if it is open, voided, or was abandoned before the needle
-/// reached the skin (its metric "passes" is 0). An attempt whose recording broke off counts even without measured
-/// values; otherwise trainees could exclude an attempt by ending the program. If a device caused the end, an instructor
-/// can void the attempt.
+/// Tells whether an attempt counts in statistics and progress. An attempt counts if it was completed, if the trainee
+/// abandoned it, or if its recording broke off. An attempt does not count if it is open, was voided, or was abandoned
+/// before the needle reached the skin (its metric "passes" is 0). An attempt whose recording broke off counts even
+/// without measured values; otherwise trainees could exclude an attempt by ending the program. If a device caused the
+/// end, an instructor can void the attempt.
 bool counts(const AttemptFacts& attempt);
 
 /// Tells whether an attempt was abandoned without any measured value, because its recording broke off (crash, power
@@ -50,9 +50,9 @@ std::optional<bool> passedIn(const Curriculum& curriculum, const AttemptFacts& a
 /// (AttemptFacts::sitting). An attempt that was made before the level became a test is practice, too.
 bool isPractice(const AttemptFacts& attempt, const Level& level);
 
-/// Tells whether an attempt counts at a level. It must count in general (counts(attempt)) and not be practice; if it
-/// passes, it must also have a proof (neither Unproven nor Verifying). Failed attempts count without proof; otherwise
-/// trainees could exclude them.
+/// Tells whether an attempt counts at a level. The attempt must count in general (counts(attempt)) and not be practice.
+/// A passed attempt must also have a proof (neither Unproven nor Verifying). Failed attempts count without proof;
+/// otherwise trainees could exclude them.
 bool counts(const AttemptFacts& attempt, const Level& level);
 
 /// Tells whether an attempt counts in the figures of a class, whatever its level: it counts in general and was neither

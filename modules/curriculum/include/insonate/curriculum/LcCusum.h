@@ -9,10 +9,12 @@
 namespace insonate {
 
 /// Learning curve CUSUM (Biau, Williams, Schlup, Nizard, Porcher, Br J Surg 2008, 95:925). The test assumes that a
-/// trainee is not able until it signals: when the score shows that the trainee fails no more often than is acceptable.
+/// trainee is not able until it signals. It signals when the score shows that the trainee fails no more often than is
+/// acceptable.
 struct LcCusum {
-  double acceptable = 0.1;     ///< p0: acceptable failure rate, of a trainee who is able; above 0
-  double unacceptable = 0.25;  ///< p1: unacceptable failure rate, of a trainee who is not able; above p0, below 1
+  double acceptable = 0.1;     ///< p0: acceptable failure rate, the rate of a trainee who is able; above 0
+  double unacceptable = 0.25;  ///< p1: unacceptable failure rate, the rate of a trainee who is not able; above p0,
+                               ///< below 1
 
   double successWeight() const;  ///< change of the score by a success: ln((1 - p0) / (1 - p1)), positive
   double failureWeight() const;  ///< change of the score by a failure: ln(p0 / p1), negative
@@ -34,9 +36,9 @@ struct CusumTrials {
 /// this is the rate of false signals, for p0 (acceptable) the power.
 double signalRate(const LcCusum& test, double limit, double failureRate, const CusumTrials& trials = {});
 
-/// Returns the smallest limit that no more than the share `falseSignals` of simulated trainees with failure rate p1
-/// (unacceptable) reach. The true share may be slightly larger: a share of 10 % of 20 000 trainees has a standard error
-/// of 0.2 %. Fails with a sentence on impossible numbers, or if cancelled.
+/// Returns the smallest limit that is reached by no more than the share `falseSignals` of simulated trainees with the
+/// failure rate p1 (unacceptable). The true share may be slightly larger: a share of 10 % of 20 000 trainees has a
+/// standard error of 0.2 %. Fails with a sentence on impossible numbers, or if cancelled.
 Result<double> calibratedLimit(const LcCusum& test, double falseSignals, const CusumTrials& trials = {},
                                const Progress& progress = {});
 

@@ -13,7 +13,7 @@ std::string signInNameOf(const std::string& fullName);
 
 /// Sets up an empty database for one person who trains alone, and signs this person in. The person becomes
 /// administrator of the database and the only learner of a class that is taught by the built-in curriculum. Levels,
-/// results and learning curves then work as in any class, and other people can be added later. `fullName` has 1..200
+/// results and learning curves then work as in any class, and other people can be added later. `fullName` has 1 to 200
 /// characters; the name for signing in is signInNameOf(fullName). Fails if the store has people already.
 Result<SignedIn> setUpOwnTraining(const CurriculumStore& store, const std::string& fullName,
                                   const std::string& password);

@@ -35,13 +35,13 @@ class PeopleStore {
 
   Result<void> changeOwnPassword(const std::string& old, const std::string& password) const;
   /// Makes a token with which the user can sign in without a password, on a computer to which only this user has
-  /// access. Keep the token in a file that only its owner can read; the database stores a hash of it. A change of the
-  /// password revokes the token.
+  /// access. Keep the token in a file that only its owner can read; the database stores a hash of the token. A change
+  /// of the password revokes the token.
   Result<std::string> staySignedIn() const;
   /// Revokes all tokens of the signed-in user.
   Result<void> revokeTokens() const;
-  /// Sets a password for another person, who must change it at the next sign-in. Also unlocks the name after failed
-  /// sign-ins. Allowed to administrators, and to instructors for trainees of their cohorts.
+  /// Sets a password for another person, who must change the password at the next sign-in. Also unlocks the name after
+  /// failed sign-ins. Allowed to administrators, and to instructors for trainees of their cohorts.
   Result<void> resetPassword(const std::string& person, const std::string& password) const;
 
  private:

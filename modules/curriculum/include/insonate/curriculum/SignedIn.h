@@ -13,7 +13,7 @@ class Session;
 /// Session of a user who has signed in to the database of people and attempts. The database is read and written with
 /// the permissions of this user. Copies refer to the same session; the session keeps the database open and ends with
 /// the last copy. Permissions are checked at each call: after a user was disabled, or another person reset the user's
-/// password, all calls fail. For use on any thread.
+/// password, all calls fail. May be used on any thread.
 class SignedIn {
  public:
   bool isGuest() const;

@@ -9,9 +9,10 @@
 
 namespace insonate {
 
-/// Answers the requests of workstations to a server (SiteUpload at the other end of a SiteLink). It stores what they
-/// send by the permissions of their people on the server, not by those that a workstation claims, and lets ended
-/// attempts wait for their verification (VerificationQueue). Keeps nothing between requests. For any thread.
+/// Answers the requests that workstations send to a server (SiteUpload) through a SiteLink. Data of a workstation are
+/// stored by the permissions that their people have on the server, not by permissions that the workstation claims.
+/// Ended attempts wait for their verification (VerificationQueue). Keeps nothing between requests. May be used on any
+/// thread.
 class SiteService {
  public:
   explicit SiteService(CurriculumStore server) : server_(std::move(server)) {}

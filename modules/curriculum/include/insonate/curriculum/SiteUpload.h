@@ -45,8 +45,8 @@ struct SiteAnswer {
 /// Connection of a workstation to the program that serves a site's database over a network (insonate-server).
 struct SiteLink {
   std::string place{};  ///< address of the server, for messages
-  /// Sends a request, of `path` and body. Fails with a sentence if the server cannot be reached. May be called on any
-  /// thread.
+  /// Sends a request that consists of `path` and `body`. Fails with a sentence if the server cannot be reached. May be
+  /// called on any thread.
   std::function<Result<SiteAnswer>(const std::string& path, const std::string& body)> ask{};
 };
 
@@ -56,9 +56,9 @@ struct SiteLink {
 /// workstation has the people, cohorts and curricula of the server. A person whom only the workstation knows is
 /// uploaded as a disabled trainee, whom an administrator of the server may enable.
 ///
-/// Through a SiteLink, the workstation receives only the people who have signed in to the server at it, and the classes
-/// and learners of the instructors among them. It also sends the recordings of attempts, from which the server verifies
-/// them.
+/// Through a SiteLink, the workstation receives only the people who have signed in to the server at this workstation,
+/// and the classes and learners of the instructors among these people. It also sends recordings, from which the server
+/// verifies the attempts.
 class SiteUpload {
  public:
   /// `server`: the server's database, which the workstation opens itself.
@@ -69,11 +69,12 @@ class SiteUpload {
   /// stored. Fails if the server cannot be reached or has no people yet.
   Result<UploadReport> exchange(const Progress& progress = {}) const;
   enum class Reached { Yes, No };
-  /// Lets the server check name and password, and stores the person on the workstation, so that the person can sign in
-  /// there, also without connection. Fails if the server refuses; No: the server cannot be reached. Only through a
-  /// SiteLink; with the server's database it does nothing.
+  /// Lets the server check name and password, and stores the person on the workstation, so that the person can later
+  /// sign in at the workstation even without a connection. Fails if the server refuses the sign-in. Returns No if the
+  /// server cannot be reached. Works only through a SiteLink; with the server's database it does nothing.
   Result<Reached> signIn(const std::string& name, const std::string& password) const;
-  /// Changes a person's password on the server, and stores the new one on the workstation. Only through a SiteLink.
+  /// Changes a person's password on the server, and stores the new password on the workstation. Works only through a
+  /// SiteLink.
   Result<void> changePassword(const std::string& name, const std::string& old, const std::string& password) const;
   /// Returns the address of the server, for messages.
   const std::string& place() const;
@@ -87,7 +88,7 @@ class SiteUpload {
   std::shared_ptr<store::Site> server_;
 };
 
-/// Returns attempts and forms that wait to be sent to the server, oldest first, at most `count` (1..1000). For
+/// Returns attempts and forms that wait to be sent to the server, oldest first, at most `count` (1 to 1000). For
 /// administrators and instructors.
 Result<std::vector<PendingUpload>> pendingUploads(const SignedIn& by, int count);
 

@@ -34,8 +34,8 @@ struct Standing {
   bool operator==(const Standing&) const = default;
 };
 
-/// Version of the rules of standingOf(). Increase it with each change after which standingOf() gives another result for
-/// the same history, so that standings that an older program stored are computed again.
+/// Version of the rules of standingOf(). Increase the version with each change after which standingOf() gives another
+/// result for the same history, so that standings that an earlier version of the program stored are computed again.
 inline constexpr int kStandingRules = 2;
 
 /// Computes a trainee's progress for the table of a class. The present level is the first level in the curriculum's

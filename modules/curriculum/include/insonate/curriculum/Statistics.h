@@ -41,13 +41,14 @@ inline constexpr std::size_t kFewestForInterval = 5;
 std::optional<double> meanValue(std::span<const double> values);
 
 /// Returns the mean with a confidence interval that lies within the range of `kind`:
-/// - counts: exact interval of Poisson's distribution of their sum (Garwood, Biometrika 1936, 28:437), from one value
-///   on
+/// - counts: exact interval of Poisson's distribution of their sum (Garwood, Biometrika 1936, 28:437), even for a
+///   single value
 /// - yes and no: Wilson's interval, as in proportion()
 /// - others: mean +- t s / sqrt(n) for at least 10 values without ties, if this interval lies within the range; else
 ///   percentiles of the bootstrap, widened for few values (Hesterberg, Am Stat 2015, 69:371, "expanded percentile"),
-///   from 10 000 samples that are the same for the same values. No interval for fewer than kFewestForInterval values,
-///   since even the range of 4 values contains the median in only 87.5 % of cases, and none if all values are equal.
+///   from 10 000 samples that are the same for the same values. There is no interval for fewer than kFewestForInterval
+///   values, since even the range of 4 values contains the median in only 87.5 % of cases. There is no interval if all
+///   values are equal.
 /// Counts that are not whole numbers, and YesNo values between 0 and 1, are themselves means and are treated like other
 /// values.
 std::optional<Estimate> meanOf(std::span<const double> values, ValueKind kind, double confidence = 0.95);
@@ -75,8 +76,8 @@ struct BoxPlot {
 };
 std::optional<BoxPlot> boxPlotOf(std::span<const double> values);
 
-/// Returns the percentile rank of `value` among `values`, 0 to 100: the share of values below it plus half of the share
-/// equal to it.
+/// Returns the percentile rank of `value` among `values`, 0 to 100: the share of values below `value` plus half of the
+/// share of values equal to `value`.
 std::optional<double> percentileRank(std::span<const double> values, double value);
 
 }  // namespace insonate

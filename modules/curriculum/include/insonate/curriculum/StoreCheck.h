@@ -11,13 +11,14 @@
 
 namespace insonate {
 
-/// A value in the database that does not agree with the data from which it was computed: a recording, the attempts, or
-/// the audit log.
+/// A value in the database that does not agree with the data from which the value was computed: a recording, the
+/// attempts, or the audit log.
 struct StoreDifference {
   /// attempt concerned (AttemptFacts::id); "": the difference is in a standing (progress of a trainee)
   std::string attempt{};
   std::string person{};  ///< person concerned: Person::id
-  /// Name of the value: "points", "metric needle_path_mm", "standing in central_line 5: level".
+  /// Name of the value, e.g. "points" or "metric needle_path_mm". For a standing in version 5 of the curriculum
+  /// central_line: "standing in central_line 5: level".
   std::string field{};
   std::string stored{};
   std::string expected{};  ///< value according to the source
@@ -31,15 +32,15 @@ class StoreCheck {
  public:
   explicit StoreCheck(SignedIn by) : by_(std::move(by)) {}
 
-  /// Returns attempts of all people, in the order of KeptAttempt::arrival: at most `count` (1..1000) with an arrival
+  /// Returns attempts of all people, in the order of KeptAttempt::arrival: at most `count` (1 to 1000) with an arrival
   /// above `after`.
   Result<std::vector<KeptAttempt>> attempts(std::int64_t after, int count) const;
   /// Returns attempts whose person, level, end or recording differs from their entries in the audit log, attempts
   /// without an entry, and entries without an attempt. Programs before schema 3 made no entries: in a database from
   /// such a program, attempts before the first one with an entry are left out.
   Result<std::vector<StoreDifference>> againstLog() const;
-  /// Returns the differences of stored current standings (progress of trainees) from those that follow from the
-  /// attempts.
+  /// Compares the stored current standings (progress of trainees) with standings computed from the attempts, and
+  /// returns the differences.
   Result<std::vector<StoreDifference>> standings() const;
 
  private:

@@ -15,7 +15,7 @@ namespace insonate {
 /// Address, schema and numbers of rows of a curriculum database.
 struct StoreFacts {
   std::string place{};  ///< file of the database, or server without the password
-  int schema = 0;       ///< schema number: that of the last migration
+  int schema = 0;       ///< schema number: number of the last migration
   std::int64_t people = 0, cohorts = 0, attempts = 0, forms = 0, auditEntries = 0, pendingUploads = 0;
 };
 
@@ -32,20 +32,21 @@ class StoreUpkeep {
   /// earlier backups stay there. Fails for a database on a server, for which pg_dump makes backups.
   Result<void> backup(const std::filesystem::path& file, const Progress& progress = {}) const;
   /// Writes all data except passwords as one JSON object with a list for each table. Each attempt also has these
-  /// fields: whether it was voided; whether its recording broke off; and, according to the curriculum version for which
-  /// the attempt was made, the assistance of its level and whether it passed. The last two are null in free practice.
+  /// fields: whether the attempt was voided; whether its recording broke off; and, according to the curriculum version
+  /// for which the attempt was made, the assistance of its level and whether the attempt passed. The last two are null
+  /// in free practice.
   Result<void> exportJson(const std::filesystem::path& file) const;
 
  private:
   SignedIn by_;
 };
 
-/// Replaces a database file, which may be open, damaged or missing, by a backup. `administrator` and `password` are
-/// those of an administrator in the database to be replaced; if this database is missing, damaged or has no people yet,
-/// of an administrator in the backup. Pages, schema and audit log of the backup are checked first. An entry in the
-/// audit log of the restored database then states who restored it and where the log of the replaced database ended. The
-/// replaced file is kept as FILE.before-restore. The recordings of the backup are added to the existing ones; none is
-/// deleted.
+/// Replaces a database file, which may be open, damaged or missing, by a backup. `administrator` and `password` are the
+/// name and password of an administrator in the database to be replaced. If this database is missing, damaged or has no
+/// people yet, they are those of an administrator in the backup. Pages, schema and audit log of the backup are checked
+/// first. An entry in the audit log of the restored database then states who restored the backup and where the log of
+/// the replaced database ended. The replaced file is kept as FILE.before-restore. The recordings of the backup are
+/// added to the existing recordings; none is deleted.
 Result<void> restoreStore(const std::filesystem::path& file, const std::filesystem::path& backup,
                           const std::string& administrator, const std::string& password);
 

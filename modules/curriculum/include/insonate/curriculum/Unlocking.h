@@ -46,10 +46,10 @@ int fewestAttempts(const MasteryRule& rule);
 /// Returns a trainee's progress at each level, in the curriculum's order. The same input always gives the same output.
 ///
 /// An attempt that counts (Judgement.h) belongs to the level whose name is AttemptFacts::level, whatever the version of
-/// the curriculum, if both have the same procedure. It is judged by the rules of this curriculum. `history` is in the
-/// order of AttemptStore::history(); times are only used to count days without practice. Clocks may be wrong: a time
-/// later than `now_us` or before 1970 is ignored, and a time earlier than that of a previous attempt is replaced by the
-/// time of that attempt. An attempt that has not ended is ignored.
+/// the curriculum, if both have the same procedure. The attempt is judged by the rules of this curriculum. `history` is
+/// in the order of AttemptStore::history(); times are only used to count days without practice. Clocks may be wrong: a
+/// time later than `now_us` or before 1970 is ignored, and a time earlier than that of a previous attempt is replaced
+/// by the time of that attempt. An attempt that has not ended is ignored.
 ///
 /// A level is mastered when the required number of consecutive passes is reached and, if the level has a CusumRule,
 /// LC-CUSUM has signaled at some time. After a lapse, the consecutive passes are required again, but no new signal. For

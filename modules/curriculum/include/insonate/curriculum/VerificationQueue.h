@@ -19,9 +19,9 @@ struct WaitingAttempt {
   std::filesystem::path recording{};
 };
 
-/// Attempts that wait for the server to compute them again from their recordings. Several servers may share a database:
-/// each attempt is taken by one of them, and taken again if that server has not concluded it within ten minutes. For
-/// any thread.
+/// Attempts that wait for the server to compute them again from their recordings. Several servers may share a database.
+/// One server takes an attempt; any server can take the attempt again if the first one has not concluded it within ten
+/// minutes. May be used on any thread.
 class VerificationQueue {
  public:
   explicit VerificationQueue(CurriculumStore server) : server_(std::move(server)) {}
@@ -31,7 +31,7 @@ class VerificationQueue {
   /// Tells whether this workstation issued `nonce` to the attempt with the id, person and level of `facts`.
   Result<NonceOrigin> originOf(const std::string& workstation, const AttemptFacts& facts,
                                const std::string& nonce) const;
-  /// Stores the result: the attempt is Proven, or Unproven with the reason, and in the audit log.
+  /// Stores the result of a verification in the attempt (Proven, or Unproven with the reason) and in the audit log.
   Result<void> conclude(const std::string& attempt, bool isVerified, const std::string& why) const;
   /// Returns the number of attempts that wait, with or without their recordings.
   Result<std::int64_t> waiting() const;

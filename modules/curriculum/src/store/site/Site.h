@@ -14,7 +14,8 @@
 
 namespace insonate::store {
 
-/// A server as a workstation sees it: its database itself, or the program that serves it over a network.
+/// A server as a workstation sees it: either the server's database, or the program that serves this database over a
+/// network.
 class Site {
  public:
   virtual ~Site() = default;
@@ -24,32 +25,35 @@ class Site {
   virtual bool answers() = 0;
   /// Fails if the server cannot be reached, refuses the workstation, or has no people yet.
   virtual Result<void> greet(Core& here) = 0;
-  /// Returns those of the ids that no person of the server has.
+  /// Returns the ids that belong to no person on the server.
   virtual Result<std::set<std::string>> unknownPeople(const std::set<std::string>& ids) = 0;
   /// Adds people as disabled trainees, with another sign-in name if the name is taken. Returns sentences for the user.
   virtual Result<std::vector<std::string>> addPeople(const std::vector<SentPerson>& people) = 0;
   virtual Result<Taken> take(const SentBatch& batch) = 0;
-  /// `known`: digests of the workstation's people.
+  /// Returns the data that the server gives to the workstation. `known`: digests of the workstation's people.
   virtual Result<Taught> teach(const Digests& known) = 0;
-  /// Checks name and password, and returns the person with the hash of the password, which the workstation needs
-  /// without connection. Empty: workstation and server have the same passwords in any case.
+  /// Checks name and password, and returns the person with the hash of the password, which the workstation needs for
+  /// sign-ins without a connection. Returns an empty value if the workstation has the passwords of the server in any
+  /// case.
   virtual Result<std::optional<SentPerson>> signIn(const std::string& name, const std::string& password) = 0;
-  /// Changes a password, and returns the person with the hash of the new one.
+  /// Changes a password, and returns the person with the hash of the new password.
   virtual Result<SentPerson> changePassword(const std::string& name, const std::string& old,
                                             const std::string& password) = 0;
   /// Sends the recordings that the server needs. Does nothing if the server keeps none.
   virtual Result<void> takeRecordings(Core& here, UploadReport& report, const Progress& progress) = 0;
 };
 
-/// The workstation that a server talks to.
+/// The workstation whose requests a server answers.
 struct Sender {
   std::string workstation{};
-  /// true: the workstation has the password of the database, and its store decides. false: the server decides what the
-  /// workstation's people may do, gives it their data only, and verifies attempts itself.
+  /// true: the workstation has the password of the database, and its own store makes the decisions. false: the server
+  /// decides what the workstation's people may do, gives the workstation only the data of these people, and verifies
+  /// attempts itself.
   bool isTrusted = true;
 };
 
-/// The server's database. Used by workstations that open it directly, and by the server's program for its workstations.
+/// The server's database. A workstation uses this class if it opens the database directly; the server's program uses
+/// this class for its workstations.
 class StoreSite final : public Site {
  public:
   StoreSite(std::shared_ptr<Core> core, Sender sender) : core_(std::move(core)), sender_(std::move(sender)) {}
@@ -100,9 +104,10 @@ Result<Taught> readTaught(Core& server, const Sender& sender, const Digests& kno
 /// Returns digests of all people of a workstation.
 Result<Digests> digestsHere(Core& here);
 std::optional<SentAttempt> readAttempt(Transaction& transaction, const std::string& id);
-/// Gives an attempt of another database, or what it lacks, to this one. The result does not depend on the order or the
-/// number of repetitions. Fails if the attempt differs from the one that is known here, or if its recording already
-/// counts for another attempt. `sender`: where the attempt comes from.
+/// Copies an attempt from another database to this one, or adds those data of the attempt that are missing here. The
+/// result does not depend on the order of such calls or on their number. Fails if the attempt differs from the one that
+/// is stored here, or if its recording already counts for another attempt. `sender`: workstation from which the attempt
+/// comes.
 Result<void> mergeAttempt(Transaction& here, const Sender& sender, const SentAttempt& sent, std::int64_t now_us);
 /// Stores the data of a server in the workstation's database.
 Result<void> takeTaught(Core& here, Taught taught, UploadReport& report);

@@ -25,19 +25,21 @@ struct SentPerson {
 
 struct SentAttempt {
   KeptAttempt kept{};
-  AttemptFacts ended{};  ///< the state before the attempt was voided
+  AttemptFacts ended{};  ///< facts of the attempt as they were before the attempt was voided
   std::optional<std::int64_t> voided_us{};
   std::string voidedBy{}, acceptedBy{};
-  std::vector<Row> comments{};  ///< INSONATE_COMMENT_COLUMNS
+  std::vector<Row> comments{};  ///< rows of INSONATE_COMMENT_COLUMNS
 };
 
-/// An entry of a workstation's outbox, with the present state of what it names.
+/// An entry of a workstation's outbox, with the present data of the attempt or form that the entry names.
 struct SentItem {
   std::int64_t number = 0;
   std::string kind{}, id{};
-  std::optional<SentAttempt> attempt{};  ///< for a form: its attempt, which must be on the server first
+  std::optional<SentAttempt> attempt{};  ///< attempt; for a form, the attempt that the form is about, which must be on
+                                         ///< the server first
   std::optional<FilledForm> form{};
-  bool isForeign = false;  ///< the attempt is another workstation's: only comments and forms on it are sent
+  bool isForeign = false;  ///< true: the attempt was made at another workstation, and only comments and forms on it
+                           ///< are sent
   std::string password{};
   bool mustChange = false;
   std::int64_t version = 0;
@@ -53,13 +55,13 @@ struct SentBatch {
 struct Taken {
   std::vector<std::int64_t> numbers{};  ///< entries of the outbox that the server has stored or refused for good
   int attempts = 0, forms = 0;
-  std::vector<std::string> troubles{};  ///< sentences, as in UploadReport
+  std::vector<std::string> troubles{};  ///< sentences about data that could not be stored, as in UploadReport
 };
 
 /// Rows as texts, keyed by the first column.
 using Rows = std::map<std::string, std::vector<std::string>>;
 
-/// People with their passwords, as Taught::people has them.
+/// Columns of people with their passwords, in the order of the rows of Taught::people.
 inline constexpr std::string_view kPeopleColumns =
     "id, name, name_key, full_name, email, role, disabled, password, must_change, version";
 
@@ -68,15 +70,16 @@ inline constexpr std::size_t kEmailColumn = 4, kPasswordColumn = 7, kVersionColu
 /// State of the attempts that people made at other workstations: a hash for each person (Person::id).
 using Digests = std::map<std::string, std::string>;
 
-/// Data that a server gives to a workstation. The password of a person may be empty: then the workstation has the one
-/// of the same version, or the person signs in to the server first.
+/// Data that a server gives to a workstation. A person's password may be empty: either the workstation already has the
+/// password of this version, or the person must first sign in to the server.
 struct Taught {
   Rows people{}, cohorts{}, memberships{};
   std::vector<KeptCurriculum> curricula{};
-  /// Rows about the workstation's attempts: id, voided_us, voided_by, void_reason; attempt, accepted_by; those that the
-  /// server could not verify: attempt, why; INSONATE_COMMENT_COLUMNS
+  /// Rows about the workstation's attempts. voided: id, voided_us, voided_by, void_reason. accepted: attempt,
+  /// accepted_by. refused (attempts that the server could not verify): attempt, why. comments:
+  /// INSONATE_COMMENT_COLUMNS.
   std::vector<Row> voided{}, accepted{}, refused{}, comments{};
-  std::vector<Row> openings{};  ///< INSONATE_OPENING_COLUMNS
+  std::vector<Row> openings{};  ///< rows of INSONATE_OPENING_COLUMNS
   /// Ended attempts at other workstations, of people for whom the workstation has another digest.
   std::vector<SentAttempt> elsewhere{};
 };

@@ -18,7 +18,7 @@ nlohmann::json jsonOf(const SentBatch& batch);
 nlohmann::json jsonOf(const Taken& taken);
 nlohmann::json jsonOf(const Taught& taught);
 
-// The following read what jsonOf() writes, and throw nlohmann::json::exception for anything else.
+// The following functions read the JSON that jsonOf() writes. They throw nlohmann::json::exception for any other JSON.
 std::vector<SentPerson> peopleFrom(const nlohmann::json& json);
 SentBatch batchFrom(const nlohmann::json& json);
 Taken takenFrom(const nlohmann::json& json);

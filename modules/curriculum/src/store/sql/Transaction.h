@@ -8,9 +8,9 @@
 
 namespace insonate::store {
 
-/// A database transaction: all changes are made or none. After a failed statement it executes nothing more, returns no
-/// rows, and keeps the first error, so that callers need to check only commit(). Without commit() all changes are
-/// undone.
+/// A database transaction: all changes are made or none. After a failed statement the transaction executes no further
+/// statements, returns no rows, and keeps the first error, so that callers need to check only commit(). Without
+/// commit() all changes are undone.
 class Transaction {
  public:
   Transaction(Connection& connection, Way way);

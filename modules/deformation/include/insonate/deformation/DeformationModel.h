@@ -35,7 +35,7 @@ struct DeformationInput {
   ProbeFace face;
   BloodPressure pressure;
   /// Pose of the tissue plane in the patient. With a pose, the iteration starts from the last solution even after the
-  /// probe has moved; without a pose, it starts from undeformed tissue.
+  /// probe has moved; without a pose, the iteration starts from undeformed tissue.
   std::optional<Transform> patientFromProbe;
   /// Required contact force. If above 0, the face is moved along z until the contact force has this value; else the
   /// face stays at z = 0.
@@ -74,15 +74,16 @@ struct Deformation {
 
 /// Resolution and tolerances of a model, and the depth to which it computes the tissue.
 struct DeformationSettings {
-  double mesh_mm = 0.5;  ///< edge of the mesh's cells near vessels and face; 0.1..4
-  double depth_mm = 50;  ///< depth below the face at which tissue does not move; 10..200
+  double mesh_mm = 0.5;  ///< edge of the mesh's cells near vessels and face; 0.1 to 4
+  double depth_mm = 50;  ///< depth below the face at which tissue does not move; 10 to 200
   /// maximum number of iterations per solution; live imaging uses a small number and continues the solution with the
   /// next image
   int maxIterations = 60;
   /// Maximum movement of a node in the last iteration of a converged solution; 0: the model's default.
   double tolerance_mm = 0;
-  /// Tolerance for a solution that continues an earlier one, as while the probe moves: the solution is accepted once an
-  /// iteration moves no node by more than this, and the next image continues it. 0: not used.
+  /// Tolerance for a solution that continues an earlier solution, as while the probe moves. The solution is accepted
+  /// once an iteration moves no node by more than this tolerance, and the next image continues the solution. 0: not
+  /// used.
   double movingTolerance_mm = 0;
 };
 

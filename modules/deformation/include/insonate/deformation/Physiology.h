@@ -12,24 +12,24 @@ inline constexpr double kPascalPermmHg = 133.322;
 /// equal the pressures in the CT (MechanicalTissue::pressure_kPa) of the preset `measured`. Sources:
 /// modules/deformation/README.md.
 struct Physiology {
-  double centralVenous_mmHg = 4;  ///< venous pressure at the heart, mean over a breath; -5..30
-  double systolic_mmHg = 120;     ///< maximum arterial pressure of a heartbeat, at the heart; 40..260, above diastolic
-  double diastolic_mmHg = 80;     ///< minimum arterial pressure of a heartbeat, at the heart; 20..180
-  double heartRate_perMin = 70;   ///< heart rate, 20..250; 0 for no pulse (constant mean pressure)
-  double breathing_perMin = 14;   ///< respiratory rate, 2..60; 0 for no respiration
-  /// Peak-to-peak change of the venous pressure in the neck by respiration, -20..20. Positive: the minimum is at the
+  double centralVenous_mmHg = 4;  ///< venous pressure at the heart, mean over a breath; -5 to 30
+  double systolic_mmHg = 120;    ///< maximum arterial pressure of a heartbeat, at the heart; 40 to 260, above diastolic
+  double diastolic_mmHg = 80;    ///< minimum arterial pressure of a heartbeat, at the heart; 20 to 180
+  double heartRate_perMin = 70;  ///< heart rate, 20 to 250; 0 for no pulse (constant mean pressure)
+  double breathing_perMin = 14;  ///< respiratory rate, 2 to 60; 0 for no respiration
+  /// Peak-to-peak change of the venous pressure in the neck by respiration, -20 to 20. Positive: the minimum is at the
   /// end of inspiration; negative: at the end of expiration, as under mechanical ventilation.
   double breathingSwing_mmHg = 2.5;
-  double tilt_deg = 0;                   ///< tilt of the table, -45..45; positive: head down (Trendelenburg)
-  double neckAboveHeart_mm = 150;        ///< distance along the body from the heart to the probe; 50..300
+  double tilt_deg = 0;                   ///< tilt of the table, -45 to 45; positive: head down (Trendelenburg)
+  double neckAboveHeart_mm = 150;        ///< distance along the body from the heart to the probe; 50 to 300
   double indifferenceFromHeart_mm = 70;  ///< distance from the heart, toward the feet, of the point whose venous
-                                         ///< pressure does not change with tilt; 0..200
+                                         ///< pressure does not change with tilt; 0 to 200
 };
 
 /// Fails with a sentence that names field, value and allowed range.
 Result<void> checkPhysiology(const Physiology& physiology);
 
-/// Returns the blood pressures in the neck at a time in s. They are continuous and periodic with heartbeat and
+/// Returns the blood pressures in the neck at a time in s. The pressures are continuous and periodic with heartbeat and
 /// respiration. vein_kPa is never below 0, since a vein collapses near atmospheric pressure. The physiology must be
 /// valid; a time that is not finite counts as 0.
 BloodPressure bloodPressureAt(const Physiology& physiology, double time_s);

@@ -18,9 +18,9 @@ struct PlaneTissue {
   float skin_mm = -kFar_mm;  ///< distance to the skin, negative inside the body
 };
 
-/// Curvatures of a vessel's surface at a point near it: second derivatives of the distance to the surface, in the image
-/// plane and perpendicular to it. They are (1/radius, 0) for a round vessel perpendicular to the plane, and (0,
-/// 1/radius) for a round vessel in the plane.
+/// Curvatures of a vessel's surface at a point near the surface: second derivatives of the distance to the surface, in
+/// the image plane and perpendicular to it. The curvatures are (1/radius, 0) for a round vessel perpendicular to the
+/// plane, and (0, 1/radius) for a round vessel in the plane.
 struct OutlineCurvature {
   float inPlane_permm = 0, outOfPlane_permm = 0;
 };

@@ -22,22 +22,24 @@ enum class DeviceKind : std::uint8_t {
 
 std::string_view nameOf(DeviceKind kind);
 
-/// Quantity that a field of a HID report contains. The stated unit is that of the raw value times ReportField::scale.
+/// Quantity that a field of a HID report contains. The unit stated for each quantity is the unit of the raw value times
+/// ReportField::scale.
 enum class Quantity : std::uint8_t {
-  kEncoder,     ///< encoder counts; index 0..5 selects the joint
-  kPosition,    ///< position, mm, device frame; index 0..2: x, y, z
-  kQuaternion,  ///< attitude as a quaternion; index 0..3: w, x, y, z
-  kDeflection,  ///< deflection of a 3D mouse's spring-loaded cap, -1..1; index 0..2: along x, y, z; 3..5: about x, y, z
+  kEncoder,     ///< encoder counts; index 0 to 5 selects the joint
+  kPosition,    ///< position, mm, device frame; index 0 to 2: x, y, z
+  kQuaternion,  ///< attitude as a quaternion; index 0 to 3: w, x, y, z
+  kDeflection,  ///< deflection of a 3D mouse's spring-loaded cap, -1 to 1; index 0 to 2: along x, y, z; 3 to 5: about
+                ///< x, y, z
   kButtons,     ///< one bit per button; index: number of the button in the lowest bit
-  /// a single button; it is pressed if one of ReportField::count consecutive fields equals ReportField::usage; index:
-  /// number of the button
+  /// a single button; the button is pressed if one of ReportField::count consecutive fields equals ReportField::usage;
+  /// index: number of the button
   kKey,
   kStatus,    ///< status bits whose meaning is specific to the device
   kSequence,  ///< sequence number of the report
   kTime,      ///< time in s on the device's own clock
-  kForce,     ///< output: force in N, device frame; index 0..2: x, y, z
-  kTorque,    ///< output: torque in N mm, device frame; index 0..2: about x, y, z
-  kCurrent,   ///< output: motor current in mA; index 0..2 selects the motor
+  kForce,     ///< output: force in N, device frame; index 0 to 2: x, y, z
+  kTorque,    ///< output: torque in N mm, device frame; index 0 to 2: about x, y, z
+  kCurrent,   ///< output: motor current in mA; index 0 to 2 selects the motor
 };
 
 /// One field of a HID report: a run of bits, least significant first, and its meaning. Bit 0 is the first bit after the
@@ -45,7 +47,7 @@ enum class Quantity : std::uint8_t {
 struct ReportField {
   Quantity quantity = Quantity::kStatus;
   int index = 0;
-  int bit = 0, bits = 8;  ///< first bit of the field, and its width in bits (1..32)
+  int bit = 0, bits = 8;  ///< first bit of the field, and its width in bits (1 to 32)
   bool isSigned = false;  ///< true: the raw value is a two's complement number
   /// true: the raw value is a counter that overflows; the decoded value is the change since the first report
   bool wraps = false;
@@ -76,8 +78,8 @@ struct DeviceMatch {
 struct ArmTable {
   std::array<double, 3> length_mm{};              ///< lengths: height of the turret, upper bar, lower bar
   std::array<double, 3> countsPerTurn{};          ///< encoder counts per turn of each motor
-  std::array<double, 3> bodyTurnsPerMotorTurn{};  ///< gear ratio of each cable drive, with sign: turns of the turret or
-                                                  ///< bar per turn of its motor
+  std::array<double, 3> bodyTurnsPerMotorTurn{};  ///< gear ratio of each cable drive, with sign: turns of the turret
+                                                  ///< or the bar per turn of the motor
   std::array<double, 3> torque_NmmPermA{};        ///< torque per current of each motor
   /// angles of turret, upper and lower bar in the home posture, from which the encoders count
   std::array<double, 3> homeAngle_deg{};
@@ -101,7 +103,7 @@ struct DeviceTable {
 /// beyond the end of their report, and a force device without an output report.
 Result<DeviceTable> parseDeviceTable(std::string_view json);
 
-/// Returns the built-in device tables, those of resources/haptics/devices.
+/// Returns the built-in device tables, which are in resources/haptics/devices.
 const std::vector<DeviceTable>& builtInDeviceTables();
 
 }  // namespace insonate

@@ -72,7 +72,7 @@ class HapticDevice {
   virtual void push(const Force& force) noexcept = 0;
 
   /// Declares that the device is now in its home posture, from which its encoders count. Call it when the user has put
-  /// the device there. No effect on devices without encoders.
+  /// the device there. Has no effect on devices without encoders.
   virtual void calibrate() {}
 };
 

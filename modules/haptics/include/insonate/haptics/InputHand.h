@@ -34,8 +34,8 @@ class InputHand final : public HapticDevice {
   bool takeAt(std::int64_t now_ns, DeviceState& state) noexcept;
   void push(const Force&) noexcept override {}
 
-  /// Connects (true) or disconnects (false) the emulated device. Its phase is kAbsent at the beginning and while it is
-  /// disconnected, kReady once it is connected, and kStreaming after the first take().
+  /// Connects (true) or disconnects (false) the emulated device. The device's phase is kAbsent at the beginning and
+  /// while the device is disconnected, kReady once it is connected, and kStreaming after the first take().
   void hold(bool held) noexcept;
   /// Moves the tool by a distance in the device frame (DeviceState.h): x to the right, y up, z toward the user.
   void drag(Vec3 by_mm) noexcept;

@@ -21,8 +21,8 @@ struct SkinPatch {
   bool operator==(const SkinPatch&) const = default;
 };
 
-/// Tissue near probe and needle, from which the force loop computes forces. Slower threads update it tens of times per
-/// second.
+/// Tissue near probe and needle, from which the force loop computes forces. Slower threads update the tissue tens of
+/// times per second.
 struct LocalModel {
   /// time at which the model was made, CLOCK_MONOTONIC; forces decrease to zero if the model is old
   std::int64_t time_ns = 0;

@@ -16,7 +16,7 @@ struct DeviceReading {
   std::array<double, 6> encoder{};  ///< encoder counts; for counters that overflow, the change since the first report
   std::optional<Vec3> position_mm;  ///< position of the stylus, device frame (DeviceState.h)
   std::array<double, 4> quaternion{1, 0, 0, 0};  ///< attitude w, x, y, z as reported, not normalized
-  std::array<double, 6> deflection{};  ///< deflection of a 3D mouse's cap, -1..1: along x, y, z, then about x, y, z
+  std::array<double, 6> deflection{};  ///< deflection of a 3D mouse's cap, -1 to 1: along x, y, z, then about x, y, z
   std::uint32_t buttons = 0;
   std::uint32_t status = 0;
   std::uint32_t sequence = 0;
@@ -31,7 +31,8 @@ enum class ReportOutcome : std::uint8_t {
   kUnknown,  ///< rejected: no layout has the report's id, or the report is empty
 };
 
-/// Decodes the HID reports of one device by its device table. Neither allocates nor throws. For one thread.
+/// Decodes the HID reports of one device by its device table. Neither allocates nor throws. One object must be used on
+/// one thread only.
 class ReportDecoder {
  public:
   /// `table` must outlive the decoder.

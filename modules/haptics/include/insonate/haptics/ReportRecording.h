@@ -62,10 +62,10 @@ struct RecordedReport {
 /// Reads a file that ReportRecorder wrote. Fails with a sentence that names the line that cannot be read.
 Result<std::vector<RecordedReport>> readRecording(const std::filesystem::path& file);
 
-/// Makes a device that replays recorded reports: the reports arrive at their recorded times and are decoded as those of
-/// the real device. Forces have no effect. The replay starts at once; if `again` is true, it repeats. `device` is the
-/// id of the recorded device; empty: the device of the first report. Fails if the recording has no report of a device
-/// with a built-in table.
+/// Makes a device that replays recorded reports: the reports arrive at their recorded times and are decoded like the
+/// reports of the real device. Forces have no effect. The replay starts at once; if `again` is true, the replay
+/// repeats. `device` is the id of the recorded device; empty: the device of the first report. Fails if the recording
+/// has no report of a device with a built-in table.
 Result<std::shared_ptr<HapticDevice>> replayRecording(const std::vector<RecordedReport>& reports,
                                                       const std::string& device = {}, bool again = false);
 

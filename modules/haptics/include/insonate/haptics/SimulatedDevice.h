@@ -33,7 +33,8 @@ class SimulatedDevice : public HapticDevice {
   void push(const Force& force) noexcept override;
 
   /// Returns the minimum, over time, of the net energy that the hand has put into device and force loop since a contact
-  /// began. It is 0 if the force loop is passive, and negative if the loop has returned more energy than it received.
+  /// began. The minimum is 0 if the force loop is passive, and negative if the loop has returned more energy than it
+  /// received.
   double minEnergy_J() const { return minEnergy_J_; }
 
  private:

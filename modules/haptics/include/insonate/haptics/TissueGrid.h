@@ -36,14 +36,14 @@ class TissueGrid {
   static Result<std::shared_ptr<const TissueGrid>> fromLabels(const LabelMap& labels, const Progress& progress = {});
   /// Makes a grid of the part of the label map within `reach_mm` of the point `centre_mm` along each of the map's axes.
   /// A stored distance is exact if it is smaller than the distance from the grid point to the edge of the part. Fails
-  /// if the map and that part do not overlap, or if cancelled.
+  /// if this part lies outside the map, or if cancelled.
   static Result<std::shared_ptr<const TissueGrid>> fromLabels(const LabelMap& labels, Vec3 centre_mm, double reach_mm,
                                                               const Progress& progress = {});
 
   const VolumeGeometry& geometry() const { return geometry_; }
 
-  /// Returns the tissue at a point: interpolated distances, and the label of the nearest grid point. Beyond the grid,
-  /// the values at its edge are returned. Neither waits nor allocates.
+  /// Returns the tissue at a point: interpolated distances, and the label of the nearest grid point. For a point beyond
+  /// the grid, returns the values at the edge of the grid. Neither waits nor allocates.
   TissueSample at(Vec3 patient_mm) const noexcept;
   /// Returns the outward normal of a wall (an index of kNeedleWalls): the unit vector along which the distance to the
   /// wall increases. Returns the zero vector if the grid has no such wall.

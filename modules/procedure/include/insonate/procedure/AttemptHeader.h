@@ -8,9 +8,9 @@
 
 namespace insonate {
 
-/// Identifies the attempt in a curriculum store (database of people and attempts) of which this is the recording. All
-/// members are empty if the recording belongs to no store. The store issues the nonce when the attempt begins, for this
-/// person, level and id (curriculum/AttemptSeal.h).
+/// Identifies the recorded attempt in a curriculum store (database of people and attempts). All members are empty if
+/// the recording belongs to no store. When the attempt begins, the store issues the nonce for this person, level and
+/// attempt id (curriculum/AttemptSeal.h).
 struct RecordedFor {
   std::string attempt{}, person{};  ///< ids of attempt and person: AttemptFacts::id, Person::id
   std::string curriculum{};         ///< name of the curriculum; "": free practice
@@ -21,15 +21,15 @@ struct RecordedFor {
   bool operator==(const RecordedFor&) const = default;
 };
 
-/// Header of a recording: procedure, case and settings of the attempt. A replay uses the same ones, and fails if they
-/// are not available.
+/// Header of a recording: procedure, case and settings of the attempt. A replay uses the same procedure, case and
+/// settings, and fails if they are not available.
 struct AttemptHeader {
   std::string software{};   ///< name and version of the program that made the recording: "insonate 0.1.0"
   std::string begun{};      ///< time at which the attempt began: ISO 8601, UTC
   std::string procedure{};  ///< id of the procedure
   int procedureVersion = 0;
   std::string caseName{}, caseHash{};
-  std::string settingsHash{};  ///< hash of `settings`; the recorder fills it in
+  std::string settingsHash{};  ///< hash of `settings`; the recorder computes the hash
   std::string engine{};        ///< name of the ultrasound engine that made the images
   ImageField picture{};
   /// Names of the case's vessels; the first one is the target vein of this attempt. Empty: the case has no target in a
@@ -45,7 +45,7 @@ struct AttemptHeader {
   bool operator==(const AttemptHeader&) const = default;
 };
 
-/// Change of settings during an attempt. The new settings replace those of the header or of the previous change.
+/// Change of settings during an attempt. The new settings replace the settings of the header or of the previous change.
 struct SettingsChange {
   std::int64_t time_us = 0;  ///< time of the change since the recording began
   std::string settings;      ///< all settings, in the form of AttemptHeader::settings

@@ -53,7 +53,8 @@ enum class Better { Lower, Higher, Neither };
 struct MetricDefinition {
   Metric metric;
   std::string_view id;    ///< name of the metric in files and JSON: "vein_punctures"
-  int version;            ///< version of the definition; it increases with each change that may give other values
+  int version;            ///< version of the definition; the version increases with each change that may give other
+                          ///< values
   std::string_view unit;  ///< unit of the values: "", "s", "mm", "%", "deg", "N"
   Better better;
   std::string_view definition;  ///< description of the counted or measured quantity, with thresholds
@@ -65,7 +66,7 @@ inline const MetricDefinition& definitionOf(Metric metric) {
   return metricTable()[static_cast<std::size_t>(metric)];
 }
 
-/// One value for each metric; no value, rather than 0, if the attempt does not determine it.
+/// One value for each metric. If the attempt does not determine a metric, its value is empty, not 0.
 struct MetricValues {
   std::array<std::optional<double>, kMetricCount> values;
 
@@ -95,13 +96,15 @@ class AttemptMetrics {
 
   void take(const AttemptSample& sample);
   void take(const AttemptEvent& event);
-  /// Returns the values of all metrics so far. value() returns a single one, for callers that need it at each sample.
+  /// Returns the values of all metrics so far. value() returns the value of a single metric, for callers that need it
+  /// at each sample.
   MetricValues values() const;
   std::optional<double> value(Metric metric) const;
   /// Returns the present place of the needle's tip.
   NeedlePlace needle() const;
-  /// Returns the time, since the recording began, from which on the syringe has aspirated blood with the tip at one
-  /// place in the target vein (see the definition of the metric tip_in_vein). Empty while no such blood is aspirated.
+  /// Returns the time since the recording began at which the syringe began to aspirate blood with the tip at one place
+  /// in the target vein (see the definition of the metric tip_in_vein). Empty while the syringe aspirates no such
+  /// blood.
   std::optional<std::int64_t> aspiratingBloodSince_us() const;
 
  private:

@@ -32,10 +32,10 @@ class AttemptFollower {
 /// temporary file remains, and AttemptRecording can read it.
 class AttemptRecorder {
  public:
-  /// Starts a recording. Fails if `file` exists, if its temporary file of an earlier attempt exists, or if it cannot be
-  /// written. `follower` may be null; it is not used after finish() has returned. `key`: key that the curriculum store
-  /// issued with the nonce in the header; it authenticates the recording. Empty: no store issued a nonce, and the
-  /// recording can only be checked for damage.
+  /// Starts a recording. Fails if `file` exists, if its temporary file of an earlier attempt exists, or if `file`
+  /// cannot be written. `follower` may be null; it is not used after finish() has returned. `key`: key that the
+  /// curriculum store issued with the nonce in the header, and which authenticates the recording. If the key is empty,
+  /// no store issued a nonce, and the recording can only be checked for damage.
   static Result<std::unique_ptr<AttemptRecorder>> start(const std::filesystem::path& file, const AttemptHeader& header,
                                                         std::shared_ptr<AttemptFollower> follower = nullptr,
                                                         const std::optional<RecordKey>& key = std::nullopt);
@@ -44,9 +44,9 @@ class AttemptRecorder {
   AttemptRecorder(const AttemptRecorder&) = delete;
   AttemptRecorder& operator=(const AttemptRecorder&) = delete;
 
-  /// Records a sample. Call it on the force loop's thread only; it neither waits, allocates nor throws. If the queue is
-  /// full, which happens when the recorder's thread has not run for 4 s, the sample is dropped and counted as lost. A
-  /// sample whose time is earlier than that of the last sample is also dropped.
+  /// Records a sample. Call this function on the force loop's thread only; it neither waits, allocates nor throws. If
+  /// the queue is full, which happens when the recorder's thread has not run for 4 s, the sample is dropped and counted
+  /// as lost. A sample whose time is earlier than the time of the last sample is also dropped.
   void put(const AttemptSample& sample) noexcept;
   /// Records an event. Call it on the force loop's thread only; it neither waits, allocates nor throws.
   void put(const AttemptEvent& event) noexcept;
@@ -56,8 +56,9 @@ class AttemptRecorder {
   /// Records an event. Call it on any thread except the force loop's. The event is stored after the samples that put()
   /// has accepted before this call.
   void note(const AttemptEvent& event);
-  /// Records the settings that apply from `change.time_us` on; this time must not be earlier than that of the previous
-  /// change. Call it on any thread except the force loop's. If the settings equal the previous ones, nothing is stored.
+  /// Records the settings that apply from `change.time_us` on; this time must not be earlier than the time of the
+  /// previous change. Call this function on any thread except the force loop's. If the settings equal the previous
+  /// settings, nothing is stored.
   void note(const SettingsChange& change);
 
   /// Returns the metrics of the samples that have been written; they lag behind put() by some milliseconds. May be

@@ -15,7 +15,7 @@ struct MetricScore {
   std::optional<double> value;     ///< measured value; empty if the attempt does not determine it
   std::optional<MetricNorm> norm;  ///< published values of novices and experts; empty: none are known
   /// Position of the value on a scale on which the published value of novices is 0 and that of experts is 100, clamped
-  /// to 0..100. Empty if value or norm is missing.
+  /// to 0 to 100. Empty if value or norm is missing.
   std::optional<double> share;
 };
 
@@ -29,11 +29,11 @@ struct AttemptMoment {
 /// Result of an attempt.
 ///
 /// The points are 0 if there is a critical finding. Otherwise they are the mean of the shares of all metrics
-/// (MetricScore::share), minus 5 for each minor finding and 20 for each major finding, clamped to 0..100, and at most
+/// (MetricScore::share), minus 5 for each minor finding and 20 for each major finding, clamped to 0 to 100, and at most
 /// 50 if the attempt did not succeed. Each finding of ProcedureRun counts. The numbers 5, 20 and 50 were chosen, and
 /// are not the result of a study. This structure contains all terms, so that another weighting can be computed.
 struct AttemptScore {
-  std::optional<double> points;  ///< points, 0..100; empty if the skin was not punctured or no metric has a share
+  std::optional<double> points;  ///< points, 0 to 100; empty if the skin was not punctured or no metric has a share
   bool succeeded = false;
   std::vector<MetricScore> metrics;           ///< scores of all metrics, in the order of metricTable()
   std::vector<AttemptMoment> criticalErrors;  ///< the moments with critical severity

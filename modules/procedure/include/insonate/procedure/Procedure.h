@@ -86,16 +86,16 @@ struct Procedure {
   std::string target;
   std::vector<PatientPosition> positions;
   std::vector<ProcedureStep> steps;  ///< steps in their order, at least one
-  /// index of the step to which the attempt returns if the needle leaves the body before the steps that need it are
-  /// done
+  /// index of the step to which the attempt returns if the needle leaves the body before all steps that need the needle
+  /// are done
   std::size_t passBegins = 0;
   std::vector<ProcedureRule> rules;
-  /// conditions of success: at the end, the values must be beyond all of these limits
+  /// conditions of success: at the end of the attempt, the value of each of these metrics must be beyond its limit
   std::vector<MetricLimit> success;
   std::vector<MetricNorm> norms;  ///< published values, at most one for each metric; metrics without an entry have none
 };
 
-/// Returns the names of the built-in procedures, those in resources/procedures.
+/// Returns the names of the built-in procedures, which are in resources/procedures.
 std::vector<std::string> procedurePresetNames();
 /// Loads a built-in procedure by name, or a JSON file of the same format. Fails with a sentence that names the place,
 /// the error and the possible values.

@@ -66,7 +66,8 @@ class ProcedureRun {
   std::vector<Finding> findings_;
   std::vector<AttemptEvent> milestones_;
   std::optional<AttemptEvent> vesselWall_;  ///< event by which the tip entered its present vessel
-  /// for each rule, the value of its metric at its last finding; empty if there is no finding yet
+  /// for each rule, the value of the rule's metric when the rule last caused a finding; empty if there was no finding
+  /// yet
   std::vector<std::optional<double>> told_;
   /// Time at which the present contact of the probe with the skin, or the present aspiration of blood in the vein,
   /// began; empty if there is none.

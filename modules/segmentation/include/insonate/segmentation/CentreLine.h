@@ -16,10 +16,10 @@ namespace insonate {
 using CentreLine = std::vector<Vec3>;
 
 /// Returns the center lines of all vessels with this label. The direction of each line is arbitrary. At a confluence,
-/// one line continues and the others end near it. A vessel that ends at the volume's edge has a line up to the edge; a
-/// piece that is shorter than wide has no line. Grids may be anisotropic, oblique, of either handedness. The same label
-/// map always gives the same lines. Fails on an invalid grid, and when cancelled; a label without voxels gives no
-/// lines.
+/// one line continues and the other lines end near it. A vessel that ends at the volume's edge has a line up to the
+/// edge; a piece of a vessel that is shorter than wide has no line. Grids may be anisotropic, oblique, of either
+/// handedness. The same label map always gives the same lines. Fails on an invalid grid, and when cancelled; a label
+/// without voxels gives no lines.
 Result<std::vector<CentreLine>> centreLines(const LabelMap& labels, std::uint8_t label, const Progress& progress = {});
 
 /// Returns the distance from a point to the nearest line, mm; no value if there are no lines. Neither waits nor

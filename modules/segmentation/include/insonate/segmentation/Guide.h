@@ -24,7 +24,7 @@ enum class GuideSide { Right, Left };
 struct GuideWay {
   /// range of CT values of the clicked tissue for which this way is used; empty: any values
   std::optional<HuRange> clicks_HU{};
-  /// Maximum distance from the clicks of voxels that the labeling steps may change; empty: no limit.
+  /// Labeling steps may change only voxels within this distance of the clicks; empty: no limit.
   std::optional<double> around_mm{};
   std::vector<LabelStep> steps;  ///< labeling steps; the author's clicks become their points
   std::string caution{};         ///< warning to the author about the result

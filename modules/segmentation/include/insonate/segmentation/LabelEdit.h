@@ -43,8 +43,8 @@ struct LabelChange {
 
 /// Edits a label map, with undo and redo. Each undo step stores runs of changed voxels, a few bytes for each run,
 /// instead of a copy of the map. The latest 100 steps are kept, or fewer if they exceed the memory limit. CT and label
-/// map must be on one grid, must outlive the object, and must not be changed by others. Not for concurrent use by two
-/// threads.
+/// map must be on one grid, must outlive the object, and must not be changed by others. Two threads must not use one
+/// object concurrently.
 class LabelEdit {
  public:
   static constexpr std::size_t kMostSteps = 100;
@@ -68,7 +68,7 @@ class LabelEdit {
   void beginStroke(std::string name);
   void endStroke();
 
-  /// Names, for a menu, of the steps that undo() and redo() would apply; no value if there is none.
+  /// Names, for a menu, of the steps that undo() and redo() would apply; no value if there is no such step.
   std::optional<std::string_view> undoName() const;
   std::optional<std::string_view> redoName() const;
   LabelChange undo();

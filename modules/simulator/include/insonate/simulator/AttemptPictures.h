@@ -13,7 +13,7 @@ namespace insonate {
 /// its time: the deformation of tissue is solved from the undeformed state, there is no persistence, and the time seeds
 /// the electronic noise. With the same engine and kind of processor, an image is therefore the same bit for bit,
 /// whichever images are rendered before it. The live image may have differed slightly, since live imaging continues the
-/// deformation of the previous frame. Not for concurrent use; uses the calling thread's TBB arena.
+/// deformation of the previous frame. One object must not be used concurrently; uses the calling thread's TBB arena.
 class AttemptPictures {
  public:
   /// Fails with a sentence if `patient` is not the recorded case, or if the recording has no settings. `workAhead`,

@@ -17,7 +17,8 @@ struct AttemptSettings {
   /// "auto". Replays ignore persistence.
   ImagingSetup setup;
   Physiology physiology;
-  bool pulsating = false;  ///< true: heartbeat and breathing vary the blood pressure; false: it stays at its mean
+  bool pulsating = false;  ///< true: heartbeat and breathing vary the blood pressure; false: the pressure stays at its
+                           ///< mean
   double bloodTime_s = 0;  ///< time in the cycles of heartbeat and breathing at which the recording began
   std::string needle;      ///< name of a NeedleTable preset, or file name of a needle table
   double needleRadius_mm = 0.635, needleLength_mm = 70;

@@ -18,10 +18,10 @@ namespace insonate {
 class LiveAttempt;
 
 /// Moves probe and needle over a patient by haptic devices, or by mouse and keys. A "hand" (enum Hand) is one of these
-/// two tools; it is empty while no device is assigned to it. The session runs the force loop (ServoThread). While a
-/// device is assigned, a thread of the session passes the tissue in front of the probe's face and around the needle's
-/// tip to the force loop 60 times a second, and passes the pose of the probe to the live imaging. While both hands are
-/// empty and there is no pedal, the session does no work.
+/// two tools; a hand is empty while no device is assigned to the tool. The session runs the force loop (ServoThread).
+/// While a device is assigned, a thread of the session passes the tissue in front of the probe's face and around the
+/// needle's tip to the force loop 60 times a second, and passes the pose of the probe to the live imaging. While both
+/// hands are empty and there is no pedal, the session does no work.
 ///
 /// Every member may be called from any thread. put() and the destructor may wait up to a tenth of a second; all others
 /// return within a fraction of a millisecond.
@@ -59,7 +59,7 @@ class HandsSession {
   /// moves the tool.
   void putMouse(Hand hand, const Transform& patientFromTool);
   /// Sets the pose of a tool that mouse and keys request. The tool moves there smoothly, or jumps if the distance is
-  /// long; with a simulated device it moves there as far as the forces allow. No effect if a real device moves the
+  /// long; with a simulated device it moves there as far as the forces allow. Has no effect if a real device moves the
   /// tool.
   void moveByMouse(Hand hand, const Transform& patientFromTool);
   /// Returns the device that moves a tool (`hand`: probe or needle); null: none.
@@ -80,8 +80,8 @@ class HandsSession {
   std::uint32_t takePresses();
 
   /// Makes the device of a tool exert this force (device frame) for a second, so that the user can check the device.
-  /// The force is limited to 1 N and to HandSetup::mostForce_N. The tool does not move meanwhile. No effect without a
-  /// device.
+  /// The force is limited to 1 N and to HandSetup::mostForce_N. The tool does not move meanwhile. Has no effect without
+  /// a device.
   void testForce(Hand hand, Vec3 force_N);
 
   /// Returns inputs and outputs of the last tick of the force loop; time_ns is 0 while no device is assigned.

@@ -23,9 +23,9 @@ Result<GreyPicture> readGrayImage(const std::filesystem::path& file);
 Result<void> writeFitImage(const GreyPicture& picture, const FovFit& fit, const std::filesystem::path& file);
 
 /// Writes one look of the envelope of a frame (`look`: its index) as NRRD: float32, linear amplitude before
-/// compounding, gain, compression and scan conversion. The first axis are samples, the second scanlines. Spacing is in
-/// mm along a scanline, and in mm (linear) or degrees (fan) between scanlines. The file is written atomically. Fails
-/// with a sentence.
+/// compounding, gain, compression and scan conversion. The first axis counts samples, the second axis scanlines.
+/// Spacing is in mm along a scanline, and in mm (linear) or degrees (fan) between scanlines. The file is written
+/// atomically. Fails with a sentence.
 Result<void> writeEnvelope(const EnvelopeFrame& envelope, const Probe& probe, const ImagingSettings& settings,
                            const std::filesystem::path& file, int look = 0);
 

@@ -42,7 +42,7 @@ struct ImagingFrame {
 };
 
 /// Renders ultrasound images from a scene and a probe pose, with one engine (echoes) and display (B-mode processing).
-/// Not for concurrent use of one object; uses the calling thread's TBB arena.
+/// One object must not be used concurrently; uses the calling thread's TBB arena.
 class Imager {
  public:
   /// Makes an imager for a setup. Fails on an unknown engine, and on a probe or settings out of range.

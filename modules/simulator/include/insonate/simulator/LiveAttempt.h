@@ -23,7 +23,7 @@ enum class NeedleAim {
   Unknown,  ///< no needle, or no live image
   Vein,     ///< the target vein; any vein in a case without a target
   Artery,
-  Beside,  ///< neither
+  Beside,  ///< neither the target vein nor an artery
 };
 
 /// State of an attempt in progress. All values belong to the same moment, which is some milliseconds ago.
@@ -69,7 +69,7 @@ class LiveAttempt final : public TickListener {
   /// receives new tissue.
   void show(Surroundings around);
   /// Passes the latest live image, in which the attempt detects whether the target vein is centered or compressed, and
-  /// where the needle aims; null: there is no live image. Call it as often as show(), on the same thread.
+  /// where the needle aims; null: there is no live image. Call this function as often as show(), on the same thread.
   void see(const std::shared_ptr<const LiveFrame>& frame, const Surroundings& around);
 
   /// Records an event that the user interface reports: needle replaced, image frozen or released, patient positioned.
@@ -77,14 +77,14 @@ class LiveAttempt final : public TickListener {
   void tell(AttemptEventKind kind, double tilt_deg = 0);
   /// Sets whether the syringe aspirates from now on.
   void setAspirating(bool on);
-  /// Records the imaging settings that apply from now on; until the first call those of the header apply.
+  /// Records the imaging settings that apply from now on. Until the first call, the settings of the header apply.
   void setSettings(const AttemptSettings& settings);
 
   const Procedure& procedure() const;
   const std::filesystem::path& file() const;
   /// Returns the present state of the attempt.
   AttemptView view() const;
-  /// Returns the score so far; after finish(), that of the whole attempt.
+  /// Returns the score so far; after finish(), the score of the whole attempt.
   AttemptScore score() const;
   /// Returns a sentence if the recording can no longer be written to the disk; else an empty text.
   std::string trouble() const;

@@ -35,8 +35,8 @@ struct LivePress {
   /// with the blood pressure of the CT.
   std::vector<LumenArea> lumens;
   BloodPressure pressure;
-  /// Affine map from the present to the undeformed position of tissue near the needle's tip, patient space. It does not
-  /// include the tenting by the tip. Without a needle it is the identity.
+  /// Affine map from the present to the undeformed position of tissue near the needle's tip, patient space. The map
+  /// does not include the tenting by the tip. Without a needle the map is the identity.
   Transform restFromPatient;
   /// Undeformed positions, in patient space, of the tissue on the probe's axis in the image, from the face to the depth
   /// of the image, every kMiddleStep_mm of depth.
@@ -87,7 +87,7 @@ struct LiveStatus {
 
 struct LiveOptions {
   int threads = 0;             ///< threads that compute images; 0: all cores except one, which is left to the GUI
-  double sceneMargin_mm = 15;  ///< extent of a scene beyond the image region, on each side; 2..100
+  double sceneMargin_mm = 15;  ///< extent of a scene beyond the image region, on each side; 2 to 100
   /// the next scene is built when the image region is this close to the edge of the present scene
   double sceneReserve_mm = 9;
   std::size_t cineBytes = 256 << 20;  ///< memory for past images; the latest image is always kept

@@ -27,7 +27,8 @@ enum class NeedlePlane { Along, Across };
 
 /// Geometry of a needle that mouse and keys move: entry point on the skin, angles and advance. While the tip is in the
 /// body, the entry point is fixed, and the needle can turn about the entry point only up to the depth kTurnsUntil_mm of
-/// the tip. HandsSession computes the contacts with tissue. No move allocates. Not for concurrent use of one object.
+/// the tip. HandsSession computes the contacts with tissue. No move allocates. One object must not be used
+/// concurrently.
 class NeedleHand {
  public:
   static constexpr double kLeastAngle_deg = 5, kMostAngle_deg = 90;
@@ -40,16 +41,16 @@ class NeedleHand {
   static constexpr double kInitialAngle_deg = 20;
 
   /// Places a needle beside a probe, outside the skin, at the angle kInitialAngle_deg to the skin. Along: the needle
-  /// lies in the image plane, at the end of the probe's face opposite the marker; if the shape of the skin does not
-  /// allow that, as for Across. Across: the needle is beside the middle of the face. `halfWidth_mm`: half the width of
-  /// the face.
+  /// lies in the image plane, at the end of the probe's face opposite the marker. If the shape of the skin does not
+  /// allow that, the needle is placed as for Across. Across: the needle is beside the middle of the face.
+  /// `halfWidth_mm`: half the width of the face.
   static NeedleHand beside(const ProbeHand& probe, double halfWidth_mm, NeedlePlane plane);
 
-  /// Moves the entry point over the skin along the probe's lateral and elevation directions. No effect while the tip is
-  /// in the body. An in-plane needle stays in-plane if elevation_mm is 0.
+  /// Moves the entry point over the skin along the probe's lateral and elevation directions. Has no effect while the
+  /// tip is in the body. An in-plane needle stays in-plane if elevation_mm is 0.
   HandMove slide(const Transform& patientFromProbe, double lateral_mm, double elevation_mm);
-  /// Moves the entry point to the point of the skin nearest to `patient_mm`. No effect while the tip is in the body. An
-  /// in-plane needle leaves the image plane.
+  /// Moves the entry point to the point of the skin nearest to `patient_mm`. Has no effect while the tip is in the
+  /// body. An in-plane needle leaves the image plane.
   HandMove moveTo(Vec3 patient_mm);
   /// Turns the needle about the skin's normal; positive: from `heading` toward `inward` x `heading` (NeedleHandState).
   /// An in-plane needle leaves the image plane.

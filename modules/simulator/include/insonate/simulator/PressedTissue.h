@@ -22,7 +22,7 @@ BloodPressure bloodPressure(const Physiology& physiology, const MechanicalTable&
 Result<Transform> poseOnSkin(const LabelMap& labels, const ProbeFace& face, const Transform& patientFromProbe);
 
 /// Computes the deformation of tissue in the image plane by a probe's face. If the face is inside the undeformed
-/// tissue, the depth of the face in it is the indentation. Not for concurrent use of one object.
+/// tissue, its depth below the undeformed skin is the indentation. One object must not be used concurrently.
 class PressedTissue {
  public:
   /// Makes the model for a probe. Fails as validate() does. `maxIterations`: maximum number of iterations per solution;
@@ -66,8 +66,8 @@ class PressedTissue {
   /// Returns the depth of the probe's face below the position of first contact with the skin. Negative: the face is
   /// this far off the skin. NaN: there is no skin nearby.
   double indentation_mm() const;
-  /// Tells whether the last push() stopped before it reached the force: at bone, at 20 mm of indentation, or because
-  /// the model found no equilibrium.
+  /// Tells whether the last push() stopped before the contact force reached the required force: at bone, at 20 mm of
+  /// indentation, or because the model found no equilibrium.
   bool stopped() const;
 
  private:

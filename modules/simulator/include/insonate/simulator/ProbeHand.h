@@ -40,8 +40,8 @@ class SkinSurface;
 
 /// Position of a probe that mouse and keys move over the skin. The probe is perpendicular to the skin, except for tilt
 /// and rock. A move stops at the end of the skin or of the patient's volume; its result says why. No move allocates
-/// memory or takes more than a fraction of a millisecond. Copies share the skin surface. Not for concurrent use of one
-/// object.
+/// memory or takes more than a fraction of a millisecond. Copies share the skin surface. One object must not be used
+/// concurrently.
 class ProbeHand {
  public:
   static constexpr double kMostAngle_deg = 60;  ///< maximum tilt and maximum rock, to either side
@@ -77,7 +77,7 @@ class ProbeHand {
   /// not rigid changes nothing.
   HandMove setPose(const Transform& patientFromProbe);
 
-  /// Returns the rigid transform patientFromProbe, as ultrasound engines take it.
+  /// Returns the rigid transform patientFromProbe, in the form that ultrasound engines take.
   Transform pose() const;
 
   const ProbeHandState& state() const { return state_; }

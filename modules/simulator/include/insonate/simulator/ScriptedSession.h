@@ -58,7 +58,7 @@ struct SessionScript {
 /// the action, counted from 1.
 Result<SessionScript> readSessionScript(std::string_view json, const PatientCase& patient);
 
-/// Returns the names of the built-in session scripts, those in resources/procedures/attempts.
+/// Returns the names of the built-in session scripts, which are in resources/procedures/attempts.
 std::vector<std::string> sessionScriptNames();
 
 /// Loads a session script: a built-in script by name, or a file. Fails if neither exists, or as readSessionScript()

@@ -32,7 +32,7 @@ struct TickContext {
 AttemptSample sampleOf(const ServoOutput& output, const TickContext& context, const TissueGrid* grid,
                        std::span<const CentreLine> veins, const VesselNames& vessels) noexcept;
 /// Converts a needle event of the force loop to an event of a recording at `context.time_us`. `skin`: undeformed skin
-/// of the case; null: not computed yet. The normal of the skin is that at the point where the line of the needle meets
+/// of the case; null: not computed yet. The normal of the skin is taken at the point where the line of the needle meets
 /// the skin, as in NeedleHand; the recorded insertion angle therefore equals the angle that the user has set.
 AttemptEvent eventOf(const NeedleEvent& event, const TickContext& context, const SkinSurface* skin,
                      std::span<const CentreLine> veins, const VesselNames& vessels) noexcept;

@@ -12,7 +12,8 @@ struct Tenting {
   Vec3 direction{0, 0, 1};  ///< unit direction of the needle, toward the tip
   /// Distance by which the tip has pushed the tissue ahead; at most 30; 0 or less: no tenting.
   double depth_mm = 0;
-  /// Radius of the tissue that the tip pushes ahead; 1..30. The radius is enlarged if the tissue would otherwise fold.
+  /// Radius of the tissue that the tip pushes ahead; 1 to 30. The radius is enlarged if the tissue would otherwise
+  /// fold.
   double radius_mm = 3;
 
   bool operator==(const Tenting&) const = default;

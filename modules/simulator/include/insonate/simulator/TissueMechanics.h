@@ -19,7 +19,7 @@ const MechanicalTable& measuredMechanics();
 struct TissueMechanics {
   std::string model = "elastic";  ///< kNoDeformation, or one of deformationModelNames()
   MechanicalTable tissues = measuredMechanics();
-  double footprint_mm = 10;  ///< width of the probe's housing in elevation, over which the force is distributed; 1..100
+  double footprint_mm = 10;  ///< width of the probe's housing in elevation, which distributes the force; 1 to 100
   bool sticking = false;     ///< true: tissue under the probe's face does not slide along the face
   DeformationSettings settings;
 };

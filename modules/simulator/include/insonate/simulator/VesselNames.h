@@ -15,14 +15,14 @@ namespace insonate {
 
 /// Determines which vessel is at a point of a case, and which vessel is the target of an attempt. (All veins of a case
 /// have the same label, and so have all arteries.) A point belongs to the vessel of CaseManifest::vessels whose wall is
-/// nearest, unless it lies outside that vessel in a vessel without a name. In a case without named vessels, the vein
-/// whose center line passes nearest to a target of the case gets the name of the target.
+/// nearest, unless the point lies outside that vessel, in a vessel without a name. In a case without named vessels, the
+/// vein whose center line passes nearest to a target of the case gets the name of the target.
 class VesselNames {
  public:
   /// Makes an object for a case without a target in a vein; every vein then counts as the target.
   VesselNames() = default;
-  /// Chooses the target of the attempt: the case's target nearest to `near_mm` (patient space) among those that the
-  /// procedure allows; if the procedure allows none of them, among all.
+  /// Chooses the target of the attempt: of the case's targets that the procedure allows, the one nearest to `near_mm`
+  /// (patient space). If the procedure allows none of them, the nearest of all targets is used.
   VesselNames(const CaseManifest& manifest, const Procedure& procedure, Vec3 near_mm);
 
   /// Returns the vessel names in the form of AttemptHeader::vessels: the target first.
@@ -40,7 +40,7 @@ class VesselNames {
   std::optional<double> distanceToCentre_mm(Vec3 rest_mm, std::span<const CentreLine> veins) const noexcept;
 
  private:
-  std::vector<Target> targets_;       ///< the case's targets that lie in veins; that of the attempt first
+  std::vector<Target> targets_;       ///< the case's targets that lie in veins; the target of the attempt first
   std::vector<NamedVessel> vessels_;  ///< the case's named vessels, the target first; empty: the case names none
 };
 

@@ -10,8 +10,9 @@ namespace insonate {
 
 /// Address of a site's server (insonate-server), and the workstation's token for it.
 struct SiteAddress {
-  std::string url{};    ///< "https://training.example.org"; http:// at a loopback address only
-  std::string token{};  ///< from `curriculum workstations add`
+  std::string url{};    ///< address of the server: "https://training.example.org"; http:// is allowed at a loopback
+                        ///< address only
+  std::string token{};  ///< token that `insonate-cli curriculum workstations add` has issued
   /// File (PEM) with the certificate of the authority that signed the server's certificate; empty: the authorities that
   /// the system trusts.
   std::filesystem::path authority{};
@@ -21,7 +22,7 @@ struct SiteAddress {
 bool isHttpAddress(const std::string& address);
 
 /// Makes a connection to a server by HTTPS. Nothing is sent yet. Fails if the address would send the token without
-/// encryption over a network. Requests take at most ten minutes; a connection that stands still for 30 s is given up.
+/// encryption over a network. A request is given up after ten minutes, or if nothing is transferred for 30 s.
 Result<SiteLink> httpLink(const SiteAddress& address);
 
 }  // namespace insonate

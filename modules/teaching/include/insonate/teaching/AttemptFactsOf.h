@@ -24,14 +24,14 @@ Result<std::string> recordingHash(const std::filesystem::path& file);
 /// the recorded motion cannot be read.
 Result<void> addRecording(AttemptFacts& facts, const std::filesystem::path& file);
 
-/// Kinds of recordings that are accepted: only those in which a person moved probe and needle, or also demonstrations,
-/// in which a script did (`insonate-cli session --script`).
+/// Kinds of recordings that are accepted: only recordings in which a person moved probe and needle, or also
+/// demonstrations, in which a script moved them (`insonate-cli session --script`).
 enum class Hands { Person, PersonOrScript };
 
 /// Computes all facts about an attempt from its recording alone. The recording is replayed and scored with the present
 /// version of its procedure; AttemptFacts::procedureVersion is this version. Fails if the recording cannot be read, if
-/// damage prevents the metrics, if its procedure is missing in this installation or older than the recording's, or if
-/// `hands` does not allow a scripted recording.
+/// damage prevents the metrics, if the procedure is missing in this installation or older than when the recording was
+/// made, or if `hands` does not allow a scripted recording.
 Result<AttemptFacts> factsOfRecording(const std::filesystem::path& file, Hands hands = Hands::Person);
 
 /// Adds the facts that the recording of an attempt contains to the facts from its beginning. Id, person, level and the

@@ -19,15 +19,15 @@ struct AttemptProofOf {
 };
 
 /// Checks the recording of an attempt with the key that the curriculum database issued with the nonce in the header.
-/// The attempt is that with the id in the header, made by `facts.person`. Fails with a sentence if the recording was
+/// The attempt is the one with the id in the header, made by `facts.person`. Fails with a sentence if the recording was
 /// changed or damaged, if the nonce was issued to another person or attempt, or if the recording cannot be read.
 Result<AttemptProofOf> proofOfAttempt(const AttemptStore& attempts, const AttemptFacts& facts,
                                       const std::filesystem::path& recording);
 
-/// Returns the origin of a nonce that is said to have been issued to the attempt of these facts, as
-/// AttemptStore::originOf() does.
+/// Function that returns the origin of a nonce, as AttemptStore::originOf() does, for a recording that claims to be of
+/// the attempt with these facts.
 using NonceOriginOf = std::function<Result<NonceOrigin>(const AttemptFacts& facts, const std::string& nonce)>;
-/// The same check with another source of the key.
+/// Does the same check with a key that `originOf` returns.
 Result<AttemptProofOf> proofOfAttempt(const NonceOriginOf& originOf, const AttemptFacts& facts,
                                       const std::filesystem::path& recording);
 

@@ -10,7 +10,7 @@
 #include <string>
 
 /// Data of the trainees of a class for other programs, read with the permissions of a signed-in user. `curriculum` is
-/// the one by which the class is taught.
+/// the curriculum of the class.
 namespace insonate {
 
 /// A table as CSV, and the number of its rows without the titles.
@@ -19,7 +19,7 @@ struct AttemptsExport {
   std::size_t attempts = 0;
 };
 /// Writes all attempts, one in each row, with the columns of attemptColumns(), the person's names and one column for
-/// each metric. `curriculum` may be null: nothing is passed then.
+/// each metric. If `curriculum` is null, the column "passed" is empty.
 Result<AttemptsExport> exportAttempts(const SignedIn& by, const Cohort& cohort, const Curriculum* curriculum);
 
 /// A grade book, and the number of its grades.

@@ -34,8 +34,9 @@ inline constexpr const char *kDemoAdministrator = "made-up-administrator", *kDem
                             *kDemoClass = "Made-up class", *kDemoHalfClass = "Made-up class, second half";
 
 /// Fills an empty database with a demonstration class: an administrator, an instructor, the published curriculum, a
-/// class of all trainees, and a class of the second half of them. All names begin with "made-up", and all accounts have
-/// the given password. Fails if the database has people, or if cancelled; what was added until then stays.
+/// class of all trainees, and a class of the second half of the trainees. All names begin with "made-up", and all
+/// accounts have the given password. Fails if the database has people, or if cancelled; data that was added until then
+/// stays.
 Result<void> makeDemoClass(const CurriculumStore& store, const Curriculum& curriculum, const DemoClassPlan& plan,
                            const std::string& password, const Progress& progress = {});
 

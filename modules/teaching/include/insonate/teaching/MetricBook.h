@@ -16,9 +16,9 @@ class MetricBook {
  public:
   static const MetricBook& here();
 
-  /// Points, then metrics that have a norm in any procedure, then the others.
+  /// Returns points first, then the metrics that have a norm in any procedure, then the other metrics.
   const std::vector<MetricMeaning>& all() const { return all_; }
-  /// Number of entries of all() that are points or have a norm.
+  /// Returns how many entries at the beginning of all() are points or have a norm.
   std::size_t comparable() const { return comparable_; }
   /// Returns the meaning with the norms of this procedure; without norms if the procedure is unknown.
   const MetricMeaning& in(const std::string& procedure, const MetricMeaning& meaning) const;

@@ -17,11 +17,11 @@ namespace insonate {
 /// Result of the comparison of stored facts about attempts with facts that are recomputed from their recordings.
 struct RecomputedAttempts {
   struct Left {
-    std::string attempt{}, person{};  ///< id of the attempt, Person::id
+    std::string attempt{}, person{};  ///< ids of the attempt and of the person (Person::id)
     std::string why{};
   };
   struct Flagged {
-    std::string attempt{}, person{};  ///< id of the attempt, Person::id
+    std::string attempt{}, person{};  ///< ids of the attempt and of the person (Person::id)
     std::vector<std::string> words{};
   };
   std::int64_t compared = 0;  ///< number of attempts compared

@@ -7,13 +7,14 @@
 
 namespace insonate {
 
-/// Tells why the facts of an attempt, which a workstation has sent, do not follow from its recording: the recording was
-/// changed, is of another attempt, person or level, or gives other metrics or points. Empty: they follow from it. The
-/// recording is replayed without images, in a tenth of a second. Fails if the recording or the database cannot be read.
+/// Returns why the facts of an attempt, which a workstation has sent, do not follow from the attempt's recording: the
+/// recording was changed, belongs to another attempt, person or level, or gives other metrics or points. Returns "" if
+/// the facts follow from the recording. The recording is replayed without images, in a tenth of a second. Fails if the
+/// recording or the database cannot be read.
 Result<std::string> whyNotVerified(const VerificationQueue& queue, const WaitingAttempt& attempt);
 
 /// Verifies the next attempt that waits. Returns false if none waits. Fails if the recording or the database cannot be
-/// read; the attempt then waits on.
+/// read; the attempt then continues to wait.
 Result<bool> verifyNextAttempt(const VerificationQueue& queue);
 
 }  // namespace insonate

@@ -21,7 +21,7 @@ struct BoundaryLayer {
   /// Dependence of the echo on the beam's angle, 0 to 1. 0: none; 1: the amplitude decreases as 0.12 + 0.88 cos^2(angle
   /// of incidence).
   double anisotropy = 1;
-  double patchiness = 0;  ///< interruption of the layer along the boundary, 0 to 1; 0: continuous
+  double patchiness = 0;  ///< degree to which the layer is interrupted along the boundary, 0 to 1; 0: continuous
   bool operator==(const BoundaryLayer&) const = default;
 };
 
@@ -33,18 +33,18 @@ enum class Texture { None, Septa, Lobules, Sheets, Fine, Bundles };
 struct AcousticTissue {
   double impedance_MRayl = 1.6;          ///< acoustic impedance; above 0
   double attenuation_dBpcmMHz = 0.7;     ///< one-way attenuation per cm at 1 MHz; at least 0
-  double attenuationExponent = 1;        ///< exponent n of the attenuation's growth with frequency, f^n; 0.5..2
+  double attenuationExponent = 1;        ///< exponent n of the attenuation's growth with frequency, f^n; 0.5 to 2
   double echogenicity_dB = 0;            ///< mean backscatter; 0 dB is speckle of RMS amplitude 1
   double ctImpedancePer100HU = 0;        ///< relative change of impedance per 100 HU above the mean HU of the structure
   double ctEchogenicity_dBper100HU = 0;  ///< change of backscatter per 100 HU above the mean HU of the structure
   double specularExponent = 12;          ///< exponent n of the specular echo's amplitude, cos^n(incidence)
-  double specularDiffuse = 0.15;  ///< share of the specular echo's amplitude that falls only as cos(incidence); 0..1
+  double specularDiffuse = 0.15;  ///< share of the specular echo's amplitude that falls only as cos(incidence); 0 to 1
   double roughness_dB = 0;        ///< standard deviation of the specular echo along the boundary
   Texture texture = Texture::None;
   /// Strength of the texture, 0 to 40.
   double textureStrength_dB = 0;
   bool vessel = false;  ///< the structure is a vessel: its sides cast edge shadows
-  bool gas = false;     ///< the structure contains gas: it casts dirty shadows, filled with reverberation
+  bool gas = false;     ///< the structure contains gas: gas casts dirty shadows, which are filled with reverberation
   std::vector<BoundaryLayer> layers;
   bool operator==(const AcousticTissue&) const = default;
 };

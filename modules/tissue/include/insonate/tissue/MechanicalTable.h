@@ -22,7 +22,7 @@ enum class Mechanics {
 struct MechanicalTissue {
   Mechanics kind = Mechanics::Solid;
   double young_kPa = 10;       ///< Young's modulus of solids, above 0; infinity for rigid structures
-  double poisson = 0.49;       ///< Poisson's ratio, 0..0.499
+  double poisson = 0.49;       ///< Poisson's ratio, 0 to 0.499
   double wall_mm = 0;          ///< lumens: thickness of the vessel wall, which lies outside the label
   double wallYoung_kPa = 0;    ///< lumens: Young's modulus of the vessel wall
   double sheath_mm = 0;        ///< lumens: thickness of the loose tissue around the vessel wall

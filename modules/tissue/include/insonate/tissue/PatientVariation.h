@@ -11,10 +11,10 @@ namespace insonate {
 /// fat content. The same seed gives the same patient. Impedance and attenuation keep their published values, so that
 /// echo levels and shadows stay accurate. A texture, layer or roughness of 0 dB in `table` stays 0 dB.
 ///
-/// Standard deviations: echogenicity 1.5 dB, of muscle and fat 2.5 dB; texture strength 15 %; roughness 20 %; layers 2
-/// dB, 20 % of their thickness and 0.12 of patchiness. No value deviates by more than two standard deviations. These
-/// amounts were chosen, not measured. The increase of the echogenicity of muscle with age is from Arts et al., Muscle
-/// Nerve 2010; 41:32.
+/// Standard deviations: echogenicity 1.5 dB (muscle and fat 2.5 dB); texture strength 15 %; roughness 20 %; echo of
+/// layers 2 dB; thickness of layers 20 %; patchiness of layers 0.12. No value deviates by more than two standard
+/// deviations. These amounts were chosen, not measured. The increase of the echogenicity of muscle with age is from
+/// Arts et al., Muscle Nerve 2010; 41:32.
 AcousticTable tableOfPatient(const AcousticTable& table, std::uint32_t seed);
 
 }  // namespace insonate

@@ -44,13 +44,13 @@ class BeamGrid {
   double step_mm_, depth_mm_;
   double pitch_;              // distance between scanlines at the face: linear: mm, else radians
   double radius_mm_;          // r1, distance from the virtual apex to the face; 0 for linear
-  double steering_rad_;       // 0 for fans
+  double steering_rad_;       // steering angle; 0 for fans
   double depthAlong_mm_ = 0;  // range from the face at which a scanline reaches the image's depth
 };
 
-/// Returns the steering angles of spatial compounding: first the steering angle of the settings; with three angles,
-/// also the angles 8 degrees to either side of it; with five angles, those 5 and 10 degrees to either side. All are
-/// limited to the range that validate() accepts. A fan has one angle.
+/// Returns the steering angles of spatial compounding. The first angle is the steering angle of the settings. With
+/// three angles, the others are 8 degrees to either side of the first; with five angles, 5 and 10 degrees to either
+/// side. All angles are limited to the range that validate() accepts. A fan has one angle.
 std::vector<double> steeringAngles_deg(const Probe& probe, const ImagingSettings& settings);
 
 }  // namespace insonate

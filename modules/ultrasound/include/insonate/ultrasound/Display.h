@@ -11,8 +11,8 @@ namespace insonate {
 /// Converts a linear envelope to the displayed image: electronic noise > averaging of the looks (several renderings of
 /// one frame with independent speckle) > ringing of the elements > haze > TGC and gains > logarithm > speckle reduction
 /// > edge enhancement > persistence > gray map > scan conversion. The constructor allocates everything; process()
-/// allocates nothing once the image has its size. The settings must be valid for the probe (see validate()). Not for
-/// concurrent use of one object. Uses the calling thread's TBB arena.
+/// allocates nothing once the image has its size. The settings must be valid for the probe (see validate()). One object
+/// must not be used concurrently. Uses the calling thread's TBB arena.
 class Display {
  public:
   Display(const Probe& probe, const ImagingSettings& settings);

@@ -14,7 +14,7 @@
 
 namespace insonate {
 
-/// Renders the echo envelope of a scene for a pose of the probe. Not for concurrent use of one object.
+/// Renders the echo envelope of a scene for a pose of the probe. One object must not be used concurrently.
 class Engine {
  public:
   virtual ~Engine() = default;
@@ -32,11 +32,11 @@ class Engine {
   ///
   /// The frame shows the tissue displaced by `displacement`, including structures, CT, textures, scatterers, point
   /// targets and the skin. An empty displacement takes no computing time. A displacement must be complete (columns
-  /// times rows shifts), finite and one-to-one. Where it refers to tissue beyond the scene, the outermost tissue of the
-  /// scene is used.
+  /// times rows shifts), finite and one-to-one. Where the displacement refers to tissue beyond the scene, the outermost
+  /// tissue of the scene is used.
   ///
-  /// `needle` must be valid (see validate()); null: no needle. The needle's echo and shadow appear at its own position,
-  /// independent of the displacement of the tissue. Look::Thesis does not show the needle.
+  /// `needle` must be valid (see validate()); null: no needle. The needle's echo and shadow appear at the needle's own
+  /// position, independent of the displacement of the tissue. Look::Thesis does not show the needle.
   virtual void render(const AcousticScene& scene, const Transform& patientFromProbe,
                       const PlaneDisplacement& displacement, const Needle* needle, EnvelopeFrame& envelope) = 0;
   void render(const AcousticScene& scene, const Transform& patientFromProbe, const PlaneDisplacement& displacement,
@@ -65,9 +65,9 @@ std::vector<std::string> engineNames();
 Result<std::unique_ptr<Engine>> makeEngine(std::string_view name);
 
 /// Schedule of the angles of spatial compounding. AllAnglesPerFrame: each frame renders all angles; for still images.
-/// OneAnglePerFrame: as on a real machine, each frame renders one angle and averages it with the latest frames of the
-/// other angles; the first frame renders all angles. A frame then takes as long as without compounding, but moving
-/// structures also appear at their former places.
+/// OneAnglePerFrame: as on a real machine, each frame renders one angle and averages this rendering with the latest
+/// renderings of the other angles; the first frame renders all angles. A frame then takes as long as without
+/// compounding, but moving structures also appear at their former positions.
 enum class CompoundingSchedule { AllAnglesPerFrame, OneAnglePerFrame };
 
 /// Makes an engine by name, as makeEngine() does. If the settings contain spatial compounding, the result combines one

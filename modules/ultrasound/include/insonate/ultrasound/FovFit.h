@@ -44,7 +44,7 @@ struct DepthRuler {
 
 struct FovFit {
   FovShape shape;
-  double confidence = 0;  ///< confidence of the fit, 0..1; below 0.5 the user should correct the fit
+  double confidence = 0;  ///< confidence of the fit, 0 to 1; below 0.5 the user should correct the fit
   /// warnings about edges of the field of view that were not clearly visible, one sentence each
   std::vector<std::string> doubts;
   std::optional<DepthRuler> ruler;

@@ -13,8 +13,8 @@ struct Needle {
   /// direction toward which the opening of the bevel faces; only its component perpendicular to the shaft is used and
   /// must not be 0
   Vec3 bevelNormal{1, 0, 0};
-  double radius_mm = 0.635;  ///< outer radius; 0.1..2
-  double length_mm = 70;     ///< length from the tip to the hub; 1..300
+  double radius_mm = 0.635;  ///< outer radius; 0.1 to 2
+  double length_mm = 70;     ///< length from the tip to the hub; 1 to 300
 
   bool operator==(const Needle&) const = default;
 };

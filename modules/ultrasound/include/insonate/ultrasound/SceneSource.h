@@ -19,12 +19,12 @@ class SceneSource {
   static Result<std::shared_ptr<const SceneSource>> make(const CtVolume& ct, const LabelMap& labels);
   ~SceneSource();
 
-  /// Returns a hash of the CT, which identifies the patient independent of edits of the labels.
+  /// Returns a hash of the CT, which identifies the patient even after the labels were edited.
   std::uint32_t patient() const;
 
   /// Computes one part of the data that a scene of this region needs and that is not yet cached: the part nearest to
-  /// the center of the region. Takes about a second of one processor. `stopped` is called repeatedly; if it returns
-  /// true, the computation is cancelled. Returns false if nothing is missing, or if the cache is full.
+  /// the center of the region. Takes about a second of one processor. `stopped` is called repeatedly; if `stopped`
+  /// returns true, the computation is cancelled. Returns false if nothing is missing, or if the cache is full.
   bool precompute(const Region& region, double detail_mm, const std::function<bool()>& stopped = {}) const;
 
   struct Impl;  ///< contents of the source, read by scenes

@@ -22,7 +22,7 @@ struct LabellingTime {
   double pause_ms = 0, work_ms = 0;
 };
 
-/// Measures the speed of a Prepare workspace. For the window's thread.
+/// Measures the speed of a Prepare workspace. May be used only on the window's thread.
 class PrepareBenchmark final {
  public:
   /// All arguments must outlive this object.

@@ -69,7 +69,8 @@ class PrepareWorkspace : public ui::Workspace {
   void connectModel();
   void checkReady();
 
-  std::unique_ptr<PrepareModel> model_;  ///< its parts are children of this object, deleted after the widgets
+  std::unique_ptr<PrepareModel> model_;  ///< parts of the model are children of this object; the model is deleted
+                                         ///< after the widgets
   std::unique_ptr<PrepareLayout> layout_;
   std::vector<Feature*> features_;
   CaseFeature* case_ = nullptr;

@@ -13,8 +13,8 @@ class TaskBar;
 namespace insonate::review {
 
 /// The workspace that replays attempts. It shows the list of recordings, the replay of an attempt as ultrasound image
-/// and in 3D with a timeline, and the result of the attempt. If another case than that of the attempt is open, the
-/// workspace requests the case from the window (caseWanted()). Background threads compute the replay, only while the
+/// and in 3D with a timeline, and the result of the attempt. If the open case is not the attempt's case, the workspace
+/// requests the attempt's case from the window (caseWanted()). Background threads compute the replay, only while the
 /// workspace is shown.
 class ReviewWorkspace : public ui::Workspace {
   Q_OBJECT

@@ -21,15 +21,15 @@ namespace insonate::ui {
 QString usualStore();
 
 /// The signed-in user, and the connection to the store (database) of people, levels and attempts. Queries run one after
-/// the other on a background thread, which owns the connection; their results arrive on the window's thread. For the
-/// window's thread only.
+/// the other on a background thread, which owns the connection; their results arrive on the window's thread. May be
+/// used only on the window's thread.
 class Account : public QObject {
   Q_OBJECT
 
  public:
   enum class State {
     Opening,
-    Unreachable,  ///< trouble() says why
+    Unreachable,  ///< the store cannot be reached or opened; trouble() says why
     NobodyYet,    ///< there is no store, or the store has no people: an administrator must be set up first
     Guest,        ///< no user is signed in
     SignedIn,
@@ -61,7 +61,7 @@ class Account : public QObject {
   void setUpAlone(const QString& fullName, const QString& password, Done done);
   /// Signs in. On a workstation of a site (SiteExchange), the site's server checks the password, if it can be reached.
   void signIn(const QString& name, const QString& password, Done done);
-  /// Signs out. No effect while hasGeneratedPassword(): the user does not know the password and could not sign in
+  /// Signs out. Has no effect while hasGeneratedPassword(): the user does not know the password and could not sign in
   /// again.
   void signOut();
   /// Tells whether the signed-in user has not chosen a password yet.
@@ -72,9 +72,9 @@ class Account : public QObject {
   /// Tries again to open a store that could not be reached.
   void reopen();
 
-  /// Queues `question` for the store's thread. When it has run, `done` is called once on the window's thread with its
-  /// result, unless `asker` has been deleted. If another user has signed in meanwhile, `done` receives an error, so
-  /// that no user sees another user's data. `question` is executed in any case.
+  /// Queues `question` for the store's thread. When `question` has run, `done` is called once on the window's thread
+  /// with the result, unless `asker` has been deleted. If another user has signed in meanwhile, `done` receives an
+  /// error, so that no user sees another user's data. `question` is executed in any case.
   template <class T>
   void ask(const QObject* asker, std::function<Result<T>(const SignedIn&)> question,
            std::function<void(Result<T>)> done) {
@@ -105,7 +105,7 @@ class Account : public QObject {
   }
   struct Entered {
     SignedIn session;
-    std::string generatedPassword{};  ///< empty if the user has chosen a password
+    std::string generatedPassword{};  ///< generated password; empty if the user has chosen a password
   };
   static Entered asEntered(const SignedIn& session) { return {session}; }
   using Entering = std::function<Result<Entered>(const CurriculumStore&)>;
@@ -121,7 +121,7 @@ class Account : public QObject {
   void changePasswordAtSite(const std::string& old, const std::string& password, Done done);
   void take(State state, std::optional<Entered> entered, const QString& trouble);
 
-  std::string generatedPassword_;  ///< of the signed-in user; empty if the user has chosen one
+  std::string generatedPassword_;  ///< generated password of the signed-in user; empty if the user has chosen one
   const QString address_;
   const StoreServices services_;
   State state_ = State::Opening;
@@ -134,7 +134,7 @@ class Account : public QObject {
   QTimer again_;
   std::optional<CurriculumStore> store_;  ///< used on the store's thread only
   QThread thread_;
-  QObject worker_;  ///< lives on the store's thread
+  QObject worker_;  ///< object on the store's thread
 };
 
 }  // namespace insonate::ui

@@ -13,7 +13,7 @@ namespace insonate::ui {
 /// yet.
 QString attemptsFolder();
 
-/// Returns the folder of drafts: filled forms about attempts that have not been sent to the store.
+/// Returns the folder of drafts: filled forms about attempts that the user has not sent to the store yet.
 inline QString formDraftsFolder() {
   return attemptsFolder() + QStringLiteral("/drafts");
 }
@@ -32,8 +32,8 @@ QString recordingHere(const KeptAttempt& attempt, const QString& store);
 /// Returns the folder in which this workstation keeps the recordings of attempts if the store is on a server.
 QString serverRecordingsFolder();
 
-/// Tells whether a file is a recorded attempt. The ending of its name (also that of an unfinished recording) or its
-/// first bytes show this.
+/// Tells whether a file is a recorded attempt, by the ending of its name (also that of an unfinished recording) or by
+/// its first bytes.
 bool isAttemptFile(const QString& path);
 
 }  // namespace insonate::ui

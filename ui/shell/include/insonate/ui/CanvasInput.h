@@ -9,7 +9,8 @@ class QWidget;
 namespace insonate::ui {
 
 /// Rank of an input handler of a canvas. An event goes to the handlers in the order of their ranks until one of them
-/// consumes it; if none does, the event goes to the view. Within a rank, the handler that was added first comes first.
+/// consumes the event; if none does, the event goes to the view. Of handlers with the same rank, the one that was added
+/// first comes first.
 enum class InputRank {
   Observer,  ///< observes events and consumes none, e.g. to mark the pointer's position in other views
   Handle,    ///< drags a handle that is drawn on the image, e.g. of the field of view
@@ -19,8 +20,8 @@ enum class InputRank {
   Commands,  ///< keys of the workspace's commands
 };
 
-/// The input handlers of one canvas, which is the widget that receives the events of a view. The object is the only
-/// event filter of the canvas, and its child. For the window's thread only.
+/// The input handlers of one canvas, which is the widget that receives the events of a view. This object is a child of
+/// the canvas, and the canvas's only event filter. May be used only on the window's thread.
 class CanvasInput : public QObject {
   Q_OBJECT
 
@@ -29,7 +30,7 @@ class CanvasInput : public QObject {
   static CanvasInput& of(QWidget& canvas);
 
   /// Adds a handler. Its eventFilter() is called with the canvas and the event, and returns true if it has consumed the
-  /// event. No effect if the handler was already added. A handler that is deleted is removed.
+  /// event. Has no effect if the handler was already added. A handler that is deleted is removed.
   void add(InputRank rank, QObject& handler);
   void remove(QObject& handler);
 
@@ -43,7 +44,7 @@ class CanvasInput : public QObject {
 
   explicit CanvasInput(QWidget& canvas);
 
-  std::vector<Entry> entries_;  ///< sorted by rank
+  std::vector<Entry> entries_;  ///< handlers, sorted by rank
 };
 
 }  // namespace insonate::ui

@@ -25,8 +25,9 @@ struct LoadedCase {
   QString folder;     ///< folder of the case; empty if it was imported and not saved yet
   QStringList notes;  ///< sentences about what was missing or changed during loading
   bool builtIn = false;
-  QString versionOf{};    ///< as in CaseOrigin
-  std::string content{};  ///< CaseVersion::content when the case was read or written here
+  QString versionOf{};    ///< folder of the case of which this is an earlier or published version; else empty
+                          ///< (CaseOrigin::versionOf)
+  std::string content{};  ///< CaseVersion::content when this program read or wrote the case
 };
 
 /// A case that was saved.

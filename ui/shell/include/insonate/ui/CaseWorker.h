@@ -26,7 +26,7 @@ struct CaseWork {
   /// on the frontmost skin, and the reason. If this callback is empty, or if there is no skin, `failed` is called.
   std::function<void(ProbeHand, QString)> unplaced;
   std::function<void(std::vector<std::uint8_t>)> structures;  ///< the labels that occur in the patient
-  /// receives a surface; that of kSkin is the surface of the whole body
+  /// receives a surface; the surface with the label kSkin is the surface of the whole body
   std::function<void(std::uint8_t label, std::shared_ptr<const Mesh>)> surface;
   std::function<void()> surfacesDone;   ///< called when all surfaces that were requested so far have arrived
   std::function<void(QString)> failed;  ///< receives an error message; other results may still arrive after it
@@ -42,7 +42,8 @@ struct SurfaceWish {
 };
 
 /// Computes the results of CaseWork on a background thread. The destructor does not wait: it asks the thread to stop,
-/// and discards results that have not been delivered. The step in progress ends in the background (see waitForJobs()).
+/// and discards results that have not been passed to the callbacks. The step in progress ends in the background (see
+/// waitForJobs()).
 class CaseWorker : public QObject {
  public:
   CaseWorker(std::shared_ptr<const PatientCase> patient, CaseWork work, std::vector<SurfaceWish> wishes);

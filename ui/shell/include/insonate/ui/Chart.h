@@ -28,12 +28,12 @@ struct ChartPicture {
     QString name{};
     std::vector<QPointF> points{};
     Tone tone = Tone::Accent;
-    Qt::PenStyle pen = Qt::SolidLine;  ///< NoPen: dots only
+    Qt::PenStyle pen = Qt::SolidLine;  ///< Qt::NoPen: only dots are drawn
     bool dots = false;
   };
   struct Band {
     QString name{};
-    std::vector<QPointF> low{}, high{};  ///< points from left to right
+    std::vector<QPointF> low{}, high{};  ///< lower and upper edge of a band: points from left to right
     Tone tone = Tone::Accent;
   };
   struct Box {
@@ -47,7 +47,7 @@ struct ChartPicture {
   std::vector<Line> lines{};
   std::vector<Box> boxes{};
   QStringList categories{};     ///< axis labels at x = 0, 1, 2, ... in place of numbers
-  std::optional<Interval> y{};  ///< range that the y axis shows in any case
+  std::optional<Interval> y{};  ///< range that the y axis includes in any case
   QString words{};  ///< sentence that says why the chart is empty, and what to do; empty if the chart has contents
 
   bool isEmpty() const { return bands.empty() && lines.empty() && boxes.empty(); }

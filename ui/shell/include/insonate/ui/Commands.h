@@ -17,8 +17,8 @@ namespace insonate::ui {
 
 /// A key or a mouse gesture as the list of keys (`?`) shows it.
 struct Shortcut {
-  QString keys;  ///< as printed on the keyboard, e.g. "Shift + arrows"
-  QString does;  ///< e.g. "tilt and rock the probe"
+  QString keys;  ///< keys as printed on the keyboard, e.g. "Shift + arrows"
+  QString does;  ///< effect of the keys, e.g. "tilt and rock the probe"
 };
 
 /// Shortcuts of one part of the window, listed under a common heading.
@@ -29,31 +29,32 @@ struct ShortcutGroup {
 
 /// Modifiers of a key press.
 struct KeyPress {
-  bool wide = false;      ///< Shift was held
-  bool repeated = false;  ///< sent repeatedly by a key that is held down
+  bool wide = false;      ///< true: Shift was held
+  bool repeated = false;  ///< true: sent repeatedly by a key that is held down
 };
 
 /// One key of a command. Shift selects the wide step of the same key.
 struct CommandKey {
-  int key = 0;                                      ///< Qt::Key
+  int key = 0;                                      ///< code of the key: Qt::Key
   Qt::KeyboardModifiers modifiers{};                ///< Ctrl and Alt that must be held
-  std::function<void(KeyPress)> perform = nullptr;  ///< null: Command::perform
+  std::function<void(KeyPress)> perform = nullptr;  ///< function of this key; null: Command::perform
 };
 
 /// A command, which the user can give by a key, and also by a menu entry (action()) or a button (toolTip()).
 struct Command {
-  QString id;      ///< "workspace.feature.act", e.g. "train.image.freeze"; unique
-  QString text;    ///< for menus, e.g. "Freeze image"; may be empty for a command without a menu entry
-  QString does;    ///< for tooltips and the list of keys, e.g. "freezes the image, or continues with live images"
+  QString id;      ///< unique id "workspace.feature.act", e.g. "train.image.freeze"
+  QString text;    ///< text of the menu entry, e.g. "Freeze image"; may be empty for a command without a menu entry
+  QString does;    ///< effect, for tooltips and the list of keys, e.g. "freezes the image, or continues with live
+                   ///< images"
   QString listed;  ///< keys as listed for the user, e.g. "Arrows"; empty: not listed
   std::vector<CommandKey> keys;
   /// performs the command: for keys without a function of their own, and for action()
   std::function<void(KeyPress)> perform;
-  std::function<bool()> isAvailable = nullptr;  ///< null: always
+  std::function<bool()> isAvailable = nullptr;  ///< tells whether the command can be given now; null: always
 };
 
 /// Registry of all commands of one workspace. Keys, menu entries, tooltips and the list of keys are made from this
-/// registry. Features add their commands when they are constructed. For the window's thread only.
+/// registry. Features add their commands when they are constructed. May be used only on the window's thread.
 class Commands : public QObject {
   Q_OBJECT
 
@@ -74,8 +75,8 @@ class Commands : public QObject {
   /// Adds a mouse gesture, or a key that an action or a widget handles itself, to the list of keys only.
   void addListed(const QString& keys, const QString& does);
 
-  /// Performs the available command that has this key, or only searches for it if `isPerformed` is false. @returns
-  /// whether there is such a command
+  /// Performs the available command that has this key; if `isPerformed` is false, only searches for the command.
+  /// @returns whether there is such a command
   bool key(const QKeyEvent& event, bool isPerformed) const;
   /// Handles a key event of a canvas. Keys of commands take precedence over shortcuts of the window. @returns whether
   /// the event is consumed
@@ -83,8 +84,8 @@ class Commands : public QObject {
 
   /// Returns the command with this id; null if there is none.
   const Command* find(const QString& id) const;
-  /// Returns a sentence about a command followed by its keys, for the tooltip of a button; empty if there is no such
-  /// command.
+  /// Returns the sentence about what a command does, followed by its keys, for the tooltip of a button; empty if there
+  /// is no such command.
   QString toolTip(const QString& id) const;
   /// Returns the given sentence followed by the keys of a command, for a button to which the command applies in some
   /// states only.

@@ -10,7 +10,7 @@
 namespace insonate::ui {
 
 /// Calls `changed` within a minute after the date has changed, even if the computer slept over midnight or its clock
-/// was set. Use it for texts that depend on the date. For the window's thread only.
+/// was set. Use this class for texts that depend on the date. May be used only on the window's thread.
 class DayWatch final : public QObject {
  public:
   DayWatch(std::function<void()> changed, QObject* parent, std::function<QDate()> today = &QDate::currentDate)

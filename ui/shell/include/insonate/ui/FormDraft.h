@@ -8,17 +8,17 @@
 
 namespace insonate::ui {
 
-/// Author and subject of the answers to a form; both ids are UUIDs.
+/// Author of the answers to a form, and the attempt that the form is about; both ids are UUIDs.
 struct FormSubject {
   std::string by{};
-  std::string attempt{};  ///< "": no attempt in particular
+  std::string attempt{};  ///< attempt that the form is about; "": no particular attempt
 
   bool operator==(const FormSubject&) const = default;
 };
 
 /// Stores answers that have not been sent yet, so that they are available after a restart of the program. There is one
-/// file in the user's data for each subject and form. For any thread; a background thread writes the files one after
-/// the other.
+/// file in the user's data for each subject and form. May be used on any thread. A background thread writes the files
+/// one after the other.
 class FormDraft {
  public:
   explicit FormDraft(QString folder);

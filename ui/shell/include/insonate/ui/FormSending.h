@@ -5,7 +5,7 @@
 namespace insonate::ui {
 
 /// Assigns ids to forms that are sent to the store. If the connection fails while a form is sent, it is unknown whether
-/// the form was stored. The same answers therefore get the same id when they are sent again, by which the store
+/// the form was stored. The same answers therefore get the same id when they are sent again, so that the store
 /// recognizes them.
 class FormSending {
  public:

@@ -20,8 +20,8 @@ class FormSheet final : public QWidget {
 
   const Form& form() const { return form_; }
   FormAnswers answers() const;
-  /// Shows these answers. Ignores answers to items that the form does not contain, and answers that it cannot show.
-  /// Does not emit changed().
+  /// Shows these answers. Ignores answers to questions that the form does not contain, and answers that the widget
+  /// cannot show. Does not emit changed().
   void setAnswers(const FormAnswers& answers);
   /// Shows, beside each question whose answer cannot be stored, the error in the answer, and gives the first such
   /// question the keyboard focus. Returns true if there are no errors.
@@ -32,7 +32,7 @@ class FormSheet final : public QWidget {
 
  private:
   Form form_;
-  std::vector<FormQuestion*> questions_;  ///< in the order of the form
+  std::vector<FormQuestion*> questions_;  ///< widgets of the questions, in the order of the form
 };
 
 }  // namespace insonate::ui

@@ -26,7 +26,7 @@ class HistogramPlot;
 /// Editor of the transfer function of a CT, drawn over the histogram of the CT. Each node of the function has a
 /// Hounsfield value, an opacity and a color. The user drags nodes, adds a node by a double click, and removes a node by
 /// Delete or a right click. Tab selects the next node, arrow keys move the selected node, and its numbers can be typed.
-/// The editor has presets, undo, redo and reset. For the window's thread only.
+/// The editor has presets, undo, redo and reset. May be used only on the window's thread.
 class HistogramEditor : public QWidget {
   Q_OBJECT
 

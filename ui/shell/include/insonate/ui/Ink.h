@@ -13,7 +13,7 @@ struct Ink {
   QColor accent, good, caution, danger;
 };
 
-/// Returns the colors for the screen: those of the theme.
+/// Returns the colors for the screen, taken from the theme.
 Ink screenInk();
 /// Returns the colors for paper, dark on white. Text has a contrast of at least 4.5:1.
 Ink paperInk();

@@ -4,7 +4,7 @@
 
 namespace insonate::ui {
 
-/// Handles a key event in the event filter of a view, whose keys take precedence over shortcuts of the window.
+/// Handles a key event in the event filter of a view. Keys of the view take precedence over shortcuts of the window.
 /// `key(event, act)` returns whether the view uses the key and, if `act` is true, performs the action of the key.
 /// @returns whether the event is consumed
 template <class Key>

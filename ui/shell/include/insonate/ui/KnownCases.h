@@ -10,10 +10,10 @@ namespace insonate::ui {
 QStringList builtInNames();
 
 /// Searches the built-in and the recent cases for a case with this title, or a built-in case with this name. Returns
-/// its place: the folder, or the name of the built-in case. Empty if there is no such case.
+/// the folder of the case, or the name of the built-in case. Empty if there is no such case.
 std::optional<QString> placeOfCase(const QString& nameOrTitle);
 
-/// Returns the place from which trainees open a case: the folder of its published version; else `place` itself.
+/// Returns the folder from which trainees open a case: that of its published version; else `place` itself.
 QString placeForTraining(const QString& place);
 
 /// Returns the title of the built-in neck with this name; any other text is returned unchanged.

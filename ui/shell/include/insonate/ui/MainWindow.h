@@ -60,9 +60,9 @@ class MainWindow : public QMainWindow {
   void openBuiltIn(const QString& variant);
   /// Opens a recorded attempt in the workspace that shows attempts, and shows that workspace.
   void openAttempt(const QString& file);
-  /// Reads the case from its folder again. No effect on a case that is not on disk.
+  /// Reads the case from its folder again. Has no effect on a case that is not on disk.
   void reload();
-  /// Writes the case with all edits to its folder; if it has none, asks for a folder.
+  /// Writes the case with all edits to its folder. If the case has no folder, asks the user for a folder.
   void saveCase();
   const LoadedCase& current() const;
 
@@ -73,8 +73,8 @@ class MainWindow : public QMainWindow {
 
   /// Returns the commands of the window itself, for example "window.case.open".
   Commands& commands() { return *commands_; }
-  /// Returns the list of keys: first those of the present workspace, then those of the window, then those of the other
-  /// workspaces.
+  /// Returns the list of keys: first the keys of the present workspace, then the keys of the window, then the keys of
+  /// the other workspaces.
   std::vector<ShortcutGroup> keyList() const;
   Account& account() { return *account_; }
   TaskBar& tasks() { return *tasks_; }
@@ -129,7 +129,7 @@ class MainWindow : public QMainWindow {
   QStackedWidget* stack_;
   StatusStrip* status_;
   HelpWindow* help_ = nullptr;
-  bool sure_ = false;     ///< true: close without asking about unsaved changes
+  bool sure_ = false;     ///< true: the window closes without asking about unsaved changes
   bool passing_ = false;  ///< true: a key event is being passed to the workspace
 };
 

@@ -22,15 +22,15 @@ class ValueSlider;
 
 /// Controls of a 3D view: skin transparency, structures, the CT with its transfer function, a clipping plane, stereo
 /// and the head-coupled view. While the user moves a control, the view is drawn at a lower resolution. The panel is
-/// narrow and long: put it into a QScrollArea. For the window's thread only.
+/// narrow and long: put it into a QScrollArea. May be used only on the window's thread.
 ///
-/// The panel uses SceneView::setStructuresChanged(), by which the scene notifies it of surfaces and changes of their
-/// appearance. A scene can therefore have only one panel.
+/// The panel uses SceneView::setStructuresChanged(), by which the scene notifies the panel of surfaces and of changes
+/// of their appearance. A scene can therefore have only one panel.
 class ScenePanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// Place of the controls for visibility, color and opacity of structures, including the skin.
+  /// Location of the controls for visibility, color and opacity of structures, including the skin.
   enum class Structures {
     Here,
     Elsewhere,  ///< these controls are in another widget; this panel does not change structures
@@ -70,7 +70,7 @@ class ScenePanel : public QWidget {
   QWidget* buildCt();
   void refresh();
   void scrollToHistogram();
-  /// Draws the scene at a lower resolution until there has been no change for a moment.
+  /// Draws the scene at a lower resolution until nothing has changed for a moment.
   void live();
   struct Look {
     views::Colour colour;
@@ -93,7 +93,8 @@ class ScenePanel : public QWidget {
   EyeControls* eyes_ = nullptr;
   std::shared_ptr<const PatientCase> patient_;
   std::shared_ptr<const PatientCase> last_;  ///< the last case that was not null
-  std::map<std::uint8_t, Look> own_;  ///< the user's appearance of structures that are now drawn with the author's
+  std::map<std::uint8_t, Look> own_;  ///< appearance that the user chose for structures that are now drawn with the
+                                      ///< author's appearance
   views::ColourScheme scheme_ = views::ColourScheme::Usual;
   bool structuresHere_ = true, refreshing_ = false, refreshDue_ = false;
   QTimer rest_;

@@ -13,7 +13,7 @@ class Account;
 
 /// Synchronizes this computer's store with its site's server while the window is open: some seconds after a user signs
 /// in or out, and every five minutes. The exchange runs in the background. Without a server or a store, nothing is
-/// done. Data that could not be sent wait for the next exchange. For the window's thread only.
+/// done. Data that could not be sent wait for the next exchange. May be used only on the window's thread.
 class SiteExchange : public QObject {
   Q_OBJECT
 
@@ -23,10 +23,12 @@ class SiteExchange : public QObject {
   /// Returns the address of the server: https://HOST of insonate-server, or the address of a database as
   /// CurriculumStore::open() takes it, with its password in ~/.pgpass or PGPASSWORD; empty: no server.
   QString server() const;
-  /// Returns the file of the authority that signed the server's certificate; empty: those that the system trusts.
+  /// Returns the file with the certificate of the authority that signed the server's certificate; empty: the
+  /// authorities that the system trusts are used.
   QString authorityFile() const;
-  /// Joins a server and starts an exchange. `token`: this computer's token for insonate-server; empty: the former one
-  /// stays. Fails, with nothing changed, if the address or the token is not one, or if the token cannot be stored.
+  /// Joins a server and starts an exchange. `token`: this computer's token for insonate-server; if empty, the former
+  /// token stays. Fails, with nothing changed, if the address or the token is invalid, or if the token cannot be
+  /// stored.
   Result<void> setServer(const QString& address, const QString& token = {}, const QString& authorityFile = {});
 
   /// Starts an exchange at once.

@@ -40,7 +40,7 @@ class TaskBar : public QFrame {
   };
 
   /// Runs `work` on a background thread; `work` must not use widgets. When `work` has ended, `done` is called on the
-  /// window's thread. If a job is already running, it is cancelled first. Exceptions of `work` become errors.
+  /// window's thread. A job that is already running is cancelled first. Exceptions of `work` become errors.
   template <class T>
   void run(const QString& title, std::function<Result<T>(const Progress&)> work, std::function<void(Result<T>)> done,
            WhenClosed whenClosed = WhenClosed::Stop) {

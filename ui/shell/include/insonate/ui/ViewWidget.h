@@ -33,8 +33,8 @@ class ViewWidget : public QFrame {
 
   views::View& view() { return *view_; }
 
-  /// Discards the displayed image if it is no longer valid, for example after a change of the patient. The view is
-  /// black until it is drawn again, which is requested.
+  /// Discards the displayed image if it is no longer valid, for example after a change of the patient. The widget is
+  /// black until the view is drawn again. The function also requests this drawing.
   void forget();
 
   void setMaximised(bool maximised);

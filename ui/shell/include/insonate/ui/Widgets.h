@@ -23,8 +23,8 @@ QLabel* paragraph(const char* object = "", const char* role = "", const QString&
 /// Makes a label of one line with the font weight of a heading.
 QLabel* heading(const QString& words);
 
-/// Makes a push button that is not a default button: Enter in a field of a dialog does not press it. With Qt::TabFocus,
-/// a click on the button does not take the keyboard focus from the image.
+/// Makes a push button that is not a default button: Enter in a field of a dialog does not press the button. With
+/// Qt::TabFocus, a click on the button does not take the keyboard focus from the image.
 QPushButton* pushButton(const char* object, const QString& words, const QString& tip,
                         Qt::FocusPolicy focus = Qt::StrongFocus);
 

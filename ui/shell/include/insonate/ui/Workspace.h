@@ -32,7 +32,7 @@ using CaseEdit = std::function<void(PatientCase&)>;
 
 /// Base class of the workspaces Prepare, Train and Review. They exist as long as the window, which shows one of them at
 /// a time. A hidden workspace should use no computing time (showEvent, hideEvent). The window's View menu lists the
-/// actions() of the workspace that is shown. For the window's thread only.
+/// actions() of the workspace that is shown. May be used only on the window's thread.
 class Workspace : public QWidget {
   Q_OBJECT
 
@@ -49,7 +49,7 @@ class Workspace : public QWidget {
   /// empty: no case is being opened.
   virtual void setOpening(const QString& /*what*/) {}
 
-  /// Sets the case's origin. Called before setCase(), and when the case was saved elsewhere.
+  /// Sets the case's origin. Called before setCase(), and after the case was saved to another folder.
   virtual void setOrigin(const CaseOrigin&) {}
 
   /// Sets the account of the user; called once, before the workspace is shown.
@@ -58,8 +58,8 @@ class Workspace : public QWidget {
   /// Returns an edit that applies the workspace's unsaved changes to a case; null if there are none. The window asks
   /// before such changes would be lost.
   virtual CaseEdit unsavedEdit() const { return {}; }
-  /// Returns an edit that applies changes which are saved with the case, but may be lost without asking the user, such
-  /// as visibility; null if there are none.
+  /// Returns an edit that applies those changes, such as visibility, that are saved with the case but may be lost
+  /// without asking the user; null if there are none.
   virtual CaseEdit quietEdit() const { return {}; }
   /// Called when the case was saved with the edits of all workspaces. `patient` is the saved case, which replaces the
   /// present one.
@@ -69,11 +69,11 @@ class Workspace : public QWidget {
   /// attempt in progress; empty if there is none. The window asks the user first.
   virtual QString endsWithTheCase() const { return {}; }
 
-  /// Returns a sentence that says why the window must not show another workspace, for example because that would reveal
-  /// answers during a test; empty if it may.
+  /// Returns a sentence that says why the window must not show another workspace, for example because that workspace
+  /// would reveal answers during a test; empty if the window may show another one.
   virtual QString blocksWorkspaceChange() const { return {}; }
 
-  /// Tells whether the workspace shows recorded attempts; the window passes attempts to the first workspace that does.
+  /// Tells whether the workspace shows recorded attempts. The window opens an attempt in the first workspace that does.
   virtual bool opensAttempts() const { return false; }
   /// Begins to open a recorded attempt and returns at once. Emits failed() after an error.
   virtual void openAttempt(const QString& /*file*/) {}
@@ -94,7 +94,8 @@ class Workspace : public QWidget {
   /// Returns the name of the workspace's help page: a file in resources/help, without ".md".
   virtual QString helpPage() const { return {}; }
 
-  /// Saves splitters and other layout; the window opens the settings group before the call and closes it after.
+  /// Saves the layout, such as the positions of splitters. The window opens the settings group before the call and
+  /// closes it after the call.
   virtual void saveLayout(QSettings&) const {}
   virtual void restoreLayout(QSettings&) {}
 

@@ -9,7 +9,7 @@ struct LiveRates {
   int images = 0;
   double seconds = 0;
   double imagesPerSecond = 0;
-  double median_ms = 0, p95_ms = 0;  ///< time from the setting of a pose until its image is drawn
+  double median_ms = 0, p95_ms = 0;  ///< time from setting a pose until its image is drawn: median, 95th percentile
   double cpu_ms = 0;                 ///< processor time of the whole program per image
   double window_ms = 0;              ///< part of cpu_ms that the window's thread used
 };
@@ -20,7 +20,7 @@ struct HandRates {
   double imagesPerSecond = 0;
   /// number of ticks of the force loop; number of ticks that began more than a period late
   double ticks = 0, late = 0;
-  double p50_us = 0, p99_us = 0, p999_us = 0, max_us = 0;  ///< computing time of a tick
+  double p50_us = 0, p99_us = 0, p999_us = 0, max_us = 0;  ///< percentiles and maximum of the computing time of a tick
 };
 
 /// Frame rate of the 3D view while it turns.
@@ -35,8 +35,8 @@ struct VolumeRates {
   double orbitPerSecond = 0, zoomPerSecond = 0, followPerSecond = 0;
   double exact_ms = 0;  ///< time from the end of a movement until the image has its full resolution; at least 600
   /// GUI stalls: durations for which the window's thread did not process events. `median_ms` and `least_ms` (minimum)
-  /// are those of the intervals in which a frame was drawn, `longest_ms` is that of all intervals. `processor_ms` is
-  /// the maximum of the processor time that the thread used in one interval. On a computer with other programs running,
+  /// are computed from the intervals in which a frame was drawn, `longest_ms` from all intervals. `processor_ms` is the
+  /// maximum of the processor time that the thread used in one interval. On a computer with other programs running,
   /// only `least_ms` and `processor_ms` depend on this program alone.
   struct Holds {
     double median_ms = 0, least_ms = 0, longest_ms = 0, processor_ms = 0;

@@ -16,8 +16,8 @@ class PatientViews;
 class SceneMeasure;
 struct TrainModel;
 
-/// Measures the speed of a Train workspace: live images, 3D view and force loop. For the window's thread only. When a
-/// measurement is complete, its `done` is called on this thread, unless the workspace is deleted first.
+/// Measures the speed of a Train workspace: live images, 3D view and force loop. May be used only on the window's
+/// thread. When a measurement is complete, its `done` is called on this thread, unless the workspace is deleted first.
 class TrainBenchmark final {
  public:
   /// All arguments must outlive this object.

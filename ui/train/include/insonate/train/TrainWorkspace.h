@@ -30,12 +30,13 @@ class TrainWorkspace : public ui::Workspace {
   void setAccount(ui::Account& account) override;
   void setOrigin(const ui::CaseOrigin& origin) override;
   void setCase(std::shared_ptr<const PatientCase> patient) override;
-  /// Shows the saved case; during an attempt, or while a level is selected, not before the end of the attempt or level.
+  /// Shows the saved case. During an attempt or while a level is selected, the case is shown only after the attempt or
+  /// level has ended.
   void caseSaved(std::shared_ptr<const PatientCase> patient) override;
   QString statusText() const override;
   QString engineText() const override;
   QString engineNote() const override;
-  /// Returns a sentence while an attempt is running.
+  /// Returns a sentence while an attempt is in progress; else an empty text.
   QString endsWithTheCase() const override;
   QString blocksWorkspaceChange() const override;
   bool isReady() const override;
@@ -82,7 +83,8 @@ class TrainWorkspace : public ui::Workspace {
   PatientViews* patient_ = nullptr;
   std::unique_ptr<TrainBenchmark> benchmark_;
   ui::CaseOrigin origin_;                         ///< origin of the case that setCase() will set next
-  std::shared_ptr<const PatientCase> savedCase_;  ///< saved case that waits until no feature holds the present one
+  std::shared_ptr<const PatientCase> savedCase_;  ///< saved case that replaces the present case as soon as no feature
+                                                  ///< needs the present case
   QString trouble_;                               ///< reason why there is no image, if not reported yet
   bool isReady_ = false;
 };

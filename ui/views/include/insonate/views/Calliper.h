@@ -13,7 +13,7 @@ struct PicturePoint {
 };
 
 enum class CalliperKind {
-  Distance,  ///< from point 0 to point 1
+  Distance,  ///< distance from point 0 to point 1
   /// points 0 and 1 are the ends of the first axis; the distance of point 2 from the first axis is half the second axis
   Ellipse,
   Angle,  ///< the angle at point 1 between the lines to points 0 and 2
@@ -26,10 +26,10 @@ struct Calliper {
 
 /// Values that a caliper measures; fields that do not apply to its kind are 0.
 struct CalliperValues {
-  double length_mm = 0;         ///< distance; ellipse: its first axis
-  double width_mm = 0;          ///< ellipse: its second axis
-  double circumference_mm = 0;  ///< ellipse, by Ramanujan's second approximation
-  double area_mm2 = 0;          ///< ellipse
+  double length_mm = 0;         ///< length of a distance; first axis of an ellipse
+  double width_mm = 0;          ///< second axis of an ellipse
+  double circumference_mm = 0;  ///< circumference of an ellipse, by Ramanujan's second approximation
+  double area_mm2 = 0;          ///< area of an ellipse
   double angle_deg = 0;         ///< angle, 0 to 180; 0 if one of the lines has no length
 };
 

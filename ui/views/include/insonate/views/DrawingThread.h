@@ -29,13 +29,13 @@ class DrawingThread {
   DrawingThread(const DrawingThread&) = delete;
   DrawingThread& operator=(const DrawingThread&) = delete;
 
-  /// Waits for all images in progress. No drawing thread draws while the caller holds the returned lock. Hold it while
-  /// another OpenGL window is opened or closed: VTK and the graphics driver have global state, which was corrupted when
-  /// a window was closed during drawing.
+  /// Waits for all images in progress. No drawing thread draws while the caller holds the returned lock. Hold the lock
+  /// while another OpenGL window is opened or closed: VTK and the graphics driver have global state, which was
+  /// corrupted when a window was closed during drawing.
   [[nodiscard]] static std::unique_lock<std::mutex> pause();
 
-  /// Requests an image of the view's present state. It is drawn after the image in progress; earlier requests that
-  /// still wait are discarded. Returns the number of the request, counted from 1.
+  /// Requests an image of the view's present state. The image is drawn after the image in progress; earlier requests
+  /// that still wait are discarded. Returns the number of the request, counted from 1.
   std::uint64_t want();
   /// Requests an image and waits until it is drawn.
   void drawNow();
@@ -43,7 +43,7 @@ class DrawingThread {
   struct Drawn {
     Pixels pixels;
     std::uint64_t wish = 0;  ///< number of the request whose state the image shows
-    double took_ms = 0;      ///< from the beginning of drawing until the pixels were read
+    double took_ms = 0;      ///< time from the beginning of drawing until the pixels were read
   };
   /// Swaps the last image with `drawn`, whose memory is used for the next image. Returns false, without a change, if
   /// there is no new image since the last call.
@@ -60,7 +60,7 @@ class DrawingThread {
   PixelReader reader_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  // Guarded by the mutex
+  // The following members are guarded by the mutex.
   int width_px_ = 1, height_px_ = 1;
   std::uint64_t wanted_ = 0, done_ = 0;
   Drawn ready_;

@@ -10,16 +10,16 @@ namespace insonate::views {
 
 /// Number of voxels by Hounsfield unit, in bins of equal width.
 struct HuHistogram {
-  double least_HU = -1024, most_HU = 3071;  ///< lower edge of the first bin, upper edge of the last; least < most
-  std::vector<std::uint64_t> counts;        ///< empty if there is no CT
+  double least_HU = -1024, most_HU = 3071;  ///< lower edge of the first bin; upper edge of the last bin; least < most
+  std::vector<std::uint64_t> counts;        ///< number of voxels in each bin; empty if there is no CT
 
   double binWidth_HU() const { return counts.empty() ? 0 : (most_HU - least_HU) / double(counts.size()); }
 };
 
-/// Computes the histogram of a CT. Its range includes at least air to dense bone, and beyond that the values of the CT
-/// within the range of TransferFunction; the brightest hundred-thousandth of the voxels (metal, single wrong voxels)
-/// may lie above it. Takes some milliseconds per million voxels: do not call it on the window's thread. Returns an
-/// empty histogram if `stop` becomes true during the computation.
+/// Computes the histogram of a CT. The histogram's range includes at least air to dense bone. Beyond that, the range
+/// includes the values of the CT within the range of TransferFunction, except that the brightest hundred-thousandth of
+/// the voxels (metal, single wrong voxels) may lie above the range. Takes some milliseconds per million voxels: do not
+/// call it on the window's thread. Returns an empty histogram if `stop` becomes true during the computation.
 HuHistogram huHistogram(const CtVolume& ct, int bins = 256, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace insonate::views

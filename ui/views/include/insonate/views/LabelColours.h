@@ -14,7 +14,7 @@ enum class ColourScheme {
 /// Returns the color of a label; the color of soft tissue for an unknown label.
 Colour labelColour(std::uint8_t label, ColourScheme scheme);
 
-/// Returns the default opacity of a structure's surface, 0 to 1; that of the skin is below 1.
+/// Returns the default opacity of a structure's surface, 0 to 1; only the skin's opacity is below 1.
 double defaultOpacity(std::uint8_t label);
 
 }  // namespace insonate::views

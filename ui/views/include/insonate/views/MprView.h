@@ -45,13 +45,14 @@ class MprView final : public View {
   void setPicture(std::optional<PictureBounds> bounds);
   /// Marks the position of the pointer in another view, if it lies in the slice; empty: no mark.
   void setPointer(std::optional<Vec3> position_mm);
-  /// Sets points, numbered in this order, which are shown if they are at most 3 mm from the slice.
+  /// Sets points, which are numbered in this order. A point is shown if it is at most 3 mm from the slice.
   void setMarks(std::vector<Vec3> positions_mm);
   bool showsMark(Vec3 position_mm) const;
-  /// Sets calipers. Those that lie in the slice are drawn with their values, numbered in this order.
+  /// Sets calipers, which are numbered in this order. Those that lie in the slice are drawn with their values.
   void setCallipers(std::vector<SliceCalliper> callipers);
 
-  /// Sets the crosshair, in patient space (LPS, mm), and shows the slice through it (oblique: the image plane).
+  /// Sets the crosshair (patient space, LPS, mm), and shows the slice through the crosshair. An oblique view still
+  /// shows the image plane.
   void setCrosshair(Vec3 position_mm);
   Vec3 crosshair_mm() const { return crosshair_mm_; }
   void setCrosshairVisible(bool visible);
@@ -141,7 +142,7 @@ class MprView final : public View {
   LabelStyle labelStyle_;
   bool labelsVisible_ = true;
   double labelOpacity_ = 0.25;
-  /// Point of the patient at the center after zoom or pan; its coordinate along the normal is not used.
+  /// Point of the patient that zoom and pan have put at the center; its coordinate along the normal is not used.
   Vec3 middle_mm_;
   double mm_per_px_ = 0.5;
   int zoomedIn_px_ = 0;  ///< shorter side of the view at the last zoom or pan

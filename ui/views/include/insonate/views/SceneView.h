@@ -30,9 +30,9 @@ class SceneView final : public View {
   void setCase(std::shared_ptr<const VtkCase> patient);
 
   /// Copies the surface of a label; an empty surface removes it. Color and opacity do not change; initially the color
-  /// is that of the label table, and all surfaces except the skin are opaque. `coarse` is a simplified surface that is
-  /// drawn during movement. If it is empty, a simplified surface is computed for surfaces with more than 12 000
-  /// triangles.
+  /// is the one in the label table, and all surfaces except the skin are opaque. `coarse` is a simplified surface that
+  /// is drawn during movement. If `coarse` is empty, a simplified surface is computed for surfaces with more than 12
+  /// 000 triangles.
   void setSurface(std::uint8_t label, const Surface& surface, const Surface& coarse = {});
   void setColour(std::uint8_t label, Colour colour);
   void setOpacity(std::uint8_t label, double opacity);
@@ -47,8 +47,8 @@ class SceneView final : public View {
   /// a surface has changed.
   void setStructuresChanged(std::function<void()> listener);
 
-  /// Shows or hides the volume-rendered CT. No effect without a case. Initially, the CT is hidden and has the transfer
-  /// function for bone.
+  /// Shows or hides the volume-rendered CT. Has no effect without a case. Initially, the CT is hidden and has the
+  /// transfer function for bone.
   void setCtVisible(bool visible);
   bool isCtVisible() const;
   /// Sets the transfer function, corrected by tidied().
@@ -76,8 +76,8 @@ class SceneView final : public View {
   /// the direction of insertion; the bevel faces -y.
   struct Needle {
     Transform patientFromNeedle;
-    double length_mm = 70, diameter_mm = 1.27;  ///< of the shaft; default 18 G
-    Colour colour = theme::kText;               ///< of the shaft
+    double length_mm = 70, diameter_mm = 1.27;  ///< length and diameter of the shaft; defaults: 18 G
+    Colour colour = theme::kText;               ///< color of the shaft
   };
   void setNeedle(std::optional<Needle> needle);
 

@@ -27,13 +27,13 @@ SliceAxes sliceAxes(SliceKind kind, const Transform& patientFromProbe = {});
 struct SlicePlane {
   SliceAxes axes;
   Vec3 centre_mm;          ///< patient space (LPS), at the center of the display
-  double mm_per_px = 0.5;  ///< above 0
+  double mm_per_px = 0.5;  ///< size of a pixel; above 0
   int width_px = 1, height_px = 1;
 
   Vec3 patientFromDisplay(DisplayPoint at) const;
   /// Projects a point onto the slice and converts it to the display.
   DisplayPoint displayFromPatient(Vec3 point_mm) const;
-  /// Signed distance of a point from the slice, along the normal.
+  /// Returns the signed distance of a point from the slice, along the normal.
   double distance_mm(Vec3 point_mm) const { return dot(point_mm - centre_mm, axes.normal); }
 };
 

@@ -18,15 +18,15 @@ struct TransferNode {
   bool operator==(const TransferNode&) const = default;
 };
 
-/// Maps a CT's Hounsfield units to opacity and color, linear between nodes and constant beyond the first and the last.
-/// Plain data, used both by the view that draws with it and by its editor.
+/// Maps a CT's Hounsfield units to opacity and color, linear between nodes and constant beyond the first and the last
+/// node. The function is plain data, which the view uses for drawing, and the editor for editing.
 struct TransferFunction {
   static constexpr double kLeast_HU = -1024, kMost_HU = 3071;
   static constexpr int kMostNodes = 32;
   /// Minimum distance between two nodes, in HU.
   static constexpr double kLeastGap_HU = 1;
 
-  std::vector<TransferNode> nodes;  ///< in increasing order of HU
+  std::vector<TransferNode> nodes;  ///< nodes in increasing order of HU
   bool operator==(const TransferFunction&) const = default;
 
   /// Returns the opacity for a Hounsfield value; 0 if there are no nodes.

@@ -16,7 +16,7 @@ namespace insonate::views {
 
 /// Outline and handles that are drawn over the image while the user edits a shape, e.g. the field of view.
 struct PictureGuide {
-  std::vector<PicturePoint> outline;  ///< closed polygon
+  std::vector<PicturePoint> outline;  ///< outline, a closed polygon
   std::vector<PicturePoint> handles;
   std::vector<std::string> words;  ///< labels of the handles; may be fewer than handles
   int chosen = -1;                 ///< index of the handle that is held or has the keyboard focus
@@ -39,9 +39,9 @@ struct PictureName {
 
 /// Mesh of the tissue in the image plane at its present positions.
 struct PictureTissue {
-  int columns = 0, rows = 0;        ///< number of nodes; no mesh if either is below 2
-  std::vector<PicturePoint> nodes;  ///< in row-major order
-  std::vector<float> pressure_kPa;  ///< of the mesh's cells, (columns-1) x (rows-1)
+  int columns = 0, rows = 0;        ///< number of nodes in each direction; there is no mesh if either is below 2
+  std::vector<PicturePoint> nodes;  ///< positions of the nodes in row-major order
+  std::vector<float> pressure_kPa;  ///< pressure in the mesh's cells, (columns-1) x (rows-1) values
 };
 
 /// A view of the live image, as large as possible with square pixels, on black, with depth scale, focus, gray bar, the
@@ -60,8 +60,8 @@ class UltrasoundView final : public View {
   /// Sets whether the image is mirrored. Normally the marker's side (+lateral) is on the right; mirrored, on the left.
   void setMirrored(bool mirrored);
 
-  /// Sets the direction of +lateral in patient space (LPS). From it, the sides of the image are marked R and L, A and
-  /// P, or Head and Foot; empty: no marks. The layout is updated only if a mark changes.
+  /// Sets the direction of +lateral in patient space (LPS). According to this direction, the sides of the image are
+  /// marked R and L, A and P, or Head and Foot; empty: no marks. The layout is updated only if a mark changes.
   void setLateral(std::optional<Vec3> lateral);
   void setFocus(std::optional<double> focus_mm);
   void setFrozen(bool frozen);
@@ -72,8 +72,8 @@ class UltrasoundView final : public View {
   void setTgc(std::span<const double> tgc_dB);
   /// Marks the position of the pointer in another view; empty: no mark.
   void setPointer(std::optional<PicturePoint> point);
-  /// Sets a notice. It is written over the image and says how this image differs from a normal one; if there is no
-  /// image, it says why. Empty: no notice.
+  /// Sets a notice that is written over the image. The notice says how the image differs from a normal one or, if there
+  /// is no image, why there is none. Empty: no notice.
   void setNotice(const std::string& words);
   /// Sets calipers, which are drawn with their values and numbered in this order.
   void setCallipers(std::vector<Calliper> callipers);
@@ -89,9 +89,9 @@ class UltrasoundView final : public View {
   void setNames(std::vector<PictureName> names);
   const std::vector<PictureName>& names() const { return names_; }
 
-  /// Sets an overlay of the tissue. `grid`, true: some of the lines of the mesh; `pressure`, true: the pressure in the
-  /// cells as colors with a color scale. Copies its arguments. It does not update the layout, so that it can be called
-  /// with each image.
+  /// Sets an overlay of the tissue. `grid`, true: some of the lines of the mesh are drawn; `pressure`, true: the
+  /// pressure in the cells is shown by colors, with a color scale. Copies its arguments. The function does not update
+  /// the layout, so that it can be called with each image.
   void setTissue(const PictureTissue& tissue, bool grid, bool pressure);
 
   /// Converts display pixels to mm in the image, also outside the image; displayFromPicture() converts back.

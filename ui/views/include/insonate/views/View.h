@@ -16,9 +16,9 @@ namespace insonate::views {
 
 class DrawingThread;
 
-/// Base class of all views: a renderer in an OpenGL window that the caller provides, with one view per window. For the
-/// window's thread only; a DrawingThread may draw the frames. Setters are fast, since their effects are computed at the
-/// next rendering.
+/// Base class of all views: a renderer in an OpenGL window that the caller provides, with one view per window. May be
+/// used only on the window's thread; a DrawingThread may draw the frames. Setters are fast, since their effects are
+/// computed at the next rendering.
 class View {
  public:
   View();
@@ -36,7 +36,7 @@ class View {
   int width_px() const { return width_px_; }
   int height_px() const { return height_px_; }
 
-  /// Renders the window now; if a DrawingThread draws the view, waits for it. No effect without a window.
+  /// Renders the window now; if a DrawingThread draws the view, waits for it. Has no effect without a window.
   void render();
   /// Waits until the graphics card, which works asynchronously, has completed the rendered image.
   void finish();
@@ -56,7 +56,7 @@ class View {
   /// the window's thread. When setWake() has returned, the previous listener is no longer called.
   void setWake(std::function<void()> listener);
 
-  /// Input handlers; each returns true if the view has used the input.
+  /// Handlers of user input; each returns true if the view has used the input.
   virtual bool pressed(const Pointer&) { return false; }
   virtual bool moved(const Pointer&) { return false; }
   virtual bool released(const Pointer&) { return false; }
@@ -77,9 +77,9 @@ class View {
   virtual void attached(vtkRenderWindow&) {}
   virtual void detached(vtkRenderWindow&) {}
 
-  /// Steps of drawing a frame: handOver(), on the window's thread, passes the state of the view; takeOver(), on the
-  /// drawing thread, receives it; draw(), on the drawing thread, draws. handOver() and takeOver() never run at the same
-  /// time; draw() may run while the window's thread sets new state.
+  /// These functions are the steps of drawing a frame. handOver() passes the state of the view, on the window's thread.
+  /// takeOver() receives the state, on the drawing thread. draw() draws, on the drawing thread. handOver() and
+  /// takeOver() never run at the same time; draw() may run while the window's thread sets new state.
   virtual void handOver() {}
   virtual void takeOver() {}
   virtual void draw();

@@ -15,7 +15,7 @@ class vtkMatrix4x4;
 namespace insonate::views {
 
 /// A patient's volumes as VTK data, made once and shared by several views. The object uses the patient's voxels without
-/// a copy, and keeps the patient alive. For the window's thread only.
+/// a copy, and keeps the patient alive. May be used only on the window's thread.
 class VtkCase {
  public:
   explicit VtkCase(std::shared_ptr<const PatientCase> patient);

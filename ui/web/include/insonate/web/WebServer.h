@@ -12,14 +12,15 @@
 namespace insonate::web {
 
 enum class LogLevel { Info, Error };
-/// Takes what happened as a JSON object, such as {"event":"request","route":"/me","status":200}. It has no names of
-/// people, no addresses and no queries. Called on several threads.
+/// Function that receives each event to be logged as a JSON object, such as
+/// {"event":"request","route":"/me","status":200}. The object contains no names of people, no addresses and no queries.
+/// Called on several threads.
 using Log = std::function<void(LogLevel, const std::string& object)>;
 
 /// Address of a server, and how its connections are protected.
 struct WebOptions {
-  std::string address = "127.0.0.1";  ///< IPv4 address at which the server listens
-  int port = 8443;                    ///< 1..65535, or 0: any free port
+  std::string address = "127.0.0.1";  ///< IPv4 address on which the server listens
+  int port = 8443;                    ///< port, 1 to 65535; 0: any free port
   /// Files (PEM) with the server's certificate chain and its private key. Both empty: HTTP without encryption, which is
   /// allowed at a loopback address only.
   std::filesystem::path certificate{}, key{};
@@ -32,7 +33,7 @@ struct WebOptions {
   /// Secret by which programs on other computers may read /health and /metrics: 16 characters or more. Empty: only
   /// programs on this computer may.
   std::string monitoringToken{};
-  Log log{};  ///< empty: nothing is logged
+  Log log{};  ///< receives events to be logged; empty: nothing is logged
 };
 
 /// Fails with a sentence if the options contradict each other, would send passwords without encryption over a network,
@@ -41,7 +42,7 @@ Result<void> checkOptions(const WebOptions& options);
 
 /// Serves the pages of a curriculum database to browsers: trainees see their levels and attempts, instructors their
 /// classes, administrators the audit log. Each request has the permissions of its signed-in user, as in all programs
-/// that open the database. Owns its threads; ends with the object.
+/// that open the database. The server owns its threads, which end when the object is destroyed.
 class WebServer {
  public:
   /// Starts a server. Fails with a sentence if the address is in use, or for a reason of checkOptions().
