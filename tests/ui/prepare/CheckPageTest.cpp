@@ -80,7 +80,7 @@ TEST_F(CheckPage, ALandmarkThatIsMarkedAgainMovesAndAnotherOneIsAnother) {
   ASSERT_EQ(shared_->places.value().landmarks.size(), 2u) << "a neck has one cricoid";
   EXPECT_EQ(shared_->places.value().landmarks[0].position_mm, (Vec3{-5, 8, 2}));
   EXPECT_EQ(shared_->statusLine.text(),
-            "\"cricoid cartilage\" was marked before and has moved to the crosshair; Ctrl+Z undoes it.");
+            "\"cricoid cartilage\" existed already and was moved to the crosshair; Ctrl+Z undoes the move.");
   shared_->openCase.undoStack().undo();
   ASSERT_EQ(shared_->places.value().landmarks.size(), 2u);
   EXPECT_NE(shared_->places.value().landmarks[0].position_mm, (Vec3{-5, 8, 2}));

@@ -32,7 +32,7 @@ DifficultyBox::DifficultyBox(PrepareModel& shared, QWidget* parent)
     : QWidget(parent), shared_(shared), grade_(new QComboBox), sentence_(new QLabel), measures_(new QLabel) {
   grade_->setObjectName(QStringLiteral("grade"));
   grade_->setAccessibleName(tr("Difficulty of the case"));
-  grade_->setToolTip(tr("Your own grade overrides the estimate; saved with the case"));
+  grade_->setToolTip(tr("Your own grade overrides the estimated difficulty; saved with the case"));
   grade_->addItem(tr("as estimated"), QString());
   for (const QString& grade : {QStringLiteral("easy"), QStringLiteral("moderate"), QStringLiteral("hard")})
     grade_->addItem(grade, grade);

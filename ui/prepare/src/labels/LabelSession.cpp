@@ -246,7 +246,7 @@ bool LabelSession::undo() {
   settle();
   endStroke();
   if (edit_->undoSteps() == 0) {
-    Q_EMIT failed(tr("Changes this far back were discarded to save memory; they cannot be undone."));
+    Q_EMIT failed(tr("Older changes cannot be undone: they were discarded to save memory."));
     return false;
   }
   undone_.push_back(std::move(steps_.back()));
