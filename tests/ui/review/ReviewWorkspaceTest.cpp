@@ -289,7 +289,7 @@ TEST_F(ReviewWindow, WhatIsMissingIsSaidAndARefusedFileLeavesWhatWasOpen) {
   ASSERT_TRUE(QFile(cut).resize(QFile(cut).size() * 7 / 10));
   openAll(cut);
   EXPECT_TRUE(child<QLabel>("attemptNotice")->text().contains("broke off, so the attempt counts as abandoned"));
-  EXPECT_TRUE(child<QLabel>("attemptFacts")->text().contains("abandoned: its recording broke off"));
+  EXPECT_TRUE(child<QLabel>("attemptFacts")->text().contains("abandoned: the recording stopped early"));
   QFile garbage(home_.filePath("garbage.attempt"));
   ASSERT_TRUE(garbage.open(QIODevice::WriteOnly));
   garbage.write("words");

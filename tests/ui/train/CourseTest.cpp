@@ -102,7 +102,7 @@ TEST_F(TrainCourse, AnAttemptWhoseRecordingBrokeOffIsAbandonedAndSaysWhy) {
   open("courseAttempts");
   ASSERT_TRUE(waitFor([&] { return history().rowCount() == 2; }));
   EXPECT_EQ(cell(0, 2), "abandoned");
-  EXPECT_TRUE(history().item(0, 2)->toolTip().contains("Abandoned: its recording broke off"))
+  EXPECT_TRUE(history().item(0, 2)->toolTip().contains("Abandoned: the recording stopped early"))
       << history().item(0, 2)->toolTip().toStdString();
   EXPECT_FALSE(history().item(1, 2)->toolTip().contains("Abandoned"));
 }

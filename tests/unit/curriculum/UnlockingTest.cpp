@@ -89,8 +89,9 @@ TEST(Unlocking, ARecordingThatBreaksOffBreaksTheRowUnlessItIsVoided) {
   const auto broken = progressOf(twoLevels(), history, kNoon_us + kDay_us)[0];
   EXPECT_EQ(broken.attempts, 3);
   EXPECT_EQ(broken.passesInARow, 0);
-  EXPECT_EQ(broken.why,
-            "Open: 0 of 3 passes in a row; the last attempt failed because it was abandoned: its recording broke off.");
+  EXPECT_EQ(
+      broken.why,
+      "Open: 0 of 3 passes in a row; the last attempt failed because it was abandoned: the recording stopped early.");
   history.back().state = AttemptState::Voided;
   EXPECT_EQ(progressOf(twoLevels(), history, kNoon_us + kDay_us)[0].passesInARow, 2);
 }

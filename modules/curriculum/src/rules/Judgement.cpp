@@ -49,7 +49,7 @@ std::string graveReason(const AttemptFacts& attempt) {
   if (attempt.criticalErrors == 1) return "there was a critical error";
   if (attempt.criticalErrors > 1) return "there were " + std::to_string(attempt.criticalErrors) + " critical errors";
   if (attempt.state != AttemptState::Completed)
-    return hasBrokenOff(attempt) ? "it was abandoned: its recording broke off"
+    return hasBrokenOff(attempt) ? "it was abandoned: the recording stopped early"
                                  : "it was abandoned with the needle in the skin";
   return attempt.succeeded ? "" : "it did not succeed";
 }
@@ -151,7 +151,7 @@ std::string outcomeWords(const AttemptFacts& attempt, const Curriculum* curricul
   if (attempt.state == AttemptState::Voided) return "Voided";
   if (!counts(attempt)) return "Abandoned before skin puncture; does not count";
   const Level* level = curriculum ? levelOf(*curriculum, attempt) : nullptr;
-  if (!level && hasBrokenOff(attempt)) return "Abandoned: its recording broke off";
+  if (!level && hasBrokenOff(attempt)) return "Abandoned: the recording stopped early";
   if (!level)
     return attempt.state == AttemptState::Abandoned ? "Abandoned" : attempt.succeeded ? "Succeeded" : "Did not succeed";
   const std::string reason = reasonOfFailure(level->pass, attempt);

@@ -117,7 +117,8 @@ void PersonPage::showWhere() {
   if (!desk_.trouble().isEmpty())
     words = desk_.trouble();
   else if (!facts)
-    words = desk_.isReading() ? tr("Reading ...") : tr("Choose a person under Class; Enter shows the person's page.");
+    words =
+        desk_.isReading() ? tr("Reading ...") : tr("Choose a person on the page Class; Enter shows the person's page.");
   else if (facts->standing)
     words = QStringLiteral("%1   ·   %2")
                 .arg(facts->standing->level.empty() ? tr("all levels")

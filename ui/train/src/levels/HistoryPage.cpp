@@ -42,7 +42,7 @@ QString tipOf(const KeptAttempt& one) {
   QStringList parts{HistoryPage::tr("Case: %1").arg(ui::qt(one.facts.caseName))};
   if (!one.facts.workstation.empty()) parts << HistoryPage::tr("Workstation: %1").arg(ui::qt(one.facts.workstation));
   if (!one.voidReason.empty()) parts << HistoryPage::tr("Does not count: %1").arg(ui::qt(one.voidReason));
-  if (hasBrokenOff(one.facts)) parts << HistoryPage::tr("Abandoned: its recording broke off");
+  if (hasBrokenOff(one.facts)) parts << HistoryPage::tr("Abandoned: the recording stopped early");
   return ui::plainToolTip(parts.join(QLatin1Char('\n')));
 }
 
