@@ -23,7 +23,7 @@ bool beginsPrivate(const QString& name) {
 void fillPasswordPaper(QTextDocument& paper, const QString& cohort, const std::vector<FirstPassword>& passwords) {
   constexpr double kLine_pt = 1, kPadding_pt = 6;
   QTextCursor cursor(&paper);
-  cursor.insertText(tr("First passwords, %1. Everyone chooses their own at the first sign-in.").arg(cohort));
+  cursor.insertText(tr("First passwords, %1. Each person chooses a new password at the first sign-in.").arg(cohort));
   QTextTableFormat format;
   format.setBorder(kLine_pt);
   format.setBorderStyle(QTextFrameFormat::BorderStyle_Dashed);
