@@ -45,7 +45,7 @@ TEST_F(TrainNeedle, PushedInItSaysOnceWhatItEntersAndLeaves) {
   type("needle_depth", "12");
   ASSERT_TRUE(waitFor([&] { return lying().in == kVein; })) << workspace_->statusText().toStdString();
   EXPECT_TRUE(waitFor([&] { return heard("Vein entered") == 1; }));
-  EXPECT_EQ(heard("Through the skin"), 1);
+  EXPECT_EQ(heard("The needle is through the skin"), 1);
   EXPECT_TRUE(waitFor([&] { return child<QLabel>("needleWords")->text().startsWith("in vein, inserted 1"); }));
   type("needle_depth", "22");
   EXPECT_TRUE(waitFor([&] { return heard("posterior wall of the vein") == 1; }));

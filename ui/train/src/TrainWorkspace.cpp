@@ -110,7 +110,8 @@ void TrainWorkspace::caseSaved(std::shared_ptr<const PatientCase> patient) {
   savedCase_ = std::move(patient);
   takeSavedCase();
   if (savedCase_)
-    model_->status.say(tr("The case was saved in Prepare. This attempt continues with the former version."));
+    model_->status.say(
+        tr("The case was saved in Prepare. This attempt continues with the former version of the case."));
 }
 
 /// Replaces the case by its saved state: now, or once no feature holds it.

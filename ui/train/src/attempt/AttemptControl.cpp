@@ -258,7 +258,7 @@ void AttemptControl::look() {
 
 void AttemptControl::setAspirating(bool on) {
   if (on && !model_.hands.needle()) {
-    model_.status.say(tr("Take the needle before you aspirate. The syringe is on the needle."));
+    model_.status.say(tr("Take the needle before you aspirate: the syringe is on the needle."));
     Q_EMIT aspiratingChanged();  // a button that was pressed is released
     return;
   }
@@ -276,7 +276,7 @@ void AttemptControl::replaceNeedle() {
   Q_EMIT needleReplaced();
   const bool isOnDevice = held && !model_.hands.needleHand();
   if (!isOnDevice) model_.needle.take(model_.hands.needlePlane());
-  model_.status.say(tr("A new needle."));
+  model_.status.say(tr("You now have a new needle."));
 }
 
 void AttemptControl::save(QSettings& settings) const {

@@ -196,7 +196,7 @@ void HandsControl::advanceTowardTarget(const ServoSnapshot& now, double step_s) 
   const bool probe = !state.inBody && !state.tenting && norm(out.wanted_N) > kTouch_N;
   if (left_mm > 0 && now.present[kNeedleHand] && (state.onBone || probe)) {
     advance_mm_ = wish_->state().advance_mm;
-    if (probe) Q_EMIT said(tr("The needle meets the probe: move one of them aside."));
+    if (probe) Q_EMIT said(tr("The needle touches the probe. Move the needle or the probe aside."));
     return;
   }
   const double most_mm = kAdvance_mmPerS * step_s;
@@ -265,7 +265,7 @@ void HandsControl::moveNeedle(NeedleAxis axis, double amount) {
       const double wanted_mm = advance_mm_ + amount;
       advance_mm_ = std::clamp(wanted_mm, -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm);
       if (wanted_mm != advance_mm_)
-        Q_EMIT said(amount > 0 ? tr("The needle is in up to its hub, 70 mm.")
+        Q_EMIT said(amount > 0 ? tr("The needle is inserted up to its hub (70 mm).")
                                : tr("The needle does not touch the skin."));
       return Q_EMIT needleChanged();
     }

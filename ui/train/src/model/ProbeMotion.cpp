@@ -140,7 +140,7 @@ void ProbeMotion::goTo(const StartPose& pose) {
   if (!models_.disclosure.mayShowAnatomy()) return;
   if (levelStart_)
     return models_.status.say(
-        tr("In a level, search for the vein from the start position of the attempt (Home returns there)."));
+        tr("In a level, search for the vein from the start position of the attempt (Home returns the probe to it)."));
   control_.begin();
   if (mayMove()) moved(control_.setPose(pose));
 }
