@@ -184,7 +184,7 @@ TEST(Judgement, ARecordingThatBreaksOffCountsAsAbandoned) {
   const PassRule rule{std::nullopt, {atMost("artery_punctures", 0, "the artery was punctured")}, 100};
   EXPECT_TRUE(counts(attempt));
   EXPECT_FALSE(judge(rule, attempt).passed);
-  EXPECT_EQ(reasonOfFailure(rule, attempt), "it was abandoned: the recording stopped early");
+  EXPECT_EQ(reasonOfFailure(rule, attempt), "it was abandoned: its recording broke off");
   EXPECT_TRUE(counts(withMetric(attempt, "passes", std::nullopt)));
   attempt.state = AttemptState::Voided;
   EXPECT_FALSE(counts(attempt)) << "where an instructor voids it";

@@ -89,9 +89,8 @@ TEST(Unlocking, ARecordingThatBreaksOffBreaksTheRowUnlessItIsVoided) {
   const auto broken = progressOf(twoLevels(), history, kNoon_us + kDay_us)[0];
   EXPECT_EQ(broken.attempts, 3);
   EXPECT_EQ(broken.passesInARow, 0);
-  EXPECT_EQ(
-      broken.why,
-      "Open: 0 of 3 passes in a row; the last attempt failed because it was abandoned: the recording stopped early.");
+  EXPECT_EQ(broken.why,
+            "Open: 0 of 3 passes in a row; the last attempt failed because it was abandoned: its recording broke off.");
   history.back().state = AttemptState::Voided;
   EXPECT_EQ(progressOf(twoLevels(), history, kNoon_us + kDay_us)[0].passesInARow, 2);
 }

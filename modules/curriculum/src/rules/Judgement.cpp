@@ -49,7 +49,7 @@ std::string graveReason(const AttemptFacts& attempt) {
   if (attempt.criticalErrors == 1) return "there was a critical error";
   if (attempt.criticalErrors > 1) return "there were " + std::to_string(attempt.criticalErrors) + " critical errors";
   if (attempt.state != AttemptState::Completed)
-    return hasBrokenOff(attempt) ? "it was abandoned: the recording stopped early"
+    return hasBrokenOff(attempt) ? "it was abandoned: its recording broke off"
                                  : "it was abandoned with the needle in the skin";
   return attempt.succeeded ? "" : "it did not succeed";
 }
