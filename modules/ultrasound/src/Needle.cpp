@@ -25,7 +25,7 @@ Result<void> validate(const Needle& needle) {
   if (std::abs(norm(needle.direction) - 1) > kUnit)
     return fail("The needle's direction is " + number(norm(needle.direction)) + " long; give a vector of length 1.");
   if (norm(cross(needle.bevelNormal, needle.direction)) < kUnit)
-    return fail("The needle's bevel faces along its shaft; give a direction across it.");
+    return fail("The bevel of the needle faces along its shaft; give a direction that is not along the shaft.");
   if (auto ok = checkRange("radius", needle.radius_mm, 0.1, 2); !ok) return ok;
   return checkRange("length", needle.length_mm, 1, 300);
 }

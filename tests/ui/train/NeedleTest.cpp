@@ -86,10 +86,10 @@ TEST_F(TrainNeedle, WhereItCannotGoIsSaidAndLeavesIt) {
   // All the way: freezing stops it where it is, and the number follows.
   ASSERT_TRUE(waitFor([&] { return std::abs(held().advance_mm - 15) < 1e-9; }));
   key(Qt::Key_W, Qt::AltModifier);
-  EXPECT_TRUE(workspace_->statusText().contains("Withdraw it to a depth of 10 mm"))
+  EXPECT_TRUE(workspace_->statusText().contains("Withdraw the needle to an insertion length of 10 mm"))
       << workspace_->statusText().toStdString();
   key(Qt::Key_Left, Qt::AltModifier);
-  EXPECT_TRUE(workspace_->statusText().contains("Withdraw it before"));
+  EXPECT_TRUE(workspace_->statusText().contains("Withdraw the needle before"));
   type("needle_depth", "99");
   EXPECT_NEAR(hands().wantedAdvance_mm(), 15, 1e-9) << "longer than the needle";
   key(Qt::Key_Space);

@@ -136,8 +136,8 @@ std::string number(double value) {
 std::optional<std::string> offRange(const std::optional<GuideRange>& usual, double value, const std::string& of,
                                     const std::string& unit) {
   if (!usual || (value >= usual->low && value <= usual->high)) return std::nullopt;
-  return "It has " + of + " of " + number(value) + " " + unit + "; usual are " + number(usual->low) + " to " +
-         number(usual->high) + " " + unit + ".";
+  return "The structure has " + of + " of " + number(value) + " " + unit + "; the usual range is " +
+         number(usual->low) + " to " + number(usual->high) + " " + unit + ".";
 }
 
 }  // namespace
@@ -149,7 +149,8 @@ std::vector<GuideFinding> findingsAbout(const GuideStep& step, std::span<const V
     if (text) findings.push_back({std::move(*text)});
   };
   for (const std::uint8_t label : step.makes)
-    if (extentOf(labels, label).empty()) add("There is no " + labelName(label) + "; check whether the CT shows any.");
+    if (extentOf(labels, label).empty())
+      add("There is no " + labelName(label) + "; check whether the CT shows this structure.");
   if (clicks_mm.empty() || step.label == 0) return findings;
   add(offSide(step, clicks_mm, labels));
   const Found found = foundAt(labels, step.label, clicks_mm);

@@ -39,7 +39,7 @@ Result<json> written(const Result<T>& result, const Write& write) {
 Result<json> hello(const Call& call) {
   const std::string name = call.content.at("workstation"), secret = call.content.at("secret");
   if (name != call.workstation)
-    return fail("This computer calls itself '" + name.substr(0, 64) + "', but its token is that of '" +
+    return fail("The name of this computer is '" + name.substr(0, 64) + "', but its token belongs to '" +
                 call.workstation + "'. Ask an administrator for a token under this computer's name.");
   if (secret.size() != 64 || secret.find_first_not_of("0123456789abcdef") != std::string::npos)
     return fail("The workstation did not send the secret of its store. Install the same version there and here.");
