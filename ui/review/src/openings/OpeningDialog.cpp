@@ -46,7 +46,7 @@ OpeningDialog::OpeningDialog(ClassDesk& desk, QWidget* parent)
       cohort_(desk.facts()->cohort.id),
       openings_(new QTableWidget),
       test_(ui::choiceBox("openingTest", tr("Test"), tr("Test to open"))),
-      whom_(ui::choiceBox("openingWhom", tr("Open for"), tr("People for whom the test is opened"))),
+      whom_(ui::choiceBox("openingWhom", tr("Open to"), tr("People for whom the test is opened"))),
       ends_(new QCheckBox(tr("End"))),
       code_(new QLineEdit),
       open_(new QPushButton(tr("Open Test"))),
@@ -76,7 +76,7 @@ QWidget* OpeningDialog::buildTable() {
   ui::named(openings_, "openings", tr("Opened tests, newest first"), tr("Opened tests, newest first"));
   openings_->setColumnCount(kOpeningColumns);
   openings_->setHorizontalHeaderLabels(
-      {tr("State"), tr("Test"), tr("Open for"), tr("Start"), tr("End"), tr("Code"), tr("Opened by")});
+      {tr("State"), tr("Test"), tr("Open to"), tr("Start"), tr("End"), tr("Code"), tr("Opened by")});
   openings_->setSelectionBehavior(QAbstractItemView::SelectRows);
   openings_->setSelectionMode(QAbstractItemView::SingleSelection);
   openings_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -114,7 +114,7 @@ QWidget* OpeningDialog::buildForm() {
   form->setContentsMargins(0, 0, 0, 0);
   form->setVerticalSpacing(ui::kSmallGap);
   form->addRow(tr("Test"), test_);
-  form->addRow(tr("Open for"), whom_);
+  form->addRow(tr("Open to"), whom_);
   form->addRow(tr("Start"), start_);
   form->addRow(ends_, end_);
   form->addRow(tr("Code"), code_);

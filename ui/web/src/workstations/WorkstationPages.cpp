@@ -26,10 +26,10 @@ Response workstationsPage(const Visit& visit, const std::string& trouble, const 
   Markup form;
   if (!trouble.empty()) form += troubleLine(trouble);
   form += postForm(visit, "/workstations", inputField("Name", "name", "text", "off", name), "Add");
-  content += section("Add a workstation",
-                     note("The name is that which the command hostname prints on the workstation. To replace a lost "
-                          "token, revoke it and add the workstation again.") +
-                         form);
+  content +=
+      section("Add a workstation", note("Enter the name that the command hostname prints on the workstation. To "
+                                        "replace a lost token, revoke the token and add the workstation again.") +
+                                       form);
   return page(visit, "Workstations", content, trouble.empty() ? 200 : 422);
 }
 
