@@ -162,13 +162,13 @@ TEST_F(CheckPage, DifficultyShowsItsMeasuresAndTheAuthorsGradeGoesBefore) {
   // Skin from -0.5 mm, vein from 7.5 mm: voxels begin half before their middles.
   EXPECT_TRUE(text("gradeMeasures").contains("depth of the vein: 8.0 mm")) << text("gradeMeasures").toStdString();
   auto* grade = child<QComboBox>("grade");
-  EXPECT_EQ(grade->currentText(), "as estimated");
+  EXPECT_EQ(grade->currentText(), "estimated difficulty");
   grade->setCurrentIndex(grade->findText("hard"));
   Q_EMIT grade->activated(grade->currentIndex());
   EXPECT_EQ(shared_->places.value().difficulty, "hard");
   EXPECT_TRUE(checkedAgain([this] { return finds("difficulty_differs"); }));
   shared_->openCase.undoStack().undo();
-  EXPECT_EQ(grade->currentText(), "as estimated");
+  EXPECT_EQ(grade->currentText(), "estimated difficulty");
 }
 
 TEST_F(CheckPage, PressingFlattensTheVeinAndIsNotKeptAsTheStart) {

@@ -18,14 +18,14 @@ TEST_F(Guiding, WhatIsEnoughIsSaidWithEveryClick) {
   const auto said = [this] { return child<QLabel>("guideClicks")->text().toStdString(); };
   EXPECT_THAT(said(), HasSubstr("2 clicks are enough, 4 if the structure is hard to see"));
   click({0, 12, -7});
-  EXPECT_THAT(said(), HasSubstr("1 click; 1 more needed"));
+  EXPECT_THAT(said(), HasSubstr("Clicks so far: 1; 1 more needed"));
   EXPECT_FALSE(child<QPushButton>("guideRun")->isEnabled());
   click({0, 12, 7});
-  EXPECT_THAT(said(), HasSubstr("2 clicks, which is enough. Set 4 if the structure is hard to see"));
+  EXPECT_THAT(said(), HasSubstr("Clicks so far: 2, which is enough. Set 4 if the structure is hard to see"));
   EXPECT_TRUE(child<QPushButton>("guideRun")->isEnabled());
   click({0, 12, 0});
   click({6, 12, 0});
-  EXPECT_THAT(said(), HasSubstr("4 clicks, which is enough."));
+  EXPECT_THAT(said(), HasSubstr("Clicks so far: 4, which is enough."));
 }
 
 TEST_F(Guiding, ADoubleClickEnlargesTheViewAndLeavesNoPoint) {

@@ -67,7 +67,7 @@ CaseFacts::CaseFacts(PrepareModel& shared, QWidget* parent) : QWidget(parent), s
   place_ = addFact(*form, tr("folder"));
   place_->setObjectName(QStringLiteral("caseFolder"));
   source_ = addFact(*form, tr("source"));
-  notes_ = addFact(*form, tr("import"));
+  notes_ = addFact(*form, tr("import notes"));
   notes_->setObjectName(QStringLiteral("caseNotes"));
   connect(title_, &QLineEdit::editingFinished, this, [this] { shared_.openCase.setTitle(title_->text()); });
   connect(&shared_.openCase, &OpenCase::titleChanged, this, [this] { title_->setText(shared_.openCase.title()); });

@@ -33,7 +33,7 @@ DifficultyBox::DifficultyBox(PrepareModel& shared, QWidget* parent)
   grade_->setObjectName(QStringLiteral("grade"));
   grade_->setAccessibleName(tr("Difficulty of the case"));
   grade_->setToolTip(tr("Your own grade overrides the estimated difficulty; saved with the case"));
-  grade_->addItem(tr("as estimated"), QString());
+  grade_->addItem(tr("estimated difficulty"), QString());
   for (const QString& grade : {QStringLiteral("easy"), QStringLiteral("moderate"), QStringLiteral("hard")})
     grade_->addItem(grade, grade);
   sentence_->setObjectName(QStringLiteral("gradeSentence"));

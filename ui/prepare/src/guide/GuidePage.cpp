@@ -89,7 +89,7 @@ QString clicksWords(const GuideStep& step, int count) {
                  .arg(step.leastClicks)
                  .arg(step.clicks);
   else
-    words << (count == 1 ? GuidePage::tr("1 click") : GuidePage::tr("%1 clicks").arg(count)) +
+    words << GuidePage::tr("Clicks so far: %1").arg(count) +
                  (count < step.leastClicks ? GuidePage::tr("; %1 more needed.").arg(step.leastClicks - count)
                   : count < step.clicks
                       ? GuidePage::tr(", which is enough. Set %1 if the structure is hard to see.").arg(step.clicks)

@@ -222,7 +222,7 @@ void PeopleWindow::showCurricula() {
   curriculum_->clear();
   curriculum_->setEnabled(cohort());
   if (!cohort()) return;
-  curriculum_->addItem(tr("none yet"));
+  curriculum_->addItem(tr("no curriculum yet"));
   for (const OfferedCurriculum& one : curricula_) {
     const QString version = tr("%1, version %2").arg(qt(one.name)).arg(one.version);
     curriculum_->addItem(one.kind == OfferedCurriculum::Kind::Published ? version

@@ -202,8 +202,8 @@ void CurriculumWindow::showShelf() {
   const QString before = cohort_->currentText();
   cohort_->clear();
   for (const Cohort& one : desk_->cohorts()) {
-    const QString now =
-        one.curriculum.empty() ? tr("none yet") : wordsOf({one.curriculum, one.curriculumVersion, Kind::Published});
+    const QString now = one.curriculum.empty() ? tr("no curriculum yet")
+                                               : wordsOf({one.curriculum, one.curriculumVersion, Kind::Published});
     cohort_->addItem(QStringLiteral("%1  (%2)").arg(qt(one.name), now), qt(one.id));
   }
   cohort_->setEnabled(cohort_->count() > 0);

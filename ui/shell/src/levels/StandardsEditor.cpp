@@ -41,8 +41,7 @@ QDoubleSpinBox* number(const QString& name, double low, double high, int decimal
 
 StandardsEditor::StandardsEditor(const std::vector<MetricMeaning>& metrics, QWidget* parent)
     : QWidget(parent), metrics_(metrics) {
-  auto* always = new QLabel(
-      tr("An attempt passes if it was completed and succeeded, had no critical error, and meets these conditions:"));
+  auto* always = new QLabel(tr("An attempt passes if it was completed, succeeded, had no critical error, and:"));
   setRole(always, "quiet");
   table_ = named(new QTableWidget(0, kColumns), "standards", tr("Standards"),
                  tr("Standards of metrics; edit the selected standard below"));
