@@ -161,7 +161,7 @@ void TrainWorkspace::checkReady() {
 /// Reports why there is no image, once the user sees the workspace: during labeling the problem does not concern Train.
 void TrainWorkspace::reportProblem() {
   if (trouble_.isEmpty() || !isVisible()) return;
-  Q_EMIT failed(std::exchange(trouble_, {}), tr("Check the case in Prepare, or open another one."), {});
+  Q_EMIT failed(std::exchange(trouble_, {}), tr("Check the case in Prepare, or open another case."), {});
 }
 
 void TrainWorkspace::saveLayout(QSettings& settings) const {

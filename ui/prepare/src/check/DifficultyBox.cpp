@@ -20,7 +20,9 @@ QString measuresText(const DifficultyEstimate& estimate) {
     lines << QStringLiteral("%1: %2 (%3)")
                  .arg(QString::fromStdString(share.what), QString::fromStdString(share.value))
                  .arg(share.points, 0, 'f', 2);
-  lines << DifficultyBox::tr("Difficulty: %1 points in total; moderate from 0.25, hard from 1 (formula %2).")
+  lines << DifficultyBox::tr(
+               "Difficulty: %1 points in total; moderate from 0.25 points, hard from 1 point (version %2 of the "
+               "formula).")
                .arg(estimate.points, 0, 'f', 2)
                .arg(DifficultyEstimate::kVersion);
   return lines.join(QLatin1Char('\n'));

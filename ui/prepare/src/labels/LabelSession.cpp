@@ -264,7 +264,7 @@ void LabelSession::redo() {
 }
 
 QString LabelSession::refusal(std::uint8_t label) const {
-  if (!patient_) return tr("There is no case to label; open one first.");
+  if (!patient_) return tr("There is no case to label; open a case first.");
   if (busy_) return tr("A tool is running; wait for it or cancel it first.");
   if (rules_.locked.test(label)) return tr("The label %1 is locked; unlock it to edit it.").arg(names_(label));
   if (rules_.hidden.test(label)) return tr("The label %1 is hidden; show it to edit it.").arg(names_(label));

@@ -16,7 +16,7 @@ LayoutFeature::LayoutFeature(PrepareModel& model, PrepareLayout& layout) : Featu
   commands().addListed(tr("Left drag on a slice"), tr("moves the crosshair (or hold Shift and move the mouse)"));
   commands().addListed(tr("Right drag on a slice"), tr("sets window (horizontal) and level (vertical)"));
   commands().addListed(tr("Ctrl + wheel, middle drag"), tr("zooms, pans"));
-  commands().addListed(tr("Click on a structure in 3D"), tr("moves the crosshair there"));
+  commands().addListed(tr("Click on a structure in 3D"), tr("moves the crosshair to the structure"));
 }
 
 void LayoutFeature::save(QSettings& settings) const {

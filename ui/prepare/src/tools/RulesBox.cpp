@@ -36,7 +36,7 @@ RulesBox::RulesBox(PrepareModel& shared, QWidget* parent)
                    tr("only inside one label")});
   inside_->setObjectName(QStringLiteral("ruleInside"));
   limited_->setObjectName(QStringLiteral("ruleLimited"));
-  limited_->setToolTip(tr("No tool changes voxels outside this range"));
+  limited_->setToolTip(tr("Tools do not change voxels outside this range"));
   auto* row = new QHBoxLayout;
   auto* name = new QLabel(tr("tools overwrite"));
   name->setBuddy(over_);

@@ -182,7 +182,7 @@ std::vector<Tool> growing() {
        .group = group,
        .key = Qt::Key_6,
        .input = ToolInput::Nothing,
-       .advice = tr("Moves the label's surface to the edges of the CT."),
+       .advice = tr("Moves the surface of the label to edges in the CT."),
        .usual = L{},
        .numbers = {
            number<L>(
@@ -314,7 +314,7 @@ std::vector<Tool> shaping() {
        .name = tr("Margin"),
        .group = shape,
        .key = Qt::Key_0,
-       .advice = tr("Makes the label larger on all sides; a negative value makes it smaller."),
+       .advice = tr("Expands the label on all sides; a negative margin shrinks the label."),
        .usual = M{},
        .numbers = {number<M>(
            "margin", "mm", {-20, 20, 0, 0.5, 1}, "Distance of the new surface; negative: smaller",
@@ -334,8 +334,8 @@ std::vector<Tool> shaping() {
        .name = tr("Combine"),
        .group = shape,
        .key = Qt::Key_0,
-       .advice =
-           tr("Combines the label with another one: adds it, removes voxels near it, or keeps only voxels near it."),
+       .advice = tr("Combines the label with another label: adds the other label, removes voxels near it, or keeps "
+                    "only voxels near it."),
        .usual = step::Logical{LogicalOperation::kAdd, 0},
        .numbers = {number<step::Logical>(
            "reach", "mm", {0, 20, 0, 0.5, 1}, "Distance around the other label that counts as part of it",

@@ -55,7 +55,7 @@ void ToolsFeature::addActing() {
   const auto apply = [this] { tools_->apply(); };
   add("prepare.tools.apply", tr("Enter"), tr("writes the tool's result to the labels"),
       {{Qt::Key_Return, apply}, {Qt::Key_Enter, apply}}, isInHand);
-  add("prepare.tools.leave", tr("Esc"), tr("stops the tool, clears its clicks, or deselects it"),
+  add("prepare.tools.leave", tr("Esc"), tr("stops the tool, clears its clicks, or deselects the tool"),
       {{Qt::Key_Escape, [this] { tools_->leave(); }}}, isInHand);
   const auto removeLast = [this] { tools_->removeNearest(tools_->points().back()); };
   add("prepare.tools.removeLast", tr("Delete, Backspace"), tr("removes the tool's last click"),

@@ -130,7 +130,7 @@ void AttemptList::show(const std::vector<ListedAttempt>& attempts) {
   if (any) table_->selectRow(0);
   words_->setText(any ? tr("Open an attempt to replay it with its ultrasound images and to see its result. A recording "
                            "from another computer can be dropped here.")
-                      : tr("There are no attempts yet. Make one under Train (Ctrl+2), or drop a recording here."));
+                      : tr("There are no attempts yet. Make an attempt in Train (Ctrl+2), or drop a recording here."));
 }
 
 void AttemptList::choose() {

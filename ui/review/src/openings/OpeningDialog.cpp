@@ -200,7 +200,7 @@ void OpeningDialog::openTest() {
         const auto opened = OpeningStore(by).open(opening);
         return opened ? Result<bool>(true) : tl::unexpected(opened.error());
       },
-      tr("The opening is stored: '%1' opens at its start.").arg(test_->currentText()));
+      tr("The test '%1' is stored and opens at its start.").arg(test_->currentText()));
 }
 
 void OpeningDialog::closeTest() {
@@ -211,7 +211,8 @@ void OpeningDialog::closeTest() {
         const auto closed = OpeningStore(by).close(cohort, id);
         return closed ? Result<bool>(true) : tl::unexpected(closed.error());
       },
-      tr("'%1' is closed. Attempts that have begun still count.").arg(levelTitle(desk_.curriculum(), one->level)));
+      tr("The test '%1' is closed. Attempts that have begun still count.")
+          .arg(levelTitle(desk_.curriculum(), one->level)));
 }
 
 void OpeningDialog::change(std::function<Result<bool>(const SignedIn&)> change, const QString& done) {

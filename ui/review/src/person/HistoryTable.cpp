@@ -47,7 +47,8 @@ QString placeOf(const KeptAttempt& attempt, const QString& recording) {
 /// States that the recording of this attempt is not available, and what to do.
 QString whyNoReplay(const KeptAttempt& attempt) {
   if (attempt.facts.recording.empty()) return HistoryTable::tr("This attempt has no recording.");
-  return HistoryTable::tr("The recording '%1' is not on this computer but on %2. Copy it from there into %3.")
+  return HistoryTable::tr(
+             "The recording '%1' is not on this computer but on %2. Copy the recording from there into %3.")
       .arg(QString::fromStdString(attempt.facts.recording), QString::fromStdString(attempt.facts.workstation),
            QDir::toNativeSeparators(ui::attemptsFolder()));
 }
@@ -231,11 +232,12 @@ void HistoryTable::showChosen() {
   void_->setVisible(desk_.mayVoid());
   void_->setEnabled(ended);
   accept_->setVisible(desk_.mayVoid() && ended && isUnproven(*attempt));
-  words_->setText(!desk_.facts() ? QString()
-                  : !attempt
-                      ? tr("No attempts yet. Attempts made under Train (Ctrl+2) while signed in are listed here.")
-                  : here ? QString()
-                         : whyNoReplay(*attempt));
+  words_->setText(
+      !desk_.facts() ? QString()
+      : !attempt
+          ? tr("No attempts yet. Attempts that the person makes in Train (Ctrl+2) while signed in are listed here.")
+      : here ? QString()
+             : whyNoReplay(*attempt));
   words_->setToolTip(plainToolTip(words_->text()));
 }
 

@@ -125,7 +125,7 @@ void PersonPage::showWhere() {
                                                     : levelTitle(&*facts->curriculum, facts->standing->level),
                      QString::fromStdString(facts->standing->sentence));
   else
-    words = tr("The class has no curriculum yet; an instructor chooses one under People and classes (Alt+U).");
+    words = tr("The class has no curriculum yet; an instructor chooses a curriculum under People and classes (Alt+U).");
   sentence_->setText(words);
   save_->setEnabled(facts);
 }

@@ -25,7 +25,7 @@ QString sittingWords(AttemptSitting sitting) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("Review", text); };
   switch (sitting) {
     case AttemptSitting::Opened:
-      return tr("● Test: an instructor had opened it when the attempt began.");
+      return tr("● Test: an instructor had opened the test when the attempt began.");
     case AttemptSitting::SelfAdministered:
       return tr("● Test: self-administered, without an instructor.");
     case AttemptSitting::Practice:

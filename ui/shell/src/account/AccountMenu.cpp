@@ -25,7 +25,7 @@ const QString kLastName = QStringLiteral("account/name"), kAsked = QStringLitera
 
 Result<void> bothEqual(const QString& password, const QString& again) {
   if (password == again) return {};
-  return fail(AccountMenu::tr("The two passwords differ; type the new one twice.").toStdString());
+  return fail(AccountMenu::tr("The two passwords differ; type the new password twice.").toStdString());
 }
 
 }  // namespace
@@ -259,8 +259,9 @@ void AccountMenu::askDetails() {
 void AccountMenu::askServer() {
   const auto act = [this](const QStringList& texts, const Account::Done& done) {
     if (!QUrl(texts[0]).password().isEmpty())
-      return done(fail(tr("Do not enter the database password here: others can read this field. Put it in ~/.pgpass.")
-                           .toStdString()));
+      return done(
+          fail(tr("Do not enter the database password here: others can read this field. Put the password in ~/.pgpass.")
+                   .toStdString()));
     const auto joined = site_.setServer(texts[0], texts[1], texts[2]);
     done(joined);
     refresh();

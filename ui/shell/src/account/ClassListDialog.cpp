@@ -279,7 +279,7 @@ void ClassListDialog::savePasswords() {
   const auto written = writeFirstPasswords(file.toStdString(), passwords_);
   if (!written) return say(qt(written.error().message), true);
   handedOut_ = true;
-  say(tr("Saved as %1, which only you can read. Delete it after you have handed out the passwords.")
+  say(tr("Saved as %1, which only you can read. Delete the file after you have handed out the passwords.")
           .arg(QDir::toNativeSeparators(file)),
       false);
 }

@@ -42,8 +42,8 @@ std::function<Result<void>(const PatientCase&, const std::string&, const Progres
 
 CaseExchange::CaseExchange(TaskBar& tasks, std::function<OpenCase()> open, QWidget* window)
     : QObject(window), tasks_(tasks), open_(std::move(open)), window_(window) {
-  ways_ = {add(tr("Import labels ..."), tr("Replaces this case's labels with those of another program"), "importLabels",
-               [this] { chooseLabels(); }),
+  ways_ = {add(tr("Import labels ..."), tr("Replaces this case's labels with labels from another program"),
+               "importLabels", [this] { chooseLabels(); }),
            add(tr("Crop and resample ..."),
                tr("Makes a new case from a part of this case, optionally with another voxel spacing"), "cropCase",
                [this] { chooseCrop(); })};

@@ -27,7 +27,7 @@ class ActFinder {
     const bool isFreezeDue = event && event->kind == AttemptEventKind::Frozen;
     // Probe and needle are held while the image is frozen.
     if (hands_.isFrozen && step && !isFreezeDue)
-      return {tr("Make the image live again: press %1, or click Unfreeze.").arg(key("train.image.freeze")), "freeze"};
+      return {tr("Unfreeze the image: press %1, or click Unfreeze.").arg(key("train.image.freeze")), "freeze"};
     if (!step)
       return {tr("Finish: press %1, or click Finish.").arg(key("train.attempt.startOrFinish")), "attemptFinish"};
     if (!event) return holdingAct(std::get<Holding>(step->until).what);
@@ -104,7 +104,8 @@ class ActFinder {
   }
   StepAct take() const {
     if (hands_.isNeedleInDevice)
-      return {tr("The device of the needle is not connected. Connect it, or click Devices and choose mouse and keys."),
+      return {tr("The device of the needle is not connected. Connect the device, or click Devices and choose mouse and "
+                 "keys."),
               "showDevices"};
     const bool isAlong = hands_.plane == NeedlePlane::Along;
     return {tr("Take the needle: press %1, or click the button \"%2\" under the image.")

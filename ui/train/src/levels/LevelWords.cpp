@@ -57,8 +57,8 @@ QString headlineFor(const Level& level, const AttemptFacts& attempt, bool passed
   if (!passed && well && !judge(rule, attempt).reachesStandards(rule)) return tr("Not passed");
   if (!passed && judge(rule, attempt).passed)
     return tr(
-        "This attempt does not count yet: the database could not be reached when it began. An instructor can accept "
-        "the attempt");
+        "This attempt does not count yet: the database could not be reached when the attempt began. An instructor can "
+        "accept the attempt");
   return passed ? tr("Passed") : tr("Not passed: %1").arg(ui::qt(reasonOfFailure(rule, attempt)));
 }
 

@@ -226,8 +226,8 @@ void HandsControl::takeNeedle(NeedlePlane plane) {
            "Move the "
            "probe, then press I twice."));
   Q_EMIT said(session_->tissueReady()
-                  ? tr("The needle is beside the probe, at 20 degrees to the skin. Alt+W makes it steeper, Page Down "
-                       "advances it, Page Up withdraws it.")
+                  ? tr("The needle is beside the probe, at 20 degrees to the skin. Alt+W makes the needle steeper, "
+                       "Page Down advances it, Page Up withdraws it.")
                   : tr("The needle is ready to move; contact with the patient is still being prepared."));
 }
 

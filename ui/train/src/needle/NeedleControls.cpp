@@ -97,7 +97,8 @@ QWidget* NeedleControls::buildNumbers(const ui::Commands& commands) {
         new NumberField(QLatin1String(row.name), QString::fromUtf8(row.unit), {row.low, row.high, row.step}, all);
     field->setObjectName(QStringLiteral("needle_") + QLatin1String(row.object));
     field->setAccessibleName(tr("Needle, %1").arg(tr(row.name)));
-    field->setToolTip(commands.toolTip(tr(row.says), row.command) + tr("\nEnter applies, arrows and wheel step."));
+    field->setToolTip(commands.toolTip(tr(row.says), row.command) +
+                      tr("\nEnter applies the number; arrow keys and wheel change it in steps."));
     field->setTyped([this, axis = row.axis](double value) { needle_.set(axis, value); });
     field->setRefused([this](const QString& sentence) { status_.say(sentence); });
     fields_[i] = field;

@@ -187,7 +187,7 @@ void Positions::saveCurrent() {
   pose.name = tr("my position %1").arg(own.size() + 1).toStdString();
   own.push_back(pose);
   change(std::move(own), tr("saving of a probe position"), list_->count());
-  status_.say(tr("Position saved as %1; F2 in the list names it.").arg(list_->count()));
+  status_.say(tr("Position saved as %1; F2 in the list renames it.").arg(list_->count()));
 }
 
 std::optional<std::size_t> Positions::ownAt(int place) {

@@ -163,7 +163,8 @@ void ProbeFeature::edit(bool isEdited) {
   handles_->setActive(isEdited);
   Q_EMIT layout_.views().boundsChanged();
   model_.status.setHint(
-      isEdited ? tr("Drag the handles on the image, or select one with G and move it with Ctrl+arrows.") : QString());
+      isEdited ? tr("Drag the handles on the image, or select a handle with G and move it with Ctrl+arrows.")
+               : QString());
 }
 
 void ProbeFeature::fitToImage() {

@@ -104,8 +104,9 @@ QWidget* TissueControls::buildPressures() {
     auto* number = new NumberField(name, {}, {low, high, 5, 0}, both);
     number->setObjectName(QLatin1String(object));
     number->setAccessibleName(tr("%1 arterial pressure in mmHg").arg(name));
-    number->setToolTip(
-        tr("%1 pressure of the arteries at the heart, in mmHg.\nEnter applies, arrows and wheel step.").arg(name));
+    number->setToolTip(tr("%1 pressure of the arteries at the heart, in mmHg.\nEnter applies the number; arrow keys "
+                          "and wheel change it in steps.")
+                           .arg(name));
     number->setTyped([this, which](double mmHg) { change([&](TissueChoice& to) { to.body.*which = mmHg; }); });
     number->setRefused([this](const QString& sentence) { status_.say(sentence); });
     return number;
