@@ -156,7 +156,7 @@ TEST_F(CurriculumWindowTest, WhatIsWrongIsToldWhereItIsAndKeepsItFromBeingPublis
   untilSaved();
   EXPECT_EQ(draft().levels.front().title, "") << "what is not finished is kept as well";
   levels().setCurrentRow(3);
-  EXPECT_TRUE(troubles().contains("1 more, in levels marked")) << troubles().toStdString();
+  EXPECT_TRUE(troubles().contains("Errors in other levels, which are marked with ▲: 1")) << troubles().toStdString();
 }
 
 TEST_F(CurriculumWindowTest, ItSurvivesClosingAndStepsAreTakenBack) {

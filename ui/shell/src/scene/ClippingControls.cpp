@@ -54,7 +54,7 @@ ClippingControls::ClippingControls(std::shared_ptr<views::SceneView> scene, QWid
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(kSmallGap);
   auto* row = new QHBoxLayout;
-  auto* name = new QLabel(tr("clipped part"));
+  auto* name = new QLabel(tr("clipped"));
   setRole(name, "quiet");
   kind_->setObjectName(QStringLiteral("clippingKind"));
   kind_->setAccessibleName(tr("Clipping plane"));

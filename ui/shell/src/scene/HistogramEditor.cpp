@@ -280,7 +280,7 @@ void HistogramEditor::refresh() {
   preset_->setCurrentIndex(same == presets.end() ? -1 : int(same - presets.begin()));
   const auto& nodes = function().nodes;
   const bool any = selected() >= 0;
-  which_->setText(any ? tr("point %1 of %2").arg(selected() + 1).arg(nodes.size()) : tr("no point"));
+  which_->setText(any ? tr("%1 of %2").arg(selected() + 1).arg(nodes.size()) : tr("no point"));
   for (QWidget* part : {static_cast<QWidget*>(hu_), static_cast<QWidget*>(opacity_), static_cast<QWidget*>(colour_)})
     part->setEnabled(any);
   remove_->setEnabled(any && nodes.size() > 1);
