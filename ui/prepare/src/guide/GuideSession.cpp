@@ -340,7 +340,7 @@ void GuideSession::saveRecipe() {
   const Recipe made = shared_.labelling.recipe();
   if (folder.isEmpty() || made.steps.empty()) return;
   Recipe all = before_;
-  all.description = "What made the labels of this case out of those that its import gave, in this order.";
+  all.description = "Steps that changed the imported labels of this case to the present labels, in this order.";
   all.labels = shared_.terms.value().own;
   all.steps.insert(all.steps.end(), made.steps.begin(), made.steps.end());
   const auto ok = writeAtomically(std::filesystem::path(folder.toStdString()) / kRecipeFile, textOf(all));

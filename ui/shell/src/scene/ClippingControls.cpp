@@ -24,10 +24,10 @@ struct Kind {
 constexpr Kind kKinds[] = {
     {views::ClippingKind::Off, "nothing"},
     {views::ClippingKind::Axial, "axial: below the plane"},
-    {views::ClippingKind::Coronal, "coronal: before the plane"},
+    {views::ClippingKind::Coronal, "coronal: in front of the plane"},
     {views::ClippingKind::Sagittal, "sagittal: right of the plane"},
     {views::ClippingKind::ImagePlane, "one side of the image plane"},
-    {views::ClippingKind::Free, "any plane"},
+    {views::ClippingKind::Free, "one side of any plane"},
 };
 
 /// Turned from the front toward the patient's left, then tilted up.

@@ -21,11 +21,11 @@ struct Mode {
 constexpr Mode kModes[] = {
     {views::Stereo::Off, "off", "One image for both eyes"},
     {views::Stereo::Anaglyph, "red-cyan glasses", "Red left, cyan right"},
-    {views::Stereo::SideBySide, "side by side", "For 3D televisions and headsets, and for crossing one's eyes"},
+    {views::Stereo::SideBySide, "side by side", "For 3D televisions and headsets, and for viewing with crossed eyes"},
     {views::Stereo::Interlaced, "interlaced", "For screens with polarized rows"},
     {views::Stereo::Checkerboard, "checkerboard", "For projectors that show a checkerboard"},
-    {views::Stereo::LeftEye, "left eye", "The left eye's image alone"},
-    {views::Stereo::RightEye, "right eye", "The right eye's image alone"},
+    {views::Stereo::LeftEye, "left eye", "Only the image of the left eye"},
+    {views::Stereo::RightEye, "right eye", "Only the image of the right eye"},
     {views::Stereo::QuadBuffer, "shutter glasses", "For graphics cards with quad-buffered stereo"},
 };
 

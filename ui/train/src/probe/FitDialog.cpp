@@ -41,10 +41,10 @@ Result<QImage> readImage(const QString& file) {
   reader.setAutoTransform(true);  // photographs say how the camera was held
   const QSize size = reader.size();
   if (size.width() > kMost_px || size.height() > kMost_px)
-    return fail(file.toStdString() + " has more than 16384 pixels each way; make it smaller.");
+    return fail(file.toStdString() + " has more than 16384 pixels in width or height; make the image smaller.");
   QImage image = reader.read();
   if (image.isNull())
-    return fail(file.toStdString() + " is no image that can be read (" + reader.errorString().toStdString() +
+    return fail(file.toStdString() + " is not an image that can be read (" + reader.errorString().toStdString() +
                 "). Use PNG or JPEG.");
   return image;
 }
