@@ -217,7 +217,7 @@ class PathRenderer {
     if (job_.needle.needle) image["needle"] = jsonOf(job_.needle.needleAt(pose));
     if (isSilent(frame_.envelope))
       warn("The image" + (job_.path.isPath ? " of pose " + std::to_string(index) : std::string()) +
-           " shows no echoes, because the probe does not touch tissue. Move it onto the skin.");
+           " shows no echoes, because the probe does not touch tissue. Move the probe onto the skin.");
     image["frame_ms"] = frame_.frame_ms;
     image["stages_ms"] = stagesOf(frame_);
     if (!targets.envelope.empty()) {

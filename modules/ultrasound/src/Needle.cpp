@@ -21,7 +21,7 @@ Result<void> checkRange(const char* what, double value, double low, double high)
 Result<void> validate(const Needle& needle) {
   constexpr double kUnit = 1e-3;
   if (!isFinite(needle.tip_mm) || !isFinite(needle.direction) || !isFinite(needle.bevelNormal))
-    return fail("The needle's tip, direction and bevel must be numbers; one is not finite.");
+    return fail("The tip, direction and bevel of the needle must be finite numbers; one of them is not finite.");
   if (std::abs(norm(needle.direction) - 1) > kUnit)
     return fail("The needle's direction is " + number(norm(needle.direction)) + " long; give a vector of length 1.");
   if (norm(cross(needle.bevelNormal, needle.direction)) < kUnit)

@@ -118,12 +118,11 @@ GuideFinding clickBeside(const GuideStep& step, const std::vector<int>& beside, 
                              : beside.size() == 2 ? " and 1 other lie"
                                                   : " and " + std::to_string(beside.size() - 1) + " others lie";
   const bool isVessel = step.label == kVein || step.label == kArtery;
-  return {
-      "Click " + std::to_string(beside.front()) + " at " + place.data() + others + " outside the result." +
-          (isVessel ? " Move it into the vessel and repeat the step, or edit the result; until then the step is not "
-                      "done."
-                    : ""),
-      !isVessel};
+  return {"Click " + std::to_string(beside.front()) + " at " + place.data() + others + " outside the result." +
+              (isVessel ? " Move each of these clicks into the vessel and repeat the step, or edit the result; until "
+                          "then the step is not done."
+                        : ""),
+          !isVessel};
 }
 
 std::string number(double value) {
