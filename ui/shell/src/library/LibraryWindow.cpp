@@ -78,7 +78,7 @@ LibraryWindow::LibraryWindow(QWidget* parent)
       prepare_(
           pushButton("libraryPrepare", tr("Open in Prepare"), tr("Opens the selected case for editing (Ctrl+Enter)"))),
       add_(pushButton("libraryAdd", tr("Add folder ..."),
-                      tr("Adds to this list the cases of a folder and its subfolders"))),
+                      tr("Adds the cases in a folder and its subfolders to this list"))),
       remove_(pushButton("libraryRemove", tr("Remove folder"),
                          tr("Removes the selected case's folder from this list; the disk is not changed"))) {
   setWindowTitle(tr("Case library"));

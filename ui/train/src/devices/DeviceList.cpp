@@ -53,8 +53,8 @@ DeviceList::DeviceList(HandsControl& hands, QWidget* parent) : QWidget(parent), 
   table_->setAccessibleName(tr("Devices"));
   table_->setHorizontalHeaderLabels({tr("device"), tr("state"), tr("capabilities"), tr("updates/s")});
   table_->setToolTip(
-      tr("A device is detected within a second after you connect it; the limits of force and stiffness are those of "
-         "the manufacturer"));
+      tr("A device is detected within a second after you connect it; the manufacturer states the limits of force and "
+         "stiffness"));
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setStretchLastSection(true);

@@ -88,7 +88,7 @@ QWidget* HistoryPage::buildList() {
        {std::pair{kDate, 158}, {kOutcome, 96}, {kPoints, 58}, {kLength, 62}, {kComments, 84}})
     header->resizeSection(column, px);
   open_ = ui::pushButton("historyOpen", tr("Open in Review"), tr("Replay the selected attempt (Enter)"));
-  older_ = ui::pushButton("historyOlder", tr("Older attempts"), tr("Lists attempts that are older than those shown"));
+  older_ = ui::pushButton("historyOlder", tr("Older attempts"), tr("Lists older attempts"));
   auto* row = new QHBoxLayout;
   row->addWidget(open_);
   row->addWidget(older_);
