@@ -109,7 +109,7 @@ void HistogramPlot::add(double hu, double opacity) {
                                       [](double value, const auto& node) { return value < node.hu; });
   const int number = int(after - wanted.nodes.begin());
   wanted.nodes.insert(after, {hu, opacity, wanted.colourAt(hu)});
-  Q_EMIT edited(wanted, 0, tr("new point"));
+  Q_EMIT edited(wanted, 0, tr("addition of a point"));
   select(number);
 }
 

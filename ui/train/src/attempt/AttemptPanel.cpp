@@ -209,7 +209,7 @@ QWidget* AttemptPanel::buildResult() {
   box->addWidget(review_);
   auto* row = resultButtons_ = new QHBoxLayout;
   row->setSpacing(ui::kSmallGap);
-  auto* again = button("attemptNext", tr("Once more"), tr("Starts another attempt at the same procedure"));
+  auto* again = button("attemptNext", tr("New attempt"), tr("Starts another attempt at the same procedure"));
   auto* leave = button("attemptLeave", tr("Close"), tr("Returns to free scanning; the attempt is saved"));
   row->addWidget(again, 1);
   row->addWidget(leave, 1);
