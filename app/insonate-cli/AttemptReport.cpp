@@ -131,7 +131,7 @@ void printScore(const AttemptScore& score) {
 
 void printAttempt(AttemptStatus status, const MetricValues& metrics, const std::vector<AttemptEvent>& events,
                   const std::vector<std::string>& vessels) {
-  std::printf("%s\n", status == AttemptStatus::CutShort ? "abandoned: its recording broke off" : nameOf(status));
+  std::printf("%s\n", status == AttemptStatus::CutShort ? "abandoned: the recording stopped early" : nameOf(status));
   for (const AttemptEvent& event : events) {
     const std::string vessel = vesselName(event, vessels);
     const std::string wall = isOfWall(event) ? std::string(labelTable()[event.wall].name) : "";

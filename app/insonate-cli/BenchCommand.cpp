@@ -156,8 +156,8 @@ Result<void> benchRealism(const RealismOptions& options) {
 
 CLI::App* addCommand(CLI::App& bench, const char* name, const char* description, BenchOptions& options) {
   CLI::App* command = bench.add_subcommand(name, description);
-  command->add_option("--out", options.folder, "Folder for tables and plots; created when missing")->required();
-  command->add_flag("--quick", options.quick, "Fewer settings and images");
+  command->add_option("--out", options.folder, "Folder for tables and plots; a missing folder is created")->required();
+  command->add_flag("--quick", options.quick, "Measure with fewer settings and images");
   command->add_flag("--json", options.json, "Print the tables as one JSON object");
   return command;
 }
@@ -184,7 +184,7 @@ void addSegmentation(CLI::App& bench, Outcome& outcome) {
       command->add_option("--atlas", options->plan.atlas, "Label map of an atlas (see phantom --from-labels)")
           ->check(CLI::ExistingFile);
   CLI::Option* map =
-      command->add_option("--map", options->plan.atlasMap, "JSON file that names the numbers of the atlas")
+      command->add_option("--map", options->plan.atlasMap, "JSON file with the name of each number in the atlas")
           ->check(CLI::ExistingFile)
           ->needs(atlas);
   atlas->needs(map);
@@ -203,57 +203,58 @@ void addSegmentation(CLI::App& bench, Outcome& outcome) {
 void addRealism(CLI::App& bench, Outcome& outcome) {
   auto options = std::make_shared<RealismOptions>();
   CLI::App* command = bench.add_subcommand(
-      "realism", "Compare simulated with real images: features, a classifier, and a blind test for readers");
-  command->add_option("--out", options->folder, "Folder for tables and the blind test; created when missing")
+      "realism", "Compare simulated with real images: features, a classifier, and a blind test with readers");
+  command->add_option("--out", options->folder, "Folder for tables and the blind test; a missing folder is created")
       ->required();
   CLI::Option* real = command
                           ->add_option("--real", options->real,
-                                       "List of real images: lines file,pixels per mm,source[,left,top,width,height]"
-                                       "[,probe=...][,plane=...][,fps=...]. Each shows, or the box cuts out, the "
-                                       "inside of a linear probe's field of view, without text, or the fan of another "
-                                       "probe. A folder of images is a clip")
+                                       "List of real images, one in each line: file,pixels per "
+                                       "mm,source[,left,top,width,height][,probe=...][,plane=...][,fps=...]. The "
+                                       "image, or its box, shows only the inside of a linear probe's field of view, "
+                                       "without text, or the fan of another probe. A folder of images is a clip")
                           ->check(CLI::ExistingFile);
   CLI::Option* ratings =
       command
-          ->add_option("--ratings", options->ratings,
-                       "Files ratings.csv of readers, to be compared with key.csv in the folder of --out")
+          ->add_option(
+              "--ratings", options->ratings,
+              "Files ratings.csv with the answers of readers, which are compared with key.csv in the folder of --out")
           ->check(CLI::ExistingFile)
           ->excludes(real);
-  command->add_option("--count", options->set.count, "Simulated images")
+  command->add_option("--count", options->set.count, "Number of simulated images")
       ->capture_default_str()
       ->check(CLI::Range(2, 2000))
       ->excludes(ratings);
   command->add_option("--seed", options->set.seed, "Seed for the random choice of necks, settings and order")
       ->capture_default_str()
       ->excludes(ratings);
-  command
-      ->add_option("--case", options->cases, "Folders of further cases to simulate, in addition to the built-in necks")
+  command->add_option("--case", options->cases, "Folders of cases to simulate, in addition to built-in necks")
       ->check(CLI::ExistingDirectory)
       ->excludes(ratings);
   CLI::Option* points = command
                             ->add_flag("--point-spread", options->pointSpread,
-                                       "Compare images of points with the computed field of the probe's array: widths, "
-                                       "side levels, slice thickness and contrast at each depth")
+                                       "Compare images of points with the computed field of the probe's array: beam "
+                                       "widths, side levels, slice thickness and contrast at each depth")
                             ->excludes(real)
                             ->excludes(ratings);
   command
       ->add_option("--probe", options->probes,
-                   "Probes of the simulated images, in turn: linear, curvilinear, phased; otherwise those of the real "
-                   "images. With --point-spread: one linear probe, a preset or a file")
+                   "Probes of the images, in turn: linear, curvilinear, phased; by default the probes of the real "
+                   "images. With --point-spread: one linear probe, as a preset or a file")
       ->excludes(ratings);
   command
       ->add_option("--plane", options->planes,
-                   "Planes of the simulated images, in turn: transverse, longitudinal, oblique; otherwise those of the "
-                   "real images")
+                   "Planes of the images, in turn: transverse, longitudinal, oblique; by default as in the real images")
       ->check(CLI::IsMember({"transverse", "longitudinal", "oblique"}))
       ->excludes(points)
       ->excludes(ratings);
   command
       ->add_flag("--clips", options->set.clips,
-                 "Simulate clips of 1 s (30 frames) only; otherwise a clip for each real clip")
+                 "Simulate clips of 1 s (30 frames) only; by default one for each real clip")
       ->excludes(points)
       ->excludes(ratings);
-  command->add_option("--engine", options->engine, "cpu, glsl or reference")->capture_default_str()->needs(points);
+  command->add_option("--engine", options->engine, "Engine: cpu, glsl or reference")
+      ->capture_default_str()
+      ->needs(points);
   command->add_flag("--json", options->json, "Print the results as one JSON object");
   command->callback([options, real, ratings, points, &outcome] {
     outcome.json = options->json;

@@ -59,8 +59,9 @@ void addCropCommand(CLI::App& app, Outcome& outcome) {
   command->add_option("CASE", a->caseFolder, "Folder of the case")->required()->check(notEmpty());
   command->add_option("OUT", a->folder, "Folder for the new case")->required()->check(notEmpty());
   auto* from =
-      command->add_option("--from", a->from_mm, "A corner of the part to keep (patient LPS, mm): x y z")->expected(3);
-  auto* to = command->add_option("--to", a->to_mm, "The opposite corner: x y z")->expected(3);
+      command->add_option("--from", a->from_mm, "One corner of the part to keep (patient LPS, mm): x y z")->expected(3);
+  auto* to = command->add_option("--to", a->to_mm, "Opposite corner of the part to keep (patient LPS, mm): x y z")
+                 ->expected(3);
   from->needs(to);
   to->needs(from);
   auto* spacing = command

@@ -99,7 +99,7 @@ void addDevicesCommand(CLI::App& app, Outcome& outcome) {
   auto* command = app.add_subcommand(
       "devices", "List connected haptic devices, 3D mice and pedals with their state, limits and errors");
   auto a = std::make_shared<DevicesArguments>();
-  command->add_option("--seconds", a->seconds, "Time to read the devices, s")
+  command->add_option("--seconds", a->seconds, "Time for which the devices are read, s")
       ->check(CLI::Range(0.1, 86400.0))
       ->capture_default_str();
   command->add_option("--record", a->record, "Write the raw reports of the devices to this file")->check(notEmpty());

@@ -61,15 +61,16 @@ Result<void> exportCase(const ExportArguments& a) {
 }  // namespace
 
 void addExportCommand(CLI::App& app, Outcome& outcome) {
-  auto* command =
-      app.add_subcommand("export", "Write a case's CT and labels for other programs (for meshes see surfaces)");
+  auto* command = app.add_subcommand(
+      "export", "Write CT and labels of a case for other programs (for meshes, see the command surfaces)");
   auto a = std::make_shared<ExportArguments>();
   command->add_option("CASE", a->caseFolder, "Folder of the case")->required()->check(notEmpty());
   auto* dicom = command->add_option("--dicom", a->dicomFolder, "New or empty folder for the CT as a DICOM series");
-  auto* seg = command->add_option("--seg", a->segmentation, "DICOM segmentation (.dcm) of that series");
+  auto* seg = command->add_option("--seg", a->segmentation,
+                                  "File for the labels, as a DICOM segmentation (.dcm) of that series");
   auto* labels = command->add_option(
       "--labels", a->labels,
-      "Labels for 3D Slicer (.seg.nrrd), with ITK-SNAP's label description (.label.txt) beside them");
+      "File for the labels for 3D Slicer (.seg.nrrd); ITK-SNAP's label description (.label.txt) is written beside it");
   for (auto* option : {dicom, seg, labels}) option->check(notEmpty());
   command->add_flag("--json", a->json, "Print one JSON object");
   command->callback([a, dicom, seg, labels, &outcome] {

@@ -134,7 +134,7 @@ void addFitCommand(CLI::App& app, Outcome& outcome) {
   CLI::App* command = app.add_subcommand("fit", "Fit a probe to a photograph or screen capture of a scanner's image");
   command->add_option("PICTURE", options->picture, "PNG or JPEG file")->required()->check(notEmpty());
   command->add_option("--out", options->out, "Probe file (JSON) to write, for render --probe")->check(notEmpty());
-  command->add_option("--overlay", options->overlay, "PNG to write: the image with the fitted outline")
+  command->add_option("--overlay", options->overlay, "PNG to write, with the image and the fitted outline")
       ->check(notEmpty());
   command
       ->add_option("--depth-mm", options->depth_mm, "Displayed depth in mm, from the middle of the face to the far end")
@@ -147,7 +147,7 @@ void addFitCommand(CLI::App& app, Outcome& outcome) {
       ->check(CLI::NonNegativeNumber);
   command
       ->add_option("--mm-per-mark", options->mmPerMark,
-                   "Distance of two marks of the depth scale in mm; by default estimated")
+                   "Distance between two marks of the depth scale in mm; estimated by default")
       ->check(CLI::Range(0.1, 100.0));
   command->add_option("--base", options->base,
                       "Probe from which to take the numbers that an image does not show; by default the built-in probe "

@@ -136,7 +136,7 @@ void addImportCommand(CLI::App& app, Outcome& outcome) {
       ->excludes(listOnly);
   command
       ->add_flag("--saturate", a->saturate,
-                 "Import also if values exceed the range of a case; they are limited to 32767 HU")
+                 "Import even if values exceed the range of a case; such values are limited to 32767 HU")
       ->excludes(listOnly);
   command->add_flag("--auto-label", a->autoLabel, "Label air, fat, muscle, bone and skin from Hounsfield units")
       ->excludes(listOnly);

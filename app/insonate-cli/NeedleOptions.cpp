@@ -25,19 +25,22 @@ void NeedleOptions::addTo(CLI::App& command) {
     return command.add_option(name, value, what)->delimiter(',')->expected(3)->type_name("X,Y,Z");
   };
   auto* tip = vector("--needle-tip", tip_mm,
-                     "Position of a needle's tip in the probe's frame, from the middle of the face, in mm: lateral "
-                     "(positive to the right of the image), elevation (perpendicular to the image), depth; 0,0,20 is "
+                     "Position of the needle tip in the probe frame, in mm from the middle of the face: lateral "
+                     "(positive to the right of the image), elevation (perpendicular to the image), depth. 0,0,20 is "
                      "in the middle of the image, 20 mm deep");
   vector("--needle-direction", direction,
-         "Direction from hub to tip in the same frame, of any length; 1,0,1 comes from the left at 45 degrees "
-         "in-plane, 0,1,1 is out-of-plane; by default 1,0,1")
+         "Direction from hub to tip in the probe frame, as a vector of any length. 1,0,1 comes from the left at 45 "
+         "degrees in-plane, 0,1,1 is out-of-plane; by default 1,0,1")
       ->needs(tip);
   vector("--needle-bevel", bevel, "Direction in which the opening of the bevel faces; by default toward the probe")
       ->needs(tip);
-  command.add_option("--needle-diameter", diameter_mm, "mm; 1.27 is 18 G")->capture_default_str()->needs(tip);
+  command.add_option("--needle-diameter", diameter_mm, "Diameter of the needle, mm; 1.27 is 18 G")
+      ->capture_default_str()
+      ->needs(tip);
   command.add_option("--needle-length", length_mm, "Length from tip to hub, mm")->capture_default_str()->needs(tip);
   command
-      .add_option("--tenting", tenting_mm, "Distance by which the tip pushes tissue ahead before it punctures it, mm")
+      .add_option("--tenting", tenting_mm,
+                  "Distance by which the tip displaces tissue before it punctures the tissue, mm")
       ->needs(tip);
   command.add_option("--tenting-radius", tentingRadius_mm, "Radius of the tissue that moves with the tip, mm")
       ->capture_default_str()

@@ -91,7 +91,8 @@ void addPhantomCommand(CLI::App& app, Outcome& outcome) {
   auto a = std::make_shared<PhantomArguments>();
   auto* folder = command->add_option("CASE", a->folder, "Folder to write the case to")->check(notEmpty());
   command->add_option("--variant", a->variant, "Name of the built-in neck (see --list)")->capture_default_str();
-  command->add_option("--seed", a->seed, "Seed: another number makes another neck of the same variant")
+  command
+      ->add_option("--seed", a->seed, "Seed of the random numbers: another seed makes another neck of the same variant")
       ->capture_default_str();
   command->add_flag("--contrast", a->contrast, "Simulate contrast agent in the vessels of the CT");
   command->add_option("--dicom", a->dicomFolder, "Also write the CT as a DICOM series, into a new or empty folder")
@@ -100,10 +101,11 @@ void addPhantomCommand(CLI::App& app, Outcome& outcome) {
   auto* labels =
       command->add_option("--from-labels", a->labelFile, "Make the case from this label map instead of a built-in neck")
           ->check(notEmpty());
-  auto* map = command
-                  ->add_option("--map", a->mapFile,
-                               "JSON file that names the numbers of the label map, and the parts to complete")
-                  ->check(notEmpty());
+  auto* map =
+      command
+          ->add_option("--map", a->mapFile,
+                       "JSON file with the name of each number in the label map, and with the parts to complete")
+          ->check(notEmpty());
   labels->needs(map);
   map->needs(labels);
   labels->excludes("--variant");

@@ -13,7 +13,7 @@ Result<void> checkOption(const char* option, const std::optional<double>& value,
                          const char* unit) {
   if (!value || (*value >= low && *value <= high)) return {};
   std::ostringstream text;
-  text << option << " is " << *value << "; allowed is " << low << " to " << high << ' ' << unit << '.';
+  text << option << " is " << *value << "; the allowed range is " << low << " to " << high << ' ' << unit << '.';
   return fail(text.str());
 }
 
@@ -50,7 +50,7 @@ bool saysPhysiology(const PressOptions& o) {
 
 void PressOptions::addTo(CLI::App& command) {
   auto* force = command.add_option("--force", force_N, "Contact force to which the tissue is compressed, N");
-  command.add_option("--indent", indent_mm, "Indentation from first contact, mm")->excludes(force);
+  command.add_option("--indent", indent_mm, "Indentation of the tissue from first contact, mm")->excludes(force);
   command.add_option("--deformation", deformation,
                      "Deformation model: none, column, elastic or reference; by default elastic if an option needs the "
                      "deformation, otherwise none");
@@ -63,8 +63,9 @@ void PressOptions::addTo(CLI::App& command) {
   command.add_option("--trendelenburg", trendelenburg_deg, "Tilt of the table, degrees; positive: head down");
   command.add_option("--map", map_mmHg, "Mean arterial pressure, mmHg");
   command.add_option("--pressure", pressure, "Arterial pressure, systolic over diastolic, mmHg; by default 120/80");
-  command.add_option("--time", time_s,
-                     "Time in the cycles of heartbeat and breath, s; by default all pressures are at their means");
+  command.add_option(
+      "--time", time_s,
+      "Time in the cycles of heartbeat and breathing, s; by default all pressures have their mean values");
 }
 
 Result<PressPlan> readPress(const PressOptions& options, bool displacementWanted) {

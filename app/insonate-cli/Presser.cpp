@@ -108,7 +108,7 @@ std::vector<std::string> Presser::warnings() const {
                        ": it met bone, or tissue that cannot be compressed further.");
   else if (!answer.converged && plan_.force_N)
     warnings.push_back("the tissue did not come to rest under " + number(*plan_.force_N, "N") +
-                       "; the image is that of " + force + ".");
+                       "; the image shows a force of " + force + ".");
   else if (!answer.converged)
     warnings.push_back("the tissue did not come to rest at this indentation, so positions and force are estimates.");
   return warnings;

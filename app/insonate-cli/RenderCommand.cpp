@@ -217,7 +217,7 @@ class PathRenderer {
     if (job_.needle.needle) image["needle"] = jsonOf(job_.needle.needleAt(pose));
     if (isSilent(frame_.envelope))
       warn("The image" + (job_.path.isPath ? " of pose " + std::to_string(index) : std::string()) +
-           " shows no echoes, because the probe does not touch tissue. Move it onto the skin.");
+           " shows no echoes, because the probe does not touch tissue. Move the probe onto the skin.");
     image["frame_ms"] = frame_.frame_ms;
     image["stages_ms"] = stagesOf(frame_);
     if (!targets.envelope.empty()) {
@@ -289,17 +289,18 @@ void addRenderCommand(CLI::App& app, Outcome& outcome) {
   CLI::App* command =
       app.add_subcommand("render", "Render one ultrasound image of a case, or many along a path of poses");
   command->add_option("CASE", options->caseFolder, "Case folder")->required()->check(notEmpty());
-  command->add_option("--probe", options->probe, "linear, curvilinear, phased, or a probe file")->capture_default_str();
+  command->add_option("--probe", options->probe, "Probe: linear, curvilinear, phased, or a probe file")
+      ->capture_default_str();
   command
       ->add_option("--pose", options->pose,
-                   "auto, the name of a start pose of the case, a JSON file, or JSON text with position_mm, axial and "
-                   "lateral (patient LPS); a list of poses makes a path")
+                   "Pose of the probe: auto, the name of a start pose of the case, a JSON file, or JSON text with "
+                   "position_mm, axial and lateral (patient LPS); a list of poses makes a path")
       ->capture_default_str();
   command
       ->add_option("--out", options->targets.picture, "PNG to write; for a path of poses F.png becomes F_0000.png, ...")
       ->required()
       ->check(notEmpty());
-  command->add_option("--engine", options->engine, "auto, cpu, glsl or reference")->capture_default_str();
+  command->add_option("--engine", options->engine, "Engine: auto, cpu, glsl or reference")->capture_default_str();
   command->add_option(
       "--tissues", options->tissues,
       "Acoustic properties of tissue: a preset or a file; by default neck, or thesis with --look thesis");
@@ -309,17 +310,19 @@ void addRenderCommand(CLI::App& app, Outcome& outcome) {
       ->check(notEmpty());
   command->add_option("--settings", options->settings,
                       "JSON file of imaging settings, which override those of the probe or of --machine");
-  command->add_option("--look", options->look, "coherent or thesis")->check(CLI::IsMember({"coherent", "thesis"}));
-  command->add_option("--layers", options->targets.layers, "Folder for further images, each with one effect by itself");
+  command->add_option("--look", options->look, "Rendering style: coherent or thesis")
+      ->check(CLI::IsMember({"coherent", "thesis"}));
+  command->add_option("--layers", options->targets.layers,
+                      "Folder for additional images, each with only one effect of the ultrasound model");
   command->add_option("--envelope", options->targets.envelope,
-                      "NRRD to write: linear echo amplitude without compounding");
-  command->add_option(
-      "--displacement", options->targets.displacement,
-      "NRRD to write: vectors from the displaced position of the tissue to its position at rest, mm, patient LPS");
+                      "NRRD to write, with the linear echo amplitude without compounding");
+  command->add_option("--displacement", options->targets.displacement,
+                      "NRRD to write, with vectors from the displaced position of the tissue to its position at rest "
+                      "(mm, patient LPS)");
   command->add_option("--points", options->points,
                       "Point targets, to measure the point spread function: depths in mm below the middle of the face, "
-                      "such as 5,10,20, or a file with lateral,elevation,depth in each line; in a path of poses they "
-                      "keep their places in the patient at the first pose");
+                      "such as 5,10,20, or a file with lateral,elevation,depth in each line. In a path of poses, the "
+                      "point targets stay where they are in the patient at the first pose");
   options->press.addTo(*command);
   options->needle.addTo(*command);
   command->add_flag("--json", options->json, "Print a JSON object with times and warnings");

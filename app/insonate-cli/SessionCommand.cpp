@@ -201,7 +201,8 @@ void addSessionCommand(CLI::App& app, Outcome& outcome) {
   auto a = std::make_shared<SessionArguments>();
   command->add_option("CASE", a->caseFolder, "Folder of the case")->required()->check(notEmpty());
   command
-      ->add_option("--script", a->script, "Script of the hands' movements: name of a built-in script, or a JSON file")
+      ->add_option("--script", a->script,
+                   "Script of the movements of the hands: name of a built-in script, or a JSON file")
       ->required()
       ->check(notEmpty());
   command->add_option("--record", a->recording, "New file for the recording")->required()->check(notEmpty());
@@ -223,7 +224,7 @@ void addReplayCommand(CLI::App& app, Outcome& outcome) {
   a->pictures.addTo(*command);
   a->check.addTo(*command);
   command->add_flag("--metrics", a->metrics, "Also compute metrics and score");
-  command->add_option("--until", a->until_s, "Compute the values at this time of the attempt (s)")
+  command->add_option("--until", a->until_s, "Compute the values at this time of the attempt, s")
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--json", a->json, "Print one JSON object");
   command->callback([a, &outcome] {

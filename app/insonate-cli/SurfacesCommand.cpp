@@ -58,7 +58,7 @@ void addSurfacesCommand(CLI::App& app, Outcome& outcome) {
   command->add_option("DIR", a->folder, "New or empty folder for the meshes, one file for each structure")
       ->required()
       ->check(notEmpty());
-  command->add_option("--format", a->format, "stl, ply, obj or vtp")
+  command->add_option("--format", a->format, "Format: stl, ply, obj or vtp")
       ->check(CLI::IsMember({"stl", "ply", "obj", "vtp"}))
       ->capture_default_str();
   command

@@ -121,11 +121,11 @@ void addOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("DATABASE,--database", arguments.database,
                  "Existing file, or postgresql://USER@HOST/DATABASE with the password in PGPASSWORD");
   app.add_option("--recordings", arguments.recordings,
-                 "Folder for the recordings that workstations send; by default beside the database file. A PostgreSQL "
-                 "database needs one");
+                 "Folder for the recordings that workstations send; by default beside the database file; required with "
+                 "a PostgreSQL database");
   app.add_flag("--demo", arguments.demo,
-               "Serve a made-up class, which is deleted at the end; prints names and password");
-  app.add_option("--listen", arguments.listen, "Address and port")->capture_default_str();
+               "Serve a made-up class, whose names and password are printed and whose data are deleted at the end");
+  app.add_option("--listen", arguments.listen, "Address and port at which the server listens")->capture_default_str();
   app.add_option("--certificate", options.certificate, "File (PEM) with the certificate chain, for HTTPS");
   app.add_option("--key", options.key, "File (PEM) with the certificate's private key");
   app.add_flag("--behind-proxy", options.behindProxy,

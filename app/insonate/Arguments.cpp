@@ -52,7 +52,7 @@ std::variant<Arguments, int> parseArguments(int argc, char** argv) {
   auto* bench =
       parser.add_option("--benchmark", benchmark,
                         "Measure the window's speed, write window.json and window.csv to this folder, and quit");
-  parser.add_flag("--quick", a.quick, "With --benchmark: a short run, to check that it works")->needs(bench);
+  parser.add_flag("--quick", a.quick, "With --benchmark: a short run, to check that the benchmark works")->needs(bench);
   auto* image = parser.add_flag("--until-image", a.untilImage,
                                 "Print the milliseconds from the start to the first live image, and quit");
   bench->excludes(shot)->excludes(image);

@@ -111,7 +111,7 @@ TEST_F(CurriculumSend, SaysWhatTheStoreSaid) {
   records.status = 401;
   EXPECT_THAT(send(address()).errors, HasSubstr("does not accept this name and password"));
   records.status = 409;
-  EXPECT_THAT(send(address()).errors, HasSubstr("other statements by the same ids"));
+  EXPECT_THAT(send(address()).errors, HasSubstr("other statements with the same ids"));
   records.status = 302;
   EXPECT_THAT(send(address()).errors, HasSubstr("HTTP 302")) << "a password is not handed on";
   records.status = 200;

@@ -45,7 +45,7 @@ TEST_F(CurriculumTrust, ARecordingOfTheWorkstationIsProvenAndCounts) {
   const Sealed sealed = seal();
   const std::string file = record("mine", Ending::InVein, 2, utc(0), sealed.whose, sealed.key);
   EXPECT_THAT(refused("attempts add " + file + " --as bob"), HasSubstr("was recorded for another person"));
-  EXPECT_THAT(refused("attempts add " + file + " --level second --as alice"), HasSubstr("counts for this level only"));
+  EXPECT_THAT(refused("attempts add " + file + " --level second --as alice"), HasSubstr("counts only for this level"));
   const json added = told("attempts add " + file + " --as alice");
   EXPECT_EQ(added["attempt"]["proof"], "proven");
   EXPECT_EQ(added["attempt"]["id"], sealed.whose.attempt);

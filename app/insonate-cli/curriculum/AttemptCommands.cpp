@@ -154,14 +154,14 @@ Result<Answer> add(const SignedIn& by, AddArguments a) {
   } else if (!a.level.empty() && a.level != facts->level) {
     return fail(a.recording + " was recorded " +
                 (facts->level.empty() ? "in free practice" : "for the level '" + facts->level + "'") +
-                " and counts for this level only. Leave out --level.");
+                " and counts only for this level. Leave out --level.");
   } else {
     a.level = facts->level;
   }
   if (!a.level.empty()) return addToLevel(by, std::move(*facts), a, *proven);
   if (auto kept = AttemptStore(by).add(*facts, a.recording); !kept) return tl::unexpected(kept.error());
   return Answer{{{"attempt", factsJson(*facts)}, {"passed", nullptr}, {"level", nullptr}},
-                "Kept as free practice, attempt " + facts->id};
+                "Stored as free practice, attempt " + facts->id};
 }
 
 /// The curricula of a person's classes, by which their attempts pass.
@@ -254,7 +254,7 @@ Result<Answer> listAttempts(const SignedIn& by, const ListArguments& a) {
 Result<Answer> voidOne(const SignedIn& by, const ReasonArguments& a) {
   if (auto done = AttemptStore(by).voidAttempt(a.attempt, a.reason); !done) return tl::unexpected(done.error());
   return Answer{{{"id", a.attempt}, {"state", "voided"}, {"void_reason", a.reason}},
-                "The attempt no longer counts; it is kept, with the reason."};
+                "The attempt no longer counts. The attempt and the reason are kept."};
 }
 
 Result<Answer> accept(const SignedIn& by, const ReasonArguments& a) {
@@ -273,25 +273,27 @@ void addAttemptCommands(CLI::App& curriculum, Outcome& outcome) {
       addSignedInCommand(attempts, outcome, "add",
                          "Add an attempt of your own from its recording; the store keeps a copy of the recording",
                          [added](const SignedIn& by) { return add(by, *added); });
-  adding->add_option("RECORDING", added->recording, "File of an attempt that a person made in the window")
+  adding->add_option("RECORDING", added->recording, "Recording of an attempt that a person made in the window")
       ->required()
       ->check(notEmpty());
   adding->add_option("--level", added->level, "Level of the attempt (default: free practice)");
-  adding->add_option("--class", added->className, "Class in which the attempt counts, if several have the level");
+  adding->add_option("--class", added->className,
+                     "Class in which the attempt counts, if several classes have the level");
 
   auto listed = std::make_shared<ListArguments>();
   CLI::App* listing = addSignedInCommand(attempts, outcome, "list", "List a person's attempts, newest first",
                                          [listed](const SignedIn& by) { return listAttempts(by, *listed); });
   listing->add_option("NAME", listed->person, "Name of the person (default: you)");
-  listing->add_option("--count", listed->count, "Maximum number of entries")
+  listing->add_option("--count", listed->count, "Maximum number of attempts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  listing->add_option("--before", listed->before, "Only attempts with a lower arrival number (see --json)")
+  listing->add_option("--before", listed->before, "List only attempts with an arrival number below this (see --json)")
       ->check(CLI::PositiveNumber);
 
   auto accepted = std::make_shared<ReasonArguments>();
-  CLI::App* accepting = addSignedInCommand(attempts, outcome, "accept", "Make an unproven attempt count",
-                                           [accepted](const SignedIn& by) { return accept(by, *accepted); });
+  CLI::App* accepting =
+      addSignedInCommand(attempts, outcome, "accept", "Accept an attempt that is not proven, so that it counts",
+                         [accepted](const SignedIn& by) { return accept(by, *accepted); });
   accepting->add_option("ATTEMPT", accepted->attempt, "The attempt's id, from 'attempts list'")->required();
   accepting->add_option("--reason", accepted->reason, "Reason to trust the attempt")->required();
 

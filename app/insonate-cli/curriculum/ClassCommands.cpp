@@ -80,7 +80,8 @@ Result<Answer> members(const SignedIn& by, const std::string& name) {
   }
   Json rows = Json::array();
   for (const Member& member : *members) rows.push_back(rowOf(member, standings));
-  const std::string none = "Nobody is in '" + cohort->name + "' yet. Next: 'curriculum classes import' or 'join'.";
+  const std::string none =
+      "No person is in the class '" + cohort->name + "' yet. Next: 'curriculum classes import' or 'join'.";
   return Answer{{{"class", classJson(*cohort)}, {"members", rows}},
                 rows.empty() ? none
                              : tableOf(rows, {{"name", "name"},

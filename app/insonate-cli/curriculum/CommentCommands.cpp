@@ -36,7 +36,7 @@ std::string csvOf(const std::vector<AttemptComment>& comments) {
 Result<Answer> write(const SignedIn& by, const CommentArguments& a) {
   const auto id = CommentStore(by).add(a.attempt, std::llround(a.at_s * kSecond_us), a.text);
   if (!id) return tl::unexpected(id.error());
-  return Answer{{{"id", *id}, {"attempt", a.attempt}, {"at_s", a.at_s}}, "Kept as comment " + *id + "."};
+  return Answer{{{"id", *id}, {"attempt", a.attempt}, {"at_s", a.at_s}}, "Stored as comment " + *id + "."};
 }
 
 Result<Answer> list(const SignedIn& by, const CommentArguments& a) {
@@ -66,13 +66,13 @@ Result<Answer> list(const SignedIn& by, const CommentArguments& a) {
 Result<Answer> remove(const SignedIn& by, const CommentArguments& a) {
   if (auto done = CommentStore(by).remove(a.attempt, a.comment); !done) return tl::unexpected(done.error());
   return Answer{{{"id", a.comment}, {"attempt", a.attempt}, {"state", "removed"}},
-                "The comment is removed; the audit log names author and remover."};
+                "The comment is removed. The audit log names its author and the user who removed it."};
 }
 
 }  // namespace
 
 void addCommentCommands(CLI::App& attempts, Outcome& outcome) {
-  CLI::App& comments = *attempts.add_subcommand("comments", "Comments at a time of an attempt's recording");
+  CLI::App& comments = *attempts.add_subcommand("comments", "Manage comments on recorded attempts");
   comments.require_subcommand(1);
   const auto a = std::make_shared<CommentArguments>();
   const auto addAttempt = [a](CLI::App* command) {
@@ -88,9 +88,9 @@ void addCommentCommands(CLI::App& attempts, Outcome& outcome) {
       comments, outcome, "list", "List an attempt's comments; a trainee who lists them has read them",
       [a](const SignedIn& by) { return list(by, *a); }));
   listing->add_option("--csv", a->csv, "Also write the comments to this file");
-  CLI::App* removing =
-      addAttempt(addSignedInCommand(comments, outcome, "remove", "Remove a comment of your own; administrators: any",
-                                    [a](const SignedIn& by) { return remove(by, *a); }));
+  CLI::App* removing = addAttempt(addSignedInCommand(
+      comments, outcome, "remove", "Remove a comment of your own; administrators can remove any comment",
+      [a](const SignedIn& by) { return remove(by, *a); }));
   removing->add_option("COMMENT", a->comment, "The comment's id, from 'comments list --json'")->required();
 }
 

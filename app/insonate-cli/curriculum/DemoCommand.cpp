@@ -113,8 +113,10 @@ void addDemoCommand(CLI::App& curriculum, Outcome& outcome) {
   CLI::App* command =
       addAnsweringCommand(curriculum, outcome, "demo", "Make a new database of made-up people and attempts",
                           [a] { return demonstrate(*a); });
-  command->add_option("DATABASE", a->database, "New file, or a server without people")->required()->check(notEmpty());
-  command->add_option("--trainees", a->plan.trainees, "Maximum number of entries")
+  command->add_option("DATABASE", a->database, "New database file, or address of a server database without people")
+      ->required()
+      ->check(notEmpty());
+  command->add_option("--trainees", a->plan.trainees, "Number of trainees")
       ->check(CLI::Range(1, 999))
       ->capture_default_str();
   command->add_option("--attempts", a->plan.attempts, "Number of attempts of each trainee")
@@ -123,9 +125,9 @@ void addDemoCommand(CLI::App& curriculum, Outcome& outcome) {
   command->add_option("--seed", a->plan.seed, "Seed of the random numbers; the same seed gives the same attempts")
       ->capture_default_str();
   command
-      ->add_option(
-          "--recorded", a->recorded,
-          "Number of trainees whose newest attempt gets a recording that can be replayed; each takes ten seconds")
+      ->add_option("--recorded", a->recorded,
+                   "Number of trainees whose newest attempt gets a recording that can be replayed; making each "
+                   "recording takes ten seconds")
       ->check(CLI::Range(0, kDemonstrations))
       ->capture_default_str();
   a->password.addTo(*command);

@@ -105,22 +105,23 @@ void addExportCommands(CLI::App& curriculum, Outcome& outcome) {
   CLI::App& exports = *curriculum.add_subcommand("export", "Write stored data for other programs");
   exports.require_subcommand(1);
   auto file = std::make_shared<std::string>();
-  addSignedInCommand(exports, outcome, "json", "All data except passwords (administrators)",
+  addSignedInCommand(exports, outcome, "json", "Write all data except passwords (for administrators)",
                      [file](const SignedIn& by) { return exportAll(by, *file); })
       ->add_option("FILE", *file, "File to write")
       ->required()
       ->check(notEmpty());
-  addClassExport(exports, outcome, "csv", "The attempts of a class with their metrics, one in each line",
+  addClassExport(exports, outcome, "csv", "Write the attempts of a class with their metrics, one attempt in each line",
                  writeAttempts);
-  const auto [grades, g] = addClassExport(exports, outcome, "grades",
-                                          "Share of levels that each person has mastered, for Moodle", writeGrades);
+  const auto [grades, g] = addClassExport(
+      exports, outcome, "grades", "Write the share of levels that each person has mastered, for Moodle", writeGrades);
   grades->add_option("--item", g->item, "Name of the graded activity")->capture_default_str();
-  grades->add_option("--by", g->key, "How Moodle identifies people: email or name")
+  grades->add_option("--by", g->key, "Way in which Moodle identifies people: email or name")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, GradeKey>{{"email", GradeKey::Email}, {"name", GradeKey::Name}}));
-  const auto [xapi, x] =
-      addClassExport(exports, outcome, "xapi", "A class's attempts as xAPI 1.0.3 statements", writeStatements);
-  xapi->add_option("--home", x->site.homePage, "Address of your site: https://training.example.org")->required();
+  const auto [xapi, x] = addClassExport(exports, outcome, "xapi",
+                                        "Write the attempts of a class as xAPI 1.0.3 statements", writeStatements);
+  xapi->add_option("--home", x->site.homePage, "Web address of your institution, such as https://training.example.org")
+      ->required();
   xapi->add_flag("--by-mail", x->site.byMail, "Identify people by their e-mail addresses");
 }
 

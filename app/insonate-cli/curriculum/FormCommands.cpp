@@ -137,7 +137,7 @@ Result<Answer> filled(const SignedIn& by, const std::string& name) {
 }  // namespace
 
 void addFormCommands(CLI::App& curriculum, Outcome& outcome) {
-  CLI::App& forms = *curriculum.add_subcommand("forms", "Questionnaires, checklists and ratings");
+  CLI::App& forms = *curriculum.add_subcommand("forms", "Manage questionnaires, checklists and ratings");
   forms.require_subcommand(1);
   addAnsweringCommand(forms, outcome, "list", "List forms that can be filled in", listForms);
   auto name = std::make_shared<std::string>(), person = std::make_shared<std::string>();

@@ -64,8 +64,7 @@ Result<Answer> agreement(const SignedIn& by, const AgreementArguments& a) {
   answer.text = std::to_string(found->judged) + " attempts judged by '" + form->name + "', " +
                 std::to_string(found->judgedTwice) + " by two raters or more.\n";
   if (found->otherVersions > 0)
-    answer.text +=
-        "Left out, because they are of another version of the form: " + std::to_string(found->otherVersions) + ".\n";
+    answer.text += "Forms left out, because they have another version: " + std::to_string(found->otherVersions) + ".\n";
   if (rows.empty()) answer.text += "There is nothing to compare, because no attempt was judged by two raters.\n";
   if (!rows.empty())
     answer.text += tableOf(rows, {{"raters", "raters"},
@@ -127,7 +126,7 @@ Result<Answer> compare(const SignedIn& by, const CompareArguments& a) {
   const Json items = raters.empty() ? Json::array() : comparedItems(*form, raters);
   Answer answer{{{"attempt", a.attempt}, {"form", form->name}, {"withheld", withheld}, {"items", items}}, ""};
   if (raters.empty() && withheld == 0)
-    answer.text = "Nobody has filled in '" + form->name + "' about this attempt yet.\n";
+    answer.text = "No rater has filled in '" + form->name + "' about this attempt yet.\n";
   if (withheld > 0)
     answer.text +=
         "You can read these forms of other raters after you have handed in yours: " + std::to_string(withheld) + ".\n";
@@ -151,7 +150,7 @@ void addJudgementCommands(CLI::App& forms, Outcome& outcome) {
                          [a](const SignedIn& by) { return agreement(by, *a); });
   one->add_option("FORM", a->form, "Name")->required();
   one->add_option("CLASS", a->className, "Name of the class")->required();
-  one->add_option("--csv", a->csv, "Also write the figures into this file")->check(notEmpty());
+  one->add_option("--csv", a->csv, "Also write the results to this file")->check(notEmpty());
   auto c = std::make_shared<CompareArguments>();
   CLI::App* two = addSignedInCommand(forms, outcome, "compare",
                                      "Print the raters' answers and notes about one attempt for each item",

@@ -48,8 +48,8 @@ std::string refusalOf(QNetworkReply& reply, const std::string& endpoint) {
   if (status == 0) return endpoint + " cannot be reached: " + reply.errorString().toStdString() + ".";
   if (status == 401 || status == 403) return endpoint + " does not accept this name and password.";
   if (status == 409)
-    return endpoint + " has other statements by the same ids; attempts were sent there by another rule or site. " +
-           said;
+    return endpoint +
+           " has other statements with the same ids; attempts were sent to it by another rule or site before. " + said;
   return endpoint + " did not accept the statements (HTTP " + std::to_string(status) + "). " + said;
 }
 

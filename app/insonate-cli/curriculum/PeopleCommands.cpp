@@ -87,7 +87,7 @@ Result<Answer> resetPassword(const SignedIn& by, const std::string& name, const 
   const auto password = option.read("A new password for " + person->name);
   if (!password) return tl::unexpected(password.error());
   if (auto done = PeopleStore(by).resetPassword(person->id, *password); !done) return tl::unexpected(done.error());
-  return toldOf(*person, person->name + " can sign in with this password now, and then chooses a new one.");
+  return toldOf(*person, person->name + " can sign in with this password now, and then chooses a new password.");
 }
 
 Result<Answer> changeOwnPassword(const StoreOptions& options, const NewPasswordOption& option) {
@@ -116,7 +116,7 @@ void addAdd(CLI::App& people, Outcome& outcome) {
   CLI::App* command =
       addSignedInCommand(people, outcome, "add", "Add a person", [a](const SignedIn& by) { return add(by, *a); });
   addPersonOptions(*command, *a);
-  command->add_option("--role", a->person.role, "trainee (default), instructor or administrator")
+  command->add_option("--role", a->person.role, "Role: trainee (default), instructor or administrator")
       ->transform(CLI::Transformer(kRoles));
   command->add_option("--class", a->className, "Class that the person joins");
 }
@@ -132,8 +132,8 @@ void addChanges(CLI::App& people, Outcome& outcome) {
         ->add_option("NAME", *name, "Name of the person")
         ->required();
   };
-  add("disable", "Prevent a person from signing in; the person's data stay", true,
-      " can no longer sign in. The person's data stay.");
+  add("disable", "Prevent a person from signing in; the data of the person are kept", true,
+      " can no longer sign in. The data of the person are kept.");
   add("enable", "Let a disabled person sign in again", false, " can sign in again.");
   struct Arguments {
     std::string name;
@@ -145,7 +145,7 @@ void addChanges(CLI::App& people, Outcome& outcome) {
         by, a->name, [a](Person& person) { person.role = a->role; }, std::string(" is now ") + nameOf(a->role) + ".");
   });
   role->add_option("NAME", a->name, "Name of the person")->required();
-  role->add_option("ROLE", a->role, "trainee, instructor or administrator")
+  role->add_option("ROLE", a->role, "Role: trainee, instructor or administrator")
       ->required()
       ->transform(CLI::Transformer(kRoles));
 }
@@ -160,7 +160,7 @@ void addPasswords(CLI::App& people, Outcome& outcome) {
   };
   auto a = std::make_shared<Arguments>();
   CLI::App* reset = addSignedInCommand(people, outcome, "reset-password",
-                                       "Set a new password for a person who forgot it or is locked out",
+                                       "Set a new password for a person who forgot the password or is locked out",
                                        [a](const SignedIn& by) { return resetPassword(by, a->name, a->password); });
   reset->add_option("NAME", a->name, "Name of the person")->required();
   a->password.addTo(*reset);

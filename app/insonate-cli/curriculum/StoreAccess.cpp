@@ -27,7 +27,7 @@ void addDatabaseOption(CLI::App& command, StoreOptions& options) {
 }
 
 void addSignInOptions(CLI::App& command, StoreOptions& options) {
-  command.add_option("--as", options.name, "User who signs in")->required()->check(notEmpty());
+  command.add_option("--as", options.name, "Name of the user who signs in")->required()->check(notEmpty());
   command
       .add_option("--password-file", options.passwordFile,
                   "File whose first line is the password (/dev/fd/N for a file descriptor); by default the environment "
@@ -68,7 +68,7 @@ Result<void> checkThere(const StoreOptions& options) {
   std::error_code error;
   if (isServer(address) || fs::exists(address, error)) return {};
   return fail("There is no store of people and attempts at " + address +
-              ". Make one with 'insonate-cli curriculum setup', or name another one with --database.");
+              ". Make a store with 'insonate-cli curriculum setup', or name another store with --database.");
 }
 
 Result<CurriculumStore> openStore(const StoreOptions& options) {

@@ -98,7 +98,7 @@ Result<Answer> open(const SignedIn& by, const OpenArguments& a) {
   return Answer{{{"opening", row}},
                 "The test '" + opened->level + "' is open for " + row["class"].get<std::string>() + " from " +
                     timeText(opened->start_us) + (opened->end_us ? " to " + timeText(*opened->end_us) : "") +
-                    (opened->hasCode ? ", with a code" : "") + ". Opening " + opened->id + "."};
+                    (opened->hasCode ? ", with a code" : "") + ". Id of the opening: " + opened->id + "."};
 }
 
 Result<Answer> list(const SignedIn& by, const std::string& className) {
@@ -108,17 +108,18 @@ Result<Answer> list(const SignedIn& by, const std::string& className) {
   if (!names) return tl::unexpected(names.error());
   Json rows = Json::array();
   for (const TestOpening& one : *openings) rows.push_back(rowOf(one, *names, by.now_us()));
-  return Answer{{{"openings", rows}},
-                rows.empty() ? "No test has been opened, so attempts at tests are practice. Open one with 'curriculum "
-                               "tests open'."
-                             : tableOf(rows, {{"level", "level"},
-                                              {"class", "class"},
-                                              {"state", "state"},
-                                              {"start", "start"},
-                                              {"end", "end"},
-                                              {"code", "code"},
-                                              {"opened_by", "opened by"},
-                                              {"id", "opening"}})};
+  return Answer{
+      {{"openings", rows}},
+      rows.empty()
+          ? "No test has been opened, so attempts at tests are practice. Open a test with 'curriculum tests open'."
+          : tableOf(rows, {{"level", "level"},
+                           {"class", "class"},
+                           {"state", "state"},
+                           {"start", "start"},
+                           {"end", "end"},
+                           {"code", "code"},
+                           {"opened_by", "opened by"},
+                           {"id", "opening"}})};
 }
 
 Result<Answer> close(const SignedIn& by, const std::string& id) {
@@ -126,7 +127,8 @@ Result<Answer> close(const SignedIn& by, const std::string& id) {
   if (!openings) return tl::unexpected(openings.error());
   const auto found = std::ranges::find(*openings, id, &TestOpening::id);
   if (found == openings->end())
-    return fail("There is no opening '" + id + "' that you can see. 'curriculum tests list' lists them.");
+    return fail("There is no opening of a test with the id '" + id +
+                "' that you can see. 'curriculum tests list' lists them.");
   if (auto done = OpeningStore(by).close(found->cohort, id); !done) return tl::unexpected(done.error());
   return Answer{{{"id", id}, {"state", "closed"}},
                 "The test '" + found->level + "' is closed. Attempts that have begun still count."};
@@ -151,7 +153,7 @@ Result<Answer> enter(const SignedIn& by, const EnterArguments& a) {
   const auto admission = OpeningStore(by).enterCode(*curriculum, a.level, a.code);
   if (!admission) return tl::unexpected(admission.error());
   if (admission->kind == TestAdmission::Kind::Closed)
-    return fail("The test '" + a.level + "' is not open for you. Ask the instructor to open it.");
+    return fail("The test '" + a.level + "' is not open for you. Ask the instructor to open the test.");
   return Answer{{{"level", a.level},
                  {"state", "open"},
                  {"end", admission->end_us ? Json(timeText(*admission->end_us)) : Json(nullptr)}},
@@ -175,20 +177,20 @@ void addTestCommands(CLI::App& curriculum, Outcome& outcome) {
   opening->add_option("--code", opened->code, "Code that trainees enter, 4 to 32 characters (default: none)");
 
   const auto listed = std::make_shared<std::string>();
-  addSignedInCommand(tests, outcome, "list", "List the openings of tests, newest first", [listed](const SignedIn& by) {
-    return list(by, *listed);
-  })->add_option("CLASS", *listed, "Name of the class (default: all classes)");
+  addSignedInCommand(tests, outcome, "list", "List when and for whom tests were opened, newest first",
+                     [listed](const SignedIn& by) { return list(by, *listed); })
+      ->add_option("CLASS", *listed, "Name of the class (default: all classes)");
   const auto closed = std::make_shared<std::string>();
-  addSignedInCommand(tests, outcome, "close", "Close an opening; attempts that have begun still count",
+  addSignedInCommand(tests, outcome, "close", "Close a test that was opened; attempts that have begun still count",
                      [closed](const SignedIn& by) { return close(by, *closed); })
-      ->add_option("OPENING", *closed, "The opening's id, from 'tests list'")
+      ->add_option("OPENING", *closed, "Id of the opening, from 'tests list'")
       ->required();
   const auto entered = std::make_shared<EnterArguments>();
   CLI::App* entering = addSignedInCommand(tests, outcome, "enter", "Enter the code of a test that is open for you",
                                           [entered](const SignedIn& by) { return enter(by, *entered); });
   entering->add_option("LEVEL", entered->level, "Name of the level")->required();
   entering->add_option("CODE", entered->code, "Code from the instructor")->required();
-  entering->add_option("--class", entered->className, "Class of the test, if several have the level");
+  entering->add_option("--class", entered->className, "Class of the test, if several classes have the level");
 }
 
 }  // namespace insonate::cli

@@ -105,24 +105,24 @@ void addUpkeepCommands(CLI::App& curriculum, Outcome& outcome) {
       ->required()
       ->check(notEmpty());
   addStoreCommand(curriculum, outcome, "restore",
-                  "Replace a store by a backup. This needs an administrator of the store, or of the backup if the "
-                  "store is missing or damaged",
+                  "Replace a store by a backup (for administrators of the store, or of the backup if the store is "
+                  "missing or damaged)",
                   SigningIn::Yes, [backedUp](const StoreOptions& options) { return restore(options, *backedUp); })
       ->add_option("BACKUP", *backedUp, "File of 'curriculum backup'")
       ->required()
       ->check(notEmpty());
   addStoreCommand(curriculum, outcome, "migrate",
-                  "Upgrade a store to the present version of the program (administrators of the store), after a backup "
-                  "beside it, and tells what it "
-                  "holds",
+                  "Upgrade a store to the present version of the program, after a backup beside the store, and print "
+                  "what the store contains (for administrators of the store)",
                   SigningIn::Yes, migrate);
   addVerifyCommand(curriculum, outcome);
   auto a = std::make_shared<AuditArguments>();
-  CLI::App* log = addSignedInCommand(curriculum, outcome, "audit", "Accesses to other people's data, newest first",
+  CLI::App* log = addSignedInCommand(curriculum, outcome, "audit",
+                                     "Print the audit log of accesses to other people's data, newest first",
                                      [a](const SignedIn& by) { return audit(by, *a); });
-  log->add_option("--person", a->person, "Only entries by or about this person");
+  log->add_option("--person", a->person, "Print only entries by or about this person");
   log->add_option("--count", a->count, "Maximum number of entries")->check(CLI::Range(1, 1000))->capture_default_str();
-  log->add_option("--before", a->before, "Only entries with a lower number")->check(CLI::PositiveNumber);
+  log->add_option("--before", a->before, "Print only entries with a number below this")->check(CLI::PositiveNumber);
 }
 
 }  // namespace insonate::cli

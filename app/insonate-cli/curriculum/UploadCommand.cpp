@@ -79,11 +79,12 @@ void addUploadCommand(CLI::App& curriculum, Outcome& outcome) {
       ->check(notEmpty());
   command
       ->add_option("--authority", a->authority,
-                   "File (PEM) with the certificate of the authority that signed the server's, if the system does not "
-                   "know it")
+                   "File (PEM) with the certificate of the authority that signed the server's certificate, if the "
+                   "system does not know this authority")
       ->check(CLI::ExistingFile);
-  command->add_option("--as", a->person.name,
-                      "Person who signs in to insonate-server at this computer, and can use it from then on");
+  command->add_option(
+      "--as", a->person.name,
+      "Name of a person who signs in to insonate-server at this computer, and can use this computer from then on");
   command->add_option("--password-file", a->person.passwordFile,
                       "File whose first line is this person's password; by default INSONATE_PASSWORD, or else the "
                       "command asks for it");

@@ -123,10 +123,10 @@ Result<Answer> verify(const SignedIn& by, const std::string& anchorText) {
   answer.object.update({{"whole", found->differences.empty()}, {"anchor", nullptr}});
   answer.object.update(countsJson(*facts));
   if (!found->differences.empty()) {
-    answer.failure = facts->place + " is not as its recordings, its log and its attempts have it: " +
+    answer.failure = facts->place + " does not agree with its recordings, its log and its attempts: " +
                      std::to_string(found->differences.size()) +
-                     " values differ, and no anchor is given. Another program has written to the database. Compare it "
-                     "with a backup.";
+                     " values differ, and no anchor is given. Another program has written to the database. Compare the "
+                     "database with a backup.";
     return answer;
   }
   const auto anchor = AuditLog(by).anchor();
@@ -142,10 +142,10 @@ Result<Answer> verify(const SignedIn& by, const std::string& anchorText) {
 
 void addVerifyCommand(CLI::App& curriculum, Outcome& outcome) {
   auto anchor = std::make_shared<std::string>();
-  addSignedInCommand(
-      curriculum, outcome, "verify",
-      "Verify a store: pages, keys and hashes, and its attempts and standings against recordings and log",
-      [anchor](const SignedIn& by) { return verify(by, *anchor); })
+  addSignedInCommand(curriculum, outcome, "verify",
+                     "Verify a store: check its pages, keys and hashes, and compare its attempts and standings with "
+                     "recordings and log",
+                     [anchor](const SignedIn& by) { return verify(by, *anchor); })
       ->add_option("--anchor", *anchor,
                    "NUMBER:HASH from an earlier verify: checks that the log was not rewritten since");
 }

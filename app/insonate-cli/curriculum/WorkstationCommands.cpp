@@ -74,11 +74,13 @@ Result<Answer> list(const SignedIn& by) {
 void addWorkstationCommands(CLI::App& curriculum, Outcome& outcome) {
   CLI::App& workstations = *curriculum.add_subcommand(
       "workstations",
-      "Tokens with which workstations send attempts to the server (insonate-server); for administrators");
+      "Manage the tokens with which workstations send attempts to the server (insonate-server); for administrators");
   workstations.require_subcommand(1);
   const auto a = std::make_shared<WorkstationArguments>();
   const auto addName = [a](CLI::App* command) {
-    command->add_option("NAME", a->name, "The workstation's name, as 'hostname' prints it there")->required();
+    command
+        ->add_option("NAME", a->name, "Name of the workstation, as the command 'hostname' prints it on that computer")
+        ->required();
     return command;
   };
   addName(addSignedInCommand(workstations, outcome, "add", "Add a workstation and make its token",

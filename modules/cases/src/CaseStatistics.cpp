@@ -9,7 +9,7 @@ Result<CaseStatistics> caseStatistics(const CaseView& patient, const Progress& p
   const VolumeGeometry& grid = patient.ct.geometry;
   const std::size_t slice = std::size_t(grid.size[0]) * grid.size[1], count = patient.ct.voxels.size();
   if (count == 0 || count != grid.voxelCount() || patient.labels.voxels.size() != count)
-    return fail("The case has no voxels, or not as many labels as voxels. Import it again.");
+    return fail("The case has no voxels, or not as many labels as voxels. Import the case again.");
   CaseStatistics s;
   s.voxel_mm3 = grid.spacing_mm.x * grid.spacing_mm.y * grid.spacing_mm.z;
   s.least_HU = s.most_HU = patient.ct.voxels.front();

@@ -149,7 +149,7 @@ std::optional<StartPose> onFront(const PatientBody& body, const VolumeGeometry& 
 Result<StartPose> poseOver(const CaseView& patient, const Target& target) {
   if (auto pose = overTarget(PatientBody(patient), target, diagonal_mm(patient.ct.geometry))) return *pose;
   return fail("No skin was found in front of the target \"" + target.name +
-              "\" within the volume. Correct its position or mark a start pose.");
+              "\" within the volume. Correct the position of the target, or mark a start pose.");
 }
 
 Result<StartPose> proposeStartPose(const CaseView& patient) {

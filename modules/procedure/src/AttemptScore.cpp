@@ -154,7 +154,7 @@ std::string adviceOnMetric(const std::vector<MetricScore>& metrics) {
   const MetricScore* least = nullptr;
   for (const MetricScore& metric : metrics)
     if (metric.share && *metric.share < 100 && (!least || *metric.share < *least->share)) least = &metric;
-  return least ? least->norm->advice : "Nothing is to be done better: do it as well the next time.";
+  return least ? least->norm->advice : "No improvement is needed: repeat the attempt in the same way.";
 }
 
 std::string adviceOf(const ProcedureRun& run, const std::vector<MetricScore>& metrics) {

@@ -135,7 +135,7 @@ Result<LabelMap> autoLabel(const CtVolume& ct, const Progress& progress) {
   } catch (const Cancelled&) {
     return fail(std::string(kCancelled));
   } catch (const std::bad_alloc&) {
-    return fail("There is not enough memory to label this CT. Close other programs or crop it.");
+    return fail("There is not enough memory to label this CT. Close other programs or crop the CT.");
   }
 }
 

@@ -27,7 +27,7 @@ auto guarded(const Function& work) -> typename ResultOf<decltype(work())>::type 
   } catch (const Cancelled&) {
     return fail(std::string(kCancelled));
   } catch (const std::bad_alloc&) {
-    return fail("There is not enough memory for this region. Choose a smaller one or close other programs.");
+    return fail("There is not enough memory for this region. Choose a smaller region or close other programs.");
   } catch (const std::exception& e) {
     return fail("This could not be computed: " + std::string(e.what()) + " Try a smaller region.");
   }

@@ -163,7 +163,7 @@ Result<void> checkPosesTouchVolume(const PatientCase& patient, const ImagingSetu
     if (!meets)
       return fail("Pose " + std::to_string(i) + " at " + rounded(path[i].offset) +
                   " mm shows nothing of the case, whose volume extends from " + rounded(bounds_mm.low_mm) + " to " +
-                  rounded(bounds_mm.high_mm) + " mm (patient LPS); move it there, or use auto.");
+                  rounded(bounds_mm.high_mm) + " mm (patient LPS); move the probe there, or use auto.");
   }
   return {};
 }

@@ -84,8 +84,8 @@ std::vector<std::string> poseWarnings(const PatientCase& patient, const ImagingS
   const auto warn = [&](const std::vector<std::size_t>& poses, const std::string& what) {
     if (!poses.empty()) warnings.push_back(subject(poses, path.size()) + " " + what);
   };
-  warn(deep, "the probe's face is more than 15 mm inside the body; move it back onto the skin.");
-  warn(far, "the probe's face is more than 30 mm off the skin; move it onto the skin.");
+  warn(deep, "the probe's face is more than 15 mm inside the body; move the probe back onto the skin.");
+  warn(far, "the probe's face is more than 30 mm off the skin; move the probe onto the skin.");
   warn(outside,
        "more than a quarter of the field of view lies outside the scan, where there are no data. Move the probe.");
   return warnings;

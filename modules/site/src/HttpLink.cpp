@@ -72,8 +72,8 @@ class HttpConnection {
     if (status == kOk) return SiteAnswer{false, std::move(answer)};
     if (status == kUnauthorized)
       return SiteAnswer{true,
-                        "The server does not accept this computer's token: it was revoked, or is mistyped. Ask an "
-                        "administrator for a new one."};
+                        "The server does not accept this computer's token: the token was revoked or mistyped. Ask an "
+                        "administrator for a new token."};
     if (status == kUnprocessable) return SiteAnswer{true, std::move(answer)};
     return fail(address_.url + " answered with status " + std::to_string(status) +
                 ". Check that the address is that of Insonate's server; if it is, try again in a minute.");
@@ -83,8 +83,8 @@ class HttpConnection {
   std::string sentenceOf(CURLcode code) const {
     if (code == CURLE_PEER_FAILED_VERIFICATION)
       return "The certificate of " + address_.url +
-             " is not valid for this name, or is of an authority that this computer does not trust. Ask the site's "
-             "administrator for the file of the authority's certificate.";
+             " is not valid for this name, or was signed by an authority that this computer does not trust. Ask the "
+             "server's administrator for the certificate file of the authority.";
     if (code == CURLE_SSL_CACERT_BADFILE)
       return "The authority's certificate " + address_.authority.string() + " cannot be read. Name a file in PEM.";
     return address_.url + " cannot be reached (" + curl_easy_strerror(code) + "). Check the address and the network.";
@@ -112,7 +112,8 @@ Result<SiteLink> httpLink(const SiteAddress& address) {
   if (kept.url.starts_with("http://") && !isLoopback(hostOf(kept.url)))
     return fail(kept.url + " would send passwords unencrypted over the network. Use https://.");
   if (kept.token.empty() || kept.token.find_first_not_of("0123456789abcdef") != std::string::npos)
-    return fail("The token has other characters than 0-9 and a-f. Copy it as the server's administrator received it.");
+    return fail(
+        "The token has characters other than 0-9 and a-f. Copy the token as the server's administrator received it.");
   SiteLink link{.place = kept.url, .ask = {}};
   link.ask = [connection = std::make_shared<HttpConnection>(std::move(kept))](
                  const std::string& path, const std::string& body) { return connection->ask(path, body); };

@@ -95,7 +95,7 @@ class Comparison {
 
 /// Reason why an attempt cannot be recomputed; empty if it can be.
 std::string whyNotRecomputed(const KeptAttempt& kept) {
-  if (kept.crashed) return "its recording broke off";
+  if (kept.crashed) return "the recording stopped early";
   if (kept.facts.recording.empty()) return "it has no recording";
   if (!kept.recordingFile.empty()) return "";
   return "its recording '" + kept.facts.recording + "' of " + kept.facts.workstation + " is not kept by this store";

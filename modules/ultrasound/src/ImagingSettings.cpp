@@ -155,7 +155,7 @@ Result<void> checkRanges(const Settings& settings) {
                 "; it must be odd, so that one angle is straight.");
   if (settings.elevationPlanes % 2 == 0)
     return fail("settings: elevationPlanes is " + std::to_string(settings.elevationPlanes) +
-                "; it must be odd, so that one plane is the imaging plane.");
+                "; it must be odd, so that one plane is the image plane.");
   return {};
 }
 

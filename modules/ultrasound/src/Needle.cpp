@@ -21,11 +21,11 @@ Result<void> checkRange(const char* what, double value, double low, double high)
 Result<void> validate(const Needle& needle) {
   constexpr double kUnit = 1e-3;
   if (!isFinite(needle.tip_mm) || !isFinite(needle.direction) || !isFinite(needle.bevelNormal))
-    return fail("The needle's tip, direction and bevel must be numbers; one is not finite.");
+    return fail("The tip, direction and bevel of the needle must be finite numbers; one of them is not finite.");
   if (std::abs(norm(needle.direction) - 1) > kUnit)
     return fail("The needle's direction is " + number(norm(needle.direction)) + " long; give a vector of length 1.");
   if (norm(cross(needle.bevelNormal, needle.direction)) < kUnit)
-    return fail("The needle's bevel faces along its shaft; give a direction across it.");
+    return fail("The bevel of the needle faces along its shaft; give a direction that is not along the shaft.");
   if (auto ok = checkRange("radius", needle.radius_mm, 0.1, 2); !ok) return ok;
   return checkRange("length", needle.length_mm, 1, 300);
 }

@@ -126,7 +126,7 @@ def comment(driver, base, folder):
         WebDriverWait(driver, 30).until(lambda _: driver.current_url == attempt)
     except TimeoutException:
         yield f"signing in leads to {driver.current_url}, not to {attempt}"
-    for time, expected in {"soon": "is no time", "0:01": "Hold the probe still."}.items():
+    for time, expected in {"soon": "is not a time", "0:01": "Hold the probe still."}.items():
         field = driver.find_element(By.NAME, "at")
         field.clear()
         field.send_keys(time)

@@ -146,7 +146,7 @@ class Https(InAFolder):
             self.assertIn(said, error)
             self.assertEqual(len(error.splitlines()), 1, error)
         self.assertIn("belong together", refusal("--demo", "--certificate", chain)[1])
-        self.assertIn("no IP address", refusal("--demo", "--proxy", "proxy.example")[1])
+        self.assertIn("not an IP address", refusal("--demo", "--proxy", "proxy.example")[1])
 
 
 class Operation(InAFolder):

@@ -80,7 +80,7 @@ TEST_F(CheckPage, ALandmarkThatIsMarkedAgainMovesAndAnotherOneIsAnother) {
   ASSERT_EQ(shared_->places.value().landmarks.size(), 2u) << "a neck has one cricoid";
   EXPECT_EQ(shared_->places.value().landmarks[0].position_mm, (Vec3{-5, 8, 2}));
   EXPECT_EQ(shared_->statusLine.text(),
-            "\"cricoid cartilage\" was marked before and has moved to the crosshair; Ctrl+Z undoes it.");
+            "\"cricoid cartilage\" existed already and was moved to the crosshair; Ctrl+Z undoes the move.");
   shared_->openCase.undoStack().undo();
   ASSERT_EQ(shared_->places.value().landmarks.size(), 2u);
   EXPECT_NE(shared_->places.value().landmarks[0].position_mm, (Vec3{-5, 8, 2}));
@@ -162,13 +162,13 @@ TEST_F(CheckPage, DifficultyShowsItsMeasuresAndTheAuthorsGradeGoesBefore) {
   // Skin from -0.5 mm, vein from 7.5 mm: voxels begin half before their middles.
   EXPECT_TRUE(text("gradeMeasures").contains("depth of the vein: 8.0 mm")) << text("gradeMeasures").toStdString();
   auto* grade = child<QComboBox>("grade");
-  EXPECT_EQ(grade->currentText(), "as estimated");
+  EXPECT_EQ(grade->currentText(), "estimated difficulty");
   grade->setCurrentIndex(grade->findText("hard"));
   Q_EMIT grade->activated(grade->currentIndex());
   EXPECT_EQ(shared_->places.value().difficulty, "hard");
   EXPECT_TRUE(checkedAgain([this] { return finds("difficulty_differs"); }));
   shared_->openCase.undoStack().undo();
-  EXPECT_EQ(grade->currentText(), "as estimated");
+  EXPECT_EQ(grade->currentText(), "estimated difficulty");
 }
 
 TEST_F(CheckPage, PressingFlattensTheVeinAndIsNotKeptAsTheStart) {

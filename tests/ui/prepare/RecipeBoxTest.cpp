@@ -63,7 +63,7 @@ TEST_F(RecipeWindow, AStepThatCannotBeDoneLeavesTheLabelsAsTheyWere) {
   choose("recipeReplay", "recipeReplayDialog", file("bad.json"));
   ASSERT_TRUE(replayed());
   EXPECT_EQ(labels().voxels, patient()->labels.voxels);
-  EXPECT_TRUE(workspace_->statusText().contains("as they were")) << workspace_->statusText().toStdString();
+  EXPECT_TRUE(workspace_->statusText().contains("the labels are unchanged")) << workspace_->statusText().toStdString();
 }
 
 TEST_F(RecipeWindow, ACancelLeavesTheLabelsAsTheyWere) {
@@ -82,7 +82,7 @@ TEST_F(RecipeWindow, ACancelLeavesTheLabelsAsTheyWere) {
   ASSERT_TRUE(replayed());
   EXPECT_EQ(labels().voxels, patient()->labels.voxels);
   EXPECT_TRUE(shared_->terms.value().own.empty()) << "nor are its names";
-  EXPECT_TRUE(workspace_->statusText().contains("as they were")) << workspace_->statusText().toStdString();
+  EXPECT_TRUE(workspace_->statusText().contains("the labels are unchanged")) << workspace_->statusText().toStdString();
 }
 
 TEST_F(RecipeWindow, NamesOfItsLabelsComeWithARecipe) {

@@ -192,7 +192,7 @@ TEST_F(Saving, WhereTheProbeIsBecomesTheStartOfACaseThatHasNone) {
   const Transform stood = *shared_->live.pose();
   EXPECT_EQ(keep->text(), "Set start pose");
   keep->click();
-  EXPECT_TRUE(workspace_->statusText().startsWith("The start pose is set here"))
+  EXPECT_TRUE(workspace_->statusText().startsWith("The probe's pose is now the start pose"))
       << workspace_->statusText().toStdString();
   EXPECT_FALSE(keep->isVisible());
   EXPECT_TRUE(edited());

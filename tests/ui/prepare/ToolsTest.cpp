@@ -214,11 +214,11 @@ TEST_F(Tools, AToolInHandHasMouseAndKeysBeforeTheGuideAndSaysSo) {
   steps->setCurrentItem(steps->topLevelItem(1));
   auto* clicks = child<QLabel>("guideClicks");
   QApplication::processEvents();
-  ASSERT_TRUE(clicks->text().startsWith("No click yet"));
+  ASSERT_TRUE(clicks->text().startsWith("No clicks yet"));
   const QString step = child<QLabel>("guideTitle")->text();
   key(Qt::Key_6);
   click({0, 30, 0});
-  EXPECT_TRUE(clicks->text().startsWith("No click yet")) << "the tool has the mouse";
+  EXPECT_TRUE(clicks->text().startsWith("No clicks yet")) << "the tool has the mouse";
   EXPECT_TRUE(child<QPushButton>("toolApply")->isEnabled());
   const auto remarks = workspace_->findChildren<QLabel*>();
   EXPECT_TRUE(std::ranges::any_of(

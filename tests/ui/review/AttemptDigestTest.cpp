@@ -153,7 +153,7 @@ TEST_F(Digest, CutShortItIsReadToItsLastSecondAndSaysSo) {
   EXPECT_GT(attempt->end_us, 4'000'000);
   EXPECT_LT(attempt->end_us, 9'000'000);
   ASSERT_FALSE(attempt->troubles.empty());
-  EXPECT_THAT(attempt->troubles.front(), HasSubstr("broke off, so the attempt counts as abandoned"));
+  EXPECT_THAT(attempt->troubles.front(), HasSubstr("stopped early, so the attempt counts as abandoned"));
   EXPECT_TRUE(attempt->score) << "what is there is whole";
   EXPECT_EQ(attemptsIn(home_.path()).size(), 1u);
 }

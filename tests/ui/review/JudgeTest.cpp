@@ -135,7 +135,7 @@ TEST_F(JudgeTest, TwoInstructorsJudgeAReplayBlindlyAndSeeWhereTheyDiffer) {
   EXPECT_FALSE(child<QRadioButton>("form_consent_done")->isChecked());
   child<QToolButton>("readForms")->click();
   EXPECT_TRUE(text("judgementWords").contains("Dr ina")) << text("judgementWords").toStdString();
-  EXPECT_TRUE(text("judgementWords").contains("visible once you have handed in yours"));
+  EXPECT_TRUE(text("judgementWords").contains("visible once you have handed in your own form"));
   EXPECT_FALSE(table().isVisible()) << "nobody is led by another's answers";
   child<QToolButton>("fillForm")->click();
   fillIn("not_done");
@@ -229,7 +229,7 @@ TEST_F(JudgeTest, AnAdministratorJudgesInAnyClass) {
   openAndJudge();
   EXPECT_TRUE(text("judgeWords").contains("Dr anna")) << text("judgeWords").toStdString();
   child<QToolButton>("readForms")->click();
-  EXPECT_TRUE(text("judgementWords").contains("visible once you have handed in yours")) << "whoever it is";
+  EXPECT_TRUE(text("judgementWords").contains("visible once you have handed in your own form")) << "whoever it is";
   child<QToolButton>("fillForm")->click();
   fillIn("done");
   handIn();

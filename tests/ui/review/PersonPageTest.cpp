@@ -71,7 +71,8 @@ TEST_F(PersonPageTest, LcCusumIsDrawnOnlyWhereTheLevelAsksForIt) {
   showAnna();
   choose("levelShown", "First jugular line");
   EXPECT_TRUE(chart("cusumChart").isEmpty());
-  EXPECT_EQ(chart("cusumChart").words, "n/a: not used at this level, which is mastered by 2 consecutive passes.");
+  EXPECT_EQ(chart("cusumChart").words,
+            "n/a: this level does not use the LC-CUSUM; 2 consecutive passes master the level.");
   choose("levelShown", QString::fromStdString(test.title));
   const ui::ChartPicture& cusum = chart("cusumChart");
   ASSERT_EQ(cusum.lines.size(), 2U) << cusum.words.toStdString();
@@ -121,7 +122,8 @@ TEST_F(PersonPageTest, StandsBesideTheClass) {
   EXPECT_EQ(picture.lines[0].name, "better than 50 % of the others") << "a short way is a good one";
   EXPECT_EQ(placeAmong({30, 30, 10, 30, 30}).lines[0].name, "better than 100 % of the others");
   EXPECT_EQ(placeAmong({20, 10, 20, 30, 20}).lines[0].name, "better than 25 % of the others, as good as 50 %");
-  EXPECT_EQ(placeAmong({20, 20, 20, 20, 20}).lines[0].name, "as good as all the others") << "and better than nobody";
+  EXPECT_EQ(placeAmong({20, 20, 20, 20, 20}).lines[0].name, "equal to all others in the class")
+      << "and better than nobody";
 }
 
 TEST_F(PersonPageTest, AnAttemptIsVoidedWithAReason) {
@@ -225,7 +227,7 @@ TEST_F(PersonPageTest, ATraineeSeesThemselvesAndVoidsNothing) {
   EXPECT_EQ(child<QLabel>("personName")->text(), "Dr anna");
   EXPECT_EQ(history().rowCount(), 2);
   EXPECT_FALSE(child<QPushButton>("voidAttempt")->isVisible());
-  EXPECT_TRUE(chart("placeChart").words.contains("only instructors see the class"));
+  EXPECT_TRUE(chart("placeChart").words.contains("only instructors see the data of the class"));
   QTest::keyClick(workspace_.get(), Qt::Key_4, Qt::AltModifier);
   EXPECT_TRUE(QTest::qWaitFor([&] { return isSeen("attemptsWords"); }, kPatience_ms));
   QTest::keyClick(workspace_.get(), Qt::Key_2, Qt::AltModifier);

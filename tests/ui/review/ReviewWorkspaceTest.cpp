@@ -288,8 +288,8 @@ TEST_F(ReviewWindow, WhatIsMissingIsSaidAndARefusedFileLeavesWhatWasOpen) {
   const QString cut = recorded(home_.filePath("cut"));
   ASSERT_TRUE(QFile(cut).resize(QFile(cut).size() * 7 / 10));
   openAll(cut);
-  EXPECT_TRUE(child<QLabel>("attemptNotice")->text().contains("broke off, so the attempt counts as abandoned"));
-  EXPECT_TRUE(child<QLabel>("attemptFacts")->text().contains("abandoned: its recording broke off"));
+  EXPECT_TRUE(child<QLabel>("attemptNotice")->text().contains("stopped early, so the attempt counts as abandoned"));
+  EXPECT_TRUE(child<QLabel>("attemptFacts")->text().contains("abandoned: the recording stopped early"));
   QFile garbage(home_.filePath("garbage.attempt"));
   ASSERT_TRUE(garbage.open(QIODevice::WriteOnly));
   garbage.write("words");

@@ -25,7 +25,7 @@ class CommandsTest : public testing::Test {
     commands.beginSection("Probe");
     commands.add({.id = "test.probe.slide",
                   .text = {},
-                  .does = "slides the probe 1 mm (Shift 5 mm)",
+                  .does = "slides the probe by 1 mm (with Shift: 5 mm)",
                   .listed = "Left, Right",
                   .keys = {{Qt::Key_Left, {}, [this](KeyPress press) { at_mm -= press.wide ? 5 : 1; }},
                            {Qt::Key_Right, {}, [this](KeyPress press) { at_mm += press.wide ? 5 : 1; }}},

@@ -156,7 +156,7 @@ TEST_F(CurriculumWindowTest, WhatIsWrongIsToldWhereItIsAndKeepsItFromBeingPublis
   untilSaved();
   EXPECT_EQ(draft().levels.front().title, "") << "what is not finished is kept as well";
   levels().setCurrentRow(3);
-  EXPECT_TRUE(troubles().contains("1 more, in levels marked")) << troubles().toStdString();
+  EXPECT_TRUE(troubles().contains("Errors in other levels, which are marked with ▲: 1")) << troubles().toStdString();
 }
 
 TEST_F(CurriculumWindowTest, ItSurvivesClosingAndStepsAreTakenBack) {
@@ -242,7 +242,7 @@ TEST_F(CurriculumWindowTest, TheLimitOfLcCusumIsCalibrated) {
   EXPECT_EQ(part<QLabel>("fewestAttempts").text(), "mastery takes at least 18 attempts");
   part<QDoubleSpinBox>("cusumUnacceptable").setValue(5);
   EXPECT_EQ(part<QLabel>("fewestAttempts").text(),
-            "the rates are too close to distinguish with any number of attempts: raise the unacceptable rate");
+            "the two failure rates are too close to distinguish: raise the unacceptable rate");
   EXPECT_TRUE(troubles().contains("below the 'unacceptable'")) << troubles().toStdString();
   button("cusumCalibrate").click();
   EXPECT_TRUE(waitUntil([&] { return part<QLabel>("cusumCalibrated").text().contains("needs rates of failure"); }));

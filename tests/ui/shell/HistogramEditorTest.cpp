@@ -182,7 +182,7 @@ TEST_F(HistogramEditor, NumbersAreTyped) {
   QTest::keyClick(hu, Qt::Key_Return);
   EXPECT_EQ(editor->function().nodes[2].hu, 251) << "not past its neighbour";
   EXPECT_EQ(hu->value(), 251);
-  EXPECT_TRUE(QToolTip::text().startsWith("Points do not pass each other: this one can be from 251 to "))
+  EXPECT_TRUE(QToolTip::text().startsWith("A point must stay between its neighbors: this point can be from 251 to "))
       << QToolTip::text().toStdString();
   opacity->setFocus();
   opacity->selectAll();

@@ -101,9 +101,9 @@ TEST_F(TrainAttempt, AWholeOneByKeysIsGuidedScoredAndKept) {
   key(Qt::Key_Space);
   type("needle_depth", "-5");
   EXPECT_TRUE(waitFor([&] { return text("attemptDue").contains("All steps are done"); }));
-  EXPECT_TRUE(text("attemptNeedle").contains("needle used"));
+  EXPECT_TRUE(text("attemptNeedle").contains("needle is already used"));
   key(Qt::Key_U);
-  EXPECT_TRUE(waitFor([&] { return text("attemptNeedle").contains("new needle"); }));
+  EXPECT_TRUE(waitFor([&] { return text("attemptNeedle").contains("needle is new"); }));
   EXPECT_EQ(syringe->content(), SyringeView::Content::Nothing);
   finish();
 
@@ -197,7 +197,7 @@ TEST_F(TrainAttempt, ATestIsSilentAndWithoutTheCt) {
   ASSERT_TRUE(waitFor([&] { return attempt_->view().needle == NeedlePlace::Vein; }));
   QTest::qWait(150);
   EXPECT_EQ(heard("Vein"), 0);
-  EXPECT_TRUE(text("attemptNeedle").contains("needle inserted"));
+  EXPECT_TRUE(text("attemptNeedle").contains("needle is inserted"));
   EXPECT_FALSE(text("needleWords").contains("vein")) << text("needleWords").toStdString();
   finish();
   EXPECT_TRUE(shown("sceneTab"));

@@ -102,7 +102,7 @@ TEST_F(TrainCourse, AnAttemptWhoseRecordingBrokeOffIsAbandonedAndSaysWhy) {
   open("courseAttempts");
   ASSERT_TRUE(waitFor([&] { return history().rowCount() == 2; }));
   EXPECT_EQ(cell(0, 2), "abandoned");
-  EXPECT_TRUE(history().item(0, 2)->toolTip().contains("Abandoned: its recording broke off"))
+  EXPECT_TRUE(history().item(0, 2)->toolTip().contains("Abandoned: the recording stopped early"))
       << history().item(0, 2)->toolTip().toStdString();
   EXPECT_FALSE(history().item(1, 2)->toolTip().contains("Abandoned"));
 }
@@ -117,7 +117,7 @@ TEST_F(TrainCourse, UnreadCommentsAreCountedUntilTheyAreRead) {
   open("courseAttempts");
   ASSERT_TRUE(waitFor([&] { return history().rowCount() == 2 && cell(0, 5) == "1, 1 unread"; }));
   EXPECT_EQ(cell(1, 5), "");
-  EXPECT_EQ(text("historyWords"), "You have 1 unread comment. Open its attempt in Review to read it.");
+  EXPECT_EQ(text("historyWords"), "You have 1 unread comment. Open the attempt in Review to read the comment.");
   child<QPushButton>("courseBack")->click();
   ASSERT_TRUE(CommentStore(tess).markRead(attempt));
   open("courseAttempts");
@@ -128,9 +128,10 @@ TEST_F(TrainCourse, UnreadCommentsAreCountedUntilTheyAreRead) {
 TEST(LevelWords, ALevelSaysHowManyAttemptsItTakesAtLeast) {
   Level level;
   level.mastery.passesInARow = 3;
-  EXPECT_EQ(masteryOf(level), "3 passes in a row");
+  EXPECT_EQ(masteryOf(level), "3 consecutive passes");
   level.mastery.cusum = CusumRule{0.1, 0.4, 4.07};
-  EXPECT_EQ(masteryOf(level), "3 passes in a row; the learning score LC-CUSUM reaches 4.07; at least 11 attempts");
+  EXPECT_EQ(masteryOf(level),
+            "3 consecutive passes; the learning curve score LC-CUSUM reaches 4.07; at least 11 attempts");
 }
 
 TEST_F(TrainCourse, MoreThanAPageOfAttemptsComesOnDemand) {
@@ -281,7 +282,7 @@ TEST_F(HostileCourse, NamesAreShownAsTheyAre) {
   child<QPushButton>("courseBack")->click();
   openWide();
   makeAttempt();
-  EXPECT_TRUE(text("levelChanges").contains("'" + hostile + "second' is open now."))
+  EXPECT_TRUE(text("levelChanges").contains("The level '" + hostile + "second' is open now."))
       << text("levelChanges").toStdString();
   EXPECT_EQ(child<QLabel>("levelChanges")->textFormat(), Qt::PlainText);
   ASSERT_TRUE(waitFor([&] { return stored().size() == 1; }));

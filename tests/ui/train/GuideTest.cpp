@@ -51,15 +51,15 @@ TEST_F(TrainGuide, EachActIsNamedWithItsKeyAndItsControlIsMarked) {
   auto* positions = child<QComboBox>("attemptPosition");
   Q_EMIT positions->activated(positions->findText("Trendelenburg 15"));
   model_->imaging.setTilt(15);
-  EXPECT_TRUE(says("Compress with +, then release with -")) << text("attemptAct").toStdString();
+  EXPECT_TRUE(says("Compress the tissue with +, then release it with -")) << text("attemptAct").toStdString();
   EXPECT_EQ(actOf("scan", {}).control, "");
   for (int i = 0; i < 8; ++i) key(Qt::Key_Right);
   EXPECT_TRUE(says("Slide the probe")) << "the vein is no longer in the middle";
   for (int i = 0; i < 8; ++i) key(Qt::Key_Left);
-  EXPECT_TRUE(says("Compress with +, then release with -"));
+  EXPECT_TRUE(says("Compress the tissue with +, then release it with -"));
   EXPECT_TRUE(workspace_->findChild<QWidget*>("indentation")) << "the field that the act marks while it is in sight";
   for (int i = 0; i < 20; ++i) key(Qt::Key_Plus);
-  EXPECT_TRUE(says("press I, or click the button in-plane")) << text("attemptAct").toStdString();
+  EXPECT_TRUE(says("press I, or click the button \"in-plane\"")) << text("attemptAct").toStdString();
   EXPECT_TRUE(marks("stripAlong"));
   for (int i = 0; i < 20; ++i) key(Qt::Key_Minus);
 
@@ -71,8 +71,8 @@ TEST_F(TrainGuide, EachActIsNamedWithItsKeyAndItsControlIsMarked) {
   EXPECT_TRUE(says("flatter: press Alt+S"));
   type("needle_angle", "58");
   EXPECT_TRUE(
-      says("The needle misses the vein. Aim at the vein: slide the entry with Alt+arrows, or change heading with "
-           "Alt+Q and Alt+E or angle with Alt+W and Alt+S."))
+      says("The needle misses the vein. Aim at the vein: slide the entry point with Alt+arrows, or change the heading "
+           "with Alt+Q and Alt+E or the angle with Alt+W and Alt+S."))
       << text("attemptAct").toStdString();
   hands().needleTo({-7.5, 0, 12});
   EXPECT_TRUE(says("press Page Down")) << text("attemptAct").toStdString();
@@ -147,13 +147,14 @@ TEST_F(TrainGuide, ANeedleThatMissesTheVeinIsAimedOrWithdrawn) {
   const auto under = [&](NeedleAim aim) { return actOf("vein", now, NeedlePlace::Underway, aim); };
   EXPECT_EQ(under(NeedleAim::Beside).control, "needleWithdraw") << "the tissue holds it";
   now.canTurnNeedle = true;
-  EXPECT_EQ(under(NeedleAim::Artery).words,
-            "The needle points at the artery. Aim at the vein: change heading with Alt+Q and Alt+E or angle with Alt+W "
-            "and Alt+S.");
+  EXPECT_EQ(
+      under(NeedleAim::Artery).words,
+      "The needle points at the artery. Aim at the vein: change the heading with Alt+Q and Alt+E or the angle with "
+      "Alt+W and Alt+S.");
   EXPECT_EQ(under(NeedleAim::Vein).control, "attemptDraw");
   now.isNeedleInDevice = true;
   EXPECT_EQ(under(NeedleAim::Beside).words,
-            "The needle misses the vein. Withdraw it to the skin with its device, and aim at the vein.");
+            "The needle misses the vein. Withdraw the needle to the skin with its device, and aim at the vein.");
 }
 
 TEST_F(TrainGuide, TheAimIsALineInPlaneAndACrossOutOfPlane) {

@@ -72,7 +72,8 @@ TEST_F(TrainLevel, AWholeOneFromChoosingItToTheNextThatOpens) {
   makeAttempt();
   EXPECT_TRUE(text("levelVerdict").contains("Passed")) << text("levelVerdict").toStdString();
   EXPECT_TRUE(text("levelStandards").contains("2 of 2 standards met")) << text("levelStandards").toStdString();
-  EXPECT_TRUE(text("levelChanges").contains("'The second one' is open now.")) << text("levelChanges").toStdString();
+  EXPECT_TRUE(text("levelChanges").contains("The level 'The second one' is open now."))
+      << text("levelChanges").toStdString();
   ASSERT_TRUE(waitFor([&] { return unsent().isEmpty() && !stored().empty(); }));
   const AttemptFacts facts = stored().front().facts;
   EXPECT_EQ(facts.level, "first");
@@ -271,7 +272,7 @@ TEST_F(TrainLevel, AnotherCaseOrPersonLeavesTheLevel) {
   key(Qt::Key_Return, Qt::ControlModifier);
   ASSERT_TRUE(waitFor([&] { return attempt_->isRunning(); }));
   levels_->choose("first");
-  EXPECT_TRUE(workspace_->statusText().contains("Finish the attempt first"));
+  EXPECT_TRUE(workspace_->statusText().contains("First finish or abandon the attempt"));
   account_->signOut();
   EXPECT_FALSE(levels_->level());
 }

@@ -45,7 +45,7 @@ TEST_F(TrainNeedle, PushedInItSaysOnceWhatItEntersAndLeaves) {
   type("needle_depth", "12");
   ASSERT_TRUE(waitFor([&] { return lying().in == kVein; })) << workspace_->statusText().toStdString();
   EXPECT_TRUE(waitFor([&] { return heard("Vein entered") == 1; }));
-  EXPECT_EQ(heard("Through the skin"), 1);
+  EXPECT_EQ(heard("The needle is through the skin"), 1);
   EXPECT_TRUE(waitFor([&] { return child<QLabel>("needleWords")->text().startsWith("in vein, inserted 1"); }));
   type("needle_depth", "22");
   EXPECT_TRUE(waitFor([&] { return heard("posterior wall of the vein") == 1; }));
@@ -86,10 +86,10 @@ TEST_F(TrainNeedle, WhereItCannotGoIsSaidAndLeavesIt) {
   // All the way: freezing stops it where it is, and the number follows.
   ASSERT_TRUE(waitFor([&] { return std::abs(held().advance_mm - 15) < 1e-9; }));
   key(Qt::Key_W, Qt::AltModifier);
-  EXPECT_TRUE(workspace_->statusText().contains("Withdraw it to a depth of 10 mm"))
+  EXPECT_TRUE(workspace_->statusText().contains("Withdraw the needle to an insertion length of 10 mm"))
       << workspace_->statusText().toStdString();
   key(Qt::Key_Left, Qt::AltModifier);
-  EXPECT_TRUE(workspace_->statusText().contains("Withdraw it before"));
+  EXPECT_TRUE(workspace_->statusText().contains("Withdraw the needle before"));
   type("needle_depth", "99");
   EXPECT_NEAR(hands().wantedAdvance_mm(), 15, 1e-9) << "longer than the needle";
   key(Qt::Key_Space);

@@ -368,7 +368,7 @@ TEST_F(ProbeEditing, PastedDroppedBadAndCancelled) {
   std::ofstream(folder / "notes.txt") << "no image";
   dialog.openPicture(QString::fromStdString((folder / "notes.txt").string()));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.isWorking(); }, kPatience_ms));
-  EXPECT_TRUE(dialog.message().contains("no image that can be read")) << dialog.message().toStdString();
+  EXPECT_TRUE(dialog.message().contains("not an image that can be read")) << dialog.message().toStdString();
 
   QImage black(640, 480, QImage::Format_RGB32);
   black.fill(Qt::black);
@@ -379,7 +379,7 @@ TEST_F(ProbeEditing, PastedDroppedBadAndCancelled) {
   EXPECT_TRUE(dialog.findChild<FitCanvas*>()->shape()) << "to be placed by hand";
   dialog.openPicture(QString::fromStdString((folder / "notes.txt").string()));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.isWorking(); }, kPatience_ms));
-  EXPECT_TRUE(dialog.message().contains("no image that can be read"));
+  EXPECT_TRUE(dialog.message().contains("not an image that can be read"));
   EXPECT_TRUE(std::ranges::any_of(dialog.findChildren<QLabel*>(), [](const QLabel* label) {
     return label->isVisible() && label->text().startsWith("No field of view was found");
   })) << "what is said of the picture before, which is still shown";

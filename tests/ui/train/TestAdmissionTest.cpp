@@ -123,7 +123,7 @@ TEST_F(TrainAdmission, TheStoreDecidesAndNotTheWindow) {
 TEST_F(TrainAdmission, ATestWithoutAnInstructorIsTakenAlone) {
   signIn();
   showExam();
-  ASSERT_TRUE(waitForTest("without an instructor: it counts and is shown as self-administered"))
+  ASSERT_TRUE(waitForTest("without an instructor: the attempt counts and is shown as self-administered"))
       << text("levelTest").toStdString();
   child<QPushButton>("levelPractise")->click();
   ASSERT_TRUE(levels_->level());

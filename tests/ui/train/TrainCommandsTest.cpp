@@ -220,8 +220,7 @@ TEST_F(TrainCommands, NumberKeysRecallPositionsInTheirOrder) {
 
 TEST_F(TrainCommands, TooltipsAndMenusSayTheKeysOfTheCommands) {
   const auto& commands = workspace_->commands();
-  EXPECT_EQ(child<QPushButton>("freeze")->toolTip().toStdString(),
-            "Freezes the image, or makes it live again (Space, F)");
+  EXPECT_EQ(child<QPushButton>("freeze")->toolTip().toStdString(), "Freezes or unfreezes the image (Space, F)");
   const std::pair<const char*, const char*> same[] = {{"ctBesideButton", "train.image.ctBeside"},
                                                       {"attemptDraw", "train.attempt.aspirate"},
                                                       {"attemptNewNeedle", "train.attempt.newNeedle"},

@@ -154,7 +154,7 @@ TEST_F(TrainLayout, FourSlicesAreMeasuredAndShownLikeOne) {
   EXPECT_EQ(all->slice(1).crosshair_mm(), crosshair) << "a measuring drag does not move the crosshair";
   key(Qt::Key_Delete);
   key(Qt::Key_Z);
-  EXPECT_EQ(workspace_->statusText(), "Undone: removal of the measurements.");
+  EXPECT_EQ(workspace_->statusText(), "Undone: removal of all measurements.");
 }
 
 TEST_F(TrainLayout, MirrorsForTheLeftHandAndRemembers) {
@@ -320,7 +320,7 @@ TEST_F(TrainLayout, TheSliceIsMeasuredAndMeasuresComeBack) {
   key(Qt::Key_Delete);
   EXPECT_TRUE(QTest::qWaitFor([&] { return whites() <= before; }, 5000));
   key(Qt::Key_Z);
-  EXPECT_EQ(workspace_->statusText(), "Undone: removal of the measurements.");
+  EXPECT_EQ(workspace_->statusText(), "Undone: removal of all measurements.");
   EXPECT_TRUE(QTest::qWaitFor([&] { return whites() >= before + 4; }, 5000));
 }
 
@@ -373,7 +373,7 @@ TEST_F(PositionList, ThoseOfTheCaseStay) {
   list->setCurrentRow(0);
   QTest::keyClick(list, Qt::Key_Delete);
   EXPECT_EQ(list->count(), 1);
-  EXPECT_TRUE(workspace_->statusText().contains("cannot be changed; only your own can"));
+  EXPECT_TRUE(workspace_->statusText().contains("You can change only your own positions"));
   QTest::keyClick(list, Qt::Key_F2);
   EXPECT_FALSE(list->findChild<QLineEdit*>());
 }

@@ -92,7 +92,7 @@ TEST_F(TrainWindow, UndoAndRedoGoThroughMovesAndSettingsInOrder) {
   key(Qt::Key_Z);
   EXPECT_EQ(model_->imaging.settings().depth_mm, depth_mm);
   EXPECT_EQ(child<ui::ValueSlider>("depth")->value(), depth_mm);
-  EXPECT_EQ(workspace_->statusText(), "Undone: setting of the image.");
+  EXPECT_EQ(workspace_->statusText(), "Undone: change of an image setting.");
   EXPECT_EQ(model_->motion.state(), moved);
   key(Qt::Key_Z);
   EXPECT_EQ(model_->motion.state(), start);
@@ -322,7 +322,7 @@ TEST_F(TrainWindow, SaysThatACaseHasNoVessels) {
   EXPECT_FALSE(note->isVisible());
   workspace_->setCase(cutCase());
   EXPECT_TRUE(QTest::qWaitFor([&] { return note->isVisible(); }, kPatience_ms));
-  EXPECT_TRUE(note->text().contains("Label them under Prepare")) << note->text().toStdString();
+  EXPECT_TRUE(note->text().contains("Label the vessels in Prepare")) << note->text().toStdString();
   workspace_->setCase(patient());
   EXPECT_FALSE(note->isVisible());
 }

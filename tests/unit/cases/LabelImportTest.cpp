@@ -158,7 +158,7 @@ TEST(LabelImport, LabelsOfAnotherPlaceAreRefused) {
   test::TemporaryFolder folder;
   test::writeRawNrrd(folder / "l.seg.nrrd", header("2 1 1", "(900,202,-48)") + kVeinSegment, "\1\1");
   EXPECT_THAT(importLabels(blankCase(), folder / "l.seg.nrrd").error().message,
-              testing::AllOf(HasSubstr("l.seg.nrrd"), HasSubstr("drawn on another one")));
+              testing::AllOf(HasSubstr("l.seg.nrrd"), HasSubstr("drawn on another CT")));
 }
 
 TEST(LabelImport, ItkSnapsDescriptionNamesTheNumbers) {

@@ -111,8 +111,8 @@ TEST(ClassList, EachWrongLineIsToldAndCostsItselfAlone) {
   EXPECT_THAT(sentences,
               ElementsAre(HasSubstr("Line 2: The name is missing"), HasSubstr("Line 3: 'b at x.org' is not an e-mail"),
                           HasSubstr("Line 4: There is neither user name"), HasSubstr("Line 5: A name to sign in has"),
-                          HasSubstr("Line 7: This is the same person as in line 6"),
-                          HasSubstr("Line 8: This is the same person as in line 6"),
+                          HasSubstr("Line 7: This person is the same as in line 6"),
+                          HasSubstr("Line 8: This person is the same as in line 6"),
                           HasSubstr("Line 9: This line has more fields")));
   ASSERT_EQ(list.entries.size(), 2U);
   EXPECT_EQ(list.entries[0].line, 6);

@@ -62,7 +62,7 @@ TEST(AttemptScore, CleanAttemptHasAllPoints) {
   EXPECT_EQ(score.points, 100);
   EXPECT_TRUE(score.succeeded);
   EXPECT_TRUE(score.criticalErrors.empty());
-  EXPECT_EQ(score.advice, "Nothing is to be done better: do it as well the next time.");
+  EXPECT_EQ(score.advice, "No improvement is needed: repeat the attempt in the same way.");
   EXPECT_THAT(sentences(score), ElementsAre("The skin is punctured.", "The vein is reached."));
   EXPECT_EQ(score.moments[0].time_us, 2'600'000) << "2.1 s, and 5 mm at 10 mm/s";
   EXPECT_EQ(score.moments[1].time_us, 4'600'000);

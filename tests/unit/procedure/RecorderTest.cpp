@@ -181,7 +181,7 @@ TEST_F(RecorderTest, NothingIsWrittenOver) {
   std::filesystem::rename(file, part);
   const auto earlier = AttemptRecorder::start(file, header());
   ASSERT_FALSE(earlier);
-  EXPECT_THAT(earlier.error().message, HasSubstr("broke off earlier"));
+  EXPECT_THAT(earlier.error().message, HasSubstr("was not completed"));
   EXPECT_EQ(test::bytesOf(part), "a letter");
   const auto nowhere = AttemptRecorder::start(folder / "no/such/folder/a.insonate", header());
   ASSERT_FALSE(nowhere);
@@ -231,7 +231,7 @@ TEST_F(RecorderTest, AFullDisk) {
   setrlimit(RLIMIT_FSIZE, &old);
   std::signal(SIGXFSZ, ignored);
   ASSERT_FALSE(finished);
-  EXPECT_THAT(finished.error().message, HasSubstr("cannot be written any more"));
+  EXPECT_THAT(finished.error().message, HasSubstr("can no longer be written"));
   EXPECT_THAT(finished.error().message, HasSubstr(part.string()));
   EXPECT_EQ((*recorder)->trouble(), finished.error().message);
   EXPECT_THAT((*recorder)->metrics()[Metric::AttemptTime], testing::Optional(testing::DoubleNear(9, 0.01)));
@@ -262,7 +262,7 @@ TEST_F(RecorderTest, AKilledProgramLeavesAllButTheLastSecond) {
   EXPECT_GT(recording->end_us(), 4'500'000);
   ASSERT_EQ(recording->troubles().size(), 1u);
   EXPECT_THAT(recording->troubles()[0],
-              HasSubstr("broke off, so the attempt counts as abandoned; it can be read up to"));
+              HasSubstr("stopped early, so the attempt counts as abandoned; the recording can be read up to"));
   EXPECT_TRUE(recording->metricsUntil());
 }
 

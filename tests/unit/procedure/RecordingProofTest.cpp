@@ -280,7 +280,7 @@ TEST_F(RecordingProofTest, ACutFileProvesNothingOfItsEnd) {
   for (const std::size_t missing : {std::size_t{1}, std::size_t{100}, bytes.size() / 2}) {
     const RecordingProof proof = proofWith(std::string_view(bytes).substr(0, bytes.size() - missing));
     EXPECT_EQ(proof.state, ProofState::Unproven) << missing;
-    EXPECT_THAT(proof.why, HasSubstr("broke off"));
+    EXPECT_THAT(proof.why, HasSubstr("stopped early"));
   }
   EXPECT_EQ(AttemptRecording::open(folder / "changed")->status(), AttemptStatus::CutShort);
 }
@@ -304,7 +304,7 @@ TEST_F(RecordingProofTest, FormatThreeIsReadAndProvesNothing) {
   for (const Bytes& block : all) old.append(block.begin(), block.end());
   const RecordingProof proof = proofWith(old);
   EXPECT_EQ(proof.state, ProofState::Unproven);
-  EXPECT_THAT(proof.why, HasSubstr("by an earlier program"));
+  EXPECT_THAT(proof.why, HasSubstr("by an earlier version of the program"));
   const auto recording = AttemptRecording::open(folder / "changed");
   ASSERT_TRUE(recording) << recording.error().message;
   EXPECT_TRUE(recording->troubles().empty());

@@ -140,7 +140,7 @@ TEST_P(GuideDoubts, AVeinOfUsualWidthIsNotDoubted) {
 }
 
 TEST_P(GuideDoubts, AThinOneIsDoubtedWithItsDiameter) {
-  EXPECT_THAT(textsAbout(vein, clicks_mm, veinOf(1.6)), ElementsAre(HasSubstr("usual are 5 to 25 mm.")));
+  EXPECT_THAT(textsAbout(vein, clicks_mm, veinOf(1.6)), ElementsAre(HasSubstr("the usual range is 5 to 25 mm.")));
 }
 
 TEST_P(GuideDoubts, OneThatLiesAgainstTheAirwayIsDoubted) {

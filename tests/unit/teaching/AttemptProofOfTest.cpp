@@ -115,7 +115,7 @@ TEST_F(AttemptProofOfTest, WhatWasCutShortIsOfTheStoreAndUnproven) {
   std::filesystem::resize_file(file, std::filesystem::file_size(file) - 40);
   EXPECT_EQ(proof()->proof, AttemptProof::Unproven);
   EXPECT_TRUE(proof()->isOfStore);
-  EXPECT_THAT(proof()->why, HasSubstr("broke off"));
+  EXPECT_THAT(proof()->why, HasSubstr("stopped early"));
 }
 
 }  // namespace

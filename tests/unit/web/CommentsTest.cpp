@@ -39,8 +39,10 @@ TEST_P(WebComments, AreWrittenByTheInstructorAndReadByTheTrainee) {
 TEST_P(WebComments, ARefusedOneKeepsItsTextAndSaysWhy) {
   const WebSchool school(rig->open());
   const std::string ina = school.signIn("ina"), address = "/attempts/" + school.annas + "/comments";
-  for (const auto& [at, why] : std::map<std::string, std::string>{
-           {"soon", "is no time"}, {"0:75", "is no time"}, {"-1", "is no time"}, {"99:00", "outside the attempt"}}) {
+  for (const auto& [at, why] : std::map<std::string, std::string>{{"soon", "is not a time"},
+                                                                  {"0:75", "is not a time"},
+                                                                  {"-1", "is not a time"},
+                                                                  {"99:00", "outside the attempt"}}) {
     const web::Response refused = school.post(address, comment(at, "My long text"), ina);
     EXPECT_EQ(refused.status, 400) << at;
     EXPECT_THAT(refused.body,
@@ -79,7 +81,7 @@ TEST(WebCommentTimes, AreReadAndWrittenAsMinutesAndSeconds) {
            {"1:05", 65'000'000}, {"65", 65'000'000}, {" 0:00.5 ", 500'000}, {"0,5", 500'000}, {"12:00", 720'000'000}})
     EXPECT_EQ(valueOf(web::recordingTime(text)), time_us) << text;
   for (const std::string text : {"", "1:", ":5", "1:60", "x", "1:2:3", "1e3", "-5"})
-    EXPECT_THAT(refusalOf(web::recordingTime(text)), HasSubstr("is no time")) << text;
+    EXPECT_THAT(refusalOf(web::recordingTime(text)), HasSubstr("is not a time")) << text;
   EXPECT_EQ(web::recordingTimeText(0), "0:00");
   EXPECT_EQ(web::recordingTimeText(65'500'000), "1:05.5");
   EXPECT_EQ(web::recordingTimeText(754'000'000), "12:34");

@@ -324,7 +324,7 @@ TEST(WebHttpServer, SaysWhyItCannotStart) {
   EXPECT_THAT(second.error().message, HasSubstr("cannot listen at 127.0.0.1:" + std::to_string(first->port())));
   const auto named = HttpServer::start({.address = "somewhere"}, &echo);
   ASSERT_FALSE(named);
-  EXPECT_THAT(named.error().message, HasSubstr("no IPv4 address"));
+  EXPECT_THAT(named.error().message, HasSubstr("not an IPv4 address"));
   const auto uncertified = HttpServer::start({.port = 0, .certificate = "/nowhere.pem", .key = "/nowhere.pem"}, &echo);
   ASSERT_FALSE(uncertified);
   EXPECT_THAT(uncertified.error().message, HasSubstr("/nowhere.pem"));

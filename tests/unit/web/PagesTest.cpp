@@ -29,7 +29,8 @@ TEST_F(WebPages, OwnTrainingGivesEachLevelWithItsReasonAndItsFewestAttempts) {
   const auto progress =
       progressOf(curriculum, valueOf(AttemptStore(school.as(school.anna)).history(school.anna.id)), rig.now_us);
   for (const LevelProgress& one : progress) EXPECT_THAT(page, HasSubstr(web::text(one.why).html()));
-  EXPECT_THAT(page, HasSubstr("Takes at least " + std::to_string(fewestAttempts(curriculum.levels[0].mastery))));
+  EXPECT_THAT(page,
+              HasSubstr("Mastery takes at least " + std::to_string(fewestAttempts(curriculum.levels[0].mastery))));
   EXPECT_THAT(page, HasSubstr("/attempts/" + school.annas)) << "the attempts lead to their results";
 }
 
@@ -67,7 +68,7 @@ TEST_F(WebPages, WordsOfTheFieldAreExplainedWhereTheyStand) {
   const std::string admin = school.signIn("admin");
   EXPECT_THAT(school.get("/attempts/" + school.annas, admin).body,
               HasSubstr("proven<span class=\"quiet\">: the recording"));
-  EXPECT_THAT(school.get("/audit", admin).body, HasSubstr("Act: what this user did or tried."));
+  EXPECT_THAT(school.get("/audit", admin).body, HasSubstr("Act: what this user did or tried to do."));
   const Curriculum curriculum = valueOf(loadCurriculum("central_line"));
   const auto level =
       std::ranges::find_if(curriculum.levels, [](const Level& one) { return one.mastery.cusum.has_value(); });

@@ -206,16 +206,15 @@ QString ReviewSession::message() const {
                 "hand movements and images.")
           .arg(name);
     case CaseFit::Changed:
-      return tr("Case '%1' has changed since this attempt: hand movements are shown on the present version, without "
-                "images.")
+      return tr("Case '%1' has changed since this attempt. Hand movements are shown on the present version of the "
+                "case, without images.")
           .arg(name);
     case CaseFit::Looking:
     case CaseFit::Same:
       break;
   }
   if (!attempt_->troubles.empty()) return QString::fromStdString(attempt_->troubles.front());
-  return tr(
-      "Space plays. Click or drag on the timeline; Comma and Period step, Page Up and Page Down go to key moments.");
+  return tr("Space plays the attempt. Click on the timeline to go to a time; Page Up and Page Down go to key moments.");
 }
 
 }  // namespace insonate::review

@@ -33,7 +33,7 @@ QAction& saveAction(ReviewWorkspace& workspace) {
   workspace.addAction(save);
   workspace.commands().beginSection(ReviewWorkspace::tr("Pages"));
   workspace.commands().add(QStringLiteral("review.save"),
-                           ReviewWorkspace::tr("saves the result, the class page or the person's page"), *save);
+                           ReviewWorkspace::tr("saves the page that is shown: result, class or person"), *save);
   return *save;
 }
 

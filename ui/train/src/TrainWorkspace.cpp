@@ -110,7 +110,8 @@ void TrainWorkspace::caseSaved(std::shared_ptr<const PatientCase> patient) {
   savedCase_ = std::move(patient);
   takeSavedCase();
   if (savedCase_)
-    model_->status.say(tr("The case was saved in Prepare. This attempt continues with the former version."));
+    model_->status.say(
+        tr("The case was saved in Prepare. This attempt continues with the former version of the case."));
 }
 
 /// Replaces the case by its saved state: now, or once no feature holds it.
@@ -160,7 +161,7 @@ void TrainWorkspace::checkReady() {
 /// Reports why there is no image, once the user sees the workspace: during labeling the problem does not concern Train.
 void TrainWorkspace::reportProblem() {
   if (trouble_.isEmpty() || !isVisible()) return;
-  Q_EMIT failed(std::exchange(trouble_, {}), tr("Check the case in Prepare, or open another one."), {});
+  Q_EMIT failed(std::exchange(trouble_, {}), tr("Check the case in Prepare, or open another case."), {});
 }
 
 void TrainWorkspace::saveLayout(QSettings& settings) const {

@@ -228,7 +228,9 @@ Response Site::answerRoute(const Request& request, const Route* route) const {
   if (route && route->access == Access::Monitoring)
     return mayMonitor(request, options_)
                ? route->answer(visit, {})
-               : refusal(visit, 403, "Only programs on this computer, and those with the token, may read this.");
+               : refusal(
+                     visit, 403,
+                     "Only programs on this computer and programs with the token for monitoring may read this page.");
   visit.secret = valueOf(request.cookies, sessionCookie(options_));
   if (!visit.secret.empty()) {
     auto by = BrowserSessions(store_).resume(visit.secret);
@@ -239,7 +241,7 @@ Response Site::answerRoute(const Request& request, const Route* route) const {
   if (route) return answerPage(visit, *route);
   const bool isKnown =
       std::ranges::any_of(kRoutes, [&](const Route& one) { return partsOf(one.path, request.path).has_value(); });
-  if (isKnown) return refusal(visit, 405, "This address does not take such requests.");
+  if (isKnown) return refusal(visit, 405, "This address does not accept requests of this kind.");
   return refusal(visit, 404, "There is no page at this address.");
 }
 
@@ -253,7 +255,9 @@ Response Site::answerPage(const Visit& visit, const Route& route) const {
                          "The session has ended, and nothing was stored. Go back to copy what you typed, then sign in "
                          "again.");
   if (request.method == "POST" && (comesFromElsewhere(request) || (visit.by && !hasFormCode(visit))))
-    return refusal(visit, 403, "The form does not come from this page. Open the page again and repeat.");
+    return refusal(
+        visit, 403,
+        "The form was not sent from a current page of this server. Open the page again and repeat your input.");
   if (visit.by && visit.by->mustChangePassword() && !isPublic && request.path != "/password" &&
       request.path != "/sign-out")
     return redirect("/password");

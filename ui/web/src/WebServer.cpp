@@ -12,7 +12,7 @@ namespace insonate::web {
 
 Result<void> checkOptions(const WebOptions& options) {
   if (options.certificate.empty() != options.key.empty())
-    return fail("A certificate and its private key belong together; give both, or neither.");
+    return fail("A certificate and its private key belong together. Give both of them, or neither.");
   const bool isLoopback = options.address.starts_with("127.");
   if (options.certificate.empty() && !isLoopback)
     return fail(
@@ -20,7 +20,7 @@ Result<void> checkOptions(const WebOptions& options) {
         "at 127.0.0.1 behind a proxy that receives HTTPS.");
   for (const std::string& proxy : options.proxies)
     if (!isAddress(proxy))
-      return fail("'" + proxy + "' is no IP address; --proxy takes the address from which the proxy connects.");
+      return fail("'" + proxy + "' is not an IP address; --proxy takes the address from which the proxy connects.");
   constexpr std::size_t kShortestToken = 16;
   if (!options.monitoringToken.empty() && options.monitoringToken.size() < kShortestToken)
     return fail("The token for monitoring is shorter than 16 characters. Make one with: openssl rand -hex 32");

@@ -149,13 +149,12 @@ void checkNeighbor(const NamedVessel& vein, const NamedVessel& artery, Findings&
       ++levels;
     }
   if (levels == 0 || medial_mm / levels <= kMedial_mm) return;
-  findings.push_back(
-      {FindingSeverity::kWarning, "vein_medial",
-       "The " + vein.name + " lies " + std::to_string(std::lround(medial_mm / levels)) + " mm medial of the " +
-           artery.name +
-           ". In 2 % of patients the vein is medial; else vein and artery are interchanged. Compare them "
-           "on the slices.",
-       vein.course.front().position_mm, vein.label});
+  findings.push_back({FindingSeverity::kWarning, "vein_medial",
+                      "The " + vein.name + " lies " + std::to_string(std::lround(medial_mm / levels)) +
+                          " mm medial of the " + artery.name +
+                          ". In 2 % of patients the vein is medial; in all others, vein and artery are interchanged. "
+                          "Compare vein and artery on the slices.",
+                      vein.course.front().position_mm, vein.label});
 }
 
 void checkDirection(const NamedVessel& vessel, Findings& findings) {

@@ -78,9 +78,9 @@ void checkPresence(const LabelStatistics& s, Findings& findings) {
   };
   require(kVein, FindingSeverity::kError, "no_vein",
           "there is no vessel to puncture. Label the internal jugular vein.");
-  require(
-      kArtery, FindingSeverity::kError, "no_artery",
-      "an artery cannot be distinguished from the vein, and its puncture is not detected. Label the carotid artery.");
+  require(kArtery, FindingSeverity::kError, "no_artery",
+          "an artery cannot be distinguished from the vein, and the puncture of an artery is not detected. Label the "
+          "carotid artery.");
   require(kSkin, FindingSeverity::kError, "no_skin",
           "the probe and the needle meet nothing at the surface. Label the skin.");
   require(kBone, FindingSeverity::kWarning, "no_bone", "the image will have no shadows of bone. Label the bone.");
@@ -98,7 +98,7 @@ void checkHu(const LabelStatistics& s, int label, Findings& findings) {
                           " have Hounsfield units that " + labelName(label) + " cannot have (median " +
                           std::to_string(medianHu(s.histogram[label], s.voxels[label])) + ", expected " +
                           std::to_string(range->low) + " to " + std::to_string(range->high) +
-                          "). The label or its place is wrong.",
+                          "). The label or its location is wrong.",
                       {},
                       static_cast<std::uint8_t>(label)});
 }

@@ -48,7 +48,7 @@ std::vector<DifficultyShare> sharesOf(const VeinMeasures& m) {
        text("the vein begins %.0f mm below the skin", m.depth_mm)},
       // Light compression closes a flat vein.
       {"flatness of the vein", text("%.0f %% as high as wide", 100 * m.height_mm / m.width_mm),
-       0.5 * pointsOf(m.height_mm / m.width_mm, 0.5, 0.2), "the vein is flat and gives way under the probe"}};
+       0.5 * pointsOf(m.height_mm / m.width_mm, 0.5, 0.2), "the vein is flat and collapses easily under the probe"}};
   addArtery(m, shares);
   if (m.lung_mm)
     shares.push_back({"air behind the vein", text("%.0f mm away", *m.lung_mm), pointsOf(*m.lung_mm, 20, 5),
@@ -74,7 +74,9 @@ Result<DifficultyEstimate> estimateDifficulty(const CaseView& authors) {
   const auto tissues = inTissues(authors.manifest.ownLabels, authors.labels);
   const CaseView patient(authors.manifest, authors.ct, tissues ? *tissues : authors.labels);
   if (patient.manifest.targets.empty())
-    return fail("The difficulty cannot be estimated: the case names no target. Mark the vein to be punctured.");
+    return fail(
+        "The difficulty cannot be estimated: the case has no target. Mark a target in the vein that is to be "
+        "punctured.");
   auto measures = measureVein(patient, patient.manifest.targets.front());
   if (!measures) return fail("The difficulty cannot be estimated: " + measures.error().message);
   DifficultyEstimate estimate;

@@ -183,7 +183,7 @@ Result<VeinMeasures> measureVein(const CaseView& patient, const Target& target) 
   const Transform index = patient.labels.geometry.indexFromPatient();
   if (sampleNearest(patient.labels, index * target.position_mm) != target.label)
     return fail("The target \"" + target.name + "\" is not in " + labelName(target.label) +
-                ". Put it into its vessel, or label the vessel there.");
+                ". Move the target into its vessel, or label the vessel there.");
   const auto pose = poseToward(patient, target);
   if (!pose) return tl::unexpected(pose.error());
   const Vec3 beam = pose->axial;
@@ -204,7 +204,8 @@ Result<VeinMeasures> measureVein(const CaseView& patient, const Target& target) 
   std::vector<char> seen(section.labels.size());
   const Region vein = regionAround(section, target.label, kColumns / 2, int(std::lround(skin_mm / kStep_mm)), seen);
   if (vein.pixels.empty())
-    return fail("The target \"" + target.name + "\" lies on the edge of its vessel. Put it into the middle.");
+    return fail("The target \"" + target.name +
+                "\" lies on the edge of its vessel. Move the target into the middle of the vessel.");
   VeinMeasures measures;
   measures.target = target.name;
   measures.depth_mm = std::ranges::min(vein.pixels, {}, [](const auto& p) { return p[1]; })[1] * kStep_mm;

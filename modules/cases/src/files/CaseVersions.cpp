@@ -234,7 +234,7 @@ Result<CaseVersion> publishCase(const PatientCase& seen, const fs::path& folder,
   auto there = readCase(named);
   if (!there) return tl::unexpected(there.error());
   if (contentHashOf(there->patient) != contentHashOf(seen))
-    return fail("Another program has saved " + named.string() + " meanwhile. Check it and publish it again.");
+    return fail("Another program has saved " + named.string() + " meanwhile. Check the case and publish it again.");
   const auto version = saveInTurn(there->patient, named, date, there->patient.manifest.version.author, progress);
   if (!version) return version;
   there->patient.manifest.version = *version;

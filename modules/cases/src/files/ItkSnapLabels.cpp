@@ -73,7 +73,7 @@ Result<std::map<std::int32_t, ItkSnapLabel>> readItkSnapLabels(const std::filesy
     label.name = text.substr(open + 1, close - open - 1);
     for (int c = 0; c < 3; ++c) label.colour[c] = static_cast<std::uint8_t>(colour[c]);
   }
-  if (labels.empty()) return fail(file.string() + " describes no labels. Is it a label description of ITK-SNAP?");
+  if (labels.empty()) return fail(file.string() + " describes no labels. Is the file a label description of ITK-SNAP?");
   return labels;
 }
 

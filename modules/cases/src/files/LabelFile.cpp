@@ -28,7 +28,7 @@ Result<Volume<std::int32_t>> wholeNumbers(const RawVolume& raw, const fs::path& 
     const float value = raw.values[v];
     if (!(std::abs(value) <= kExact) || value != std::floor(value))
       return fail(file.string() + " holds the value " + std::to_string(value) +
-                  "; a label map holds whole numbers. Is it a CT?");
+                  "; a label map holds whole numbers. Is the file a CT?");
     labels.voxels[v] = static_cast<std::int32_t>(value);
   }
   return labels;

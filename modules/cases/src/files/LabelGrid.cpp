@@ -92,7 +92,7 @@ Result<LabelMap> placeLabels(const LabelMap& labels, const VolumeGeometry& grid,
     return std::ranges::any_of(map.voxels, [](std::uint8_t v) { return v != 0; });
   };
   if (!labelled(placed) && labelled(labels))
-    return fail("the labels lie outside the CT: they were drawn on another one. Choose the labels of this CT.");
+    return fail("the labels lie outside the CT: they were drawn on another CT. Choose the labels of this CT.");
   noteOtherGrid(fallsOnVoxels(grid, labels.geometry.origin_mm, stepsOf(labels.geometry)), lostVoxels(labels, grid),
                 notes);
   return placed;

@@ -180,7 +180,7 @@ std::string problemOf(const CsvRow& row, std::size_t columns, const NewPerson& p
     if (!fine) return fine.error().message;
   if (const auto fine = store::checkSignInName(person.name); !fine)
     return person.name == person.email
-               ? "The e-mail address cannot be a name to sign in; add a column \"Username\" with another one."
+               ? "The e-mail address cannot be a name to sign in; add a column \"Username\" with another name."
                : fine.error().message;
   return {};
 }
@@ -270,7 +270,8 @@ Result<ClassList> parseClassList(std::string_view csv) {
     for (const std::string& key : {"name " + nameKey(person.name), "mail " + nameKey(person.email)}) {
       if (!trouble.empty() || key == "mail ") continue;
       if (const auto [twin, isNew] = lines.emplace(key, row.line); !isNew && twin->second != row.line)
-        trouble = "This is the same person as in line " + std::to_string(twin->second) + "; leave one out.";
+        trouble =
+            "This person is the same as in line " + std::to_string(twin->second) + "; delete one of the two lines.";
     }
     if (trouble.empty())
       list.entries.push_back({row.line, person});

@@ -151,7 +151,7 @@ std::string outcomeWords(const AttemptFacts& attempt, const Curriculum* curricul
   if (attempt.state == AttemptState::Voided) return "Voided";
   if (!counts(attempt)) return "Abandoned before skin puncture; does not count";
   const Level* level = curriculum ? levelOf(*curriculum, attempt) : nullptr;
-  if (!level && hasBrokenOff(attempt)) return "Abandoned: its recording broke off";
+  if (!level && hasBrokenOff(attempt)) return "Abandoned: the recording stopped early";
   if (!level)
     return attempt.state == AttemptState::Abandoned ? "Abandoned" : attempt.succeeded ? "Succeeded" : "Did not succeed";
   const std::string reason = reasonOfFailure(level->pass, attempt);

@@ -125,7 +125,7 @@ bool isWithin(Transaction& transaction, Reach reach, const Rule& rule, const Act
 }
 
 Error refusalOf(const Rule& rule, const Actor& actor) {
-  if (!actor.role) return {"Sign in first: guests can neither store data nor see other people's."};
+  if (!actor.role) return {"Sign in first: guests can neither store data nor see data of other people."};
   return {"You do not have the permission for this (" + std::string(rule.words) +
           "), or it does not exist. Ask an administrator for the permission."};
 }

@@ -141,8 +141,8 @@ Result<void> acceptKept(Transaction& transaction, const Core& core, const std::s
   if (facts.proof == AttemptProof::Accepted) return {};
   if (facts.state == AttemptState::Open || facts.state == AttemptState::Voided || kept->crashed)
     return fail(
-        "Only an attempt that has ended can be accepted, but this one is still open, was voided, or its recording "
-        "broke off.");
+        "Only an attempt that has ended can be accepted, but this attempt is still open, was voided, or has a "
+        "recording that stopped early.");
   if (facts.sitting == AttemptSitting::Practice)
     return fail("The test was not open when the attempt began, so the attempt is practice and stays practice.");
   if (facts.proof == AttemptProof::Verifying) {
@@ -240,7 +240,8 @@ Result<void> AttemptStore::keepRecording(const std::string& attempt, const std::
                                           return found ? found->facts.recordingHash : std::string();
                                         });
   if (!kept) return tl::unexpected(kept.error());
-  if (kept->empty()) return fail("The attempt " + attempt + " has no recording; end it with one first.");
+  if (kept->empty())
+    return fail("The attempt " + attempt + " has no recording; end the attempt with a recording first.");
   if (folder.empty()) return {};
   const auto copied = store::keepRecording(folder, attempt, recording, *kept);
   return copied ? Result<void>() : tl::unexpected(copied.error());

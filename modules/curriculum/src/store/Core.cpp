@@ -74,7 +74,7 @@ Core::~Core() {
 }
 
 Result<std::shared_ptr<Core>> Core::reach(const std::string& address, const StoreServices& services) {
-  if (::sodium_init() < 0) return fail("libsodium finds no source of random numbers; passwords cannot be kept.");
+  if (::sodium_init() < 0) return fail("libsodium finds no source of random numbers; passwords cannot be stored.");
   auto parsed = Address::parse(address);
   if (!parsed) return tl::unexpected(parsed.error());
   std::shared_ptr<Core> core(new Core(std::move(*parsed), services));

@@ -143,7 +143,8 @@ Result<ReceivedPart> receiveRecording(const fs::path& folder, const std::string&
                                       std::int64_t offset_bytes, std::int64_t total_bytes, std::string_view bytes) {
   constexpr std::int64_t kLargest_bytes = std::int64_t{256} << 20;
   if (folder.empty())
-    return fail("The server has no folder for recordings. An administrator names one, and restarts it.");
+    return fail(
+        "The server has no folder for recordings. An administrator must name such a folder and restart the server.");
   if (auto made = makeFolder(folder); !made) return tl::unexpected(made.error());
   const fs::path whole = keptRecording(folder, attempt), part = whole.string() + ".part";
   std::error_code error;

@@ -36,7 +36,7 @@ Result<std::optional<Known>> beginSigningIn(Core& core, const std::string& name,
                 std::to_string(addressWait_s) + " s.");
   if (known && wait_s > 0)
     return fail("There were too many wrong passwords for this name. Try again in " + std::to_string(wait_s) +
-                " s, or let an instructor set a new one.");
+                " s, or let an instructor set a new password.");
   return known;
 }
 

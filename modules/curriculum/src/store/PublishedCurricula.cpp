@@ -38,7 +38,7 @@ Result<CurriculumEntry> publishText(Transaction& transaction, const CurriculumEn
   const auto newest = transaction.number("SELECT MAX(version) FROM curricula WHERE name = ?", entry.name);
   if (entry.version < newest)
     return fail("Version " + std::to_string(newest) + " of '" + entry.name +
-                "' is published already; publish this as a later one.");
+                "' is published already; publish this text as a later version.");
   store::insertCurriculum(transaction, {entry, text});
   return entry;
 }

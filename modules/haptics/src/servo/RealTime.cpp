@@ -54,7 +54,7 @@ RealTimeRights askForRealTime(const void* memory, std::size_t bytes) {
   if (!rights.locked) {
     if (!rights.sentence.empty()) rights.sentence += " ";
     rights.sentence +=
-        "Its memory is not locked: raise the limit \"memlock\" in /etc/security/limits.d to 1024 or more.";
+        "The memory of the servo is not locked: raise the limit \"memlock\" in /etc/security/limits.d to 1024 or more.";
   }
   return rights;
 }

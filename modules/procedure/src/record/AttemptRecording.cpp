@@ -176,7 +176,7 @@ void AttemptRecording::checkEnd(const BlockHead& head, std::size_t payload) {
 
 void AttemptRecording::reportProblems() {
   if (status_ == AttemptStatus::CutShort) {
-    troubles_.push_back(name_ + " broke off, so the attempt counts as abandoned; it can be read up to " +
+    troubles_.push_back(name_ + " stopped early, so the attempt counts as abandoned; the recording can be read up to " +
                         seconds(end_us()) + ".");
     damaged_ |= missing_;  // no end block states the number of stretches
   }

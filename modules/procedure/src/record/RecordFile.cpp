@@ -13,7 +13,7 @@ Result<RecordFile> RecordFile::make(const std::filesystem::path& path) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
   if (file >= 0) return RecordFile(path, file);
   if (errno == EEXIST)
-    return fail("The recording " + path.string() + " is in progress, or broke off earlier; rename that file first.");
+    return fail("The recording " + path.string() + " is in progress, or was not completed; rename that file first.");
   return fail("The recording " + path.string() + " cannot be started: " + std::strerror(errno) + ".");
 }
 
@@ -33,7 +33,7 @@ Result<void> RecordFile::append(std::span<const std::uint8_t> bytes) {
     done += static_cast<std::size_t>(written);
   }
   if (done == bytes.size() && ::fdatasync(file_) == 0) return {};
-  return fail(path_.string() + " cannot be written any more: " + std::strerror(errno) +
+  return fail(path_.string() + " can no longer be written: " + std::strerror(errno) +
               ". The recording up to this moment is kept there.");
 }
 

@@ -15,7 +15,8 @@ RecordingProof AttemptRecording::proof(const std::optional<RecordKey>& key) cons
   if (header_.isScripted) return {Demonstration, name_ + " was recorded from a script: it is a demonstration."};
   if (!isChained_)
     return {Unproven,
-            name_ + " was recorded by an earlier program, which left no proof in it: " + header_.software + "."};
+            name_ + " was recorded by an earlier version of the program, which wrote no proof into the recording: " +
+                header_.software + "."};
   if (header_.recordedFor.nonce.empty())
     return {Unproven, name_ + " was recorded without a store of attempts, so the person is not proven."};
   if (!key) return {Unproven, name_ + " was recorded for another store of attempts."};
@@ -28,7 +29,7 @@ RecordingProof AttemptRecording::proof(const std::optional<RecordKey>& key) cons
     return {Broken, name_ + " was changed after it was recorded: its codes are not those of the store that it names. " +
                         "Look for an unchanged copy."};
   if (status_ == AttemptStatus::CutShort)
-    return {Unproven, name_ + " broke off: the end of the attempt is not proven."};
+    return {Unproven, name_ + " stopped early: the end of the attempt is not proven."};
   return {Proven, ""};
 }
 

@@ -118,12 +118,11 @@ GuideFinding clickBeside(const GuideStep& step, const std::vector<int>& beside, 
                              : beside.size() == 2 ? " and 1 other lie"
                                                   : " and " + std::to_string(beside.size() - 1) + " others lie";
   const bool isVessel = step.label == kVein || step.label == kArtery;
-  return {
-      "Click " + std::to_string(beside.front()) + " at " + place.data() + others + " outside the result." +
-          (isVessel ? " Move it into the vessel and repeat the step, or edit the result; until then the step is not "
-                      "done."
-                    : ""),
-      !isVessel};
+  return {"Click " + std::to_string(beside.front()) + " at " + place.data() + others + " outside the result." +
+              (isVessel ? " Move each of these clicks into the vessel and repeat the step, or edit the result; until "
+                          "then the step is not done."
+                        : ""),
+          !isVessel};
 }
 
 std::string number(double value) {
@@ -136,8 +135,8 @@ std::string number(double value) {
 std::optional<std::string> offRange(const std::optional<GuideRange>& usual, double value, const std::string& of,
                                     const std::string& unit) {
   if (!usual || (value >= usual->low && value <= usual->high)) return std::nullopt;
-  return "It has " + of + " of " + number(value) + " " + unit + "; usual are " + number(usual->low) + " to " +
-         number(usual->high) + " " + unit + ".";
+  return "The structure has " + of + " of " + number(value) + " " + unit + "; the usual range is " +
+         number(usual->low) + " to " + number(usual->high) + " " + unit + ".";
 }
 
 }  // namespace
@@ -149,7 +148,8 @@ std::vector<GuideFinding> findingsAbout(const GuideStep& step, std::span<const V
     if (text) findings.push_back({std::move(*text)});
   };
   for (const std::uint8_t label : step.makes)
-    if (extentOf(labels, label).empty()) add("There is no " + labelName(label) + "; check whether the CT shows any.");
+    if (extentOf(labels, label).empty())
+      add("There is no " + labelName(label) + "; check whether the CT shows this structure.");
   if (clicks_mm.empty() || step.label == 0) return findings;
   add(offSide(step, clicks_mm, labels));
   const Found found = foundAt(labels, step.label, clicks_mm);

@@ -54,7 +54,7 @@ constexpr double kRest = 0.005;
 Result<Selection> levelSet(const CtVolume& ct, const Selection& start, const GeodesicLevelSet& parameters,
                            const Progress& progress) {
   if (start.count() == 0)
-    return fail("The label is empty, so its surface cannot move. Paint or grow a part of it first.");
+    return fail("The label is empty, so its surface cannot move. Paint or grow a part of the label first.");
   return segmentation::guarded([&] {
     segmentation::Work work(progress, 4);
     work.start("Finding edges");

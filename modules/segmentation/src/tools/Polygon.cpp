@@ -84,7 +84,7 @@ class Outline {
 
 Result<Selection> scissored(const VolumeGeometry& geometry, const VoxelBox& box, std::span<const Vec3> corners_mm,
                             const ScissorsView& view) {
-  if (corners_mm.size() < 3) return fail("An outline needs at least three corners; draw a larger one.");
+  if (corners_mm.size() < 3) return fail("An outline needs at least three corners; draw a larger outline.");
   const Outline outline(corners_mm, view);
   if (!outline.allInFront())
     return fail("A corner of the outline lies behind the camera. Draw the outline on visible parts.");
@@ -113,11 +113,11 @@ Result<Selection> scissored(const VolumeGeometry& geometry, const VoxelBox& box,
 }
 
 Result<Selection> drawn(const VolumeGeometry& geometry, int sliceAxis, std::span<const Vec3> corners_mm) {
-  if (corners_mm.size() < 3) return fail("An outline needs at least three corners; draw a larger one.");
+  if (corners_mm.size() < 3) return fail("An outline needs at least three corners; draw a larger outline.");
   const Vec3 index = geometry.indexFromPatient() * corners_mm.front();
   const double slice = std::floor(index[sliceAxis] + 0.5);
   if (!(slice >= 0 && slice < geometry.size[sliceAxis]))
-    return fail("The outline lies outside the CT. Draw it on a slice.");
+    return fail("The outline lies outside the CT. Draw the outline on a slice.");
   VoxelBox box = boxOf(geometry);
   box.first[sliceAxis] = static_cast<int>(slice);
   box.end[sliceAxis] = box.first[sliceAxis] + 1;

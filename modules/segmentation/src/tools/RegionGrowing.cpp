@@ -72,7 +72,7 @@ Result<Selection> connected(const CtVolume& ct, const VoxelBox& box, std::span<c
   });
   if (grown && grown->count() == 0)
     return fail("No click in the region is on a voxel from " + std::to_string(range.low) + " to " +
-                std::to_string(range.high) + " HU; click on one, or widen the range.");
+                std::to_string(range.high) + " HU; click on such a voxel, or widen the range.");
   return grown;
 }
 

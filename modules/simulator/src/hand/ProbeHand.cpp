@@ -20,11 +20,12 @@ constexpr HandMove kDone{};
 constexpr HandMove kNoNumber{"The move is not a finite number."};
 constexpr HandMove kVolumeEnds{"The scan ends here. Move the probe back or in another direction."};
 constexpr HandMove kSkinEnds{
-    "The skin ends or turns away here. Move the probe in another direction, or click on the place where it should go."};
+    "The skin ends or turns away here. Move the probe in another direction, or click on the skin where the probe "
+    "should be."};
 constexpr HandMove kMaxTilt{
     "The probe is tilted or rocked to its limit, 60 degrees from the perpendicular to the skin."};
 constexpr HandMove kMaxPressed{"The probe compresses the tissue to its limit, 20 mm."};
-constexpr HandMove kMinPressed{"The probe only rests on the skin. Lift it to remove it."};
+constexpr HandMove kMinPressed{"The probe touches the skin without compressing it. Lift the probe to remove it."};
 constexpr HandMove kNotRigid{"The pose is not a rotation with a position."};
 constexpr HandMove kAwayFromSkin{"The pose does not point at the skin. The probe was put on the nearest skin instead."};
 constexpr HandMove kPoseLimited{"The pose is out of range. The probe is at the nearest possible pose."};

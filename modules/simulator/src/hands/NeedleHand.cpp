@@ -20,15 +20,16 @@ constexpr double kBesideFace_mm = 5, kBesideHousing_mm = 12;
 
 constexpr HandMove kDone{};
 constexpr HandMove kNoNumber{"The move is not a finite number."};
-constexpr HandMove kIsIn{"The needle is in the skin. Withdraw it before you insert it at another place."};
+constexpr HandMove kIsIn{"The needle is in the skin. Withdraw the needle before you insert it at another point."};
 constexpr HandMove kHeld{
-    "The tissue holds the direction of the needle. Withdraw it to a depth of 10 mm to redirect it."};
+    "The tissue prevents the needle from turning. Withdraw the needle to an insertion length of 10 mm to redirect it."};
 constexpr HandMove kFlat{"The needle is at its smallest angle to the skin, 5 degrees."};
-constexpr HandMove kSteepest{"The needle cannot be steeper to this skin within the image plane."};
-constexpr HandMove kSquare{"The needle is perpendicular to the skin. Change its heading to tilt it the other way."};
-constexpr HandMove kHub{"The needle is in up to its hub, 70 mm."};
-constexpr HandMove kOff{"The needle is 40 mm off the skin, which is the limit. Press I to put it away."};
-constexpr HandMove kVolumeEnds{"The scan ends here; the needle stays where it is."};
+constexpr HandMove kSteepest{"At this skin, the needle cannot be steeper within the image plane."};
+constexpr HandMove kSquare{
+    "The needle is perpendicular to the skin. Change the heading of the needle to tilt it the other way."};
+constexpr HandMove kHub{"The needle is inserted up to its hub (70 mm)."};
+constexpr HandMove kOff{"The needle is 40 mm off the skin, which is the limit. Press I to put the needle away."};
+constexpr HandMove kVolumeEnds{"The scan ends here, so the needle stays where it is."};
 
 /// Rotates `v` about the unit vector `axis` (Rodrigues).
 Vec3 turned(Vec3 v, Vec3 axis, double degrees) {

@@ -10,7 +10,7 @@ namespace {
 
 Result<void> checkVolumes(const CaseVolumes& patient) {
   if (!patient.ct || !patient.labels || patient.ct->voxels.empty() || patient.labels->voxels.empty())
-    return fail("There is no case to image; open one first.");
+    return fail("There is no case to image; open a case first.");
   if (!sameGrid(patient.ct->geometry, patient.labels->geometry) ||
       patient.ct->voxels.size() != patient.labels->voxels.size())
     return fail("The CT and the label map are on different grids. Resample one to the grid of the other.");

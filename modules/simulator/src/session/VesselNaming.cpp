@@ -81,7 +81,7 @@ Result<NamedVessel> nameVessel(const LabelMap& labels, const OwnLabels& own, Vec
   const std::uint8_t label = sampleNearest(labels, labels.geometry.indexFromPatient() * place_mm);
   const std::uint8_t tissue = tissueOf(own, label);
   if (tissue != kVein && tissue != kArtery)
-    return fail("The place of the " + name + " is in no vein or artery. Put the crosshair into the vessel first.");
+    return fail("The location of the " + name + " is in no vein or artery. Move the crosshair into the vessel first.");
   const auto lines = centreLines(labels, label, progress);
   if (!lines) return tl::unexpected(lines.error());
   const auto distance_mm = [&](const CentreLine& line) { return norm(line[nearestPoint(line, place_mm)] - place_mm); };
@@ -89,7 +89,7 @@ Result<NamedVessel> nameVessel(const LabelMap& labels, const OwnLabels& own, Vec
   NamedVessel vessel{std::move(name), tissue, {}};
   if (line != lines->end() && distance_mm(*line) < kSectionReach_mm) vessel.course = courseOf(labels, label, *line);
   if (vessel.course.empty())
-    return fail("The " + vessel.name + " is too short to have a center line. Label more of it first.");
+    return fail("The " + vessel.name + " is too short to have a center line. Label a longer part of the vessel first.");
   return vessel;
 }
 
@@ -97,7 +97,8 @@ Result<std::pair<NamedVessel, NamedVessel>> splitVessel(const NamedVessel& vesse
   const auto cut = std::ranges::min_element(
       vessel.course, {}, [&](const NamedVessel::Point& point) { return norm(point.position_mm - place_mm); });
   if (cut == vessel.course.begin() || cut >= vessel.course.end() - 1)
-    return fail("The crosshair is at an end of the " + vessel.name + ". Put it where the name changes.");
+    return fail("The crosshair is at an end of the " + vessel.name +
+                ". Move the crosshair to the point where the name changes.");
   std::pair parts{NamedVessel{vessel.name, vessel.label, {vessel.course.begin(), cut + 1}},
                   NamedVessel{vessel.name, vessel.label, {cut, vessel.course.end()}}};
   for (const Vec3& click_mm : vessel.clicks_mm) {

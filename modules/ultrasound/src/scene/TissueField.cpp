@@ -46,7 +46,7 @@ void copyTile(const TissueTile& tile, const NodeBox& box, const TissueField::Dis
 Result<TissueField> makeTissueField(TissueTiles& tiles, const Region& region, const Progress& progress) {
   const NodeLattice& lattice = tiles.lattice();
   const NodeBox box = lattice.boxOf(region);
-  if (box.count() == 0) return fail("The imaging plane lies outside the CT; move the probe onto the patient.");
+  if (box.count() == 0) return fail("The image plane lies outside the CT; move the probe onto the patient.");
   const auto covering = tiles.covering(box, progress);
   if (!covering) return tl::unexpected(covering.error());
 

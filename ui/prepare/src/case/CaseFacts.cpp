@@ -53,20 +53,21 @@ CaseFacts::CaseFacts(PrepareModel& shared, QWidget* parent) : QWidget(parent), s
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   title_->setObjectName(QStringLiteral("caseTitle"));
   title_->setAccessibleName(tr("Title of the case"));
-  title_->setToolTip(tr("Title of the case; saved with it"));
+  title_->setToolTip(tr("Title of the case; saved with the case"));
   title_->setMaxLength(120);
   form->addRow(title_);
   size_ = addFact(*form, tr("voxels"));
   size_->setObjectName(QStringLiteral("caseSize"));
-  spacing_ = addFact(*form, tr("spacing"));
+  spacing_ = addFact(*form, tr("voxel spacing"));
   orientation_ = addFact(*form, tr("axis directions"));
-  orientation_->setToolTip(tr("Directions of the grid's axes: L left, R right, P back, A front, S head, I feet"));
-  range_ = addFact(*form, tr("range"));
+  orientation_->setToolTip(
+      tr("Anatomical direction of each voxel axis: L left, R right, P back, A front, S head, I feet"));
+  range_ = addFact(*form, tr("value range"));
   range_->setObjectName(QStringLiteral("caseRange"));
   place_ = addFact(*form, tr("folder"));
   place_->setObjectName(QStringLiteral("caseFolder"));
   source_ = addFact(*form, tr("source"));
-  notes_ = addFact(*form, tr("import"));
+  notes_ = addFact(*form, tr("import notes"));
   notes_->setObjectName(QStringLiteral("caseNotes"));
   connect(title_, &QLineEdit::editingFinished, this, [this] { shared_.openCase.setTitle(title_->text()); });
   connect(&shared_.openCase, &OpenCase::titleChanged, this, [this] { title_->setText(shared_.openCase.title()); });
@@ -117,7 +118,7 @@ void CaseFacts::showOrigin() {
     for (const std::string& note : shared_.openCase.patient()->manifest.importNotes)
       notes << QString::fromStdString(note);
   notes.removeDuplicates();
-  notes_->setText(notes.isEmpty() ? tr("nothing was changed") : notes.join(QLatin1Char('\n')));
+  notes_->setText(notes.isEmpty() ? tr("no changes") : notes.join(QLatin1Char('\n')));
 }
 
 void CaseFacts::showMeasures() {

@@ -20,7 +20,9 @@ QString measuresText(const DifficultyEstimate& estimate) {
     lines << QStringLiteral("%1: %2 (%3)")
                  .arg(QString::fromStdString(share.what), QString::fromStdString(share.value))
                  .arg(share.points, 0, 'f', 2);
-  lines << DifficultyBox::tr("Difficulty: %1 points in total; moderate from 0.25, hard from 1 (formula %2).")
+  lines << DifficultyBox::tr(
+               "Difficulty: %1 points in total; moderate from 0.25 points, hard from 1 point (version %2 of the "
+               "formula).")
                .arg(estimate.points, 0, 'f', 2)
                .arg(DifficultyEstimate::kVersion);
   return lines.join(QLatin1Char('\n'));
@@ -32,8 +34,8 @@ DifficultyBox::DifficultyBox(PrepareModel& shared, QWidget* parent)
     : QWidget(parent), shared_(shared), grade_(new QComboBox), sentence_(new QLabel), measures_(new QLabel) {
   grade_->setObjectName(QStringLiteral("grade"));
   grade_->setAccessibleName(tr("Difficulty of the case"));
-  grade_->setToolTip(tr("Your own grade overrides the estimate; saved with the case"));
-  grade_->addItem(tr("as estimated"), QString());
+  grade_->setToolTip(tr("Your own grade overrides the estimated difficulty; saved with the case"));
+  grade_->addItem(tr("estimated difficulty"), QString());
   for (const QString& grade : {QStringLiteral("easy"), QStringLiteral("moderate"), QStringLiteral("hard")})
     grade_->addItem(grade, grade);
   sentence_->setObjectName(QStringLiteral("gradeSentence"));

@@ -68,7 +68,7 @@ FindingsList::FindingsList(PrepareModel& shared, QWidget* parent)
   state_->setWordWrap(true);
   state_->setObjectName(QStringLiteral("checkVerdict"));
   again_->setObjectName(QStringLiteral("checkAgain"));
-  again_->setToolTip(tr("Measure the structures and check the case"));
+  again_->setToolTip(tr("Measures the structures and checks the case"));
   box_->setContentsMargins(0, 0, 0, 0);
   box_->setSpacing(ui::kGap);
   box_->addWidget(state_);
@@ -99,7 +99,9 @@ QPushButton* FindingsList::way(const Finding& finding) {
                                                        {"no_vessel_names", kVesselKind},
                                                        {"target_without_vessel", kVesselKind}};
   if (const auto missing = kMissing.find(finding.code); missing != kMissing.end()) {
-    auto* mark = button(tr("Mark it"), tr("Opens the list of targets, vessels, start poses and landmarks"));
+    auto* mark =
+        button(tr("Add mark"),
+               tr("Opens the list of targets, vessels, landmarks and start poses, where you can add the missing mark"));
     connect(mark, &QPushButton::clicked, this, [this, finding, kind = missing->second] {
       if (finding.place_mm) shared_.crosshair.moveTo(*finding.place_mm);
       shared_.places.requestMark(kind);
@@ -107,9 +109,9 @@ QPushButton* FindingsList::way(const Finding& finding) {
     return mark;
   }
   if (!finding.place_mm && !label) return nullptr;
-  auto* go = button(finding.place_mm ? tr("Show the place") : tr("Select %1").arg(shared_.terms.nameOf(label)),
-                    finding.place_mm ? tr("Moves the crosshair there and selects the structure")
-                                     : tr("Select the structure in the table"));
+  auto* go = button(finding.place_mm ? tr("Show location") : tr("Select %1").arg(shared_.terms.nameOf(label)),
+                    finding.place_mm ? tr("Moves the crosshair to the finding and selects the structure")
+                                     : tr("Selects the structure in the table"));
   connect(go, &QPushButton::clicked, this, [this, place_mm = finding.place_mm, label] {
     if (label) shared_.structures.select(label);
     if (place_mm) shared_.crosshair.moveTo(*place_mm);

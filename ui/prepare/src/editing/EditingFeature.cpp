@@ -52,7 +52,7 @@ void EditingFeature::makeUndo() {
         {QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))}, "redo");
   commands().beginSection(tr("Case"));
   commands().add(kUndo, tr("undoes the last change"), *undo_);
-  commands().add(kRedo, tr("repeats the change that was undone"), *redo_);
+  commands().add(kRedo, tr("redoes the last undone change"), *redo_);
   connect(&stack, &QUndoStack::undoTextChanged, undo_, [this](const QString& what) {
     undo_->setToolTip(commands().toolTip(what.isEmpty() ? tr("Nothing to undo") : tr("Undo: %1").arg(what), kUndo));
   });

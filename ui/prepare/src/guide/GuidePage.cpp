@@ -68,7 +68,7 @@ QString stateWord(GuideSession::State state, bool optional) {
     case GuideSession::State::ToDo:
       return optional ? GuidePage::tr("optional") : GuidePage::tr("to do");
     case GuideSession::State::Working:
-      return GuidePage::tr("working");
+      return GuidePage::tr("running");
     case GuideSession::State::Done:
       return GuidePage::tr("done");
     case GuideSession::State::Warning:
@@ -84,17 +84,17 @@ QString clicksWords(const GuideStep& step, int count) {
   QStringList words;
   if (count == 0)
     words << GuidePage::tr(
-                 "No click yet; %1 are enough, %2 if the structure is hard to see. Ctrl + wheel zooms, a double click "
-                 "enlarges a view, G hides the labels.")
+                 "No clicks yet. %1 clicks are enough, %2 if the structure is hard to see. Ctrl + wheel zooms, a "
+                 "double click enlarges a view, G hides the labels.")
                  .arg(step.leastClicks)
                  .arg(step.clicks);
   else
-    words << (count == 1 ? GuidePage::tr("1 click") : GuidePage::tr("%1 clicks").arg(count)) +
+    words << GuidePage::tr("Clicks so far: %1").arg(count) +
                  (count < step.leastClicks ? GuidePage::tr("; %1 more needed.").arg(step.leastClicks - count)
                   : count < step.clicks
-                      ? GuidePage::tr(", enough; %1 if the structure is hard to see.").arg(step.clicks)
-                      : GuidePage::tr(", enough."))
-          << GuidePage::tr("Drag a point to move it; the right button or Delete removes it.");
+                      ? GuidePage::tr(", which is enough. Set %1 if the structure is hard to see.").arg(step.clicks)
+                      : GuidePage::tr(", which is enough."))
+          << GuidePage::tr("Drag a point to move it. A right click or Delete removes a point.");
   return words.join(QLatin1Char(' '));
 }
 
@@ -103,8 +103,8 @@ QString clicksWords(const GuideStep& step, int count) {
 GuidePage::GuidePage(GuideSession& guide, QWidget* parent) : QWidget(parent), guide_(guide), list_(new QTreeWidget) {
   setObjectName(QStringLiteral("guide"));
   list_->setObjectName(QStringLiteral("guideSteps"));
-  list_->setAccessibleName(tr("Steps of labeling"));
-  list_->setToolTip(tr("The steps in order; select a step to repeat it"));
+  list_->setAccessibleName(tr("Labeling steps"));
+  list_->setToolTip(tr("Labeling steps in order; select a step to repeat it"));
   new ui::PassLetters(list_);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setColumnCount(2);
@@ -234,7 +234,7 @@ void GuidePage::refreshButtons() {
   const bool busy = guide_.isBusy();
   const bool working = state == GuideSession::State::Working;
   run_->setText(working ? tr("Cancel") : made ? tr("Repeat") : tr("Run"));
-  run_->setToolTip(working                    ? tr("Cancels; the labels are restored")
+  run_->setToolTip(working                    ? tr("Cancels the step and restores the labels")
                    : guide_.step().clicks > 0 ? tr("Labels this structure from the clicks (Enter)")
                                               : tr("Labels these structures (Enter)"));
   run_->setEnabled(working || guide_.canRun());

@@ -45,7 +45,7 @@ AuthoredState authoredState(const PrepareModel& shared) {
 
 /// Edits what differs from `state`, as one undoable step.
 void restore(const AuthoredState& state, PrepareModel& shared) {
-  auto all = std::make_unique<QUndoCommand>(GuideSession::tr("colors, title and places as before"));
+  auto all = std::make_unique<QUndoCommand>(GuideSession::tr("restored colors, title and marks"));
   shared.appearance.restore(state.looks, *all);
   shared.openCase.restoreTitle(state.title, *all);
   shared.places.restore(state.places, *all);
@@ -241,7 +241,7 @@ void GuideSession::run() {
       });
   if (!begun) {
     working_ = -1;
-    Q_EMIT told(tr("This step is too far back to be repeated; correct its result with the brush."));
+    Q_EMIT told(tr("This step is too old to be repeated. Correct its result with the brush."));
   }
   Q_EMIT changed();
 }
@@ -261,8 +261,8 @@ void GuideSession::finished(int index, bool well) {
     p.accepted = p.skipped = false;
     p.findings.clear();
     if (p.made == 0)
-      Q_EMIT told(p.clicks_mm.empty() ? tr("Nothing changed: all voxels had this label already.")
-                                      : tr("Nothing changed: check whether the clicks lie in the structure."));
+      Q_EMIT told(p.clicks_mm.empty() ? tr("No voxel changed: all voxels already had this label.")
+                                      : tr("No voxel changed. Check whether the clicks lie in the structure."));
     findWarnings(index);
   }
   Q_EMIT changed();
@@ -340,12 +340,12 @@ void GuideSession::saveRecipe() {
   const Recipe made = shared_.labelling.recipe();
   if (folder.isEmpty() || made.steps.empty()) return;
   Recipe all = before_;
-  all.description = "What made the labels of this case out of those that its import gave, in this order.";
+  all.description = "Steps that changed the imported labels of this case to the present labels, in this order.";
   all.labels = shared_.terms.value().own;
   all.steps.insert(all.steps.end(), made.steps.begin(), made.steps.end());
   const auto ok = writeAtomically(std::filesystem::path(folder.toStdString()) / kRecipeFile, textOf(all));
   if (!ok)
-    shared_.notice.say(tr("The case is saved, but the recipe of its labels is not: %1")
+    shared_.notice.say(tr("The case is saved, but the recipe with its labeling steps is not: %1")
                            .arg(QString::fromStdString(ok.error().message)));
 }
 

@@ -246,7 +246,7 @@ bool LabelSession::undo() {
   settle();
   endStroke();
   if (edit_->undoSteps() == 0) {
-    Q_EMIT failed(tr("Changes this far back were discarded to save memory; they cannot be undone."));
+    Q_EMIT failed(tr("Older changes cannot be undone: they were discarded to save memory."));
     return false;
   }
   undone_.push_back(std::move(steps_.back()));
@@ -264,7 +264,7 @@ void LabelSession::redo() {
 }
 
 QString LabelSession::refusal(std::uint8_t label) const {
-  if (!patient_) return tr("There is no case to label; open one first.");
+  if (!patient_) return tr("There is no case to label; open a case first.");
   if (busy_) return tr("A tool is running; wait for it or cancel it first.");
   if (rules_.locked.test(label)) return tr("The label %1 is locked; unlock it to edit it.").arg(names_(label));
   if (rules_.hidden.test(label)) return tr("The label %1 is hidden; show it to edit it.").arg(names_(label));

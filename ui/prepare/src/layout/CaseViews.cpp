@@ -123,9 +123,9 @@ void CaseViews::arrange() {
 }
 
 void CaseViews::buildEmpty() {
-  empty_ = ui::paragraph(
-      "sceneEmpty", "quiet",
-      tr("Nothing is labeled yet. Run the guide's first step, on the left: skin, bone and airway appear here."));
+  empty_ = ui::paragraph("sceneEmpty", "quiet",
+                         tr("Nothing is labeled yet. Run the first step of the guide on the left. Skin, bone and "
+                            "airway then appear here."));
   empty_->setAlignment(Qt::AlignCenter);
   empty_->setAttribute(Qt::WA_TransparentForMouseEvents);
   auto* box = new QVBoxLayout(widgets_[kSlices]->focusProxy());

@@ -11,12 +11,12 @@ namespace insonate::prepare {
 
 LayoutFeature::LayoutFeature(PrepareModel& model, PrepareLayout& layout) : Feature(model, layout) {
   commands().beginSection(tr("Slices and 3D"));
-  commands().addListed(tr("Arrows, wheel, Page up and down"), tr("goes through the slices"));
+  commands().addListed(tr("Arrows, wheel, Page up and down"), tr("scrolls through the slices"));
   commands().addListed(QStringLiteral("R"), tr("fits the slice into its view; shows 3D from the front"));
   commands().addListed(tr("Left drag on a slice"), tr("moves the crosshair (or hold Shift and move the mouse)"));
   commands().addListed(tr("Right drag on a slice"), tr("sets window (horizontal) and level (vertical)"));
   commands().addListed(tr("Ctrl + wheel, middle drag"), tr("zooms, pans"));
-  commands().addListed(tr("Click on a structure in 3D"), tr("moves the crosshair there"));
+  commands().addListed(tr("Click on a structure in 3D"), tr("moves the crosshair to the structure"));
 }
 
 void LayoutFeature::save(QSettings& settings) const {

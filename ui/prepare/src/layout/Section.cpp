@@ -45,7 +45,7 @@ bool Section::isOpen() const {
 void Section::setOpen(bool open) {
   heading_->setChecked(open);
   heading_->setIcon(ui::icon(open ? QStringLiteral("down") : QStringLiteral("right")));
-  heading_->setToolTip(open ? tr("Fold %1").arg(title_) : tr("Unfold %1").arg(title_));
+  heading_->setToolTip(open ? tr("Collapse %1").arg(title_) : tr("Expand %1").arg(title_));
   content_->setVisible(open);
 }
 

@@ -31,7 +31,7 @@ UltrasoundPane::UltrasoundPane(PrepareModel& shared, const ui::Commands& command
       view_(std::make_shared<views::UltrasoundView>()),
       widget_(new ui::ViewWidget(view_, tr("Ultrasound of this label map"), this)),
       press_(new ui::ValueSlider(tr("indentation"), tr("mm"), {0, 15, 0, 0.5, 1},
-                                 tr("indentation of the probe, which compresses the tissue as in Train"))),
+                                 tr("indentation of the tissue by the probe, as in Train"))),
       state_(new QLabel),
       pressed_(new QLabel),
       start_(new QPushButton(tr("Start"))),
@@ -43,7 +43,7 @@ UltrasoundPane::UltrasoundPane(PrepareModel& shared, const ui::Commands& command
   view_->setGreyBarVisible(false);
   auto* title = new QLabel(tr("Ultrasound"));
   ui::setRole(title, "heading");
-  title->setToolTip(tr("Ultrasound of these labels: the probe stands on the skin nearest to the crosshair"));
+  title->setToolTip(tr("Ultrasound image of these labels; the probe is on the skin nearest to the crosshair"));
   start_->setObjectName(QStringLiteral("toStart"));
   start_->setToolTip(commands.toolTip(QStringLiteral("prepare.live.start")));
   ui::setRole(state_, "quiet");
@@ -53,7 +53,7 @@ UltrasoundPane::UltrasoundPane(PrepareModel& shared, const ui::Commands& command
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(title, 1);
   keep_->setObjectName(QStringLiteral("keepStart"));
-  keep_->setToolTip(tr("Makes the probe's present pose the case's start pose; saved with the case"));
+  keep_->setToolTip(tr("Makes the present pose of the probe the start pose of the case; saved with the case"));
   row->addWidget(keep_);
   row->addWidget(start_);
   auto* box = new QVBoxLayout(this);
@@ -103,7 +103,7 @@ void UltrasoundPane::showPress() {
   for (const LumenArea& lumen : press.lumens)
     if (lumen.rest_mm2 > 0 && shared_.live.press_mm() > 0)
       words << tr("%1 %2").arg(structureName(lumen.label), ui::areaOf(lumen, ui::AreaForm::Short));
-  pressed_->setText(words.isEmpty() ? tr("Compress to see whether the vein gives way.")
+  pressed_->setText(words.isEmpty() ? tr("Compress the tissue to see whether the vein collapses.")
                                     : words.join(QStringLiteral("   ")));
 }
 

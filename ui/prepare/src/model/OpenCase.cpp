@@ -49,7 +49,7 @@ QUndoCommand* OpenCase::titleEdit(const QString& title, QUndoCommand* parent) {
     title_ = value;
     Q_EMIT titleChanged();
   };
-  return new ValueEdit<QString>(title_, title, apply, tr("title"), parent);
+  return new ValueEdit<QString>(title_, title, apply, tr("title of the case"), parent);
 }
 
 }  // namespace insonate::prepare

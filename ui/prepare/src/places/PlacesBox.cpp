@@ -43,16 +43,16 @@ PlacesBox::PlacesBox(PrepareModel& shared, QWidget* parent)
       shared_(shared),
       list_(new QTreeWidget),
       kind_(new QComboBox),
-      add_(ui::pushButton("placeAdd", tr("Mark"), tr("Marks the place at the crosshair; a start pose at the probe"))),
-      show_(ui::pushButton("placeShow", tr("Show"),
-                           tr("Moves the crosshair or the probe to the selected place (Enter)"))),
+      add_(ui::pushButton("placeAdd", tr("Mark"), tr("Adds the mark at the crosshair, or a start pose at the probe"))),
+      show_(
+          ui::pushButton("placeShow", tr("Show"), tr("Moves the crosshair or the probe to the selected mark (Enter)"))),
       put_(ui::pushButton("placePut", tr("Move here"),
-                          tr("Moves the selected place to the crosshair, a start pose to the probe"))),
+                          tr("Moves the selected mark to the crosshair, or a start pose to the probe"))),
       first_(ui::pushButton("placeFirst", tr("Put first in list"),
                             tr("Makes the selected start pose the first one, or the selected target the main target"))),
       split_(ui::pushButton("placeSplit", tr("Split"),
-                            tr("Splits the selected vessel at the crosshair, to give its parts different names"))),
-      remove_(ui::pushButton("placeRemove", tr("Remove"), tr("Removes the selected place"))) {
+                            tr("Splits the selected vessel at the crosshair into two vessels with different names"))),
+      remove_(ui::pushButton("placeRemove", tr("Remove"), tr("Removes the selected mark"))) {
   arrange();
   connect(kind_, qOverload<int>(&QComboBox::activated), this, [this] { shared_.places.beginMarking(); });
   connect(add_, &QPushButton::clicked, this, [this] { add(); });
@@ -74,7 +74,7 @@ PlacesBox::PlacesBox(PrepareModel& shared, QWidget* parent)
 void PlacesBox::arrange() {
   kind_->setObjectName(QStringLiteral("placeKind"));
   kind_->setAccessibleName(tr("Kind of mark"));
-  kind_->setToolTip(tr("Kind of mark; click on the place in a slice or in 3D first"));
+  kind_->setToolTip(tr("Kind of mark; first click on its location in a slice or in 3D"));
   for (const LandmarkKind& kind : landmarkKinds()) kind_->addItem(ui::qt(kind.name), ui::qt(kind.code));
   kind_->addItem(tr("another landmark"), QString());
   kind_->addItem(tr("target of the puncture"), kTargetKind);
@@ -83,7 +83,7 @@ void PlacesBox::arrange() {
   kind_->addItem(tr("another vessel"), kVesselKind);
   list_->setObjectName(QStringLiteral("places"));
   list_->setAccessibleName(tr("Targets, vessels, landmarks and start poses"));
-  list_->setToolTip(tr("F2 names the selected place, Enter shows it"));
+  list_->setToolTip(tr("F2 renames the selected mark, Enter shows it"));
   new ui::PassLetters(list_);
   list_->setHeaderHidden(true);
   list_->setRootIsDecorated(false);
@@ -91,8 +91,8 @@ void PlacesBox::arrange() {
   list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
   list_->setFixedHeight(kListHeight_px);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  QLabel* how =
-      ui::paragraph("placeHow", "quiet", tr("Click on the place in a slice or in 3D, choose its kind, and mark it."));
+  QLabel* how = ui::paragraph("placeHow", "quiet",
+                              tr("Click on a location in a slice or in 3D, choose a kind of mark, and click Mark."));
   auto* marking = new QHBoxLayout;
   marking->setSpacing(ui::kSmallGap);
   marking->addWidget(kind_, 1);
@@ -138,14 +138,15 @@ void PlacesBox::refresh() {
     if (had && before.kind == kind && before.index == index) list_->setCurrentItem(item);
   };
   auto* targets =
-      heading(places.targets.empty() ? tr("Targets: none yet") : tr("Targets; trainees practice on the first one"));
+      heading(places.targets.empty() ? tr("Targets: none yet") : tr("Targets; trainees practice on the first target"));
   for (std::size_t n = 0; n < places.targets.size(); ++n)
     add(targets, Kind::Target, n, QString::fromStdString(places.targets[n].name));
   auto* vessels = heading(places.vessels.empty() ? tr("Vessels: none named yet") : tr("Vessels"));
   for (std::size_t n = 0; n < places.vessels.size(); ++n)
     add(vessels, Kind::Vessel, n, QString::fromStdString(places.vessels[n].name));
-  auto* poses = heading(places.startPoses.empty() ? tr("Start poses of the probe: none yet")
-                                                  : tr("Start poses of the probe; the case begins at the first one"));
+  auto* poses =
+      heading(places.startPoses.empty() ? tr("Start poses of the probe: none yet")
+                                        : tr("Start poses of the probe; the case opens at the first start pose"));
   for (std::size_t n = 0; n < places.startPoses.size(); ++n)
     add(poses, Kind::StartPose, n, QString::fromStdString(places.startPoses[n].name));
   auto* landmarks = heading(places.landmarks.empty() ? tr("Landmarks: none yet") : tr("Landmarks"));
@@ -201,7 +202,8 @@ void PlacesBox::addTarget() {
   const std::uint8_t label =
       tissueOf(shared_.terms.value().own, sampleNearest(labels, labels.geometry.indexFromPatient() * here_mm));
   if (label != kVein && label != kArtery)
-    return shared_.notice.say(tr("A target lies in a vein or an artery. Put the crosshair into the vessel first."));
+    return shared_.notice.say(
+        tr("A target must lie in a vein or an artery. Move the crosshair into the vessel first."));
   change(tr("target"), [&](CasePlaces& places) {
     std::string name = structureName(label).toStdString();
     for (const NamedVessel& vessel : places.vessels)
@@ -222,7 +224,7 @@ void PlacesBox::addLandmark(const std::string& code, const QString& name) {
   const auto index = same - before.begin();
   const QString told = ui::qt(same->name);
   change(tr("landmark"), [&](CasePlaces& places) { places.landmarks[std::size_t(index)].position_mm = here_mm; });
-  shared_.notice.say(tr("\"%1\" was marked before and has moved to the crosshair; Ctrl+Z undoes it.").arg(told));
+  shared_.notice.say(tr("\"%1\" existed already and was moved to the crosshair; Ctrl+Z undoes the move.").arg(told));
 }
 
 void PlacesBox::show() {
@@ -252,7 +254,7 @@ void PlacesBox::moveHere() {
     return nameVesselAt(shared_, {shared_.crosshair.position_mm()},
                         ui::qt(shared_.places.value().vessels[one.index].name));
   const auto pose = shared_.live.standing();
-  change(tr("place"), [&](CasePlaces& places) {
+  change(tr("move of a mark"), [&](CasePlaces& places) {
     const Vec3 here_mm = shared_.crosshair.position_mm();
     if (one.kind == Kind::Target) places.targets[one.index].position_mm = here_mm;
     if (one.kind == Kind::Landmark) places.landmarks[one.index].position_mm = here_mm;
@@ -266,7 +268,7 @@ void PlacesBox::moveHere() {
 void PlacesBox::makeFirst() {
   Chosen one{};
   if (!chosen(one)) return;
-  change(tr("order of places"), [&](CasePlaces& places) {
+  change(tr("order of marks"), [&](CasePlaces& places) {
     const auto toFront = [&](auto& list) {
       std::rotate(list.begin(), list.begin() + std::ptrdiff_t(one.index), list.begin() + std::ptrdiff_t(one.index) + 1);
     };
@@ -280,7 +282,7 @@ void PlacesBox::splitVesselHere() {
   auto parts = splitVessel(shared_.places.value().vessels[one.index], shared_.crosshair.position_mm());
   if (!parts) return shared_.notice.say(ui::qt(parts.error().message));
   parts->second.name += ", part 2";
-  change(tr("vessel split"), [&](CasePlaces& places) {
+  change(tr("split of a vessel"), [&](CasePlaces& places) {
     const auto at = places.vessels.begin() + std::ptrdiff_t(one.index);
     *at = std::move(parts->first);
     places.vessels.insert(at + 1, std::move(parts->second));
@@ -290,7 +292,7 @@ void PlacesBox::splitVesselHere() {
 void PlacesBox::remove() {
   Chosen one{};
   if (!chosen(one)) return;
-  change(tr("place removed"), [&](CasePlaces& places) {
+  change(tr("removal of a mark"), [&](CasePlaces& places) {
     const auto erase = [&](auto& list) { list.erase(list.begin() + std::ptrdiff_t(one.index)); };
     if (one.kind == Kind::Target) erase(places.targets);
     if (one.kind == Kind::Vessel) erase(places.vessels);
@@ -306,7 +308,7 @@ void PlacesBox::rename(QTreeWidgetItem* item) {
   QMetaObject::invokeMethod(
       this,
       [this, index, name, kind = Kind(item->data(0, kKindRole).toInt())] {
-        change(tr("name"), [&](CasePlaces& places) {
+        change(tr("name of a mark"), [&](CasePlaces& places) {
           if (name.empty()) return;
           if (kind == Kind::Target) places.targets[index].name = name;
           if (kind == Kind::Vessel) places.vessels[index].name = name;

@@ -52,10 +52,11 @@ QString PublishStep::obstacle() const {
 void PublishStep::refresh() {
   const QString why = obstacle();
   publish_->setEnabled(why.isEmpty());
-  publish_->setToolTip(why.isEmpty() ? tr("Trainees get the case as it is now, until you publish again") : why);
-  if (published_ == 0) return step_.setMark(shared_.openCase.origin().builtIn ? tr("built in") : tr("not yet"));
+  publish_->setToolTip(
+      why.isEmpty() ? tr("Publishes the case as it is now; trainees get this version until you publish again") : why);
+  if (published_ == 0) return step_.setMark(shared_.openCase.origin().builtIn ? tr("built in") : tr("not published"));
   const bool latest = isLatest_ && !shared_.changes.isUnsaved();
-  step_.setMark(latest ? tr("version %1").arg(published_) : tr("version %1, not the latest").arg(published_));
+  step_.setMark(latest ? tr("version %1").arg(published_) : tr("version %1, older than the case").arg(published_));
 }
 
 void PublishStep::readVersions() {

@@ -53,15 +53,16 @@ RecipeBox::RecipeBox(PrepareModel& shared, QWidget* parent)
     : QWidget(parent),
       shared_(shared),
       replay_(shared.labelling, shared.openCase.undoStack(), this),
-      none_(ui::paragraph(
-          "recipeNone", "quiet",
-          tr("Each step of a tool is listed here; saved as a recipe, it can be replayed on another case."))),
+      none_(ui::paragraph("recipeNone", "quiet",
+                          tr("Each change by a tool is listed here as a step. Save the steps as a recipe to replay "
+                             "them on another case."))),
       steps_(new QListWidget),
-      save_(ui::pushButton("recipeSave", tr("Save ..."), tr("Writes the steps so far to a file"))),
-      load_(ui::pushButton("recipeReplay", tr("Replay ..."),
-                           tr("Applies the steps of a file to this case; locked and hidden labels stay unchanged"))) {
+      save_(ui::pushButton("recipeSave", tr("Save ..."), tr("Saves the steps so far as a recipe file"))),
+      load_(ui::pushButton(
+          "recipeReplay", tr("Replay ..."),
+          tr("Applies the steps of a recipe file to this case; locked and hidden labels stay unchanged"))) {
   steps_->setObjectName(QStringLiteral("recipeSteps"));
-  steps_->setAccessibleName(tr("Steps of labeling so far"));
+  steps_->setAccessibleName(tr("Labeling steps so far"));
   steps_->setToolTip(tr("Label edits since the case was opened, except undone edits"));
   steps_->setFixedHeight(kRows * steps_->fontMetrics().lineSpacing() * 3 / 2);
   new ui::PassLetters(steps_);
@@ -110,10 +111,10 @@ void RecipeBox::askReplay() {
 
 void RecipeBox::save(const QString& file) {
   Recipe made = shared_.labelling.recipe();
-  made.description = "Steps of labeling, in this order.";
+  made.description = "Labeling steps, in this order.";
   made.labels = shared_.terms.value().own;
   const auto ok = writeAtomically(file.toStdString(), textOf(made));
-  shared_.notice.say(ok ? tr("The steps are saved; the same file can be replayed on another case.")
+  shared_.notice.say(ok ? tr("The steps are saved as a recipe, which can be replayed on another case.")
                         : QString::fromStdString(ok.error().message));
 }
 
@@ -121,16 +122,14 @@ void RecipeBox::replay(const QString& file) {
   const auto recipe = loadRecipe(file.toStdString());
   if (!recipe) return shared_.notice.say(QString::fromStdString(recipe.error().message));
   const std::size_t here = shared_.labelling.recipe().steps.size();
-  replay_.run(recipe->steps, here, here, tr("Repeating the steps of a recipe"),
-              [this, names = recipe->labels](bool well) {
-                LabelTerms terms = shared_.terms.value();
-                terms.own.insert(names.begin(), names.end());
-                if (well && terms != shared_.terms.value())
-                  shared_.terms.set(std::move(terms), tr("names of the recipe's labels"));
-                shared_.notice.say(well ? tr("The recipe was replayed; Ctrl+Z undoes its steps.")
-                                        : tr("The recipe was not replayed; the labels are as they were."));
-                refresh();
-              });
+  replay_.run(recipe->steps, here, here, tr("Replaying the recipe"), [this, names = recipe->labels](bool well) {
+    LabelTerms terms = shared_.terms.value();
+    terms.own.insert(names.begin(), names.end());
+    if (well && terms != shared_.terms.value()) shared_.terms.set(std::move(terms), tr("names of the recipe's labels"));
+    shared_.notice.say(well ? tr("The recipe was replayed; Ctrl+Z undoes its steps.")
+                            : tr("The recipe was not replayed; the labels are unchanged."));
+    refresh();
+  });
   refresh();
 }
 

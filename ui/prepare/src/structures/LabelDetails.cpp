@@ -36,7 +36,7 @@ LabelDetails::LabelDetails(PrepareModel& shared, QWidget* parent)
       shared_(shared),
       // "in progress" must be fully readable; the tissue gets the remaining width.
       state_(choice("labelState", tr("Labeling state of the selected structure"), 11,
-                    tr("Progress on the selected structure (S sets the next state); saved with the case"))),
+                    tr("Labeling progress of the selected structure (S sets the next state); saved with the case"))),
       tissue_(choice("labelTissue", tr("Tissue of the selected structure"), 3, {})),
       term_(ui::paragraph("labelTerm", "quiet")) {
   for (const LabelState state : kLabelStates) state_->addItem(stateIcon(state), stateWord(state));

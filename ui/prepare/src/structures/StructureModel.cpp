@@ -98,8 +98,8 @@ QVariant StructureModel::tip(Column column, std::uint8_t label) const {
     case kColour:
       return tr("Color of %1 (Enter); saved with the case").arg(name);
     case kLock:
-      return shared_.labelling.rules().locked.test(label) ? tr("Unlock %1 for tools (L)").arg(name)
-                                                          : tr("Lock %1 against tools (L)").arg(name);
+      return shared_.labelling.rules().locked.test(label) ? tr("Unlock %1, so that tools can change it (L)").arg(name)
+                                                          : tr("Lock %1, so that tools cannot change it (L)").arg(name);
     case kState:
       return tr("%1: %2. A click or S goes to the next state").arg(name, stateWord(shared_.terms.stateOf(label)));
     case kVolume:
@@ -109,7 +109,7 @@ QVariant StructureModel::tip(Column column, std::uint8_t label) const {
     case kVoxels:
       return tr("Voxels of %1").arg(name);
     default:
-      return isOwnLabel(label) ? tr("%1, label %2; a double click or F2 gives it a name").arg(name).arg(int(label))
+      return isOwnLabel(label) ? tr("%1, label %2; a double click or F2 renames it").arg(name).arg(int(label))
                                : tr("%1, label %2").arg(name).arg(int(label));
   }
 }

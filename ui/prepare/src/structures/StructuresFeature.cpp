@@ -36,7 +36,8 @@ void StructuresFeature::addCommands() {
       {{Qt::Key_H, [this] { toggleVisible(); }}});
   commands().addListed(tr("Enter in the table"),
                        tr("chooses the color of the selected structure, while no tool is selected"));
-  add("prepare.structures.lock", QStringLiteral("L"), tr("locks the selected structure against tools, or unlocks it"),
+  add("prepare.structures.lock", QStringLiteral("L"),
+      tr("locks the selected structure, so that tools cannot change it, or unlocks it"),
       {{Qt::Key_L, [this] { toggleLocked(); }}});
   add("prepare.structures.state", QStringLiteral("S"),
       tr("moves the selected structure to its next state, e.g. completed"),
@@ -61,7 +62,7 @@ void StructuresFeature::refreshMark() {
     return step.setMark(isStopped ? tr("not measured") : tr("measuring ..."));
   }
   const int count = int(model_.structures.labels().size());
-  step.setMark(count == 0 ? tr("nothing yet") : count == 1 ? tr("1 structure") : tr("%1 structures").arg(count));
+  step.setMark(count == 0 ? tr("no structures") : count == 1 ? tr("1 structure") : tr("%1 structures").arg(count));
 }
 
 void StructuresFeature::save(QSettings& settings) const {

@@ -53,7 +53,7 @@ RangeField::RangeField(const QString& name, QWidget* parent)
   auto* brighter = button("-brighter", tr("Brighter"),
                           tr("Selects the brighter of the two parts of the histogram in the range, by Otsu's method; "
                              "repeat to divide it further"));
-  auto* whole = button("-all", tr("All"), tr("Everything in the CT"));
+  auto* whole = button("-all", tr("All"), tr("Selects the full range of CT values"));
   for (QPushButton* one : {darker, brighter, whole}) parts->addWidget(one, 1);
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);

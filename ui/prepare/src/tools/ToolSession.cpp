@@ -287,7 +287,7 @@ void ToolSession::apply() {
     if (auto* points = pointsOf(parameters_)) points->clear();
     Q_EMIT pointsChanged();
     if (change->voxels == 0)
-      return Q_EMIT told(tr("Nothing changed: all voxels had the label already, or may not be overwritten."));
+      return Q_EMIT told(tr("No voxel changed: all voxels already had the label or may not be overwritten."));
     const QString volume = volumeText(ml(change->voxels, shared_.openCase.patient()->ct.geometry.spacing_mm));
     shared_.notice.say(tr("%1: %2 ml changed; Ctrl+Z undoes it.").arg(what, volume));
   });

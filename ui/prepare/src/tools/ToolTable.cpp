@@ -80,7 +80,8 @@ Tool scissors(const char* id, const char* name, const char* advice, bool erases)
           .usual = S{},
           .numbers = {number<S>(
               "depth", "mm", {0, 300, 0, 5, 0},
-              "Depth from the surface under the first corner, on slices to either side; 0 cuts through everything",
+              "Depth below the surface under the first corner (in slices: on either side of the slice); 0 cuts through "
+              "everything",
               [](auto& s) -> auto& { return s.view.depth_mm; })},
           .choices = {choice<S>(
               "take", {tr("inside"), tr("outside")}, "Side of the outline",
@@ -101,12 +102,14 @@ std::vector<Tool> drawing() {
        .advice = tr("Drag around the structure on a slice, or click its corners; Enter fills the outline."),
        .usual = step::Draw{},
        .leastPoints = 3},
-      scissors("cut", "Cut away",
-               "Draw around a part, on a slice or in 3D; Enter removes the label inside the outline, along the view.",
-               true),
-      scissors("scissors", "Fill",
-               "Draw around a part, on a slice or in 3D; Enter labels everything inside the outline, along the view.",
-               false)};
+      scissors(
+          "cut", "Cut",
+          "Draw an outline on a slice or in 3D. Enter removes the label inside the outline, along the view direction.",
+          true),
+      scissors(
+          "scissors", "Fill",
+          "Draw an outline on a slice or in 3D. Enter labels everything inside the outline, along the view direction.",
+          false)};
 }
 
 std::vector<Tool> growing() {
@@ -179,7 +182,7 @@ std::vector<Tool> growing() {
        .group = group,
        .key = Qt::Key_6,
        .input = ToolInput::Nothing,
-       .advice = tr("Moves the label's surface to the edges of the CT."),
+       .advice = tr("Moves the surface of the label to edges in the CT."),
        .usual = L{},
        .numbers = {
            number<L>(
@@ -274,10 +277,11 @@ std::vector<Tool> shaping() {
   return {
       smoothingInReach<step::Median>("median", "Median", "Removes bumps and fills dents of the label.",
                                      "Radius of the block around each voxel; half of the kernel size in Slicer"),
-      smoothingInReach<step::Opening>("opening", "Opening", "Removes thin bridges and spikes.",
-                                      "Removes parts narrower than twice this; half of the kernel size in Slicer"),
+      smoothingInReach<step::Opening>(
+          "opening", "Opening", "Removes thin bridges and spikes.",
+          "Removes parts narrower than twice this radius; half of the kernel size in Slicer"),
       smoothingInReach<step::Closing>("closing", "Closing", "Fills gaps and pits.",
-                                      "Fills gaps narrower than twice this; half of the kernel size in Slicer"),
+                                      "Fills gaps narrower than twice this radius; half of the kernel size in Slicer"),
       blurring<step::Gaussian>("gaussian", "Gaussian", "Rounds the label."),
       blurring<step::SmoothTogether>("joint", "Together",
                                      "Smooths all visible, unlocked labels without gaps between them."),
@@ -285,7 +289,7 @@ std::vector<Tool> shaping() {
        .name = tr("Keep largest"),
        .group = islands,
        .key = Qt::Key_9,
-       .advice = tr("Keeps the largest parts of the label; the rest becomes soft tissue."),
+       .advice = tr("Keeps the largest parts of the label; the other parts become soft tissue."),
        .usual = I{},
        .numbers = {number<I>(
            "parts", "", {1, 50, 0, 1, 0}, "Number of parts to keep", [](auto& s) -> auto& { return s.islands; })}},
@@ -299,18 +303,18 @@ std::vector<Tool> shaping() {
            "least", "mm\u00b3", {1, 10000, 0, 10, 0}, "Minimum volume of parts to keep",
            [](auto& s) -> auto& { return s.least_mm3; })}},
       {.id = "island",
-       .name = tr("Keep part"),
+       .name = tr("Keep clicked part"),
        .group = islands,
        .key = Qt::Key_9,
        .input = ToolInput::Points,
-       .advice = tr("Click the part of the label to keep."),
+       .advice = tr("Click the part of the label to keep; the other parts become soft tissue."),
        .usual = step::KeepIsland{},
        .leastPoints = 1},
       {.id = "margin",
        .name = tr("Margin"),
        .group = shape,
        .key = Qt::Key_0,
-       .advice = tr("Makes the label larger on all sides; a negative value makes it smaller."),
+       .advice = tr("Expands the label on all sides; a negative margin shrinks the label."),
        .usual = M{},
        .numbers = {number<M>(
            "margin", "mm", {-20, 20, 0, 0.5, 1}, "Distance of the new surface; negative: smaller",
@@ -319,7 +323,7 @@ std::vector<Tool> shaping() {
        .name = tr("Hollow"),
        .group = shape,
        .key = Qt::Key_0,
-       .advice = tr("Keeps the wall of the label."),
+       .advice = tr("Keeps only a wall along the surface of the label."),
        .usual = H{},
        .numbers = {number<H>(
            "wall", "mm", kRadius, "Thickness of the wall", [](auto& s) -> auto& { return s.thickness_mm; })},
@@ -330,8 +334,8 @@ std::vector<Tool> shaping() {
        .name = tr("Combine"),
        .group = shape,
        .key = Qt::Key_0,
-       .advice =
-           tr("Combines the label with another one: adds it, removes voxels near it, or keeps only voxels near it."),
+       .advice = tr("Combines the label with another label: adds the other label, removes voxels near it, or keeps "
+                    "only voxels near it."),
        .usual = step::Logical{LogicalOperation::kAdd, 0},
        .numbers = {number<step::Logical>(
            "reach", "mm", {0, 20, 0, 0.5, 1}, "Distance around the other label that counts as part of it",
@@ -343,7 +347,7 @@ std::vector<Tool> shaping() {
                           [](const LabelTool& t) { return std::get<step::Logical>(t).with; },
                           [](LabelTool& t, std::uint8_t label) { std::get<step::Logical>(t).with = label; }}},
       {.id = "fill",
-       .name = tr("Fill between"),
+       .name = tr("Fill between slices"),
        .group = shape,
        .key = Qt::Key_0,
        .advice =

@@ -44,7 +44,7 @@ void ToolsFeature::addChoosing() {
     keys.emplace_back(key,
                       [this, key] { tools_->choose(toolOfKey(key, tools_->tool() ? tools_->tool()->id : QString())); });
   add("prepare.tools.choose", tr("1 to 9, 0"),
-      tr("selects a tool of the palette; pressed again, the next of its group"), keys);
+      tr("selects a tool of the palette; another press selects the next tool of its group"), keys);
   add("prepare.tools.last", tr("Space"), tr("selects the tool that was selected before"),
       {{Qt::Key_Space, [this] { tools_->chooseLast(); }}});
 }
@@ -55,7 +55,7 @@ void ToolsFeature::addActing() {
   const auto apply = [this] { tools_->apply(); };
   add("prepare.tools.apply", tr("Enter"), tr("writes the tool's result to the labels"),
       {{Qt::Key_Return, apply}, {Qt::Key_Enter, apply}}, isInHand);
-  add("prepare.tools.leave", tr("Esc"), tr("stops the tool, clears its clicks, or deselects it"),
+  add("prepare.tools.leave", tr("Esc"), tr("stops the tool, clears its clicks, or deselects the tool"),
       {{Qt::Key_Escape, [this] { tools_->leave(); }}}, isInHand);
   const auto removeLast = [this] { tools_->removeNearest(tools_->points().back()); };
   add("prepare.tools.removeLast", tr("Delete, Backspace"), tr("removes the tool's last click"),
@@ -65,7 +65,7 @@ void ToolsFeature::addActing() {
 void ToolsFeature::addBrush() {
   const auto larger = [this] { tools_->scaleBrush(ToolSession::kBrushStep); };
   const auto smaller = [this] { tools_->scaleBrush(1 / ToolSession::kBrushStep); };
-  add("prepare.tools.brush", tr("+, -, [, ], Shift + wheel"), tr("makes the brush larger, smaller"),
+  add("prepare.tools.brush", tr("+, -, [, ], Shift + wheel"), tr("makes the brush larger or smaller"),
       {{Qt::Key_Plus, larger},
        {Qt::Key_Minus, smaller},
        {Qt::Key_BracketRight, larger},

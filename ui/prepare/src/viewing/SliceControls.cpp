@@ -69,7 +69,7 @@ SliceControls::SliceControls(PrepareModel& shared, const ui::Commands& commands)
   for (const Style& style : styles()) style_->addItem(style.name);
   width_->setObjectName(QStringLiteral("outlineWidth"));
   places_->setObjectName(QStringLiteral("placesShown"));
-  places_->setToolTip(tr("Marks targets, landmarks and start poses on the slices and in 3D"));
+  places_->setToolTip(tr("Shows targets, landmarks and start poses on the slices and in 3D"));
   labels_->setObjectName(QStringLiteral("labelsShown"));
   labels_->setToolTip(commands.toolTip(QStringLiteral("prepare.slices.labels")));
   auto* box = new QVBoxLayout(this);

@@ -24,7 +24,7 @@ QString wordsOf(AttemptStatus status) {
     case AttemptStatus::CutShort:
       break;
   }
-  return tr("abandoned: its recording broke off");
+  return tr("abandoned: the recording stopped early");
 }
 
 QString dateOf(const std::string& begun) {

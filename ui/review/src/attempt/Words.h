@@ -10,7 +10,7 @@ namespace insonate::review {
 /// Formats a time as minutes, seconds and hundredths: "0:07.25".
 QString clockOf(std::int64_t time_us);
 
-/// Returns "completed", "abandoned" or "abandoned: its recording broke off".
+/// Returns "completed", "abandoned" or "abandoned: the recording stopped early".
 QString wordsOf(AttemptStatus status);
 /// Formats ISO 8601 as "20 Nov 2026, 14:05" in the user's time zone; other text is returned unchanged.
 QString dateOf(const std::string& begun);

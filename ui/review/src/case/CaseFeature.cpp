@@ -54,9 +54,10 @@ void CaseFeature::findCase() {
   const QString title = QString::fromStdString(header.caseName);
   const auto kept = keptVersion(header);
   if (const auto place = kept ? kept : ui::placeOfCase(title)) return Q_EMIT model_.workspace.caseWanted(*place);
-  Q_EMIT model_.workspace.failed(
-      tr("The case '%1' of this attempt is not among the recent ones.").arg(title),
-      tr("Open the case (Ctrl+O) to see hand movements and images; timeline and result are available without it."), {});
+  Q_EMIT model_.workspace.failed(tr("The case '%1' of this attempt is not among the recent cases.").arg(title),
+                                 tr("Open the case (Ctrl+O) to see hand movements and images; timeline and result are "
+                                    "available without the case."),
+                                 {});
 }
 
 void CaseFeature::showNotice() {

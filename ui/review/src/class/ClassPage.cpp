@@ -123,7 +123,7 @@ QWidget* ClassPage::buildHead(ui::Commands& commands) {
   commands.beginSection(tr("Class"));
   commands.add({.id = QStringLiteral("review.class.refresh"),
                 .text = again_->text(),
-                .does = tr("reads new attempts and people of the class"),
+                .does = tr("reads the class again, with new attempts and people"),
                 .listed = tr("F5"),
                 .keys = {{Qt::Key_F5}},
                 .perform = [this](ui::KeyPress) { again_->click(); },
@@ -232,8 +232,8 @@ void ClassPage::showPlace() {
   else if (desk_.cohorts().empty())
     words =
         desk_.administers()
-            ? tr("There is no class yet. Make one, and add its instructors and trainees, under your name at the top "
-                 "right (Alt+U): People and classes.")
+            ? tr("There is no class yet. Open the menu under your name at the top right (Alt+U), choose People and "
+                 "classes, make a class, and add its instructors and trainees.")
             : tr("You have no class yet. An administrator creates classes and assigns instructors; your classes then "
                  "appear here.");
   else if (desk_.facts() && desk_.facts()->learners.empty())
@@ -255,7 +255,7 @@ void ClassPage::showFacts() {
   }
   if (desk_.isReading()) facts << tr("reading ...");
   if (desk_.pendingStandings() > 0)
-    facts << tr("computing levels, people remaining: %1")
+    facts << tr("computing levels; people remaining: %1")
                  .arg(countOf(desk_.pendingStandings(), tr("person"), tr("people")));
   facts_->setText(facts.join(QStringLiteral("   ·   ")));
   facts_->setToolTip(plainToolTip(facts_->text()));

@@ -22,7 +22,8 @@ std::vector<FlaggedAttempt> implausibleOf(std::vector<AttemptFacts> attempts) {
 
 Result<Curriculum> curriculumOf(const SignedIn& by, const Cohort& cohort) {
   if (cohort.curriculum.empty())
-    return fail("The class '" + cohort.name + "' has no curriculum yet; choose one under People and classes (Alt+U).");
+    return fail("The class '" + cohort.name +
+                "' has no curriculum yet; choose a curriculum under People and classes (Alt+U).");
   const auto text = PublishedCurricula(by).text(cohort.curriculum, cohort.curriculumVersion);
   if (!text) return tl::unexpected(text.error());
   return parseCurriculum(*text);

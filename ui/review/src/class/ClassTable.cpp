@@ -48,7 +48,7 @@ QVariant ClassTable::headerData(int section, Qt::Orientation orientation, int ro
                                    tr("Last attempt")};
   if (role == Qt::DisplayRole) return titles[section];
   if (role != Qt::ToolTipRole) return {};
-  return section == kAttempts ? tr("Attempts that count, at levels and in free practice. Click to sort")
+  return section == kAttempts ? tr("Number of attempts that count, at levels and in free practice. Click to sort")
                               : tr("Click to sort");
 }
 

@@ -83,8 +83,9 @@ void CommentDesk::write(std::int64_t at_us, const QString& text) {
                        const SignedIn& by) { return CommentStore(by).add(attempt, at_us, text); },
                    [this, attempt = attempt_](const Result<std::string>& id) {
                      if (!id)
-                       return Q_EMIT failed(QString::fromStdString(id.error().message),
-                                            tr("The comment is kept in its field; save it again later."));
+                       return Q_EMIT failed(
+                           QString::fromStdString(id.error().message),
+                           tr("The comment is not saved; its text stays in the field. Save the comment again later."));
                      Q_EMIT written(attempt);
                      if (attempt == attempt_) read();
                    });

@@ -34,14 +34,14 @@ void CommentFeature::addCommands() {
   commands.beginSection(tr("Comments"));
   commands.add({.id = QStringLiteral("review.comment.write"),
                 .text = tr("Comment ..."),
-                .does = tr("writes a comment at the time shown, which the trainee reads"),
+                .does = tr("writes a comment for the trainee at the time shown"),
                 .listed = tr("C"),
                 .keys = {{Qt::Key_C}},
                 .perform = [this](ui::KeyPress) { pane_->startWriting(); },
                 .isAvailable = [this] { return desk_.mayWrite(); }});
   commands.add({.id = QStringLiteral("review.comment.remove"),
                 .text = tr("Remove comment ..."),
-                .does = tr("removes the selected comment, after a question"),
+                .does = tr("removes the selected comment after you confirm"),
                 .listed = tr("Ctrl+Delete"),
                 .keys = {{Qt::Key_Delete, Qt::ControlModifier}},
                 .perform = [this](ui::KeyPress) { pane_->askRemoval(); },

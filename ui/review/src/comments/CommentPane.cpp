@@ -55,15 +55,17 @@ CommentPane::CommentPane(ReviewSession& session, CommentDesk& desk, const ui::Co
 
 QWidget* CommentPane::buildField() {
   auto* part = new QWidget;
-  text_ = ui::named(new QPlainTextEdit, "commentText", tr("Text of the comment"),
-                    tr("Text of the comment, which the trainee reads. Enter saves, Shift+Enter begins a new line"));
+  text_ = ui::named(
+      new QPlainTextEdit, "commentText", tr("Text of the comment"),
+      tr("Text of the comment, which the trainee can read. Enter saves the comment, Shift+Enter begins a new line"));
   text_->setTabChangesFocus(true);
   text_->setMaximumHeight(kText_px);
   text_->installEventFilter(this);
-  save_ = ui::pushButton("saveComment", tr("Save"), tr("Saves the comment at this time; the trainee reads it (Enter)"));
+  save_ = ui::pushButton("saveComment", tr("Save"),
+                         tr("Saves the comment at this time; the trainee can then read it (Enter)"));
   ui::setRole(save_, "primary");
-  auto* cancel =
-      ui::pushButton("cancelComment", tr("Cancel"), tr("Closes the field; its text stays for the next time (Esc)"));
+  auto* cancel = ui::pushButton("cancelComment", tr("Cancel"),
+                                tr("Closes the field without saving; the text stays in the field (Esc)"));
   auto* row = new QHBoxLayout;
   row->addWidget(save_);
   row->addWidget(cancel);

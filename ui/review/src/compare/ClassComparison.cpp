@@ -62,7 +62,7 @@ ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& 
   const ValueKind kind = kindOfMeans(MetricBook::here().all()[metric]);
   const auto ranks = compareRanks(a, b);
   if (!ranks) {
-    result.picture.words = tr("n/a: %2 people of %1 and %4 of %3 have data; at least %5 of each are needed.")
+    result.picture.words = tr("n/a: %2 people of %1 and %4 people of %3 have data; each class needs at least %5.")
                                .arg(first.name, QString::number(a.size()), second.name, QString::number(b.size()),
                                     QString::number(kFewestCompared));
     result.words = result.picture.words;
@@ -83,8 +83,9 @@ ClassComparison compareClasses(const ComparedClass& first, const ComparedClass& 
                            ranks->exact ? tr("exact") : tr("approximate"))}
           .join(QLatin1Char('\n'));
   if (const std::size_t both = inBoth(first, second); both > 0)
-    result.words += QLatin1Char(' ') + tr("%1 are in both classes: interval and p count them as different people.")
-                                           .arg(countOf(both, tr("person"), tr("people")));
+    result.words +=
+        QLatin1Char(' ') + tr("%1 are in both classes; the interval and the p-value count them as different people.")
+                               .arg(countOf(both, tr("person"), tr("people")));
   return result;
 }
 

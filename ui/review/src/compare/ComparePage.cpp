@@ -119,7 +119,7 @@ void ComparePage::show() {
   }
   ui::ChartPicture nothing;
   nothing.words = desk_.cohorts().size() < 2 ? tr("You can see only one class; a comparison needs two.")
-                                             : tr("Choose above the class to compare with.");
+                                             : tr("Choose the class to compare with in the list above.");
   chart_->show(nothing);
 }
 

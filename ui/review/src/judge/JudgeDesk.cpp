@@ -139,7 +139,7 @@ void JudgeDesk::handIn(const Form& form, const FormAnswers& answers, std::functi
       [this](const Result<std::string>& id) {
         if (!id)
           return Q_EMIT failed(QString::fromStdString(id.error().message),
-                               tr("Your answers are kept here; hand them in again later."));
+                               tr("Your answers are kept on this computer; hand in the form again later."));
         sending_.stored();
         Q_EMIT handedIn();
         look();

@@ -17,7 +17,7 @@ JudgeFeature::JudgeFeature(const ReviewModel& model, AttemptPage& page, ReplayFe
   model_.workspace.commands().beginSection(tr("Judge"));
   addForAttempt({.id = QStringLiteral("review.judge.show"),
                  .text = tr("Judge"),
-                 .does = tr("shows checklists and ratings of this attempt in place of 3D, or hides them"),
+                 .does = tr("shows checklists and ratings of this attempt in place of the 3D view, or hides them"),
                  .listed = tr("4"),
                  .keys = {{Qt::Key_4}},
                  .perform = [this](ui::KeyPress) { tab_->toggle(); }});

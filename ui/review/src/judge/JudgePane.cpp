@@ -159,8 +159,8 @@ void JudgePane::showHandIn() {
   const bool done = desk_.hasHandedIn(form().name);
   handIn_->setEnabled(desk_.mayJudge() && !done);
   handIn_->setToolTip(
-      done ? tr("You have handed in this form about this attempt; a form is handed in once")
-           : tr("Stores the answers under your name: the trainee can read them, and they cannot be changed"));
+      done ? tr("You have handed in this form about this attempt; each form can be handed in only once")
+           : tr("Stores the answers under your name; the trainee can then read the answers, which cannot be changed"));
   showProgress();
 }
 
@@ -171,11 +171,12 @@ void JudgePane::showPage(int page) {
 
 void JudgePane::showProgress() {
   if (desk_.hasHandedIn(form().name))
-    return progress_->setText(tr("You have handed in this form about this attempt; see Handed in."));
+    return progress_->setText(tr("You have handed in this form about this attempt. Your answers are under Handed in."));
   const FormAnswers answers = sheet_->answers();
   const FormScore score = formScore(form(), answers);
-  progress_->setText(answers.empty() ? QString::fromStdString(form().about)
-                                     : tr("Not complete yet: %1. Saved as a draft").arg(scoreWords(score)));
+  progress_->setText(answers.empty()
+                         ? QString::fromStdString(form().about)
+                         : tr("Not complete yet: %1. The answers are saved as a draft").arg(scoreWords(score)));
 }
 
 void JudgePane::keepDraft() {

@@ -27,7 +27,7 @@ QString percentOf(const std::optional<double>& share) {
 
 QString wordsOf(const RaterPair& pair) {
   const RaterComparison& comparison = pair.comparison;
-  return tr("%1 and %2: %3 of %4 answers alike, kappa %5, ICC of the scores %6")
+  return tr("%1 and %2: %3 of %4 answers equal, kappa %5, ICC of the scores %6")
       .arg(QString::fromStdString(pair.first), QString::fromStdString(pair.second), percentOf(comparison.agreement),
            QString::number(comparison.pairs), coefficientOf(comparison.kappa), coefficientOf(comparison.scores));
 }

@@ -44,7 +44,7 @@ JudgementTable::JudgementTable(QWidget* parent)
       onlyDiffering_(new QCheckBox(tr("Only where raters differ"))),
       table_(new QTableWidget) {
   onlyDiffering_->setObjectName(QStringLiteral("onlyDiffering"));
-  onlyDiffering_->setToolTip(tr("Hides items that all raters answered alike and without a note"));
+  onlyDiffering_->setToolTip(tr("Hides items that all raters answered equally and without a note"));
   connect(onlyDiffering_, &QCheckBox::toggled, this, [this] { fill(); });
   table_->setObjectName(QStringLiteral("judgements"));
   table_->setAccessibleName(tr("Answers item by item, a column for each form that was handed in"));
@@ -117,18 +117,18 @@ void JudgementTable::fillRow(int row, const FormItem& item, bool differs) {
 /// Rater of each column.
 QString JudgementTable::wordsAbove() const {
   if (forms_.empty())
-    return tr("Nobody has handed in '%1' about this attempt yet.").arg(QString::fromStdString(form_.title));
+    return tr("No rater has handed in '%1' about this attempt yet.").arg(QString::fromStdString(form_.title));
   QStringList lines;
   for (const KeptForm& one : forms_) {
     const QString who =
         QStringLiteral("%1, %2").arg(QString::fromStdString(one.rater), ui::dayAndTimeOf(one.filled.filled_us));
     const auto answers = parseAnswers(one.filled.answers);
     if (one.withheld)
-      lines << tr("%1: visible once you have handed in yours").arg(who);
+      lines << tr("%1: visible once you have handed in your own form").arg(who);
     else if (answers && one.filled.formVersion == form_.version)
       lines << QStringLiteral("%1: %2").arg(who, scoreWords(formScore(form_, *answers)));
     else
-      lines << tr("%1: used version %2 of the form, not scored").arg(who).arg(one.filled.formVersion);
+      lines << tr("%1: filled in with version %2 of the form, not scored").arg(who).arg(one.filled.formVersion);
   }
   return lines.join(QLatin1Char('\n'));
 }

@@ -133,7 +133,7 @@ void RatersPage::read() {
 
 QString RatersPage::words() const {
   if (!trouble_.isEmpty()) return trouble_;
-  if (!desk_.facts()) return tr("Choose a class under Class.");
+  if (!desk_.facts()) return tr("Choose a class on the page Class.");
   if (!known_) return tr("Reading ...");
   const QString twice =
       tr("%1 judged by this form in '%2', %3 by two raters or more.")
@@ -141,10 +141,10 @@ QString RatersPage::words() const {
                QString::fromStdString(desk_.facts()->cohort.name), QString::number(agreement_.judgedTwice));
   if (agreement_.pairs.empty())
     return twice + QLatin1Char(' ') +
-           tr("There is nothing to compare: replay an attempt that another rater has judged, press 4, and judge it, "
-              "too.");
+           tr("There is nothing to compare yet. Replay an attempt that another rater has judged, press 4, and judge "
+              "the attempt, too.");
   const QString left = agreement_.otherVersions > 0
-                           ? tr(" Forms of another version that are left out: %1.").arg(agreement_.otherVersions)
+                           ? tr(" Forms left out, since they have another version: %1.").arg(agreement_.otherVersions)
                            : QString();
   return twice + left;
 }

@@ -128,9 +128,9 @@ void AttemptList::show(const std::vector<ListedAttempt>& attempts) {
   open_->setVisible(any);
   open_->setEnabled(false);
   if (any) table_->selectRow(0);
-  words_->setText(any ? tr("Open an attempt to replay it beside the ultrasound, and to see its result. A recording "
-                           "from another place can be dropped here.")
-                      : tr("There are no attempts yet. Make one under Train (Ctrl+2), or drop a recording here."));
+  words_->setText(any ? tr("Open an attempt to replay it with its ultrasound images and to see its result. A recording "
+                           "from another computer can be dropped here.")
+                      : tr("There are no attempts yet. Make an attempt in Train (Ctrl+2), or drop a recording here."));
 }
 
 void AttemptList::choose() {

@@ -46,12 +46,12 @@ OpeningDialog::OpeningDialog(ClassDesk& desk, QWidget* parent)
       cohort_(desk.facts()->cohort.id),
       openings_(new QTableWidget),
       test_(ui::choiceBox("openingTest", tr("Test"), tr("Test to open"))),
-      whom_(ui::choiceBox("openingWhom", tr("For"), tr("People for whom the test is opened"))),
+      whom_(ui::choiceBox("openingWhom", tr("Open to"), tr("People for whom the test is opened"))),
       ends_(new QCheckBox(tr("End"))),
       code_(new QLineEdit),
       open_(new QPushButton(tr("Open Test"))),
       close_(ui::pushButton("openingClose", tr("Close Test"),
-                            tr("Closes the selected opening now; attempts that have begun still count"))),
+                            tr("Closes the selected test now; attempts that have begun still count"))),
       said_(ui::paragraph("openingSaid")) {
   setObjectName(QStringLiteral("openingDialog"));
   setAttribute(Qt::WA_DeleteOnClose);
@@ -73,10 +73,10 @@ OpeningDialog::OpeningDialog(ClassDesk& desk, QWidget* parent)
 }
 
 QWidget* OpeningDialog::buildTable() {
-  ui::named(openings_, "openings", tr("Openings of tests, newest first"), tr("Openings of tests, newest first"));
+  ui::named(openings_, "openings", tr("Opened tests, newest first"), tr("Opened tests, newest first"));
   openings_->setColumnCount(kOpeningColumns);
   openings_->setHorizontalHeaderLabels(
-      {tr("State"), tr("Test"), tr("For"), tr("Start"), tr("End"), tr("Code"), tr("Opened by")});
+      {tr("State"), tr("Test"), tr("Open to"), tr("Start"), tr("End"), tr("Code"), tr("Opened by")});
   openings_->setSelectionBehavior(QAbstractItemView::SelectRows);
   openings_->setSelectionMode(QAbstractItemView::SingleSelection);
   openings_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -97,10 +97,13 @@ QWidget* OpeningDialog::buildForm() {
   whom_->addItem(tr("the class %1").arg(QString::fromStdString(facts.cohort.name)));
   if (desk_.administers()) whom_->addItem(tr("everyone"));
   const QDateTime now = QDateTime::currentDateTime();
-  start_ = timeField("openingStart", tr("Start"), tr("Time from which attempts count; a past time means now"), now);
-  end_ = timeField("openingEnd", tr("End"), tr("Attempts that begin later are practice"), now.addSecs(kUsualLength_s));
+  start_ = timeField("openingStart", tr("Start"),
+                     tr("Start of the time in which attempts count; a past time means now"), now);
+  end_ = timeField("openingEnd", tr("End"),
+                   tr("End of the time in which attempts count; attempts that begin later are practice"),
+                   now.addSecs(kUsualLength_s));
   ui::named(ends_, "openingEnds", tr("End"),
-            tr("Without an end, the test stays open until you close it, and needs a code"));
+            tr("Without an end, the test needs a code and stays open until you close the test"));
   ends_->setChecked(true);
   connect(ends_, &QCheckBox::toggled, end_, &QWidget::setEnabled);
   ui::named(code_, "openingCode", tr("Code"), tr("Trainees enter the code before their first attempt"));
@@ -111,7 +114,7 @@ QWidget* OpeningDialog::buildForm() {
   form->setContentsMargins(0, 0, 0, 0);
   form->setVerticalSpacing(ui::kSmallGap);
   form->addRow(tr("Test"), test_);
-  form->addRow(tr("For"), whom_);
+  form->addRow(tr("Open to"), whom_);
   form->addRow(tr("Start"), start_);
   form->addRow(ends_, end_);
   form->addRow(tr("Code"), code_);
@@ -197,7 +200,7 @@ void OpeningDialog::openTest() {
         const auto opened = OpeningStore(by).open(opening);
         return opened ? Result<bool>(true) : tl::unexpected(opened.error());
       },
-      tr("The opening of '%1' is stored.").arg(test_->currentText()));
+      tr("The test '%1' is stored and opens at its start.").arg(test_->currentText()));
 }
 
 void OpeningDialog::closeTest() {
@@ -208,7 +211,8 @@ void OpeningDialog::closeTest() {
         const auto closed = OpeningStore(by).close(cohort, id);
         return closed ? Result<bool>(true) : tl::unexpected(closed.error());
       },
-      tr("'%1' is closed. Attempts that have begun still count.").arg(levelTitle(desk_.curriculum(), one->level)));
+      tr("The test '%1' is closed. Attempts that have begun still count.")
+          .arg(levelTitle(desk_.curriculum(), one->level)));
 }
 
 void OpeningDialog::change(std::function<Result<bool>(const SignedIn&)> change, const QString& done) {

@@ -16,7 +16,7 @@ QString openingWords(const ClassFacts& facts, const TestOpening& opening, Openin
   QString words =
       QStringLiteral("'%1'").arg(levelTitle(facts.curriculum ? &*facts.curriculum : nullptr, opening.level));
   if (state == OpeningState::Waiting) words += tr(" from %1").arg(ui::dayAndTimeOf(opening.start_us));
-  words += opening.end_us ? tr(" until %1").arg(ui::dayAndTimeOf(*opening.end_us)) : tr(" until it is closed");
+  words += opening.end_us ? tr(" until %1").arg(ui::dayAndTimeOf(*opening.end_us)) : tr(" until you close the test");
   return opening.hasCode ? words + tr(", with a code") : words;
 }
 
@@ -51,8 +51,8 @@ QString openTestsWords(const ClassFacts& facts, std::int64_t now_us) {
   const QString waiting = listedWords(facts, OpeningState::Waiting, now_us);
   QStringList words;
   words << (open.isEmpty() ? tr("○ No test is open: an attempt at a test is practice until you open the test")
-                           : tr("● Tests open now: %1").arg(open));
-  if (!waiting.isEmpty()) words << tr("◔ Waiting: %1").arg(waiting);
+                           : tr("● Tests that are open now: %1").arg(open));
+  if (!waiting.isEmpty()) words << tr("◔ Tests waiting for their start: %1").arg(waiting);
   return words.join(QStringLiteral("   ·   "));
 }
 

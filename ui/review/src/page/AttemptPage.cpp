@@ -73,7 +73,7 @@ QWidget* AttemptPage::buildBar() {
   commands.beginSection(tr("Attempt"));
   commands.add({.id = QStringLiteral("review.attempt.close"),
                 .text = tr("Attempts"),
-                .does = tr("returns to the list of attempts"),
+                .does = tr("closes the attempt and returns to the list of attempts"),
                 .listed = tr("Backspace"),
                 .keys = {{Qt::Key_Backspace}},
                 .perform = [&session = model_.session](ui::KeyPress) { session.close(); },

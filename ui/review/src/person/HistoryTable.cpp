@@ -47,7 +47,8 @@ QString placeOf(const KeptAttempt& attempt, const QString& recording) {
 /// States that the recording of this attempt is not available, and what to do.
 QString whyNoReplay(const KeptAttempt& attempt) {
   if (attempt.facts.recording.empty()) return HistoryTable::tr("This attempt has no recording.");
-  return HistoryTable::tr("The recording '%1' is not on this computer but on %2. Copy it from there into %3.")
+  return HistoryTable::tr(
+             "The recording '%1' is not on this computer but on %2. Copy the recording from there into %3.")
       .arg(QString::fromStdString(attempt.facts.recording), QString::fromStdString(attempt.facts.workstation),
            QDir::toNativeSeparators(ui::attemptsFolder()));
 }
@@ -118,7 +119,7 @@ QWidget* HistoryTable::buildButtons(ui::Commands& commands) {
   void_->setObjectName(QStringLiteral("voidAttempt"));
   commands.beginSection(tr("Person"));
   commands.add(QStringLiteral("review.person.void"),
-               tr("excludes the attempt from the count, with a reason; it stays in the list"), *void_,
+               tr("voids the attempt with a reason: the attempt stays in the list but does not count"), *void_,
                QKeySequence(Qt::Key_Delete));
   earlier_->setObjectName(QStringLiteral("earlierAttempts"));
   earlier_->setToolTip(tr("Lists %1 earlier attempts").arg(kPage));
@@ -128,7 +129,7 @@ QWidget* HistoryTable::buildButtons(ui::Commands& commands) {
   ui::setRole(words_, "quiet");
   connect(replay_, &QPushButton::clicked, this, [this] { replay(); });
   accept_->setObjectName(QStringLiteral("acceptAttempt"));
-  accept_->setToolTip(tr("Accepts this unproven pass with a reason, so that it counts"));
+  accept_->setToolTip(tr("Accepts this pass with a reason, so that it counts although it is not proven"));
   connect(void_, &QPushButton::clicked, this, [this] { askReason(Change::Void); });
   connect(accept_, &QPushButton::clicked, this, [this] { askReason(Change::Accept); });
   connect(earlier_, &QPushButton::clicked, this, [this] { desk_.readEarlier(); });
@@ -231,11 +232,12 @@ void HistoryTable::showChosen() {
   void_->setVisible(desk_.mayVoid());
   void_->setEnabled(ended);
   accept_->setVisible(desk_.mayVoid() && ended && isUnproven(*attempt));
-  words_->setText(!desk_.facts() ? QString()
-                  : !attempt
-                      ? tr("No attempts yet. Attempts made under Train (Ctrl+2) while signed in are listed here.")
-                  : here ? QString()
-                         : whyNoReplay(*attempt));
+  words_->setText(
+      !desk_.facts() ? QString()
+      : !attempt
+          ? tr("No attempts yet. Attempts that the person makes in Train (Ctrl+2) while signed in are listed here.")
+      : here ? QString()
+             : whyNoReplay(*attempt));
   words_->setToolTip(plainToolTip(words_->text()));
 }
 
@@ -260,10 +262,11 @@ void HistoryTable::wordReason(bool voids) {
   question_->setText(voids ? tr("Void this attempt:") : tr("Accept this attempt:"));
   changeNow_->setText(voids ? tr("Void") : tr("Accept"));
   reason_->setAccessibleName(voids ? tr("Reason why the attempt does not count") : tr("Reason why the attempt counts"));
-  reason_->setPlaceholderText(voids ? tr("Why it does not count, for example: the device lost its calibration")
-                                    : tr("Reason to trust it, for example: I watched the attempt"));
-  reason_->setToolTip(voids ? tr("The trainee can read it. Enter voids, Esc cancels")
-                            : tr("The log records it with your name. Enter accepts, Esc cancels"));
+  reason_->setPlaceholderText(voids ? tr("Reason, for example: the device lost its calibration")
+                                    : tr("Reason, for example: I watched the attempt"));
+  reason_->setToolTip(
+      voids ? tr("The trainee can read the reason. Enter voids the attempt, Esc cancels")
+            : tr("The audit log records the reason with your name. Enter accepts the attempt, Esc cancels"));
 }
 
 void HistoryTable::changeChosen() {

@@ -30,9 +30,9 @@ QString placeWords(const std::vector<double>& all, double own, const MetricMeani
   const bool isLowerBetter = meaning.better == MetricMeaning::Better::Lower;
   const auto outdone = std::ranges::count_if(all, [&](double one) { return isLowerBetter ? one > own : one < own; });
   const auto alike = std::ranges::count(all, own) - 1;
-  if (alike == std::ssize(all) - 1) return tr("as good as all the others");
+  if (alike == std::ssize(all) - 1) return tr("equal to all others in the class");
   const QString better = tr("better than %1 % of the others").arg(percentOf(outdone));
-  return alike == 0 ? better : tr("%1, as good as %2 %").arg(better, percentOf(alike));
+  return alike == 0 ? better : tr("%1, equal to %2 %").arg(better, percentOf(alike));
 }
 
 /// Title of the axis that numbers a person's attempts.
@@ -67,17 +67,18 @@ ui::ChartPicture cusumOf(const PersonFacts& facts, const std::string& level) {
   if (!known) {
     ui::ChartPicture picture;
     picture.title = tr("LC-CUSUM");
-    picture.words = facts.curriculum ? tr("n/a: shown for one level; choose one above.")
-                                     : tr("n/a: a curriculum defines what a pass is, and the class has none.");
+    picture.words = facts.curriculum ? tr("n/a: choose a level above; the LC-CUSUM is shown for one level.")
+                                     : tr("n/a: the class has no curriculum, which defines what a pass is.");
     return picture;
   }
   if (!known->mastery.cusum) {
     ui::ChartPicture picture;
     picture.title = tr("LC-CUSUM");
     const int passes = known->mastery.passesInARow;
-    picture.words = passes == 1
-                        ? tr("n/a: not used at this level, which is mastered by one pass.")
-                        : tr("n/a: not used at this level, which is mastered by %1 consecutive passes.").arg(passes);
+    picture.words =
+        passes == 1
+            ? tr("n/a: this level does not use the LC-CUSUM; one pass masters the level.")
+            : tr("n/a: this level does not use the LC-CUSUM; %1 consecutive passes master the level.").arg(passes);
     return picture;
   }
   std::vector<bool> passes;
@@ -104,7 +105,7 @@ ui::ChartPicture placeInClass(const PersonFacts& facts, const HeatMap& heat, con
     if (person == facts.person.id) own = row[column].value;
   }
   if (heat.empty() || !own || means.size() < kFewestCompared) {
-    picture.words = heat.empty() ? tr("n/a: only instructors see the class.")
+    picture.words = heat.empty() ? tr("n/a: only instructors see the data of the class.")
                     : !own ? tr("n/a: no data in the last %1 attempts of this person at levels.").arg(kLastAttempts)
                            : tr("n/a: fewer than %1 people of the class have data.").arg(kFewestCompared);
     return picture;

@@ -117,14 +117,15 @@ void PersonPage::showWhere() {
   if (!desk_.trouble().isEmpty())
     words = desk_.trouble();
   else if (!facts)
-    words = desk_.isReading() ? tr("Reading ...") : tr("Choose a person under Class; Enter shows the person's page.");
+    words =
+        desk_.isReading() ? tr("Reading ...") : tr("Choose a person on the page Class; Enter shows the person's page.");
   else if (facts->standing)
     words = QStringLiteral("%1   ·   %2")
                 .arg(facts->standing->level.empty() ? tr("all levels")
                                                     : levelTitle(&*facts->curriculum, facts->standing->level),
                      QString::fromStdString(facts->standing->sentence));
   else
-    words = tr("The class has no curriculum yet; an instructor chooses one under People and classes (Alt+U).");
+    words = tr("The class has no curriculum yet; an instructor chooses a curriculum under People and classes (Alt+U).");
   sentence_->setText(words);
   save_->setEnabled(facts);
 }

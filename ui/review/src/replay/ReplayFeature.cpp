@@ -23,7 +23,7 @@ ReplayFeature::ReplayFeature(const ReviewModel& model, AttemptPage& page)
     : Feature(model),
       page_(page),
       view_(std::make_shared<views::UltrasoundView>()),
-      image_(new ui::ViewWidget(view_, tr("Ultrasound image at that moment"))),
+      image_(new ui::ViewWidget(view_, tr("Ultrasound image at the moment shown"))),
       timeline_(new Timeline(model.session)) {
   addCommands();
   image_->setObjectName(QStringLiteral("replayPicture"));
@@ -56,22 +56,23 @@ void ReplayFeature::addCommands() {
                  .perform = [this](ui::KeyPress) { showImage(); }});
   addForAttempt({.id = QStringLiteral("review.replay.play"),
                  .text = tr("Play"),
-                 .does = tr("plays, or stops"),
+                 .does = tr("plays or stops the replay"),
                  .listed = tr("Space"),
                  .keys = {{Qt::Key_Space}},
                  .perform = [&session](ui::KeyPress) { session.setPlaying(!session.isPlaying()); }});
   addTimeCommands();
   addForAttempt({.id = QStringLiteral("review.replay.speed"),
                  .text = {},
-                 .does = tr("plays slower or faster"),
+                 .does = tr("slows down or speeds up the replay"),
                  .listed = tr("-, +"),
                  .keys = {{Qt::Key_Minus, {}, [this](ui::KeyPress) { changeSpeed(-1); }},
                           {Qt::Key_Plus, {}, [this](ui::KeyPress) { changeSpeed(1); }},
                           {Qt::Key_Equal, {}, [this](ui::KeyPress) { changeSpeed(1); }}},
                  .perform = {}});
-  model_.workspace.commands().addListed(tr("Click, drag on the timeline"), tr("go to a time, or to a mark's moment"));
-  model_.workspace.commands().addListed(tr("Wheel on the timeline"), tr("zoom; with Shift: scroll"));
-  model_.workspace.commands().addListed(tr("Double click on the timeline"), tr("show the whole attempt"));
+  model_.workspace.commands().addListed(tr("Click, drag on the timeline"),
+                                        tr("goes to a time, or to the moment of a mark"));
+  model_.workspace.commands().addListed(tr("Wheel on the timeline"), tr("zooms; with Shift: scrolls"));
+  model_.workspace.commands().addListed(tr("Double click on the timeline"), tr("shows the whole attempt"));
 }
 
 void ReplayFeature::addTimeCommands() {
@@ -85,13 +86,13 @@ void ReplayFeature::addTimeCommands() {
   addForAttempt(
       {.id = QStringLiteral("review.replay.image"),
        .text = {},
-       .does = tr("goes to the previous or next image, 1/30 s"),
+       .does = tr("goes to the previous or next image (1/30 s)"),
        .listed = tr("Comma, Period"),
        .keys = {{Qt::Key_Comma, {}, step(-kImage_s, -kImage_s)}, {Qt::Key_Period, {}, step(kImage_s, kImage_s)}},
        .perform = {}});
   addForAttempt({.id = QStringLiteral("review.replay.second"),
                  .text = {},
-                 .does = tr("goes one second back or on, with Shift 10 s"),
+                 .does = tr("goes back or forward by one second (with Shift: 10 seconds)"),
                  .listed = tr("Left, Right"),
                  .keys = {{Qt::Key_Left, {}, step(-1, -10)}, {Qt::Key_Right, {}, step(1, 10)}},
                  .perform = {}});
@@ -129,8 +130,8 @@ QString ReplayFeature::imageWords() const {
   const ReplayPicture& picture = model_.session.picture();
   if (!picture.trouble().isEmpty()) return picture.trouble();
   if (!session.sample()) return tr("This part of the recording is missing.");
-  if (!session.sample()->patientFromProbe) return tr("The probe is not being held.");
-  return picture.shown() ? QString() : tr("Rendering the image.");
+  if (!session.sample()->patientFromProbe) return tr("No hand holds the probe at this moment.");
+  return picture.shown() ? QString() : tr("The image is being rendered.");
 }
 
 void ReplayFeature::showFrame() {

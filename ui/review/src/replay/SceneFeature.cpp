@@ -18,14 +18,15 @@ SceneFeature::SceneFeature(const ReviewModel& model, AttemptPage& page)
     : Feature(model), scene_(new ReplayScene(model.session, this)) {
   ui::Commands& commands = model_.workspace.commands();
   commands.beginSection(tr("3D"));
-  addForAttempt({.id = QStringLiteral("review.scene.settings"),
-                 .text = tr("3D"),
-                 .does = tr("shows the contents of the 3D view (structures, skin, clipping plane), or hides them"),
-                 .listed = tr("3"),
-                 .keys = {{Qt::Key_3}},
-                 .perform = [this](ui::KeyPress) { tab_->toggle(); }});
-  commands.addListed(tr("Left drag, wheel"), tr("turn the view, zoom"));
-  commands.addListed(tr("R"), tr("look from the front"));
+  addForAttempt(
+      {.id = QStringLiteral("review.scene.settings"),
+       .text = tr("3D"),
+       .does = tr("shows or hides the panel for the contents of the 3D view (structures, skin, clipping plane)"),
+       .listed = tr("3"),
+       .keys = {{Qt::Key_3}},
+       .perform = [this](ui::KeyPress) { tab_->toggle(); }});
+  commands.addListed(tr("Left drag, wheel"), tr("turns the view, zooms"));
+  commands.addListed(tr("R"), tr("shows the patient from the front"));
   tab_ = page.addToggle(QStringLiteral("review.scene.settings"), "sceneTab", tr("3D"));
   page.addBelow(&scene_->widget());
   page.addBelow(&scene_->panelArea());

@@ -26,7 +26,7 @@ constexpr double kZoom = 0.8, kNotch = 120, kLeast_us = 1e6;
 Timeline::Timeline(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
   setObjectName(QStringLiteral("timeline"));
   setAccessibleName(tr("Timeline of the attempt"));
-  setToolTip(tr("Click or drag to go to a time; the wheel zooms, a double click shows all"));
+  setToolTip(tr("Click or drag to go to a time; the wheel zooms, a double click shows the whole attempt"));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setFixedHeight(layout().height_px());

@@ -78,8 +78,8 @@ void paintClassReport(QPainter& painter, const ClassDesk& desk) {
   std::size_t told = 0;
   for (; told < people.size() && page.hasRoom(2 * kRow); ++told) tableRow(page, desk, *people[told], cell);
   if (told < people.size())
-    page.cell(kMargin, kWidth - 2 * kMargin, tr("and %1 more; the table (CSV) has all").arg(people.size() - told),
-              page.ink.quiet);
+    page.cell(kMargin, kWidth - 2 * kMargin,
+              tr("and %1 more people; the table (CSV) lists all people").arg(people.size() - told), page.ink.quiet);
   page.foot();
 }
 

@@ -56,7 +56,7 @@ void levels(PaperColumn& page, const PersonFacts& facts) {
 }
 
 void attempts(PaperColumn& page, const PersonFacts& facts) {
-  page.heading(tr("Last attempts"));
+  page.heading(tr("Latest attempts"));
   if (facts.newest.empty()) page.paragraph(tr("None yet."), page.ink.quiet);
   const Curriculum* curriculum = facts.curriculum ? &*facts.curriculum : nullptr;
   int told = 0;

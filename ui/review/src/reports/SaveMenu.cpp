@@ -48,7 +48,7 @@ Result<std::string> writeStatements(const SignedIn& by, const std::vector<Person
 SaveMenu::SaveMenu(Subject subject, ClassDesk& room, PersonDesk& person, ui::TaskBar& tasks, QWidget* parent)
     : QMenu(parent), subject_(subject), room_(room), person_(person), tasks_(tasks) {
   setToolTipsVisible(true);
-  add("savePage", tr("Page (PDF or PNG) ..."), tr("Saves one A4 page, to print or send"),
+  add("savePage", tr("Page (PDF or PNG) ..."), tr("Saves one A4 page to print or to send"),
       QStringLiteral("PDF (*.pdf);;PNG (*.png)"), &SaveMenu::savePage);
   add("saveTable", tr("Table (CSV) ..."),
       subject_ == Subject::Class ? tr("Saves a line for each person, for a spreadsheet")

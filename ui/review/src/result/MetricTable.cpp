@@ -66,8 +66,7 @@ MetricTableView::MetricTableView(QWidget* parent) : QTableWidget(parent) {
   setColumnCount(kColumns);
   setHorizontalHeaderLabels({tr("Metric"), tr("Value"), tr("Novice"), {}, tr("Expert")});
   for (int column = 0; column < kColumns; ++column) horizontalHeaderItem(column)->setTextAlignment(alignmentOf(column));
-  horizontalHeaderItem(kBar)->setToolTip(
-      tr("Left end: the novice's value; right end: the expert's; dot: this attempt"));
+  horizontalHeaderItem(kBar)->setToolTip(tr("Left end: novice value; right end: expert value; dot: this attempt"));
   setEditTriggers(NoEditTriggers);
   setSelectionBehavior(SelectRows);
   setSelectionMode(SingleSelection);

@@ -150,7 +150,7 @@ void paintPlane(QPainter& painter, const QRectF& place, const AttemptDigest& att
   if (section.place_mm.isEmpty()) {
     painter.setPen(ink.quiet);
     painter.drawText(place, Qt::AlignCenter | Qt::TextWordWrap,
-                     tr("No path to show: the needle was never under the skin while a probe was held."));
+                     tr("No path to show: the needle was never under the skin while a hand held the probe."));
     return painter.restore();
   }
   const double text = painter.fontMetrics().height();

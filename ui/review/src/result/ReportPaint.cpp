@@ -28,7 +28,7 @@ class Page {
     const double tableTop = y_;
     metrics(QRectF(kMargin, tableTop, 1130, 0));
     const double left = kMargin + 1190, width = kWidth - kMargin - left;
-    heading(QRectF(left, tableTop, width, kRow), tr("Tip in the image's plane, mm"));
+    heading(QRectF(left, tableTop, width, kRow), tr("Needle tip in the image plane, mm"));
     QRectF plane(left, tableTop + kRow, width, 560);
     painter_.save();
     painter_.scale(kScreen, kScreen);

@@ -25,13 +25,13 @@ QString sittingWords(AttemptSitting sitting) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("Review", text); };
   switch (sitting) {
     case AttemptSitting::Opened:
-      return tr("● Test: an instructor had opened it when the attempt began.");
+      return tr("● Test: an instructor had opened the test when the attempt began.");
     case AttemptSitting::SelfAdministered:
       return tr("● Test: self-administered, without an instructor.");
     case AttemptSitting::Practice:
       return tr("○ Practice: the test was not open when the attempt began, so the attempt does not count.");
     case AttemptSitting::Undecided:
-      return tr("○ Test: it is not decided yet whether it was open when the attempt began.");
+      return tr("○ Test: it is not known yet whether the test was open when the attempt began.");
     case AttemptSitting::None:
     case AttemptSitting::Earlier:
       break;
@@ -83,8 +83,8 @@ ResultPage::ResultPage(ReviewSession& session, const JudgeDesk& judging, QWidget
   points_->setStyleSheet(QStringLiteral("font-size: %1pt; font-weight: 600;").arg(kPoints_pt));
   points_->setObjectName(QStringLiteral("points"));
   points_->setToolTip(
-      tr("Mean of the metrics' positions from novice (0) to expert (100), minus 5 for each minor finding and 20 for "
-         "each major one; 0 with a critical one, maximum 50 without success"));
+      tr("Mean position of the metrics from novice (0) to expert (100), minus 5 for each minor finding and 20 for each "
+         "major finding. A critical finding gives 0 points; without success, the maximum is 50"));
   success_->setWordWrap(true);
   success_->setObjectName(QStringLiteral("pointsNote"));
   ui::setRole(success_, "quiet");
@@ -140,10 +140,10 @@ void ResultPage::show() {
 
 PathPane::PathPane(ReviewSession& session, QWidget* parent) : QWidget(parent), session_(session) {
   setObjectName(QStringLiteral("pathPane"));
-  setAccessibleName(tr("Path of the needle's tip in the image's plane"));
+  setAccessibleName(tr("Path of the needle tip in the image plane"));
   setToolTip(
-      tr("The tip's path in the image's plane, mm: lateral across, depth down; dotted where it was outside "
-         "the slice. Structures as in the CT"));
+      tr("Path of the tip in the image plane, in mm: lateral position to the right, depth down; dotted where the tip "
+         "was outside the slice. Structures are shown as in the CT"));
   setMinimumHeight(160);
   const auto renew = [this] {
     const auto& attempt = session_.attempt();
@@ -162,7 +162,7 @@ void PathPane::paintEvent(QPaintEvent*) {
   painter.setPen(ui::screenInk().quiet);
   if (!section_.place_mm.isEmpty())
     painter.drawText(QRect(ui::kGap, 0, width() - ui::kGap, line), Qt::AlignLeft | Qt::AlignVCenter,
-                     tr("the tip in the image's plane, mm, at %1").arg(clockOf(section_.time_us)));
+                     tr("needle tip in the image plane, mm, at %1").arg(clockOf(section_.time_us)));
   paintPlane(painter, QRectF(rect()).adjusted(0, line, 0, 0), *session_.attempt(), section_, ui::screenInk());
 }
 

@@ -25,7 +25,7 @@ const QString kLastName = QStringLiteral("account/name"), kAsked = QStringLitera
 
 Result<void> bothEqual(const QString& password, const QString& again) {
   if (password == again) return {};
-  return fail(AccountMenu::tr("The two passwords differ; type the new one twice.").toStdString());
+  return fail(AccountMenu::tr("The two passwords differ; type the new password twice.").toStdString());
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, Commands& command
   who_ = addAction(QString());
   who_->setEnabled(false);
   addSeparator();
-  alone_ = add("accountAlone", tr("Just me ..."), tr("Sets up levels, results and learning curves for you alone"),
+  alone_ = add("accountAlone", tr("Just me ..."), tr("Sets up levels, results and learning curves for one person"),
                [this] { askAlone(); });
   setUp_ = add("accountSetUp", tr("Set up people and levels ..."),
                tr("Sets up the database of people and attempts, with you as administrator"), [this] { askSetUp(); });
@@ -51,15 +51,17 @@ AccountMenu::AccountMenu(Account& account, SiteExchange& site, Commands& command
   signIn_->setShortcut(QKeySequence(QStringLiteral("Ctrl+L")));
   commands.add(QStringLiteral("window.account.signIn"), tr("signs in, so that attempts count and levels unlock"),
                *signIn_);
-  details_ = add("accountDetails", tr("My details ..."), tr("Your name and e-mail address"), [this] { askDetails(); });
+  details_ =
+      add("accountDetails", tr("My details ..."), tr("Changes your name and e-mail address"), [this] { askDetails(); });
   password_ =
       add("accountPassword", tr("Change password ..."), tr("Changes your own password"), [this] { askPassword(); });
-  people_ =
-      add("accountPeople", tr("People and classes ..."), tr("People, classes and roles"), [this] { showPeople(); });
-  levels_ = add("accountLevels", tr("Curricula and levels ..."), tr("Levels, their rules and versions"),
-                [this] { showCurricula(); });
-  server_ = add("accountServer", tr("Server of the site ..."), tr("Server to which this computer sends attempts"),
-                [this] { askServer(); });
+  people_ = add("accountPeople", tr("People and classes ..."), tr("Opens people, classes and roles"),
+                [this] { showPeople(); });
+  levels_ = add("accountLevels", tr("Curricula and levels ..."),
+                tr("Opens curricula with their levels, rules and versions"), [this] { showCurricula(); });
+  server_ =
+      add("accountServer", tr("Hospital server ..."),
+          tr("Connects this computer to your hospital's server, to which attempts are sent"), [this] { askServer(); });
   again_ = add("accountAgain", tr("Try again"), tr("Tries again to open the database of people and attempts"),
                [this] { account_.reopen(); });
   signOut_ = add("accountSignOut", tr("Sign out"), {}, [this] { account_.signOut(); });
@@ -159,9 +161,9 @@ void AccountMenu::askAlone() {
       tr("Who trains on this computer?"),
       tr("Just me: you get the levels of the built-in curriculum, and see your results and learning curves. You stay "
          "signed in on this computer. A class can be added later; your attempts are kept.\n\nA class: an administrator "
-         "adds instructors and trainees, who sign in with a password.\n\nA site: your hospital has a server, where "
-         "you have a name and a password.\n\nCancel to look around first; the button at the top right offers all "
-         "three later."),
+         "adds instructors and trainees, who sign in with a password.\n\nA site: your hospital has a server, where you "
+         "have a name and a password.\n\nCancel to try the program first. The button at the top right offers these "
+         "three choices later."),
       {{"aloneName", tr("Your name"), tr("Shown with your results")},
        {"alonePassword", tr("Password (optional)"), tr("At least 8 characters"), {}, true},
        {"aloneAgain", tr("Password again"), tr("Repeat the password, if you chose one"), {}, true}},
@@ -185,8 +187,8 @@ void AccountMenu::askSetUp() {
     });
   };
   (new EntryDialog(tr("Set up people and levels"),
-                   tr("You become the administrator: you add instructors, classes and trainees. Everything is stored "
-                      "in %1. Your password cannot be read or reset; keep it safe.")
+                   tr("You become the administrator, who adds instructors, classes and trainees. All data are stored "
+                      "in %1. Keep your password safe: it cannot be read or reset.")
                        .arg(account_.place()),
                    {{"setUpName", tr("Name to sign in"), tr("Letters, digits and . _ - + @")},
                     {"setUpFullName", tr("Full name"), tr("Shown to other users")},
@@ -205,9 +207,14 @@ void AccountMenu::askSignIn() {
     });
   };
   (new EntryDialog(
-       tr("Sign in"), tr("Your attempts then count, and levels open as you master them."),
-       {{"signInName", tr("Name"), tr("The name you were given"), QSettings().value(kLastName).toString()},
-        {"signInPassword", tr("Password"), tr("If you forgot it, your instructor sets a new one"), {}, true}},
+       tr("Sign in"),
+       tr("After you sign in, your attempts count, and levels unlock as you master the levels before them."),
+       {{"signInName", tr("Name"), tr("Your name for signing in"), QSettings().value(kLastName).toString()},
+        {"signInPassword",
+         tr("Password"),
+         tr("If you forgot the password, your instructor can set a new password"),
+         {},
+         true}},
        tr("Sign in"), act, window_))
       ->open();
 }
@@ -227,10 +234,10 @@ void AccountMenu::askPassword() {
       {"passwordAgain", tr("New password again"), tr("Repeat the password"), {}, true}};
   if (!isFirst)
     entries.insert(entries.begin(),
-                   {"passwordOld", tr("Current password"), tr("The one you signed in with"), {}, true});
+                   {"passwordOld", tr("Current password"), tr("The password that you signed in with"), {}, true});
   (new EntryDialog(isFirst ? tr("Choose a password") : tr("Change password"),
                    account_.mustChangePassword()
-                       ? tr("Another user has set your password. Choose your own before you continue.")
+                       ? tr("Another user has set your password. Choose a password of your own before you continue.")
                        : tr("At least 8 characters; a sentence is easy to remember."),
                    entries, isFirst ? tr("Choose") : tr("Change"), act, window_))
       ->open();
@@ -252,16 +259,17 @@ void AccountMenu::askDetails() {
 void AccountMenu::askServer() {
   const auto act = [this](const QStringList& texts, const Account::Done& done) {
     if (!QUrl(texts[0]).password().isEmpty())
-      return done(fail(tr("Do not enter the database password here: others can read this field. Put it in ~/.pgpass.")
-                           .toStdString()));
+      return done(
+          fail(tr("Do not enter the database password here: others can read this field. Put the password in ~/.pgpass.")
+                   .toStdString()));
     const auto joined = site_.setServer(texts[0], texts[1], texts[2]);
     done(joined);
     refresh();
     if (joined && signIn_->isVisible() && account_.state() == Account::State::NobodyYet) askSignIn();
   };
-  const QString last = site_.outcome().isEmpty() ? tr("Nothing was sent yet.") : site_.outcome();
+  const QString last = site_.outcome().isEmpty() ? tr("No attempts have been sent yet.") : site_.outcome();
   (new EntryDialog(
-       tr("Server of the site"),
+       tr("Hospital server"),
        tr("Enter the address of your hospital's server and the token of this computer, which the server's "
           "administrator "
           "gives you.\n\nAttempts and completed forms are sent to the server; people, classes and curricula come from "
@@ -272,12 +280,12 @@ void AccountMenu::askServer() {
          tr("https://HOST, or postgresql://USER@HOST/DATABASE; leave empty to use no server"), site_.server()},
         {"serverToken",
          tr("Token"),
-         tr("Token of this computer, from the administrator of an https server; leave empty to keep the present one"),
+         tr("Token of this computer, from the administrator of an https server; leave empty to keep the present token"),
          {},
          true},
         {"serverAuthority", tr("Certificate file"),
-         tr("Certificate (PEM) of the authority that signed the server's; leave empty if this computer trusts it "
-            "already"),
+         tr("Certificate (PEM) of the authority that signed the server's certificate; leave empty if this computer "
+            "already trusts the authority"),
          site_.authorityFile()}},
        tr("Connect"), act, window_))
       ->open();

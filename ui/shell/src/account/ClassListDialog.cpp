@@ -78,7 +78,7 @@ ClassListDialog::ClassListDialog(Account& account, Cohort cohort, QWidget* paren
     : QDialog(parent),
       account_(account),
       cohort_(std::move(cohort)),
-      file_(new QLabel(tr("No file yet: choose one, or drop it here."))),
+      file_(new QLabel(tr("No file is chosen yet. Choose a file, or drop a file here."))),
       words_(new QLabel),
       table_(new QTableWidget(0, kColumns)),
       bar_(new QProgressBar) {
@@ -97,10 +97,12 @@ ClassListDialog::ClassListDialog(Account& account, Cohort cohort, QWidget* paren
   }
   words_->setObjectName(QStringLiteral("listWords"));
   choose_ = button("listChoose", tr("Choose a file ..."), tr("The class list, a CSV file"), &ClassListDialog::choose);
-  go_ = button("listGo", tr("Add"), tr("Adds all people at once, or none"), &ClassListDialog::apply);
-  save_ = button("listSave", tr("Save passwords ..."), tr("Saves a table (CSV) that only you can read"),
-                 &ClassListDialog::savePasswords);
-  print_ = button("listPrint", tr("Print passwords ..."), tr("A page to cut into slips and hand out"),
+  go_ = button("listGo", tr("Add"), tr("Adds all listed people, or none if adding one fails"), &ClassListDialog::apply);
+  save_ =
+      button("listSave", tr("Save passwords ..."),
+             tr("Saves the first passwords as a table (CSV) that only you can read"), &ClassListDialog::savePasswords);
+  print_ = button("listPrint", tr("Print passwords ..."),
+                  tr("Prints a page of first passwords, which you cut into slips and hand out"),
                   &ClassListDialog::printPasswords);
   close_ = button("listClose", tr("Close"), tr("Back to the people (Esc)"), &ClassListDialog::reject);
   setRole(go_, "primary");
@@ -191,9 +193,9 @@ void ClassListDialog::takePlan(Result<std::vector<ClassImportRow>> plan) {
   const bool someStayOut = std::ranges::count(plan_, Step::Refuse, &ClassImportRow::step) > 0;
   QStringList parts{countOf(plan_, Step::Add, "new"), countOf(plan_, Step::Join, "join"),
                     countOf(plan_, Step::AlreadyThere, "there already"), countOf(plan_, Step::Refuse, "refused")};
-  say(parts.join(QStringLiteral("   ·   ")) +
-          (someStayOut ? tr(". Refused people are left out: correct the file and choose it again, now or later.")
-                       : QString()),
+  say(parts.join(QStringLiteral("   ·   ")) + (someStayOut ? tr(". Refused people are left out. To add them, correct "
+                                                                "the file and choose the file again, now or later.")
+                                                           : QString()),
       false);
 }
 
@@ -255,15 +257,16 @@ void ClassListDialog::takeOutcome(const Result<void>& outcome) {
   bar_->hide();
   showRows();
   if (!outcome)
-    return say(outcome.error().message == kCancelled ? tr("Canceled; nobody was added.") : qt(outcome.error().message),
-               true);
+    return say(
+        outcome.error().message == kCancelled ? tr("Canceled. No person was added.") : qt(outcome.error().message),
+        true);
   Q_EMIT imported();
   if (passwords_.empty()) {
     go_->setEnabled(false);
-    return say(tr("Done: people who already had an account have joined the class."), false);
+    return say(tr("Done. The listed people have joined the class; all of them already had an account."), false);
   }
-  say(tr("Done. The first passwords are shown now and never again: save or print them, hand them out, and delete them. "
-         "Everyone chooses their own at the first sign-in."),
+  say(tr("Done. The first passwords are shown only now: save or print them, hand them out, and then delete them. Each "
+         "person chooses a new password at the first sign-in."),
       false);
   save_->setFocus();
 }
@@ -276,7 +279,7 @@ void ClassListDialog::savePasswords() {
   const auto written = writeFirstPasswords(file.toStdString(), passwords_);
   if (!written) return say(qt(written.error().message), true);
   handedOut_ = true;
-  say(tr("Saved as %1, which only you can read. Delete it after you have handed out the passwords.")
+  say(tr("Saved as %1, which only you can read. Delete the file after you have handed out the passwords.")
           .arg(QDir::toNativeSeparators(file)),
       false);
 }
@@ -297,10 +300,9 @@ void ClassListDialog::reject() {
   }
   if (passwords_.empty() || handedOut_) return QDialog::reject();
   (new EntryDialog(
-       tr("Close without the passwords?"),
-       tr("The first passwords were neither saved nor printed, and cannot be shown again. Without them, no person on "
-          "this "
-          "list can sign in; each would need a new password."),
+       tr("Close without saving the passwords?"),
+       tr("The first passwords were neither saved nor printed, and they cannot be shown again. Without a first "
+          "password, the new people on this list cannot sign in; each of them needs a new password."),
        {}, tr("Close without passwords"),
        [this](const QStringList&, const std::function<void(Result<void>)>& done) {
          handedOut_ = true;

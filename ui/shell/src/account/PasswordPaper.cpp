@@ -23,7 +23,7 @@ bool beginsPrivate(const QString& name) {
 void fillPasswordPaper(QTextDocument& paper, const QString& cohort, const std::vector<FirstPassword>& passwords) {
   constexpr double kLine_pt = 1, kPadding_pt = 6;
   QTextCursor cursor(&paper);
-  cursor.insertText(tr("First passwords, %1. Everyone chooses their own at the first sign-in.").arg(cohort));
+  cursor.insertText(tr("First passwords, %1. Each person chooses a new password at the first sign-in.").arg(cohort));
   QTextTableFormat format;
   format.setBorder(kLine_pt);
   format.setBorderStyle(QTextFrameFormat::BorderStyle_Dashed);
@@ -51,9 +51,9 @@ Result<QString> printPasswordPaper(const QString& cohort, const std::vector<Firs
   fillPasswordPaper(paper, cohort, passwords);
   paper.print(&printer);
   if (printer.printerState() == QPrinter::Error)
-    return fail(tr("The printer did not accept the page; try another one, or save the passwords.").toStdString());
+    return fail(tr("The printer did not accept the page; try another printer, or save the passwords.").toStdString());
   return file.isEmpty() ? tr("Sent to the printer. Cut the page into slips and hand them out.")
-                        : tr("Saved as %1, which only you can read. Delete it after printing.").arg(file);
+                        : tr("Saved as %1, which only you can read. Delete the file after printing.").arg(file);
 }
 
 }  // namespace insonate::ui

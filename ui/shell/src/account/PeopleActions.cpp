@@ -57,8 +57,8 @@ void PeopleWindow::addClass() {
     return added ? Result<void>() : tl::unexpected(added.error());
   };
   (new EntryDialog(
-       tr("New class"), tr("People who are taught together, by one curriculum."),
-       {{"className", tr("Name"), tr("Shown to instructors and trainees")}}, tr("Add"),
+       tr("New class"), tr("A class is a group of people who are taught together, by one curriculum."),
+       {{"className", tr("Name"), tr("Name that instructors and trainees see")}}, tr("Add"),
        [this, act = asking(add)](const QStringList& texts, const std::function<void(Result<void>)>& done) {
          act(texts, [this, name = texts[0], done](const Result<void>& added) {
            if (added) newClass_ = name;
@@ -75,7 +75,7 @@ void PeopleWindow::renameClass() {
     return CohortStore(by).rename(id, texts[0].toStdString());
   };
   (new EntryDialog(tr("Rename the class"), tr("The people of the class and their attempts do not change."),
-                   {{"className", tr("Name"), tr("Shown to instructors and trainees"), qt(cohort()->name)}},
+                   {{"className", tr("Name"), tr("Name that instructors and trainees see"), qt(cohort()->name)}},
                    tr("Rename"), asking(rename), this))
       ->open();
 }
@@ -94,13 +94,13 @@ void PeopleWindow::addPerson() {
       {"personName", tr("Name to sign in"), tr("Letters, digits and . _ - + @")},
       {"personFullName", tr("Full name"), tr("Shown to other users")},
       {"personEmail", tr("E-mail"), tr("Optional")},
-      {"personPassword", tr("Password"), tr("Give it to the person, who chooses another one at the first sign-in"),
-       qt(firstPassword())}};
+      {"personPassword", tr("Password"),
+       tr("First password of the person, who chooses another password at the first sign-in"), qt(firstPassword())}};
   if (isAdministrator()) entries.push_back(roleEntry(Role::Trainee));
   const QString where =
       cohort() ? tr("The person joins %1.").arg(qt(cohort()->name)) : tr("The person is in no class yet.");
-  (new EntryDialog(tr("Add a person"), where + QLatin1Char(' ') + tr("The password is shown now and never again."),
-                   entries, tr("Add"), asking(add), this))
+  (new EntryDialog(tr("Add a person"), where + QLatin1Char(' ') + tr("The password is shown only now."), entries,
+                   tr("Add"), asking(add), this))
       ->open();
 }
 
@@ -135,8 +135,8 @@ void PeopleWindow::setPassword() {
     return PeopleStore(by).resetPassword(id, texts[0].toStdString());
   };
   (new EntryDialog(tr("New password for %1").arg(qt(chosen()->person.fullName)),
-                   tr("Give this password to the person; it is not shown again. The person chooses another one at the "
-                      "next sign-in."),
+                   tr("Give this password to the person; the password is not shown again. The person chooses another "
+                      "password at the next sign-in."),
                    {{"personPassword", tr("Password"), tr("At least 8 characters"), qt(firstPassword())}}, tr("Set"),
                    asking(set), this))
       ->open();

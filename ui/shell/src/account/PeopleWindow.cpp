@@ -99,8 +99,7 @@ QWidget* PeopleWindow::classColumn() {
   renameClass_ = button("peopleRenameClass", tr("Rename ..."), tr("Renames the class"), &PeopleWindow::renameClass);
   curriculum_->setObjectName(QStringLiteral("peopleCurriculum"));
   curriculum_->setAccessibleName(tr("Curriculum of the class"));
-  curriculum_->setToolTip(
-      tr("The levels that the people of this class learn; a version cannot be changed once a class uses it"));
+  curriculum_->setToolTip(tr("Curriculum version whose levels the people of this class learn"));
   curriculum_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   connect(curriculum_, QOverload<int>::of(&QComboBox::activated), this, &PeopleWindow::setCurriculum);
   column->addWidget(heading(tr("Classes")));
@@ -130,10 +129,10 @@ QWidget* PeopleWindow::peopleColumn() {
   import_ = button("peopleImport", tr("Import a list ..."),
                    tr("Adds the people of a class list (CSV) to the selected class"), &PeopleWindow::importList);
   edit_ = button("peopleEdit", tr("Change ..."), tr("Changes name, e-mail and role"), &PeopleWindow::editPerson);
-  password_ = button(
-      "peoplePassword", tr("New password ..."),
-      tr("For a person who forgot the password or is locked out; the person chooses a new one at the next sign-in"),
-      &PeopleWindow::setPassword);
+  password_ = button("peoplePassword", tr("New password ..."),
+                     tr("Sets a new password for a person who forgot the password or is locked out; the person chooses "
+                        "another password at the next sign-in"),
+                     &PeopleWindow::setPassword);
   disable_ = button("peopleDisable", tr("Disable"), tr("Disables sign-in; attempts and results stay"),
                     &PeopleWindow::toggleDisabled);
   target_->setObjectName(QStringLiteral("peopleTarget"));
@@ -141,10 +140,10 @@ QWidget* PeopleWindow::peopleColumn() {
   target_->setToolTip(tr("The class that the selected person joins"));
   as_->setObjectName(QStringLiteral("peopleAs"));
   as_->setAccessibleName(tr("Joins as"));
-  as_->setToolTip(tr("Teachers of the class see the attempts of all its learners"));
+  as_->setToolTip(tr("Role in the class: teachers see the attempts of all learners of the class"));
   as_->addItem(tr("learner"), false);
   as_->addItem(tr("teacher"), true);
-  join_ = button("peopleJoin", tr("Join"), tr("Adds the selected person to that class"), &PeopleWindow::join);
+  join_ = button("peopleJoin", tr("Join"), tr("Adds the selected person to the chosen class"), &PeopleWindow::join);
   leave_ = button("peopleLeave", tr("Leave this class"), tr("Removes the selected person from the class that is shown"),
                   &PeopleWindow::leave);
   auto* first = new QHBoxLayout;
@@ -223,7 +222,7 @@ void PeopleWindow::showCurricula() {
   curriculum_->clear();
   curriculum_->setEnabled(cohort());
   if (!cohort()) return;
-  curriculum_->addItem(tr("none yet"));
+  curriculum_->addItem(tr("no curriculum yet"));
   for (const OfferedCurriculum& one : curricula_) {
     const QString version = tr("%1, version %2").arg(qt(one.name)).arg(one.version);
     curriculum_->addItem(one.kind == OfferedCurriculum::Kind::Published ? version

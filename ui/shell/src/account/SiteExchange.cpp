@@ -29,7 +29,8 @@ Result<UploadReport> sendReport(const QString& here, const StoreServices& servic
 QString exchange(const QString& here, const StoreServices& services) {
   const auto done = sendReport(here, services);
   if (!done)
-    return SiteExchange::tr("The exchange with the server failed. Attempts are kept here and sent later. %1")
+    return SiteExchange::tr(
+               "The exchange with the server failed. Attempts are kept on this computer and sent later. %1")
         .arg(QString::fromStdString(done.error().message));
   QStringList sentences{
       SiteExchange::tr("Sent to the server: %1 attempts, %2 completed forms.").arg(done->attempts).arg(done->forms)};

@@ -11,9 +11,9 @@ namespace insonate::ui {
 PlaceWords wordsOf(NeedlePlace place, const QString& vessel) {
   switch (place) {
     case NeedlePlace::Clean:
-      return {QStringLiteral("○"), tr("new needle")};
+      return {QStringLiteral("○"), tr("needle is new")};
     case NeedlePlace::Underway:
-      return {QStringLiteral("◐"), tr("needle inserted")};
+      return {QStringLiteral("◐"), tr("needle is inserted")};
     case NeedlePlace::Vein:
       return {QStringLiteral("●"), vessel.isEmpty() ? tr("in the vein") : tr("in the %1").arg(vessel)};
     case NeedlePlace::WrongPlace:
@@ -21,7 +21,7 @@ PlaceWords wordsOf(NeedlePlace place, const QString& vessel) {
     case NeedlePlace::Used:
       break;
   }
-  return {QStringLiteral("■"), tr("needle used")};
+  return {QStringLiteral("■"), tr("needle is already used")};
 }
 
 QString wordOf(Severity severity) {

@@ -42,10 +42,10 @@ std::function<Result<void>(const PatientCase&, const std::string&, const Progres
 
 CaseExchange::CaseExchange(TaskBar& tasks, std::function<OpenCase()> open, QWidget* window)
     : QObject(window), tasks_(tasks), open_(std::move(open)), window_(window) {
-  ways_ = {add(tr("Import labels ..."), tr("Replaces this case's labels with those of another program"), "importLabels",
-               [this] { chooseLabels(); }),
+  ways_ = {add(tr("Import labels ..."), tr("Replaces this case's labels with labels from another program"),
+               "importLabels", [this] { chooseLabels(); }),
            add(tr("Crop and resample ..."),
-               tr("Makes a new case from part of this one, optionally with another voxel spacing"), "cropCase",
+               tr("Makes a new case from a part of this case, optionally with another voxel spacing"), "cropCase",
                [this] { chooseCrop(); })};
   exports_ = {addExport(tr("CT as DICOM series ..."), tr("Exports the CT to a new folder, one file for each slice"),
                         "exportDicom", {}, writeSeries),
@@ -125,7 +125,7 @@ void CaseExchange::importLabels(const QString& file, const QString& names) {
             Imported{open.patient, std::move(copy), std::move(*labels), std::move(preview)});
       },
       [this, file](Result<std::shared_ptr<Imported>> imported) {
-        if (!imported) return refuse(imported.error(), tr("The case keeps its own labels."));
+        if (!imported) return refuse(imported.error(), tr("The labels of the case are unchanged."));
         showLabels(file, *imported);
       });
 }
@@ -140,7 +140,7 @@ void CaseExchange::showLabels(const QString& file, const std::shared_ptr<Importe
   });
   connect(dialog, &QDialog::accepted, this, [this, imported] {
     if (open_().patient != imported->from)
-      return Q_EMIT failed(tr("The case was changed while its new labels were being previewed."),
+      return Q_EMIT failed(tr("The case was changed during the preview of the new labels."),
                            tr("Import the labels again."), {});
     QStringList notes;
     for (const std::string& note : imported->labels.notes) notes << QString::fromStdString(note);

@@ -105,7 +105,7 @@ void CaseLoader::open(const QString& path) {
   if (dialog_) dialog_->reject();
   if (!QFileInfo::exists(path)) {
     return Q_EMIT failed(tr("There is no file or folder '%1'.").arg(path),
-                         tr("Check the name, or choose it with Open."), {});
+                         tr("Check the name, or choose a file or folder with Open case."), {});
   }
   const QString folder = caseFolderOf(path);
   if (folder.isEmpty())

@@ -60,15 +60,15 @@ QLabel* headingOf(const QString& words) {
 CropDialog::CropDialog(const VolumeGeometry& geometry, QWidget* parent)
     : QDialog(parent),
       geometry_(geometry),
-      resample_(new QCheckBox(tr("Another spacing"))),
+      resample_(new QCheckBox(tr("Change voxel spacing"))),
       result_(new QLabel),
       crop_(new QPushButton(tr("Crop"))) {
   setWindowTitle(tr("Crop and resample"));
-  auto* title = new QLabel(tr("Keep a part of the case"));
+  auto* title = new QLabel(tr("Part of the case to keep"));
   setRole(title, "title");
   auto* about =
-      new QLabel(tr("Crops CT and labels together; targets and start poses keep their places. The open case stays "
-                    "unchanged on disk; the cropped part is saved as a new case."));
+      new QLabel(tr("Crops CT and labels together; targets and start poses do not move. The open case stays unchanged "
+                    "on disk; the cropped part is saved as a new case."));
   about->setWordWrap(true);
   setRole(about, "quiet");
   auto* grid = new QGridLayout;
@@ -125,7 +125,7 @@ void CropDialog::addRegion(QGridLayout& grid) {
 }
 
 void CropDialog::addSpacing(QGridLayout& grid) {
-  resample_->setToolTip(tr("Coarser spacing takes less memory and time; finer spacing adds no detail"));
+  resample_->setToolTip(tr("Coarser voxel spacing takes less memory and time; finer voxel spacing adds no detail"));
   grid.addWidget(resample_, 4, 0, 1, 3);
   for (int a = 0; a < 3; ++a) {
     const QString direction = directionOf(geometry_.direction.column[a]);
@@ -163,7 +163,7 @@ void CropDialog::refresh() {
   crop_->setEnabled(grid.has_value());
   if (!grid) return result_->setText(QString::fromStdString(grid.error().message));
   constexpr double kBytes = 3, kMega = 1e6;  // of a voxel: CT value and label
-  result_->setText(tr("Changes from %1 to %2, %3 MB.")
+  result_->setText(tr("Size now: %1. Size of the new case: %2, %3 MB.")
                        .arg(textOf(geometry_), textOf(*grid))
                        .arg(double(grid->voxelCount()) * kBytes / kMega, 0, 'f', 1));
 }

@@ -67,8 +67,8 @@ LabelsDialog::LabelsDialog(const QString& fileName, const LabelReadResult& read,
     : QDialog(parent), replace_(new QPushButton(tr("Replace labels"))) {
   setWindowTitle(tr("Import labels"));
   QLabel* title = paragraph("", "title", tr("Labels of %1").arg(fileName));
-  QLabel* about =
-      paragraph("", "quiet", tr("These structures replace the labels of the case. Compare names and places first."));
+  QLabel* about = paragraph(
+      "", "quiet", tr("These structures replace the labels of the case. First compare their names and locations."));
   auto* picture = new QLabel;
   picture->setObjectName(QStringLiteral("labelPreview"));
   picture->setPixmap(QPixmap::fromImage(preview.slice));
@@ -100,12 +100,12 @@ void LabelsDialog::addUnnamed(QVBoxLayout& box) {
   QLabel* warning = paragraph("", "",
                               tr("The file does not say what its numbers mean, and each program numbers structures in "
                                  "its own way. The table shows what each number would mean in Insonate."));
-  areOurs_ = new QCheckBox(tr("The numbers are Insonate's"));
+  areOurs_ = new QCheckBox(tr("Use Insonate's label numbers"));
   areOurs_->setObjectName(QStringLiteral("numbersAreOurs"));
-  areOurs_->setToolTip(tr("Only for label maps that were written with Insonate's label numbers"));
-  QPushButton* names = pushButton(
-      "nameNumbers", tr("Names from a file ..."),
-      tr("A label description of ITK-SNAP, a color table of 3D Slicer (.ctbl), or a JSON file of dcmqi or nnU-Net"));
+  areOurs_->setToolTip(tr("Check this only if the file was written with Insonate's label numbers"));
+  QPushButton* names = pushButton("nameNumbers", tr("Names from a file ..."),
+                                  tr("Reads names from a label description of ITK-SNAP, a color table of 3D Slicer "
+                                     "(.ctbl), or a JSON file of dcmqi or nnU-Net"));
   auto* row = new QHBoxLayout;
   row->setSpacing(kLargeGap);
   row->addWidget(areOurs_);

@@ -141,7 +141,7 @@ void SeriesDialog::fill() {
   table_->setTextElideMode(Qt::ElideMiddle);
   table_->setTabKeyNavigation(false);
   table_->setAccessibleName(tr("Series"));
-  table_->setToolTip(tr("Arrows choose a series, Enter imports it"));
+  table_->setToolTip(tr("Arrow keys choose a series, Enter imports the series"));
 }
 
 void SeriesDialog::setUpWidgets() {

@@ -46,7 +46,7 @@ QString askForSourceFileOrFolder(QWidget* window, const QString& title, const QS
   auto* takeFolder = new QPushButton(QFileDialog::tr("Import Folder"));
   takeFolder->setObjectName(QStringLiteral("importFolder"));
   takeFolder->setToolTip(
-      QFileDialog::tr("Imports from the selected folder, or from the one shown, with its subfolders"));
+      QFileDialog::tr("Imports the selected folder, or the folder shown if none is selected; subfolders are included"));
   takeFolder->setAutoDefault(false);
   dialog.findChild<QDialogButtonBox*>()->addButton(takeFolder, QDialogButtonBox::ActionRole);
   QObject::connect(takeFolder, &QPushButton::clicked, &dialog, [&] {

@@ -95,10 +95,10 @@ Result<void> saveChart(const QString& file, const ChartPicture& picture) {
   else if (ending == QLatin1String("pdf"))
     bytes = pdf(picture);
   else
-    return fail(
-        QCoreApplication::translate("Chart", "A plot cannot be saved as '%1'. End the name in .png, .svg or .pdf.")
-            .arg(QFileInfo(file).fileName())
-            .toStdString());
+    return fail(QCoreApplication::translate(
+                    "Chart", "A plot cannot be saved as '%1'. Choose a name that ends in .png, .svg or .pdf.")
+                    .arg(QFileInfo(file).fileName())
+                    .toStdString());
   return writeAtomically(file.toStdString(), std::string_view(bytes.constData(), std::size_t(bytes.size())));
 }
 

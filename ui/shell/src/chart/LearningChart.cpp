@@ -56,7 +56,7 @@ ChartPicture learningPicture(const MetricMeaning& meaning, std::span<const std::
   const auto [least, most] = std::ranges::minmax_element(dots, {}, &QPointF::y);
   addExpertBand(picture, meaning, double(values.size()), least->y(), most->y());
   if (!addCurve(picture, meaning.kind, values)) {
-    ChartPicture::Line mean{tr("mean of the last %1").arg(kLastAttempts), {}, Tone::Accent, Qt::DashLine};
+    ChartPicture::Line mean{tr("mean of last %1 attempts").arg(kLastAttempts), {}, Tone::Accent, Qt::DashLine};
     const auto means = movingMean(values, kLastAttempts);
     for (std::size_t i = 0; i < means.size(); ++i)
       if (means[i]) mean.points.emplace_back(double(i) + 1, *means[i]);
@@ -73,7 +73,7 @@ ChartPicture cusumPicture(const std::vector<bool>& passes, const CusumRule& rule
   picture.xTitle = tr("attempt");
   picture.yTitle = tr("score");
   if (scores.empty()) {
-    picture.words = tr("n/a: no attempt of this level counts yet.");
+    picture.words = tr("n/a: no attempt at this level counts yet.");
     return picture;
   }
   // The axis names the score; the legend has the rates of the limit in one line.

@@ -60,7 +60,7 @@ QWidget* FormQuestion::buildChoice(const FormItem& item) {
     auto* button = new QRadioButton(title.replace(QLatin1Char('&'), QStringLiteral("&&")));
     button->setObjectName(QStringLiteral("form_%1_%2").arg(qt(name_), qt(option.name)));
     button->setAccessibleName(tr("%1: %2").arg(qt(item.title), qt(option.title)));
-    button->setToolTip(tr("Arrows choose, Delete clears the answer"));
+    button->setToolTip(tr("Arrow keys choose the answer, Delete clears the answer"));
     button->installEventFilter(this);
     choice_->addButton(button, int(options_.size()));
     options_.push_back(option.name);

@@ -240,7 +240,7 @@ void CurriculumDesk::discard() {
         chosen_.reset(), curriculum_.reset(), saved_ = true;
         Q_EMIT curriculumChanged();
         Q_EMIT savingChanged();
-        Q_EMIT said(tr("The draft was discarded; published versions stay."), false);
+        Q_EMIT said(tr("The draft was discarded. Published versions are unchanged."), false);
         refresh();
       });
 }
@@ -257,7 +257,7 @@ void CurriculumDesk::publish(std::function<void(Result<void>)> done) {
         saved_ = true;
         choose(now);
         refresh();
-        Q_EMIT said(tr("Published. Choose a class below to assign this version to it."), false);
+        Q_EMIT said(tr("The version is published. To assign this version to a class, choose the class below."), false);
       });
 }
 

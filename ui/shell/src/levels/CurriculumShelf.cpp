@@ -84,8 +84,8 @@ Result<KeptDraft> newDraft(const SignedIn& by, const std::string& name) {
   const auto all = allCurricula(by);
   if (!all) return tl::unexpected(all.error());
   if (std::ranges::find(*all, name, &OfferedCurriculum::name) != all->end())
-    return fail("There is a curriculum named '" + name +
-                "' already; choose another name, or begin a new version of it.");
+    return fail("There is already a curriculum named '" + name +
+                "'; choose another name, or begin a new version of that curriculum.");
   Curriculum draft{.name = name};
   draft.levels.push_back({.name = "level_1", .procedure = procedurePresetNames().front()});
   const std::string text = curriculumText(draft);

@@ -94,10 +94,9 @@ QWidget* CurriculumWindow::buildShelf() {
   named(shelf_, "curricula", tr("Curricula"), tr("Drafts, published and built-in curricula"));
   shelf_->setFixedHeight(kShelf_px);
   new_ = button("curriculumNew", tr("New ..."), tr("Begins an empty draft"), &CurriculumWindow::begin);
-  version_ =
-      button("curriculumVersion", tr("New version"), tr("Begins a draft from the version shown, which stays unchanged"),
-             &CurriculumWindow::beginVersion);
-  discard_ = button("curriculumDiscard", tr("Discard ..."), tr("Discards the draft; published versions stay"),
+  version_ = button("curriculumVersion", tr("New version"), tr("Begins a draft as a copy of the version shown"),
+                    &CurriculumWindow::beginVersion);
+  discard_ = button("curriculumDiscard", tr("Discard ..."), tr("Discards the draft; published versions are unchanged"),
                     &CurriculumWindow::discard);
   auto* row = new QHBoxLayout;
   row->setSpacing(kSmallGap);
@@ -166,7 +165,8 @@ QWidget* CurriculumWindow::buildTeaching() {
   row->addWidget(new QLabel(tr("Class")));
   row->addWidget(cohort_, 1);
   row->addWidget(button("curriculumTeach", tr("Assign this version"),
-                        tr("Assigns these levels to the class; its attempts do not change"), &CurriculumWindow::teach));
+                        tr("Assigns this version to the class; the attempts of the class do not change"),
+                        &CurriculumWindow::teach));
   return part;
 }
 
@@ -202,8 +202,8 @@ void CurriculumWindow::showShelf() {
   const QString before = cohort_->currentText();
   cohort_->clear();
   for (const Cohort& one : desk_->cohorts()) {
-    const QString now =
-        one.curriculum.empty() ? tr("none yet") : wordsOf({one.curriculum, one.curriculumVersion, Kind::Published});
+    const QString now = one.curriculum.empty() ? tr("no curriculum yet")
+                                               : wordsOf({one.curriculum, one.curriculumVersion, Kind::Published});
     cohort_->addItem(QStringLiteral("%1  (%2)").arg(qt(one.name), now), qt(one.id));
   }
   cohort_->setEnabled(cohort_->count() > 0);
@@ -251,18 +251,19 @@ void CurriculumWindow::showLevel() {
 void CurriculumWindow::showSaving() {
   contest_->setVisible(desk_->isContested());
   const Curriculum* now = desk_->curriculum();
-  if (!now) return state_->setText(tr("Choose a curriculum, or begin a new one."));
+  if (!now) return state_->setText(tr("Choose a curriculum, or begin a new curriculum."));
   const QString version = tr("%1, version %2").arg(qt(now->name), QString::number(now->version));
   if (!desk_->isDraft())
     return state_->setText(
         tr("%1 is published and cannot be changed. To make changes, begin a new version.").arg(version));
-  state_->setText(desk_->isSaved() ? tr("Draft of %1, saved").arg(version)
-                                   : tr("Draft of %1, not saved yet").arg(version));
+  state_->setText(desk_->isSaved() ? tr("Draft of the curriculum %1, saved").arg(version)
+                                   : tr("Draft of the curriculum %1, not saved yet").arg(version));
 }
 
 void CurriculumWindow::begin() {
   (new EntryDialog(
-       tr("New curriculum"), tr("A draft, seen by instructors, until it is published."),
+       tr("New curriculum"),
+       tr("A new curriculum begins as a draft. Trainees do not see it until it is published and assigned to a class."),
        {{"curriculumName", tr("Short name"), tr("At most 64 letters (a to z), digits, '_', '-' and '.'")}}, tr("Begin"),
        [this](const QStringList& texts, const std::function<void(Result<void>)>& done) {
          desk_->begin(texts[0], done);
@@ -277,7 +278,8 @@ void CurriculumWindow::beginVersion() {
 
 void CurriculumWindow::discard() {
   (new EntryDialog(
-       tr("Discard the draft?"), tr("All changes since the last version are lost for everyone."), {}, tr("Discard"),
+       tr("Discard the draft?"), tr("All changes since the last published version are lost for all users."), {},
+       tr("Discard"),
        [this](const QStringList&, const std::function<void(Result<void>)>& done) {
          desk_->discard();
          done({});
@@ -292,7 +294,7 @@ void CurriculumWindow::publish() {
   (new EntryDialog(
        tr("Publish %1, version %2?").arg(qt(draft.name), QString::number(draft.version)),
        tr("A published version cannot change, so that attempts stay comparable; changes need a new version. Classes "
-          "keep their version until you assign this one."),
+          "keep their present version until you assign the new version."),
        {}, tr("Publish"),
        [this](const QStringList&, const std::function<void(Result<void>)>& done) { desk_->publish(done); }, this))
       ->open();

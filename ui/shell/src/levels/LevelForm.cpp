@@ -73,10 +73,10 @@ LevelForm::LevelForm(const TeachingNames& known, QWidget* parent)
   box->setSpacing(kGap);
   box->addLayout(form);
   box->addSpacing(kGap);
-  box->addWidget(heading(tr("One passed attempt is enough")));
+  box->addWidget(heading(tr("Passing an attempt")));
   box->addWidget(standards_);
   box->addSpacing(kGap);
-  box->addWidget(heading(tr("The level is mastered")));
+  box->addWidget(heading(tr("Mastering the level")));
   box->addWidget(mastery_);
   box->addStretch(1);
   connect(standards_, &StandardsEditor::edited, this, &LevelForm::edited);
@@ -84,11 +84,11 @@ LevelForm::LevelForm(const TeachingNames& known, QWidget* parent)
 }
 
 void LevelForm::buildNames(QFormLayout& form) {
-  named(title_, "levelEditTitle", tr("Title"), tr("As trainees see it"));
+  named(title_, "levelEditTitle", tr("Title"), tr("Title of the level that trainees see"));
   connect(title_, &QLineEdit::textEdited, this, [this](const QString& text) {
     Q_EMIT edited(QStringLiteral("title"), [text](Level& level) { level.title = text.toStdString(); });
   });
-  named(about_, "levelEditAbout", tr("About"), tr("Learning goal, in one or two sentences"));
+  named(about_, "levelEditAbout", tr("About"), tr("Learning goal of the level, in one or two sentences"));
   about_->setTabChangesFocus(true);
   about_->setFixedHeight(kAbout_px);
   connect(about_, &QPlainTextEdit::textChanged, this, [this] {
@@ -118,9 +118,10 @@ void LevelForm::addChoice(QComboBox* box, std::string Level::*member) {
 }
 
 void LevelForm::buildSetting(QFormLayout& form) {
-  named(case_, "levelEditCase", tr("Case"), tr("The built-in necks, and the cases that were opened on this computer"));
-  named(procedure_, "levelEditProcedure", tr("Procedure"), tr("Its steps, rules and metrics"));
-  named(position_, "levelEditPosition", tr("Position"), tr("Position of the patient as an attempt begins"));
+  named(case_, "levelEditCase", tr("Case"),
+        tr("Case of the level: a built-in neck, or a case that was opened on this computer"));
+  named(procedure_, "levelEditProcedure", tr("Procedure"), tr("Procedure, which determines steps, rules and metrics"));
+  named(position_, "levelEditPosition", tr("Position"), tr("Position of the patient when an attempt begins"));
   named(assistance_, "levelEditAssistance", tr("Assistance"), tr("Amount of help during an attempt"));
   assistance_->addItems(
       {tr("guided: states each step, shows hints and CT"), tr("hints: states errors only"), tr("test: no help")});

@@ -34,22 +34,25 @@ QString titleOf(const Level& level) {
 
 LevelList::LevelList(QWidget* parent)
     : QWidget(parent), title_(new QLineEdit), about_(new QPlainTextEdit), list_(new QListWidget) {
-  named(title_, "curriculumTitle", tr("Title of the curriculum"), tr("Title of the curriculum, as trainees see it"));
+  named(title_, "curriculumTitle", tr("Title of the curriculum"), tr("Title of the curriculum that trainees see"));
   title_->setPlaceholderText(tr("Title of the curriculum"));
   named(about_, "curriculumAbout", tr("About the curriculum"), tr("Learning goal of the curriculum; optional"));
   about_->setPlaceholderText(tr("Learning goal; optional"));
   about_->setTabChangesFocus(true);
   about_->setFixedHeight(kSummary_px);
-  named(list_, "curriculumLevels", tr("Levels in their order"), tr("Ctrl+Up and Ctrl+Down move the chosen level"));
+  named(list_, "curriculumLevels", tr("Levels in order"),
+        tr("Ctrl+Up and Ctrl+Down move the selected level in the list"));
   list_->setWordWrap(true);
-  add_ = button("levelAdd", tr("Add"), tr("Adds a level at the end"), &LevelList::add);
-  copy_ = button("levelCopy", tr("Copy"), tr("Adds a copy of the level after this one"), &LevelList::copy);
-  remove_ = button("levelRemove", tr("Remove"), tr("Removes the level, also from the prerequisites of others"),
-                   &LevelList::remove);
-  up_ = button("levelUp", QStringLiteral("↑"), tr("Moves the level up (Ctrl+Up)"), &LevelList::moveUp);
-  down_ = button("levelDown", QStringLiteral("↓"), tr("Moves the level down (Ctrl+Down)"), &LevelList::moveDown);
-  up_->setAccessibleName(tr("Earlier"));
-  down_->setAccessibleName(tr("Later"));
+  add_ = button("levelAdd", tr("Add"), tr("Adds a level at the end of the list"), &LevelList::add);
+  copy_ = button("levelCopy", tr("Copy"), tr("Adds a copy of the selected level below it"), &LevelList::copy);
+  remove_ = button("levelRemove", tr("Remove"),
+                   tr("Removes the selected level, also from the prerequisites of other levels"), &LevelList::remove);
+  up_ = button("levelUp", QStringLiteral("↑"), tr("Moves the selected level up in the list (Ctrl+Up)"),
+               &LevelList::moveUp);
+  down_ = button("levelDown", QStringLiteral("↓"), tr("Moves the selected level down in the list (Ctrl+Down)"),
+                 &LevelList::moveDown);
+  up_->setAccessibleName(tr("Move level up"));
+  down_->setAccessibleName(tr("Move level down"));
   up_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Up")));
   down_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Down")));
   auto* row = new QHBoxLayout;

@@ -50,7 +50,7 @@ void LevelStoryView::show(const Curriculum& curriculum, const std::string& level
   for (const DraftTrouble& one : troubles)
     if (one.level.empty() || one.level == level) wrong << QStringLiteral("▲  ") + QString::fromStdString(one.sentence);
   const auto others = qsizetype(troubles.size()) - wrong.size();
-  if (others > 0) wrong << tr("▲  %1 more, in levels marked with ▲").arg(others);
+  if (others > 0) wrong << tr("▲  Errors in other levels, which are marked with ▲: %1").arg(others);
   troubles_->setText(wrong.join(QLatin1Char('\n')));
   troubles_->setVisible(!wrong.isEmpty());
   // A draft may have its levels in any order.
@@ -58,7 +58,8 @@ void LevelStoryView::show(const Curriculum& curriculum, const std::string& level
   if (whole && whole->level(level))
     for (const StoryTurn& turn : levelStory(*whole, level))
       turns << QStringLiteral("%1:  %2").arg(wordsOf(turn.when), QString::fromStdString(turn.sentence));
-  story_->setText(turns.isEmpty() ? tr("Shown once there are no errors.") : turns.join(QLatin1Char('\n')));
+  story_->setText(turns.isEmpty() ? tr("The text appears here when the curriculum has no errors.")
+                                  : turns.join(QLatin1Char('\n')));
 }
 
 }  // namespace insonate::ui

@@ -99,7 +99,7 @@ MasteryEditor::MasteryEditor(QWidget* parent) : QWidget(parent), tasks_(new Task
 
 QWidget* MasteryEditor::buildRow() {
   passes_ = number<QSpinBox>("passesInARow", tr("Consecutive passes"),
-                             tr("Number of attempts that must pass one after the other"), 1, 100, tr(" consecutive"));
+                             tr("Number of consecutive attempts that must pass"), 1, 100, tr(" consecutive"));
   connect(passes_, QOverload<int>::of(&QSpinBox::valueChanged), this, [this](int passes) {
     Q_EMIT edited(QStringLiteral("passes"), [passes](Level& level) { level.mastery.passesInARow = passes; });
   });
@@ -115,8 +115,8 @@ QWidget* MasteryEditor::buildCusum() {
   acceptable_ = share("cusumAcceptable", tr("Acceptable failure rate"), tr("Failure rate of a competent operator"));
   unacceptable_ = share("cusumUnacceptable", tr("Unacceptable failure rate"),
                         tr("Failure rate of an operator who is not competent"));
-  limit_ =
-      number<QDoubleSpinBox>("cusumLimit", tr("Limit h"), tr("Score that must be reached"), 0.01, 100.0, QString());
+  limit_ = number<QDoubleSpinBox>("cusumLimit", tr("Limit h"), tr("LC-CUSUM score that must be reached"), 0.01, 100.0,
+                                  QString());
   connect(cusum_, &QCheckBox::clicked, this, [this](bool on) {
     Q_EMIT edited({}, [on](Level& level) { level.mastery.cusum = on ? std::optional(CusumRule()) : std::nullopt; });
   });
@@ -127,11 +127,12 @@ QWidget* MasteryEditor::buildCusum() {
 }
 
 QWidget* MasteryEditor::buildCalibration() {
-  falseSignals_ = share("cusumFalse", tr("False signals"),
-                        tr("Maximum share of trainees at the unacceptable rate who reach the limit by chance"));
+  falseSignals_ =
+      share("cusumFalse", tr("False signals"),
+            tr("Maximum share of trainees with the unacceptable failure rate who reach the limit by chance"));
   falseSignals_->setValue(10);
-  trials_ =
-      number<QSpinBox>("cusumTrials", tr("Attempts"), tr("Number of attempts for this rate"), 1, 1000, tr(" attempts"));
+  trials_ = number<QSpinBox>("cusumTrials", tr("Attempts"),
+                             tr("Number of attempts within which false signals are counted"), 1, 1000, tr(" attempts"));
   trials_->setValue(CusumTrials().trials);
   calibrate_ = named(new QPushButton(tr("Calibrate")), "cusumCalibrate", tr("Calibrate the limit"),
                      tr("Sets the limit by a reproducible simulation of trainees"));
@@ -146,7 +147,7 @@ QWidget* MasteryEditor::buildCalibration() {
   auto* column = new QVBoxLayout(part);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kSmallGap);
-  column->addWidget(lineOf({new QLabel(tr("Choose limit h so that false signals occur in")), falseSignals_,
+  column->addWidget(lineOf({new QLabel(tr("Choose limit h for a false signal rate of")), falseSignals_,
                             new QLabel(tr("within")), trials_, calibrate_}));
   column->addWidget(tasks_);
   column->addWidget(calibrated_);
@@ -183,11 +184,10 @@ void MasteryEditor::show(const Level& level) {
   const QSignalBlocker a(passes_), b(acceptable_), c(unacceptable_), d(limit_), e(days_), f(failures_), g(within_);
   passes_->setValue(rule.passesInARow);
   const int fewest = fewestAttempts(rule);
-  fewest_->setText(
-      fewest == LcCusum::kMostToSignal
-          ? tr("the rates are too close to distinguish with any number of attempts: raise the unacceptable rate")
-      : fewest == 1 ? tr("mastery takes at least 1 attempt")
-                    : tr("mastery takes at least %1 attempts").arg(fewest));
+  fewest_->setText(fewest == LcCusum::kMostToSignal
+                       ? tr("the two failure rates are too close to distinguish: raise the unacceptable rate")
+                   : fewest == 1 ? tr("mastery takes at least 1 attempt")
+                                 : tr("mastery takes at least %1 attempts").arg(fewest));
   cusum_->setChecked(rule.cusum.has_value());
   for (QWidget* one :
        std::initializer_list<QWidget*>{acceptable_, unacceptable_, limit_, falseSignals_, trials_, calibrate_})

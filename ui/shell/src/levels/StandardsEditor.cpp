@@ -41,10 +41,10 @@ QDoubleSpinBox* number(const QString& name, double low, double high, int decimal
 
 StandardsEditor::StandardsEditor(const std::vector<MetricMeaning>& metrics, QWidget* parent)
     : QWidget(parent), metrics_(metrics) {
-  auto* always = new QLabel(tr("if it was completed and succeeded, had no critical error, and:"));
+  auto* always = new QLabel(tr("An attempt passes if it was completed, succeeded, had no critical error, and:"));
   setRole(always, "quiet");
   table_ = named(new QTableWidget(0, kColumns), "standards", tr("Standards"),
-                 tr("Standards of metrics; the selected one is edited below"));
+                 tr("Standards of metrics; edit the selected standard below"));
   table_->setHorizontalHeaderLabels({tr("Metric"), tr("Limit"), tr("Message when missed")});
   makeRowTable(*table_, kRow_px);
   table_->setColumnWidth(kMetric, kMetric_px);
@@ -67,7 +67,7 @@ QWidget* StandardsEditor::buildRule() {
   leastPoints_ = named(number(tr("Points"), 0, 100, 0, tr(" points")), "leastPoints", tr("Points"),
                        tr("Points, out of 100, that an attempt has to reach"));
   percent_ = named(number(tr("Mastery"), 1, 100, 0, tr(" %")), "masteryPercent", tr("Mastery percentage"),
-                   tr("Share of the standards below that must be met; 100 %: all of them"));
+                   tr("Percentage of the standards below that must be met; 100 %: all standards"));
   const auto tell = [this] {
     const auto least = points_->isChecked() ? std::optional(leastPoints_->value()) : std::nullopt;
     Q_EMIT edited(QStringLiteral("points"), [least](Level& level) { level.pass.leastPoints = least; });
@@ -93,15 +93,16 @@ QWidget* StandardsEditor::buildRule() {
 QWidget* StandardsEditor::buildStandard() {
   metric_ = named(new QComboBox, "standardMetric", tr("Metric"), tr("Metric of the standard"));
   for (const MetricMeaning& one : metrics_) metric_->addItem(titleOf({.metric = one.id}), qt(one.id));
-  bound_ = named(new QComboBox, "standardBound", tr("At least or at most"), tr("Direction of the limit"));
+  bound_ = named(new QComboBox, "standardBound", tr("At least or at most"),
+                 tr("Whether the limit is a minimum or a maximum"));
   bound_->addItems({tr("at least"), tr("at most")});
   limit_ = named(number(tr("The limit"), -kAnyLimit, kAnyLimit, 2, QString()), "standardLimit", tr("Limit"),
-                 tr("In the metric's unit"));
+                 tr("Limit in the unit of the metric"));
   otherwise_ = named(new QLineEdit, "standardOtherwise", tr("Message when missed"),
                      tr("Completes the sentence \"failed because ...\", for example \"the artery was punctured\""));
   otherwise_->setPlaceholderText(tr("the artery was punctured"));
   critical_ = named(new QCheckBox(tr("Critical error")), "standardCritical", tr("Critical error"),
-                    tr("An attempt that misses this standard fails, whatever share of the others it meets"));
+                    tr("An attempt that misses this standard fails, even if it meets all other standards"));
   add_ = pushButton("standardAdd", tr("Add"), tr("Adds a standard"));
   remove_ = pushButton("standardRemove", tr("Remove"), tr("Removes the selected standard"));
   connect(add_, &QPushButton::clicked, this, &StandardsEditor::add);

@@ -56,13 +56,14 @@ LibraryWindow::LibraryWindow(QWidget* parent)
       model_(new LibraryModel(this)),
       filter_(new LibraryFilter(*model_, this)),
       search_(new QLineEdit),
-      grade_(choice("libraryGrade", tr("Difficulty"), tr("Show cases of this difficulty"),
+      grade_(choice("libraryGrade", tr("Difficulty"), tr("Show only cases of this difficulty"),
                     {{tr("all difficulties"), QString()},
                      {tr("easy"), QStringLiteral("easy")},
                      {tr("moderate"), QStringLiteral("moderate")},
                      {tr("hard"), QStringLiteral("hard")}})),
-      fitness_(choice("libraryFitness", tr("Fitness"), tr("Show cases that are fit for training, or that are not"),
-                      {{tr("fit and unfit"), int(LibraryFilter::Fitness::All)},
+      fitness_(choice("libraryFitness", tr("Fitness"),
+                      tr("Show only cases that are fit for training, only unsuitable cases, or both"),
+                      {{tr("fit and unsuitable"), int(LibraryFilter::Fitness::All)},
                        {tr("fit for training"), int(LibraryFilter::Fitness::Fit)},
                        {tr("unsuitable"), int(LibraryFilter::Fitness::Unfit)}})),
       order_(choice("libraryOrder", tr("Order"), tr("Order of the cases"),
@@ -76,7 +77,8 @@ LibraryWindow::LibraryWindow(QWidget* parent)
                         tr("Opens the selected case for practice (Enter, double click)"))),
       prepare_(
           pushButton("libraryPrepare", tr("Open in Prepare"), tr("Opens the selected case for editing (Ctrl+Enter)"))),
-      add_(pushButton("libraryAdd", tr("Add folder ..."), tr("Adds a folder that contains cases, also in subfolders"))),
+      add_(pushButton("libraryAdd", tr("Add folder ..."),
+                      tr("Adds the cases in a folder and its subfolders to this list"))),
       remove_(pushButton("libraryRemove", tr("Remove folder"),
                          tr("Removes the selected case's folder from this list; the disk is not changed"))) {
   setWindowTitle(tr("Case library"));
@@ -239,8 +241,8 @@ void LibraryWindow::showState() {
   const bool none = shown == 0 && count > 0, onlyBuiltIn = all.isEmpty();
   empty_->setVisible(none || onlyBuiltIn);
   empty_->setText(
-      none ? tr("No case matches. Shorten the search, or show cases of all difficulties, also unsuitable ones.")
-           : tr("These necks are built in. Add the folder in which your own cases are kept."));
+      none ? tr("No case matches. Use fewer search words, or show cases of all difficulties, also unsuitable cases.")
+           : tr("The necks in this list are built in. Add the folder that contains your own cases."));
 }
 
 void LibraryWindow::addFolder() {

@@ -24,10 +24,10 @@ struct Kind {
 constexpr Kind kKinds[] = {
     {views::ClippingKind::Off, "nothing"},
     {views::ClippingKind::Axial, "axial: below the plane"},
-    {views::ClippingKind::Coronal, "coronal: before the plane"},
+    {views::ClippingKind::Coronal, "coronal: in front of the plane"},
     {views::ClippingKind::Sagittal, "sagittal: right of the plane"},
     {views::ClippingKind::ImagePlane, "one side of the image plane"},
-    {views::ClippingKind::Free, "any plane"},
+    {views::ClippingKind::Free, "one side of any plane"},
 };
 
 /// Turned from the front toward the patient's left, then tilted up.
@@ -45,19 +45,20 @@ ClippingControls::ClippingControls(std::shared_ptr<views::SceneView> scene, QWid
       offset_(new ValueSlider(tr("position"), tr("mm"), {-100, 100, 0, 1, 0},
                               tr("Distance of the plane from the patient's middle or from the image plane"))),
       turn_(new ValueSlider(tr("turn"), tr("°"), {-180, 180, 0, 5, 0},
-                            tr("Angle of the plane: 0° keeps the front of the patient, 90° the left side"))),
-      tilt_(new ValueSlider(tr("tilt"), tr("°"), {-90, 90, 0, 5, 0}, tr("90° keeps the side toward the head"))),
+                            tr("Direction of the plane: 0° keeps the front of the patient, 90° keeps the left side"))),
+      tilt_(new ValueSlider(tr("tilt"), tr("°"), {-90, 90, 0, 5, 0},
+                            tr("Tilt of the plane: 90° keeps the side toward the head"))),
       flipped_(new QCheckBox(tr("Flip"))),
       asSeen_(new QToolButton) {
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(kSmallGap);
   auto* row = new QHBoxLayout;
-  auto* name = new QLabel(tr("cut away"));
+  auto* name = new QLabel(tr("clipped"));
   setRole(name, "quiet");
   kind_->setObjectName(QStringLiteral("clippingKind"));
-  kind_->setAccessibleName(tr("Clipped objects"));
-  kind_->setToolTip(tr("Clips surfaces and CT along a plane; probe and image stay whole"));
+  kind_->setAccessibleName(tr("Clipping plane"));
+  kind_->setToolTip(tr("Clips surfaces and CT at a plane; probe and image are not clipped"));
   for (const Kind& kind : kKinds) kind_->addItem(tr(kind.name), int(kind.kind));
   kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   kind_->setMinimumContentsLength(8);
@@ -68,7 +69,7 @@ ClippingControls::ClippingControls(std::shared_ptr<views::SceneView> scene, QWid
   turn_->setObjectName(QStringLiteral("clippingTurn"));
   tilt_->setObjectName(QStringLiteral("clippingTilt"));
   flipped_->setObjectName(QStringLiteral("clippingFlipped"));
-  flipped_->setToolTip(tr("Cuts away the other side"));
+  flipped_->setToolTip(tr("Clips the other side of the plane"));
   asSeen_->setText(tr("Turn to viewer"));
   asSeen_->setObjectName(QStringLiteral("clippingAsSeen"));
   asSeen_->setToolTip(tr("Turns the plane toward you and clips everything in front of it"));

@@ -21,11 +21,11 @@ struct Mode {
 constexpr Mode kModes[] = {
     {views::Stereo::Off, "off", "One image for both eyes"},
     {views::Stereo::Anaglyph, "red-cyan glasses", "Red left, cyan right"},
-    {views::Stereo::SideBySide, "side by side", "For 3D televisions and headsets, and for crossing one's eyes"},
-    {views::Stereo::Interlaced, "interlaced", "For screens with polarised rows"},
+    {views::Stereo::SideBySide, "side by side", "For 3D televisions and headsets, and for viewing with crossed eyes"},
+    {views::Stereo::Interlaced, "interlaced", "For screens with polarized rows"},
     {views::Stereo::Checkerboard, "checkerboard", "For projectors that show a checkerboard"},
-    {views::Stereo::LeftEye, "left eye", "The left eye's image alone"},
-    {views::Stereo::RightEye, "right eye", "The right eye's image alone"},
+    {views::Stereo::LeftEye, "left eye", "Only the image of the left eye"},
+    {views::Stereo::RightEye, "right eye", "Only the image of the right eye"},
     {views::Stereo::QuadBuffer, "shutter glasses", "For graphics cards with quad-buffered stereo"},
 };
 
@@ -37,15 +37,17 @@ EyeControls::EyeControls(std::shared_ptr<views::SceneView> scene, QWidget* paren
       stereo_(new QComboBox),
       coupled_(new QCheckBox(tr("head-coupled view"))),
       numbers_(new QWidget),
-      right_(new ValueSlider(tr("eye to the right"), tr("mm"), {-600, 600, 0, 10, 0},
-                             tr("Distance to the right of the view's middle; negative to the left"))),
+      right_(
+          new ValueSlider(tr("eye to the right"), tr("mm"), {-600, 600, 0, 10, 0},
+                          tr("Distance of your eyes to the right of the middle of this view; negative: to the left"))),
       up_(new ValueSlider(tr("eye above the middle"), tr("mm"), {-600, 600, 0, 10, 0},
-                          tr("Height above the middle of this view; negative below"))),
+                          tr("Height of your eyes above the middle of this view; negative: below"))),
       distance_(new ValueSlider(tr("eye to screen"), tr("mm"), {100, 3000, 600, 10, 0},
                                 tr("Distance from the screen to the middle between your eyes"))),
       width_(new ValueSlider(tr("width of this view"), tr("mm"), {40, 4000, 520, 10, 0},
-                             tr("Width measured with a ruler on the screen"))),
-      separation_(new ValueSlider(tr("eye separation"), tr("mm"), {0, 80, 63, 1, 0}, tr("Used in stereo"))) {
+                             tr("Width of this view, measured with a ruler on the screen"))),
+      separation_(new ValueSlider(tr("eye separation"), tr("mm"), {0, 80, 63, 1, 0},
+                                  tr("Distance between your eyes; used only in stereo"))) {
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(kSmallGap);

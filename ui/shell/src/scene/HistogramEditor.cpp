@@ -101,7 +101,7 @@ QWidget* HistogramEditor::buildTop() {
   preset_ = new QComboBox;
   preset_->setObjectName(QStringLiteral("transferPreset"));
   preset_->setAccessibleName(tr("Preset of the transfer function"));
-  preset_->setToolTip(tr("Presets; drag the points to adjust them"));
+  preset_->setToolTip(tr("Presets of the transfer function; drag the points in the plot to adjust it"));
   for (const auto& preset : views::transferPresets()) preset_->addItem(nameOf(preset));
   preset_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   preset_->setMinimumContentsLength(6);
@@ -208,7 +208,7 @@ void HistogramEditor::choosePreset(const QString& name) {
   for (std::size_t index = 0; index < presets.size(); ++index) {
     if (name != nameOf(presets[index])) continue;
     presetIndex_ = int(index);
-    push(presets[index].function, 0, tr("preset"));
+    push(presets[index].function, 0, tr("choice of a preset"));
   }
   refresh();
 }
@@ -248,11 +248,11 @@ void HistogramEditor::typed(int field) {
     const double most = at + 1 < nodes.size() ? nodes[at + 1].hu - Function::kLeastGap_HU : Function::kMost_HU;
     nodes[at].hu = std::clamp<double>(hu_->value(), least, std::max(least, most));
     if (nodes[at].hu != hu_->value())
-      QToolTip::showText(hu_->mapToGlobal({0, hu_->height()}),
-                         tr("Points do not pass each other: this one can be from %1 to %2 HU.").arg(least).arg(most),
-                         hu_);
+      QToolTip::showText(
+          hu_->mapToGlobal({0, hu_->height()}),
+          tr("A point must stay between its neighbors: this point can be from %1 to %2 HU.").arg(least).arg(most), hu_);
   }
-  push(wanted, kTyping + 2 * selected() + field, tr("value typed"));
+  push(wanted, kTyping + 2 * selected() + field, tr("value of a point"));
   refresh();
 }
 
@@ -267,7 +267,7 @@ void HistogramEditor::chooseColour() {
     Function wanted = function();
     wanted.nodes[std::size_t(node)].colour = {std::uint8_t(chosen.red()), std::uint8_t(chosen.green()),
                                               std::uint8_t(chosen.blue())};
-    push(wanted, 0, tr("color"));
+    push(wanted, 0, tr("color of a point"));
   });
   dialog->open();
 }

@@ -20,12 +20,13 @@ HistogramPlot::HistogramPlot(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setAccessibleName(tr("Opacity over the CT's histogram"));
+  setAccessibleName(tr("Opacity curve over the histogram of the CT"));
   setAccessibleDescription(
-      tr("Tab: next node. Arrows: move it. Insert: add one. Delete: remove it. Enter: its color."));
-  setToolTip(tr("Opacity of each Hounsfield unit, in %% per millimeter of tissue, over the CT's histogram.\nDrag a "
-                "node, double click for a new one, right click or Delete removes it.\nTab goes from node to node; "
-                "arrows move it, with Shift finely; Enter chooses its color.")
+      tr("Tab: next point. Arrow keys: move the point. Insert: add a point. Delete: remove the point. Enter: choose "
+         "the color of the point."));
+  setToolTip(tr("Opacity of each Hounsfield unit, in %% per millimeter of tissue, over the histogram of the CT.\nDrag "
+                "a point to move it. A double click adds a point; a right click or Delete removes a point.\nTab "
+                "selects the next point; arrow keys move the point, with Shift in fine steps; Enter chooses its color.")
                  .replace(QLatin1String("%%"), QLatin1String("%")));
 }
 
@@ -108,7 +109,7 @@ void HistogramPlot::add(double hu, double opacity) {
                                       [](double value, const auto& node) { return value < node.hu; });
   const int number = int(after - wanted.nodes.begin());
   wanted.nodes.insert(after, {hu, opacity, wanted.colourAt(hu)});
-  Q_EMIT edited(wanted, 0, tr("new node"));
+  Q_EMIT edited(wanted, 0, tr("addition of a point"));
   select(number);
 }
 
@@ -127,7 +128,7 @@ void HistogramPlot::remove(int node) {
   if (node < 0 || function_.nodes.size() < 2) return;
   Function wanted = function_;
   wanted.nodes.erase(wanted.nodes.begin() + node);
-  Q_EMIT edited(wanted, 0, tr("node removed"));
+  Q_EMIT edited(wanted, 0, tr("removal of a point"));
 }
 
 void HistogramPlot::removeSelected() {
@@ -144,7 +145,7 @@ void HistogramPlot::moveSelected(double hu, double opacity, int gesture) {
   const double most = at + 1 < nodes.size() ? nodes[at + 1].hu - Function::kLeastGap_HU : Function::kMost_HU;
   nodes[at].hu = std::clamp(std::round(hu), least, std::max(least, most));
   nodes[at].opacity = std::clamp(opacity, 0.0, 1.0);
-  if (wanted != function_) Q_EMIT edited(wanted, gesture, tr("node moved"));
+  if (wanted != function_) Q_EMIT edited(wanted, gesture, tr("move of a point"));
 }
 
 void HistogramPlot::mousePressEvent(QMouseEvent* event) {

@@ -103,14 +103,15 @@ QWidget* ScenePanel::buildStructures() {
   add("structuresAll", tr("all"), tr("Show all structures"), [showAll] { showAll(true); });
   add("structuresNone", tr("none"), tr("Hide all structures"), [showAll] { showAll(false); });
   add("structuresUsual", tr("standard"),
-      tr("As chosen by the case's author; otherwise all structures with default colors and opacities"),
+      tr("Shows structures as chosen by the author of the case, otherwise all structures with default colors and "
+         "opacities"),
       [this] { showUsual(); });
   box->addLayout(row);
   structures_ = new StructureList(scene_);
   box->addWidget(structures_);
   safeColours_ = new QCheckBox(tr("color-blind safe colors"));
   safeColours_->setObjectName(QStringLiteral("safeColours"));
-  safeColours_->setToolTip(tr("Colors that people with red-green color blindness can distinguish"));
+  safeColours_->setToolTip(tr("Uses colors that people with red-green color blindness can distinguish"));
   connect(safeColours_, &QCheckBox::clicked, this, [this](bool safe) {
     setColourScheme(safe ? views::ColourScheme::ColourBlindSafe : views::ColourScheme::Usual);
   });

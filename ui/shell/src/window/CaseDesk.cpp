@@ -188,7 +188,7 @@ void CaseDesk::takeSaved(const SavedCase& saved) {
   }
   Q_EMIT changed();
   const QString also =
-      tr(" Another user had saved the case in the meantime; that version is kept as a previous version.");
+      tr(" Another user had saved the case in the meantime; the other user's version is kept as a previous version.");
   Q_EMIT said(tr("Saved to %1.").arg(saved.folder) + (saved.overAnother ? also : QString()), {});
   if (const auto go = std::exchange(afterSaving_, {})) QTimer::singleShot(0, this, go);
 }

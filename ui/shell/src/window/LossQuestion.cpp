@@ -23,9 +23,12 @@ QString sentencesOf(const Loss& loss) {
     sentences << LossQuestion::tr("%1: continuing cancels this job and discards its partial result.").arg(loss.job);
   if (!loss.ending.isEmpty()) sentences << loss.ending;
   if (!loss.title.isEmpty() && loss.nowhere)
-    sentences << LossQuestion::tr("\"%1\" is not on disk yet. Without saving, it is lost.").arg(loss.title);
+    sentences << LossQuestion::tr("The case \"%1\" is not saved yet. If you do not save the case, it is lost.")
+                     .arg(loss.title);
   else if (!loss.title.isEmpty())
-    sentences << LossQuestion::tr("\"%1\" has changes. Without saving, they are lost.").arg(loss.title);
+    sentences << LossQuestion::tr(
+                     "The case \"%1\" has unsaved changes. If you do not save the case, the changes are lost.")
+                     .arg(loss.title);
   return sentences.join(QLatin1Char('\n'));
 }
 

@@ -44,7 +44,7 @@ QAction* WindowMenu::add(const char* id, const char* iconName, const QString& te
 }
 
 void WindowMenu::addCases() {
-  add("window.case.library", "folder", tr("Case library ..."), tr("lists all cases with contents and difficulty"),
+  add("window.case.library", "folder", tr("Case library ..."), tr("lists all cases with their contents and difficulty"),
       tr("Ctrl+B"), [this] { Q_EMIT libraryWanted(); });
   add("window.case.open", "folder", tr("Open case ..."), tr("opens a case folder, or a folder of DICOM files"),
       QKeySequence::Open, [this] { chooseCase(); });
@@ -56,7 +56,7 @@ void WindowMenu::addCases() {
   attempt_ = add("window.attempt.open", "review", tr("Open attempt ..."), tr("opens a recorded attempt to replay it"),
                  tr("Ctrl+Shift+O"), [this] { chooseAttempt(); });
   addMenu(recent_);
-  reload_ = add("window.case.reload", "reload", tr("Reload"), tr("reads the case from its folder again"),
+  reload_ = add("window.case.reload", "reload", tr("Reload"), tr("reads the open case again from its folder"),
                 QKeySequence(Qt::Key_F5), [this] { desk_.reload(); });
   addSeparator();
   save_ = add("window.case.save", "save", tr("Save case"), tr("writes the changes to the case's folder"),

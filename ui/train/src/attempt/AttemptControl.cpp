@@ -201,8 +201,8 @@ void AttemptControl::begin() {
   model_.hands.setAttempt(attempt_);
   show(State::Running);
   Q_EMIT begun();
-  model_.status.say(assistance_ == Assistance::Test ? tr("The test has begun. Ctrl+Return finishes it.")
-                                                    : tr("The attempt has begun. Ctrl+Return finishes it."));
+  model_.status.say(assistance_ == Assistance::Test ? tr("The test has begun. Ctrl+Return finishes the test.")
+                                                    : tr("The attempt has begun. Ctrl+Return finishes the attempt."));
   Q_EMIT viewChanged();
 }
 
@@ -258,7 +258,7 @@ void AttemptControl::look() {
 
 void AttemptControl::setAspirating(bool on) {
   if (on && !model_.hands.needle()) {
-    model_.status.say(tr("Take the needle before you aspirate. The syringe is on the needle."));
+    model_.status.say(tr("Take the needle before you aspirate: the syringe is on the needle."));
     Q_EMIT aspiratingChanged();  // a button that was pressed is released
     return;
   }
@@ -270,13 +270,13 @@ void AttemptControl::setAspirating(bool on) {
 void AttemptControl::replaceNeedle() {
   const auto& held = model_.hands.needle();
   if (held && held->state.inBody)
-    return model_.status.say(tr("Withdraw the needle from the skin before taking a new one."));
+    return model_.status.say(tr("Withdraw the needle from the skin before you take a new needle."));
   if (isRunning()) attempt_->tell(AttemptEventKind::NeedleReplaced);
   setAspirating(false);
   Q_EMIT needleReplaced();
   const bool isOnDevice = held && !model_.hands.needleHand();
   if (!isOnDevice) model_.needle.take(model_.hands.needlePlane());
-  model_.status.say(tr("A new needle."));
+  model_.status.say(tr("You now have a new needle."));
 }
 
 void AttemptControl::save(QSettings& settings) const {

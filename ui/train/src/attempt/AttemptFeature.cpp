@@ -73,33 +73,33 @@ void AttemptFeature::addCommands() {
   beginSection(KeySection::Attempts);
   addCommand({.id = "train.attempt.startOrFinish",
               .text = {},
-              .does = tr("starts an attempt, or finishes it"),
+              .does = tr("starts or finishes an attempt"),
               .listed = tr("Ctrl+Return"),
               .keys = keys({Qt::Key_Return, Qt::Key_Enter}, Qt::ControlModifier),
               .perform = once([this] { control_->isRunning() ? control_->finish() : control_->start(); })});
   addCommand({.id = "train.attempt.aspirate",
               .text = {},
-              .does = tr("aspirates with the syringe, or stops"),
+              .does = tr("starts or stops aspiration with the syringe"),
               .listed = tr("B"),
               .keys = keys({Qt::Key_B}),
               .perform = once([this] { control_->setAspirating(!control_->isAspirating()); })});
   addCommand({.id = "train.attempt.newNeedle",
               .text = {},
-              .does = tr("takes a new needle from the tray once the old one is out of the skin"),
+              .does = tr("takes a new needle from the tray, after the old needle was withdrawn from the skin"),
               .listed = tr("U"),
               .keys = keys({Qt::Key_U}),
               .perform = once([this] { control_->replaceNeedle(); })});
-  addCommand({.id = "train.attempt.aim",
-              .text = tr("Aim line"),
-              .does = tr("shows over the image of a guided attempt where the needle would go if it were advanced, or "
-                         "hides it"),
-              .listed = tr("Ctrl+G"),
-              .keys = keys({Qt::Key_G}, Qt::ControlModifier),
-              .perform = once([this] { aim_->setOn(!aim_->isOn()); }),
-              .isAvailable = [this] { return isPatientShown() && model_.disclosure.current().steps; }});
+  addCommand(
+      {.id = "train.attempt.aim",
+       .text = tr("Aim line"),
+       .does = tr("in a guided attempt, shows or hides the line along which the needle would advance, over the image"),
+       .listed = tr("Ctrl+G"),
+       .keys = keys({Qt::Key_G}, Qt::ControlModifier),
+       .perform = once([this] { aim_->setOn(!aim_->isOn()); }),
+       .isAvailable = [this] { return isPatientShown() && model_.disclosure.current().steps; }});
   addCommand({.id = "train.attempt.dismiss",
               .text = {},
-              .does = tr("dismisses the error at the top of the attempt's panel"),
+              .does = tr("dismisses the error message at the top of the attempt panel"),
               .listed = tr("Backspace"),
               .keys = keys({Qt::Key_Backspace}),
               .perform = once([this] { panel_->dismissError(); }),
@@ -115,7 +115,7 @@ void AttemptFeature::showNeedle() {
 
 QString AttemptFeature::endsWithTheCase() const {
   if (!control_->isRunning()) return {};
-  return tr("An attempt is in progress in Train. Continuing ends it and saves it as abandoned.");
+  return tr("An attempt is in progress in Train. Continuing ends the attempt and saves it as abandoned.");
 }
 
 bool AttemptFeature::holdsCase() const {

@@ -96,10 +96,9 @@ QWidget* AttemptPanel::buildBegin() {
     procedure_->addItem(QString::fromStdString(one.title), QString::fromStdString(one.name));
     procedure_->setItemData(procedure_->count() - 1, QString::fromStdString(one.title), Qt::ToolTipRole);
   }
-  assistance_ =
-      attemptChoice("attemptAssistance", tr("Assistance"),
-                    tr("Guided: states each step and each error. Hints: states errors only. Test: shows neither CT "
-                       "nor anatomy until the end"));
+  assistance_ = attemptChoice("attemptAssistance", tr("Assistance"),
+                              tr("Guided: the panel states each step and each error. Hints: the panel states errors "
+                                 "only. Test: CT and anatomy are hidden until the end"));
   for (const Assistance one : {Assistance::Guided, Assistance::Hints, Assistance::Test})
     assistance_->addItem(wordOf(one), int(one));
   start_ =
@@ -127,8 +126,8 @@ QWidget* AttemptPanel::buildHands() {
   auto* grid = new QGridLayout(page);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(ui::kSmallGap);
-  position_ = attemptChoice("attemptPosition", tr("The patient's position"),
-                            tr("Tilt of the table in degrees; above 0 the head is down"));
+  position_ = attemptChoice("attemptPosition", tr("Position of the patient"),
+                            tr("Tilt of the table in degrees; positive: head down"));
   draw_ = button("attemptDraw", tr("Aspirate"), commands_.toolTip("train.attempt.aspirate"));
   draw_->setCheckable(true);
   auto* fresh = button("attemptNewNeedle", tr("New needle"), commands_.toolTip("train.attempt.newNeedle"));
@@ -188,7 +187,7 @@ QWidget* AttemptPanel::buildRunning() {
                         commands_.toolTip(tr("Ends the attempt and shows its result"), "train.attempt.startOrFinish"));
   ui::setRole(finish, "primary");
   auto* again = button("attemptAgain", tr("Again"), tr("Abandons this attempt and starts another"));
-  auto* abandon = button("attemptAbandon", tr("Abandon"), tr("Ends the attempt and saves it as abandoned"));
+  auto* abandon = button("attemptAbandon", tr("Abandon"), tr("Ends this attempt and saves it as abandoned"));
   for (QPushButton* one : {finish, again, abandon}) row->addWidget(one, 1);
   box->addLayout(row);
   connect(finish, &QPushButton::clicked, &attempt_, &AttemptControl::finish);
@@ -210,7 +209,7 @@ QWidget* AttemptPanel::buildResult() {
   box->addWidget(review_);
   auto* row = resultButtons_ = new QHBoxLayout;
   row->setSpacing(ui::kSmallGap);
-  auto* again = button("attemptNext", tr("Once more"), tr("Starts another attempt"));
+  auto* again = button("attemptNext", tr("New attempt"), tr("Starts another attempt at the same procedure"));
   auto* leave = button("attemptLeave", tr("Close"), tr("Returns to free scanning; the attempt is saved"));
   row->addWidget(again, 1);
   row->addWidget(leave, 1);

@@ -44,14 +44,15 @@ AttemptStrip::AttemptStrip(DisclosureModel& disclosure, HandsControl& hands, Cas
   setObjectName("attemptStrip");
   rows_->setContentsMargins(8, 4, 8, 0);
   rows_->setSpacing(2);
-  time_ = number("attemptTime", QStringLiteral("88:88"), tr("Time of the attempt, minutes and seconds"));
-  vein_ = number("attemptVein", tr("vein 8"), tr("Punctures of the vein"));
-  artery_ = number("attemptArtery", tr("artery 8"), tr("Punctures of the artery"));
-  double_ =
-      number("attemptDouble", tr("posterior wall 8"), tr("Posterior wall punctures: out through the vein's far side"));
+  time_ =
+      number("attemptTime", QStringLiteral("88:88"), tr("Time since the start of the attempt, in minutes and seconds"));
+  vein_ = number("attemptVein", tr("vein 8"), tr("Number of punctures of the vein"));
+  artery_ = number("attemptArtery", tr("artery 8"), tr("Number of punctures of the artery"));
+  double_ = number("attemptDouble", tr("posterior wall 8"),
+                   tr("Number of posterior wall punctures: the needle passed out through the far wall of the vein"));
   toVein_ = number("attemptToVein", tr("to vein 888.8 s"),
                    tr("Time from skin puncture to vein puncture in the same needle pass, in s"));
-  used_ = number("attemptUsed", tr("used 8"), tr("Insertions with a used needle"));
+  used_ = number("attemptUsed", tr("used 8"), tr("Number of insertions with a used needle"));
   row_->addStretch(1);
   row_ = stripRow(*rows_);
   needle_ = number("attemptNeedle", QStringLiteral("▲ wrong place"), {});
@@ -115,8 +116,8 @@ void AttemptStrip::refreshNeedle() {
   const QString vessel = told.anatomy ? QString::fromStdString(attempt_.view().vessel) : QString();
   const ui::PlaceWords words = ui::wordsOf(disclosed(place, told), vessel);
   needle_->setToolTip((told.anatomy ? tr("Needle position: green in the vein, red in a wrong place; yellow if the "
-                                         "needle was already used (%1 takes a new one)")
-                                    : tr("Whether the needle is new, inserted or used (%1 takes a new one)"))
+                                         "needle was already used (%1 takes a new needle)")
+                                    : tr("State of the needle: new, inserted or already used (%1 takes a new needle)"))
                           .arg(keysOf(commands_, "train.attempt.newNeedle")));
   // The sign has the color: words of that color would be hard to read.
   needle_->setText(QStringLiteral("<span style='color:%1'>%2</span> %3")

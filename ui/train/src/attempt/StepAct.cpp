@@ -27,7 +27,7 @@ class ActFinder {
     const bool isFreezeDue = event && event->kind == AttemptEventKind::Frozen;
     // Probe and needle are held while the image is frozen.
     if (hands_.isFrozen && step && !isFreezeDue)
-      return {tr("Make the image live again: press %1, or click Unfreeze.").arg(key("train.image.freeze")), "freeze"};
+      return {tr("Unfreeze the image: press %1, or click Unfreeze.").arg(key("train.image.freeze")), "freeze"};
     if (!step)
       return {tr("Finish: press %1, or click Finish.").arg(key("train.attempt.startOrFinish")), "attemptFinish"};
     if (!event) return holdingAct(std::get<Holding>(step->until).what);
@@ -64,7 +64,8 @@ class ActFinder {
       return towardWall({AttemptEventKind::Entered, kVein});
     if (view_.needle == NeedlePlace::WrongPlace) return withdraw();
     if (!hands_.isAspirating) return aspirate();
-    return view_.needle == NeedlePlace::Vein ? StepAct{tr("Aspirating: hold the tip in the vein."), {}} : advance();
+    return view_.needle == NeedlePlace::Vein ? StepAct{tr("You are aspirating. Keep the needle tip in the vein."), {}}
+                                             : advance();
   }
 
   StepAct towardWall(const Happening& event) const {
@@ -75,12 +76,14 @@ class ActFinder {
       for (const ProcedureRule& rule : procedure_.rules) {
         if (rule.limit.metric != Metric::InsertionAngle || !rule.limit.isBeyond(hands_.angle_deg)) continue;
         return rule.limit.under
-                   ? StepAct{tr("Make the needle steeper: press %1, or hold the button steeper under the image.")
+                   ? StepAct{tr("Make the needle steeper: press %1, or hold down the button \"steeper\" under the "
+                                "image.")
                                  .arg(key("train.needle.angle", 0)),
                              "needleSteeper"}
-                   : StepAct{tr("Make the needle flatter: press %1, or hold the button flatter under the image.")
-                                 .arg(key("train.needle.angle", 1)),
-                             "needleFlatter"};
+                   : StepAct{
+                         tr("Make the needle flatter: press %1, or hold down the button \"flatter\" under the image.")
+                             .arg(key("train.needle.angle", 1)),
+                         "needleFlatter"};
       }
     if (view_.aim == NeedleAim::Beside || view_.aim == NeedleAim::Artery) return aimAtVein();
     const bool isUnderSkin = view_.needle == NeedlePlace::Underway;
@@ -93,17 +96,19 @@ class ActFinder {
     return {tr("Slide the probe with the %1, or drag on the image.").arg(key("train.probe.slide").toLower()), {}};
   }
   StepAct compress() const {
-    if (hands_.isProbeInDevice) return {tr("Compress, then release, with the device of the probe."), "indentation"};
-    return {tr("Compress with %1, then release with %2, or turn the wheel over the image.")
+    if (hands_.isProbeInDevice)
+      return {tr("Compress the tissue with the device of the probe, then release it."), "indentation"};
+    return {tr("Compress the tissue with %1, then release it with %2, or turn the wheel over the image.")
                 .arg(key("train.probe.press", 0), key("train.probe.press", 1)),
             "indentation"};
   }
   StepAct take() const {
     if (hands_.isNeedleInDevice)
-      return {tr("The device of the needle is not connected. Connect it, or click Devices and choose mouse and keys."),
+      return {tr("The device of the needle is not connected. Connect the device, or click Devices and choose mouse and "
+                 "keys."),
               "showDevices"};
     const bool isAlong = hands_.plane == NeedlePlane::Along;
-    return {tr("Take the needle: press %1, or click the button %2 under the image.")
+    return {tr("Take the needle: press %1, or click the button \"%2\" under the image.")
                 .arg(key("train.needle.take"), isAlong ? tr("in-plane") : tr("out-of-plane")),
             isAlong ? "stripAlong" : "stripAcross"};
   }
@@ -113,13 +118,13 @@ class ActFinder {
   }
   StepAct advance() const {
     if (hands_.isNeedleInDevice) return {tr("Advance the needle with its device."), {}};
-    return {tr("Advance the needle: press %1, or hold the button advance under the image.")
+    return {tr("Advance the needle: press %1, or hold down the button \"advance\" under the image.")
                 .arg(key("train.needle.advance", 0)),
             "needleAdvance"};
   }
   StepAct withdraw() const {
     if (hands_.isNeedleInDevice) return {tr("Withdraw the needle with its device."), {}};
-    return {tr("Withdraw the needle: press %1, or hold the button withdraw under the image.")
+    return {tr("Withdraw the needle: press %1, or hold down the button \"withdraw\" under the image.")
                 .arg(key("train.needle.advance", 1)),
             "needleWithdraw"};
   }
@@ -127,17 +132,17 @@ class ActFinder {
     const QString error = view_.aim == NeedleAim::Artery ? tr("The needle points at the artery. %1")
                                                          : tr("The needle misses the vein. %1");
     if (hands_.isNeedleInDevice)
-      return {error.arg(tr("Withdraw it to the skin with its device, and aim at the vein.")), {}};
+      return {error.arg(tr("Withdraw the needle to the skin with its device, and aim at the vein.")), {}};
     if (!hands_.canTurnNeedle)
-      return {error.arg(tr("Withdraw it to less than 10 mm and aim again: press %1, or hold the button withdraw under "
-                           "the image.")
+      return {error.arg(tr("Withdraw the needle until less than 10 mm of it is under the skin, then aim again: press "
+                           "%1, or hold down the button \"withdraw\" under the image.")
                             .arg(key("train.needle.advance", 1))),
               "needleWithdraw"};
     const QString heading = keys("train.needle.heading"), angle = keys("train.needle.angle");
     const QString words =
         view_.needle == NeedlePlace::Underway
-            ? tr("Aim at the vein: change heading with %1 or angle with %2.").arg(heading, angle)
-            : tr("Aim at the vein: slide the entry with %1, or change heading with %2 or angle with %3.")
+            ? tr("Aim at the vein: change the heading with %1 or the angle with %2.").arg(heading, angle)
+            : tr("Aim at the vein: slide the entry point with %1, or change the heading with %2 or the angle with %3.")
                   .arg(key("train.needle.entry"), heading, angle);
     return {error.arg(words), {}};
   }

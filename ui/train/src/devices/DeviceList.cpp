@@ -52,7 +52,9 @@ DeviceList::DeviceList(HandsControl& hands, QWidget* parent) : QWidget(parent), 
   table_->setObjectName("deviceTable");
   table_->setAccessibleName(tr("Devices"));
   table_->setHorizontalHeaderLabels({tr("device"), tr("state"), tr("capabilities"), tr("updates/s")});
-  table_->setToolTip(tr("Devices are detected within a second of being connected; the limits are the manufacturer's"));
+  table_->setToolTip(
+      tr("A device is detected within a second after you connect it; the manufacturer states the limits of force and "
+         "stiffness"));
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setStretchLastSection(true);
@@ -60,8 +62,9 @@ DeviceList::DeviceList(HandsControl& hands, QWidget* parent) : QWidget(parent), 
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setTabKeyNavigation(false);
   table_->setMinimumHeight(110);
-  none_ = new QLabel(
-      tr("No device is connected. Mouse and keys hold probe and needle; connect a device, or add a simulated one."));
+  none_ =
+      new QLabel(tr("No device is connected; probe and needle are moved with mouse and keys. Connect a device, or add "
+                    "a simulated device."));
   none_->setObjectName("noDevices");
   none_->setWordWrap(true);
   none_->setAlignment(Qt::AlignCenter);
@@ -96,7 +99,7 @@ QWidget* DeviceList::buildButtons() {
   auto* simulated = new QPushButton(tr("Add simulated"));
   simulated->setObjectName("addSimulated");
   simulated->setToolTip(
-      tr("Adds a simulated device that is moved with mouse and keys; the computed forces displace it"));
+      tr("Adds a simulated device, which you move with mouse and keys and which the computed forces displace"));
   auto* menu = new QMenu(simulated);
   for (std::size_t n = 0; n < deviceProfiles().size(); ++n) {
     const std::string_view name = deviceProfiles()[n].name;

@@ -94,12 +94,13 @@ void DevicePanel::look() {
   plots_->add(force_N, rate_Hz);
   const TickTiming timing = hands_.session().timing();
   rights_->setText(QString::fromStdString(hands_.session().rights().sentence));
-  pace_->setText(timing.ticks == 0 ? tr("The servo is off: nothing is assigned to either hand.")
-                                   : tr("Servo: median %1 µs, 99.9 % within %2 µs; %3 of %4 ticks late.")
-                                         .arg(timing.p50_us, 0, 'f', 0)
-                                         .arg(timing.p999_us, 0, 'f', 0)
-                                         .arg(timing.late)
-                                         .arg(timing.ticks));
+  pace_->setText(timing.ticks == 0
+                     ? tr("The servo is off: nothing is assigned to either hand.")
+                     : tr("Servo cycle: median %1 µs, 99.9 % of cycles within %2 µs; %3 of %4 cycles late.")
+                           .arg(timing.p50_us, 0, 'f', 0)
+                           .arg(timing.p999_us, 0, 'f', 0)
+                           .arg(timing.late)
+                           .arg(timing.ticks));
 }
 
 }  // namespace insonate::train

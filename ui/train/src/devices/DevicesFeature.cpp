@@ -19,7 +19,7 @@ constexpr const char* kHandsGroup = "hands";
 DevicesFeature::DevicesFeature(TrainModel& model, TrainLayout& layout) : Feature(model, layout) {
   addCommand({.id = "train.devices.show",
               .text = tr("Devices ..."),
-              .does = tr("shows haptic devices and pedals: which are connected, and what each one controls"),
+              .does = tr("shows which haptic devices and pedals are connected, and what each device controls"),
               .listed = {},
               .keys = {},
               .perform = [this](ui::KeyPress) { showPanel(); },

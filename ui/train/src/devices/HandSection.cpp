@@ -76,7 +76,7 @@ HandSection::HandSection(HandsControl& hands, Hand hand, QWidget* parent) : QFra
                               tr("Share of the computed force that is sent to the hand"));
   gain_->setObjectName("gain");
   most_ = new ui::ValueSlider(tr("at most"), tr("N"), {0, 12, HandMapping{}.mostForce_N, 0.5, 1},
-                              tr("Maximum force sent to the hand; the device's own limit also applies"));
+                              tr("Maximum force sent to the hand; the limit of the device also applies"));
   most_->setObjectName("mostForce");
   inner->addWidget(gain_);
   inner->addWidget(most_);
@@ -84,7 +84,7 @@ HandSection::HandSection(HandsControl& hands, Hand hand, QWidget* parent) : QFra
   box->addWidget(mapping_);
   pose_ = new QLabel;
   pose_->setObjectName("pose");
-  pose_->setToolTip(tr("The stylus in the device's frame, in mm: to the right, up, toward you"));
+  pose_->setToolTip(tr("Position of the stylus in the device frame, in mm: to the right, up, toward you"));
   force_ = new QLabel;
   force_->setObjectName("force");
   force_->setToolTip(tr("Force that is sent to the hand, in N"));
@@ -128,8 +128,9 @@ QWidget* HandSection::buildOffsets() {
     auto* field = new NumberField(names[axis], tr(" mm"), {-300, 300, 5, 0}, all);
     field->setObjectName(QStringLiteral("apart") + QString::number(axis));
     field->setAccessibleName(tr("Offset of the tool %1, in mm").arg(says[axis]));
-    field->setToolTip(tr("Offset from the device to its tool, %1, in mm, so that two devices on a desk do not collide")
-                          .arg(says[axis]));
+    field->setToolTip(
+        tr("Offset from the device to its tool, %1, in mm. With offsets, two devices on a desk do not collide")
+            .arg(says[axis]));
     field->setTyped([this, axis](double value) { change([&](HandMapping& to) { to.apart_mm[axis] = value; }); });
     field->setRefused([this](const QString& sentence) { Q_EMIT refused(sentence); });
     apart_[axis] = field;
@@ -143,13 +144,13 @@ QWidget* HandSection::buildButtons() {
   auto* box = new QHBoxLayout(row);
   box->setContentsMargins(0, 0, 0, 0);
   box->setSpacing(4);
-  begin_ = handButton(
-      "beginHere", tr("Begin here"),
-      tr("Sets the stylus's present pose as the tool's start: the probe stays in place, the needle lies beside it"));
+  begin_ = handButton("beginHere", tr("Begin here"),
+                      tr("Sets the present pose of the stylus as the start of the tool: the probe stays in place, the "
+                         "needle is placed beside the probe"));
   calibrate_ = handButton("calibrate", tr("Home"),
-                          tr("Sets the device's present posture as home: its encoders count from here"));
-  test_ =
-      handButton("testForce", tr("Test force"), tr("Pushes the stylus up with 0.8 N for a second. Hold it loosely"));
+                          tr("Sets the present posture of the device as home, from which its encoders count"));
+  test_ = handButton("testForce", tr("Test force"),
+                     tr("Pushes the stylus up with 0.8 N for a second. Hold the stylus loosely"));
   for (QPushButton* one : {begin_, calibrate_, test_}) box->addWidget(one, 1);
   connect(begin_, &QPushButton::clicked, this, [this] { hands_.beginHere(hand_); });
   connect(calibrate_, &QPushButton::clicked, this, [this] {
@@ -202,9 +203,9 @@ void HandSection::show(const ServoSnapshot& now, double rate_Hz) {
     state_->setText(rate_Hz > 0 ? tr("%1, %2 updates per second").arg(wordsOf(device->phase())).arg(rate_Hz, 0, 'f', 0)
                                 : wordsOf(device->phase()));
   else if (!hands_.choice().device(hand_).isEmpty())
-    state_->setText(known ? wordsOf(known->phase()) : tr("waits for its connection"));
+    state_->setText(known ? wordsOf(known->phase()) : tr("waiting until the device is connected"));
   else
-    state_->setText(hand_ == kProbeHand ? tr("the probe follows the mouse") : tr("no needle in hand"));
+    state_->setText(hand_ == kProbeHand ? tr("the probe follows the mouse") : tr("no needle is in use"));
   const bool there = device && now.present[hand_];
   pose_->setVisible(there);
   force_->setVisible(there);

@@ -91,7 +91,7 @@ QMenu* CineBar::buildSaving(ui::Commands& commands) {
   auto* menu = new QMenu(save_);
   menu->setToolTipsVisible(true);
   menu->addAction(commands.action("train.image.save"));
-  menu->addAction(tr("As on the screen ..."), this, &CineBar::saveScreen)
+  menu->addAction(tr("As displayed ..."), this, &CineBar::saveScreen)
       ->setToolTip(tr("Saves the image with its overlays, and the CT beside it"));
   menu->addAction(tr("Clip ..."), this, &CineBar::saveClip)
       ->setToolTip(tr("Saves the last seconds as a folder of numbered images"));

@@ -11,19 +11,19 @@ struct Words {
 };
 constexpr Words kWords[] = {
     {"echogenicity", "brightness of tissues"},
-    {"reflection", "echoes of boundaries"},
-    {"attenuation", "loss with depth"},
+    {"reflection", "echoes from boundaries"},
+    {"attenuation", "attenuation with depth"},
     {"transmission", "shadows behind boundaries"},
     {"speckle", "speckle"},
-    {"beam", "width of the beam"},
+    {"beam", "beam width"},
     {"layers", "walls and fasciae"},
     {"texture", "texture within tissues"},
-    {"reverberation", "echoes behind air"},
-    {"edge_shadow", "shadows of edges"},
-    {"clutter", "haze in vessels"},
+    {"reverberation", "reverberation behind air"},
+    {"edge_shadow", "edge shadows"},
+    {"clutter", "clutter in vessels"},
     {"noise", "electronic noise"},
-    {"near_field", "ringing of the probe"},
-    {"absorption", "loss and shadows"},
+    {"near_field", "reverberation in the probe"},
+    {"absorption", "attenuation and shadows"},
     {"blur", "blur along the beam"},
 };
 

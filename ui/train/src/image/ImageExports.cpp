@@ -59,7 +59,7 @@ void ImageExports::saveClip(const std::filesystem::path& folder) {
   sources_.live.setFrozen(true);
   if (sources_.live.cine().empty()) return sources_.status.say(tr("There is no image yet."));
   ui::TaskBar& tasks = workspace_.tasks();
-  if (tasks.isRunning()) return sources_.status.say(tr("Wait until the other job is done, or cancel it."));
+  if (tasks.isRunning()) return sources_.status.say(tr("Wait until the other job is done, or cancel that job."));
   tasks.run<int>(
       tr("Saving the clip"),
       [frames = sources_.live.cine(), callipers = measurements(), folder](const Progress& progress) {
@@ -73,7 +73,7 @@ void ImageExports::saveClip(const std::filesystem::path& folder) {
           sources_.status.say(tr("The clip was not saved."));
         else
           Q_EMIT workspace_.failed(QString::fromStdString(result.error().message),
-                                   tr("The images are still in memory."), {});
+                                   tr("The images are still in memory, so you can save the clip again."), {});
       },
       ui::TaskBar::WhenClosed::Ask);
 }

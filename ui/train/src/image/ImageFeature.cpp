@@ -63,9 +63,9 @@ void ImageFeature::buildColumn() {
   panes_ = new EqualPanes(&column);
   panes_->add(&layout_.views().imageWidget());
   panes_->add(&beside_->widget());
-  vesselNote_ = new QLabel(
-      tr("This case has no vein and no artery, so the image shows none. Label them under Prepare, or in 3D Slicer or "
-         "ITK-SNAP and reload the case there (F5)."));
+  vesselNote_ =
+      new QLabel(tr("This case has no labeled vein and no labeled artery, so the image shows neither. Label the "
+                    "vessels in Prepare; or label them in 3D Slicer or ITK-SNAP and reload the case in Prepare (F5)."));
   vesselNote_->setObjectName("vesselNote");
   vesselNote_->setWordWrap(true);
   vesselNote_->setContentsMargins(12, ui::kSmallGap, 12, ui::kSmallGap);
@@ -120,7 +120,7 @@ void ImageFeature::addCommands() {
   beginSection(KeySection::Image);
   addCommand({.id = "train.image.freeze",
               .text = {},
-              .does = tr("freezes the image, or makes it live again"),
+              .does = tr("freezes or unfreezes the image"),
               .listed = tr("Space, F"),
               .keys = keys({Qt::Key_Space, Qt::Key_F}),
               .perform = once([this] { model_.live.setFrozen(!model_.live.isFrozen()); })});
@@ -141,13 +141,13 @@ void ImageFeature::addCommands() {
               .perform = [this](ui::KeyPress) { exports_->askPicture(); }});
   addCommand({.id = "train.image.ctBeside",
               .text = tr("CT beside the image"),
-              .does = tr("shows the CT of the same plane at the same scale beside the image, or hides it"),
+              .does = tr("shows or hides the CT of the same plane, at the same scale, beside the image"),
               .listed = tr("C"),
               .keys = keys({Qt::Key_C}),
               .perform = [this](ui::KeyPress) { setCtBeside(!beside_->isShown()); }});
   addCommand({.id = "train.image.names",
               .text = tr("Names of structures"),
-              .does = tr("shows the names of the structures over the image, or hides them"),
+              .does = tr("shows or hides the names of the structures over the image"),
               .listed = tr("Ctrl+N"),
               .keys = keys({Qt::Key_N}, Qt::ControlModifier),
               .perform = once([this] {
@@ -155,7 +155,7 @@ void ImageFeature::addCommands() {
               })});
   addCommand({.id = "train.image.nextEffect",
               .text = {},
-              .does = tr("shows the next or previous effect of the ultrasound model by itself"),
+              .does = tr("shows only the next or previous effect of the ultrasound model"),
               .listed = tr("N, Shift+N"),
               .keys = keys({Qt::Key_N}),
               .perform = [this](ui::KeyPress press) { model_.imaging.stepEffect(press.wide ? -1 : 1); }});
@@ -199,7 +199,7 @@ void ImageFeature::addMeasuring() {
               .isAvailable = [this] { return isPatientShown() && measurements_->isMeasuring(); }});
   addCommand({.id = "train.measure.clear",
               .text = tr("Remove all"),
-              .does = tr("removes the measurements"),
+              .does = tr("removes all measurements"),
               .listed = tr("Delete"),
               .keys = keys({Qt::Key_Delete}),
               .perform = [this](ui::KeyPress) { measurements_->clear(); }});

@@ -39,27 +39,30 @@ struct SliderRow {
   double least = 0, most = 0;  ///< alike where the probe or the depth decides
 };
 constexpr SliderRow kSliders[] = {
-    {&Settings::depth_mm, "depth", "depth", "mm", "how deep the image goes", 5, 0},
+    {&Settings::depth_mm, "depth", "depth", "mm", "depth to which the image reaches", 5, 0},
     {&Settings::gain_dB, "gain", "gain", "dB", "brightness of the whole image", 1, 0, -40, 40},
-    {&Settings::frequency_MHz, "frequency", "frequency", "MHz", "higher: finer, and less deep", 0.5, 1},
-    {&Settings::focus_mm, "focus", "focus", "mm", "where the beam is narrowest", 1, 0},
-    {&Settings::dynamicRange_dB, "dynamicRange", "dynamic range", "dB", "more: softer grays", 5, 0, 20, 120},
+    {&Settings::frequency_MHz, "frequency", "frequency", "MHz",
+     "a higher frequency gives finer resolution and less penetration", 0.5, 1},
+    {&Settings::focus_mm, "focus", "focus", "mm", "depth at which the beam is narrowest", 1, 0},
+    {&Settings::dynamicRange_dB, "dynamicRange", "dynamic range", "dB", "a larger dynamic range gives softer grays", 5,
+     0, 20, 120},
     {&Settings::steering_deg, "steering", "steering", "\u00b0", "tilts the scanlines of a linear probe", 1, 0, -20, 20},
-    {&Settings::persistence, "persistence", "persistence", "", "share of the image before", 0.05, 2, 0, 0.95},
-    {&Settings::speckleReduction, "speckleReduction", "speckle reduction", "", "smooths speckle and follows boundaries",
-     0.05, 2, 0, 1},
+    {&Settings::persistence, "persistence", "persistence", "", "weight of the previous image in each image", 0.05, 2, 0,
+     0.95},
+    {&Settings::speckleReduction, "speckleReduction", "speckle reduction", "",
+     "smooths speckle but preserves boundaries", 0.05, 2, 0, 1},
     {&Settings::edgeEnhancement, "edgeEnhancement", "edge enhancement", "", "sharpens boundaries across the beam", 0.05,
      2, 0, 1},
     {&Settings::dynamicFilter, "dynamicFilter", "dynamic filter", "",
      "lengthens the pulse with depth, as receive filters do; 0: off", 0.1, 1, 0, 2},
-    {&Settings::noise_dB, "noise", "noise", "dB", "electronic noise before TGC; more: less penetration; -120: none", 1,
-     0, -120, 0},
-    {&Settings::ringing_dB, "ringing", "ringing", "dB", "bright bands of the probe itself below its face", 1, 0, -20,
-     60},
+    {&Settings::noise_dB, "noise", "noise", "dB",
+     "level of the electronic noise before TGC; a higher level reduces penetration; -120: no noise", 1, 0, -120, 0},
+    {&Settings::ringing_dB, "ringing", "ringing", "dB",
+     "level of the reverberation in the probe, seen as bright bands below its face", 1, 0, -20, 60},
     {&Settings::poorContactLeft_mm, "poorContactLeft", "no contact left", "mm",
-     "strip of the face that the skin does not touch", 0.5, 1, 0, 30},
+     "width of the strip of the probe face that the skin does not touch", 0.5, 1, 0, 30},
     {&Settings::poorContactRight_mm, "poorContactRight", "no contact right", "mm",
-     "strip of the face that the skin does not touch", 0.5, 1, 0, 30},
+     "width of the strip of the probe face that the skin does not touch", 0.5, 1, 0, 30},
 };
 constexpr std::size_t kBeforeTgc = 5;
 
@@ -144,7 +147,8 @@ void ImagePanel::buildModel(QVBoxLayout& box, const ui::Commands& commands) {
   look_->addItem(tr("natural"), int(Look::Coherent));
   look_->addItem(tr("simplified"), int(Look::Thesis));
   look_->setToolTip(
-      tr("Natural: speckle arises from the tissue. Simplified: only reflection, absorption, blur and noise"));
+      tr("Rendering style. Natural: speckle arises from the tissue. Simplified: only reflection, absorption, blur and "
+         "noise"));
   box.addWidget(labelled(tr("look"), look_));
   effect_ = new QComboBox;
   effect_->setObjectName("effect");

@@ -67,7 +67,7 @@ void Measurements::clear() {
                    std::ranges::any_of(slices_, [](const auto* slice) { return !slice->callipers().empty(); });
   History::Exchange clear = exchange;
   clear();
-  if (any) history_.add(tr("removal of the measurements"), std::move(clear));
+  if (any) history_.add(tr("removal of all measurements"), std::move(clear));
 }
 
 void Measurements::clearImage() {

@@ -61,7 +61,7 @@ Result<int> writeClip(const std::vector<std::shared_ptr<const LiveFrame>>& frame
                       std::span<const views::Calliper> callipers, const fs::path& folder, const Progress& progress) {
   std::error_code error;
   if (fs::exists(folder, error))
-    return fail("There is already something named " + folder.string() + "; choose another name.");
+    return fail("A file or folder with this name already exists: " + folder.string() + "; choose another name.");
   const FolderInWork beside(folder.string() + ".part");
   fs::remove_all(beside.path(), error);
   fs::create_directories(beside.path(), error);

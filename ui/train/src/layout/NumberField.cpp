@@ -57,7 +57,7 @@ void NumberField::apply() {
     return;
   }
   const QString pattern = isNumber ? said("%1 must be from %2 to %3; %4 is outside this range.")
-                                   : said("%1 takes a number from %2 to %3; \"%4\" is none.");
+                                   : said("%1 takes a number from %2 to %3; \"%4\" is not a number.");
   const QString sentence = pattern.arg(name_, words(range_.low), words(range_.high), was);
   QToolTip::showText(mapToGlobal({0, height()}), sentence, this);
   if (refused_) refused_(sentence);

@@ -56,7 +56,8 @@ QWidget* CoursePage::buildHead(const QString& leavingKeys) {
     tabs_->addButton(button, tab);
     row->addWidget(button);
   };
-  add(Levels, "courseLevels", tr("Levels"), tr("Levels that are open, mastered or locked, with the reason"));
+  add(Levels, "courseLevels", tr("Levels"),
+      tr("Levels, each with its state (open, mastered or locked) and the reason for it"));
   add(Attempts, "courseAttempts", tr("Your attempts"), tr("All your attempts, and the learning curve of a metric"));
   add(Questionnaire, "courseQuestionnaire", tr("Questionnaire"), tr("Your opinion of the simulator"));
   auto* back = new QPushButton(tr("Back to the image"));

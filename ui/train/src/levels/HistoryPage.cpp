@@ -42,7 +42,7 @@ QString tipOf(const KeptAttempt& one) {
   QStringList parts{HistoryPage::tr("Case: %1").arg(ui::qt(one.facts.caseName))};
   if (!one.facts.workstation.empty()) parts << HistoryPage::tr("Workstation: %1").arg(ui::qt(one.facts.workstation));
   if (!one.voidReason.empty()) parts << HistoryPage::tr("Does not count: %1").arg(ui::qt(one.voidReason));
-  if (hasBrokenOff(one.facts)) parts << HistoryPage::tr("Abandoned: its recording broke off");
+  if (hasBrokenOff(one.facts)) parts << HistoryPage::tr("Abandoned: the recording stopped early");
   return ui::plainToolTip(parts.join(QLatin1Char('\n')));
 }
 
@@ -88,7 +88,7 @@ QWidget* HistoryPage::buildList() {
        {std::pair{kDate, 158}, {kOutcome, 96}, {kPoints, 58}, {kLength, 62}, {kComments, 84}})
     header->resizeSection(column, px);
   open_ = ui::pushButton("historyOpen", tr("Open in Review"), tr("Replay the selected attempt (Enter)"));
-  older_ = ui::pushButton("historyOlder", tr("Older attempts"), tr("Lists the attempts before the last one shown"));
+  older_ = ui::pushButton("historyOlder", tr("Older attempts"), tr("Lists older attempts"));
   auto* row = new QHBoxLayout;
   row->addWidget(open_);
   row->addWidget(older_);
@@ -211,14 +211,15 @@ void HistoryPage::refreshWords() {
   older_->setVisible(any && more_);
   QString words = trouble_;
   if (words.isEmpty() && !course_.isSomebodys())
-    words = tr("Sign in (Ctrl+L) to see your attempts. Recordings of guests are listed under Review (Ctrl+3).");
+    words = tr("Sign in (Ctrl+L) to see your attempts. Recordings of guests are listed in Review (Ctrl+3).");
   else if (words.isEmpty() && !any)
-    words = tr("You have no attempts yet. Choose a level and practice it; each attempt is listed here.");
+    words = tr("You have no attempts yet. Choose a level and practice; each attempt is then listed here.");
   int unread = 0;
   for (const auto& [attempt, count] : comments_) unread += count.unread;
   if (words.isEmpty() && unread > 0)
-    words = unread == 1 ? tr("You have 1 unread comment. Open its attempt in Review to read it.")
-                        : tr("You have %1 unread comments. Open their attempts in Review to read them.").arg(unread);
+    words = unread == 1
+                ? tr("You have 1 unread comment. Open the attempt in Review to read the comment.")
+                : tr("You have %1 unread comments. Open the attempts in Review to read the comments.").arg(unread);
   words_->setText(words);
   words_->setVisible(!words.isEmpty());
 }
@@ -252,10 +253,11 @@ void HistoryPage::open() {
   const AttemptFacts& facts = attempts_[std::size_t(row)].facts;
   const QString file = ui::recordingHere(attempts_[std::size_t(row)], account_->address());
   if (!file.isEmpty()) return Q_EMIT attemptWanted(file);
-  Q_EMIT said(facts.recording.empty()
-                  ? tr("This attempt has no recording: its file could not be written, or the program ended.")
-                  : tr("Its recording is not on this computer. It was made on the workstation '%1'.")
-                        .arg(ui::qt(facts.workstation)));
+  Q_EMIT said(
+      facts.recording.empty()
+          ? tr("This attempt has no recording: its file could not be written, or the program ended.")
+          : tr("The recording of this attempt is not on this computer. The attempt was made on the workstation '%1'.")
+                .arg(ui::qt(facts.workstation)));
 }
 
 }  // namespace insonate::train

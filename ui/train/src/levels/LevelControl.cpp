@@ -60,7 +60,7 @@ void LevelControl::choose(const std::string& name) {
   const LevelProgress* progress = course_.progressIn(name);
   if (!level || !progress) return;
   if (progress->state == LevelState::Locked) return status_.say(ui::qt(progress->why));
-  if (attempt_.isBusy()) return status_.say(tr("Finish the attempt first, or abandon it."));
+  if (attempt_.isBusy()) return status_.say(tr("First finish or abandon the attempt in progress."));
   attempt_.leave();
   level_ = *level;
   arrange();
@@ -72,8 +72,8 @@ void LevelControl::openCase() {
   if (!level_) return;
   if (const auto place = ui::placeOfCase(ui::qt(level_->caseName)))
     return Q_EMIT caseWanted(ui::placeForTraining(*place));
-  status_.say(
-      tr("The case '%1' of this level is not known here. Open it once (Ctrl+O).").arg(ui::qt(level_->caseName)));
+  status_.say(tr("The case '%1' of this level is not known on this computer. Open the case once (Ctrl+O).")
+                  .arg(ui::qt(level_->caseName)));
 }
 
 void LevelControl::leave() {
@@ -85,7 +85,8 @@ void LevelControl::leave() {
 void LevelControl::caseChanged() {
   if (!level_ || !patientCase_.patient()) return;
   if (!fits()) {
-    status_.say(tr("'%1' needs another case; with this case, attempts are free practice.").arg(ui::qt(level_->title)));
+    status_.say(tr("The level '%1' needs another case. With the present case, attempts are free practice.")
+                    .arg(ui::qt(level_->title)));
     return leave();
   }
   arrange();
@@ -105,7 +106,7 @@ void LevelControl::arrange() {
   attempt_.choose(level_->procedure);
   attempt_.setAssistance(level_->assistance);
   attempt_.setObstacle(waitsForCase()
-                           ? tr("This level waits for its case, '%1'.").arg(ui::titleOfCase(ui::qt(level_->caseName)))
+                           ? tr("This level needs its case, '%1'.").arg(ui::titleOfCase(ui::qt(level_->caseName)))
                            : QString());
   const auto& positions = attempt_.procedure().positions;
   const auto position = std::ranges::find(positions, level_->position, &PatientPosition::name);

@@ -47,7 +47,7 @@ const LevelProgress* find(std::span<const LevelProgress> all, const std::string&
 /// Standards that were missed are told by themselves.
 QString headlineFor(const Level& level, const AttemptFacts& attempt, bool passed) {
   const PassRule& rule = level.pass;
-  if (!counts(attempt)) return tr("Does not count: it was abandoned before skin puncture");
+  if (!counts(attempt)) return tr("Does not count: the attempt was abandoned before skin puncture");
   if (isPractice(attempt, level))
     return attempt.sitting == AttemptSitting::Undecided ? tr("Pending: it is not yet confirmed that the test was open")
            : judge(rule, attempt).passed
@@ -57,18 +57,18 @@ QString headlineFor(const Level& level, const AttemptFacts& attempt, bool passed
   if (!passed && well && !judge(rule, attempt).reachesStandards(rule)) return tr("Not passed");
   if (!passed && judge(rule, attempt).passed)
     return tr(
-        "This attempt does not count yet: the database could not be reached when it began. An instructor can accept "
-        "the attempt");
+        "This attempt does not count yet: the database could not be reached when the attempt began. An instructor can "
+        "accept the attempt");
   return passed ? tr("Passed") : tr("Not passed: %1").arg(ui::qt(reasonOfFailure(rule, attempt)));
 }
 
 /// Sentence about a change of another level than the practiced one.
 QString changeOf(const Level& level, LevelState before, LevelState after) {
   if (before == after) return {};
-  if (after == LevelState::Locked) return tr("'%1' is locked now.").arg(ui::qt(level.title));
-  if (after == LevelState::Open) return tr("'%1' is open now.").arg(ui::qt(level.title));
-  return after == LevelState::Mastered ? tr("'%1' is mastered now.").arg(ui::qt(level.title))
-                                       : tr("'%1' has lapsed.").arg(ui::qt(level.title));
+  if (after == LevelState::Locked) return tr("The level '%1' is locked now.").arg(ui::qt(level.title));
+  if (after == LevelState::Open) return tr("The level '%1' is open now.").arg(ui::qt(level.title));
+  return after == LevelState::Mastered ? tr("The level '%1' is mastered now.").arg(ui::qt(level.title))
+                                       : tr("The level '%1' has lapsed.").arg(ui::qt(level.title));
 }
 
 }  // namespace
@@ -106,8 +106,8 @@ QString comparedWith(const MetricStandard& standard, const AttemptFacts& attempt
 QString masteryOf(const Level& level) {
   const MasteryRule& rule = level.mastery;
   QStringList parts{rule.passesInARow == 1 ? tr("one passed attempt")
-                                           : tr("%1 passes in a row").arg(rule.passesInARow)};
-  if (rule.cusum) parts << tr("the learning score LC-CUSUM reaches %1").arg(rule.cusum->limit, 0, 'f', 2);
+                                           : tr("%1 consecutive passes").arg(rule.passesInARow)};
+  if (rule.cusum) parts << tr("the learning curve score LC-CUSUM reaches %1").arg(rule.cusum->limit, 0, 'f', 2);
   const int fewest = fewestAttempts(rule);
   if (fewest > rule.passesInARow) parts << tr("at least %1 attempts").arg(fewest);
   if (rule.lapsesAfter_days) parts << tr("lapses after %1 days without practice").arg(*rule.lapsesAfter_days);

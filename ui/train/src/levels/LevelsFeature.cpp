@@ -142,7 +142,7 @@ void LevelsFeature::showPage(bool isShown) {
   model_.live.setWatched(!isShown);
   isShown ? page_->takeKeyboard() : layout_.workspace().setFocus();
   model_.status.setHint(
-      isShown ? tr("Enter starts the marked level. %1 returns to the image.").arg(keysOf(commands(), kShowLevels))
+      isShown ? tr("Enter starts the selected level. %1 returns to the image.").arg(keysOf(commands(), kShowLevels))
               : QString());
 }
 

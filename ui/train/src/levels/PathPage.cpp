@@ -100,7 +100,7 @@ QWidget* PathPage::buildList() {
   list_ = new QListWidget;
   list_->setObjectName(QStringLiteral("levels"));
   list_->setAccessibleName(tr("Levels"));
-  list_->setToolTip(tr("Enter starts the marked level"));
+  list_->setToolTip(tr("Enter starts the selected level"));
   list_->setWordWrap(true);
   connect(list_, &QListWidget::currentRowChanged, this, [this] { refreshLevel(); });
   connect(list_, &QListWidget::itemActivated, this, [this] { practise(); });
@@ -124,7 +124,7 @@ QWidget* PathPage::buildLevel() {
   mastery_ = ui::paragraph("levelMastery");
   practise_ = new QPushButton(tr("Practice this level"));
   practise_->setObjectName(QStringLiteral("levelPractise"));
-  practise_->setToolTip(tr("Opens its case and sets procedure, position and assistance (Enter)"));
+  practise_->setToolTip(tr("Opens the case of the level and sets procedure, position and assistance (Enter)"));
   ui::setRole(practise_, "primary");
   free_ = new QPushButton(tr("Free practice"));
   free_->setObjectName(QStringLiteral("courseFree"));

@@ -77,7 +77,7 @@ void QuestionnairePage::changePerson() {
   sheet_->setAnswers(kept);
   words_->setText(!somebody ? tr("Sign in (Ctrl+L) to answer the questionnaire; your answers are kept with your name.")
                   : kept.empty() ? QString::fromStdString(sheet_->form().about)
-                                 : tr("These are your answers so far; nothing is sent yet."));
+                                 : tr("These are your answers so far. They are not sent yet."));
   for (QWidget* one : {static_cast<QWidget*>(scroll_), static_cast<QWidget*>(send_), static_cast<QWidget*>(clear_)})
     one->setVisible(somebody);
 }
@@ -119,8 +119,9 @@ void QuestionnairePage::send() {
 }
 
 void QuestionnairePage::sent(const QString& trouble) {
-  words_->setText(trouble.isEmpty() ? tr("Thank you. Your answers are stored.")
-                                    : tr("%1 Your answers are kept here; send them again later.").arg(trouble));
+  words_->setText(trouble.isEmpty()
+                      ? tr("Thank you. Your answers are stored.")
+                      : tr("%1 Your answers are kept on this computer; send them again later.").arg(trouble));
   Q_EMIT said(words_->text());
   if (trouble.isEmpty()) clear();
 }

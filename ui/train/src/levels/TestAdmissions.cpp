@@ -58,7 +58,7 @@ QString TestAdmissions::sentenceOf(const Level& level) const {
                        .arg(ui::dayAndTimeOf(*admission->end_us))
                  : tr("● Your instructor has opened this test. An attempt that begins now counts.");
     case TestAdmission::Kind::SelfAdministered:
-      return tr("● You take this test without an instructor: it counts and is shown as self-administered.");
+      return tr("● You take this test without an instructor: the attempt counts and is shown as self-administered.");
     case TestAdmission::Kind::NeedsCode:
       return tr(
           "◔ Your instructor has opened this test with a code. Without the code, an attempt is practice and does not "

@@ -29,8 +29,9 @@ TestEntryDialog::TestEntryDialog(TestAdmissions& admissions, const Level& level,
       said_(ui::paragraph("testEntrySaid")),
       code_(ui::named(new QLineEdit, "testEntryCode", tr("Code"), tr("Code of the test, from your instructor"))),
       enter_(new QPushButton(tr("Enter Code"))),
-      practice_(ui::pushButton("testEntryPractice", tr("Practice"),
-                               tr("Opens the level; attempts do not count while the test is not open for you"))) {
+      practice_(
+          ui::pushButton("testEntryPractice", tr("Practice"),
+                         tr("Opens the level for practice; attempts do not count until the test is open for you"))) {
   setObjectName(QStringLiteral("testEntry"));
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(ui::qt(level_.title));

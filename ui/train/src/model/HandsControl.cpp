@@ -196,7 +196,7 @@ void HandsControl::advanceTowardTarget(const ServoSnapshot& now, double step_s) 
   const bool probe = !state.inBody && !state.tenting && norm(out.wanted_N) > kTouch_N;
   if (left_mm > 0 && now.present[kNeedleHand] && (state.onBone || probe)) {
     advance_mm_ = wish_->state().advance_mm;
-    if (probe) Q_EMIT said(tr("The needle meets the probe: move one of them aside."));
+    if (probe) Q_EMIT said(tr("The needle touches the probe. Move the needle or the probe aside."));
     return;
   }
   const double most_mm = kAdvance_mmPerS * step_s;
@@ -226,8 +226,8 @@ void HandsControl::takeNeedle(NeedlePlane plane) {
            "Move the "
            "probe, then press I twice."));
   Q_EMIT said(session_->tissueReady()
-                  ? tr("The needle is beside the probe, at 20 degrees to the skin. Alt+W makes it steeper, Page Down "
-                       "advances it, Page Up withdraws it.")
+                  ? tr("The needle is beside the probe, at 20 degrees to the skin. Alt+W makes the needle steeper, "
+                       "Page Down advances it, Page Up withdraws it.")
                   : tr("The needle is ready to move; contact with the patient is still being prepared."));
 }
 
@@ -265,7 +265,7 @@ void HandsControl::moveNeedle(NeedleAxis axis, double amount) {
       const double wanted_mm = advance_mm_ + amount;
       advance_mm_ = std::clamp(wanted_mm, -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm);
       if (wanted_mm != advance_mm_)
-        Q_EMIT said(amount > 0 ? tr("The needle is in up to its hub, 70 mm.")
+        Q_EMIT said(amount > 0 ? tr("The needle is inserted up to its hub (70 mm).")
                                : tr("The needle does not touch the skin."));
       return Q_EMIT needleChanged();
     }

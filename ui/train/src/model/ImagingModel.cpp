@@ -152,7 +152,7 @@ void ImagingModel::rememberSetup() {
   const Chosen before = std::exchange(chosen_, Chosen{probe_, settings_, effect_});
   const bool sameProbe = same(before.probe, probe_);
   if (sameProbe && before.effect == effect_ && same(before.settings, settings_)) return;
-  const QString what = sameProbe ? tr("setting of the image") : tr("change of the probe");
+  const QString what = sameProbe ? tr("change of an image setting") : tr("change of the probe");
   const auto exchange = [this, other = before]() mutable {
     const Chosen now = chosen_;
     // Set here, too, so that nothing new is remembered.
@@ -175,7 +175,7 @@ void ImagingModel::setTissue(const TissueChoice& choice) {
     const TissueChoice now = tissue_;
     useTissue(std::exchange(other, now));
   };
-  history_.add(tr("setting of the tissue"), exchange, QStringLiteral("tissue"));
+  history_.add(tr("change of a tissue setting"), exchange, QStringLiteral("tissue"));
   useTissue(choice);
 }
 

@@ -106,7 +106,7 @@ void LiveModel::setFrozen(bool frozen) {
   cine_ = frozen ? feed_.live()->cine(kCine_s) : decltype(cine_){};
   cineIndex_ = std::max(0, int(cine_.size()) - 1);
   Q_EMIT frozenChanged();
-  status_.say(frozen ? tr("Frozen. Comma and period step through the last seconds.") : tr("Live."));
+  status_.say(frozen ? tr("Frozen. Comma and Period show earlier and later images.") : tr("The image is live."));
   show(frozen && !cine_.empty() ? cine_.back() : feed_.live()->latest());
 }
 

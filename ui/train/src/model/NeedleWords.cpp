@@ -67,20 +67,21 @@ QString sentenceOf(const NeedleEvent& event, const QString& vessel) {
   const QString length = tr("%1\u00a0mm").arg(event.depth_mm, 0, 'f', 1);
   switch (event.kind) {
     case NeedleEventKind::Entered:
-      if (event.wall == kSkin) return tr("Through the skin.");
+      if (event.wall == kSkin) return tr("The needle is through the skin.");
       if (event.wall == kVein) return tr("%1 entered, insertion length %2.").arg(subject(event, vessel), length);
       if (event.wall == kArtery)
         return tr("%1 punctured, insertion length %2. Withdraw the needle and apply pressure.")
             .arg(subject(event, vessel), length);
       if (event.wall == kAirway) return tr("Airway or lung punctured, insertion length %1. Withdraw.").arg(length);
-      return tr("Into the %1, insertion length %2.").arg(wall(event.wall), length);
+      return tr("The needle has entered the %1, insertion length %2.").arg(wall(event.wall), length);
     case NeedleEventKind::Left:
-      return tr("Out through the posterior wall of %1, insertion length %2.").arg(vesselWords(event, vessel), length);
+      return tr("The needle has passed out through the posterior wall of %1, insertion length %2.")
+          .arg(vesselWords(event, vessel), length);
     case NeedleEventKind::Withdrawn:
       if (event.wall == kSkin) return tr("The needle is out of the skin.");
-      return tr("Needle withdrawn through the wall of %1.").arg(vesselWords(event, vessel));
+      return tr("The needle is withdrawn through the wall of %1.").arg(vesselWords(event, vessel));
     case NeedleEventKind::Struck:
-      return tr("On bone, insertion length %1: the needle goes no further here.").arg(length);
+      return tr("The needle is on bone, insertion length %1. It cannot advance further here.").arg(length);
   }
   return {};
 }

@@ -62,7 +62,7 @@ std::optional<QString> ProbeMotion::stateInWords() const {
   if (!models_.live.failure().empty()) return QString::fromStdString(models_.live.failure());
   if (unplaced_) return tr("Place the probe: press the button, or click on the skin in 3D.");
   if (!models_.live.shown()) return tr("Building the first scene.");
-  if (models_.live.isFrozen()) return tr("Frozen. Comma and period step through the last seconds.");
+  if (models_.live.isFrozen()) return tr("Frozen. Comma and Period show earlier and later images.");
   return std::nullopt;
 }
 
@@ -140,7 +140,7 @@ void ProbeMotion::goTo(const StartPose& pose) {
   if (!models_.disclosure.mayShowAnatomy()) return;
   if (levelStart_)
     return models_.status.say(
-        tr("In a level, search for the vein from the start position of the attempt (Home returns there)."));
+        tr("In a level, search for the vein from the start position of the attempt (Home returns the probe to it)."));
   control_.begin();
   if (mayMove()) moved(control_.setPose(pose));
 }

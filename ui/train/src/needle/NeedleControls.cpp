@@ -34,14 +34,15 @@ struct NeedleRow {
 /// The longer names in one column: the panel is narrow.
 constexpr NeedleRow kNeedleRows[] = {
     {NeedleAxis::Angle, "angle", "angle", "°", NeedleHand::kLeastAngle_deg, NeedleHand::kMostAngle_deg, 1,
-     "Between needle and skin, in degrees; 90: square to it", "train.needle.angle"},
+     "Angle between needle and skin, in degrees; 90: perpendicular to the skin", "train.needle.angle"},
     {NeedleAxis::Heading, "heading", "heading", "°", -180, 180, 2,
      "Direction of the needle along the skin, in degrees; 0: to the patient's head, 90: to the left",
      "train.needle.heading"},
     {NeedleAxis::Bevel, "bevel", "bevel", "°", -180, 180, 10,
-     "Turn of the needle about itself, in degrees; 0: the bevel looks up", "train.needle.bevel"},
+     "Rotation of the needle about its shaft, in degrees; 0: the bevel faces up", "train.needle.bevel"},
     {NeedleAxis::Advance, "depth", "advance", " mm", -NeedleHand::kMostOff_mm, NeedleHand::kLength_mm, 1,
-     "How far the hand has advanced the needle from the skin, in mm; below 0: off it", "train.needle.advance"},
+     "Length by which the hand has advanced the needle from the skin, in mm; negative: the needle is off the skin",
+     "train.needle.advance"},
 };
 
 }  // namespace
@@ -96,7 +97,8 @@ QWidget* NeedleControls::buildNumbers(const ui::Commands& commands) {
         new NumberField(QLatin1String(row.name), QString::fromUtf8(row.unit), {row.low, row.high, row.step}, all);
     field->setObjectName(QStringLiteral("needle_") + QLatin1String(row.object));
     field->setAccessibleName(tr("Needle, %1").arg(tr(row.name)));
-    field->setToolTip(commands.toolTip(tr(row.says), row.command) + tr("\nEnter applies, arrows and wheel step."));
+    field->setToolTip(commands.toolTip(tr(row.says), row.command) +
+                      tr("\nEnter applies the number; arrow keys and wheel change it in steps."));
     field->setTyped([this, axis = row.axis](double value) { needle_.set(axis, value); });
     field->setRefused([this](const QString& sentence) { status_.say(sentence); });
     fields_[i] = field;

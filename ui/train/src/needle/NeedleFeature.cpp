@@ -25,19 +25,19 @@ void NeedleFeature::addCommands() {
   beginSection(KeySection::Needle);
   addCommand({.id = "train.needle.take",
               .text = {},
-              .does = tr("takes up the needle beside the probe, or puts it away"),
+              .does = tr("takes up the needle beside the probe, or puts the needle away"),
               .listed = tr("I"),
               .keys = keys({Qt::Key_I}),
               .perform = once([this] { model_.needle.toggle(); })});
   addMoves();
-  commands().addListed(tr("Shift+wheel on image or 3D"), tr("advances the needle, or withdraws it"));
+  commands().addListed(tr("Shift+wheel on image or 3D"), tr("advances or withdraws the needle"));
 }
 
 void NeedleFeature::addMoves() {
   using enum NeedleAxis;
   addCommand({.id = "train.needle.advance",
               .text = {},
-              .does = tr("advances the needle 1 mm, or withdraws it (Shift 5 mm)"),
+              .does = tr("advances or withdraws the needle by 1 mm (with Shift: 5 mm)"),
               .listed = tr("Page Down, Page Up"),
               .keys = {moveKey(Qt::Key_PageDown, Advance, 1, 5, {}), moveKey(Qt::Key_PageUp, Advance, -1, -5, {})},
               .perform = {}});
@@ -47,26 +47,26 @@ void NeedleFeature::addMoves() {
   };
   addCommand({.id = "train.needle.entry",
               .text = {},
-              .does = tr("slides the needle's entry over the skin 1 mm (Shift 5 mm)"),
+              .does = tr("slides the entry point of the needle over the skin by 1 mm (with Shift: 5 mm)"),
               .listed = tr("Alt+arrows"),
               .keys = {alt(Qt::Key_Left, Lateral, -1, -5), alt(Qt::Key_Right, Lateral, 1, 5),
                        alt(Qt::Key_Up, Elevation, -1, -5), alt(Qt::Key_Down, Elevation, 1, 5)},
               .perform = {}});
   addCommand({.id = "train.needle.heading",
               .text = {},
-              .does = tr("changes the needle's direction along the skin by 2 degrees (Shift 10)"),
+              .does = tr("changes the heading of the needle on the skin by 2 degrees (with Shift: 10 degrees)"),
               .listed = tr("Alt+Q, Alt+E"),
               .keys = {alt(Qt::Key_Q, Heading, -2, -10), alt(Qt::Key_E, Heading, 2, 10)},
               .perform = {}});
   addCommand({.id = "train.needle.angle",
               .text = {},
-              .does = tr("makes the needle steeper or flatter by 1 degree (Shift 5)"),
+              .does = tr("makes the needle steeper or flatter by 1 degree (with Shift: 5 degrees)"),
               .listed = tr("Alt+W, Alt+S"),
               .keys = {alt(Qt::Key_W, Angle, 1, 5), alt(Qt::Key_S, Angle, -1, -5)},
               .perform = {}});
   addCommand({.id = "train.needle.bevel",
               .text = {},
-              .does = tr("rotates the needle's bevel 10 degrees (Shift 90)"),
+              .does = tr("rotates the bevel of the needle by 10 degrees (with Shift: 90 degrees)"),
               .listed = tr("Alt+A, Alt+D"),
               .keys = {alt(Qt::Key_A, Bevel, -10, -90), alt(Qt::Key_D, Bevel, 10, 90)},
               .perform = {}});

@@ -14,16 +14,18 @@ namespace insonate::train {
 NeedlePlaneButtons::NeedlePlaneButtons(const QString& object, bool isProminent, HandsControl& hands,
                                        NeedleMotion& needle, const ui::Commands& commands, QWidget* parent)
     : QWidget(parent), hands_(hands), needle_(needle), isProminent_(isProminent) {
-  along_ = planeButton(object + "Along", tr("in-plane"),
-                       commands.toolTip(tr("Takes an 18 G needle of 70 mm in-plane, beside the probe's end, or puts "
-                                           "it away"),
-                                        "train.needle.take"),
-                       NeedlePlane::Along);
-  across_ = planeButton(object + "Across", tr("out-of-plane"),
-                        commands.toolTip(tr("Takes an 18 G needle of 70 mm out-of-plane, in front of the probe, or "
-                                            "puts it away"),
-                                         "train.needle.take"),
-                        NeedlePlane::Across);
+  along_ = planeButton(
+      object + "Along", tr("in-plane"),
+      commands.toolTip(
+          tr("Takes an 18 G needle (70 mm long) in-plane, beside the end of the probe, or puts the needle away"),
+          "train.needle.take"),
+      NeedlePlane::Along);
+  across_ = planeButton(
+      object + "Across", tr("out-of-plane"),
+      commands.toolTip(
+          tr("Takes an 18 G needle (70 mm long) out-of-plane, in front of the probe, or puts the needle away"),
+          "train.needle.take"),
+      NeedlePlane::Across);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);

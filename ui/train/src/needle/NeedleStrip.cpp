@@ -22,12 +22,12 @@ NeedleStrip::NeedleStrip(HandsControl& hands, NeedleMotion& needle, NeedleTray& 
   row->addWidget(new NeedlePlaneButtons("strip", true, hands_, needle_, commands, this));
   row->addStretch(1);
   const QString advance =
-      commands.toolTip(tr("Advances the needle 1 mm; hold the button for more"), "train.needle.advance");
+      commands.toolTip(tr("Advances the needle by 1 mm; hold down the button to continue"), "train.needle.advance");
   const QString withdraw =
-      commands.toolTip(tr("Withdraws the needle 1 mm; hold the button for more"), "train.needle.advance");
-  const QString angle = commands.toolTip(tr("Changes the angle between needle and skin by 1 degree; hold the button "
-                                            "for more"),
-                                         "train.needle.angle");
+      commands.toolTip(tr("Withdraws the needle by 1 mm; hold down the button to continue"), "train.needle.advance");
+  const QString angle =
+      commands.toolTip(tr("Changes the angle between needle and skin by 1 degree; hold down the button to continue"),
+                       "train.needle.angle");
   addMove(*row, "needleFlatter", tr("flatter"), NeedleAxis::Angle, -1, angle);
   addMove(*row, "needleSteeper", tr("steeper"), NeedleAxis::Angle, 1, angle);
   addMove(*row, "needleWithdraw", tr("withdraw"), NeedleAxis::Advance, -1, withdraw);

@@ -13,7 +13,7 @@ struct Kind {
   const char* name;
 };
 /// By rows.
-constexpr Kind kKinds[FourSlices::kCount] = {{views::SliceKind::Oblique, "CT in the probe's plane"},
+constexpr Kind kKinds[FourSlices::kCount] = {{views::SliceKind::Oblique, "CT in the image plane"},
                                              {views::SliceKind::Axial, "Axial CT slice"},
                                              {views::SliceKind::Coronal, "Coronal CT slice"},
                                              {views::SliceKind::Sagittal, "Sagittal CT slice"}};

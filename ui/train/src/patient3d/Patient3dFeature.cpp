@@ -85,7 +85,7 @@ void Patient3dFeature::addCommands() {
   beginSection(KeySection::Patient);
   addCommand({.id = "train.patient3d.cut",
               .text = {},
-              .does = tr("cuts the anatomy in 3D open along the needle, or closes the cut"),
+              .does = tr("cuts the 3D anatomy open along the needle, or closes the cut"),
               .listed = tr("H"),
               .keys = keys({Qt::Key_H}),
               .perform = once([this] {
@@ -94,7 +94,7 @@ void Patient3dFeature::addCommands() {
   addCommand(
       {.id = "train.patient3d.allSlices",
        .text = {},
-       .does = tr("shows the probe's plane, axial, coronal and sagittal slices with one crosshair, or one slice"),
+       .does = tr("shows four CT slices with one crosshair (image plane, axial, coronal, sagittal), or one CT slice"),
        .listed = tr("X"),
        .keys = keys({Qt::Key_X}),
        .perform = [this](ui::KeyPress) {
@@ -102,14 +102,15 @@ void Patient3dFeature::addCommands() {
        }});
   addWindows();
   const std::pair<QString, QString> gestures[] = {
-      {tr("Left drag on the skin"), tr("moves the probe there; with Ctrl the needle's entry")},
-      {tr("Wheel on a CT slice"), tr("shows other slices; with Ctrl, or in the probe's plane, zooms")},
+      {tr("Left drag on the skin"),
+       tr("moves the probe to the pointer; with Ctrl, moves the entry point of the needle")},
+      {tr("Wheel on a CT slice"), tr("shows the next or previous slice; with Ctrl, or in the image plane, zooms")},
       {tr("Right drag on a CT slice"), tr("changes window and level")},
       {tr("Left drag on a CT slice"), tr("moves the crosshair")},
-      {tr("Middle drag on a CT slice"), tr("shifts the slice")},
-      {tr("Arrows, Page keys in a CT slice"), tr("shows other slices")},
-      {tr("G, A, D in a CT slice"), tr("shows or hides the structures, makes them fainter, stronger")},
-      {tr("R in a CT slice"), tr("fits the slice again")},
+      {tr("Middle drag on a CT slice"), tr("pans the slice")},
+      {tr("Arrows, Page keys in a CT slice"), tr("shows the next or previous slices")},
+      {tr("G, A, D in a CT slice"), tr("shows or hides the structures, makes them fainter or stronger")},
+      {tr("R in a CT slice"), tr("fits the slice into its view")},
   };
   for (const auto& [gesture, does] : gestures) commands().addListed(gesture, does);
 }

@@ -48,7 +48,7 @@ struct SliceEntry {
   const char* says;
 };
 constexpr SliceEntry kSliceEntries[] = {
-    {views::SliceKind::Oblique, "Probe", "Probe", "CT in the probe's plane, as the image shows it"},
+    {views::SliceKind::Oblique, "Probe", "Probe", "CT in the image plane, oriented like the ultrasound image"},
     {views::SliceKind::Axial, "Axial", "Ax", "seen from the feet"},
     {views::SliceKind::Coronal, "Coronal", "Cor", "seen from the front"},
     {views::SliceKind::Sagittal, "Sagittal", "Sag", "the front on the left"},

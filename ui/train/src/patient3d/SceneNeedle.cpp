@@ -98,7 +98,8 @@ void SceneNeedle::toggleCut() {
   cut.offset_mm = dot(cut.direction, needle_->offset - middle_mm) + kBeforeCut_mm;
   scene_.setClipping(cut);
   cut_ = cut;
-  status_.say(tr("The anatomy is cut open along the needle. Drag beside it to turn the view; H closes the cut."));
+  status_.say(
+      tr("The anatomy is cut open along the needle. Drag beside the patient to turn the view; H closes the cut."));
 }
 
 void SceneNeedle::removeCut() {

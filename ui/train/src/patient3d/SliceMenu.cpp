@@ -37,7 +37,7 @@ SliceMenu::SliceMenu(views::MprView& slice, const ui::Commands& commands, QWidge
   addSeparator();
   addStructures();
   addSeparator();
-  connect(addAction(tr("Fit again\tR")), &QAction::triggered, this,
+  connect(addAction(tr("Fit slice\tR")), &QAction::triggered, this,
           [this] { forAll([](views::MprView& one) { one.fit(); }); });
   connect(this, &QMenu::aboutToShow, this, [this] { refresh(); });
 }

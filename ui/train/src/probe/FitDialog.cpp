@@ -41,10 +41,10 @@ Result<QImage> readImage(const QString& file) {
   reader.setAutoTransform(true);  // photographs say how the camera was held
   const QSize size = reader.size();
   if (size.width() > kMost_px || size.height() > kMost_px)
-    return fail(file.toStdString() + " has more than 16384 pixels each way; make it smaller.");
+    return fail(file.toStdString() + " has more than 16384 pixels in width or height; make the image smaller.");
   QImage image = reader.read();
   if (image.isNull())
-    return fail(file.toStdString() + " is no image that can be read (" + reader.errorString().toStdString() +
+    return fail(file.toStdString() + " is not an image that can be read (" + reader.errorString().toStdString() +
                 "). Use PNG or JPEG.");
   return image;
 }
@@ -76,8 +76,8 @@ FitDialog::FitDialog(const Probe& base, QWidget* parent)
   setWindowTitle(tr("Fit probe to an image"));
   setAcceptDrops(true);
   canvas_->setInvitation(
-      tr("Drop a photograph or screen capture of a scanner's image here, paste one (Ctrl+V), or open a file.\n\nThe "
-         "image is not stored."));
+      tr("Drop a photograph or screen capture of a scanner's image here, paste an image (Ctrl+V), or open a "
+         "file.\n\nThe image is not stored."));
   auto* row = new QHBoxLayout;
   row->setSpacing(16);
   row->addWidget(canvas_, 1);
@@ -113,9 +113,9 @@ QWidget* FitDialog::buildSide() {
       new ui::ValueSlider(tr("rotation"), QStringLiteral("\u00b0"), {-10, 10, 0, 0.1, 1},
                           tr("rotation of the field of view in the loaded image; the probe geometry is not rotated"));
   rotation_->setObjectName("fitRotation");
-  depth_ =
-      new ui::ValueSlider(tr("depth on display"), QStringLiteral("mm"), {10, 400, base_.defaultDepth_mm, 1, 1},
-                          tr("from the center of the probe face to the bottom of the image, as shown on the scanner"));
+  depth_ = new ui::ValueSlider(
+      tr("depth on display"), QStringLiteral("mm"), {10, 400, base_.defaultDepth_mm, 1, 1},
+      tr("distance from the center of the probe face to the bottom of the image, as shown on the scanner"));
   depth_->setObjectName("fitDepth");
   marks_ = new ui::ValueSlider(tr("mark spacing"), QStringLiteral("mm"), {0.5, 50, 10, 0.5, 1},
                                tr("distance between two marks of the image's depth scale"));
@@ -137,7 +137,7 @@ QWidget* FitDialog::buildSide() {
     label->setTextFormat(Qt::PlainText);
   }
   trouble_->hide();
-  take_ = sideButton(tr("Apply"), "fitTake", tr("Use this geometry for the probe that is being edited"));
+  take_ = sideButton(tr("Apply"), "fitTake", tr("Uses this geometry for the probe that is being edited"));
   ui::setRole(take_, "primary");
   auto* cancel = sideButton(tr("Cancel"), "fitCancel", tr("Leaves the probe unchanged (Escape)"));
   auto* foot = new QHBoxLayout;
@@ -202,7 +202,7 @@ void FitDialog::paste() {
     if (!image.isNull()) return load(tr("Fitting"), [image]() -> Result<QImage> { return image; });
   }
   if (const QString file = held ? imageFileIn(*held) : QString(); !file.isEmpty()) return openPicture(file);
-  say(tr("The clipboard holds no image. Copy one, then paste again."), true);
+  say(tr("The clipboard holds no image. Copy an image, then paste again."), true);
 }
 
 void FitDialog::load(const QString& title, std::function<Result<QImage>()> read) {
@@ -256,8 +256,9 @@ void FitDialog::fitted(Result<std::shared_ptr<Loaded>> result) {
     mmPerPx_ = fit.ruler->mmPerMark / fit.ruler->spacing_px;
     doubts << tr("%1 marks of a depth scale were found; check their spacing.").arg(fit.ruler->marks);
   }
-  if (!fit.ruler) doubts << tr("The depth is assumed to be %1 mm until you type it.").arg(typedDepth_mm_, 0, 'f', 0);
-  if (fit.confidence < 0.5) doubts.prepend(tr("The fit is uncertain: correct it by its handles."));
+  if (!fit.ruler)
+    doubts << tr("The depth is assumed to be %1 mm until you type the depth.").arg(typedDepth_mm_, 0, 'f', 0);
+  if (fit.confidence < 0.5) doubts.prepend(tr("The fit is uncertain. Drag its handles to correct it."));
   doubts_ = doubts.join(QLatin1Char('\n'));
   say(doubts_, fit.confidence < 0.5);
   showShape();

@@ -55,7 +55,8 @@ Positions::Positions(StatusLine& status, History& history, CaseModel& patientCas
   list_->setObjectName("positions");
   list_->setAccessibleName(tr("Positions of the probe"));
   list_->setToolTip(
-      tr("Click, or press 1 to 9, to go there. Your own: F2 renames, Alt+Up and Alt+Down move, Delete removes."));
+      tr("Click a position, or press 1 to 9, to move the probe to it. Positions of your own: F2 renames, Alt+Up and "
+         "Alt+Down reorder, Delete removes."));
   list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setTextElideMode(Qt::ElideRight);
@@ -185,15 +186,15 @@ void Positions::saveCurrent() {
   Own own = own_.value(caseKey());
   pose.name = tr("my position %1").arg(own.size() + 1).toStdString();
   own.push_back(pose);
-  change(std::move(own), tr("saving of a position"), list_->count());
-  status_.say(tr("Position saved as %1; F2 in the list names it.").arg(list_->count()));
+  change(std::move(own), tr("saving of a probe position"), list_->count());
+  status_.say(tr("Position saved as %1; F2 in the list renames it.").arg(list_->count()));
 }
 
 std::optional<std::size_t> Positions::ownAt(int place) {
   const int first = int(ofCase().size());
   if (place < 0 || place >= list_->count()) return std::nullopt;
   if (place >= first) return std::size_t(place - first);
-  status_.say(tr("Positions of the case cannot be changed; only your own can."));
+  status_.say(tr("Positions of the case cannot be changed. You can change only your own positions."));
   return std::nullopt;
 }
 
@@ -202,7 +203,7 @@ void Positions::remove(int place) {
   if (!index) return;
   Own own = own_.value(caseKey());
   own.erase(own.begin() + long(*index));
-  change(std::move(own), tr("removal of a position"), std::max(0, std::min(place, list_->count() - 2)));
+  change(std::move(own), tr("removal of a probe position"), std::max(0, std::min(place, list_->count() - 2)));
   status_.say(tr("Position removed; Ctrl+Z restores it."));
 }
 
@@ -211,7 +212,7 @@ void Positions::rename(int place, const QString& name) {
   if (!index || name.trimmed().isEmpty()) return;
   Own own = own_.value(caseKey());
   own[*index].name = name.trimmed().toStdString();
-  change(std::move(own), tr("renaming of a position"), place);
+  change(std::move(own), tr("renaming of a probe position"), place);
 }
 
 void Positions::shift(int place, int by) {
@@ -221,7 +222,7 @@ void Positions::shift(int place, int by) {
   const long target = long(*index) + by;
   if (target < 0 || target >= long(own.size())) return;
   std::swap(own[*index], own[std::size_t(target)]);
-  change(std::move(own), tr("order of the positions"), place + by);
+  change(std::move(own), tr("order of the probe positions"), place + by);
 }
 
 void Positions::nameEdited(QListWidgetItem* item) {

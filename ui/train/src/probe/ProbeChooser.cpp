@@ -27,10 +27,10 @@ ProbeChooser::ProbeChooser(ImagingModel& imaging, ProbeLibrary& library, QWidget
   list_->setFocusPolicy(Qt::TabFocus);
   list_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   list_->setAccessibleName(tr("probe"));
-  list_->setToolTip(tr("Transducer, built in or your own; sets its depth, frequency and focus"));
+  list_->setToolTip(tr("Chooses a built-in probe or a probe of your own; also sets its depth, frequency and focus"));
   edit_->setObjectName("editProbe");
   edit_->setFocusPolicy(Qt::TabFocus);
-  edit_->setToolTip(tr("Change the probe's shape and beam, or fit it to an image of a machine"));
+  edit_->setToolTip(tr("Changes shape and beam of the probe, or fits the probe to an image of a machine"));
   edit_->setAccessibleName(tr("Edit the probe"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);

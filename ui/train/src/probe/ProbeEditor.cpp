@@ -33,22 +33,26 @@ struct Presentation {
 };
 constexpr Presentation kNumbers[] = {
     {"width_mm", "Field of view", "width", "mm", "length of the array", 1, 1},
-    {"fovAngle_deg", "", "angle", "\u00b0", "alpha, the fan's full angle", 1, 1},
-    {"faceRadius_mm", "", "face radius", "mm", "r1, from the virtual apex to the face", 1, 1},
-    {"defaultDepth_mm", "", "depth", "mm", "with which the probe begins; r2 less r1", 5, 1},
-    {"minDepth_mm", "", "least depth", "mm", "that can be chosen", 5, 0},
-    {"maxDepth_mm", "", "most depth", "mm", "that can be chosen", 5, 0},
-    {"defaultFocus_mm", "", "focus", "mm", "with which the probe begins", 1, 0},
-    {"defaultFrequency_MHz", "Frequency", "frequency", "MHz", "with which the probe begins", 0.5, 1},
-    {"minFrequency_MHz", "", "least", "MHz", "that can be chosen", 0.5, 1},
-    {"maxFrequency_MHz", "", "most", "MHz", "that can be chosen", 0.5, 1},
+    {"fovAngle_deg", "", "angle", "\u00b0", "full angle of the fan (alpha)", 1, 1},
+    {"faceRadius_mm", "", "face radius", "mm", "radius from the virtual apex to the probe face (r1)", 1, 1},
+    {"defaultDepth_mm", "", "depth", "mm", "depth that the probe starts with (r2 minus r1)", 5, 1},
+    {"minDepth_mm", "", "minimum depth", "mm", "smallest depth that can be chosen", 5, 0},
+    {"maxDepth_mm", "", "maximum depth", "mm", "largest depth that can be chosen", 5, 0},
+    {"defaultFocus_mm", "", "focus", "mm", "focus that the probe starts with", 1, 0},
+    {"defaultFrequency_MHz", "Frequency", "frequency", "MHz", "frequency that the probe starts with", 0.5, 1},
+    {"minFrequency_MHz", "", "minimum", "MHz", "lowest frequency that can be chosen", 0.5, 1},
+    {"maxFrequency_MHz", "", "maximum", "MHz", "highest frequency that can be chosen", 0.5, 1},
     {"pitch_mm", "Array", "pitch", "mm", "distance of the elements, center to center", 0.01, 3},
-    {"bandwidth", "", "bandwidth", "", "of the received pulse at -6 dB, over its frequency: axial resolution", 0.05, 2},
-    {"transmitFNumber", "", "transmit F-number", "", "focus over aperture: lateral resolution at the focus", 0.1, 1},
-    {"receiveFNumber", "", "receive F-number", "", "depth over aperture: lateral resolution at all depths", 0.1, 1},
+    {"bandwidth", "", "bandwidth", "",
+     "bandwidth of the received pulse at -6 dB, divided by its frequency; determines the axial resolution", 0.05, 2},
+    {"transmitFNumber", "", "transmit F-number", "",
+     "focus depth divided by aperture; determines the lateral resolution at the focus", 0.1, 1},
+    {"receiveFNumber", "", "receive F-number", "",
+     "depth divided by aperture; determines the lateral resolution at all depths", 0.1, 1},
     {"maxAperture_mm", "", "aperture", "mm", "largest active part of the array", 1, 0},
-    {"elementHeight_mm", "Slice", "element height", "mm", "across the imaging plane: slice thickness", 0.5, 1},
-    {"elevationFocus_mm", "", "elevation focus", "mm", "focus of the lens, across the imaging plane", 1, 0},
+    {"elementHeight_mm", "Slice", "element height", "mm",
+     "element size perpendicular to the image plane; determines the slice thickness", 0.5, 1},
+    {"elevationFocus_mm", "", "elevation focus", "mm", "focus of the lens, perpendicular to the image plane", 1, 0},
 };
 
 const ProbeField& fieldNamed(std::string_view name) {
@@ -101,10 +105,10 @@ void ProbeEditor::buildHead(QVBoxLayout& box) {
   apodization_->addItems({tr("uniform"), tr("Tukey"), tr("Hann")});
   apodization_->setAccessibleName(tr("Receive apodization"));
   apodization_->setToolTip(
-      tr("Weights of the elements on receive; the choices range from the narrowest beam to the lowest side lobes"));
+      tr("Weights of the elements on receive, from the narrowest beam (uniform) to the lowest side lobes (Hann)"));
   apodization_->setFocusPolicy(Qt::TabFocus);
   auto* fit = button(tr("Fit probe to an image ..."), "fitToPicture",
-                     tr("Take angle, radii and depth from a photograph or screen capture of a machine"));
+                     tr("Takes angle, radii and depth from a photograph or screen capture of a machine"));
   box.addWidget(title);
   auto* grid = new QGridLayout;
   grid->setSpacing(4);
@@ -118,7 +122,7 @@ void ProbeEditor::buildHead(QVBoxLayout& box) {
   row(1, tr("shape"), shape_);
   row(2, tr("apodization"), apodization_);
   box.addLayout(grid);
-  hint_ = new QLabel(tr("This one is built in: type another name to save yours."));
+  hint_ = new QLabel(tr("This probe is built in. Type another name to save your changes as a probe of your own."));
   hint_->setWordWrap(true);
   ui::setRole(hint_, "quiet");
   box.addWidget(hint_);
@@ -170,10 +174,11 @@ QWidget* ProbeEditor::buildFoot() {
   grid->setContentsMargins(12, 8, 12, 8);
   grid->setSpacing(4);
   save_ = button(tr("Save"), "saveProbe", tr("Saves this probe under its name, in a file for this user"));
-  rename_ = button(tr("Rename"), "renameProbe", tr("Give the saved probe the name above"));
-  remove_ = button(tr("Delete"), "deleteProbe", tr("Delete the saved probe of this name"));
-  reset_ = button(tr("Reset"), "resetProbe", tr("Back to the saved probe, or to the built-in one of this shape"));
-  auto* done = button(tr("Done"), "probeDone", tr("Back to the image's controls (Escape)"));
+  rename_ = button(tr("Rename"), "renameProbe", tr("Gives the saved probe the name above"));
+  remove_ = button(tr("Delete"), "deleteProbe", tr("Deletes the saved probe of this name"));
+  reset_ = button(tr("Reset"), "resetProbe", tr("Restores the saved probe, or the built-in probe of this shape"));
+  auto* done =
+      button(tr("Done"), "probeDone", tr("Closes the probe editor and returns to the image controls (Escape)"));
   done->setMinimumHeight(36);
   grid->addWidget(save_, 0, 0);
   grid->addWidget(reset_, 0, 1);
@@ -262,8 +267,9 @@ void ProbeEditor::showButtons() {
   hint_->setVisible(isBuiltIn(draft_.name));
   save_->setEnabled(valid && !isBuiltIn(draft_.name));
   save_->setText(own ? tr("Overwrite") : tr("Save"));
-  save_->setToolTip(isBuiltIn(draft_.name) ? tr("A built-in probe stays as it is: type another name to save yours")
-                                           : tr("Saves this probe under its name, in a file for this user"));
+  save_->setToolTip(isBuiltIn(draft_.name)
+                        ? tr("A built-in probe cannot be overwritten; type another name to save your probe")
+                        : tr("Saves this probe under its name, in a file for this user"));
   remove_->setEnabled(own);
   const ProbeLibrary::Entry* last = library_.find(savedName_);
   rename_->setEnabled(valid && last && !own && !isBuiltIn(draft_.name));
@@ -288,7 +294,7 @@ bool ProbeEditor::report(const Result<void>& result, const QString& said) {
 
 bool ProbeEditor::save() {
   changeName();
-  const bool saved = report(library_.save(draft_), tr("Probe saved; it is in the list."));
+  const bool saved = report(library_.save(draft_), tr("Probe saved; it is in the list of probes."));
   if (saved) savedName_ = draft_.name;
   showButtons();
   return saved;
@@ -302,7 +308,7 @@ bool ProbeEditor::rename() {
 }
 
 bool ProbeEditor::remove() {
-  return report(library_.remove(draft_.name), tr("Probe deleted; it stays in use until another is chosen."));
+  return report(library_.remove(draft_.name), tr("Probe deleted; it stays in use until you choose another probe."));
 }
 
 void ProbeEditor::reset() {

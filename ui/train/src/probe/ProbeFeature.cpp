@@ -112,39 +112,38 @@ void ProbeFeature::addCommands() {
     numbers.push_back({Qt::Key_1 + place, {}, [this, place](ui::KeyPress) { positions_->recall(place); }});
   addCommand({.id = "train.probe.recall",
               .text = {},
-              .does = tr("moves the probe to a position of the list"),
+              .does = tr("moves the probe to a position in the list"),
               .listed = tr("1 to 9"),
               .keys = std::move(numbers),
               .perform = {}});
-  commands().addListed(
-      tr("G, Ctrl+arrows"),
-      tr("in Edit probe: G selects the next handle of the field of view, Ctrl+arrows move it by 1 (Shift 5)"));
+  commands().addListed(tr("G, Ctrl+arrows"), tr("while you edit a probe: G selects the next handle of the field of "
+                                                "view, Ctrl+arrows move it by 1 mm or 1 degree (with Shift: 5)"));
 }
 
 void ProbeFeature::addMoves() {
   using enum HandAxis;
   addCommand({.id = "train.probe.slide",
               .text = {},
-              .does = tr("slides the probe 1 mm (Shift 5 mm)"),
+              .does = tr("slides the probe by 1 mm (with Shift: 5 mm)"),
               .listed = tr("Arrows"),
               .keys = {moveKey(Qt::Key_Left, Lateral, -1, -5), moveKey(Qt::Key_Right, Lateral, 1, 5),
                        moveKey(Qt::Key_Up, Elevation, -1, -5), moveKey(Qt::Key_Down, Elevation, 1, 5)},
               .perform = {}});
   addCommand({.id = "train.probe.rotate",
               .text = {},
-              .does = tr("rotates the probe 2 degrees (Shift 10)"),
+              .does = tr("rotates the probe by 2 degrees (with Shift: 10 degrees)"),
               .listed = tr("Q, E"),
               .keys = {moveKey(Qt::Key_Q, Rotation, -2, -10), moveKey(Qt::Key_E, Rotation, 2, 10)},
               .perform = {}});
   addCommand({.id = "train.probe.tilt",
               .text = {},
-              .does = tr("tilts the probe 1 degree (Shift 5)"),
+              .does = tr("tilts the probe by 1 degree (with Shift: 5 degrees)"),
               .listed = tr("W, S"),
               .keys = {moveKey(Qt::Key_W, Tilt, 1, 5), moveKey(Qt::Key_S, Tilt, -1, -5)},
               .perform = {}});
   addCommand({.id = "train.probe.rock",
               .text = {},
-              .does = tr("rocks the probe 1 degree (Shift 5)"),
+              .does = tr("rocks the probe by 1 degree (with Shift: 5 degrees)"),
               .listed = tr("A, D"),
               .keys = {moveKey(Qt::Key_A, Rock, -1, -5), moveKey(Qt::Key_D, Rock, 1, 5)},
               .perform = {}});
@@ -164,7 +163,8 @@ void ProbeFeature::edit(bool isEdited) {
   handles_->setActive(isEdited);
   Q_EMIT layout_.views().boundsChanged();
   model_.status.setHint(
-      isEdited ? tr("Drag the handles on the image, or select one with G and move it with Ctrl+arrows.") : QString());
+      isEdited ? tr("Drag the handles on the image, or select a handle with G and move it with Ctrl+arrows.")
+               : QString());
 }
 
 void ProbeFeature::fitToImage() {

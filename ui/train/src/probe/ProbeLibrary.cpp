@@ -55,7 +55,7 @@ Result<void> ProbeLibrary::write(const Probe& probe, const QString& file) {
 
 Result<void> ProbeLibrary::save(const Probe& probe) {
   if (isBuiltIn(probe.name))
-    return fail("'" + probe.name + "' comes with the program and stays as it is: give yours another name.");
+    return fail("'" + probe.name + "' comes with the program and cannot be changed: give your probe another name.");
   if (const Entry* old = find(probe.name)) return write(probe, QString(old->file));
   const QString plain = fileNameFor(QString::fromStdString(probe.name));
   QString file = QDir(folder_).filePath(plain + QStringLiteral(".json"));
@@ -66,7 +66,7 @@ Result<void> ProbeLibrary::save(const Probe& probe) {
 
 Result<void> ProbeLibrary::rename(const std::string& name, const std::string& newName) {
   const Entry* entry = find(name);
-  if (!entry) return fail("There is no probe of yours named '" + name + "'.");
+  if (!entry) return fail("You have no probe named '" + name + "'.");
   if (isBuiltIn(newName) || find(newName)) return fail("There is a probe named '" + newName + "' already.");
   Probe probe = entry->probe;
   probe.name = newName;
@@ -75,7 +75,7 @@ Result<void> ProbeLibrary::rename(const std::string& name, const std::string& ne
 
 Result<void> ProbeLibrary::remove(const std::string& name) {
   const Entry* entry = find(name);
-  if (!entry) return fail("There is no probe of yours named '" + name + "'.");
+  if (!entry) return fail("You have no probe named '" + name + "'.");
   if (!QFile::remove(entry->file)) return fail("Could not delete " + entry->file.toStdString() + ".");
   read();
   Q_EMIT changed();

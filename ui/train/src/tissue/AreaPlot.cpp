@@ -22,8 +22,8 @@ constexpr double kAreaStep = 40;
 AreaPlot::AreaPlot(QWidget* parent) : QWidget(parent) {
   setObjectName("areaPlot");
   setToolTip(
-      tr("Areas of vein and artery in the image's plane, in % of their area in the CT, against the force of the probe "
-         "in N.\nDots: values since Clear; rings: present values."));
+      tr("Areas of vein and artery in the image plane, in % of their area in the CT, against the force of the probe in "
+         "N.\nDots: values since the last Clear; rings: present values."));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   trace_.reserve(kMost);
   describe();

@@ -50,11 +50,12 @@ TissueControls::TissueControls(StatusLine& status, ImagingModel& imaging, QWidge
   auto* heading = new QLabel(tr("Tissue"), this);
   ui::setRole(heading, "heading");
   box->addWidget(heading);
-  model_ = choice("tissueModel", tr("Mechanical model. Elastic: tissue moves aside, veins empty. Columns: independent "
-                                    "springs along the depth. None: nothing moves"));
+  model_ = choice("tissueModel", tr("Mechanical model. Elastic: tissue moves aside and veins empty. Columns: "
+                                    "independent springs along the depth. None: the tissue does not move"));
   for (const Model& one : kModels) model_->addItem(tr(one.name), QLatin1String(one.key));
   box->addWidget(labelled(tr("model"), model_));
-  posture_ = choice("posture", tr("Tilt of the table, in degrees. Head down (Trendelenburg) fills the neck's veins"));
+  posture_ =
+      choice("posture", tr("Tilt of the table, in degrees. Head down (Trendelenburg) fills the veins of the neck"));
   for (const Posture& one : kPostures) posture_->addItem(QString::fromUtf8(one.name), one.tilt_deg);
   box->addWidget(labelled(tr("posture"), posture_));
   venous_ = new ui::ValueSlider(tr("CVP"), tr("mmHg"), {-5, 30, Physiology{}.centralVenous_mmHg, 1, 0},
@@ -103,8 +104,9 @@ QWidget* TissueControls::buildPressures() {
     auto* number = new NumberField(name, {}, {low, high, 5, 0}, both);
     number->setObjectName(QLatin1String(object));
     number->setAccessibleName(tr("%1 arterial pressure in mmHg").arg(name));
-    number->setToolTip(
-        tr("%1 pressure of the arteries at the heart, in mmHg.\nEnter applies, arrows and wheel step.").arg(name));
+    number->setToolTip(tr("%1 pressure of the arteries at the heart, in mmHg.\nEnter applies the number; arrow keys "
+                          "and wheel change it in steps.")
+                           .arg(name));
     number->setTyped([this, which](double mmHg) { change([&](TissueChoice& to) { to.body.*which = mmHg; }); });
     number->setRefused([this](const QString& sentence) { status_.say(sentence); });
     return number;
@@ -130,10 +132,10 @@ QWidget* TissueControls::buildSwitches() {
   box->setSpacing(16);
   pulse_ = new QCheckBox(tr("pulse"), row);
   pulse_->setObjectName("pulse");
-  pulse_->setToolTip(tr("The heart moves the arteries, 70 beats a minute"));
+  pulse_->setToolTip(tr("Pulsation of the arteries, 70 beats per minute"));
   breathing_ = new QCheckBox(tr("breathing"), row);
   breathing_->setObjectName("breathing");
-  breathing_->setToolTip(tr("Breathing narrows and widens the veins, 14 times a minute"));
+  breathing_->setToolTip(tr("Respiratory changes of the vein width, 14 breaths per minute"));
   for (QCheckBox* one : {pulse_, breathing_}) {
     one->setFocusPolicy(Qt::TabFocus);
     box->addWidget(one);

@@ -37,19 +37,19 @@ void TissueFeature::addCommands() {
   beginSection(KeySection::Tissue);
   addCommand({.id = "train.tissue.grid",
               .text = tr("Displaced grid"),
-              .does = tr("shows the mesh of the displaced tissue over the image, or hides it"),
+              .does = tr("shows or hides the mesh of the displaced tissue over the image"),
               .listed = tr("T"),
               .keys = keys({Qt::Key_T}),
               .perform = toggle(TissueStrip::kGrid)});
   addCommand({.id = "train.tissue.pressure",
               .text = tr("Pressure in the tissue"),
-              .does = tr("shows the pressure in the tissue, in kPa, in colors over the image, or hides it"),
+              .does = tr("shows or hides the pressure in the tissue (in kPa) as colors over the image"),
               .listed = tr("P"),
               .keys = keys({Qt::Key_P}),
               .perform = toggle(TissueStrip::kPressure)});
   addCommand({.id = "train.tissue.areas",
               .text = tr("Areas against force"),
-              .does = tr("shows the curve of the areas of vein and artery against the probe's force, or hides it"),
+              .does = tr("shows or hides the curve of the areas of vein and artery against the force of the probe"),
               .listed = tr("K"),
               .keys = keys({Qt::Key_K}),
               .perform = toggle(TissueStrip::kPlot)});

@@ -42,15 +42,15 @@ TissueStrip::TissueStrip(DisclosureModel& disclosure, CaseModel& patientCase, Li
       disclosure_(disclosure),
       patientCase_(patientCase),
       live_(live),
-      force_(numberLabel("pressForce", tr("Force with which the tissue presses back on the probe, in N"), this)),
+      force_(numberLabel("pressForce", tr("Force of the tissue on the probe, in N"), this)),
       indentation_(numberLabel("pressIndentation", tr("Indentation of the probe from first contact, in mm"), this)),
       vein_(numberLabel(
           "veinArea",
-          tr("Present area of the veins in the image's plane, in mm² and in % of their uncompressed area in the CT"),
+          tr("Present area of the veins in the image plane, in mm² and in % of their uncompressed area in the CT"),
           this)),
       artery_(numberLabel(
-          "arteryArea",
-          tr("Present area of the arteries in the image's plane, in mm² and in % of their area in the CT"), this)),
+          "arteryArea", tr("Present area of the arteries in the image plane, in mm² and in % of their area in the CT"),
+          this)),
       menu_(new QPushButton(tr("Tissue"), this)) {
   setObjectName("tissueStrip");
   auto* row = new QHBoxLayout(this);

@@ -27,7 +27,7 @@ Extent extentAlong(const VolumeGeometry& grid, Vec3 direction) {
 }
 
 std::string sliceWords(SliceKind kind, const VolumeGeometry& grid, const SlicePlane& plane) {
-  if (kind == SliceKind::Oblique) return "probe plane";
+  if (kind == SliceKind::Oblique) return "image plane";
   const char* name = kind == SliceKind::Axial ? "axial" : kind == SliceKind::Coronal ? "coronal" : "sagittal";
   const Extent extent = extentAlong(grid, plane.axes.normal);
   const double step_mm = sliceStep_mm(grid, plane.axes.normal);

@@ -37,18 +37,18 @@ std::string originNote(AttemptProof proof) {
     case AttemptProof::Proven:
       return ": the recording is complete, unchanged and this person's own";
     case AttemptProof::Verifying:
-      return ": the server computes the result again from the recording; a pass counts after that";
+      return ": the server computes the result again from the recording; a pass counts only after that";
     case AttemptProof::Accepted:
-      return ": it was not proven, and an instructor accepted it";
+      return ": the attempt was not proven, but an instructor accepted it";
     case AttemptProof::Earlier:
-      return ": stored by a version that did not prove attempts yet";
+      return ": stored by an earlier version of the program, which did not prove attempts";
     case AttemptProof::Demonstration:
       return ": person and attempt are made up";
     case AttemptProof::Unproven:
       break;
   }
-  return ": nothing shows that the recording is this person's own and complete; a pass counts after an instructor "
-         "accepted it";
+  return ": nothing shows that the recording is this person's own and complete; a pass counts only after an instructor "
+         "has accepted the attempt";
 }
 
 Markup attemptFacts(const AttemptFacts& attempt, const Person& person, const Level* level) {
@@ -112,8 +112,9 @@ Markup decisionSection(const Visit& visit, const AttemptFacts& attempt, const st
   Markup content;
   if (!trouble.empty()) content += troubleLine(trouble);
   if (attempt.proof == AttemptProof::Unproven || attempt.proof == AttemptProof::Verifying)
-    content += note("The attempt has no proof, so that its pass does not count. Accept it if you have seen it.") +
-               postForm(visit, address + "/accept" + query, inputField("Reason", "reason", "text", "off"), "Accept");
+    content +=
+        note("The attempt has no proof, so that its pass does not count. Accept the attempt if you have watched it.") +
+        postForm(visit, address + "/accept" + query, inputField("Reason", "reason", "text", "off"), "Accept");
   content += note("A voided attempt counts neither as a pass nor as a failure, for instance if a device failed.") +
              postForm(visit, address + "/void" + query, inputField("Reason", "reason", "text", "off"), "Void");
   return section("Does it count?", content);

@@ -33,7 +33,7 @@ Markup commentForm(const Visit& visit, const AttemptFacts& attempt, const std::s
   if (!draft.trouble.empty()) fields += troubleLine(draft.trouble);
   const std::string label = "Time in the recording, 0:00 to " + recordingTimeText(attempt.length_us);
   fields += inputField(label, "at", "text", "off", draft.time) + textField("Comment", "text", draft.text) +
-            note("The trainee reads the comment. It cannot be changed afterwards, but removed.");
+            note("The trainee can read the comment. A comment cannot be changed afterwards, but it can be removed.");
   return postForm(visit, "/attempts/" + encoded(attempt.id) + "/comments" + query, fields, "Add comment");
 }
 
@@ -44,7 +44,7 @@ Result<std::int64_t> recordingTime(const std::string& text) {
   const auto match = kTime.match(QString::fromStdString(text));
   const double minutes = match.captured(1).toDouble(), seconds = match.captured(2).replace(',', '.').toDouble();
   if (!match.hasMatch() || (!match.captured(1).isEmpty() && seconds >= 60))
-    return fail("'" + text + "' is no time. Enter minutes and seconds, such as 1:05, or seconds, such as 65.");
+    return fail("'" + text + "' is not a time. Enter minutes and seconds, such as 1:05, or seconds, such as 65.");
   return std::llround((60 * minutes + seconds) * 1e6);
 }
 

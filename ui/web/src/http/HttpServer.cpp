@@ -187,7 +187,8 @@ void HttpServer::Impl::work(std::deque<Exchange*>& queue) {
       queue.pop_front();
       isLate = stopping;
     }
-    exchange->response = isLate ? plain(503, "The server ends. Try again in a minute.") : answer(exchange->request);
+    exchange->response =
+        isLate ? plain(503, "The server is shutting down. Try again in a minute.") : answer(exchange->request);
     MHD_resume_connection(exchange->connection);
   }
 }
@@ -301,7 +302,8 @@ Result<std::unique_ptr<HttpServer>> HttpServer::start(const WebOptions& options,
   address.sin_family = AF_INET;
   address.sin_port = htons(static_cast<std::uint16_t>(options.port));
   if (inet_pton(AF_INET, options.address.c_str(), &address.sin_addr) != 1)
-    return fail("'" + options.address + "' is no IPv4 address; give one of this computer, such as 127.0.0.1.");
+    return fail("'" + options.address +
+                "' is not an IPv4 address; give an IPv4 address of this computer, such as 127.0.0.1.");
   unsigned flags = MHD_USE_EPOLL | MHD_USE_INTERNAL_POLLING_THREAD | MHD_ALLOW_SUSPEND_RESUME;
   std::vector<MHD_OptionItem> more;
   if (!options.certificate.empty()) {
@@ -327,7 +329,7 @@ Result<std::unique_ptr<HttpServer>> HttpServer::start(const WebOptions& options,
       MHD_OPTION_UNESCAPE_CALLBACK, &keepEncoded, nullptr, MHD_OPTION_ARRAY, more.data(), MHD_OPTION_END);
   if (!impl->daemon)
     return fail("The server cannot listen at " + options.address + ":" + std::to_string(options.port) +
-                ". Another program may use this port; choose another with --listen.");
+                ". Another program may use this port; choose another port with --listen.");
   for (int i = 0; i < kWorkers + kPasswordWorkers; ++i)
     impl->workers.emplace_back(
         [server = impl.get(), i] { server->work(i < kWorkers ? server->waiting : server->waitingForPassword); });

@@ -44,12 +44,13 @@ Markup openingTable(const Visit& visit, const TaughtClass& taught, const std::ve
     const bool canEnd = isOwn && (state == OpeningState::Open || state == OpeningState::Waiting);
     const Markup id = element("input", {{"type", "hidden"}, {"name", "opening"}, {"value", one.id}});
     rows.push_back({text(level ? level->title : one.level), stateOf(one, now_us), timeOf(one.start_us),
-                    one.end_us ? timeOf(*one.end_us) : text("until it is closed"),
+                    one.end_us ? timeOf(*one.end_us) : text("until the test is closed"),
                     text(one.hasCode ? "with a code" : "without a code"), text(isOwn ? "this class" : "everyone"),
                     text(one.openedBy),
                     canEnd ? postForm(visit, addressOf(taught) + "/close", id, "Close") : Markup()});
   }
-  return table("Openings, newest first", {"Test", "State", "Start", "End", "Code", "For", "Opened by", "Close"}, rows);
+  return table("Opened tests, newest first", {"Test", "State", "Start", "End", "Code", "Open to", "Opened by", "Close"},
+               rows);
 }
 
 Markup openForm(const Visit& visit, const TaughtClass& taught, const std::string& trouble) {
@@ -60,7 +61,7 @@ Markup openForm(const Visit& visit, const TaughtClass& taught, const std::string
   const auto& form = visit.request.form;
   Markup content = note(
       "The test opens now. An attempt counts if it begins before the end, even if it ends later. With a code, only "
-      "trainees who enter it can take the test. Workstations learn of the opening within five minutes.");
+      "trainees who enter the code can take the test. The test opens on workstations within five minutes.");
   if (!trouble.empty()) content += troubleLine(trouble);
   content += postForm(visit, addressOf(taught),
                       choiceField("Test", "level", tests, valueOf(form, "level")) +
@@ -71,7 +72,7 @@ Markup openForm(const Visit& visit, const TaughtClass& taught, const std::string
                                        {"8", "8 hours"},
                                        {"24", "1 day"},
                                        {"168", "7 days"},
-                                       {"0", "until it is closed (needs a code)"}},
+                                       {"0", "until the test is closed (needs a code)"}},
                                       valueOf(form, "hours")) +
                           inputField("Code (optional, 4 to 32 characters)", "test-code", "text", "off"),
                       "Open");

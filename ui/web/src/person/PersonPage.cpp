@@ -66,15 +66,18 @@ StateWords stateWords(LevelState state) {
 
 Markup levelsOf(const PersonFacts& facts) {
   if (!facts.curriculum)
-    return section("Levels", paragraph(facts.cohort ? "This class has no curriculum yet. Its instructor chooses one."
-                                                    : "No class yet. An instructor adds trainees to a class."));
+    return section(
+        "Levels",
+        paragraph(facts.cohort ? "This class has no curriculum yet. An instructor of the class chooses a curriculum."
+                               : "No class yet. An instructor adds trainees to a class."));
   Markup items;
   for (std::size_t i = 0; i < facts.progress.size(); ++i) {
     const Level& level = facts.curriculum->levels[i];
     const LevelProgress& now = facts.progress[i];
     const auto [state, mark] = stateWords(now.state);
     const int least = fewestAttempts(level.mastery);
-    const std::string takes = "Takes at least " + std::to_string(least) + (least == 1 ? " attempt." : " attempts.");
+    const std::string takes =
+        "Mastery takes at least " + std::to_string(least) + (least == 1 ? " attempt." : " attempts.");
     const std::string test = level.assistance == Assistance::Test
                                  ? " This is a test: an attempt counts if an instructor has opened the test."
                                  : "";
@@ -143,10 +146,9 @@ Markup curvesOf(const Visit& visit, const PersonFacts& facts) {
   Markup content = element("form", {{"method", "get"}, {"action", facts.address}, {"class", "line"}}, fields) +
                    chart(learningCurve(facts, chosen->first, chosen->second, *metric));
   if (const auto cusum = cusumCurve(facts, chosen->first, chosen->second))
-    content += chart(*cusum) +
-               note(
-                   "LC-CUSUM is a score that rises with each pass and falls with each failure. Once it has reached the "
-                   "limit, the attempts show that the skill was learned.");
+    content += chart(*cusum) + note(
+                                   "LC-CUSUM is a score that rises with each pass and falls with each failure. Once "
+                                   "the score has reached the limit, the attempts show that the skill was learned.");
   return section("Learning curve", content);
 }
 

@@ -51,7 +51,7 @@ Response passwordPage(const Visit& visit, const std::string& trouble, int status
                                     {"autocomplete", "username"},
                                     {"hidden", ""}});
   if (visit.by->mustChangePassword())
-    fields += paragraph("Your password was set by another person. Choose one that only you know.");
+    fields += paragraph("Your password was set by another person. Choose a password that only you know.");
   if (!trouble.empty()) fields += troubleLine(trouble);
   fields += inputField("Present password", "old", "password", "current-password") +
             inputField("New password (8 to 200 characters)", "new", "password", "new-password") +

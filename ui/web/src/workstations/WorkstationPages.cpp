@@ -26,10 +26,10 @@ Response workstationsPage(const Visit& visit, const std::string& trouble, const 
   Markup form;
   if (!trouble.empty()) form += troubleLine(trouble);
   form += postForm(visit, "/workstations", inputField("Name", "name", "text", "off", name), "Add");
-  content += section("Add a workstation",
-                     note("The name is that which the command hostname prints on the workstation. To replace a lost "
-                          "token, revoke it and add the workstation again.") +
-                         form);
+  content +=
+      section("Add a workstation", note("Enter the name that the command hostname prints on the workstation. To "
+                                        "replace a lost token, revoke the token and add the workstation again.") +
+                                       form);
   return page(visit, "Workstations", content, trouble.empty() ? 200 : 422);
 }
 
@@ -43,11 +43,13 @@ Response addWorkstation(const Visit& visit, const Parts& /*parts*/) {
   const std::string& name = valueOf(visit.request.form, "name");
   const auto token = Workstations(*visit.by).add(name);
   if (!token) return workstationsPage(visit, token.error().message, name);
-  return page(visit, "Token of " + name,
-              paragraph("Copy this token to the workstation: there, choose Server of the site, or A site at the first "
-                        "start, and enter the address of this server and the token. It cannot be shown again.") +
-                  element("p", {}, element("code", {{"class", "token"}}, *token)) +
-                  element("p", {}, link("/workstations", "All workstations")));
+  return page(
+      visit, "Token of " + name,
+      paragraph(
+          "Copy this token now: it cannot be shown again. On the workstation, choose Hospital server in the menu at "
+          "the top right, or A site at the first start. Then enter the address of this server and the token.") +
+          element("p", {}, element("code", {{"class", "token"}}, *token)) +
+          element("p", {}, link("/workstations", "All workstations")));
 }
 
 Response revokeWorkstation(const Visit& visit, const Parts& /*parts*/) {

@@ -187,7 +187,7 @@ int takeCurricula(Transaction& here, const std::vector<KeptCurriculum>& server, 
     } else if (own->entry.hash != theirs.entry.hash) {
       troubles.push_back(
           name +
-          " differs between the server and this computer. Publish the right one on the server as a later version.");
+          " differs between the server and this computer. Publish the right text on the server as a later version.");
     }
   }
   return taken;

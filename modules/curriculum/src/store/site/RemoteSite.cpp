@@ -32,7 +32,8 @@ auto ask(const SiteLink& link, const std::string& path, json content, const Read
   try {
     return read(*message);
   } catch (const json::exception&) {
-    return fail("The answer of " + link.place + " cannot be read. Install the same version there and here.");
+    return fail("The answer of " + link.place +
+                " cannot be read. Install the same version of Insonate on the server and on this computer.");
   }
 }
 
@@ -47,7 +48,8 @@ Result<std::int64_t> sendPart(const SiteLink& link, const std::string& path, std
   const auto message = readMessage(*answer);
   if (!message) return tl::unexpected(message.error());
   if (!message->contains("received") || !(*message)["received"].is_number_integer())
-    return fail("The answer of " + link.place + " cannot be read. Install the same version there and here.");
+    return fail("The answer of " + link.place +
+                " cannot be read. Install the same version of Insonate on the server and on this computer.");
   return receivedFrom(*message);
 }
 
@@ -70,7 +72,8 @@ Result<void> sendFile(const SiteLink& link, const std::string& attempt, const st
     if (!in) return fail("The recording " + file.string() + " cannot be read; check its permissions.");
     const auto next = sendPart(link, pathAt(*received), part);
     if (next && *next <= *received)
-      return fail(link.place + " did not take the recording of the attempt " + attempt + "; it is sent again later.");
+      return fail(link.place + " did not accept the recording of the attempt " + attempt +
+                  "; the recording is sent again later.");
     received = next;
   }
   return received ? Result<void>() : tl::unexpected(received.error());

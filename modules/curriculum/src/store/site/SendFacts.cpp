@@ -87,11 +87,12 @@ std::optional<SentAttempt> readAttempt(Transaction& here, const std::string& id)
 Result<void> mergeAttempt(Transaction& server, const Sender& sender, const SentAttempt& sent, std::int64_t now_us) {
   const AttemptFacts& facts = sent.ended;
   const auto another = [&] {
-    return fail("The attempt " + facts.id + " differs from the one on the server and was not sent. Compare the two.");
+    return fail("The attempt " + facts.id +
+                " differs from the attempt on the server and was not sent. Compare the two attempts.");
   };
   // Checks before anything is written, so that the others of the batch are stored all the same.
   if (auto ok = refuseKnownHands(server, facts); !ok)
-    return fail("The attempt " + facts.id + " stays here. " + ok.error().message);
+    return fail("The attempt " + facts.id + " stays on this computer. " + ok.error().message);
   auto there = readAttempt(server, facts.id);
   if (!there) {
     insertAttempt(server, facts, "");

@@ -32,11 +32,12 @@ void insert(Transaction& server, const Core& core, const Sender& sender, const S
   if (!sender.isTrusted) knowAt(server, sender.workstation, sent.person.id, core.now_us());
   core.audit(server, "", "add person of workstation", sent.person.id, name + " of " + sender.workstation);
   if (name != sent.person.name)
-    troubles.push_back("The server already has another person '" + sent.person.name + "': this one is '" + name +
-                       "' there and here from now on. An administrator can rename them on the server.");
-  troubles.push_back(
-      "'" + name +
-      "' existed only on this computer, and is now a disabled trainee on the server. An administrator decides there.");
+    troubles.push_back("The server already has another person '" + sent.person.name +
+                       "'. On the server and on this computer, the new person is called '" + name +
+                       "' from now on. An administrator can rename the person on the server.");
+  troubles.push_back("'" + name +
+                     "' existed only on this computer, and is now a disabled trainee on the server. An administrator "
+                     "can enable this account on the server.");
 }
 
 Result<void> checkSent(const SentPerson& sent) {

@@ -39,10 +39,12 @@ Result<json> written(const Result<T>& result, const Write& write) {
 Result<json> hello(const Call& call) {
   const std::string name = call.content.at("workstation"), secret = call.content.at("secret");
   if (name != call.workstation)
-    return fail("This computer calls itself '" + name.substr(0, 64) + "', but its token is that of '" +
+    return fail("The name of this computer is '" + name.substr(0, 64) + "', but its token belongs to '" +
                 call.workstation + "'. Ask an administrator for a token under this computer's name.");
   if (secret.size() != 64 || secret.find_first_not_of("0123456789abcdef") != std::string::npos)
-    return fail("The workstation did not send the secret of its store. Install the same version there and here.");
+    return fail(
+        "The workstation did not send the secret of its store. Install the same version of Insonate on workstation and "
+        "server.");
   const auto known = inTransaction(call.core, Way::Read, [&](Transaction& transaction) -> Result<std::string> {
     const auto row = transaction.row("SELECT store_secret FROM workstations WHERE name = ?", call.workstation);
     return row ? row->text(0) : std::string();
@@ -92,7 +94,9 @@ Result<json> addPeople(const Call& call) {
 
 Result<json> takeFacts(const Call& call) {
   const store::SentBatch batch = store::batchFrom(call.content);
-  if (batch.items.size() > kMostItems) return fail("The message has more than 500 entries. Install the same version.");
+  if (batch.items.size() > kMostItems)
+    return fail(
+        "The message has more than 500 entries. Install the same version of Insonate on workstation and server.");
   return written(call.site.take(batch), [](const store::Taken& taken) { return store::jsonOf(taken); });
 }
 
@@ -119,7 +123,9 @@ Result<json> wantedRecordings(const Call& call) {
 /// may be on its way into the workstation's folder, or the folder may not be connected.
 Result<json> unavailable(const Call& call) {
   const auto ids = call.content.at("attempts").get<std::vector<std::string>>();
-  if (ids.size() > kMostPeople) return fail("The message has more than 10 000 attempts. Install the same version.");
+  if (ids.size() > kMostPeople)
+    return fail(
+        "The message has more than 10 000 attempts. Install the same version of Insonate on workstation and server.");
   const auto done = inTransaction(call.core, Way::Write, [&](Transaction& transaction) -> Result<void> {
     for (const std::string& id : ids) {
       const auto changed = transaction.run(
@@ -163,10 +169,12 @@ Result<std::string> answerMessage(Core& core, StoreSite& site, const std::string
       const auto answered = command.answer({core, site, workstation, *message});
       return answered ? Result<std::string>(store::messageOf(*answered)) : tl::unexpected(answered.error());
     } catch (const json::exception&) {
-      return fail("The message of the workstation cannot be read. Install the same version there and on the server.");
+      return fail(
+          "The message of the workstation cannot be read. Install the same version of Insonate on workstation and "
+          "server.");
     }
   }
-  return fail("The server does not know this request. Install the same version on workstation and server.");
+  return fail("The server does not know this request. Install the same version of Insonate on workstation and server.");
 }
 
 /// Reads "5/70" as numbers; -1 for anything else.

@@ -57,7 +57,8 @@ Result<SentPerson> StoreSite::changePassword(const std::string& name, const std:
   if (auto changed = PeopleStore(by).changeOwnPassword(old, password); !changed) return tl::unexpected(changed.error());
   auto person = signIn(name, password);
   if (!person) return tl::unexpected(person.error());
-  if (!*person) return fail("The password of the server's database is changed with its own tools.");
+  if (!*person)
+    return fail("The password of the server's database can be changed only with the tools of the database server.");
   return std::move(**person);
 }
 

@@ -300,10 +300,10 @@ std::string messageOf(json content) {
 }
 
 Result<json> readMessage(const std::string& text) {
-  if (isDeep(text)) return fail("The message is nested too deeply to be one of Insonate.");
+  if (isDeep(text)) return fail("The message is nested too deeply to be a message of Insonate.");
   json message = json::parse(text, nullptr, false);
   if (!message.is_object() || !message.contains("version"))
-    return fail("The message is not one of Insonate. Check the address of the server.");
+    return fail("The message is not a message of Insonate. Check the address of the server.");
   if (message["version"] != kWireVersion)
     return fail("The message is of another version of Insonate. Install the same version on workstation and server.");
   return message;

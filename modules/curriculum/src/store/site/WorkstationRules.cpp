@@ -30,9 +30,12 @@ Result<void> checkAttempt(Transaction& server, const Core& core, const Sender& s
               there->text(1) == facts.person;
   if (isForeign) return {};
   if (facts.workstation != sender.workstation || (there && there->text(0) != sender.workstation))
-    return stays("It was made at the workstation '" + facts.workstation.substr(0, 64) + "'; send it from there.");
+    return stays("The attempt was made at the workstation '" + facts.workstation.substr(0, 64) +
+                 "'; send the attempt from that workstation.");
   if (!isKnownAt(server, sender.workstation, facts.person))
-    return stays("Its person has not signed in to the server at this workstation. Let this person sign in here once.");
+    return stays(
+        "The person of the attempt has not signed in to the server at this workstation. Let this person sign in here "
+        "once.");
   if (auto ok = checkBegun(facts); !ok) return ok;
   if (facts.state != AttemptState::Open)
     if (auto ok = checkEnded(facts); !ok) return ok;
@@ -81,24 +84,26 @@ bool mayTake(Transaction& server, const Sender& sender, const SentAttempt& sent,
 void removeComments(Transaction& server, const Sender& sender, SentAttempt& sent, std::vector<std::string>& troubles) {
   if (std::erase_if(sent.comments, [&](const Row& comment) { return !mayTake(server, sender, sent, comment); }) > 0)
     troubles.push_back("A comment on the attempt " + sent.ended.id +
-                       " was not sent: its author may not write or remove it on the server, or has not signed in there "
-                       "at this workstation.");
+                       " was not sent: its author may not write or remove the comment on the server, or has not signed "
+                       "in to the server at this workstation.");
 }
 
 Result<void> checkForm(Transaction& server, const Sender& sender, const FilledForm& form) {
   const auto stays = [&](const std::string& why) {
     return fail("The form " + form.id.substr(0, 36) + " was not sent. " + why);
   };
-  if (!isUuid(form.id) || form.formVersion < 0) return stays("Its id or its version is not one of Insonate.");
+  if (!isUuid(form.id) || form.formVersion < 0)
+    return stays("The id or the version of the form is not one of Insonate.");
   if (!mayDo(server, sender, form.by, {.act = Act::FillForm, .person = form.person}))
-    return stays("Its author may not fill it in on the server, or has not signed in there at this workstation.");
+    return stays(
+        "The author may not fill in the form on the server, or has not signed in to the server at this workstation.");
   const auto attempt = server.row("SELECT person FROM attempts WHERE id = ?", form.attempt);
   if (!form.attempt.empty() && attempt && attempt->text(0) != form.person)
     return stays("The attempt is not one of the person whom the form is about.");
   if (!form.attempt.empty() &&
       server.number("SELECT COUNT(*) FROM forms WHERE attempt = ? AND form = ? AND filled_by = ? AND id <> ?",
                     form.attempt, form.form, form.by, form.id) > 0)
-    return stays("Its author has handed in this form about this attempt already.");
+    return stays("The author has handed in this form about this attempt already.");
   if (auto ok = checkText("The form's name", form.form); !ok) return ok;
   return checkJsonObject("The form's answers", form.answers);
 }
@@ -129,8 +134,8 @@ Result<void> applyRules(Transaction& server, const Core& core, const Sender& sen
     if (auto ok = checkForm(server, sender, *item.form); !ok) return ok;
   if (item.kind == "password")
     troubles.emplace_back(
-        "A password was changed on this computer before it joined the server, which keeps its own: sign in with that "
-        "one.");
+        "A password was changed on this computer before the computer joined the server. The password on the server is "
+        "unchanged: sign in with the password of the server.");
   return {};
 }
 
