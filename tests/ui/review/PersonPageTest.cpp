@@ -99,6 +99,25 @@ TEST_F(PersonPageTest, TheLastAttemptsBesideTheClassAreThoseAtLevels) {
   }
 }
 
+TEST_F(PersonPageTest, ANewAttemptAppearsByItselfAndTheSelectedOneStaysSelected) {
+  const SignedIn anna = school_->as(school_->anna);
+  practise(anna, true, 2);
+  showAnna();
+  ASSERT_EQ(history().rowCount(), 2);
+  history().selectRow(1);
+  const QString date = history().item(1, 0)->text();
+  QTest::mouseClick(child<QPushButton>("voidAttempt"), Qt::LeftButton);
+  QTest::keyClicks(child<QLineEdit>("voidReason"), "the device");
+  practise(anna, false);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return history().rowCount() == 3; }, kPatience_ms));
+  EXPECT_EQ(history().currentRow(), 2);
+  EXPECT_EQ(history().item(2, 0)->text(), date);
+  EXPECT_EQ(child<QLineEdit>("voidReason")->text(), "the device");
+  EXPECT_TRUE(child<QLineEdit>("voidReason")->isVisible());
+  history().selectRow(0);
+  EXPECT_FALSE(child<QLineEdit>("voidReason")->isVisible()) << "the reason was that of another attempt";
+}
+
 TEST_F(PersonPageTest, StandsBesideTheClass) {
   const auto& all = MetricBook::here().all();
   const auto path = *std::ranges::find(all, "needle_path_mm", &MetricMeaning::id);

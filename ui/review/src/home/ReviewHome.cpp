@@ -8,6 +8,7 @@
 #include "../person/PersonDesk.h"
 #include "../person/PersonPage.h"
 #include "../reports/SaveMenu.h"
+#include "StoreWatch.h"
 
 #include <insonate/ui/Account.h>
 #include <insonate/ui/Commands.h>
@@ -135,7 +136,15 @@ void ReviewHome::setAccount(ui::Account& account) {
   person_->setAccount(account);
   connect(&account, &ui::Account::changed, this, [this] { showSignedInPages(); });
   room_->setAccount(account);
+  connect(new StoreWatch(account, *this), &StoreWatch::changed, this, &ReviewHome::showChanges);
   showSignedInPages();
+}
+
+void ReviewHome::showChanges(const std::set<std::string>& people) {
+  const bool concernsAll = people.contains("");
+  const auto isAmong = [&](const Member& one) { return people.contains(one.person.id); };
+  if (concernsAll || (room_->facts() && std::ranges::any_of(room_->facts()->learners, isAmong))) room_->refresh();
+  if (person_->facts() && (concernsAll || people.contains(person_->facts()->person.id))) person_->refresh();
 }
 
 void ReviewHome::refreshComments() {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QWidget>
+#include <set>
+#include <string>
 
 class QButtonGroup;
 class QHBoxLayout;
@@ -58,6 +60,8 @@ class ReviewHome final : public QWidget {
   void addPortfolio(ui::Commands& commands);
   void connectParts();
   void showSignedInPages();
+  /// Queries the store again for pages that show data of these people.
+  void showChanges(const std::set<std::string>& people);
   void showSelf();
   void showTab(int tab);
   void choosePerson(const QString& person);

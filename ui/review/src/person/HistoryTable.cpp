@@ -17,9 +17,12 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace insonate::review {
 namespace {
@@ -174,10 +177,15 @@ QWidget* HistoryTable::buildReason() {
 
 void HistoryTable::show() {
   const auto& attempts = desk_.attempts();
-  const int before = table_->currentRow();
-  table_->setRowCount(int(attempts.size()));
-  for (int row = 0; row < int(attempts.size()); ++row) fill(row, attempts[std::size_t(row)]);
-  if (!attempts.empty()) table_->selectRow(std::clamp(before, 0, int(attempts.size()) - 1));
+  // A new attempt comes first and moves the others down.
+  const auto same = std::ranges::find(attempts, chosen_, [](const KeptAttempt& one) { return one.facts.id; });
+  const int row = same == attempts.end() ? table_->currentRow() : int(same - attempts.begin());
+  {
+    const QSignalBlocker quiet(table_);
+    table_->setRowCount(int(attempts.size()));
+    for (int i = 0; i < int(attempts.size()); ++i) fill(i, attempts[std::size_t(i)]);
+    if (!attempts.empty()) table_->selectRow(std::clamp(row, 0, int(attempts.size()) - 1));
+  }
   earlier_->setVisible(desk_.hasEarlierAttempts());
   showChosen();
 }
@@ -222,8 +230,10 @@ const KeptAttempt* HistoryTable::chosen() const {
 }
 
 void HistoryTable::showChosen() {
-  askReason(Change::None);
   const KeptAttempt* attempt = chosen();
+  // A reason that is being typed stays while its attempt is selected.
+  if (const std::string id = attempt ? attempt->facts.id : ""; std::exchange(chosen_, id) != id)
+    askReason(Change::None);
   const bool here = attempt && !recordingPath(*attempt).isEmpty();
   replay_->setEnabled(here);
   replay_->setToolTip(here ? tr("Replays the attempt (Enter)") : tr("The recording is not on this computer"));

@@ -58,6 +58,7 @@ class HistoryTable final : public QWidget {
   QWidget* asking_;
   QLineEdit* reason_;
   Change change_ = Change::None;
+  std::string chosen_;  ///< id of the selected attempt; empty: none
 };
 
 }  // namespace insonate::review

@@ -1,0 +1,46 @@
+#include "StoreWatch.h"
+
+#include <insonate/ui/Account.h>
+
+#include <QWidget>
+#include <chrono>
+
+namespace insonate::review {
+namespace {
+
+using namespace std::chrono_literals;
+using People = std::set<std::string>;
+
+constexpr auto kPause = 3s;
+
+}  // namespace
+
+StoreWatch::StoreWatch(ui::Account& account, QWidget& pages)
+    : QObject(&pages), account_(account), pages_(pages), changes_(std::make_shared<std::optional<StoreChanges>>()) {
+  connect(&timer_, &QTimer::timeout, this, &StoreWatch::look);
+  // The new user's pages are read when the user signs in.
+  connect(&account, &ui::Account::changed, this, [this] {
+    changes_ = std::make_shared<std::optional<StoreChanges>>();
+    look();
+  });
+  timer_.start(kPause);
+  look();
+}
+
+void StoreWatch::look() {
+  if (asking_ || !account_.isSignedIn() || account_.mustChangePassword() || !pages_.isVisible()) return;
+  asking_ = true;
+  account_.ask<People>(
+      this,
+      [changes = changes_](const SignedIn& by) {
+        if (!*changes) changes->emplace(by);
+        return (*changes)->take();
+      },
+      // A server that cannot be reached is the account's concern.
+      [this](const Result<People>& people) {
+        asking_ = false;
+        if (people && !people->empty()) Q_EMIT changed(*people);
+      });
+}
+
+}  // namespace insonate::review
