@@ -183,7 +183,9 @@ TEST_F(WebPages, HostileNamesStayNames) {
   for (const std::string& path :
        {std::string("/classes"), "/classes/" + school.spring.id,
         "/classes/" + school.spring.id + "/people/" + school.anna.id, "/attempts/" + school.annas,
-        std::string("/audit"), std::string("/me"), std::string("/me?level=<script>&metric=<script>&class=<script>")})
+        std::string("/people"), std::string("/people?search=<script>&role=<script>&class=<script>"),
+        "/people/" + school.anna.id, "/people/" + school.ina.id, std::string("/audit"), std::string("/me"),
+        std::string("/me?level=<script>&metric=<script>&class=<script>")})
     for (const std::string& secret : {ina, admin, own}) {
       const std::string page = school.get(path, secret).body;
       EXPECT_THAT(page, AllOf(Not(HasSubstr("<script")), Not(HasSubstr("<img")), Not(HasSubstr("onerror='")))) << path;
@@ -193,8 +195,9 @@ TEST_F(WebPages, HostileNamesStayNames) {
 TEST_F(WebPages, PagesAreWellFormedAndNameTheirParts) {
   const WebSchool school(rig.open());
   const std::string admin = school.signIn("admin");
-  for (const std::string& path : {std::string("/me"), std::string("/classes"), "/classes/" + school.spring.id,
-                                  "/attempts/" + school.annas, std::string("/audit"), std::string("/password")}) {
+  for (const std::string& path :
+       {std::string("/me"), std::string("/classes"), "/classes/" + school.spring.id, std::string("/people"),
+        "/people/" + school.anna.id, "/attempts/" + school.annas, std::string("/audit"), std::string("/password")}) {
     const std::string page = school.get(path, admin).body;
     for (const std::string part : {"<html lang=\"en\">", "<title>", "<main id=\"main\"><h1>", "href=\"#main\""})
       EXPECT_THAT(page, HasSubstr(part)) << path;

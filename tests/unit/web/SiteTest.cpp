@@ -69,6 +69,8 @@ TEST_P(WebSite, EachRoleSeesWhatTheDatabaseAllowsItAndNothingElse) {
        {{"anna", 404}, {"ben", 404}, {"carl", 403}, {"ina", 404}, {"otto", 404}, {"admin", 404}}},
       {"/attempts/" + school.annas,
        {{"anna", 200}, {"ben", 404}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}},
+      {"/people", {{"anna", 403}, {"ben", 403}, {"carl", 403}, {"ina", 403}, {"otto", 403}, {"admin", 200}}},
+      {anna, {{"anna", 200}, {"ben", 403}, {"carl", 403}, {"ina", 200}, {"otto", 403}, {"admin", 200}}},
       {"/workstations", {{"anna", 403}, {"ben", 403}, {"carl", 403}, {"ina", 403}, {"otto", 403}, {"admin", 200}}},
       {"/audit", {{"anna", 403}, {"ben", 403}, {"carl", 403}, {"ina", 403}, {"otto", 403}, {"admin", 200}}},
       {"/password", {{"anna", 200}, {"ben", 200}, {"carl", 200}, {"ina", 200}, {"otto", 200}, {"admin", 200}}},

@@ -6,6 +6,8 @@
 #include "monitoring/MonitoringPages.h"
 #include "openings/OpeningPages.h"
 #include "page/Page.h"
+#include "people/AccountPage.h"
+#include "people/PeoplePage.h"
 #include "person/PersonPage.h"
 #include "signin/SignInPages.h"
 #include "site/SiteApi.h"
@@ -145,6 +147,14 @@ constexpr Route kRoutes[]{
     {"GET", "/classes/*/tests", Access::SignedIn, &showOpenings},
     {"POST", "/classes/*/tests", Access::SignedIn, &openTest},
     {"POST", "/classes/*/tests/close", Access::SignedIn, &closeTest},
+    {"GET", "/people", Access::SignedIn, &showPeople},
+    {"POST", "/people", Access::SignedIn, &addPerson},
+    {"GET", "/people/*", Access::SignedIn, &showAccount},
+    {"POST", "/people/*", Access::SignedIn, &changeAccount},
+    {"POST", "/people/*/password", Access::SignedIn, &setAccountPassword},
+    {"POST", "/people/*/state", Access::SignedIn, &setAccountState},
+    {"POST", "/people/*/classes", Access::SignedIn, &joinClass},
+    {"POST", "/people/*/classes/leave", Access::SignedIn, &leaveClass},
     {"GET", "/workstations", Access::SignedIn, &showWorkstations},
     {"POST", "/workstations", Access::SignedIn, &addWorkstation},
     {"POST", "/workstations/revoke", Access::SignedIn, &revokeWorkstation},

@@ -91,6 +91,22 @@ Result<std::vector<Member>> CohortStore::members(const std::string& cohort) cons
                              });
 }
 
+Result<std::vector<Membership>> CohortStore::ofPerson(const std::string& person) const {
+  return by_.session()->read(
+      {.act = Act::SeePerson, .person = person},
+      [&](Transaction& transaction, const Actor& actor) -> Result<std::vector<Membership>> {
+        std::vector<Membership> memberships;
+        for (const Row& row : transaction.rows(
+                 "SELECT id, name, curriculum, curriculum_version, theirs.teaches FROM memberships AS theirs JOIN "
+                 "cohorts ON cohorts.id = theirs.cohort WHERE theirs.person = ? AND (? = 1 OR theirs.person = ? OR "
+                 "EXISTS (SELECT 1 FROM memberships AS own WHERE own.cohort = cohorts.id AND own.person = ? AND "
+                 "own.teaches = 1)) ORDER BY name_key",
+                 person, actor.role == Role::Administrator, actor.id, actor.id))
+          memberships.push_back({.cohort = cohortOf(row), .teaches = row.truth(4)});
+        return memberships;
+      });
+}
+
 Result<Cohort> CohortStore::add(const std::string& name) const {
   return by_.session()->write(
       {.act = Act::ChangeCohorts, .detail = "add"}, [&](Transaction& transaction, const Actor&) -> Result<Cohort> {

@@ -32,6 +32,12 @@ struct Member {
   bool standingIsCurrent = false;  ///< true: computing `standing` now would give the same
 };
 
+/// Membership of a person in a cohort.
+struct Membership {
+  Cohort cohort{};
+  bool teaches = false;  ///< true: as an instructor of the cohort; false: as a learner
+};
+
 /// Access to cohorts (classes) and their members, with the permissions of a signed-in user. Instructors see their own
 /// cohorts, administrators see all; trainees see their own cohorts without the other members. If the workstation
 /// belongs to a server, cohorts can be changed on the server only.
@@ -44,6 +50,9 @@ class CohortStore {
   /// Returns the members of a cohort: instructors, then learners, each sorted by full name, or by sign-in name if there
   /// is no full name.
   Result<std::vector<Member>> members(const std::string& cohort) const;
+  /// Returns those cohorts of a person that the signed-in user may see, sorted by name. For people whom the user may
+  /// see.
+  Result<std::vector<Membership>> ofPerson(const std::string& person) const;
 
   /// Adds a cohort. The name has 1..200 characters and is unique, ignoring case. Administrators only.
   Result<Cohort> add(const std::string& name) const;
