@@ -84,6 +84,12 @@ std::vector<Call> peopleCalls(const Target& target) {
       {"add cohort", "m", [=](const SignedIn& by) { return outcome(CohortStore(by).add("Winter")); }},
       {"rename cohort", "m",
        [=](const SignedIn& by) { return outcome(CohortStore(by).rename(spring, "Early spring")); }},
+      {"archive cohort", "m", [=](const SignedIn& by) { return outcome(CohortStore(by).archive(spring, false)); }},
+      {"delete cohort", "m",
+       [=](const SignedIn& by) {
+         const std::string said = outcome(CohortStore(by).remove(spring, "another name"));
+         return said.find("is not the name of this class") == std::string::npos ? said : "";
+       }},
       {"join cohort", "m",
        [=, id = target.school.carl.id](const SignedIn& by) {
          return outcome(CohortStore(by).join(spring, id, false));

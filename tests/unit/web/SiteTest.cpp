@@ -64,6 +64,8 @@ TEST_P(WebSite, EachRoleSeesWhatTheDatabaseAllowsItAndNothingElse) {
       {"/classes", {{"anna", 200}, {"ben", 200}, {"carl", 200}, {"ina", 200}, {"otto", 200}, {"admin", 200}}},
       {spring, {{"anna", 403}, {"ben", 403}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}},
       {spring + "/tests", {{"anna", 403}, {"ben", 403}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}},
+      {spring + "/members", {{"anna", 403}, {"ben", 403}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}},
+      {spring + "/delete", {{"anna", 403}, {"ben", 403}, {"carl", 404}, {"ina", 403}, {"otto", 404}, {"admin", 200}}},
       {spring + anna, {{"anna", 200}, {"ben", 403}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}},
       {"/classes/" + school.autumn.id + anna,
        {{"anna", 404}, {"ben", 404}, {"carl", 403}, {"ina", 404}, {"otto", 404}, {"admin", 404}}},

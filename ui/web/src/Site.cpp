@@ -3,6 +3,8 @@
 #include "attempt/AttemptPage.h"
 #include "audit/AuditPage.h"
 #include "classes/ClassPages.h"
+#include "members/ClassDeletion.h"
+#include "members/MembersPage.h"
 #include "monitoring/MonitoringPages.h"
 #include "openings/OpeningPages.h"
 #include "page/Page.h"
@@ -139,7 +141,17 @@ constexpr Route kRoutes[]{
     {"POST", "/attempts/*/comments", Access::SignedIn, &addComment},
     {"POST", "/attempts/*/comments/*/remove", Access::SignedIn, &removeComment},
     {"GET", "/classes", Access::SignedIn, &showClasses},
+    {"POST", "/classes", Access::SignedIn, &addClass},
     {"GET", "/classes/*", Access::SignedIn, &showClass},
+    {"GET", "/classes/*/members", Access::SignedIn, &showMembers},
+    {"POST", "/classes/*/members", Access::SignedIn, &addMember},
+    {"POST", "/classes/*/members/new", Access::SignedIn, &addTrainee},
+    {"POST", "/classes/*/members/remove", Access::SignedIn, &removeMember},
+    {"POST", "/classes/*/curriculum", Access::SignedIn, &setClassCurriculum},
+    {"POST", "/classes/*/name", Access::SignedIn, &renameClass},
+    {"POST", "/classes/*/archive", Access::SignedIn, &archiveClass},
+    {"GET", "/classes/*/delete", Access::SignedIn, &showClassDeletion},
+    {"POST", "/classes/*/delete", Access::SignedIn, &deleteClass},
     {"GET", "/classes/*/people/*", Access::SignedIn, &showMember},
     {"GET", "/classes/*/export/attempts.csv", Access::SignedIn, &exportClassAttempts},
     {"GET", "/classes/*/export/grades.csv", Access::SignedIn, &exportClassGrades},

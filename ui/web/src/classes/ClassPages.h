@@ -4,8 +4,10 @@
 
 namespace insonate::web {
 
-/// Shows the classes that the user may see.
+/// Shows the classes that the user may see; for administrators, a form to add one.
 Response showClasses(const Visit& visit, const Parts& parts);
+/// Adds the class that the form names.
+Response addClass(const Visit& visit, const Parts& parts);
 /// Sends the attempts of a class as CSV, its grades for Moodle, or its xAPI statements; the class's id is the only
 /// part. The query of grades has "by" (email or name), that of statements "home" (address of the site).
 Response exportClassAttempts(const Visit& visit, const Parts& parts);

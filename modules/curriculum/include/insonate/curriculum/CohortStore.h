@@ -45,7 +45,7 @@ class CohortStore {
  public:
   explicit CohortStore(SignedIn by) : by_(std::move(by)) {}
 
-  /// Returns the cohorts that the signed-in user may see, sorted by name.
+  /// Returns the cohorts that the signed-in user may see, sorted by name; archived cohorts come last.
   Result<std::vector<Cohort>> cohorts() const;
   /// Returns the members of a cohort: instructors, then learners, each sorted by full name, or by sign-in name if there
   /// is no full name.
@@ -57,6 +57,13 @@ class CohortStore {
   /// Adds a cohort. The name has 1..200 characters and is unique, ignoring case. Administrators only.
   Result<Cohort> add(const std::string& name) const;
   Result<void> rename(const std::string& cohort, const std::string& name) const;
+  /// Archives a cohort, or restores it. An archived cohort keeps its members, attempts and results, and its instructors
+  /// still see them; it takes neither new members nor another curriculum nor openings of tests. Openings of its tests
+  /// are closed. Administrators only.
+  Result<void> archive(const std::string& cohort, bool archived) const;
+  /// Deletes a cohort and its memberships, and closes openings of its tests; accounts, attempts and the audit log stay.
+  /// Fails if `name` is not the cohort's name, so that no other cohort is deleted by mistake. Administrators only.
+  Result<void> remove(const std::string& cohort, const std::string& name) const;
   /// Adds a person to a cohort as instructor (`teaches` is true) or learner (false). The role of an existing member is
   /// changed accordingly. Administrators only, since membership opens a person's attempts to the cohort's instructors.
   /// Trainees cannot be instructors.
