@@ -182,10 +182,10 @@ TEST_F(WebPages, HostileNamesStayNames) {
   const std::string ina = school.signIn("ina"), admin = school.signIn("admin"), own = school.signIn("anna");
   for (const std::string& path :
        {std::string("/classes"), "/classes/" + school.spring.id, "/classes/" + school.spring.id + "/members",
-        "/classes/" + school.spring.id + "/delete", "/classes/" + school.spring.id + "/people/" + school.anna.id,
-        "/attempts/" + school.annas, std::string("/people"),
-        std::string("/people?search=<script>&role=<script>&class=<script>"), "/people/" + school.anna.id,
-        "/people/" + school.ina.id, std::string("/audit"), std::string("/me"),
+        "/classes/" + school.spring.id + "/delete", "/classes/" + school.spring.id + "/import",
+        "/classes/" + school.spring.id + "/people/" + school.anna.id, "/attempts/" + school.annas,
+        std::string("/people"), std::string("/people?search=<script>&role=<script>&class=<script>"),
+        "/people/" + school.anna.id, "/people/" + school.ina.id, std::string("/audit"), std::string("/me"),
         std::string("/me?level=<script>&metric=<script>&class=<script>")})
     for (const std::string& secret : {ina, admin, own}) {
       const std::string page = school.get(path, secret).body;
@@ -198,8 +198,9 @@ TEST_F(WebPages, PagesAreWellFormedAndNameTheirParts) {
   const std::string admin = school.signIn("admin");
   for (const std::string& path :
        {std::string("/me"), std::string("/classes"), "/classes/" + school.spring.id,
-        "/classes/" + school.spring.id + "/members", "/classes/" + school.spring.id + "/delete", std::string("/people"),
-        "/people/" + school.anna.id, "/attempts/" + school.annas, std::string("/audit"), std::string("/password")}) {
+        "/classes/" + school.spring.id + "/members", "/classes/" + school.spring.id + "/delete",
+        "/classes/" + school.spring.id + "/import", std::string("/people"), "/people/" + school.anna.id,
+        "/attempts/" + school.annas, std::string("/audit"), std::string("/password")}) {
     const std::string page = school.get(path, admin).body;
     for (const std::string part : {"<html lang=\"en\">", "<title>", "<main id=\"main\"><h1>", "href=\"#main\""})
       EXPECT_THAT(page, HasSubstr(part)) << path;

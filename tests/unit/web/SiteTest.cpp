@@ -65,6 +65,7 @@ TEST_P(WebSite, EachRoleSeesWhatTheDatabaseAllowsItAndNothingElse) {
       {spring, {{"anna", 403}, {"ben", 403}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}},
       {spring + "/tests", {{"anna", 403}, {"ben", 403}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}},
       {spring + "/members", {{"anna", 403}, {"ben", 403}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}},
+      {spring + "/import", {{"anna", 403}, {"ben", 403}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}},
       {spring + "/delete", {{"anna", 403}, {"ben", 403}, {"carl", 404}, {"ina", 403}, {"otto", 404}, {"admin", 200}}},
       {spring + anna, {{"anna", 200}, {"ben", 403}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}},
       {"/classes/" + school.autumn.id + anna,

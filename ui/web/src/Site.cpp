@@ -3,6 +3,7 @@
 #include "attempt/AttemptPage.h"
 #include "audit/AuditPage.h"
 #include "classes/ClassPages.h"
+#include "lists/ListImport.h"
 #include "members/ClassDeletion.h"
 #include "members/MembersPage.h"
 #include "monitoring/MonitoringPages.h"
@@ -147,6 +148,9 @@ constexpr Route kRoutes[]{
     {"POST", "/classes/*/members", Access::SignedIn, &addMember},
     {"POST", "/classes/*/members/new", Access::SignedIn, &addTrainee},
     {"POST", "/classes/*/members/remove", Access::SignedIn, &removeMember},
+    {"GET", "/classes/*/import", Access::SignedIn, &showListImport},
+    {"POST", "/classes/*/import", Access::SignedIn, &checkList},
+    {"POST", "/classes/*/import/confirm", Access::SignedIn, &importList},
     {"POST", "/classes/*/curriculum", Access::SignedIn, &setClassCurriculum},
     {"POST", "/classes/*/name", Access::SignedIn, &renameClass},
     {"POST", "/classes/*/archive", Access::SignedIn, &archiveClass},

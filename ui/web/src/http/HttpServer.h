@@ -21,13 +21,15 @@ struct HttpLimits {
 
 /// Accepts HTTP or HTTPS connections and answers each request by `answer`, on a few worker threads: one thread waits
 /// for all connections (epoll), so that a slow client holds no worker. Bodies above kLargestBody_bytes are refused,
-/// those of workstations above kLargestBodyOfWorkstation_bytes.
+/// class lists of signed-in users above kLargestBodyOfList_bytes, and bodies of workstations above
+/// kLargestBodyOfWorkstation_bytes.
 class HttpServer {
  public:
   using Answer = std::function<Response(const Request&)>;
   /// Takes the status of a request that was refused before it reached `answer`: too large, ambiguous, or too many.
   using Refused = std::function<void(int status)>;
-  static constexpr std::size_t kLargestBody_bytes = 64 << 10, kLargestBodyOfWorkstation_bytes = 4 << 20;
+  static constexpr std::size_t kLargestBody_bytes = 64 << 10, kLargestBodyOfList_bytes = 256 << 10,
+                               kLargestBodyOfWorkstation_bytes = 4 << 20;
 
   /// Starts to listen. Fails if the address is in use or if certificate and key cannot be used. `answer` is called on
   /// several threads at the same time and must not throw; so is `refused`, which may be empty.

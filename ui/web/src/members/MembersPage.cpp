@@ -57,7 +57,8 @@ Markup newTraineeForm(const Visit& visit, const TaughtClass& taught) {
                                   inputField("Full name", "full-name", "text", "off", valueOf(form, "full-name")) +
                                   optionalField("E-mail address (optional)", "email", "email", valueOf(form, "email")) +
                                   newPasswordField(),
-                              "Add trainee"));
+                              "Add trainee") +
+                     element("p", {}, link(classAddress(taught) + "/import", "Import a list of trainees")));
 }
 
 Result<Markup> curriculumForm(const Visit& visit, const TaughtClass& taught) {

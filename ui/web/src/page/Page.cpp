@@ -21,6 +21,12 @@ Markup navigation(const Visit& visit) {
   return element("nav", {{"aria-label", "Pages"}}, element("ul", {}, items));
 }
 
+Markup formContent(const Visit& visit, const Markup& content, std::string_view button) {
+  Markup inside;
+  if (!visit.secret.empty()) inside += hiddenField("code", formCode(visit.secret));
+  return inside + content + element("button", {{"type", "submit"}}, button);
+}
+
 }  // namespace
 
 Response page(const Visit& visit, std::string_view title, const Markup& content, int status) {
@@ -61,10 +67,12 @@ Response download(const std::string& fileName, const std::string& type, std::str
 }
 
 Markup postForm(const Visit& visit, const std::string& address, const Markup& content, std::string_view button) {
-  Markup inside;
-  if (!visit.secret.empty()) inside += hiddenField("code", formCode(visit.secret));
-  inside += content + element("button", {{"type", "submit"}}, button);
-  return element("form", {{"method", "post"}, {"action", address}}, inside);
+  return element("form", {{"method", "post"}, {"action", address}}, formContent(visit, content, button));
+}
+
+Markup fileForm(const Visit& visit, const std::string& address, const Markup& content, std::string_view button) {
+  return element("form", {{"method", "post"}, {"action", address}, {"enctype", "multipart/form-data"}},
+                 formContent(visit, content, button));
 }
 
 Markup inputField(std::string_view label, const std::string& name, const std::string& type,

@@ -44,6 +44,8 @@ Response download(const std::string& fileName, const std::string& type, std::str
 
 /// Returns a form that sends POST to `address`, with the code of the user's session.
 Markup postForm(const Visit& visit, const std::string& address, const Markup& content, std::string_view button);
+/// Does what postForm() does, for a form with a field of type "file".
+Markup fileForm(const Visit& visit, const std::string& address, const Markup& content, std::string_view button);
 /// Returns a labeled field. `type`: "text" or "password"; `completion`: value of the attribute autocomplete;
 /// `value`: text that the field shows at first.
 Markup inputField(std::string_view label, const std::string& name, const std::string& type,
