@@ -180,8 +180,8 @@ def administer(driver, base, folder, width):
     driver.get(base + "classes")
     driver.find_element(By.CSS_SELECTOR, "main tbody a").click()
     driver.find_element(By.LINK_TEXT, "Members and settings").click()
+    members = driver.current_url
     driver.find_element(By.LINK_TEXT, "Import a list of trainees").click()
-    # The name comes last in the class: the first member must have attempts for the walk at the next width.
     with tempfile.NamedTemporaryFile(suffix=".csv") as file:
         file.write(f"Vorname;Nachname;Anmeldename\nZoë;Zäh;zoe.{width}\nBad;Name;two words\n".encode("latin-1"))
         file.flush()
@@ -191,6 +191,13 @@ def administer(driver, base, folder, width):
     press("Import")
     yield from expect("imported", "First passwords", "Zoë Zäh")
     yield from signs_in(f"zoe.{width}")
+
+    sign_in(driver, base, "made-up-administrator")
+    driver.get(members)
+    driver.find_element(By.XPATH, f"//tr[td[text()='zoe.{width}']]//button").click()
+    yield from expect("removed", "Members of the class")
+    if "Zoë Zäh" in driver.find_element(By.TAG_NAME, "main").text:
+        yield f"the person who was removed at {width} is still in the class"
 
 
 def main():
