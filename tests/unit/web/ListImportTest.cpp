@@ -67,7 +67,7 @@ TEST_P(WebListImport, FirstSaysWhatItWouldDoThenDoesIt) {
   const web::Response again = confirm(school, ina, plan);
   EXPECT_EQ(again.status, 409);
   EXPECT_THAT(again.body, AllOf(HasSubstr("Nothing was imported"), Not(HasSubstr("First passwords")),
-                                HasSubstr("There is nobody to add")));
+                                HasSubstr("no people to add to the class")));
   EXPECT_EQ(people(school), 8U);
 }
 

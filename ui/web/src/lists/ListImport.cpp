@@ -121,7 +121,7 @@ Response planPage(const Visit& visit, const TaughtClass& taught, const std::vect
   if (refused == std::ssize(plan)) {
     content += paragraph("Every line has an error. Correct the list and check it again.");
   } else if (countOf(plan, Step::Add) + countOf(plan, Step::Join) == 0) {
-    content += paragraph("There is nobody to add to the class.");
+    content += paragraph("The list has no people to add to the class.");
   } else {
     if (refused > 0)
       content +=
