@@ -7,6 +7,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 try:
     from selenium import webdriver
@@ -70,18 +71,20 @@ def browser(width, scheme):
                      f"--window-size={width},1000", f"--blink-settings=preferredColorScheme={0 if scheme == 'dark' else 1}"):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-    return webdriver.Chrome(service=Service(str(DRIVER)), options=options)
+    driver = webdriver.Chrome(service=Service(str(DRIVER)), options=options)
+    driver.implicitly_wait(10)  # on a busy computer a page may not be there yet
+    return driver
 
 
 def kind(path):
     return re.sub(r"[0-9a-f]{8}-[0-9a-f-]{27}", "ID", path.split("?")[0])
 
 
-def sign_in(driver, base, name):
+def sign_in(driver, base, name, password=PASSWORD):
     driver.delete_all_cookies()
     driver.get(base + "sign-in")
     driver.find_element(By.NAME, "name").send_keys(name)
-    driver.find_element(By.NAME, "password").send_keys(PASSWORD)
+    driver.find_element(By.NAME, "password").send_keys(password)
     driver.find_element(By.CSS_SELECTOR, "main button").click()
 
 
@@ -167,6 +170,57 @@ def live(base, folder):
         other.quit()
 
 
+def administer(driver, base, folder, width):
+    """An administrator adds a person and imports a list, and those people sign in. Yields what is wrong."""
+
+    def press(words):
+        driver.find_element(By.XPATH, f"//main//button[text()='{words}']").click()
+
+    def expect(step, *words):
+        shown = driver.find_element(By.TAG_NAME, "main").text
+        yield from (f"{step} at {width}: the page does not say '{one}'" for one in words if one not in shown)
+        yield from (f"{step} at {width}: {sentence}" for sentence in driver.execute_script(CHECKS))
+        if folder:
+            driver.save_screenshot(str(folder / f"administer-{width}-{step}.png"))
+
+    def signs_in(name):
+        password = driver.find_element(By.CSS_SELECTOR, "main code").text
+        sign_in(driver, base, name, password)
+        if "password" not in driver.current_url:
+            yield f"{name} need not choose a password, and is at {driver.current_url}"
+
+    sign_in(driver, base, "made-up-administrator")
+    driver.get(base + "people")
+    driver.find_element(By.NAME, "name").send_keys(f"added.{width}")
+    driver.find_element(By.NAME, "full-name").send_keys("Dr Added")
+    press("Add")
+    yield from expect("added", "Password of Dr Added", "cannot be shown again")
+    yield from signs_in(f"added.{width}")
+
+    sign_in(driver, base, "made-up-administrator")
+    driver.get(base + "classes")
+    driver.find_element(By.CSS_SELECTOR, "main tbody a").click()
+    driver.find_element(By.LINK_TEXT, "Members and settings").click()
+    members = driver.current_url
+    driver.find_element(By.LINK_TEXT, "Import a list of trainees").click()
+    with tempfile.NamedTemporaryFile(suffix=".csv") as file:
+        file.write(f"Vorname;Nachname;Anmeldename\nZoë;Zäh;zoe.{width}\nBad;Name;two words\n".encode("latin-1"))
+        file.flush()
+        driver.find_element(By.NAME, "list").send_keys(file.name)
+        press("Check the list")
+    yield from expect("checked", "1 new", "Zoë Zäh", "left out")
+    press("Import")
+    yield from expect("imported", "First passwords", "Zoë Zäh")
+    yield from signs_in(f"zoe.{width}")
+
+    sign_in(driver, base, "made-up-administrator")
+    driver.get(members)
+    driver.find_element(By.XPATH, f"//tr[td[text()='zoe.{width}']]//button").click()
+    yield from expect("removed", "Members of the class")
+    if "Zoë Zäh" in driver.find_element(By.TAG_NAME, "main").text:
+        yield f"the person who was removed at {width} is still in the class"
+
+
 def main():
     if not DRIVER.exists():
         print("Skipped: chromium-driver is not installed")
@@ -186,6 +240,7 @@ def main():
                     sign_in(driver, base, name)
                     troubles += walk(driver, base, f"{width_name} {role}", folder)
                 troubles += comment(driver, base, folder)
+                troubles += administer(driver, base, folder, width_name)
                 driver.find_element(By.XPATH, "//button[text()='Sign out']").click()
                 if "Sign in" not in driver.title:
                     troubles.append(f"{width_name}: signing out leads to '{driver.title}'")

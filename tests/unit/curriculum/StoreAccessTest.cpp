@@ -77,12 +77,19 @@ std::vector<Call> peopleCalls(const Target& target) {
        [=, id = target.leaver.id](const SignedIn& by) {
          return outcome(PeopleStore(by).resetPassword(id, "temporary one"));
        }},
+      {"see cohorts of person", "aim", [=](const SignedIn& by) { return outcome(CohortStore(by).ofPerson(anna)); }},
       {"see own cohorts", "abiom", [=](const SignedIn& by) { return outcome(CohortStore(by).cohorts()); }},
       {"see members", "im", [=](const SignedIn& by) { return outcome(CohortStore(by).members(spring)); }},
       {"see standings", "im", [=](const SignedIn& by) { return outcome(CohortStore(by).standings(spring, {{anna}})); }},
       {"add cohort", "m", [=](const SignedIn& by) { return outcome(CohortStore(by).add("Winter")); }},
       {"rename cohort", "m",
        [=](const SignedIn& by) { return outcome(CohortStore(by).rename(spring, "Early spring")); }},
+      {"archive cohort", "m", [=](const SignedIn& by) { return outcome(CohortStore(by).archive(spring, false)); }},
+      {"delete cohort", "m",
+       [=](const SignedIn& by) {
+         const std::string said = outcome(CohortStore(by).remove(spring, "another name"));
+         return said.find("is not the name of this class") == std::string::npos ? said : "";
+       }},
       {"join cohort", "m",
        [=, id = target.school.carl.id](const SignedIn& by) {
          return outcome(CohortStore(by).join(spring, id, false));
@@ -334,6 +341,22 @@ TEST_P(StoreAccess, AnInstructorGainsNothingByACohort) {
   EXPECT_THAT(refusalOf(AttemptStore(ina).voidAttempt(own.id, "bad day")),
               StartsWith("You do not have the permission"));
   EXPECT_TRUE(AttemptStore(otto).voidAttempt(own.id, "device failed"));
+}
+
+TEST_P(StoreAccess, ThePersonsCohortsAreThoseThatTheUserMaySee) {
+  const School school(rig->open());
+  succeed(CohortStore(school.admin).join(school.autumn.id, school.anna.id, false));
+  const auto names = [&](const SignedIn& by, const Person& person) {
+    std::string all;
+    for (const auto& [cohort, teaches] : valueOf(CohortStore(by).ofPerson(person.id)))
+      all += cohort.name + (teaches ? " teaches;" : ";");
+    return all;
+  };
+  EXPECT_EQ(names(school.admin, school.anna), "Autumn;Spring;");
+  EXPECT_EQ(names(school.as(school.anna), school.anna), "Autumn;Spring;");
+  EXPECT_EQ(names(school.as(school.ina), school.anna), "Spring;") << "not a class of another instructor";
+  EXPECT_EQ(names(school.as(school.ina), school.ina), "Spring teaches;");
+  EXPECT_EQ(names(school.admin, school.admin.person()), "");
 }
 
 TEST_P(StoreAccess, AnEmailAddressBelongsToOneAccount) {

@@ -116,7 +116,7 @@ class StoreSite : public OnBoth {
     change(attempt);
     const nlohmann::json item = {
         {"number", 1}, {"kind", "attempt"}, {"id", facts.id}, {"attempt", attempt}, {"form", nullptr}};
-    const nlohmann::json batch = {{"version", 1}, {"items", {item}}, {"logEnd", 1}, {"logHash", "x"}};
+    const nlohmann::json batch = {{"version", 2}, {"items", {item}}, {"logEnd", 1}, {"logHash", "x"}};
     return nlohmann::json::parse(valueOf(passOn("facts", batch.dump())).text)["troubles"].dump();
   }
   KeptAttempt onServer(const AttemptFacts& facts) const {
@@ -513,13 +513,13 @@ TEST_P(StoreSite, UnreadableMessagesAreRefusedWithASentence) {
                                         "{",
                                         "[]",
                                         "{}",
-                                        R"({"version":2})",
-                                        R"({"version":1,"items":7})",
-                                        R"({"version":1,"items":[{"number":"x"}],"logEnd":1,"logHash":""})",
-                                        R"({"version":1,"people":[{"id":7}]})",
-                                        R"({"version":1,"ids":{}})",
-                                        R"({"version":1,"attempts":"x"})",
-                                        R"({"version":1,"items":)" + std::string(2'000'000, '[') +
+                                        R"({"version":3})",
+                                        R"({"version":2,"items":7})",
+                                        R"({"version":2,"items":[{"number":"x"}],"logEnd":1,"logHash":""})",
+                                        R"({"version":2,"people":[{"id":7}]})",
+                                        R"({"version":2,"ids":{}})",
+                                        R"({"version":2,"attempts":"x"})",
+                                        R"({"version":2,"items":)" + std::string(2'000'000, '[') +
                                             std::string(2'000'000, ']') + ",\"logEnd\":1,\"logHash\":\"\"}",
                                         "\xff\xfe"};
   for (const std::string& path : paths)

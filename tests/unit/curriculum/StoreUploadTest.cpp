@@ -124,6 +124,21 @@ TEST_P(StoreUpload, TheServerDecidesRolesAndCohorts) {
               HasSubstr("change them there"));
 }
 
+TEST_P(StoreUpload, AnArchivedCohortIsArchivedHereAndADeletedOneIsGone) {
+  valueOf(upload().exchange());
+  succeed(CohortStore(school->admin).join(school->autumn.id, school->anna.id, false));
+  succeed(CohortStore(school->admin).archive(school->spring.id, true));
+  valueOf(upload().exchange());
+  const auto cohorts = [&] { return valueOf(CohortStore(here(school->anna)).cohorts()); };
+  ASSERT_EQ(cohorts().size(), 2U);
+  EXPECT_EQ(cohorts()[0].name, "Autumn");
+  EXPECT_TRUE(cohorts()[1].archived);
+  succeed(CohortStore(school->admin).remove(school->spring.id, "Spring"));
+  valueOf(upload().exchange());
+  ASSERT_EQ(cohorts().size(), 1U);
+  EXPECT_EQ(cohorts().front().name, "Autumn");
+}
+
 TEST_P(StoreUpload, NamesThatChangePlacesArrive) {
   const PeopleStore people(school->admin);
   Person anna = school->anna, ben = school->ben;

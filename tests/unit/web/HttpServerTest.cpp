@@ -77,6 +77,7 @@ Response echo(const Request& request) {
   std::string body = request.method + " " + request.path;
   for (const auto& [name, value] : request.query) body += " ?" + name + "=" + value;
   for (const auto& [name, value] : request.form) body += " " + name + "=" + value;
+  for (const auto& [name, value] : request.files) body += " file:" + name + "=" + value;
   for (const auto& [name, value] : request.cookies) body += " cookie:" + name + "=" + value;
   return {.type = "text/plain", .body = body + " from " + request.client};
 }
@@ -98,6 +99,64 @@ TEST(WebHttpServer, PassesTheRequestOn) {
   const std::string head = RawClient(server->port()).ask("HEAD / HTTP/1.1\r\n" + kClose + "\r\n");
   EXPECT_THAT(head, StartsWith("HTTP/1.1 200"));
   EXPECT_THAT(head, testing::EndsWith("\r\n\r\n")) << "without a body";
+}
+
+/// A request with a form of several parts, as browsers send a file.
+std::string multipart(const std::string& path, const std::string& type, const std::string& body,
+                      const std::string& headers = {}) {
+  return "POST " + path + " HTTP/1.1\r\n" + kClose + headers + "Content-Type: " + type +
+         "\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
+}
+
+const std::string kParts = "multipart/form-data; boundary=xyz";
+
+std::string part(const std::string& disposition, const std::string& content) {
+  return "--xyz\r\nContent-Disposition: form-data; " + disposition + "\r\n\r\n" + content + "\r\n";
+}
+
+TEST(WebHttpServer, ReadsFormsOfSeveralParts) {
+  const auto server = serving(&echo);
+  const auto ask = [&](const std::string& body) { return RawClient(server->port()).ask(multipart("/", kParts, body)); };
+  const std::string latin1 = "Name\r\nJ\xE4ger --xy\r\n--xy\r\n";
+  EXPECT_THAT(ask(part("name=\"code\"", "abc") + part("name=\"list\"; filename=\"a.csv\"", latin1) +
+                  part("name=\"text\"", "") + "--xyz--\r\n"),
+              HasSubstr("POST / code=abc text= file:list=" + latin1 + " from"))
+      << "byte by byte";
+  EXPECT_THAT(ask(part("name=\"a\"", "1") + part("name=\"a\"", "2") + "--xyz--\r\n"), HasSubstr("POST / a=1 from"))
+      << "the first counts";
+  EXPECT_THAT(ask(part("name=\"a\"", std::string("x\0y\xFFz\x1B", 6)) + "--xyz--\r\n"), HasSubstr("POST / a=xyz from"));
+  EXPECT_THAT(ask(part("name=\"list\"; filename=\"\"", "") + "--xyz--\r\n"), HasSubstr("=")) << "no file was chosen";
+}
+
+TEST(WebHttpServer, RefusesPartsThatAreNoForm) {
+  std::atomic<int> answered = 0;
+  const auto server = serving([&](const Request& request) {
+    ++answered;
+    return echo(request);
+  });
+  for (const std::string& type : {std::string("multipart/form-data"), std::string("multipart/form-data; boundary="),
+                                  std::string("multipart/mixed; boundary=xyz")})
+    EXPECT_THAT(RawClient(server->port()).ask(multipart("/", type, part("name=\"a\"", "1") + "--xyz--\r\n")),
+                StartsWith("HTTP/1.1 400"))
+        << type;
+  EXPECT_THAT(RawClient(server->port()).ask(multipart("/", kParts, part("name=\"a\"", "1"))),
+              StartsWith("HTTP/1.1 400"))
+      << "cut off";
+  EXPECT_EQ(answered, 0);
+}
+
+TEST(WebHttpServer, ListsOfUsersMayBeLargerThanOtherForms) {
+  const auto server = serving(&echo);
+  const auto ask = [&](const std::string& path, std::size_t bytes, const std::string& cookie) {
+    const std::string body = part("name=\"list\"; filename=\"a\"", std::string(bytes, 'a')) + "--xyz--\r\n";
+    return RawClient(server->port()).ask(multipart(path, kParts, body, cookie)).substr(0, 12);
+  };
+  const std::string cookie = "Cookie: insonate=abc\r\n";
+  const std::size_t large = HttpServer::kLargestBody_bytes;
+  EXPECT_EQ(ask("/classes/5/import", large, cookie), "HTTP/1.1 200");
+  EXPECT_EQ(ask("/classes/5/import", large, ""), "HTTP/1.1 413") << "nobody is signed in";
+  EXPECT_EQ(ask("/classes/5/name", large, cookie), "HTTP/1.1 413");
+  EXPECT_EQ(ask("/classes/5/import", HttpServer::kLargestBodyOfList_bytes, cookie), "HTTP/1.1 413");
 }
 
 TEST(WebHttpServer, RefusesWhatIsTooLargeOrNoRequest) {

@@ -167,7 +167,7 @@ TEST_F(WebPages, AClassShowsItsMembersAndWhoHasNotBegun) {
   const WebSchool school(rig.open());
   const std::string page = school.get("/classes/" + school.spring.id, school.signIn("ina")).body;
   EXPECT_THAT(page, AllOf(HasSubstr("Dr anna"), HasSubstr("Dr ben"), Not(HasSubstr("Dr carl"))));
-  const std::string attention = page.substr(0, page.find("Members"));
+  const std::string attention = page.substr(0, page.find("<h2>Members"));
   EXPECT_THAT(attention, HasSubstr("Dr ben"));
   EXPECT_THAT(page, HasSubstr("/people/" + school.anna.id));
 }
@@ -182,9 +182,12 @@ TEST_F(WebPages, HostileNamesStayNames) {
   succeed(AttemptStore(school.as(school.ina)).voidAttempt(school.annas, hostile));
   const std::string ina = school.signIn("ina"), admin = school.signIn("admin"), own = school.signIn("anna");
   for (const std::string& path :
-       {std::string("/classes"), "/classes/" + school.spring.id,
+       {std::string("/classes"), "/classes/" + school.spring.id, "/classes/" + school.spring.id + "/members",
+        "/classes/" + school.spring.id + "/delete", "/classes/" + school.spring.id + "/import",
         "/classes/" + school.spring.id + "/people/" + school.anna.id, "/attempts/" + school.annas,
-        std::string("/audit"), std::string("/me"), std::string("/me?level=<script>&metric=<script>&class=<script>")})
+        std::string("/people"), std::string("/people?search=<script>&role=<script>&class=<script>"),
+        "/people/" + school.anna.id, "/people/" + school.ina.id, std::string("/audit"), std::string("/me"),
+        std::string("/me?level=<script>&metric=<script>&class=<script>")})
     for (const std::string& secret : {ina, admin, own}) {
       const std::string page = school.get(path, secret).body;
       EXPECT_THAT(page, AllOf(Not(HasSubstr("<script")), Not(HasSubstr("<img")), Not(HasSubstr("onerror='")))) << path;
@@ -194,8 +197,11 @@ TEST_F(WebPages, HostileNamesStayNames) {
 TEST_F(WebPages, PagesAreWellFormedAndNameTheirParts) {
   const WebSchool school(rig.open());
   const std::string admin = school.signIn("admin");
-  for (const std::string& path : {std::string("/me"), std::string("/classes"), "/classes/" + school.spring.id,
-                                  "/attempts/" + school.annas, std::string("/audit"), std::string("/password")}) {
+  for (const std::string& path :
+       {std::string("/me"), std::string("/classes"), "/classes/" + school.spring.id,
+        "/classes/" + school.spring.id + "/members", "/classes/" + school.spring.id + "/delete",
+        "/classes/" + school.spring.id + "/import", std::string("/people"), "/people/" + school.anna.id,
+        "/attempts/" + school.annas, std::string("/audit"), std::string("/password")}) {
     const std::string page = school.get(path, admin).body;
     for (const std::string part : {"<html lang=\"en\">", "<title>", "<main id=\"main\"><h1>", "href=\"#main\""})
       EXPECT_THAT(page, HasSubstr(part)) << path;

@@ -3,9 +3,14 @@
 #include "attempt/AttemptPage.h"
 #include "audit/AuditPage.h"
 #include "classes/ClassPages.h"
+#include "lists/ListImport.h"
+#include "members/ClassDeletion.h"
+#include "members/MembersPage.h"
 #include "monitoring/MonitoringPages.h"
 #include "openings/OpeningPages.h"
 #include "page/Page.h"
+#include "people/AccountPage.h"
+#include "people/PeoplePage.h"
 #include "person/PersonPage.h"
 #include "signin/SignInPages.h"
 #include "site/SiteApi.h"
@@ -143,8 +148,21 @@ constexpr Route kRoutes[]{
     {"POST", "/attempts/*/comments", Access::SignedIn, &addComment},
     {"POST", "/attempts/*/comments/*/remove", Access::SignedIn, &removeComment},
     {"GET", "/classes", Access::SignedIn, &showClasses},
+    {"POST", "/classes", Access::SignedIn, &addClass},
     {"GET", "/classes/*", Access::SignedIn, &showClass},
     {"GET", "/classes/*/events", Access::SignedIn, &followClass},
+    {"GET", "/classes/*/members", Access::SignedIn, &showMembers},
+    {"POST", "/classes/*/members", Access::SignedIn, &addMember},
+    {"POST", "/classes/*/members/new", Access::SignedIn, &addTrainee},
+    {"POST", "/classes/*/members/remove", Access::SignedIn, &removeMember},
+    {"GET", "/classes/*/import", Access::SignedIn, &showListImport},
+    {"POST", "/classes/*/import", Access::SignedIn, &checkList},
+    {"POST", "/classes/*/import/confirm", Access::SignedIn, &importList},
+    {"POST", "/classes/*/curriculum", Access::SignedIn, &setClassCurriculum},
+    {"POST", "/classes/*/name", Access::SignedIn, &renameClass},
+    {"POST", "/classes/*/archive", Access::SignedIn, &archiveClass},
+    {"GET", "/classes/*/delete", Access::SignedIn, &showClassDeletion},
+    {"POST", "/classes/*/delete", Access::SignedIn, &deleteClass},
     {"GET", "/classes/*/people/*", Access::SignedIn, &showMember},
     {"GET", "/classes/*/people/*/events", Access::SignedIn, &followMember},
     {"GET", "/classes/*/export/attempts.csv", Access::SignedIn, &exportClassAttempts},
@@ -153,6 +171,14 @@ constexpr Route kRoutes[]{
     {"GET", "/classes/*/tests", Access::SignedIn, &showOpenings},
     {"POST", "/classes/*/tests", Access::SignedIn, &openTest},
     {"POST", "/classes/*/tests/close", Access::SignedIn, &closeTest},
+    {"GET", "/people", Access::SignedIn, &showPeople},
+    {"POST", "/people", Access::SignedIn, &addPerson},
+    {"GET", "/people/*", Access::SignedIn, &showAccount},
+    {"POST", "/people/*", Access::SignedIn, &changeAccount},
+    {"POST", "/people/*/password", Access::SignedIn, &setAccountPassword},
+    {"POST", "/people/*/state", Access::SignedIn, &setAccountState},
+    {"POST", "/people/*/classes", Access::SignedIn, &joinClass},
+    {"POST", "/people/*/classes/leave", Access::SignedIn, &leaveClass},
     {"GET", "/workstations", Access::SignedIn, &showWorkstations},
     {"POST", "/workstations", Access::SignedIn, &addWorkstation},
     {"POST", "/workstations/revoke", Access::SignedIn, &revokeWorkstation},

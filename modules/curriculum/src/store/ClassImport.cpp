@@ -122,6 +122,8 @@ Result<void> take(store::Session& session, Transaction& transaction, const std::
 Result<std::vector<ClassImportRow>> ClassImport::plan(const std::string& cohort, const ClassList& list) const {
   return by_.session()->read({.act = Act::SeeMembers, .cohort = cohort},
                              [&](Transaction& transaction, const Actor& actor) -> Result<std::vector<ClassImportRow>> {
+                               if (auto ok = store::checkIsNotArchived(transaction, cohort); !ok)
+                                 return tl::unexpected(ok.error());
                                return planned(transaction, actor, cohort,
                                               matchClassList(list, visiblePeople(transaction, actor)));
                              });

@@ -15,8 +15,16 @@ using store::Actor;
 using store::Row;
 using store::Transaction;
 
+/// Columns that cohortOf() reads.
+#define INSONATE_COHORT_COLUMNS \
+  "cohorts.id, cohorts.name, cohorts.curriculum, cohorts.curriculum_version, cohorts.archived"
+
 Cohort cohortOf(const Row& row) {
-  return {.id = row.text(0), .name = row.text(1), .curriculum = row.text(2), .curriculumVersion = row.count(3)};
+  return {.id = row.text(0),
+          .name = row.text(1),
+          .curriculum = row.text(2),
+          .curriculumVersion = row.count(3),
+          .archived = row.truth(4)};
 }
 
 tl::unexpected<Error> unknownCohort() {
@@ -29,6 +37,13 @@ Result<void> checkName(Transaction& transaction, const std::string& id, const st
   if (transaction.number("SELECT COUNT(*) FROM cohorts WHERE name_key = ? AND id <> ?", store::nameKey(name), id) > 0)
     return fail("There is a class named '" + name + "' already; choose another name.");
   return {};
+}
+
+void closeOpeningsOf(Transaction& transaction, const std::string& cohort, const Actor& actor, std::int64_t now_us) {
+  transaction.run(
+      "UPDATE openings SET closed_us = ?, closed_by = ? WHERE cohort = ? AND closed_us IS NULL AND (end_us IS NULL OR "
+      "end_us > ?)",
+      now_us, actor.id, cohort, now_us);
 }
 
 /// Members, their attempts, and their standing when it was last computed for the cohort's curriculum. A separate query
@@ -71,10 +86,10 @@ Result<std::vector<Cohort>> CohortStore::cohorts() const {
   return by_.session()->read(
       {.act = Act::SeeOwnCohorts}, [&](Transaction& transaction, const Actor& actor) -> Result<std::vector<Cohort>> {
         std::vector<Cohort> cohorts;
-        for (const Row& row :
-             transaction.rows("SELECT id, name, curriculum, curriculum_version FROM cohorts WHERE ? = 1 OR EXISTS "
-                              "(SELECT 1 FROM memberships WHERE cohort = cohorts.id AND person = ?) ORDER BY name_key",
-                              actor.role == Role::Administrator, actor.id))
+        for (const Row& row : transaction.rows(
+                 "SELECT " INSONATE_COHORT_COLUMNS " FROM cohorts WHERE ? = 1 OR EXISTS "
+                 "(SELECT 1 FROM memberships WHERE cohort = cohorts.id AND person = ?) ORDER BY archived, name_key",
+                 actor.role == Role::Administrator, actor.id))
           cohorts.push_back(cohortOf(row));
         return cohorts;
       });
@@ -91,12 +106,28 @@ Result<std::vector<Member>> CohortStore::members(const std::string& cohort) cons
                              });
 }
 
+Result<std::vector<Membership>> CohortStore::ofPerson(const std::string& person) const {
+  return by_.session()->read(
+      {.act = Act::SeePerson, .person = person},
+      [&](Transaction& transaction, const Actor& actor) -> Result<std::vector<Membership>> {
+        std::vector<Membership> memberships;
+        for (const Row& row : transaction.rows(
+                 "SELECT " INSONATE_COHORT_COLUMNS ", theirs.teaches FROM memberships AS theirs JOIN "
+                 "cohorts ON cohorts.id = theirs.cohort WHERE theirs.person = ? AND (? = 1 OR theirs.person = ? OR "
+                 "EXISTS (SELECT 1 FROM memberships AS own WHERE own.cohort = cohorts.id AND own.person = ? AND "
+                 "own.teaches = 1)) ORDER BY archived, name_key",
+                 person, actor.role == Role::Administrator, actor.id, actor.id))
+          memberships.push_back({.cohort = cohortOf(row), .teaches = row.truth(5)});
+        return memberships;
+      });
+}
+
 Result<Cohort> CohortStore::add(const std::string& name) const {
   return by_.session()->write(
       {.act = Act::ChangeCohorts, .detail = "add"}, [&](Transaction& transaction, const Actor&) -> Result<Cohort> {
         const Cohort cohort{.id = store::freshUuid(), .name = name};
         if (auto ok = checkName(transaction, cohort.id, name); !ok) return tl::unexpected(ok.error());
-        transaction.run("INSERT INTO cohorts VALUES (?, ?, ?, '', 0)", cohort.id, name, store::nameKey(name));
+        transaction.run("INSERT INTO cohorts VALUES (?, ?, ?, '', 0, 0)", cohort.id, name, store::nameKey(name));
         return cohort;
       });
 }
@@ -110,6 +141,34 @@ Result<void> CohortStore::rename(const std::string& cohort, const std::string& n
                                   return unknownCohort();
                                 return {};
                               });
+}
+
+Result<void> CohortStore::archive(const std::string& cohort, bool archived) const {
+  const std::int64_t now_us = by_.session()->core().now_us();
+  return by_.session()->write(
+      {.act = Act::ChangeCohorts, .cohort = cohort, .detail = archived ? "archive" : "restore"},
+      [&](Transaction& transaction, const Actor& actor) -> Result<void> {
+        if (transaction.run("UPDATE cohorts SET archived = ? WHERE id = ?", archived, cohort) != 1)
+          return unknownCohort();
+        if (archived) closeOpeningsOf(transaction, cohort, actor, now_us);
+        return {};
+      });
+}
+
+Result<void> CohortStore::remove(const std::string& cohort, const std::string& name) const {
+  const std::int64_t now_us = by_.session()->core().now_us();
+  return by_.session()->write(
+      {.act = Act::ChangeCohorts, .cohort = cohort, .detail = "delete " + name},
+      [&](Transaction& transaction, const Actor& actor) -> Result<void> {
+        const auto found = transaction.row("SELECT name_key FROM cohorts WHERE id = ?", cohort);
+        if (!found) return unknownCohort();
+        if (found->text(0) != store::nameKey(name))
+          return fail("'" + name + "' is not the name of this class. Enter the name as the page shows it.");
+        closeOpeningsOf(transaction, cohort, actor, now_us);
+        transaction.run("DELETE FROM memberships WHERE cohort = ?", cohort);
+        transaction.run("DELETE FROM cohorts WHERE id = ?", cohort);
+        return {};
+      });
 }
 
 Result<void> CohortStore::join(const std::string& cohort, const std::string& person, bool teaches) const {
@@ -136,6 +195,7 @@ Result<void> CohortStore::setCurriculum(const std::string& cohort, const std::st
   return by_.session()->write(
       {.act = Act::SetCurriculum, .cohort = cohort, .detail = curriculum + " " + std::to_string(version)},
       [&](Transaction& transaction, const Actor&) -> Result<void> {
+        if (auto ok = store::checkIsNotArchived(transaction, cohort); !ok) return ok;
         if (!transaction.row("SELECT 1 FROM curricula WHERE name = ? AND version = ?", curriculum, version))
           return fail("Version " + std::to_string(version) + " of the curriculum '" + curriculum +
                       "' is not published; publish it first.");
@@ -153,8 +213,7 @@ Result<std::map<std::string, Standing>> CohortStore::standings(const std::string
   return by_.session()->write(
       {.act = Act::SeeStandings, .cohort = cohort, .people = people},
       [&](Transaction& transaction, const Actor&) -> Result<Standings> {
-        const auto row =
-            transaction.row("SELECT id, name, curriculum, curriculum_version FROM cohorts WHERE id = ?", cohort);
+        const auto row = transaction.row("SELECT " INSONATE_COHORT_COLUMNS " FROM cohorts WHERE id = ?", cohort);
         if (!row) return unknownCohort();
         const Cohort taught = cohortOf(*row);
         if (taught.curriculum.empty()) return fail("The class '" + taught.name + "' has no curriculum; set one.");

@@ -44,11 +44,13 @@ bool isTest(Transaction& transaction, const AttemptFacts& facts) {
   return builtIn && builtIn->version == facts.curriculumVersion && isIn(*builtIn, facts.level);
 }
 
-/// Tells whether a person is a learner in no class with another member.
+/// Tells whether a person is a learner in no class with another member. Archived classes do not count, since their
+/// tests cannot be opened.
 bool isAlone(Transaction& transaction, const std::string& person) {
   return transaction.number(
              "SELECT COUNT(*) FROM memberships own JOIN memberships other ON other.cohort = own.cohort AND "
-             "other.person <> own.person WHERE own.person = ? AND own.teaches = 0",
+             "other.person <> own.person JOIN cohorts ON cohorts.id = own.cohort AND archived = 0 WHERE own.person = ? "
+             "AND own.teaches = 0",
              person) == 0;
 }
 

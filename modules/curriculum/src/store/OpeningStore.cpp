@@ -3,6 +3,7 @@
 #include "store/LockOut.h"
 #include "store/OpeningRows.h"
 #include "store/Passwords.h"
+#include "store/PeopleRows.h"
 #include "store/Session.h"
 #include "store/Texts.h"
 
@@ -44,6 +45,7 @@ Result<void> checkOpening(const NewOpening& opening, std::int64_t start_us) {
 /// Curriculum by which a class is taught; for everyone, the newest published version.
 Result<Curriculum> curriculumFor(Transaction& transaction, const NewOpening& opening) {
   if (!opening.cohort.empty()) {
+    if (auto ok = store::checkIsNotArchived(transaction, opening.cohort); !ok) return tl::unexpected(ok.error());
     const auto cohort =
         transaction.row("SELECT name, curriculum, curriculum_version FROM cohorts WHERE id = ?", opening.cohort);
     if (!cohort) return fail("There is no such class; reload the list of classes.");

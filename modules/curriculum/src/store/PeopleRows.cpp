@@ -53,9 +53,16 @@ Result<Person> insertPerson(Transaction& transaction, const NewPerson& added, co
   return person;
 }
 
+Result<void> checkIsNotArchived(Transaction& transaction, const std::string& cohort) {
+  const auto found = transaction.row("SELECT name FROM cohorts WHERE id = ? AND archived = 1", cohort);
+  if (found) return fail("The class '" + found->text(0) + "' is archived. An administrator can restore it.");
+  return {};
+}
+
 Result<void> putIntoCohort(Transaction& transaction, const std::string& cohort, const Person& person, bool teaches) {
   if (!transaction.row("SELECT id FROM cohorts WHERE id = ?", cohort))
     return fail("There is no such class; reload the list.");
+  if (auto ok = checkIsNotArchived(transaction, cohort); !ok) return ok;
   if (teaches && person.role == Role::Trainee)
     return fail(person.name + " is a trainee and cannot teach. Give this person the role of instructor first.");
   transaction.run(

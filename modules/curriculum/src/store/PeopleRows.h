@@ -26,8 +26,10 @@ Result<void> checkEmailIsFree(Transaction& transaction, const Person& person);
 Result<Person> insertPerson(Transaction& transaction, const NewPerson& person, const std::string& hashed,
                             bool mustChange);
 
+/// Fails if the cohort is archived.
+Result<void> checkIsNotArchived(Transaction& transaction, const std::string& cohort);
 /// Adds a person to a cohort, as instructor (`teaches`) or learner; an existing member gets this role. Fails if a
-/// trainee would become an instructor.
+/// trainee would become an instructor, and if the cohort is archived.
 Result<void> putIntoCohort(Transaction& transaction, const std::string& cohort, const Person& person, bool teaches);
 
 /// Sets a person's new password; sessions that were opened with the old password end.

@@ -206,7 +206,7 @@ QWidget* ClassPage::buildConcerns() {
 void ClassPage::showCohorts() {
   const QSignalBlocker quiet(cohorts_);
   cohorts_->clear();
-  for (const Cohort& cohort : desk_.cohorts()) cohorts_->addItem(QString::fromStdString(cohort.name));
+  for (const Cohort& cohort : desk_.cohorts()) cohorts_->addItem(QString::fromStdString(listedName(cohort)));
   cohorts_->setCurrentIndex(desk_.cohorts().empty() ? -1 : desk_.chosen());
   cohorts_->setVisible(!desk_.cohorts().empty());
 }

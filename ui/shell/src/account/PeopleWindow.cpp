@@ -206,8 +206,8 @@ void PeopleWindow::read() {
     target_->clear();
     if (isAdministrator()) classes_->addItem(tr("All people"));
     for (const Cohort& one : cohorts_) {
-      classes_->addItem(qt(one.name));
-      target_->addItem(qt(one.name), qt(one.id));
+      classes_->addItem(qt(listedName(one)));
+      if (!one.archived) target_->addItem(qt(one.name), qt(one.id));
     }
     const std::string added = std::exchange(newClass_, QString()).toStdString();
     const auto at = std::ranges::find_if(

@@ -86,13 +86,14 @@ void Course::refresh() {
       });
 }
 
-/// Curricula of the user's classes; if none has one, the built-in curriculum.
+/// Curricula of the user's classes that are not archived; if none has one, the built-in curriculum.
 Result<std::vector<Course::Choice>> Course::choicesOf(const SignedIn& by) {
   const auto cohorts = CohortStore(by).cohorts();
   if (!cohorts) return tl::unexpected(cohorts.error());
   std::vector<Choice> choices;
   for (const Cohort& cohort : *cohorts)
-    if (!cohort.curriculum.empty()) choices.push_back({cohort.name, cohort.curriculum, cohort.curriculumVersion});
+    if (!cohort.curriculum.empty() && !cohort.archived)
+      choices.push_back({cohort.name, cohort.curriculum, cohort.curriculumVersion});
   if (choices.empty()) choices.push_back({});
   return choices;
 }

@@ -1,6 +1,7 @@
 #include "classes/ClassPages.h"
 
 #include "live/LiveUpdates.h"
+#include "people/Accounts.h"
 #include "person/PersonPage.h"
 
 #include <insonate/curriculum/AttemptStore.h>
@@ -153,20 +154,38 @@ Markup exportSection(const Visit& visit, const ClassFacts& facts) {
   return section("Export", content);
 }
 
-}  // namespace
+Markup addClassForm(const Visit& visit, const std::string& trouble) {
+  return section("Add a class",
+                 note("People who are taught together, by one curriculum.") +
+                     (trouble.empty() ? Markup() : troubleLine(trouble)) +
+                     postForm(visit, "/classes",
+                              inputField("Name", "name", "text", "off", valueOf(visit.request.form, "name")), "Add"));
+}
 
-Response showClasses(const Visit& visit, const Parts& /*parts*/) {
+Response classesPage(const Visit& visit, const std::string& trouble) {
   const auto cohorts = CohortStore(*visit.by).cohorts();
   if (!cohorts) return refusal(visit, 403, cohorts.error().message);
   std::vector<std::vector<Markup>> rows;
   for (const Cohort& one : *cohorts)
     rows.push_back(
-        {link("/classes/" + encoded(one.id), one.name),
+        {link("/classes/" + encoded(one.id), listedName(one)),
          text(one.curriculum.empty() ? "none"
                                      : one.curriculum + ", version " + std::to_string(one.curriculumVersion))});
-  if (rows.empty())
-    return page(visit, "Classes", paragraph("No classes. An administrator adds classes and their instructors."));
-  return page(visit, "Classes", table("Classes", {"Class", "Curriculum"}, rows));
+  Markup content = rows.empty() ? paragraph("No classes. An administrator adds classes and their instructors.")
+                                : table("Classes", {"Class", "Curriculum"}, rows);
+  if (isAdministrator(visit)) content += addClassForm(visit, trouble);
+  return page(visit, "Classes", content, trouble.empty() ? 200 : 422);
+}
+
+}  // namespace
+
+Response showClasses(const Visit& visit, const Parts& /*parts*/) {
+  return classesPage(visit, {});
+}
+
+Response addClass(const Visit& visit, const Parts& /*parts*/) {
+  const auto added = CohortStore(*visit.by).add(valueOf(visit.request.form, "name"));
+  return added ? redirect("/classes/" + encoded(added->id) + "/members") : classesPage(visit, added.error().message);
 }
 
 Response showClass(const Visit& visit, const Parts& parts) {
@@ -178,8 +197,9 @@ Response showClass(const Visit& visit, const Parts& parts) {
   const auto facts = readClass(*visit.by, *cohort);
   if (!facts) return refusal(visit, 403, facts.error().message);
   const std::string address = "/classes/" + encoded(facts->cohort.id);
-  return livePage(visit, facts->cohort.name,
-                  element("p", {}, link(address + "/tests", "Tests: open and close")) + attentionSection(*facts) +
+  return livePage(visit, listedName(facts->cohort),
+                  element("p", {}, link(address + "/members", "Members and settings")) +
+                      element("p", {}, link(address + "/tests", "Tests: open and close")) + attentionSection(*facts) +
                       memberSection(*facts) + skillSection(*facts) + exportSection(visit, *facts),
                   address + "/events", since);
 }

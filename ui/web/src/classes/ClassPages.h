@@ -4,8 +4,10 @@
 
 namespace insonate::web {
 
-/// Shows the classes that the user may see.
+/// Shows the classes that the user may see; for administrators, a form to add one.
 Response showClasses(const Visit& visit, const Parts& parts);
+/// Adds the class that the form names.
+Response addClass(const Visit& visit, const Parts& parts);
 /// These three functions send a file about a class: its attempts as CSV, its grades for Moodle, or its xAPI statements.
 /// `parts`: the id of the class. The query of grades has "by" (email or name), the query of statements "home" (address
 /// of the site).

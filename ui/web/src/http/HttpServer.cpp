@@ -27,7 +27,7 @@ namespace {
 
 constexpr int kWorkers = 4, kPasswordWorkers = 2;
 constexpr std::size_t kHeaderMemory_bytes = 32 << 10;
-/// Bodies of all connections together; those of workstations leave room for forms.
+/// Bodies of all connections together; those of workstations and class lists leave room for forms.
 constexpr std::size_t kMostBodies_bytes = std::size_t{256} << 20,
                       kMostBodiesOfWorkstations_bytes = std::size_t{192} << 20;
 /// Requests that wait for a worker; further ones are told to come back, since a queue without limit only grows.
@@ -147,6 +147,51 @@ bool isOfWorkstation(const Request& request) {
   return request.path.starts_with(kSiteApi) && !valueOf(request.headers, "authorization").empty();
 }
 
+/// A list is larger than other forms. As for workstations, only a body that may come from a known user is worth it.
+bool isList(const Request& request) {
+  return request.path.starts_with("/classes/") &&
+         (request.path.ends_with("/import") || request.path.ends_with("/import/confirm")) && !request.cookies.empty();
+}
+
+std::size_t largestBodyOf(const Request& request) {
+  if (isOfWorkstation(request)) return HttpServer::kLargestBodyOfWorkstation_bytes;
+  return isList(request) ? HttpServer::kLargestBodyOfList_bytes : HttpServer::kLargestBody_bytes;
+}
+
+/// Takes the parts of a multipart form, of which each arrives in pieces.
+struct PartTaker {
+  Request* request = nullptr;
+  std::string* value = nullptr;  ///< of the part that arrives; null: another part had the same name before
+};
+
+MHD_Result takePart(void* state, MHD_ValueKind /*kind*/, const char* key, const char* fileName, const char* /*type*/,
+                    const char* /*encoding*/, const char* data, std::uint64_t offset, std::size_t size) {
+  auto& taker = *static_cast<PartTaker*>(state);
+  if (offset == 0) {
+    Fields& fields = fileName ? taker.request->files : taker.request->form;
+    const auto [place, isNew] = fields.emplace(key ? key : "", "");
+    taker.value = isNew ? &place->second : nullptr;
+  }
+  if (taker.value) taker.value->append(data, size);
+  return MHD_YES;
+}
+
+/// Reads the form in a request's body; false: the body is no form.
+bool readForm(MHD_Connection* connection, Request& request) {
+  if (!lowerCase(valueOf(request.headers, "content-type")).starts_with("multipart/")) {
+    request.form = fieldsOfForm(request.body);
+    return true;
+  }
+  constexpr std::size_t kBuffer_bytes = 4096;
+  PartTaker taker{.request = &request};
+  MHD_PostProcessor* reader = MHD_create_post_processor(connection, kBuffer_bytes, &takePart, &taker);
+  if (!reader) return false;
+  const MHD_Result read = MHD_post_process(reader, request.body.data(), request.body.size());
+  const bool isWhole = MHD_destroy_post_processor(reader) == MHD_YES && read == MHD_YES;
+  for (auto& [name, value] : request.form) value = plainText(value);
+  return isWhole;
+}
+
 }  // namespace
 
 struct HttpServer::Impl {
@@ -223,7 +268,7 @@ MHD_Result HttpServer::Impl::begin(MHD_Connection* connection, const char* url, 
   MHD_get_connection_values(connection, MHD_HEADER_KIND, &countLengths, &lengths);
   if (lengths > 1) return refuse(connection, plain(400, "The length of the request is stated twice."));
   Request request = requestOf(connection, url, method);
-  const std::size_t largest_bytes = isOfWorkstation(request) ? kLargestBodyOfWorkstation_bytes : kLargestBody_bytes;
+  const std::size_t largest_bytes = largestBodyOf(request);
   if (announced_bytes > largest_bytes) return refuse(connection, plain(413, "The request is too large."));
   auto* exchange = new Exchange{.connection = connection,
                                 .socket = socketOf(connection),
@@ -256,7 +301,8 @@ MHD_Result HttpServer::Impl::take(Exchange& exchange, const char* data, std::siz
     return refuse(exchange.connection, plain(503, "The server is busy. Try again in a few seconds."));
   if (exchange.isCut || exchange.request.body.size() > exchange.largest_bytes)
     return refuse(exchange.connection, plain(413, "The request is too large."));
-  if (!isOfWorkstation(exchange.request)) exchange.request.form = fieldsOfForm(exchange.request.body);
+  if (!isOfWorkstation(exchange.request) && !readForm(exchange.connection, exchange.request))
+    return refuse(exchange.connection, plain(400, "The form cannot be read. Go back and send it again."));
   if (submit(&exchange)) return MHD_YES;
   Response busy = plain(503, "The server is busy. Try again in a few seconds.");
   busy.headers.emplace_back("Retry-After", "5");

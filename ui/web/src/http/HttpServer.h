@@ -25,14 +25,17 @@ struct HttpLimits {
 
 /// Accepts HTTP or HTTPS connections and answers each request by `answer`, on a few worker threads. One thread waits
 /// for all connections (epoll), so that a slow client occupies no worker. Bodies above kLargestBody_bytes are refused;
-/// for workstations, the limit is kLargestBodyOfWorkstation_bytes.
+/// for
+/// class lists of signed-in users, the limit is kLargestBodyOfList_bytes, and for workstations
+/// kLargestBodyOfWorkstation_bytes.
 class HttpServer {
  public:
   using Answer = std::function<Response(const Request&)>;
   /// Function that receives the status of each request that was refused before it reached `answer`: the request was too
   /// large or ambiguous, or there were too many requests.
   using Refused = std::function<void(int status)>;
-  static constexpr std::size_t kLargestBody_bytes = 64 << 10, kLargestBodyOfWorkstation_bytes = 4 << 20;
+  static constexpr std::size_t kLargestBody_bytes = 64 << 10, kLargestBodyOfList_bytes = 256 << 10,
+                               kLargestBodyOfWorkstation_bytes = 4 << 20;
 
   /// Starts to listen. Fails if the address is in use or if certificate and key cannot be used. `answer` and `refused`
   /// are called on several threads at the same time and must not throw. `refused` may be empty.

@@ -7,15 +7,6 @@
 namespace insonate::web {
 namespace {
 
-std::string cleaned(const std::string& bytes) {
-  QString clean;
-  for (const QChar c : QString::fromStdString(bytes)) {
-    const bool isControl = c.category() == QChar::Other_Control && c != QLatin1Char('\n') && c != QLatin1Char('\t');
-    if (!isControl && c != QChar(QChar::ReplacementCharacter)) clean += c;
-  }
-  return clean.toStdString();
-}
-
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
@@ -41,10 +32,19 @@ const std::string& valueOf(const Fields& fields, std::string_view name) {
   return found == fields.end() ? kNone : found->second;
 }
 
+std::string plainText(const std::string& bytes) {
+  QString clean;
+  for (const QChar c : QString::fromStdString(bytes)) {
+    const bool isControl = c.category() == QChar::Other_Control && c != QLatin1Char('\n') && c != QLatin1Char('\t');
+    if (!isControl && c != QChar(QChar::ReplacementCharacter)) clean += c;
+  }
+  return clean.toStdString();
+}
+
 std::string decoded(std::string_view text, bool plusIsSpace) {
   QByteArray bytes(text.data(), static_cast<int>(text.size()));
   if (plusIsSpace) bytes.replace('+', ' ');
-  return cleaned(QByteArray::fromPercentEncoding(bytes).toStdString());
+  return plainText(QByteArray::fromPercentEncoding(bytes).toStdString());
 }
 
 std::string encoded(std::string_view text) {

@@ -21,6 +21,7 @@ struct Request {
   std::string method{};  ///< method: "GET", "POST", ...; HEAD arrives as GET
   std::string path{};    ///< decoded path without query: "/classes/5"
   Fields query{}, form{}, cookies{}, headers{};
+  Fields files{};        ///< bytes of uploaded files, by the name of their field (multipart/form-data)
   std::string body{};    ///< body of the request, as it was sent
   std::string client{};  ///< IP address of the client, or of the proxy in front of this server
 };
@@ -39,6 +40,8 @@ struct Response {
 Fields fieldsOfForm(std::string_view text);
 /// Reads the header Cookie: "a=1; b=2".
 Fields fieldsOfCookies(std::string_view text);
+/// Returns a text without what is no valid UTF-8 and without control characters other than line breaks and tabs.
+std::string plainText(const std::string& bytes);
 /// Decodes %XX; `plusIsSpace` also decodes + as in forms. An incomplete code stays as it is.
 std::string decoded(std::string_view text, bool plusIsSpace);
 /// Encodes a text as one part of a path or as a value of a query.

@@ -13,8 +13,6 @@ namespace {
 constexpr std::int64_t kHour_us = std::int64_t{3600} * 1'000'000;
 constexpr int kLongest_h = 24 * 14;
 
-using Choices = std::vector<std::pair<std::string, std::string>>;
-
 Choices testsOf(const TaughtClass& taught) {
   Choices tests;
   if (!taught.curriculum) return tests;
@@ -74,7 +72,7 @@ Markup openForm(const Visit& visit, const TaughtClass& taught, const std::string
                                        {"168", "7 days"},
                                        {"0", "until the test is closed (needs a code)"}},
                                       valueOf(form, "hours")) +
-                          inputField("Code (optional, 4 to 32 characters)", "test-code", "text", "off"),
+                          optionalField("Code (optional, 4 to 32 characters)", "test-code", "text"),
                       "Open");
   return section("Open a test", content);
 }

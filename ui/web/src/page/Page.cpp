@@ -15,11 +15,19 @@ Markup navigation(const Visit& visit) {
   Markup items = element("li", {}, link("/me", "My training"));
   if (visit.by->person().role != Role::Trainee) items += element("li", {}, link("/classes", "Classes"));
   if (visit.by->person().role == Role::Administrator)
-    items += element("li", {}, link("/workstations", "Workstations")) + element("li", {}, link("/audit", "Audit log"));
+    for (const auto& [address, words] :
+         {std::pair{"/people", "People"}, {"/workstations", "Workstations"}, {"/audit", "Audit log"}})
+      items += element("li", {}, link(address, words));
   items += element("li", {{"class", "user"}}, displayName(visit.by->person()));
   items += element("li", {}, link("/password", "Change password"));
   items += element("li", {}, postForm(visit, "/sign-out", {}, "Sign out"));
   return element("nav", {{"aria-label", "Pages"}}, element("ul", {}, items));
+}
+
+Markup formContent(const Visit& visit, const Markup& content, std::string_view button) {
+  Markup inside;
+  if (!visit.secret.empty()) inside += hiddenField("code", formCode(visit.secret));
+  return inside + content + element("button", {{"type", "submit"}}, button);
 }
 
 Response wholePage(const Visit& visit, std::string_view title, const Markup& content, int status,
@@ -85,11 +93,12 @@ Response download(const std::string& fileName, const std::string& type, std::str
 }
 
 Markup postForm(const Visit& visit, const std::string& address, const Markup& content, std::string_view button) {
-  Markup inside;
-  if (!visit.secret.empty())
-    inside += element("input", {{"type", "hidden"}, {"name", "code"}, {"value", formCode(visit.secret)}}, "");
-  inside += content + element("button", {{"type", "submit"}}, button);
-  return element("form", {{"method", "post"}, {"action", address}}, inside);
+  return element("form", {{"method", "post"}, {"action", address}}, formContent(visit, content, button));
+}
+
+Markup fileForm(const Visit& visit, const std::string& address, const Markup& content, std::string_view button) {
+  return element("form", {{"method", "post"}, {"action", address}, {"enctype", "multipart/form-data"}},
+                 formContent(visit, content, button));
 }
 
 Markup inputField(std::string_view label, const std::string& name, const std::string& type,
@@ -103,6 +112,19 @@ Markup inputField(std::string_view label, const std::string& name, const std::st
                                                  {"autocomplete", completion}}));
 }
 
+Markup optionalField(std::string_view label, const std::string& name, const std::string& type,
+                     const std::string& value) {
+  return element(
+      "label", {},
+      text(label) +
+          element("input",
+                  {{"type", type}, {"name", name}, {"value", value}, {"maxlength", "200"}, {"autocomplete", "off"}}));
+}
+
+Markup hiddenField(const std::string& name, const std::string& value) {
+  return element("input", {{"type", "hidden"}, {"name", name}, {"value", value}});
+}
+
 Markup textField(std::string_view label, const std::string& name, const std::string& value) {
   return element(
       "label", {},
@@ -110,8 +132,7 @@ Markup textField(std::string_view label, const std::string& name, const std::str
           element("textarea", {{"name", name}, {"required", ""}, {"maxlength", "4000"}, {"rows", "4"}}, value));
 }
 
-Markup choiceField(std::string_view label, const std::string& name,
-                   const std::vector<std::pair<std::string, std::string>>& choices, std::string_view chosen) {
+Markup choiceField(std::string_view label, const std::string& name, const Choices& choices, std::string_view chosen) {
   Markup options;
   for (const auto& [value, words] : choices) {
     Attributes attributes{{"value", value}};

@@ -13,6 +13,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace insonate::web {
@@ -52,15 +53,23 @@ Response download(const std::string& fileName, const std::string& type, std::str
 
 /// Returns a form that sends POST to `address`, with the code of the user's session.
 Markup postForm(const Visit& visit, const std::string& address, const Markup& content, std::string_view button);
+/// Does what postForm() does, for a form with a field of type "file".
+Markup fileForm(const Visit& visit, const std::string& address, const Markup& content, std::string_view button);
 /// Returns a labeled field. `type`: "text" or "password"; `completion`: value of the attribute autocomplete;
 /// `value`: text that the field shows at first.
 Markup inputField(std::string_view label, const std::string& name, const std::string& type,
                   const std::string& completion, const std::string& value = {});
+/// Returns a labeled field that may stay empty.
+Markup optionalField(std::string_view label, const std::string& name, const std::string& type,
+                     const std::string& value = {});
+/// Returns a field that the page does not show.
+Markup hiddenField(const std::string& name, const std::string& value);
 /// Returns a labeled field for a text of several lines; `value`: text that the field shows at first.
 Markup textField(std::string_view label, const std::string& name, const std::string& value);
-/// Returns a labeled list of choices (value, text), of which `chosen` is selected.
-Markup choiceField(std::string_view label, const std::string& name,
-                   const std::vector<std::pair<std::string, std::string>>& choices, std::string_view chosen);
+/// Values and texts of a list of choices.
+using Choices = std::vector<std::pair<std::string, std::string>>;
+/// Returns a labeled list of choices, of which `chosen` is selected.
+Markup choiceField(std::string_view label, const std::string& name, const Choices& choices, std::string_view chosen);
 /// Returns the code that forms of a session contain. The code proves that a form comes from a page of this session, and
 /// does not reveal the session's secret.
 std::string formCode(const std::string& secret);

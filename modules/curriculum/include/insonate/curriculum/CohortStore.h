@@ -32,6 +32,12 @@ struct Member {
   bool standingIsCurrent = false;  ///< true: computing `standing` now would give the same
 };
 
+/// Membership of a person in a cohort.
+struct Membership {
+  Cohort cohort{};
+  bool teaches = false;  ///< true: as an instructor of the cohort; false: as a learner
+};
+
 /// Access to cohorts (classes) and their members, with the permissions of a signed-in user. Instructors see their own
 /// cohorts, administrators see all; trainees see their own cohorts without the other members. If the workstation
 /// belongs to a server, cohorts can be changed on the server only.
@@ -39,15 +45,25 @@ class CohortStore {
  public:
   explicit CohortStore(SignedIn by) : by_(std::move(by)) {}
 
-  /// Returns the cohorts that the signed-in user may see, sorted by name.
+  /// Returns the cohorts that the signed-in user may see, sorted by name; archived cohorts come last.
   Result<std::vector<Cohort>> cohorts() const;
   /// Returns the members of a cohort: instructors, then learners, each sorted by full name, or by sign-in name if there
   /// is no full name.
   Result<std::vector<Member>> members(const std::string& cohort) const;
+  /// Returns those cohorts of a person that the signed-in user may see, sorted by name. For people whom the user may
+  /// see.
+  Result<std::vector<Membership>> ofPerson(const std::string& person) const;
 
   /// Adds a cohort. The name has 1 to 200 characters and is unique, ignoring case. Administrators only.
   Result<Cohort> add(const std::string& name) const;
   Result<void> rename(const std::string& cohort, const std::string& name) const;
+  /// Archives a cohort, or restores it. An archived cohort keeps its members, attempts and results, and its instructors
+  /// still see them; it takes neither new members nor another curriculum nor openings of tests. Openings of its tests
+  /// are closed. Administrators only.
+  Result<void> archive(const std::string& cohort, bool archived) const;
+  /// Deletes a cohort and its memberships, and closes openings of its tests; accounts, attempts and the audit log stay.
+  /// Fails if `name` is not the cohort's name, so that no other cohort is deleted by mistake. Administrators only.
+  Result<void> remove(const std::string& cohort, const std::string& name) const;
   /// Adds a person to a cohort as instructor (`teaches` is true) or learner (false). The role of an existing member is
   /// changed accordingly. Administrators only, since membership opens a person's attempts to the cohort's instructors.
   /// Trainees cannot be instructors.

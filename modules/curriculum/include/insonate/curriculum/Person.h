@@ -24,8 +24,14 @@ struct Cohort {
   std::string name{};
   std::string curriculum{};  ///< name of the curriculum (Curriculum::name); "": none yet
   int curriculumVersion = 0;
+  bool archived = false;  ///< true: the class has ended; it takes neither new members nor openings of tests
 
   bool operator==(const Cohort&) const = default;
 };
+
+/// Returns the name of a class as lists show it: "Spring" or "Spring (archived)".
+inline std::string listedName(const Cohort& cohort) {
+  return cohort.archived ? cohort.name + " (archived)" : cohort.name;
+}
 
 }  // namespace insonate

@@ -18,7 +18,8 @@ namespace {
 
 /// Not a hash, so that no password fits.
 const std::string kNoPassword = "*";
-constexpr std::string_view kCohorts = "SELECT id, name, name_key, curriculum, curriculum_version FROM cohorts";
+constexpr std::string_view kCohorts =
+    "SELECT id, name, name_key, curriculum, curriculum_version, archived FROM cohorts";
 constexpr std::string_view kMemberships = "SELECT cohort || ' ' || person, cohort, person, teaches FROM memberships";
 
 std::string peopleQuery() {
@@ -162,10 +163,10 @@ int takeCohorts(Transaction& here, const Taught& server) {
   for (const auto& row : rows) here.run("UPDATE cohorts SET name_key = id WHERE id = ?", row[0]);
   for (const auto& row : rows)
     here.run(
-        "INSERT INTO cohorts VALUES (?, ?, ?, ?, ?) ON CONFLICT (id) DO UPDATE SET name = excluded.name, "
+        "INSERT INTO cohorts VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT (id) DO UPDATE SET name = excluded.name, "
         "name_key = excluded.name_key, curriculum = excluded.curriculum, curriculum_version = "
-        "excluded.curriculum_version",
-        row[0], row[1], row[2], row[3], numberIn(row[4]));
+        "excluded.curriculum_version, archived = excluded.archived",
+        row[0], row[1], row[2], row[3], numberIn(row[4]), numberIn(row[5]));
   for (const auto& row : changed(server.memberships, ownMembers))
     here.run(
         "INSERT INTO memberships VALUES (?, ?, ?) ON CONFLICT (cohort, person) DO UPDATE SET teaches = "

@@ -11,7 +11,7 @@
 namespace insonate::store {
 
 /// Version of the messages between workstation and server; a server refuses messages of another version.
-inline constexpr int kWireVersion = 1;
+inline constexpr int kWireVersion = 2;
 
 nlohmann::json jsonOf(const std::vector<SentPerson>& people);
 nlohmann::json jsonOf(const SentBatch& batch);
