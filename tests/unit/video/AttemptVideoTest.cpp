@@ -56,9 +56,9 @@ class AttemptVideoTest : public testing::Test {
   static inline const test::TemporaryFolder folder{};
 };
 
-/// Correlation of a frame with the image of its time, where the layout has it: 650 x 478 pixels at (56, 30), centered.
+/// Correlation of a frame with the image of its time, where the layout has it: 650 x 418 pixels at (56, 30), centered.
 double correlation(const WebmReader::Frame& frame, const BModeImage& image) {
-  const double scale = std::min(650.0 / image.width, 478.0 / image.height);
+  const double scale = std::min(650.0 / image.width, 418.0 / image.height);
   const double left = 56 + (650 - image.width * scale) / 2;
   double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
   for (int y = 2; y < image.height - 2; ++y)

@@ -18,8 +18,9 @@ constexpr Ink kGround{0x14, 0x17, 0x1a}, kPanel{0x1b, 0x1f, 0x24}, kLine{0x32, 0
     kQuiet{0xb0, 0xba, 0xc3}, kAccent{0x4a, 0xa3, 0xd8}, kGood{0x4c, 0xaf, 0x7d}, kCaution{0xe0, 0xa3, 0x3a},
     kDanger{0xe0, 0x5a, 0x52};
 
-constexpr double kWidth = kAttemptVideoWidth_px, kHeight = kAttemptVideoHeight_px, kStrip = 520, kMargin = 14;
-constexpr Box kImageRoom{56, 30, kWidth - 56 - kMargin, kStrip - 30 - 12};
+constexpr double kWidth = kAttemptVideoWidth_px, kHeight = kAttemptVideoHeight_px, kStrip = 488, kCaption = 34,
+                 kMargin = 14;
+constexpr Box kImageRoom{56, 30, kWidth - 56 - kMargin, kStrip - 30 - kCaption - 6};
 constexpr std::int64_t kShown_us = 4'000'000;  ///< a milestone or error is shown so long
 
 /// "1:05.3"
@@ -87,7 +88,7 @@ void drawCaption(const VideoMoment& moment, Canvas& canvas) {
   for (const AttemptMoment& one : moment.moments)
     if (one.time_us <= moment.time_us && one.time_us > moment.time_us - kShown_us) last = &one;
   if (!last) return;
-  canvas.fill({0, kStrip - 34, kWidth, 34}, kGround, 0.85);
+  canvas.fill({0, kStrip - kCaption, kWidth, kCaption}, kGround);
   const Ink ink = !last->severity ? kText : *last->severity == Severity::Critical ? kDanger : kCaution;
   canvas.text(kMargin, kStrip - 11, (last->severity ? "\u26a0 " : "") + last->say, {.size_px = 18, .ink = ink},
               kWidth - 2 * kMargin);
@@ -131,15 +132,15 @@ void drawState(const VideoMoment& moment, Canvas& canvas) {
   const NeedlePlace place = run.metrics().needle();
   std::string needle = std::string(signOf(place)) + " " + wordsOf(place, run.vesselIn());
   if (sample && sample->needleDepth_mm) needle += ", " + tenthsOf(*sample->needleDepth_mm) + " mm deep";
-  canvas.text(kMargin, kStrip + 60, needle, {.size_px = 18, .ink = inkOf(place), .isBold = true}, 390);
+  canvas.text(kMargin, kStrip + 56, needle, {.size_px = 18, .ink = inkOf(place), .isBold = true}, 560);
   const std::string force = "Probe " + tenthsOf(sample ? sample->probeForce_N : 0) + " N";
-  canvas.text(kWidth - kMargin, kStrip + 60, force, {.size_px = 18, .ink = kText, .align = Align::Right});
+  canvas.text(kWidth - kMargin, kStrip + 56, force, {.size_px = 18, .ink = kText, .align = Align::Right});
   const SyringeContent content = moment.replay.syringe();
-  canvas.text(420, kStrip + 60, "Syringe: " + std::string(wordsOf(content, sample && sample->aspirating)),
-              {.size_px = 18, .ink = inkOf(content)}, 180);
+  canvas.text(kMargin, kStrip + 82, "Syringe: " + std::string(wordsOf(content, sample && sample->aspirating)),
+              {.size_px = 18, .ink = inkOf(content)});
 }
 
-constexpr std::size_t kColumns = 3, kRows = 4;
+constexpr std::size_t kColumns = 2, kRows = 6;
 
 /// The metrics with published values first, as in the window.
 std::array<Metric, kColumns * kRows> shownMetrics(const Procedure& procedure) {
@@ -155,11 +156,11 @@ std::array<Metric, kColumns * kRows> shownMetrics(const Procedure& procedure) {
 void drawMetrics(const VideoMoment& moment, Canvas& canvas) {
   const ProcedureRun& run = moment.replay.run();
   const MetricValues values = run.metrics().values();
-  const double top = kStrip + 78, room = (kWidth - 2 * kMargin + 24) / kColumns, width = room - 24;
+  const double top = kStrip + 92, room = (kWidth - 2 * kMargin + 24) / kColumns, width = room - 24;
   canvas.line(kMargin, top, kWidth - kMargin, top, 1, kLine);
   const auto shown = shownMetrics(run.procedure());
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    const double left = kMargin + double(i / kRows) * room, y = top + 27 + double(i % kRows) * 27;
+    const double left = kMargin + double(i / kRows) * room, y = top + 20 + double(i % kRows) * 22;
     const std::string value = metricText(shown[i], values[shown[i]]);
     const double used =
         canvas.text(left + width, y, value, {.size_px = 16, .ink = kText, .isBold = true, .align = Align::Right});
