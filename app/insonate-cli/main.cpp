@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
   addDevicesCommand(app, outcome);
   addSessionCommand(app, outcome);
   addReplayCommand(app, outcome);
+  addVideoCommand(app, outcome);
   addCurriculumCommand(app, outcome);
 
   if (const std::string unknown = unknownCommand(app, argc, argv); !unknown.empty()) {

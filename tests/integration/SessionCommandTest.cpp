@@ -67,6 +67,25 @@ TEST_F(SessionCommand, AnAttemptAndItsReplayTellTheSame) {
   EXPECT_THAT(run("replay " + path("a") + " --metrics").output, HasSubstr("vein punctures (vein_punctures)"));
 }
 
+TEST_F(SessionCommand, AnAttemptBecomesAVideo) {
+  ASSERT_EQ(run("session " + path("case") + " --script " + path("attempt.json") + " --record " + path("a")).status, 0);
+  const auto video = run("video " + path("a") + " " + path("case") + " --out " + path("a.webm") + " --fps 2 --json");
+  ASSERT_EQ(video.status, 0) << video.errors;
+  const json told = json::parse(video.output);
+  EXPECT_EQ(told["fps"], 2);
+  EXPECT_EQ(told["bytes"], std::filesystem::file_size(folder / "a.webm"));
+  EXPECT_EQ(told["length_s"], json::parse(run("replay " + path("a") + " --json").output)["end_s"]);
+  EXPECT_EQ(std::ifstream(folder / "a.webm", std::ios::binary).get(), 0x1A) << "the beginning of a WebM file";
+
+  const auto unknown = run("video " + path("a") + " --out " + path("b.webm"));
+  EXPECT_EQ(unknown.status, 1);
+  EXPECT_THAT(unknown.errors, HasSubstr("The attempt's case, 'Small block', is not here"));
+  const auto damaged = run("video " + path("attempt.json") + " " + path("case") + " --out " + path("b.webm"));
+  EXPECT_EQ(damaged.status, 1);
+  EXPECT_FALSE(std::filesystem::exists(folder / "b.webm"));
+  EXPECT_EQ(run("video " + path("a") + " --out " + path("b.webm") + " --fps 0").status, 2);
+}
+
 TEST_F(SessionCommand, AProcedureThatTheCaseIsNotForIsRefusedAndLeavesNothing) {
   std::ofstream(folder / "below.json") << R"({"procedure": "subclavian", "acts": [{"wait_s": 1}]})";
   const auto refused = run("session " + path("case") + " --script " + path("below.json") + " --record " + path("a"));

@@ -1,5 +1,9 @@
 #include <insonate/procedure/MetricTitle.h>
 
+#include <array>
+#include <charconv>
+#include <cmath>
+
 namespace insonate {
 namespace {
 
@@ -171,6 +175,21 @@ constexpr std::array<std::string_view, kMetricCount> kTitles{
 
 std::string_view metricTitle(Metric metric) {
   return kTitles[static_cast<std::size_t>(metric)];
+}
+
+std::string metricText(Metric metric, const std::optional<double>& value) {
+  if (!value) return "n/a";
+  const std::string_view unit = definitionOf(metric).unit;
+  const bool isCount = unit.empty() && *value == std::round(*value);
+  // Not printf, which writes a comma in some countries.
+  std::array<char, 400> number{};
+  const auto end = std::to_chars(number.data(), number.data() + number.size(), *value, std::chars_format::fixed,
+                                 isCount        ? 0
+                                 : unit.empty() ? 2
+                                                : 1);
+  return std::string(number.data(), end.ptr) + (unit.empty()    ? ""
+                                                : unit == "deg" ? std::string("\u00b0")
+                                                                : " " + std::string(unit));
 }
 
 std::span<const MetricDefinition, kMetricCount> metricTable() {

@@ -6,6 +6,7 @@
 #include "AttemptControl.h"
 
 #include <insonate/ui/Commands.h>
+#include <insonate/ui/Text.h>
 #include <insonate/ui/Theme.h>
 
 #include <QPainter>
@@ -35,19 +36,6 @@ QColor colourOf(SyringeView::Content content) {
 }
 
 }  // namespace
-
-SyringeView::Content drawnFrom(Label tissue) {
-  switch (tissue) {
-    case kVein:
-      return SyringeView::Content::DarkBlood;
-    case kArtery:
-      return SyringeView::Content::BrightBlood;
-    case kAirway:
-      return SyringeView::Content::Air;
-    default:
-      return SyringeView::Content::Nothing;
-  }
-}
 
 SyringeView::SyringeView(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase,
                          AttemptControl& attempt, const ui::Commands& commands, QWidget* parent)
@@ -84,7 +72,7 @@ void SyringeView::empty() {
 void SyringeView::draw() {
   const double step_s = std::min(0.2, double(clock_.restart()) / 1000);
   const auto& needle = hands_.needle();
-  const Content now = needle && needle->state.inBody ? drawnFrom(needle->state.in) : Content::Nothing;
+  const Content now = needle && needle->state.inBody ? aspiratedFrom(needle->state.in) : Content::Nothing;
   if (now == Content::Nothing) return;
   const bool other = std::exchange(content_, now) != now;
   beat_ = std::fmod(beat_ + step_s * kBeats_perMin / 60, 1.0);
@@ -109,17 +97,7 @@ void SyringeView::tell() {
 }
 
 QString SyringeView::words() const {
-  switch (content_) {
-    case Content::DarkBlood:
-      return tr("dark red blood, non-pulsatile");
-    case Content::BrightBlood:
-      return tr("bright red blood, pulsatile");
-    case Content::Air:
-      return tr("air");
-    case Content::Nothing:
-      break;
-  }
-  return attempt_.isAspirating() ? tr("aspirating, still empty") : tr("empty");
+  return ui::qt(wordsOf(content_, attempt_.isAspirating()));
 }
 
 /// Lying: the needle's end on the left, the plunger on the right.

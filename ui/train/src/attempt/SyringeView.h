@@ -1,6 +1,6 @@
 #pragma once
 
-#include <insonate/tissue/Labels.h>
+#include <insonate/procedure/NeedleWords.h>
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -26,7 +26,7 @@ class SyringeView final : public QWidget {
   Q_OBJECT
 
  public:
-  enum class Content { Nothing, DarkBlood, BrightBlood, Air };
+  using Content = SyringeContent;
 
   SyringeView(DisclosureModel& disclosure, HandsControl& hands, CaseModel& patientCase, AttemptControl& attempt,
               const ui::Commands& commands, QWidget* parent = nullptr);
@@ -58,8 +58,5 @@ class SyringeView final : public QWidget {
   QTimer timer_;
   QElapsedTimer clock_;
 };
-
-/// Returns the content that a syringe aspirates while the needle's tip is in this tissue.
-SyringeView::Content drawnFrom(Label tissue);
 
 }  // namespace insonate::train

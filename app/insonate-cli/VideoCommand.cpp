@@ -1,0 +1,70 @@
+#include "Commands.h"
+
+#include <insonate/video/AttemptCase.h>
+#include <insonate/video/AttemptVideo.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <utility>
+
+namespace insonate::cli {
+namespace {
+
+struct VideoArguments {
+  std::string recording, caseFolder, out;
+  AttemptVideoOptions options;
+  bool json = false;
+};
+
+Result<PatientCase> caseFor(const VideoArguments& a, const AttemptHeader& header) {
+  if (a.caseFolder.empty()) return caseOfAttempt(header, {}, terminalProgress());
+  auto read = readCase(a.caseFolder);
+  if (!read) return tl::unexpected(read.error());
+  for (const std::string& note : read->notes) std::cerr << "note: " << note << '\n';
+  return std::move(read->patient);
+}
+
+Result<void> makeVideo(const VideoArguments& a) {
+  auto opened = AttemptRecording::open(a.recording);
+  if (!opened) return tl::unexpected(opened.error());
+  const auto recording = std::make_shared<const AttemptRecording>(std::move(*opened));
+  for (const std::string& trouble : recording->troubles()) std::cerr << "note: " << trouble << '\n';
+  auto patient = caseFor(a, recording->header());
+  if (!patient) return tl::unexpected(patient.error());
+  const auto owned = std::make_shared<const PatientCase>(std::move(*patient));
+  if (auto ok = writeAttemptVideo(recording, owned, a.out, a.options, terminalProgress()); !ok) return ok;
+  const double length_s = double(recording->end_us()) * 1e-6;
+  const auto size_bytes = std::filesystem::file_size(a.out);
+  if (a.json)
+    printJson({{"out", a.out}, {"length_s", length_s}, {"fps", a.options.framesPerSecond}, {"bytes", size_bytes}});
+  else
+    std::printf("Wrote %s: %.1f s of the attempt, %d frames per second, %.1f MB\n", a.out.c_str(), length_s,
+                a.options.framesPerSecond, double(size_bytes) / 1e6);
+  return {};
+}
+
+}  // namespace
+
+void addVideoCommand(CLI::App& app, Outcome& outcome) {
+  auto* command =
+      app.add_subcommand("video", "Write a recorded attempt as a video (WebM): image, needle, syringe and metrics");
+  auto a = std::make_shared<VideoArguments>();
+  command->add_option("RECORDING", a->recording, "File of a recording")->required()->check(notEmpty());
+  command->add_option("CASE", a->caseFolder, "Folder of the attempt's case; not needed for a built-in neck")
+      ->check(notEmpty());
+  command->add_option("--out", a->out, "Video file to write (.webm)")->required()->check(notEmpty());
+  command->add_option("--fps", a->options.framesPerSecond, "Frames per second")
+      ->check(CLI::Range(1, 60))
+      ->capture_default_str();
+  command->add_flag("--json", a->json, "Print one JSON object");
+  command->callback([a, &outcome] {
+    outcome.json = a->json;
+    if (auto done = makeVideo(*a); !done) refuse(outcome, done.error());
+  });
+}
+
+}  // namespace insonate::cli
