@@ -327,7 +327,7 @@ TEST(StoreUpkeepOfFile, AnOddFileNameIsAFileName) {
 
 /// A store that an earlier program left, one file for each schema that was ever published: `sqlite3 FILE .dump`.
 class StoreUpkeepOfEarlier : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Schemas, StoreUpkeepOfEarlier, ::testing::Range(1, 11));
+INSTANTIATE_TEST_SUITE_P(Schemas, StoreUpkeepOfEarlier, ::testing::Values(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12));
 
 std::string dumpOf(int schema) {
   return bytesOf(fs::path(INSONATE_SOURCE_DIR) / "tests/unit/curriculum/schemas" / (std::to_string(schema) + ".sql"));
