@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
@@ -27,6 +29,9 @@ struct Response {
   std::string type = "text/html; charset=utf-8";
   std::string body{};
   std::vector<std::pair<std::string, std::string>> headers{};
+  /// File of which a part is sent instead of `body`; empty: `body` is sent.
+  std::filesystem::path file{};
+  std::uint64_t fileBegin = 0, fileSize = 0;
 };
 
 /// Reads "a=1&b=x%20y" (application/x-www-form-urlencoded). Text that is no valid UTF-8 and control characters other
