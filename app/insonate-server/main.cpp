@@ -123,6 +123,16 @@ void addOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("--recordings", arguments.recordings,
                  "Folder for the recordings that workstations send; by default beside the database file; required with "
                  "a PostgreSQL database");
+  app.add_option(
+      "--videos", options.videos,
+      "Folder for the videos of attempts; by default 'videos' beside the folder of recordings. Several servers "
+      "with one database need a common folder");
+  app.add_option("--video-space", options.videoSpace_GB,
+                 "Size of this folder in GB; above it, the videos that were watched longest ago are removed")
+      ->check(CLI::Range(0.1, 1e6))
+      ->capture_default_str();
+  app.add_option("--cases", options.cases,
+                 "Folder with the folders of cases, for videos of attempts that were not made on a built-in case");
   app.add_flag("--demo", arguments.demo,
                "Serve a made-up class, whose names and password are printed and whose data are deleted at the end");
   app.add_option("--listen", arguments.listen, "Address and port at which the server listens")->capture_default_str();

@@ -3,8 +3,10 @@
 browser_test.py SERVER [FOLDER]: SERVER is the program; screenshots go to FOLDER. Exit status 77: no browser here.
 """
 
+import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -221,6 +223,103 @@ def administer(driver, base, folder, width):
         yield f"the person who was removed at {width} is still in the class"
 
 
+def recorded_class(command_line, folder):
+    """Makes a class with one attempt that has a recording; returns the database and the recording."""
+    database = folder / "class.db"
+    subprocess.run([command_line, "curriculum", "demo", database, "--trainees", "1", "--attempts", "2", "--recorded", "1"],
+                   env=os.environ | {"INSONATE_NEW_PASSWORD": PASSWORD}, check=True, capture_output=True)
+    return database, next((folder / "attempts").glob("*.attempt"))
+
+
+# The mean brightness of the present frame of the video, which a page without rights on it could not read.
+BRIGHTNESS = """
+const video = document.querySelector('video'), canvas = document.createElement('canvas');
+canvas.width = canvas.height = 180;
+const context = canvas.getContext('2d');
+context.drawImage(video, 0, 0, 180, 180);
+const pixels = context.getImageData(0, 0, 180, 130).data;
+return pixels.reduce((sum, value, i) => sum + (i % 4 ? 0 : value), 0) / (pixels.length / 4);
+"""
+
+
+def watch(driver, base, attempt, label, folder):
+    """Plays the video of an attempt. Yields what is wrong."""
+    driver.get(attempt)
+    wait = WebDriverWait(driver, 30)
+    ready = "const v = document.querySelector('video'); return v && v.readyState >= 2 && !v.seeking && v.currentTime"
+    try:
+        wait.until(lambda _: driver.execute_script(ready) is not False)
+        length = driver.execute_script("return document.querySelector('video').duration")
+        if not 5 < length < 60:
+            yield f"{label}: the video has a duration of {length} s"
+        link = driver.find_elements(By.CSS_SELECTOR, ".moments a")[-1]
+        time = float(link.get_attribute("data-time"))
+        link.click()
+        wait.until(lambda _: abs(float(driver.execute_script(ready) or -1) - time) < 0.2)
+        if driver.current_url != attempt:
+            yield f"{label}: an event leads away to {driver.current_url}"
+        if "true" not in [one.get_attribute("aria-current") for one in driver.find_elements(By.CSS_SELECTOR, ".moments a")]:
+            yield f"{label}: no event is marked as the present one"
+        driver.execute_script("document.querySelector('video').currentTime = 6")
+        wait.until(lambda _: abs(float(driver.execute_script(ready) or -1) - 6) < 0.2)
+        if not 10 < driver.execute_script(BRIGHTNESS) < 200:
+            yield f"{label}: the frame is no ultrasound image"
+    except TimeoutException:
+        yield f"{label}: the video does not play or jump: " + str(driver.execute_script(
+            "const v = document.querySelector('video'); return v ? [v.readyState, v.currentTime, v.error && v.error.message] : 'none'"))
+    for sentence in driver.execute_script(CHECKS):
+        yield f"{label} video: {sentence}"
+    for error in driver.get_log("browser"):
+        yield f"{label} video: {error['message']}"
+    if folder:
+        driver.execute_script("document.querySelector('#video').scrollIntoView()")
+        driver.save_screenshot(str(folder / f"video-{label}.png"))
+    # Without the script, the same link opens the video alone at that time.
+    driver.get(base + "me")
+    driver.get(attempt.split("?")[0] + f"/video.webm#t={time}")
+    try:
+        wait.until(lambda _: abs(float(driver.execute_script(ready) or -1) - time) < 1)
+    except TimeoutException:
+        yield f"{label}: the link without script does not open the video at {time} s"
+
+
+def video(server_program, folder):
+    """A trainee asks for the video of an attempt, and watches it. Yields what is wrong."""
+    command_line = pathlib.Path(server_program).with_name("insonate-cli")
+    with tempfile.TemporaryDirectory() as own:
+        database, recording = recorded_class(command_line, pathlib.Path(own))
+        server = subprocess.Popen([server_program, database, "--listen", "127.0.0.1:0"], stdout=subprocess.PIPE,
+                                  stderr=subprocess.DEVNULL, text=True)
+        try:
+            base = next(match.group(0) for line in server.stdout if (match := re.search(r"http://\S+", line)))
+            attempt = None
+            for width_name, width in WIDTHS.items():
+                driver = browser(width, "dark" if width_name == "laptop" else "light")
+                try:
+                    sign_in(driver, base, "made-up-001")
+                    if not attempt:
+                        links = driver.find_elements(By.CSS_SELECTOR, "main a[href*='/attempts/']")
+                        attempt = links[0].get_attribute("href")
+                        identity = re.search(r"/attempts/([0-9a-f-]+)", attempt).group(1)
+                        kept = pathlib.Path(f"{database}.recordings")
+                        kept.mkdir(exist_ok=True)
+                        shutil.copy(recording, kept / f"{identity}.attempt")
+                        driver.get(attempt)
+                        driver.find_element(By.XPATH, "//button[text()='Make video']").click()
+                        if "The video" not in driver.find_element(By.TAG_NAME, "main").text:
+                            yield "the page does not say that the video is being made"
+                        if folder:
+                            driver.save_screenshot(str(folder / "video-progress.png"))
+                        WebDriverWait(driver, 600).until(lambda _: driver.find_elements(By.TAG_NAME, "video"))
+                    yield from watch(driver, base, attempt, width_name, folder)
+                finally:
+                    driver.quit()
+        finally:
+            server.terminate()
+            if server.wait(timeout=20) != 0:
+                yield f"The server with videos ended with status {server.returncode}"
+
+
 def main():
     if not DRIVER.exists():
         print("Skipped: chromium-driver is not installed")
@@ -251,6 +350,7 @@ def main():
         server.terminate()
         if server.wait(timeout=20) != 0:
             troubles.append(f"The server ended with status {server.returncode}")
+    troubles += video(sys.argv[1], folder)
     print("\n".join(troubles) if troubles else "All pages of all roles are as they should be.")
     return 1 if troubles else 0
 

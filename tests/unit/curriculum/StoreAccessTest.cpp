@@ -9,6 +9,7 @@
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/SiteUpload.h>
 #include <insonate/curriculum/StoreUpkeep.h>
+#include <insonate/curriculum/VideoQueue.h>
 #include <insonate/curriculum/Workstations.h>
 
 #include <functional>
@@ -148,6 +149,8 @@ std::vector<Call> attemptCalls(const Target& target) {
       {"see comments", "aim", [=](const SignedIn& by) { return outcome(CommentStore(by).ofAttempt(attempt)); }},
       {"see counts of comments", "aim", [=](const SignedIn& by) { return outcome(CommentStore(by).countsOf(anna)); }},
       {"mark comments as read", "a", [=](const SignedIn& by) { return outcome(CommentStore(by).markRead(attempt)); }},
+      {"request video", "aim", [=](const SignedIn& by) { return outcome(AttemptVideos(by).request(attempt)); }},
+      {"see state of video", "aim", [=](const SignedIn& by) { return outcome(AttemptVideos(by).state(attempt)); }},
       {"accept attempt", "im",
        [=](const SignedIn& by) {
          // A person's own attempt is refused; for those of others the answer is that acceptance is not needed.

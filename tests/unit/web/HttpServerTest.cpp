@@ -1,5 +1,7 @@
 #include "http/EventStream.h"
 #include "http/HttpServer.h"
+#include "http/Ranges.h"
+#include "support/TestData.h"
 
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
@@ -10,6 +12,7 @@
 #include <atomic>
 #include <cerrno>
 #include <chrono>
+#include <fstream>
 #include <thread>
 
 namespace insonate::web {
@@ -157,6 +160,48 @@ TEST(WebHttpServer, ListsOfUsersMayBeLargerThanOtherForms) {
   EXPECT_EQ(ask("/classes/5/import", large, ""), "HTTP/1.1 413") << "nobody is signed in";
   EXPECT_EQ(ask("/classes/5/name", large, cookie), "HTTP/1.1 413");
   EXPECT_EQ(ask("/classes/5/import", HttpServer::kLargestBodyOfList_bytes, cookie), "HTTP/1.1 413");
+}
+
+TEST(WebHttpServer, SendsAPartOfAFile) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "video") << std::string(100'000, 'a') << "here" << std::string(100'000, 'b');
+  const auto server =
+      serving([&](const Request& request) { return sendFile(request, folder / "video", "video/webm"); });
+  const auto ask = [&](const std::string& header) {
+    return RawClient(server->port()).ask("GET / HTTP/1.1\r\n" + kClose + header + "\r\n");
+  };
+  const std::string part = ask("Range: bytes=100000-100003\r\n");
+  EXPECT_THAT(part, StartsWith("HTTP/1.1 206"));
+  EXPECT_THAT(part, HasSubstr("Content-Range: bytes 100000-100003/200004\r\n"));
+  EXPECT_THAT(part, testing::EndsWith("\r\n\r\nhere"));
+  const std::string whole = ask("");
+  EXPECT_THAT(whole, StartsWith("HTTP/1.1 200"));
+  EXPECT_THAT(whole, HasSubstr("Accept-Ranges: bytes\r\n"));
+  EXPECT_EQ(whole.size() - whole.find("\r\n\r\n") - 4, 200'004U);
+  EXPECT_THAT(ask("Range: bytes=200004-\r\n"), StartsWith("HTTP/1.1 416"));
+  const std::size_t tag = part.find("ETag: ") + 6;
+  const std::string same = part.substr(tag, part.find('\r', tag) - tag);
+  EXPECT_THAT(ask("Range: bytes=0-3\r\nIf-Range: " + same + "\r\n"), StartsWith("HTTP/1.1 206"));
+  EXPECT_THAT(ask("Range: bytes=0-3\r\nIf-Range: \"other\"\r\n"), StartsWith("HTTP/1.1 200")) << "another file";
+}
+
+TEST(WebHttpServer, ReadsRanges) {
+  const auto words = [](std::string_view header) {
+    const auto range = rangeOf(header, 1000);
+    return range ? std::to_string(range->begin) + "+" + std::to_string(range->size) : "outside";
+  };
+  EXPECT_EQ(words(""), "0+1000");
+  EXPECT_EQ(words("bytes=0-"), "0+1000");
+  EXPECT_EQ(words("bytes=200-299"), "200+100");
+  EXPECT_EQ(words("bytes=900-5000"), "900+100");
+  EXPECT_EQ(words("bytes=-1"), "999+1");
+  EXPECT_EQ(words("bytes=-5000"), "0+1000");
+  EXPECT_EQ(words("bytes=999-"), "999+1");
+  for (const std::string_view outside : {"bytes=1000-", "bytes=5000-6000", "bytes=-0"})
+    EXPECT_EQ(words(outside), "outside") << outside;
+  for (const std::string_view ignored : {"bytes=1-2,5-6", "lines=1-2", "bytes=9-3", "bytes=x-", "bytes=1-x",
+                                         "bytes=", "bytes=-", "bytes=99999999999999999999-", "bytes=0x1-2"})
+    EXPECT_EQ(words(ignored), "0+1000") << ignored;
 }
 
 TEST(WebHttpServer, RefusesWhatIsTooLargeOrNoRequest) {

@@ -14,6 +14,7 @@
 #include "person/PersonPage.h"
 #include "signin/SignInPages.h"
 #include "site/SiteApi.h"
+#include "video/VideoPage.h"
 #include "workstations/WorkstationPages.h"
 
 #include <insonate/curriculum/BrowserSessions.h>
@@ -130,6 +131,7 @@ constexpr Route kRoutes[]{
     {"GET", "/style.css", Access::File, &showStyleSheet},
     {"GET", "/icon.svg", Access::File, &showIcon},
     {"GET", "/live.js", Access::File, &showLiveScript},
+    {"GET", "/video.js", Access::File, &showVideoScript},
     {"GET", "/health", Access::Monitoring, &showHealth},
     {"GET", "/metrics", Access::Monitoring, &showMetrics},
     {"POST", "/api/site/*", Access::Workstation, &answerWorkstation},
@@ -143,6 +145,9 @@ constexpr Route kRoutes[]{
     {"GET", "/me", Access::SignedIn, &showOwnTraining},
     {"GET", "/me/events", Access::SignedIn, &followOwnTraining},
     {"GET", "/attempts/*", Access::SignedIn, &showAttempt},
+    {"GET", "/attempts/*/video", Access::SignedIn, &showVideoProgress},
+    {"POST", "/attempts/*/video", Access::SignedIn, &requestVideo},
+    {"GET", "/attempts/*/video.webm", Access::SignedIn, &sendVideo},
     {"POST", "/attempts/*/accept", Access::SignedIn, &acceptAttempt},
     {"POST", "/attempts/*/void", Access::SignedIn, &voidAttempt},
     {"POST", "/attempts/*/comments", Access::SignedIn, &addComment},
@@ -185,20 +190,23 @@ constexpr Route kRoutes[]{
     {"GET", "/audit", Access::SignedIn, &showAudit},
 };
 
+bool hasHeader(const Response& response, std::string_view name) {
+  return std::ranges::any_of(response.headers, [&](const auto& header) { return header.first == name; });
+}
+
 void addProtection(Response& response, const WebOptions& options) {
-  response.headers.emplace_back(
-      "Content-Security-Policy",
-      "default-src 'none'; style-src 'self'; img-src 'self'; script-src 'self'; connect-src 'self'; "
-      "form-action 'self'; "
-      "frame-ancestors 'none'; base-uri 'none'");
+  // Pages with a video have a policy of their own.
+  if (!hasHeader(response, "Content-Security-Policy"))
+    response.headers.emplace_back("Content-Security-Policy",
+                                  "default-src 'none'; style-src 'self'; img-src 'self'; script-src 'self'; "
+                                  "connect-src 'self'; form-action 'self'; "
+                                  "frame-ancestors 'none'; base-uri 'none'");
   response.headers.emplace_back("X-Content-Type-Options", "nosniff");
   response.headers.emplace_back("Referrer-Policy", "same-origin");
   response.headers.emplace_back("Cross-Origin-Opener-Policy", "same-origin");
   if (options.behindProxy || !options.certificate.empty())
     response.headers.emplace_back("Strict-Transport-Security", "max-age=31536000");
-  for (const auto& [name, value] : response.headers)
-    if (name == "Cache-Control") return;
-  response.headers.emplace_back("Cache-Control", "no-store");
+  if (!hasHeader(response, "Cache-Control")) response.headers.emplace_back("Cache-Control", "no-store");
 }
 
 /// The sentences of the failures name the place of the database and have parts of statements: they go to the log alone.

@@ -3,6 +3,7 @@
 #include "http/ClientAddress.h"
 #include "http/HttpServer.h"
 #include "site/Verifier.h"
+#include "video/VideoMaker.h"
 
 #include <insonate/web/WebServer.h>
 
@@ -40,6 +41,7 @@ struct WebServer::Impl {
   Site site;
   std::unique_ptr<HttpServer> http;
   std::unique_ptr<Verifier> verifier;
+  std::unique_ptr<VideoMaker> videoMaker;
 };
 
 WebServer::WebServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -49,13 +51,16 @@ WebServer& WebServer::operator=(WebServer&&) noexcept = default;
 
 Result<WebServer> WebServer::start(const CurriculumStore& store, const WebOptions& options) {
   if (auto ok = checkOptions(options); !ok) return tl::unexpected(ok.error());
-  auto impl = std::make_unique<Impl>(store, options);
+  WebOptions used = options;
+  if (used.videos.empty() && !store.recordings().empty()) used.videos = store.recordings().parent_path() / "videos";
+  auto impl = std::make_unique<Impl>(store, used);
   auto http = HttpServer::start(
       options, [site = &impl->site](const Request& request) { return site->answer(request); }, {},
       [site = &impl->site](int status) { site->noteRefused(status); });
   if (!http) return tl::unexpected(http.error());
   impl->http = std::move(*http);
   impl->verifier = std::make_unique<Verifier>(store, options.log);
+  if (!used.videos.empty()) impl->videoMaker = std::make_unique<VideoMaker>(store, used);
   return WebServer(std::move(impl));
 }
 

@@ -2,6 +2,7 @@
 
 #include "comments/Comments.h"
 #include "person/PersonPage.h"
+#include "video/VideoPage.h"
 
 #include <insonate/curriculum/AttemptStore.h>
 #include <insonate/curriculum/AttemptTable.h>
@@ -144,10 +145,14 @@ Response attemptPage(const Visit& visit, const std::string& id, const CommentDra
   content += attemptFacts(kept->facts, *person, level);
   const auto comments = commentSection(visit, kept->facts, queryOf(visit), draft);
   if (!comments) return refusal(visit, 403, comments.error().message);
-  content += *comments + metricSection(kept->facts, level);
+  const auto video = videoSection(visit, *kept, queryOf(visit));
+  if (!video) return refusal(visit, 403, video.error().message);
+  content += *video + *comments + metricSection(kept->facts, level);
   if (visit.by->person().role != Role::Trainee) content += flagSection(kept->facts);
   content += decisionSection(visit, kept->facts, queryOf(visit), decisionTrouble);
-  return page(visit, "Attempt", content, status);
+  Response response = page(visit, "Attempt", content, status);
+  if (!video->empty()) response.headers.push_back(kVideoPolicy);
+  return response;
 }
 
 }  // namespace

@@ -6,9 +6,11 @@
 #include "site/SiteApi.h"
 
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <microhttpd.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -124,11 +126,20 @@ MHD_Response* streamResponse(MHD_Connection* connection, const std::shared_ptr<E
   return response;
 }
 
+/// The library closes the file.
+MHD_Response* responseOf(const Response& answer) {
+  if (answer.file.empty())
+    return MHD_create_response_from_buffer(answer.body.size(), const_cast<char*>(answer.body.data()),
+                                           MHD_RESPMEM_MUST_COPY);
+  const int file = ::open(answer.file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return nullptr;
+  MHD_Response* response = MHD_create_response_from_fd_at_offset64(answer.fileSize, file, answer.fileBegin);
+  if (!response) ::close(file);
+  return response;
+}
+
 MHD_Result send(MHD_Connection* connection, const Response& answer) {
-  MHD_Response* response = answer.events
-                               ? streamResponse(connection, answer.events)
-                               : MHD_create_response_from_buffer(
-                                     answer.body.size(), const_cast<char*>(answer.body.data()), MHD_RESPMEM_MUST_COPY);
+  MHD_Response* response = answer.events ? streamResponse(connection, answer.events) : responseOf(answer);
   if (!response) return MHD_NO;
   MHD_add_response_header(response, MHD_HTTP_HEADER_CONTENT_TYPE, answer.type.c_str());
   for (const auto& [name, value] : answer.headers) MHD_add_response_header(response, name.c_str(), value.c_str());
@@ -294,7 +305,9 @@ MHD_Result HttpServer::Impl::take(Exchange& exchange, const char* data, std::siz
     return MHD_YES;
   }
   if (exchange.submitted) {
-    deadlines.set(exchange.socket, exchange.response.events ? std::nullopt : std::optional(limits.answer));
+    constexpr std::uint64_t kSlowest_bytesPerMs = 64;
+    const auto longest = limits.answer + std::chrono::milliseconds(exchange.response.fileSize / kSlowest_bytesPerMs);
+    deadlines.set(exchange.socket, exchange.response.events ? std::nullopt : std::optional(longest));
     return send(exchange.connection, exchange.response);
   }
   if (exchange.isCut && exchange.request.body.size() <= exchange.largest_bytes)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -33,6 +35,9 @@ struct Response {
   std::vector<std::pair<std::string, std::string>> headers{};
   std::shared_ptr<EventStream>
       events{};  ///< if set, what the answer goes on with after its headers, in place of `body`
+  /// File of which a part is sent instead of `body`; empty: `body` is sent.
+  std::filesystem::path file{};
+  std::uint64_t fileBegin = 0, fileSize = 0;
 };
 
 /// Reads "a=1&b=x%20y" (application/x-www-form-urlencoded). Text that is no valid UTF-8 and control characters other

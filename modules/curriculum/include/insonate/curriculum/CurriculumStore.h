@@ -79,6 +79,7 @@ class CurriculumStore {
   friend class SiteService;
   friend class SiteUpload;
   friend class VerificationQueue;
+  friend class VideoQueue;
   explicit CurriculumStore(std::shared_ptr<store::Core> core);
   std::shared_ptr<store::Core> core_;
 };

@@ -33,6 +33,13 @@ struct WebOptions {
   /// Secret by which programs on other computers may read /health and /metrics: 16 characters or more. Empty: only
   /// programs on this computer may.
   std::string monitoringToken{};
+  /// Folder for the videos of attempts that users requested; empty: "videos" beside the folder of recordings. Several
+  /// servers with one database need a common folder.
+  std::filesystem::path videos{};
+  double videoSpace_GB = 20;  ///< above this size, the videos that were watched longest ago are removed
+  /// Folder with the folders of cases on which attempts were made; empty: videos are made of attempts on built-in cases
+  /// only.
+  std::filesystem::path cases{};
   Log log{};  ///< receives events to be logged; empty: nothing is logged
 };
 

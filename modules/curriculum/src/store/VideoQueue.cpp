@@ -1,0 +1,119 @@
+#include "store/AttemptRows.h"
+#include "store/KeptRecordings.h"
+#include "store/Session.h"
+
+#include <insonate/curriculum/VideoQueue.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace insonate {
+namespace {
+
+using store::Act;
+using store::Actor;
+using store::Core;
+using store::Transaction;
+using store::Way;
+
+/// A server reports each few seconds; one that does not has ended.
+constexpr std::int64_t kLongestSilence_us = std::int64_t{2} * 60 * 1'000'000;
+
+VideoState videoStateOf(Transaction& transaction, const std::string& attempt, std::int64_t now_us) {
+  const auto row = transaction.row(
+      "SELECT asked_us, begun_us, permille, ended_us, why, taken_us FROM videos WHERE attempt = ?", attempt);
+  if (!row) return {};
+  VideoState state{.fraction = double(row->number(2)) / 1000, .why = row->text(4)};
+  state.stage = !row->isNull(3)   ? VideoState::Stage::Ended
+                : !row->isNull(5) ? VideoState::Stage::Making
+                                  : VideoState::Stage::Waiting;
+  if (!row->isNull(1)) state.taken_us = std::max<std::int64_t>(0, now_us - row->number(1));
+  if (state.stage == VideoState::Stage::Waiting)
+    state.before = transaction.number(
+        "SELECT COUNT(*) FROM videos WHERE ended_us IS NULL AND attempt <> ? AND (taken_us IS NOT NULL OR asked_us <= "
+        "?)",
+        attempt, row->number(0));
+  return state;
+}
+
+}  // namespace
+
+Result<void> AttemptVideos::request(const std::string& attempt) const {
+  const std::int64_t now_us = by_.session()->core().now_us();
+  return by_.session()->write(
+      {.act = Act::SeeAttempts, .attempt = attempt, .detail = "video"},
+      [&](Transaction& transaction, const Actor&) -> Result<void> {
+        transaction.run("DELETE FROM videos WHERE attempt = ? AND ended_us IS NOT NULL", attempt);
+        if (transaction.number("SELECT COUNT(*) FROM videos WHERE attempt = ?", attempt) == 0)
+          transaction.run("INSERT INTO videos VALUES (?, ?, NULL, NULL, '', 0, NULL, '')", attempt, now_us);
+        return {};
+      });
+}
+
+Result<VideoState> AttemptVideos::state(const std::string& attempt) const {
+  const std::int64_t now_us = by_.session()->core().now_us();
+  return by_.session()->read({.act = Act::SeeAttempts, .attempt = attempt, .detail = "video"},
+                             [&](Transaction& transaction, const Actor&) -> Result<VideoState> {
+                               return videoStateOf(transaction, attempt, now_us);
+                             });
+}
+
+Result<std::optional<WaitingVideo>> VideoQueue::take() const {
+  using Outcome = Result<std::optional<WaitingVideo>>;
+  Core& core = *store_.core_;
+  const std::int64_t now_us = core.now_us();
+  const auto next = [&](Transaction& transaction) {
+    return transaction.row(
+        "SELECT attempt FROM videos WHERE ended_us IS NULL AND (taken_us IS NULL OR taken_us < ? OR taken_us > ?) "
+        "ORDER BY asked_us LIMIT 1",
+        now_us - kLongestSilence_us, now_us + kLongestSilence_us);
+  };
+  // Most of the time nothing waits, and a transaction for writing would hold up others.
+  const auto waits = inTransaction(
+      core, Way::Read, [&](Transaction& transaction) -> Result<bool> { return next(transaction).has_value(); });
+  if (!waits) return tl::unexpected(waits.error());
+  if (!*waits) return std::nullopt;
+  return inTransaction(core, Way::Write, [&](Transaction& transaction) -> Outcome {
+    const auto row = next(transaction);
+    if (!row) return std::nullopt;
+    transaction.run("UPDATE videos SET begun_us = ?, taken_us = ?, taken_by = ?, permille = 0 WHERE attempt = ?",
+                    now_us, now_us, server_, row->text(0));
+    return WaitingVideo{row->text(0), store::keptRecording(core.recordings(), row->text(0))};
+  });
+}
+
+Result<bool> VideoQueue::keep(const std::string& attempt, double fraction) const {
+  Core& core = *store_.core_;
+  return inTransaction(core, Way::Write, [&](Transaction& transaction) -> Result<bool> {
+    return transaction.run(
+               "UPDATE videos SET taken_us = ?, permille = ? WHERE attempt = ? AND taken_by = ? AND ended_us IS NULL",
+               core.now_us(), std::int64_t{std::llround(std::clamp(fraction, 0.0, 1.0) * 1000)}, attempt, server_) > 0;
+  });
+}
+
+Result<void> VideoQueue::conclude(const std::string& attempt, const std::string& why) const {
+  Core& core = *store_.core_;
+  return inTransaction(core, Way::Write, [&](Transaction& transaction) -> Result<void> {
+    transaction.run("UPDATE videos SET ended_us = ?, why = ? WHERE attempt = ? AND taken_by = ? AND ended_us IS NULL",
+                    core.now_us(), why, attempt, server_);
+    return {};
+  });
+}
+
+Result<void> VideoQueue::release(const std::string& attempt) const {
+  return inTransaction(*store_.core_, Way::Write, [&](Transaction& transaction) -> Result<void> {
+    transaction.run(
+        "UPDATE videos SET begun_us = NULL, taken_us = NULL, taken_by = '' WHERE attempt = ? AND taken_by = ? AND "
+        "ended_us IS NULL",
+        attempt, server_);
+    return {};
+  });
+}
+
+Result<std::int64_t> VideoQueue::waiting() const {
+  return inTransaction(*store_.core_, Way::Read, [](Transaction& transaction) -> Result<std::int64_t> {
+    return transaction.number("SELECT COUNT(*) FROM videos WHERE ended_us IS NULL");
+  });
+}
+
+}  // namespace insonate

@@ -1,0 +1,183 @@
+#include "WebRig.h"
+#include "support/SmallCase.h"
+#include "video/VideoFiles.h"
+#include "video/VideoMaker.h"
+
+#include <insonate/curriculum/CommentStore.h>
+#include <insonate/simulator/ScriptedSession.h>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+namespace insonate::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// A class whose attempt has a recording, and may have a video.
+class WebVideo : public OnBoth {
+ protected:
+  void SetUp() override {
+    OnBoth::SetUp();
+    if (!rig) return;
+    rig->services.recordings = rig->folder / "recordings";
+    fs::create_directories(rig->services.recordings);
+    options.videos = rig->folder / "videos";
+    options.cases = rig->folder / "cases";
+    school.emplace(rig->open(), options);
+    address = "/attempts/" + school->annas;
+  }
+  /// Puts a recording in place, as a workstation sends it: a needle into the vein of a block.
+  void putRecording() const {
+    const PatientCase patient = smallAttemptCase();
+    const auto script = readSessionScript(
+        R"({"acts": [{"probe": {"position_mm": [0, 0.5, 0], "axial": [0, 1, 0], "lateral": [1, 0, 0]}},
+                     {"needle": {"from_mm": [-8, -3, 0], "to": "vein"}}, {"wait_s": 0.1},
+                     {"advance_mm": 19, "speed_mmps": 100}, {"freeze": true}, {"wait_s": 0.1}]})",
+        patient);
+    ASSERT_TRUE(script) << script.error().message;
+    ASSERT_TRUE(runSession(*script, patient, "insonate test", recording()));
+  }
+  fs::path recording() const { return rig->services.recordings / (school->annas + ".attempt"); }
+  void putVideo() const {
+    const web::VideoFiles files(options.videos);
+    ASSERT_TRUE(files.keepMoments(
+        school->annas, {{.time_us = 1'500'000, .say = "The skin <was> punctured.", .severity = {}},
+                        {.time_us = 2'000'000, .say = "The artery was punctured.", .severity = Severity::Critical}}));
+    std::ofstream(files.video(school->annas)) << "0123456789";
+  }
+
+  web::WebOptions options;
+  std::optional<WebSchool> school;
+  std::string address;
+};
+INSONATE_ON_BOTH(WebVideo);
+
+TEST_P(WebVideo, ThePageOffersAVideoWhereThereIsARecording) {
+  const std::string anna = school->signIn("anna");
+  EXPECT_THAT(school->get(address, anna).body, Not(HasSubstr("Make video")));
+  EXPECT_EQ(school->post(address + "/video", {}, anna).status, 404) << "there is no recording";
+  std::ofstream(recording()) << "a recording";
+  EXPECT_THAT(school->get(address, anna).body, HasSubstr("Make video"));
+  EXPECT_EQ(school->post(address + "/video", {}, school->signIn("ben")).status, 404);
+  EXPECT_EQ(valueOf(VideoQueue(school->store, "server").waiting()), 0) << "ben may not see it";
+  const web::Response asked = school->post(address + "/video", {}, anna);
+  EXPECT_EQ(asked.status, 303);
+  EXPECT_EQ(headerOf(asked, "Location"), address + "/video");
+  const web::Response progress = school->get(address + "/video", anna);
+  EXPECT_EQ(headerOf(progress, "Refresh"), "3");
+  EXPECT_THAT(progress.body, HasSubstr("The video will be made at once; about"));
+  const VideoQueue queue(school->store, "server");
+  ASSERT_TRUE(valueOf(queue.take()));
+  rig->pass(30 * kSecond_us);
+  ASSERT_TRUE(valueOf(queue.keep(school->annas, 0.25)));
+  EXPECT_THAT(school->get(address + "/video", anna).body, HasSubstr("The video is being made; about 2 min."))
+      << "a quarter took 30 s, so that 90 s are left";
+  EXPECT_THAT(school->get(address, anna).body, HasSubstr("Follow the progress"));
+  succeed(queue.conclude(school->annas, "The case is not here."));
+  EXPECT_EQ(headerOf(school->get(address + "/video", anna), "Location"), address + "#video");
+  EXPECT_THAT(school->get(address, anna).body, HasSubstr("The case is not here."));
+  EXPECT_THAT(school->get(address, anna).body, HasSubstr("Make video")) << "it can be tried again";
+}
+
+TEST_P(WebVideo, ThePageShowsTheVideoWithItsEventsAndComments) {
+  std::ofstream(recording()) << "a recording";
+  putVideo();
+  valueOf(CommentStore(school->as(school->ina)).add(school->annas, 1'800'000, "Hold still."));
+  const web::Response page = school->get(address, school->signIn("anna"));
+  EXPECT_THAT(page.body, HasSubstr("<video controls"));
+  EXPECT_THAT(page.body, HasSubstr("src=\"" + address + "/video.webm\""));
+  const std::size_t first = page.body.find("href=\"" + address + "/video.webm#t=1.50\" data-time=\"1.50\"");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_THAT(page.body, HasSubstr("The skin &lt;was&gt; punctured."));
+  EXPECT_THAT(page.body, HasSubstr("Critical error: </span>The artery was punctured."));
+  EXPECT_THAT(page.body, HasSubstr("Comment by Dr ina: </span>Hold still."));
+  const std::size_t list = page.body.find("<ol class=\"moments\"");
+  EXPECT_LT(page.body.find("The skin", list), page.body.find("Hold still.", list));
+  EXPECT_LT(page.body.find("Hold still.", list), page.body.find("The artery", list));
+  EXPECT_THAT(headerOf(page, "Content-Security-Policy"), HasSubstr("script-src 'self'"));
+  EXPECT_THAT(headerOf(page, "Content-Security-Policy"), Not(HasSubstr("unsafe")));
+  EXPECT_THAT(headerOf(school->get("/me", school->signIn("anna")), "Content-Security-Policy"),
+              Not(HasSubstr("script-src")))
+      << "only the page with a video needs a script";
+  EXPECT_THAT(school->get("/video.js").body, HasSubstr("currentTime"));
+}
+
+TEST_P(WebVideo, TheVideoIsSentToThoseWhoMaySeeTheAttempt) {
+  putVideo();
+  const std::string file = address + "/video.webm";
+  for (const auto& [who, status] : std::map<std::string, int>{
+           {"anna", 200}, {"ben", 404}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}) {
+    const web::Response sent = school->get(file, school->signIn(who));
+    EXPECT_EQ(sent.status, status) << who;
+    EXPECT_EQ(sent.file.empty(), status != 200) << who;
+  }
+  EXPECT_EQ(school->get(file).status, 303) << "sign in first";
+  web::Request part = WebSchool::request("GET", file, school->signIn("anna"));
+  part.headers["range"] = "bytes=2-4";
+  const web::Response sent = school->site.answer(part);
+  EXPECT_EQ(sent.status, 206);
+  EXPECT_EQ(sent.type, "video/webm");
+  EXPECT_EQ(sent.fileBegin, 2U);
+  EXPECT_EQ(sent.fileSize, 3U);
+  EXPECT_EQ(headerOf(sent, "Content-Range"), "bytes 2-4/10");
+}
+
+TEST_P(WebVideo, TheServerMakesWhatWasAskedFor) {
+  putRecording();
+  fs::create_directories(options.cases);
+  ASSERT_TRUE(writeCase(smallAttemptCase(), options.cases / "block"));
+  succeed(AttemptVideos(school->as(school->anna)).request(school->annas));
+  const web::VideoFiles files(options.videos);
+  {
+    const web::VideoMaker maker(school->store, options);
+    for (int i = 0; i < 600 && valueOf(VideoQueue(school->store, "").waiting()) > 0; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  EXPECT_EQ(valueOf(AttemptVideos(school->as(school->anna)).state(school->annas)).why, "");
+  ASSERT_TRUE(files.has(school->annas));
+  std::ifstream in(files.video(school->annas), std::ios::binary);
+  EXPECT_EQ(in.get(), 0x1A) << "the beginning of a WebM file";
+  const auto moments = files.moments(school->annas);
+  ASSERT_FALSE(moments.empty());
+  EXPECT_THAT(school->get(address, school->signIn("anna")).body, HasSubstr(moments.front().say));
+}
+
+TEST_P(WebVideo, AVideoThatCannotBeMadeHasAReasonWithoutPaths) {
+  succeed(AttemptVideos(school->as(school->anna)).request(school->annas));
+  std::ofstream(recording()) << "no recording";
+  {
+    const web::VideoMaker maker(school->store, options);
+    for (int i = 0; i < 300 && valueOf(VideoQueue(school->store, "").waiting()) > 0; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  const std::string why = valueOf(AttemptVideos(school->as(school->anna)).state(school->annas)).why;
+  EXPECT_THAT(why, HasSubstr("The recording"));
+  EXPECT_THAT(why, Not(HasSubstr(rig->services.recordings.string())));
+  EXPECT_FALSE(web::VideoFiles(options.videos).has(school->annas));
+}
+
+TEST(WebVideoFiles, KeepsWhatWasWatchedLast) {
+  const TemporaryFolder folder;
+  const web::VideoFiles files(folder / "videos");
+  for (const std::string name : {"a", "b", "c", "d"}) {
+    ASSERT_TRUE(files.keepMoments(name, {}));
+    std::ofstream(files.video(name)) << std::string(1000, 'x');
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  files.use("a");
+  files.trim(3000, "d");
+  EXPECT_TRUE(files.has("a")) << "it was watched since";
+  EXPECT_FALSE(files.has("b"));
+  EXPECT_TRUE(files.has("c"));
+  files.trim(10, "d");
+  EXPECT_FALSE(files.has("a"));
+  EXPECT_TRUE(files.has("d")) << "the newest stays, whatever its size";
+  EXPECT_FALSE(fs::exists(folder / "videos" / "a.json"));
+}
+
+}  // namespace
+}  // namespace insonate::test

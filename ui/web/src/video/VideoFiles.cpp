@@ -1,0 +1,90 @@
+#include "video/VideoFiles.h"
+
+#include <insonate/core/AtomicFile.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <system_error>
+
+namespace insonate::web {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char *kTime = "t_us", *kSay = "say", *kSeverity = "severity";
+
+struct KeptVideo {
+  fs::path file;
+  fs::file_time_type used;
+  std::uint64_t bytes = 0;
+};
+
+}  // namespace
+
+fs::path VideoFiles::video(const std::string& attempt) const {
+  return folder_ / (attempt + ".webm");
+}
+
+bool VideoFiles::has(const std::string& attempt) const {
+  std::error_code error;
+  return isUsed() && fs::is_regular_file(video(attempt), error);
+}
+
+Result<void> VideoFiles::keepMoments(const std::string& attempt, const std::vector<AttemptMoment>& moments) const {
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error) return fail(folder_.string() + " cannot be made: " + error.message() + ".");
+  json list = json::array();
+  for (const AttemptMoment& one : moments)
+    list.push_back({{kTime, one.time_us},
+                    {kSay, one.say},
+                    {kSeverity, one.severity ? json(static_cast<int>(*one.severity)) : json(nullptr)}});
+  return writeAtomically(folder_ / (attempt + ".json"), list.dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+std::vector<AttemptMoment> VideoFiles::moments(const std::string& attempt) const {
+  std::vector<AttemptMoment> moments;
+  try {
+    std::ifstream in(folder_ / (attempt + ".json"));
+    for (const json& one : json::parse(in)) {
+      AttemptMoment moment{.time_us = one.at(kTime), .say = one.at(kSay), .severity = {}};
+      if (!one.at(kSeverity).is_null()) moment.severity = static_cast<Severity>(one.at(kSeverity).get<int>());
+      moments.push_back(std::move(moment));
+    }
+  } catch (const json::exception&) {
+    return {};
+  }
+  return moments;
+}
+
+void VideoFiles::use(const std::string& attempt) const {
+  std::error_code ignored;
+  fs::last_write_time(folder_ / (attempt + ".json"), fs::file_time_type::clock::now(), ignored);
+}
+
+void VideoFiles::trim(std::uint64_t most_bytes, const std::string& newest) const {
+  std::error_code error;
+  std::vector<KeptVideo> videos;
+  std::uint64_t all_bytes = 0;
+  for (const auto& entry : fs::directory_iterator(folder_, error)) {
+    if (entry.path().extension() != ".webm") continue;
+    fs::path beside = entry.path();
+    KeptVideo kept{entry.path(), fs::last_write_time(beside.replace_extension(".json"), error), entry.file_size(error)};
+    all_bytes += kept.bytes;
+    if (entry.path() != video(newest)) videos.push_back(std::move(kept));
+  }
+  std::ranges::sort(videos, {}, &KeptVideo::used);
+  for (const KeptVideo& one : videos) {
+    if (all_bytes <= most_bytes) return;
+    fs::path beside = one.file;
+    fs::remove(one.file, error);
+    fs::remove(beside.replace_extension(".json"), error);
+    all_bytes -= one.bytes;
+  }
+}
+
+}  // namespace insonate::web

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <insonate/core/Result.h>
+#include <insonate/procedure/AttemptScore.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace insonate::web {
+
+/// Folder of the videos of attempts: ID.webm, and ID.json with the attempt's milestones and errors. It is a cache: each
+/// file can be made again. For any thread and several servers.
+class VideoFiles {
+ public:
+  /// An empty folder: there are no videos.
+  explicit VideoFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  bool isUsed() const { return !folder_.empty(); }
+  /// Path of the video of an attempt, whether it is there or not.
+  std::filesystem::path video(const std::string& attempt) const;
+  bool has(const std::string& attempt) const;
+
+  Result<void> keepMoments(const std::string& attempt, const std::vector<AttemptMoment>& moments) const;
+  /// Returns the milestones and errors of an attempt; none if they cannot be read.
+  std::vector<AttemptMoment> moments(const std::string& attempt) const;
+
+  /// Marks a video as used now.
+  void use(const std::string& attempt) const;
+  /// Removes the videos that were used longest ago, until all together have this size at most; keeps `newest`.
+  void trim(std::uint64_t most_bytes, const std::string& newest) const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace insonate::web

@@ -1,0 +1,114 @@
+#include "video/VideoMaker.h"
+
+#include "video/VideoFiles.h"
+
+#include <insonate/core/ThreadPriority.h>
+#include <insonate/video/AttemptCase.h>
+#include <insonate/video/AttemptVideo.h>
+
+#include <nlohmann/json.hpp>
+
+#include <QUuid>
+#include <chrono>
+#include <memory>
+#include <utility>
+
+namespace insonate::web {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Replaces a path of the server, which is not for users.
+void hide(std::string& sentence, const std::string& path, const std::string& words) {
+  for (std::size_t at = sentence.find(path); !path.empty() && at != std::string::npos; at = sentence.find(path))
+    sentence.replace(at, path.size(), words);
+}
+
+}  // namespace
+
+VideoMaker::VideoMaker(const CurriculumStore& store, const WebOptions& options)
+    : options_(options),
+      queue_(store, QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString()),
+      thread_([this] { run(); }) {}
+
+VideoMaker::~VideoMaker() {
+  {
+    const std::lock_guard lock(mutex_);
+    isEnding_ = true;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void VideoMaker::run() {
+  lowerThreadPriority();
+  for (;;) {
+    const auto made = makeNext();
+    if (!made) note("video queue failed", made.error().message);
+    // A database that fails is tried again; what waits is kept there.
+    const auto pause = !made ? 30s : *made ? 0s : 1s;
+    std::unique_lock lock(mutex_);
+    if (wake_.wait_for(lock, pause, [this] { return isEnding_.load(); })) return;
+  }
+}
+
+Result<bool> VideoMaker::makeNext() {
+  const auto waiting = queue_.take();
+  if (!waiting) return tl::unexpected(waiting.error());
+  if (!*waiting) return false;
+  const WaitingVideo& video = **waiting;
+  std::string why;
+  try {
+    if (auto made = make(video); !made) why = made.error().message;
+  } catch (const std::exception& error) {
+    why = std::string("The video cannot be made: ") + error.what() + ".";
+  }
+  if (isEnding_) {
+    const auto released = queue_.release(video.attempt);
+    return released ? Result<bool>(true) : tl::unexpected(released.error());
+  }
+  // Another server has it, which concludes it.
+  if (why == kCancelled) return true;
+  if (!why.empty()) note("video failed", why);
+  hide(why, video.recording.string(), "The recording");
+  hide(why, options_.videos.string(), "The folder of videos");
+  const auto concluded = queue_.conclude(video.attempt, why);
+  return concluded ? Result<bool>(true) : tl::unexpected(concluded.error());
+}
+
+Result<void> VideoMaker::make(const WaitingVideo& video) {
+  auto last = std::chrono::steady_clock::now() - 1h;
+  const Progress progress = [&](std::string_view, double fraction) {
+    if (isEnding_) return false;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last < 3s) return true;
+    last = now;
+    const auto kept = queue_.keep(video.attempt, fraction);
+    // A database that does not answer for a while does not end the work.
+    return !kept || *kept;
+  };
+  auto opened = AttemptRecording::open(video.recording);
+  if (!opened) return tl::unexpected(opened.error());
+  const auto recording = std::make_shared<const AttemptRecording>(std::move(*opened));
+  const Progress preparing = [&](std::string_view doing, double) { return progress(doing, 0); };
+  auto found = caseOfAttempt(recording->header(), options_.cases, preparing);
+  if (!found) return tl::unexpected(found.error());
+  const auto moments = momentsOf(*recording);
+  if (!moments) return tl::unexpected(moments.error());
+  const VideoFiles files(options_.videos);
+  if (auto kept = files.keepMoments(video.attempt, *moments); !kept) return kept;
+  // One thread: the workers of others would have the priority of pages.
+  const auto written = writeAttemptVideo(recording, std::make_shared<const PatientCase>(std::move(*found)),
+                                         files.video(video.attempt), {.threads = 1}, progress);
+  if (!written) return written;
+  files.trim(static_cast<std::uint64_t>(options_.videoSpace_GB * 1e9), video.attempt);
+  return {};
+}
+
+void VideoMaker::note(const std::string& event, const std::string& sentence) const {
+  if (options_.log)
+    options_.log(LogLevel::Error, nlohmann::ordered_json{{"event", event}, {"message", sentence}}.dump(
+                                      -1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+}  // namespace insonate::web

@@ -1,0 +1,243 @@
+#include "video/VideoPage.h"
+
+#include "comments/Comments.h"
+#include "http/Ranges.h"
+#include "video/VideoFiles.h"
+
+#include <insonate/curriculum/CommentStore.h>
+#include <insonate/curriculum/VideoQueue.h>
+#include <insonate/embedded/web.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace insonate::web {
+
+const std::pair<std::string, std::string> kVideoPolicy{
+    "Content-Security-Policy",
+    "default-src 'none'; style-src 'self'; img-src 'self'; media-src 'self'; script-src 'self'; form-action 'self'; "
+    "frame-ancestors 'none'; base-uri 'none'"};
+
+namespace {
+
+/// Seconds in which one processor makes a second of a video, before its own speed is known.
+constexpr double kUsualSpeed = 4;
+constexpr int kRefresh_s = 3;
+constexpr double kTimelineWidth = 720, kTimelineHeight = 32;
+
+/// An event of the timeline and its list.
+struct Entry {
+  enum class Kind { Milestone, Error, Comment };
+  std::int64_t time_us = 0;
+  Kind kind = Kind::Milestone;
+  std::string kindWords{}, say{};
+};
+
+std::string wordOf(Severity severity) {
+  return severity == Severity::Minor ? "Minor error" : severity == Severity::Major ? "Major error" : "Critical error";
+}
+
+std::vector<Entry> entriesOf(const std::vector<AttemptMoment>& moments, const std::vector<AttemptComment>& comments) {
+  std::vector<Entry> entries;
+  for (const AttemptMoment& one : moments)
+    entries.push_back({one.time_us, one.severity ? Entry::Kind::Error : Entry::Kind::Milestone,
+                       one.severity ? wordOf(*one.severity) : "", one.say});
+  for (const AttemptComment& one : comments)
+    entries.push_back({one.at_us, Entry::Kind::Comment, "Comment by " + one.author, one.text});
+  std::ranges::stable_sort(entries, {}, &Entry::time_us);
+  return entries;
+}
+
+std::string secondsOf(std::int64_t time_us) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%lld.%02lld", static_cast<long long>(time_us / 1'000'000),
+                static_cast<long long>(time_us / 10'000 % 100));
+  return text;
+}
+
+std::string addressOfVideo(const std::string& attempt) {
+  return "/attempts/" + encoded(attempt) + "/video.webm";
+}
+
+/// Without the script, a link opens the video alone at this time.
+Attributes entryLink(const std::string& attempt, const Entry& entry) {
+  const std::string time = secondsOf(entry.time_us);
+  return {{"href", addressOfVideo(attempt) + "#t=" + time}, {"data-time", time}};
+}
+
+std::string entryName(const Entry& entry) {
+  return recordingTimeText(entry.time_us) + " " + (entry.kindWords.empty() ? "" : entry.kindWords + ": ") + entry.say;
+}
+
+/// A disc for a milestone, a triangle for an error, a square for a comment.
+Markup entryMark(Entry::Kind kind, double x) {
+  const auto number = [](double value) { return std::to_string(std::lround(value * 10) / 10); };
+  const std::string left = number(x - 7), middle = number(x), right = number(x + 7);
+  if (kind == Entry::Kind::Milestone)
+    return element("circle", {{"class", "milestone"}, {"cx", middle}, {"cy", "16"}, {"r", "6"}}, "");
+  if (kind == Entry::Kind::Error)
+    return element("path", {{"class", "error"}, {"d", "M" + left + " 23L" + middle + " 8L" + right + " 23Z"}}, "");
+  return element("rect", {{"class", "comment"}, {"x", left}, {"y", "10"}, {"width", "12"}, {"height", "12"}}, "");
+}
+
+Markup timelineOf(const std::string& attempt, const std::vector<Entry>& entries, std::int64_t length_us) {
+  constexpr double kInset = 8;
+  const double perSecond = (kTimelineWidth - 2 * kInset) / std::max(1e-3, double(length_us) * 1e-6);
+  const std::string end = std::to_string(int(kTimelineWidth - kInset));
+  Markup drawing = element("line", {{"class", "axis"}, {"x1", "8"}, {"x2", end}, {"y1", "16"}, {"y2", "16"}}, "");
+  for (const Entry& entry : entries) {
+    const double x = std::min(kTimelineWidth - kInset, kInset + double(entry.time_us) * 1e-6 * perSecond);
+    drawing +=
+        element("a", entryLink(attempt, entry), element("title", {}, entryName(entry)) + entryMark(entry.kind, x));
+  }
+  drawing += element("line",
+                     {{"class", "cursor"},
+                      {"x1", "8"},
+                      {"x2", "8"},
+                      {"y1", "0"},
+                      {"y2", "32"},
+                      {"data-begin", "8"},
+                      {"data-end", end},
+                      {"data-length", secondsOf(length_us)}},
+                     "");
+  return element("svg",
+                 {{"class", "timeline"}, {"viewBox", "0 0 720 32"}, {"role", "group"}, {"aria-label", "Timeline"}},
+                 drawing);
+}
+
+Markup listOf(const std::string& attempt, const std::vector<Entry>& entries) {
+  Markup items;
+  for (const Entry& entry : entries) {
+    Markup words = element("a", entryLink(attempt, entry), recordingTimeText(entry.time_us)) + text(" ");
+    if (!entry.kindWords.empty())
+      words += element("span", {{"class", entry.kind == Entry::Kind::Error ? "missed" : "quiet"}},
+                       (entry.kind == Entry::Kind::Error ? "\u25b2 " : "\u25a0 ") + entry.kindWords + ": ");
+    items += element("li", {}, words + text(entry.say));
+  }
+  return items.empty() ? paragraph("The attempt has no events.") : element("ol", {{"class", "moments"}}, items);
+}
+
+Markup player(const std::string& attempt, const std::vector<Entry>& entries, std::int64_t length_us) {
+  const Markup video = element("video",
+                               {{"controls", ""},
+                                {"preload", "metadata"},
+                                {"width", "720"},
+                                {"height", "720"},
+                                {"src", addressOfVideo(attempt)},
+                                {"aria-label", "Video of the attempt"}},
+                               "");
+  return element("div", {{"class", "replay"}},
+                 element("div", {}, video + timelineOf(attempt, entries, length_us)) + listOf(attempt, entries)) +
+         note("Select an event to see it. \u25b2 is an error, \u25a0 a comment.") +
+         element("script", {{"src", "/video.js"}, {"defer", ""}}, "");
+}
+
+std::string durationWords(double seconds) {
+  if (seconds < 90) return "about " + std::to_string(std::max<std::int64_t>(5, std::llround(seconds / 5) * 5)) + " s";
+  return "about " + std::to_string(std::llround(seconds / 60)) + " min";
+}
+
+std::string progressWords(const VideoState& state, std::int64_t length_us) {
+  const double usual_s = double(length_us) * 1e-6 * kUsualSpeed;
+  if (state.stage == VideoState::Stage::Waiting)
+    return state.before == 0 ? "The video will be made at once; " + durationWords(usual_s) + "."
+                             : "The video waits until " + std::to_string(state.before) +
+                                   (state.before == 1 ? " other is made." : " others are made.");
+  const double taken_s = double(state.taken_us) * 1e-6;
+  const double left_s =
+      state.fraction > 0.05 ? taken_s * (1 - state.fraction) / state.fraction : std::max(5.0, usual_s - taken_s);
+  return "The video is being made; " + durationWords(left_s) + ".";
+}
+
+bool isBusy(const VideoState& state) {
+  return state.stage == VideoState::Stage::Waiting || state.stage == VideoState::Stage::Making;
+}
+
+std::string classQuery(const Visit& visit) {
+  const std::string& cohort = valueOf(visit.request.query, "class");
+  return cohort.empty() ? "" : "?class=" + encoded(cohort);
+}
+
+/// Tells whether the server can make a video: it needs a recording of an attempt that has ended.
+bool mayHaveVideo(const Visit& visit, const KeptAttempt& attempt) {
+  return VideoFiles(visit.options.videos).isUsed() && !attempt.recordingFile.empty() &&
+         attempt.facts.state != AttemptState::Open;
+}
+
+}  // namespace
+
+Result<Markup> videoSection(const Visit& visit, const KeptAttempt& attempt, const std::string& query) {
+  const VideoFiles files(visit.options.videos);
+  const std::string& id = attempt.facts.id;
+  if (!mayHaveVideo(visit, attempt)) return Markup();
+  const auto titled = [](const Markup& content) {
+    return element("section", {{"id", "video"}}, element("h2", {}, "Video") + content);
+  };
+  if (files.has(id)) {
+    const auto comments = CommentStore(*visit.by).ofAttempt(id);
+    if (!comments) return tl::unexpected(comments.error());
+    return titled(player(id, entriesOf(files.moments(id), *comments), attempt.facts.length_us));
+  }
+  const auto state = AttemptVideos(*visit.by).state(id);
+  if (!state) return tl::unexpected(state.error());
+  const std::string address = "/attempts/" + encoded(id) + "/video" + query;
+  if (isBusy(*state))
+    return titled(paragraph(progressWords(*state, attempt.facts.length_us)) +
+                  element("p", {}, link(address, "Follow the progress")));
+  Markup content;
+  if (!state->why.empty()) content += troubleLine(state->why);
+  content += note("The video shows the ultrasound image, the needle and the metrics. Making it takes " +
+                  durationWords(double(attempt.facts.length_us) * 1e-6 * kUsualSpeed) + ".") +
+             postForm(visit, address, {}, "Make video");
+  return titled(content);
+}
+
+Response requestVideo(const Visit& visit, const Parts& parts) {
+  const auto kept = AttemptStore(*visit.by).attempt(parts[0]);
+  if (!kept) return refusal(visit, 404, kept.error().message);
+  if (!mayHaveVideo(visit, *kept))
+    return refusal(visit, 404, "The server has no recording of this attempt, and so makes no video of it.");
+  if (!VideoFiles(visit.options.videos).has(parts[0]))
+    if (auto requested = AttemptVideos(*visit.by).request(parts[0]); !requested)
+      return refusal(visit, 403, requested.error().message);
+  return redirect("/attempts/" + encoded(parts[0]) + "/video" + classQuery(visit));
+}
+
+Response showVideoProgress(const Visit& visit, const Parts& parts) {
+  const auto kept = AttemptStore(*visit.by).attempt(parts[0]);
+  if (!kept) return refusal(visit, 404, kept.error().message);
+  const auto state = AttemptVideos(*visit.by).state(parts[0]);
+  if (!state) return refusal(visit, 404, state.error().message);
+  const std::string attempt = "/attempts/" + encoded(parts[0]) + classQuery(visit);
+  if (!isBusy(*state)) return redirect(attempt + "#video");
+  const Markup content =
+      paragraph(progressWords(*state, kept->facts.length_us)) +
+      note(
+          "The page renews itself, and shows the video when it is ready. You may leave it; the video is made "
+          "meanwhile.") +
+      element("p", {}, link(attempt, "Back to the attempt"));
+  Response response = page(visit, "Video", content);
+  response.headers.emplace_back("Refresh", std::to_string(kRefresh_s));
+  return response;
+}
+
+Response sendVideo(const Visit& visit, const Parts& parts) {
+  const auto kept = AttemptStore(*visit.by).attempt(parts[0]);
+  if (!kept) return refusal(visit, 404, kept.error().message);
+  const VideoFiles files(visit.options.videos);
+  if (!files.has(parts[0])) return refusal(visit, 404, "The video is not made. Open the page of the attempt.");
+  files.use(parts[0]);
+  Response response = sendFile(visit.request, files.video(parts[0]), "video/webm");
+  response.headers.push_back(kVideoPolicy);
+  return response;
+}
+
+Response showVideoScript(const Visit& /*visit*/, const Parts& /*parts*/) {
+  Response response{.type = "text/javascript; charset=utf-8", .headers = {{"Cache-Control", "max-age=3600"}}};
+  for (const auto& file : embedded::web::files())
+    if (file.name == "video") response.body = std::string(file.text);
+  return response;
+}
+
+}  // namespace insonate::web
