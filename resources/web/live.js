@@ -7,6 +7,7 @@
   let source = null;
   let isDue = false;
   let isWaiting = false;
+  let isOver = false;
 
   const announcement = document.createElement("p");
   announcement.className = "quiet updated";
@@ -32,9 +33,16 @@
   };
 
   const refresh = async () => {
+    if (isInUse() || document.visibilityState !== "visible") {
+      announcement.textContent = "There are new data. Reload the page to see them.";
+      return;
+    }
+    // The header tells the server that no person asked, so that the session can end.
+    const answer = await fetch(location.href, { headers: { "Insonate-Refresh": "1" } });
+    if (answer.status >= 500) return;
     isDue = false;
-    const answer = await fetch(location.href);
     if (!answer.ok || answer.redirected) {
+      isOver = true;
       close();
       announcement.textContent = "This page is not updated any more. Reload it to see new data.";
       return;
@@ -43,7 +51,6 @@
     const content = page.getElementById("main");
     if (!content || isInUse()) {
       isDue = true;
-      announcement.textContent = "There are new data. Reload the page to see them.";
       return;
     }
     main.dataset.events = content.dataset.events;
@@ -58,9 +65,7 @@
     if (isWaiting) return;
     isWaiting = true;
     refresh()
-      .catch(() => {
-        isDue = true;
-      })
+      .catch(() => {})
       .finally(() =>
         setTimeout(() => {
           isWaiting = false;
@@ -74,9 +79,16 @@
     source = null;
   };
   const open = () => {
-    if (source) return;
+    if (source || isOver) return;
     source = new EventSource(main.dataset.events);
     source.addEventListener("changed", refreshSoon);
+    // A browser gives up after an error of the server or of a proxy, for example while the server is restarted.
+    source.addEventListener("error", () => {
+      if (source && source.readyState === EventSource.CLOSED) {
+        close();
+        setTimeout(follow, 30000);
+      }
+    });
   };
 
   // A browser keeps few connections to a server: pages in the background release theirs.

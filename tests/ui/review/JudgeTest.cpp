@@ -143,7 +143,7 @@ TEST_F(JudgeTest, TwoInstructorsJudgeAReplayBlindlyAndSeeWhereTheyDiffer) {
   ASSERT_EQ(table().columnCount(), 3);
   EXPECT_TRUE(table().item(0, 0)->text().startsWith(QChar(0x2260)));
   EXPECT_EQ(table().item(0, 2)->text(), "Not done, or done incorrectly");
-  EXPECT_TRUE(text("judgementAgreement").contains("95 % of 22 answers alike"))
+  EXPECT_TRUE(text("judgementAgreement").contains("95 % of 22 answers equal"))
       << text("judgementAgreement").toStdString();
   EXPECT_TRUE(text("judgementAgreement").contains("ICC of the scores n/a")) << "of one attempt there is none";
   child<QAbstractButton>("onlyDiffering")->click();

@@ -177,7 +177,7 @@ TEST_F(CurriculumWindowTest, ItSurvivesClosingAndStepsAreTakenBack) {
   ASSERT_TRUE(waitUntil([&] { return !window->findChild<QListWidget*>("curricula"); }));
   EXPECT_EQ(draft().levels[std::size_t(before - 1)].title, "New");
   openWindow();
-  EXPECT_TRUE(state().startsWith("Draft of central_line, version " + next()))
+  EXPECT_TRUE(state().startsWith("Draft of the curriculum central_line, version " + next()))
       << "drafts come first: " << state().toStdString();
   levels().setCurrentRow(before - 1);
   button("levelRemove").click();
@@ -276,7 +276,8 @@ TEST_F(CurriculumWindowTest, ANewOneBeginsWithALevelThatIsToBeWritten) {
   ASSERT_TRUE(waitUntil([&] { return trouble(entry).contains("already"); }));
   type(entry, "curriculumName", "pleural_taps");
   go(entry);
-  ASSERT_TRUE(waitUntil([&] { return state().startsWith("Draft of pleural_taps, version 1"); })) << said();
+  ASSERT_TRUE(waitUntil([&] { return state().startsWith("Draft of the curriculum pleural_taps, version 1"); }))
+      << said();
   EXPECT_EQ(levels().count(), 1);
   EXPECT_FALSE(button("curriculumPublish").isEnabled());
 }

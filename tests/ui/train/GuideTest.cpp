@@ -59,7 +59,7 @@ TEST_F(TrainGuide, EachActIsNamedWithItsKeyAndItsControlIsMarked) {
   EXPECT_TRUE(says("Compress the tissue with +, then release it with -"));
   EXPECT_TRUE(workspace_->findChild<QWidget*>("indentation")) << "the field that the act marks while it is in sight";
   for (int i = 0; i < 20; ++i) key(Qt::Key_Plus);
-  EXPECT_TRUE(says("press I, or click the button \"in-plane\"")) << text("attemptAct").toStdString();
+  EXPECT_TRUE(says("press I, or click the button &quot;in-plane&quot;")) << text("attemptAct").toStdString();
   EXPECT_TRUE(marks("stripAlong"));
   for (int i = 0; i < 20; ++i) key(Qt::Key_Minus);
 

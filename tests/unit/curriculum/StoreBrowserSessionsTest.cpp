@@ -50,6 +50,16 @@ TEST_P(StoreBrowserSessions, EndWithoutRequestsAndAfterAWorkingDay) {
   EXPECT_EQ(nameIn(sessions, another), "(none)") << "the clock was set back";
 }
 
+TEST_P(StoreBrowserSessions, AreNotKeptAliveByAnOpenPage) {
+  const School school(rig->open());
+  const BrowserSessions sessions(school.store);
+  const std::string secret = valueOf(sessions.begin(valueOf(school.store.signIn("anna", kPassword))));
+  rig->pass(BrowserSessions::kLongestIdle_us - kSecond_us);
+  EXPECT_TRUE(valueOf(sessions.resume(secret, false)));
+  rig->pass(2 * kSecond_us);
+  EXPECT_FALSE(valueOf(sessions.resume(secret, false)));
+}
+
 TEST_P(StoreBrowserSessions, EndWithAnotherPasswordAndWithTheAccount) {
   const School school(rig->open());
   const BrowserSessions sessions(school.store);

@@ -58,6 +58,7 @@ TEST_P(StoreChangesTest, SigningInAndSeeingChangeNothing) {
   valueOf(CohortStore(ina).standings(school->spring.id, people));
   valueOf(AttemptStore(ina).history(school->anna.id));
   valueOf(AttemptStore(ina).lastOfCohort(school->spring.id, 5));
+  EXPECT_FALSE(CohortStore(school->as(school->anna)).add("Anna's own")) << "refused, and in the log";
   EXPECT_THAT(valueOf(changes->take()), IsEmpty());
 }
 

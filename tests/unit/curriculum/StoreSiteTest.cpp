@@ -493,7 +493,7 @@ TEST_P(StoreSite, ATokenIsOfOneStoreOfOneComputer) {
   EXPECT_THAT(refusalOf(SiteUpload(other.open(), link()).exchange()), HasSubstr("not the one that connected first"));
   StoreRig renamed;
   renamed.services.workstation = "ward 9";
-  EXPECT_THAT(refusalOf(SiteUpload(renamed.open(), link()).exchange()), HasSubstr("calls itself 'ward 9'"));
+  EXPECT_THAT(refusalOf(SiteUpload(renamed.open(), link()).exchange()), HasSubstr("name of this computer is 'ward 9'"));
 }
 
 TEST_P(StoreSite, UnreadableMessagesAreRefusedWithASentence) {

@@ -214,6 +214,13 @@ constexpr const char* kDatabaseFailed =
     "The database cannot be used at present. Try again in a minute; if this continues, tell the administrator of this "
     "server.";
 
+/// Tells whether a page made a request without its user: to follow changes, to show them, or the progress of a video.
+bool isByItself(const Request& request) {
+  const std::string_view path = request.path;
+  return path.ends_with("/events") || (request.method == "GET" && path.ends_with("/video")) ||
+         !valueOf(request.headers, "insonate-refresh").empty();
+}
+
 /// HEAD arrives as GET; a method that the page does not take finds no route.
 const Route* routeFor(const Request& request) {
   for (const Route& route : kRoutes)
@@ -242,6 +249,7 @@ Response Site::answer(const Request& request) const {
   for (const std::string& sentence : failures.sentences()) noteFailure(route, "database failure", sentence);
   metrics_.countDatabaseFailures(static_cast<std::int64_t>(failures.sentences().size()));
   if (!failures.sentences().empty() && (!route || route->access != Access::Monitoring)) {
+    if (response.events) response.events->end();
     response = refusal(visitOf(request), 503, kDatabaseFailed);
     response.headers.emplace_back("Retry-After", "30");
   }
@@ -267,7 +275,7 @@ Response Site::answerRoute(const Request& request, const Route* route) const {
                      "Only programs on this computer and programs with the token for monitoring may read this page.");
   visit.secret = valueOf(request.cookies, sessionCookie(options_));
   if (!visit.secret.empty()) {
-    auto by = BrowserSessions(store_).resume(visit.secret);
+    auto by = BrowserSessions(store_).resume(visit.secret, !isByItself(request));
     if (!by) return refusal(visitOf(request), 503, kDatabaseFailed);
     visit.by = std::move(*by);
     if (!visit.by) visit.secret.clear();

@@ -53,6 +53,7 @@ Result<WebServer> WebServer::start(const CurriculumStore& store, const WebOption
   if (auto ok = checkOptions(options); !ok) return tl::unexpected(ok.error());
   WebOptions used = options;
   if (used.videos.empty() && !store.recordings().empty()) used.videos = store.recordings().parent_path() / "videos";
+  if (!used.videos.empty()) used.videos = std::filesystem::absolute(used.videos);
   auto impl = std::make_unique<Impl>(store, used);
   auto http = HttpServer::start(
       options, [site = &impl->site](const Request& request) { return site->answer(request); }, {},

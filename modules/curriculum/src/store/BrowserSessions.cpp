@@ -42,7 +42,7 @@ Result<std::string> BrowserSessions::begin(const SignedIn& by) const {
   });
 }
 
-Result<std::optional<SignedIn>> BrowserSessions::resume(const std::string& secret) const {
+Result<std::optional<SignedIn>> BrowserSessions::resume(const std::string& secret, bool isByUser) const {
   using Outcome = Result<std::optional<SignedIn>>;
   store::Core& core = *store_.core_;
   const std::string hash = store::sha256(secret);
@@ -60,7 +60,7 @@ Result<std::optional<SignedIn>> BrowserSessions::resume(const std::string& secre
     return SignedIn(
         std::make_shared<store::Session>(store_.core_, store::personOf(*row), row->number(6), row->truth(7)));
   });
-  if (!found || !*found || !isOutdated) return found;
+  if (!found || !*found || !isOutdated || !isByUser) return found;
   const auto noted = inTransaction(core, store::Way::Write, [&](store::Transaction& transaction) -> Result<void> {
     transaction.run("UPDATE browser_sessions SET used_us = ? WHERE hash = ?", now_us, hash);
     return {};

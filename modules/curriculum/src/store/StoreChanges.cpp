@@ -26,17 +26,22 @@ bool isChange(std::string_view act) {
 }  // namespace
 
 Result<std::set<std::string>> StoreChanges::take() {
+  const std::int64_t before = lastEntry_;
+  std::int64_t last = before;
   const auto read = [&](Transaction& transaction) -> Result<std::set<std::string>> {
-    const std::int64_t before = lastEntry_;
-    lastEntry_ = transaction.number("SELECT number FROM audit_end");
+    last = transaction.number("SELECT number FROM audit_end");
     if (before < 0) return {};
-    if (lastEntry_ - before > kMostEntries) return std::set<std::string>{""};
+    if (last - before > kMostEntries) return std::set<std::string>{""};
     std::set<std::string> people;
-    for (const store::Row& row : transaction.rows("SELECT act, person FROM audit WHERE number > ?", before))
+    // Refused requests change nothing; the refusal of an attempt by the server itself, which has no actor, does.
+    for (const store::Row& row :
+         transaction.rows("SELECT act, person FROM audit WHERE number > ? AND (allowed = 1 OR actor = '')", before))
       if (isChange(row.text(0))) people.insert(row.text(1));
     return people;
   };
-  return inTransaction(by_.session()->core(), Way::Read, read);
+  auto changed = inTransaction(by_.session()->core(), Way::Read, read);
+  if (changed) lastEntry_ = last;
+  return changed;
 }
 
 }  // namespace insonate

@@ -17,6 +17,7 @@ using store::Transaction;
 using store::Way;
 
 /// A server reports each few seconds; one that does not has ended.
+constexpr std::int64_t kMostOfPerson = 5;
 constexpr std::int64_t kLongestSilence_us = std::int64_t{2} * 60 * 1'000'000;
 
 VideoState videoStateOf(Transaction& transaction, const std::string& attempt, std::int64_t now_us) {
@@ -43,6 +44,14 @@ Result<void> AttemptVideos::request(const std::string& attempt) const {
   return by_.session()->write(
       {.act = Act::SeeAttempts, .attempt = attempt, .detail = "video"},
       [&](Transaction& transaction, const Actor&) -> Result<void> {
+        const std::int64_t waiting = transaction.number(
+            "SELECT COUNT(*) FROM videos JOIN attempts ON attempts.id = attempt WHERE ended_us IS NULL AND attempt <> "
+            "? "
+            "AND person = (SELECT person FROM attempts WHERE id = ?)",
+            attempt, attempt);
+        if (waiting >= kMostOfPerson)
+          return fail(
+              "Five videos of this person are being made or wait. Request this video when one of them is ready.");
         transaction.run("DELETE FROM videos WHERE attempt = ? AND ended_us IS NOT NULL", attempt);
         if (transaction.number("SELECT COUNT(*) FROM videos WHERE attempt = ?", attempt) == 0)
           transaction.run("INSERT INTO videos VALUES (?, ?, NULL, NULL, '', 0, NULL, '')", attempt, now_us);

@@ -67,6 +67,7 @@ UltrasoundPane::UltrasoundPane(PrepareModel& shared, const ui::Commands& command
   press_->setObjectName(QStringLiteral("press"));
   pressed_->setObjectName(QStringLiteral("pressed"));
   ui::setRole(pressed_, "quiet");
+  pressed_->setWordWrap(true);
   connect(press_, &ui::ValueSlider::valueChanged, this, [this](double mm) { shared_.live.setPress(mm); });
   connect(start_, &QPushButton::clicked, this, [this] { shared_.crosshair.goToStart(); });
   connect(keep_, &QPushButton::clicked, this, [this] { shared_.places.keepStart(); });

@@ -27,7 +27,8 @@
 namespace insonate::web {
 namespace {
 
-constexpr int kWorkers = 4, kPasswordWorkers = 2;
+/// The hash of a password takes 0.1 s, and a class list has hundreds: these requests have workers of their own.
+constexpr int kWorkers = 4, kPasswordWorkers = 2, kAccountWorkers = 1;
 constexpr std::size_t kHeaderMemory_bytes = 32 << 10;
 /// Bodies of all connections together; those of workstations and class lists leave room for forms.
 constexpr std::size_t kMostBodies_bytes = std::size_t{256} << 20,
@@ -203,6 +204,19 @@ bool readForm(MHD_Connection* connection, Request& request) {
   return isWhole;
 }
 
+bool checksPassword(const Request& request) {
+  return request.method == "POST" && (request.path == "/sign-in" || request.path == "/password" ||
+                                      request.path == "/api/site/sign-in" || request.path == "/api/site/password");
+}
+
+/// Tells whether a request sets the passwords of others: adding people, importing a list, or a new password.
+bool setsPasswords(const Request& request) {
+  const std::string_view path = request.path;
+  return request.method == "POST" &&
+         (path == "/people" || (path.starts_with("/people/") && path.ends_with("/password")) ||
+          path.ends_with("/members/new") || path.ends_with("/import/confirm"));
+}
+
 }  // namespace
 
 struct HttpServer::Impl {
@@ -214,7 +228,7 @@ struct HttpServer::Impl {
   MHD_Daemon* daemon = nullptr;
   std::mutex mutex;
   std::condition_variable wake;
-  std::deque<Exchange*> waiting, waitingForPassword;
+  std::deque<Exchange*> waiting, waitingForPassword, waitingForAccounts;
   bool stopping = false;
   std::size_t bodies_bytes = 0;  ///< used by the thread that receives
   std::vector<std::thread> workers;
@@ -250,12 +264,10 @@ void HttpServer::Impl::work(std::deque<Exchange*>& queue) {
 }
 
 bool HttpServer::Impl::submit(Exchange* exchange) {
-  const bool checksPassword =
-      exchange->request.method == "POST" &&
-      (exchange->request.path == "/sign-in" || exchange->request.path == "/password" ||
-       exchange->request.path == "/api/site/sign-in" || exchange->request.path == "/api/site/password");
   const std::lock_guard lock(mutex);
-  std::deque<Exchange*>& queue = checksPassword ? waitingForPassword : waiting;
+  std::deque<Exchange*>& queue = setsPasswords(exchange->request)    ? waitingForAccounts
+                                 : checksPassword(exchange->request) ? waitingForPassword
+                                                                     : waiting;
   if (stopping || queue.size() >= kMostWaiting) return false;
   exchange->submitted = true;
   deadlines.set(exchange->socket, std::nullopt);
@@ -389,9 +401,12 @@ Result<std::unique_ptr<HttpServer>> HttpServer::start(const WebOptions& options,
   if (!impl->daemon)
     return fail("The server cannot listen at " + options.address + ":" + std::to_string(options.port) +
                 ". Another program may use this port; choose another port with --listen.");
-  for (int i = 0; i < kWorkers + kPasswordWorkers; ++i)
-    impl->workers.emplace_back(
-        [server = impl.get(), i] { server->work(i < kWorkers ? server->waiting : server->waitingForPassword); });
+  const auto start = [server = impl.get()](int count, std::deque<Exchange*>& queue) {
+    for (int i = 0; i < count; ++i) server->workers.emplace_back([server, &queue] { server->work(queue); });
+  };
+  start(kWorkers, impl->waiting);
+  start(kPasswordWorkers, impl->waitingForPassword);
+  start(kAccountWorkers, impl->waitingForAccounts);
   return std::unique_ptr<HttpServer>(new HttpServer(std::move(impl)));
 }
 

@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 using std::chrono::steady_clock;
 
 /// Streams take connections, of which the server has a limited number (HttpLimits).
-constexpr std::size_t kMostPages = 500, kMostPagesOfSession = 20;
+constexpr std::size_t kMostPages = 500, kMostPagesOfUser = 60;
 constexpr auto kPause = 2s, kPauseAfterFailure = 30s;
 /// Shorter than the time after which common proxies close a silent connection.
 constexpr auto kLongestSilence = 20s;
@@ -42,19 +42,21 @@ std::int64_t LiveUpdates::numberOfLastChange() const {
   return changes.take() ? changes.number() : -1;
 }
 
-std::shared_ptr<EventStream> LiveUpdates::open(const std::string& session, std::set<std::string> people,
+std::shared_ptr<EventStream> LiveUpdates::open(const std::string& user, std::set<std::string> people,
                                                std::int64_t since) {
   StoreChanges missed(store_.guest(), since);
   const auto changed = missed.take();
   const std::lock_guard lock(mutex_);
   std::erase_if(pages_, [](const Page& page) { return page.stream->isOver(); });
   if (isEnding_ || pages_.size() >= kMostPages) return nullptr;
-  if (std::ranges::count(pages_, session, &Page::session) >= std::ptrdiff_t{kMostPagesOfSession}) return nullptr;
+  if (std::ranges::count(pages_, user, &Page::user) >= std::ptrdiff_t{kMostPagesOfUser}) return nullptr;
   const auto now = steady_clock::now();
   const auto stream = std::make_shared<EventStream>();
-  if (changed && concerns(*changed, people)) stream->push(kChanged, missed.number());
+  // A change of which the others were told since then may concern this page, too.
+  if (!changed || concerns(*changed, people) || told_ > missed.number())
+    stream->push(kChanged, std::max(told_, missed.number()));
   if (pages_.empty()) begin_ = missed.number();
-  pages_.push_back({stream, session, std::move(people), now, now});
+  pages_.push_back({stream, user, std::move(people), now, now});
   wake_.notify_all();
   return stream;
 }
@@ -76,6 +78,7 @@ std::size_t LiveUpdates::streams() const {
 void LiveUpdates::tell(const std::set<std::string>& changed, std::int64_t number) {
   const std::lock_guard lock(mutex_);
   const auto now = steady_clock::now();
+  told_ = std::max(told_, number);
   for (Page& page : pages_) {
     if (now - page.opened > kLongestStream) {
       page.stream->end();

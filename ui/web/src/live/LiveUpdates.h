@@ -32,9 +32,9 @@ class LiveUpdates {
   /// Returns the number of the last change (StoreChanges::number), to be read before the content of a page is.
   std::int64_t numberOfLastChange() const;
   /// Opens a stream for a page that shows these people (Person::id) as they were at the change `since`; events have the
-  /// number of their change as id. Null if there are too many streams, in all or for this session. A stream ends after
+  /// number of their change as id. Null if there are too many streams, in all or for this user. A stream ends after
   /// a few minutes, so that the browser asks again and its permission is checked again.
-  std::shared_ptr<EventStream> open(const std::string& session, std::set<std::string> people, std::int64_t since);
+  std::shared_ptr<EventStream> open(const std::string& user, std::set<std::string> people, std::int64_t since);
   /// Ends all streams; further ones are refused.
   void end();
   std::size_t streams() const;
@@ -42,7 +42,7 @@ class LiveUpdates {
  private:
   struct Page {
     std::shared_ptr<EventStream> stream{};
-    std::string session{};
+    std::string user{};
     std::set<std::string> people{};
     std::chrono::steady_clock::time_point opened{}, sent{};
   };
@@ -54,6 +54,7 @@ class LiveUpdates {
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   std::vector<Page> pages_;
+  std::int64_t told_ = -1;               ///< number of the last change that pages were told of
   std::optional<std::int64_t> begin_{};  ///< number of the change after which the thread is to look again
   bool isEnding_ = false;
   std::thread thread_;

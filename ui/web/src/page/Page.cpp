@@ -69,9 +69,10 @@ Response follow(const Visit& visit, std::set<std::string> people) {
   const std::string& asked = last.empty() ? valueOf(visit.request.query, "since") : last;
   std::int64_t since = -1;
   std::from_chars(asked.data(), asked.data() + asked.size(), since);
-  auto stream = visit.live.open(visit.secret, std::move(people), since);
+  auto stream = visit.live.open(visit.by->person().id, std::move(people), since);
   if (!stream) return refusal(visit, 503, "Too many pages are open. Reload this page to see new data.");
-  return {.type = "text/event-stream", .events = std::move(stream)};
+  // Proxies such as nginx would hold events back until a block is full.
+  return {.type = "text/event-stream", .headers = {{"X-Accel-Buffering", "no"}}, .events = std::move(stream)};
 }
 
 Response refusal(const Visit& visit, int status, std::string_view sentence) {

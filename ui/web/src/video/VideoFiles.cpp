@@ -38,6 +38,7 @@ Result<void> VideoFiles::keepMoments(const std::string& attempt, const std::vect
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) return fail(folder_.string() + " cannot be made: " + error.message() + ".");
+  fs::permissions(folder_, fs::perms::owner_all, error);
   json list = json::array();
   for (const AttemptMoment& one : moments)
     list.push_back({{kTime, one.time_us},
@@ -72,6 +73,9 @@ void VideoFiles::trim(std::uint64_t most_bytes, const std::string& newest) const
   std::uint64_t all_bytes = 0;
   for (const auto& entry : fs::directory_iterator(folder_, error)) {
     if (entry.path().extension() != ".webm") continue;
+    // Another server may be writing a hidden file beside, which becomes the video.
+    const bool isPart = entry.path().filename().string().starts_with('.');
+    if (isPart && entry.last_write_time(error) > fs::file_time_type::clock::now() - std::chrono::hours(24)) continue;
     fs::path beside = entry.path();
     KeptVideo kept{entry.path(), fs::last_write_time(beside.replace_extension(".json"), error), entry.file_size(error)};
     all_bytes += kept.bytes;

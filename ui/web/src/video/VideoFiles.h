@@ -11,6 +11,9 @@
 
 namespace insonate::web {
 
+/// Longer attempts get no video, since one would occupy the server for hours.
+inline constexpr std::int64_t kLongestVideo_us = std::int64_t{3600} * 1'000'000;
+
 /// Folder of the videos of attempts: ID.webm, and ID.json with the attempt's milestones and errors. It is a cache: each
 /// file can be made again. For any thread and several servers.
 class VideoFiles {

@@ -20,7 +20,9 @@ using namespace std::chrono_literals;
 
 /// Replaces a path of the server, which is not for users.
 void hide(std::string& sentence, const std::string& path, const std::string& words) {
-  for (std::size_t at = sentence.find(path); !path.empty() && at != std::string::npos; at = sentence.find(path))
+  if (path.empty()) return;
+  // The words may contain the path, so that the search continues behind them.
+  for (std::size_t at = sentence.find(path); at != std::string::npos; at = sentence.find(path, at + words.size()))
     sentence.replace(at, path.size(), words);
 }
 
@@ -63,7 +65,7 @@ Result<bool> VideoMaker::makeNext() {
   } catch (const std::exception& error) {
     why = std::string("The video cannot be made: ") + error.what() + ".";
   }
-  if (isEnding_) {
+  if (isEnding_ && !why.empty()) {
     const auto released = queue_.release(video.attempt);
     return released ? Result<bool>(true) : tl::unexpected(released.error());
   }
@@ -72,6 +74,7 @@ Result<bool> VideoMaker::makeNext() {
   if (!why.empty()) note("video failed", why);
   hide(why, video.recording.string(), "The recording");
   hide(why, options_.videos.string(), "The folder of videos");
+  hide(why, options_.cases.string(), "The folder of cases");
   const auto concluded = queue_.conclude(video.attempt, why);
   return concluded ? Result<bool>(true) : tl::unexpected(concluded.error());
 }
@@ -89,6 +92,7 @@ Result<void> VideoMaker::make(const WaitingVideo& video) {
   };
   auto opened = AttemptRecording::open(video.recording);
   if (!opened) return tl::unexpected(opened.error());
+  if (opened->end_us() > kLongestVideo_us) return fail("The recording is longer than an hour.");
   const auto recording = std::make_shared<const AttemptRecording>(std::move(*opened));
   const Progress preparing = [&](std::string_view doing, double) { return progress(doing, 0); };
   auto found = caseOfAttempt(recording->header(), options_.cases, preparing);

@@ -159,10 +159,10 @@ std::string classQuery(const Visit& visit) {
   return cohort.empty() ? "" : "?class=" + encoded(cohort);
 }
 
-/// Tells whether the server can make a video: it needs a recording of an attempt that has ended.
+/// Tells whether the server can make a video: it needs a recording of an attempt that has ended, within an hour.
 bool mayHaveVideo(const Visit& visit, const KeptAttempt& attempt) {
   return VideoFiles(visit.options.videos).isUsed() && !attempt.recordingFile.empty() &&
-         attempt.facts.state != AttemptState::Open;
+         attempt.facts.state != AttemptState::Open && attempt.facts.length_us <= kLongestVideo_us;
 }
 
 }  // namespace

@@ -31,8 +31,9 @@ class BrowserSessions {
   Result<std::string> begin(const SignedIn& by) const;
   /// Returns the person of a session, with the permissions that this person has now; empty if the session is unknown or
   /// has ended, if another password was set since, or if the account is disabled. The time of the request is stored to
-  /// the minute. Fails only if the database cannot be read.
-  Result<std::optional<SignedIn>> resume(const std::string& secret) const;
+  /// the minute, unless the page made the request by itself (`isByUser` false): an open page must not keep a session
+  /// alive. Fails only if the database cannot be read.
+  Result<std::optional<SignedIn>> resume(const std::string& secret, bool isByUser = true) const;
   /// Returns the number of sessions that have not ended.
   Result<int> count() const;
   /// Ends a session; an unknown secret is no error.

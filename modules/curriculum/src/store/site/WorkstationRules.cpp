@@ -47,7 +47,7 @@ Result<void> checkAttempt(Transaction& server, const Core& core, const Sender& s
 AttemptSitting sittingOf(Transaction& server, const AttemptFacts& facts) {
   const AttemptSitting decided = sittingAt(server, facts, facts.begun_us);
   using enum AttemptSitting;
-  if (decided == Opened && facts.sitting == Practice) return Practice;
+  if ((decided == Opened || decided == SelfAdministered) && facts.sitting == Practice) return Practice;
   const bool isCodeEntered =
       decided == Practice && facts.sitting == Opened &&
       !codedOpenings(server, facts.person, facts.curriculum, facts.level, facts.begun_us).empty();
