@@ -140,7 +140,7 @@ TEST_F(PersonPageTest, StandsBesideTheClass) {
   EXPECT_EQ(picture.lines[0].points[0].y(), 20);
   EXPECT_EQ(picture.lines[0].name, "better than 50 % of the others") << "a short way is a good one";
   EXPECT_EQ(placeAmong({30, 30, 10, 30, 30}).lines[0].name, "better than 100 % of the others");
-  EXPECT_EQ(placeAmong({20, 10, 20, 30, 20}).lines[0].name, "better than 25 % of the others, as good as 50 %");
+  EXPECT_EQ(placeAmong({20, 10, 20, 30, 20}).lines[0].name, "better than 25 % of the others, equal to 50 %");
   EXPECT_EQ(placeAmong({20, 20, 20, 20, 20}).lines[0].name, "equal to all others in the class")
       << "and better than nobody";
 }
@@ -226,7 +226,7 @@ TEST_F(PersonPageTest, ReplaysWhatIsHereAndSaysWhereTheRestIs) {
   showAnna();
   EXPECT_FALSE(child<QPushButton>("replayAttempt")->isEnabled());
   EXPECT_EQ(history().item(0, 5)->text(), "on ward 7");
-  EXPECT_TRUE(child<QLabel>("historyWords")->text().contains("is not on this computer but on ward 7. Copy it"));
+  EXPECT_TRUE(child<QLabel>("historyWords")->text().contains("is not on this computer but on ward 7. Copy the recording"));
   const QSignalSpy failed(workspace_.get(), &ui::Workspace::failed);
   QTest::keyClick(&history(), Qt::Key_Return);
   EXPECT_EQ(failed.count(), 1);

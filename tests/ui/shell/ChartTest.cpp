@@ -77,7 +77,7 @@ TEST_F(ChartTest, WhatCannotBeSavedSaysWhy) {
   chart.save(folder_.filePath("plot.doc"));
   chart.save(folder_.filePath("nowhere/plot.png"));
   ASSERT_EQ(failed.count(), 2);
-  EXPECT_TRUE(failed[0][0].toString().contains("'plot.doc'. End the name in .png, .svg or .pdf"))
+  EXPECT_TRUE(failed[0][0].toString().contains("'plot.doc'. Choose a name that ends in .png, .svg or .pdf"))
       << failed[0][0].toString().toStdString();
   EXPECT_TRUE(QDir(folder_.path()).isEmpty());
 }

@@ -59,7 +59,7 @@ TEST_F(ClassListWindow, ShowsWhatBecomesOfEachLineThenDoesItAndHandsPasswordsOut
   EXPECT_THAT(row(table(), 1)[4].toStdString(), testing::StartsWith("▲  There is neither"));
   EXPECT_EQ(row(table(), 2)[4], "+  has an account, joins the class");
   EXPECT_THAT(row(table(), 3)[4].toStdString(), testing::HasSubstr("not an e-mail address"));
-  EXPECT_THAT(row(table(), 4)[4].toStdString(), testing::HasSubstr("same person as in line 2"));
+  EXPECT_THAT(row(table(), 4)[4].toStdString(), testing::HasSubstr("person is the same as in line 2"));
   EXPECT_TRUE(words().startsWith("1 new   ·   1 join   ·   0 there already   ·   3 refused")) << words().toStdString();
   EXPECT_EQ(button("listGo").text(), "Add 2 people");
   EXPECT_TRUE(table().item(0, 1)->toolTip().contains("<b>")) << "as it is: no tooltip is rich text (HostileTextsTest)";
