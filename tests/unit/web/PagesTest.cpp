@@ -189,7 +189,10 @@ TEST_F(WebPages, HostileNamesStayNames) {
         "/people/" + school.anna.id, "/people/" + school.ina.id, std::string("/audit"), std::string("/me"),
         std::string("/me?level=<script>&metric=<script>&class=<script>")})
     for (const std::string& secret : {ina, admin, own}) {
-      const std::string page = school.get(path, secret).body;
+      // Live pages have one script, which is a file.
+      std::string page = school.get(path, secret).body;
+      const std::string script = R"(<script src="/live.js" defer="">)";
+      if (const auto at = page.find(script); at != std::string::npos) page.erase(at, script.size());
       EXPECT_THAT(page, AllOf(Not(HasSubstr("<script")), Not(HasSubstr("<img")), Not(HasSubstr("onerror='")))) << path;
     }
 }
@@ -203,7 +206,7 @@ TEST_F(WebPages, PagesAreWellFormedAndNameTheirParts) {
         "/classes/" + school.spring.id + "/import", std::string("/people"), "/people/" + school.anna.id,
         "/attempts/" + school.annas, std::string("/audit"), std::string("/password")}) {
     const std::string page = school.get(path, admin).body;
-    for (const std::string part : {"<html lang=\"en\">", "<title>", "<main id=\"main\"><h1>", "href=\"#main\""})
+    for (const std::string part : {"<html lang=\"en\">", "<title>", "<main id=\"main\"", "href=\"#main\""})
       EXPECT_THAT(page, HasSubstr(part)) << path;
     for (const std::string tag : {"table", "section", "form", "ul", "figure", "svg", "details"}) {
       const auto count = [&](const std::string& what) {
