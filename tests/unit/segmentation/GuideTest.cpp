@@ -169,7 +169,7 @@ TEST_P(GuideDoubts, ClicksWithoutTheVeinAreDoubted) {
               ElementsAre("Nothing is labeled where you clicked."));
   const std::array aside{Vec3{0, 0, -14}, Vec3{12, 0, 0}, Vec3{0, 0, 14}};
   EXPECT_THAT(textsAbout(vein, aside, veinOf(6)),
-              testing::Contains(HasSubstr("Click 2 at (12.0, 0.0, 0.0) mm lies outside the result. Move it")));
+              testing::Contains(HasSubstr("Click 2 at (12.0, 0.0, 0.0) mm lies outside the result. Move each")));
 }
 
 TEST_P(GuideDoubts, AVesselWithoutItsClicksCannotBeAccepted) {
