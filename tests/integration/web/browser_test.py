@@ -88,6 +88,8 @@ def sign_in(driver, base, name, password=PASSWORD):
     driver.find_element(By.NAME, "name").send_keys(name)
     driver.find_element(By.NAME, "password").send_keys(password)
     driver.find_element(By.CSS_SELECTOR, "main button").click()
+    # The next address would interrupt the form on its way.
+    WebDriverWait(driver, 30).until(lambda _: not driver.current_url.endswith("/sign-in"))
 
 
 def walk(driver, base, label, folder):

@@ -179,7 +179,7 @@ TEST_F(CaseExchange, APartIsCroppedAndResampled) {
   dialog->findChild<QCheckBox*>()->setChecked(true);
   for (const char* axis : {"right to left", "front to back", "feet to head"})
     field(QString("Spacing, %1").arg(axis))->setValue(0.5);
-  EXPECT_TRUE(result->text().contains("to 42 x 82 x 34 voxels")) << result->text().toStdString();
+  EXPECT_TRUE(result->text().contains("new case: 42 x 82 x 34 voxels")) << result->text().toStdString();
   const auto before = window.current().patient;
   QTest::mouseClick(crop, Qt::LeftButton);
   ASSERT_TRUE(waitUntil([&] { return window.current().patient != before; }));
