@@ -120,7 +120,7 @@ MHD_Response* streamResponse(MHD_Connection* connection, const std::shared_ptr<E
     static_cast<StreamReader*>(self)->stream->detach();
     delete static_cast<StreamReader*>(self);
   };
-  auto reader = std::make_unique<StreamReader>(stream, connection);
+  auto reader = std::make_unique<StreamReader>(StreamReader{stream, connection});
   MHD_Response* response =
       MHD_create_response_from_callback(MHD_SIZE_UNKNOWN, kBlock_bytes, read, reader.get(), release);
   if (response) (void)reader.release();

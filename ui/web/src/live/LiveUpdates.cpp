@@ -51,7 +51,7 @@ std::shared_ptr<EventStream> LiveUpdates::open(const std::string& user, std::set
   if (isEnding_ || pages_.size() >= kMostPages) return nullptr;
   if (std::ranges::count(pages_, user, &Page::user) >= std::ptrdiff_t{kMostPagesOfUser}) return nullptr;
   const auto now = steady_clock::now();
-  const auto stream = std::make_shared<EventStream>();
+  auto stream = std::make_shared<EventStream>();
   // A change of which the others were told since then may concern this page, too.
   if (!changed || concerns(*changed, people) || told_ > missed.number())
     stream->push(kChanged, std::max(told_, missed.number()));

@@ -102,8 +102,8 @@ Result<void> VideoMaker::make(const WaitingVideo& video) {
   const VideoFiles files(options_.videos);
   if (auto kept = files.keepMoments(video.attempt, *moments); !kept) return kept;
   // One thread: the workers of others would have the priority of pages.
-  const auto written = writeAttemptVideo(recording, std::make_shared<const PatientCase>(std::move(*found)),
-                                         files.video(video.attempt), {.threads = 1}, progress);
+  auto written = writeAttemptVideo(recording, std::make_shared<const PatientCase>(std::move(*found)),
+                                   files.video(video.attempt), {.threads = 1}, progress);
   if (!written) return written;
   files.trim(static_cast<std::uint64_t>(options_.videoSpace_GB * 1e9), video.attempt);
   return {};
