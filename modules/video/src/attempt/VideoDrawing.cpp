@@ -146,8 +146,8 @@ constexpr std::size_t kColumns = 2, kRows = 6;
 std::array<Metric, kColumns * kRows> shownMetrics(const Procedure& procedure) {
   std::vector<Metric> order;
   for (const MetricDefinition& one : metricTable()) order.push_back(one.metric);
-  std::ranges::stable_partition(
-      order, [&](Metric one) { return std::ranges::count(procedure.norms, one, &MetricNorm::metric) > 0; });
+  std::stable_partition(order.begin(), order.end(),
+                        [&](Metric one) { return std::ranges::count(procedure.norms, one, &MetricNorm::metric) > 0; });
   std::array<Metric, kColumns * kRows> shown{};
   std::copy_n(order.begin(), shown.size(), shown.begin());
   return shown;

@@ -24,7 +24,7 @@ namespace {
 /// Seconds in which one processor makes a second of a video, before its own speed is known.
 constexpr double kUsualSpeed = 4;
 constexpr int kRefresh_s = 3;
-constexpr double kTimelineWidth = 720, kTimelineHeight = 32;
+constexpr double kTimelineWidth = 720;
 
 /// An event of the timeline and its list.
 struct Entry {
