@@ -118,8 +118,7 @@ TEST_F(LabelTable, HostileNamesDoNoHarm) {
   EXPECT_EQ(cell(kOwn, kName), "<img src='x'><b>a</b> '/");
   shared_->terms.setName(kOwn, "vein");
   EXPECT_EQ(cell(kOwn, kName), "<img src='x'><b>a</b> '/") << "two of one name";
-  EXPECT_TRUE(workspace_->statusText().contains("named vein already"))
-      << workspace_->statusText().toStdString();
+  EXPECT_TRUE(workspace_->statusText().contains("named vein already")) << workspace_->statusText().toStdString();
   shared_->terms.setName(kVein, "artery");
   EXPECT_EQ(cell(kVein, kName), "vein") << "the label table's names stay";
 }

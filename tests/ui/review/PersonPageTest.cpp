@@ -226,7 +226,8 @@ TEST_F(PersonPageTest, ReplaysWhatIsHereAndSaysWhereTheRestIs) {
   showAnna();
   EXPECT_FALSE(child<QPushButton>("replayAttempt")->isEnabled());
   EXPECT_EQ(history().item(0, 5)->text(), "on ward 7");
-  EXPECT_TRUE(child<QLabel>("historyWords")->text().contains("is not on this computer but on ward 7. Copy the recording"));
+  EXPECT_TRUE(
+      child<QLabel>("historyWords")->text().contains("is not on this computer but on ward 7. Copy the recording"));
   const QSignalSpy failed(workspace_.get(), &ui::Workspace::failed);
   QTest::keyClick(&history(), Qt::Key_Return);
   EXPECT_EQ(failed.count(), 1);

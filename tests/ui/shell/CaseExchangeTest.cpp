@@ -170,8 +170,7 @@ TEST_F(CaseExchange, APartIsCroppedAndResampled) {
     if (button->text().remove('&') == "Crop") crop = button;
   ASSERT_TRUE(crop);
   const auto* result = dialog->findChild<QLabel*>("cropResult");
-  EXPECT_TRUE(result->text().contains("Size now: 49 x 41 x 17"))
-      << result->text().toStdString();
+  EXPECT_TRUE(result->text().contains("Size now: 49 x 41 x 17")) << result->text().toStdString();
   field("From, right to left")->setValue(-10);
   field("To, right to left")->setValue(-10.5);
   EXPECT_TRUE(crop->isEnabled()) << "either corner may come first";
