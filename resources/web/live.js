@@ -37,10 +37,14 @@
       announcement.textContent = "There are new data. Reload the page to see them.";
       return;
     }
+    // Before the question: a change that arrives meanwhile is due again.
+    isDue = false;
     // The header tells the server that no person asked, so that the session can end.
     const answer = await fetch(location.href, { headers: { "Insonate-Refresh": "1" } });
-    if (answer.status >= 500) return;
-    isDue = false;
+    if (answer.status >= 500) {
+      isDue = true;
+      return;
+    }
     if (!answer.ok || answer.redirected) {
       isOver = true;
       close();
@@ -65,7 +69,9 @@
     if (isWaiting) return;
     isWaiting = true;
     refresh()
-      .catch(() => {})
+      .catch(() => {
+        isDue = true;
+      })
       .finally(() =>
         setTimeout(() => {
           isWaiting = false;

@@ -45,8 +45,8 @@ TEST_P(WebMembers, MembersComeAndGo) {
   EXPECT_EQ(school.post(page, {{"person", " CARL "}, {"as", "trainee"}}, admin).status, 303);
   EXPECT_EQ(school.post(page, {{"person", "otto@example.org"}, {"as", "instructor"}}, admin).status, 303);
   EXPECT_EQ(names(school.admin, school.spring.id), "ina* otto* anna ben carl ");
-  EXPECT_THAT(school.post(page, {{"person", "nobody.there"}, {"as", "trainee"}}, admin).body,
-              HasSubstr("No account has the sign-in name or e-mail address &#39;nobody.there&#39;"));
+  EXPECT_THAT(school.post(page, {{"person", "unknown.there"}, {"as", "trainee"}}, admin).body,
+              HasSubstr("No account has the sign-in name or e-mail address &#39;unknown.there&#39;"));
   EXPECT_EQ(school.post(page, {{"person", ""}, {"as", "trainee"}}, admin).status, 422);
   EXPECT_THAT(school.post(page, {{"person", "ben"}, {"as", "instructor"}}, admin).body, HasSubstr("cannot teach"));
   EXPECT_EQ(school.post(page, {{"person", "carl"}, {"as", "trainee"}}, ina).status, 422)
