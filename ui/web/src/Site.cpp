@@ -112,8 +112,16 @@ Response showIcon(const Visit& /*visit*/, const Parts& /*parts*/) {
   return {.type = "image/svg+xml", .body = fileNamed("icon"), .headers = {kKeptForAnHour}};
 }
 
+Response scriptNamed(std::string_view name) {
+  return {.type = "text/javascript; charset=utf-8", .body = fileNamed(name), .headers = {kKeptForAnHour}};
+}
+
 Response showLiveScript(const Visit& /*visit*/, const Parts& /*parts*/) {
-  return {.type = "text/javascript; charset=utf-8", .body = fileNamed("live"), .headers = {kKeptForAnHour}};
+  return scriptNamed("live");
+}
+
+Response showVideoScript(const Visit& /*visit*/, const Parts& /*parts*/) {
+  return scriptNamed("video");
 }
 
 Response showStyleSheet(const Visit& /*visit*/, const Parts& /*parts*/) {

@@ -69,12 +69,6 @@ void LiveUpdates::end() {
   wake_.notify_all();
 }
 
-std::size_t LiveUpdates::streams() const {
-  const std::lock_guard lock(mutex_);
-  return static_cast<std::size_t>(
-      std::ranges::count_if(pages_, [](const Page& page) { return !page.stream->isOver(); }));
-}
-
 void LiveUpdates::tell(const std::set<std::string>& changed, std::int64_t number) {
   const std::lock_guard lock(mutex_);
   const auto now = steady_clock::now();

@@ -37,7 +37,6 @@ class LiveUpdates {
   std::shared_ptr<EventStream> open(const std::string& user, std::set<std::string> people, std::int64_t since);
   /// Ends all streams; further ones are refused.
   void end();
-  std::size_t streams() const;
 
  private:
   struct Page {

@@ -6,7 +6,6 @@
 
 #include <insonate/curriculum/CommentStore.h>
 #include <insonate/curriculum/VideoQueue.h>
-#include <insonate/embedded/web.h>
 
 #include <algorithm>
 #include <cmath>
@@ -230,13 +229,6 @@ Response sendVideo(const Visit& visit, const Parts& parts) {
   files.use(parts[0]);
   Response response = sendFile(visit.request, files.video(parts[0]), "video/webm");
   response.headers.push_back(kVideoPolicy);
-  return response;
-}
-
-Response showVideoScript(const Visit& /*visit*/, const Parts& /*parts*/) {
-  Response response{.type = "text/javascript; charset=utf-8", .headers = {{"Cache-Control", "max-age=3600"}}};
-  for (const auto& file : embedded::web::files())
-    if (file.name == "video") response.body = std::string(file.text);
   return response;
 }
 

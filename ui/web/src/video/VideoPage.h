@@ -19,7 +19,5 @@ Response requestVideo(const Visit& visit, const Parts& parts);
 Response showVideoProgress(const Visit& visit, const Parts& parts);
 /// Sends the video of the attempt, or a part of it.
 Response sendVideo(const Visit& visit, const Parts& parts);
-/// Sends the script of the videos' timeline.
-Response showVideoScript(const Visit& visit, const Parts& parts);
 
 }  // namespace insonate::web
