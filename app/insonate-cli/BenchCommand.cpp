@@ -6,6 +6,7 @@
 #include <insonate/bench/PointSpreadBench.h>
 #include <insonate/bench/RealismBench.h>
 #include <insonate/bench/SegmentationBench.h>
+#include <insonate/bench/ServerBench.h>
 #include <insonate/bench/UltrasoundBench.h>
 #include <insonate/cases/Phantom.h>
 #include <insonate/ultrasound/SetupText.h>
@@ -88,6 +89,23 @@ Result<void> benchCurriculum(const BenchOptions& options) {
   if (!results) return tl::unexpected(results.error());
   if (auto ok = writeCurriculumBench(*results, options.folder); !ok) return ok;
   tell(options, *results, "curriculum.md");
+  return {};
+}
+
+struct ServerOptions : BenchOptions {
+  ServerLoad load;
+  double minutes = 60;
+};
+
+Result<void> benchServer(ServerOptions options) {
+  if (auto ok = checkBenchFolder(options.folder); !ok) return ok;
+  options.load.duration_s = 60 * options.minutes;
+  if (options.load.server.empty())
+    options.load.server = std::filesystem::read_symlink("/proc/self/exe").replace_filename("insonate-server");
+  const auto results = runServerBench(options.load, terminalProgress());
+  if (!results) return tl::unexpected(results.error());
+  if (auto ok = writeServerBench(*results, options.folder); !ok) return ok;
+  tell(options, *results, "server.md");
   return {};
 }
 
@@ -200,6 +218,45 @@ void addSegmentation(CLI::App& bench, Outcome& outcome) {
   });
 }
 
+void addServer(CLI::App& bench, Outcome& outcome) {
+  auto options = std::make_shared<ServerOptions>();
+  ServerLoad& load = options->load;
+  CLI::App* command = bench.add_subcommand(
+      "server", "Load insonate-server with workstations, readers and open pages, and kill it, if asked to");
+  command->add_option("--out", options->folder, "Folder for tables; a missing folder is created")->required();
+  command->add_option("--server", load.server, "Program insonate-server; by default beside this program")
+      ->check(CLI::ExistingFile);
+  command->add_option("--database", load.database, "Empty database, postgresql://...; by default a new file");
+  command->add_option("--servers", load.servers, "Number of server processes that share the database")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 16));
+  command->add_option("--workstations", load.workstations, "Number of workstations; each sends one attempt")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 999));
+  command->add_option("--minutes", options->minutes, "Duration of the load")
+      ->capture_default_str()
+      ->check(CLI::Range(0.1, 600.0));
+  command->add_option("--recording", load.recording_MB, "Size of a recording, MB")
+      ->capture_default_str()
+      ->check(CLI::Range(0.1, 64.0));
+  command->add_option("--readers", load.readers, "Number of people who read, one page every 5 s each")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 500));
+  command->add_option("--live", load.livePages, "Number of open pages with live refresh")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 500));
+  command->add_option("--kills", load.kills, "Number of times that a server process is killed and started again")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 10000));
+  command->add_option("--crash-database", load.crashDatabase,
+                      "Shell command that crashes the database and starts it again, after every second kill");
+  command->add_flag("--json", options->json, "Print the tables as one JSON object");
+  command->callback([options, &outcome] {
+    outcome.json = options->json;
+    if (auto ok = benchServer(*options); !ok) refuse(outcome, ok.error());
+  });
+}
+
 void addRealism(CLI::App& bench, Outcome& outcome) {
   auto options = std::make_shared<RealismOptions>();
   CLI::App* command = bench.add_subcommand(
@@ -274,6 +331,7 @@ void addBenchCommand(CLI::App& app, Outcome& outcome) {
   add(*bench, outcome, "haptics", "Measure tick times, stability and force curves of the haptic servo", benchHaptics);
   addSegmentation(*bench, outcome);
   addRealism(*bench, outcome);
+  addServer(*bench, outcome);
   add(*bench, outcome, "curriculum", "Measure how long the window waits for the store of users and attempts",
       benchCurriculum);
 }
