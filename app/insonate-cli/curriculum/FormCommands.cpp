@@ -23,6 +23,8 @@ const char* wordOf(Form::Purpose purpose) {
       return "questionnaire";
     case Form::Purpose::Checklist:
       return "checklist";
+    case Form::Purpose::Debrief:
+      return "debrief";
     case Form::Purpose::Rating:
       break;
   }

@@ -3,6 +3,8 @@
 #include "attempt/AttemptPage.h"
 #include "audit/AuditPage.h"
 #include "classes/ClassPages.h"
+#include "forms/FormPages.h"
+#include "levels/BriefingPage.h"
 #include "lists/ListImport.h"
 #include "members/ClassDeletion.h"
 #include "members/MembersPage.h"
@@ -152,12 +154,16 @@ constexpr Route kRoutes[]{
     {"POST", "/password", Access::SignedIn, &changePassword},
     {"GET", "/me", Access::SignedIn, &showOwnTraining},
     {"GET", "/me/events", Access::SignedIn, &followOwnTraining},
+    {"GET", "/me/forms/*", Access::SignedIn, &showQuestionnaire},
+    {"POST", "/me/forms/*", Access::SignedIn, &handInQuestionnaire},
     {"GET", "/attempts/*", Access::SignedIn, &showAttempt},
     {"GET", "/attempts/*/video", Access::SignedIn, &showVideoProgress},
     {"POST", "/attempts/*/video", Access::SignedIn, &requestVideo},
     {"GET", "/attempts/*/video.webm", Access::SignedIn, &sendVideo},
     {"POST", "/attempts/*/accept", Access::SignedIn, &acceptAttempt},
     {"POST", "/attempts/*/void", Access::SignedIn, &voidAttempt},
+    {"GET", "/attempts/*/forms/*", Access::SignedIn, &showAttemptForm},
+    {"POST", "/attempts/*/forms/*", Access::SignedIn, &handInAttemptForm},
     {"POST", "/attempts/*/comments", Access::SignedIn, &addComment},
     {"POST", "/attempts/*/comments/*/remove", Access::SignedIn, &removeComment},
     {"GET", "/classes", Access::SignedIn, &showClasses},
@@ -176,6 +182,7 @@ constexpr Route kRoutes[]{
     {"POST", "/classes/*/archive", Access::SignedIn, &archiveClass},
     {"GET", "/classes/*/delete", Access::SignedIn, &showClassDeletion},
     {"POST", "/classes/*/delete", Access::SignedIn, &deleteClass},
+    {"GET", "/classes/*/levels/*", Access::SignedIn, &showBriefing},
     {"GET", "/classes/*/people/*", Access::SignedIn, &showMember},
     {"GET", "/classes/*/people/*/events", Access::SignedIn, &followMember},
     {"GET", "/classes/*/export/attempts.csv", Access::SignedIn, &exportClassAttempts},

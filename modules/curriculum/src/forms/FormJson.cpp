@@ -17,7 +17,7 @@ namespace {
 using nlohmann::json;
 
 /// In the order of Form::Purpose and FormItem::Kind.
-const std::vector<std::string_view> kPurposes{"questionnaire", "checklist", "rating"};
+const std::vector<std::string_view> kPurposes{"questionnaire", "checklist", "rating", "debrief"};
 const std::vector<std::string_view> kKinds{"choice", "number", "text"};
 
 /// Options that items share, by name.

@@ -20,7 +20,7 @@ constexpr double kCurveUnit = 0.72;
 /// about others.
 bool isJudgement(const KeptForm& one) {
   const auto form = loadForm(one.filled.form);
-  return form ? form->purpose != Form::Purpose::Questionnaire : one.filled.by != one.filled.person;
+  return form ? form->isJudgement() : one.filled.by != one.filled.person;
 }
 
 /// Draws the title of a level, with its charts below.

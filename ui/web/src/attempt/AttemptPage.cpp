@@ -1,6 +1,7 @@
 #include "attempt/AttemptPage.h"
 
 #include "comments/Comments.h"
+#include "forms/FormPages.h"
 #include "person/PersonPage.h"
 #include "video/VideoPage.h"
 
@@ -147,7 +148,9 @@ Response attemptPage(const Visit& visit, const std::string& id, const CommentDra
   if (!comments) return refusal(visit, 403, comments.error().message);
   const auto video = videoSection(visit, *kept, queryOf(visit));
   if (!video) return refusal(visit, 403, video.error().message);
-  content += *video + *comments + metricSection(kept->facts, level);
+  const auto forms = formSection(visit, kept->facts, queryOf(visit));
+  if (!forms) return refusal(visit, 403, forms.error().message);
+  content += *video + *comments + *forms + metricSection(kept->facts, level);
   if (visit.by->person().role != Role::Trainee) content += flagSection(kept->facts);
   content += decisionSection(visit, kept->facts, queryOf(visit), decisionTrouble);
   Response response = page(visit, "Attempt", content, status);

@@ -1,5 +1,7 @@
 #include "person/PersonPage.h"
 
+#include "forms/FormPages.h"
+#include "levels/BriefingPage.h"
 #include "live/LiveUpdates.h"
 #include "page/Charts.h"
 
@@ -83,8 +85,8 @@ Markup levelsOf(const PersonFacts& facts) {
                                  : "";
     items += element("li", {{"class", std::string("level ") + state}},
                      element("span", {{"class", "state"}}, std::string(mark) + " " + state) +
-                         element("h3", {}, level.title) + paragraph(now.why) +
-                         element("p", {{"class", "quiet"}}, level.about + " " + takes + test));
+                         element("h3", {}, link(briefingAddress(facts.cohort->id, level.name), level.title)) +
+                         paragraph(now.why) + element("p", {{"class", "quiet"}}, level.about + " " + takes + test));
   }
   return section("Levels", element("ol", {{"class", "levels"}}, items));
 }
@@ -181,8 +183,13 @@ Response personPage(const Visit& visit, const Result<PersonFacts>& facts, const 
   if (!facts) return refusal(visit, 403, facts.error().message);
   Markup content;
   if (facts->cohort) content += element("p", {{"class", "quiet"}}, "Class: " + facts->cohort->name);
-  return livePage(visit, title, content + levelsOf(*facts) + curvesOf(visit, *facts) + attemptsOf(*facts),
-                  facts->address + "/events", since);
+  content += levelsOf(*facts) + curvesOf(visit, *facts) + attemptsOf(*facts);
+  if (facts->person.id == visit.by->person().id) {
+    const auto questionnaires = questionnaireSection(visit);
+    if (!questionnaires) return refusal(visit, 403, questionnaires.error().message);
+    content += *questionnaires;
+  }
+  return livePage(visit, title, content, facts->address + "/events", since);
 }
 
 /// Calls work(Cohort) for the class of a member's page, or returns a page that says why the user may not see it.

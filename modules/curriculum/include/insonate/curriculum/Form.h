@@ -43,12 +43,13 @@ struct FormSection {
   bool operator==(const FormSection&) const = default;
 };
 
-/// A questionnaire, a checklist or a rating scale, as data.
+/// A questionnaire, a checklist, a rating scale or a debrief, as data.
 struct Form {
   enum class Purpose {
     Questionnaire,  ///< filled in by the trainee, about the simulator
     Checklist,      ///< filled in by a rater, about an attempt: which steps were done
     Rating,         ///< filled in by a rater, about an attempt: how well it was done
+    Debrief,        ///< filled in by the trainee and by instructors, about an attempt: what to learn from it
   };
 
   std::string name{}, title{}, about{};
@@ -58,10 +59,12 @@ struct Form {
   std::vector<FormSection> sections{};
 
   const FormItem* item(std::string_view itemName) const;
+  /// Tells whether a rater judges an attempt by this form.
+  bool isJudgement() const { return purpose == Purpose::Checklist || purpose == Purpose::Rating; }
   /// Tells whether a rater may add a note to the answer. This is allowed in checklists and ratings, except for Text
   /// questions.
   bool takesNote(const FormItem& item) const {
-    return purpose != Purpose::Questionnaire && item.kind != FormItem::Kind::Text;
+    return isJudgement() && item.kind != FormItem::Kind::Text;
   }
   bool operator==(const Form&) const = default;
 };
