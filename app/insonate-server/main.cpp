@@ -142,6 +142,9 @@ void addOptions(CLI::App& app, Arguments& arguments) {
                "A proxy on this computer receives HTTPS and passes requests on, with the header Host as it was sent");
   app.add_option("--proxy", options.proxies,
                  "Address of a proxy whose header X-Forwarded-For names the client; may be repeated");
+  app.add_option("--audit-anchors", options.auditAnchors,
+                 "File to which the server appends the end of the audit log each minute; best on another computer, so "
+                 "that the owner of the database cannot change it");
   app.add_option("--monitoring-token-file", arguments.tokenFile,
                  "File with the secret by which other computers read /health and /metrics");
   app.set_config("--config", "", "File with these options, without their dashes: listen = \"127.0.0.1:8443\"");

@@ -107,6 +107,9 @@ TEST_F(CurriculumUpkeep, ABackupIsPutBackAndVerified) {
   const std::string anchor = whole["anchor"];
   EXPECT_EQ(run("verify --anchor " + anchor + " --as boss").status, 0);
   EXPECT_THAT(refused("verify --anchor 3 --as boss"), HasSubstr("is not an anchor"));
+  std::ofstream(folder / "anchors") << "2026-11-29T07:00:00Z " << anchor << "\n";
+  EXPECT_EQ(run("verify --anchors " + path("anchors") + " --as boss").status, 0);
+  EXPECT_THAT(refused("verify --anchors " + path("none") + " --as boss"), HasSubstr("cannot be read"));
 
   EXPECT_THAT(refused("restore " + path("backup.sqlite") + " --as boss", "wrong"), Not(""));
   EXPECT_THAT(refused("restore " + path("none.sqlite") + " --as boss"), Not(""));
@@ -115,6 +118,7 @@ TEST_F(CurriculumUpkeep, ABackupIsPutBackAndVerified) {
   EXPECT_EQ(told("migrate --as boss")["attempts"], 1);
   EXPECT_EQ(run("verify --as boss").status, 0);
   EXPECT_THAT(refused("verify --anchor " + anchor + " --as boss"), Not("")) << "the log is shorter than it was";
+  EXPECT_THAT(refused("verify --anchors " + path("anchors") + " --as boss"), HasSubstr("is inconsistent"));
 }
 
 TEST_F(CurriculumUpkeep, AFileThatWasTamperedWithIsTold) {

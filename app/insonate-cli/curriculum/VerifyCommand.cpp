@@ -3,33 +3,40 @@
 #include "Lookup.h"
 #include "StoreCounts.h"
 
-#include <insonate/curriculum/AuditLog.h>
+#include <insonate/curriculum/AuditAnchors.h>
 #include <insonate/teaching/RecomputedAttempts.h>
 
 #include <algorithm>
-#include <charconv>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace insonate::cli {
 namespace {
 
-/// "NUMBER:HASH", as verify told it.
-Result<AuditAnchor> anchorOf(const std::string& text) {
-  AuditAnchor anchor;
-  const auto end = text.data() + text.size();
-  const auto [rest, trouble] = std::from_chars(text.data(), end, anchor.number);
-  if (trouble != std::errc() || rest == end || *rest != ':')
-    return fail("'" + text +
-                "' is not an anchor. Give the anchor NUMBER:HASH that an earlier 'curriculum verify' printed.");
-  anchor.hash.assign(rest + 1, end);
-  return anchor;
+struct AnchorOptions {
+  std::string anchor, file;
+};
+
+Result<std::vector<AuditAnchor>> anchorsOf(const AnchorOptions& options) {
+  std::vector<AuditAnchor> anchors;
+  if (!options.file.empty()) {
+    auto read = readAuditAnchors(options.file);
+    if (!read) return read;
+    anchors = std::move(*read);
+  }
+  if (options.anchor.empty()) return anchors;
+  auto one = parseAuditAnchor(options.anchor);
+  if (!one) return tl::unexpected(one.error());
+  anchors.push_back(std::move(*one));
+  return anchors;
 }
 
 /// Pages, keys, hashes and the log.
-Result<void> verifyWhole(const SignedIn& by, const std::string& anchorText) {
-  if (auto whole = StoreUpkeep(by).verify(); !whole || anchorText.empty()) return whole;
-  const auto earlier = anchorOf(anchorText);
-  return earlier ? AuditLog(by).verify(*earlier) : tl::unexpected(earlier.error());
+Result<void> verifyWhole(const SignedIn& by, const std::vector<AuditAnchor>& anchors) {
+  if (auto whole = StoreUpkeep(by).verify(); !whole || anchors.empty()) return whole;
+  return AuditLog(by).verify(anchors);
 }
 
 /// Compares the stored attempts and standings with recordings and audit log.
@@ -110,8 +117,10 @@ std::string textOf(const Json& found) {
                  {"expected", "expected"}});
 }
 
-Result<Answer> verify(const SignedIn& by, const std::string& anchorText) {
-  if (auto whole = verifyWhole(by, anchorText); !whole) return tl::unexpected(whole.error());
+Result<Answer> verify(const SignedIn& by, const AnchorOptions& options) {
+  const auto anchors = anchorsOf(options);
+  if (!anchors) return tl::unexpected(anchors.error());
+  if (auto whole = verifyWhole(by, *anchors); !whole) return tl::unexpected(whole.error());
   const auto found = recomputeAll(by);
   if (!found) return tl::unexpected(found.error());
   auto people = visiblePeople(by);
@@ -141,13 +150,16 @@ Result<Answer> verify(const SignedIn& by, const std::string& anchorText) {
 }  // namespace
 
 void addVerifyCommand(CLI::App& curriculum, Outcome& outcome) {
-  auto anchor = std::make_shared<std::string>();
-  addSignedInCommand(curriculum, outcome, "verify",
-                     "Verify a store: check its pages, keys and hashes, and compare its attempts and standings with "
-                     "recordings and log",
-                     [anchor](const SignedIn& by) { return verify(by, *anchor); })
-      ->add_option("--anchor", *anchor,
-                   "NUMBER:HASH from an earlier verify: checks that the log was not rewritten since");
+  auto options = std::make_shared<AnchorOptions>();
+  CLI::App* command = addSignedInCommand(
+      curriculum, outcome, "verify",
+      "Verify a store: check its pages, keys and hashes, and compare its attempts and standings with "
+      "recordings and log",
+      [options](const SignedIn& by) { return verify(by, *options); });
+  command->add_option("--anchor", options->anchor,
+                      "NUMBER:HASH from an earlier verify: checks that the log was not rewritten since");
+  command->add_option("--anchors", options->file,
+                      "File of anchors that insonate-server writes: checks that the log was not rewritten since");
 }
 
 }  // namespace insonate::cli

@@ -1,9 +1,12 @@
 #include "StoreRig.h"
 #include "store/sql/Connection.h"
 
-#include <insonate/curriculum/AuditLog.h>
+#include <insonate/curriculum/AuditAnchors.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/StoreUpkeep.h>
+
+#include <filesystem>
+#include <fstream>
 
 namespace insonate::test {
 namespace {
@@ -29,9 +32,9 @@ class StoreAudit : public OnBoth {
   std::string verifiedAfter(const std::string& sql) {
     const School school(rig->open());
     anchor = valueOf(AuditLog(school.admin).anchor());
-    EXPECT_TRUE(AuditLog(school.admin).verify(anchor));
+    EXPECT_TRUE(AuditLog(school.admin).verify({anchor}));
     succeed(tamper(*rig, unguarded(GetParam(), "audit", sql)));
-    return refusalOf(AuditLog(school.admin).verify(anchor));
+    return refusalOf(AuditLog(school.admin).verify({anchor}));
   }
   AuditAnchor anchor;
 };
@@ -74,6 +77,45 @@ TEST_P(StoreAudit, ALogCutWithItsEndIsFoundByAnAnchorOnly) {
               HasSubstr("the end is missing"));
   const SignedIn admin = valueOf(rig->open().signIn("admin", kPassword));
   EXPECT_TRUE(AuditLog(admin).verify()) << "what cannot be found without an anchor, as its header says";
+}
+
+TEST_P(StoreAudit, ALogThatItsOwnerHasRewrittenIsFoundByTheAnchorsOfTheServer) {
+  const CurriculumStore store = rig->open();
+  const School school(store);
+  const std::filesystem::path file = rig->folder / "anchors";
+  AuditAnchors server(store, file), another(store, file);
+  succeed(server.append());
+  succeed(server.append());
+  EXPECT_EQ(valueOf(readAuditAnchors(file)).size(), 1U) << "nothing has changed";
+  EXPECT_FALSE(AuditLog(school.as(school.ina)).anchor()) << "the refusal is an entry";
+  succeed(server.append());
+  succeed(another.append());
+  const auto anchors = valueOf(readAuditAnchors(file));
+  ASSERT_EQ(anchors.size(), 3U);
+  EXPECT_LT(anchors[0].number, anchors[1].number);
+  EXPECT_EQ(anchors[1], anchors[2]);
+  EXPECT_TRUE(AuditLog(school.admin).verify(anchors));
+  // The log of another database stands for one that the owner has written anew: it is consistent in itself.
+  StoreRig other(GetParam());
+  const School rewritten(other.open());
+  EXPECT_FALSE(AuditLog(rewritten.as(rewritten.ina)).anchor());
+  EXPECT_TRUE(AuditLog(rewritten.admin).verify());
+  EXPECT_THAT(refusalOf(AuditLog(rewritten.admin).verify(anchors)), HasSubstr("differs from the noted anchor"));
+  EXPECT_THAT(refusalOf(AuditLog(school.admin).verify({{anchors[1].number + 1000, anchors[1].hash}})),
+              HasSubstr("the end is missing"));
+}
+
+TEST_P(StoreAudit, AFileOfAnchorsIsReadLineByLine) {
+  const std::filesystem::path file = rig->folder / "anchors";
+  std::ofstream(file) << "2026-11-29T07:00:00Z 5:abc\n\n7:def\n2026-11-29T07:02:00Z 9:cut o";
+  EXPECT_EQ(valueOf(readAuditAnchors(file)), (std::vector<AuditAnchor>{{5, "abc"}, {7, "def"}}));
+  for (const std::string wrong : {"soon\n", "5:\n", ":abc\n", "5 abc\n", "99999999999999999999:abc\n"}) {
+    std::ofstream(file) << "5:abc\n" << wrong;
+    EXPECT_THAT(refusalOf(readAuditAnchors(file)), HasSubstr("line 2")) << wrong;
+  }
+  EXPECT_THAT(refusalOf(readAuditAnchors(rig->folder / "missing")), HasSubstr("cannot be read"));
+  EXPECT_THAT(refusalOf(AuditAnchors(rig->open(), rig->folder.path() / "no folder" / "anchors").append()),
+              HasSubstr("cannot be written"));
 }
 
 TEST_P(StoreAudit, FactsAreNeitherChangedNorDeletedByWhoeverAsks) {

@@ -1,4 +1,5 @@
 #include "Site.h"
+#include "audit/AnchorKeeper.h"
 #include "http/Certificate.h"
 #include "http/ClientAddress.h"
 #include "http/HttpServer.h"
@@ -42,6 +43,7 @@ struct WebServer::Impl {
   std::unique_ptr<HttpServer> http;
   std::unique_ptr<Verifier> verifier;
   std::unique_ptr<VideoMaker> videoMaker;
+  std::unique_ptr<AnchorKeeper> anchorKeeper;
 };
 
 WebServer::WebServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -54,6 +56,9 @@ Result<WebServer> WebServer::start(const CurriculumStore& store, const WebOption
   WebOptions used = options;
   if (used.videos.empty() && !store.recordings().empty()) used.videos = store.recordings().parent_path() / "videos";
   if (!used.videos.empty()) used.videos = std::filesystem::absolute(used.videos);
+  AuditAnchors anchors(store, used.auditAnchors);
+  if (!used.auditAnchors.empty())
+    if (auto written = anchors.append(); !written) return tl::unexpected(written.error());
   auto impl = std::make_unique<Impl>(store, used);
   auto http = HttpServer::start(
       options, [site = &impl->site](const Request& request) { return site->answer(request); }, {},
@@ -62,6 +67,7 @@ Result<WebServer> WebServer::start(const CurriculumStore& store, const WebOption
   impl->http = std::move(*http);
   impl->verifier = std::make_unique<Verifier>(store, options.log);
   if (!used.videos.empty()) impl->videoMaker = std::make_unique<VideoMaker>(store, used);
+  if (!used.auditAnchors.empty()) impl->anchorKeeper = std::make_unique<AnchorKeeper>(std::move(anchors), options.log);
   return WebServer(std::move(impl));
 }
 

@@ -2,7 +2,9 @@
 
 #include "store/Texts.h"
 
+#include <algorithm>
 #include <string>
+#include <utility>
 
 namespace insonate::store {
 namespace {
@@ -23,11 +25,24 @@ tl::unexpected<Error> broken(std::int64_t number, const std::string& what) {
               ". Another program has written to the database. Compare it with a backup.");
 }
 
-Result<void> checkAgainst(const AuditAnchor& anchor, const AuditEntry& entry) {
-  if (entry.number == anchor.number && entry.hash != anchor.hash)
-    return broken(entry.number, "it differs from the noted anchor");
-  return {};
-}
+/// Anchors that entries have not been compared with, in the order of their numbers.
+class OpenAnchors {
+ public:
+  explicit OpenAnchors(std::vector<AuditAnchor> anchors) : anchors_(std::move(anchors)) {
+    std::ranges::sort(anchors_, {}, &AuditAnchor::number);
+  }
+  Result<void> compare(const AuditEntry& entry) {
+    for (; next_ < anchors_.size() && anchors_[next_].number <= entry.number; ++next_)
+      if (anchors_[next_].number == entry.number && anchors_[next_].hash != entry.hash)
+        return broken(entry.number, "it differs from the noted anchor");
+    return {};
+  }
+  bool isEmpty() const { return next_ == anchors_.size(); }
+
+ private:
+  std::vector<AuditAnchor> anchors_;
+  std::size_t next_ = 0;
+};
 
 }  // namespace
 
@@ -62,9 +77,10 @@ void appendAudit(Transaction& transaction, AuditEntry entry) {
   transaction.run("UPDATE audit_end SET number = ?, hash = ?", entry.number, entry.hash);
 }
 
-Result<void> verifyAudit(Transaction& transaction, const AuditAnchor& anchor) {
+Result<void> verifyAudit(Transaction& transaction, const std::vector<AuditAnchor>& anchors) {
   constexpr std::int64_t kAtOnce = 10000;
   AuditAnchor last;
+  OpenAnchors open(anchors);
   for (;;) {
     const auto rows =
         transaction.rows("SELECT * FROM audit WHERE number > ? ORDER BY number LIMIT ?", last.number, kAtOnce);
@@ -72,14 +88,13 @@ Result<void> verifyAudit(Transaction& transaction, const AuditAnchor& anchor) {
       const AuditEntry entry = auditEntryOf(row);
       if (entry.number != last.number + 1) return broken(last.number + 1, "it is missing");
       if (entry.hash != hashOf(entry, last.hash)) return broken(entry.number, "it was changed");
-      if (auto ok = checkAgainst(anchor, entry); !ok) return ok;
+      if (auto ok = open.compare(entry); !ok) return ok;
       last = {entry.number, entry.hash};
     }
     if (rows.empty()) break;
   }
   if (transaction.error()) return tl::unexpected(*transaction.error());
-  if (last != auditEnd(transaction) || last.number < anchor.number)
-    return broken(last.number + 1, "the end is missing");
+  if (last != auditEnd(transaction) || !open.isEmpty()) return broken(last.number + 1, "the end is missing");
   return {};
 }
 

@@ -33,9 +33,9 @@ Result<AuditAnchor> AuditLog::anchor() const {
       [](Transaction& transaction, const Actor&) -> Result<AuditAnchor> { return store::auditEnd(transaction); });
 }
 
-Result<void> AuditLog::verify(const AuditAnchor& anchor) const {
+Result<void> AuditLog::verify(const std::vector<AuditAnchor>& anchors) const {
   return by_.session()->read({.act = Act::SeeAudit, .detail = "verify"}, [&](Transaction& transaction, const Actor&) {
-    return store::verifyAudit(transaction, anchor);
+    return store::verifyAudit(transaction, anchors);
   });
 }
 

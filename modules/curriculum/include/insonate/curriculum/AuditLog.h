@@ -45,10 +45,10 @@ class AuditLog {
   Result<std::vector<AuditEntry>> page(int count, std::int64_t before = 0, const std::string& person = "") const;
   Result<AuditAnchor> anchor() const;
   /// Checks the log. Fails with a sentence about the first inconsistent entry if an entry was changed, deleted or
-  /// moved, if the end of the log is missing, or if the log differs from `anchor`. A person who can write the database
-  /// and knows how the hashes are made can rewrite the log; only an anchor kept elsewhere reveals that, and only for
-  /// entries up to its number.
-  Result<void> verify(const AuditAnchor& anchor = {}) const;
+  /// moved, if the end of the log is missing, or if the log differs from one of `anchors`. A person who can write the
+  /// database and knows how the hashes are made can rewrite the log; only an anchor kept elsewhere (AuditAnchors)
+  /// reveals that, and only for entries up to its number.
+  Result<void> verify(const std::vector<AuditAnchor>& anchors = {}) const;
 
  private:
   SignedIn by_;

@@ -75,6 +75,7 @@ class CurriculumStore {
   SignedIn guest() const;
 
  private:
+  friend class AuditAnchors;
   friend class BrowserSessions;
   friend class SiteService;
   friend class SiteUpload;

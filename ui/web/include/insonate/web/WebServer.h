@@ -40,6 +40,8 @@ struct WebOptions {
   /// Folder with the folders of cases on which attempts were made; empty: videos are made of attempts on built-in cases
   /// only.
   std::filesystem::path cases{};
+  /// File outside of the database to which the end of the audit log is appended each minute (AuditAnchors); empty: none.
+  std::filesystem::path auditAnchors{};
   Log log{};  ///< receives events to be logged; empty: nothing is logged
 };
 
