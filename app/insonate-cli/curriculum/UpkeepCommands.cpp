@@ -50,6 +50,12 @@ Result<Answer> restore(const StoreOptions& options, const std::string& backup) {
                 address + " was restored from " + backup + ". The former store was kept beside it."};
 }
 
+Result<Answer> grant(const SignedIn& by, const std::string& role) {
+  if (auto done = StoreUpkeep(by).grantServerRole(role); !done) return tl::unexpected(done.error());
+  return Answer{{{"role", role}},
+                role + " can run insonate-server. It cannot change tables, nor entries of the audit log."};
+}
+
 struct AuditArguments {
   std::string person;
   int count = 50;
@@ -115,6 +121,15 @@ void addUpkeepCommands(CLI::App& curriculum, Outcome& outcome) {
                   "Upgrade a store to the present version of the program, after a backup beside the store, and print "
                   "what the store contains (for administrators of the store)",
                   SigningIn::Yes, migrate);
+  auto role = std::make_shared<std::string>();
+  addSignedInCommand(
+      curriculum, outcome, "grant",
+      "Give a PostgreSQL role the permissions that insonate-server needs, and no more (as the owner of the "
+      "tables)",
+      [role](const SignedIn& by) { return grant(by, *role); })
+      ->add_option("ROLE", *role, "Existing role: CREATE ROLE name LOGIN PASSWORD '...'")
+      ->required()
+      ->check(notEmpty());
   addVerifyCommand(curriculum, outcome);
   auto a = std::make_shared<AuditArguments>();
   CLI::App* log = addSignedInCommand(curriculum, outcome, "audit",

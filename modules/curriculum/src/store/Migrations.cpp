@@ -54,6 +54,13 @@ Result<void> step(Connection& connection, int number, const std::vector<embedded
   return transaction.commit();
 }
 
+tl::unexpected<Error> notUpgraded(Connection& connection, const Error& why) {
+  if (connection.dialect().name != "postgresql") return tl::unexpected(why);
+  return fail(connection.place() + " could not be upgraded to schema " + std::to_string(newestSchema()) + ": " +
+              why.message +
+              " If this user does not own the tables, upgrade as their owner: insonate-cli curriculum migrate.");
+}
+
 }  // namespace
 
 int newestSchema() {
@@ -74,6 +81,8 @@ Result<void> refuseForeign(Connection& connection) {
 }
 
 Result<void> migrate(Connection& connection, const Address& address, std::int64_t now_us) {
+  // A role that may use the tables but owns none cannot execute the statements below.
+  if (const auto present = schemaOf(connection); present && *present == newestSchema()) return {};
   {
     // Holds the writers' lock: two processes that create a table at once would conflict on a server.
     Transaction transaction(connection, Way::Write);
@@ -81,7 +90,7 @@ Result<void> migrate(Connection& connection, const Address& address, std::int64_
         connection.dialect().spelled("CREATE TABLE IF NOT EXISTS schema_migrations (number {INTEGER} NOT NULL PRIMARY "
                                      "KEY, applied_us {INTEGER} NOT NULL) "
                                      "{STRICT}"));
-    if (auto done = transaction.commit(); !done) return done;
+    if (auto done = transaction.commit(); !done) return notUpgraded(connection, done.error());
   }
   const auto schema = schemaOf(connection);
   if (!schema) return tl::unexpected(schema.error());
@@ -90,7 +99,7 @@ Result<void> migrate(Connection& connection, const Address& address, std::int64_
   if (auto kept = keepCopy(connection, address, *schema); !kept) return kept;
   for (const auto& [number, files] : migrationsFor(connection.dialect()))
     if (number > *schema)
-      if (auto done = step(connection, number, files, now_us); !done) return done;
+      if (auto done = step(connection, number, files, now_us); !done) return notUpgraded(connection, done.error());
   return {};
 }
 

@@ -36,6 +36,11 @@ class StoreUpkeep {
   /// for which the attempt was made, the assistance of its level and whether the attempt passed. The last two are null
   /// in free practice.
   Result<void> exportJson(const std::filesystem::path& file) const;
+  /// Gives an existing PostgreSQL role the permissions that insonate-server needs to run, and no more: the role can
+  /// neither change tables and triggers, nor change or delete entries of the audit log and published curricula. Only
+  /// the owner of the tables can do this. The owner also makes later upgrades (migrateStore()); a server with the role
+  /// cannot.
+  Result<void> grantServerRole(const std::string& role) const;
 
  private:
   SignedIn by_;
