@@ -250,6 +250,7 @@ void addServer(CLI::App& bench, Outcome& outcome) {
       ->check(CLI::Range(0, 10000));
   command->add_option("--crash-database", load.crashDatabase,
                       "Shell command that crashes the database and starts it again, after every second kill");
+  command->add_flag("--video", load.withVideo, "Also measure what the video of an attempt costs, after the load");
   command->add_flag("--json", options->json, "Print the tables as one JSON object");
   command->callback([options, &outcome] {
     outcome.json = options->json;

@@ -4,10 +4,13 @@
 #include <insonate/simulator/ImageFiles.h>
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <fstream>
 #include <random>
+#include <set>
+#include <string>
 
 namespace insonate::test {
 namespace {
@@ -93,6 +96,40 @@ TEST(BenchCommand, RealismGoesFromAListToAScore) {
   const CommandResult scored = runCommand("bench realism --ratings " + shellWord(folder / "ratings.csv") + out, errors);
   ASSERT_EQ(scored.status, 0) << scored.errors;
   EXPECT_THAT(scored.output, HasSubstr("4 images, 1 readers: sensitivity 1.00, specificity 1.00, ROC area 1.00"));
+}
+
+TEST(BenchCommand, AServerUnderLoadThatIsKilledLosesNothing) {
+  const TemporaryFolder folder;
+  const CommandResult run = runCommand(
+      "bench server --workstations 3 --minutes 0.15 --recording 0.1 --readers 2 --live 2 --kills 2 --json --out " +
+          shellWord(folder / "out"),
+      folder / "errors.txt");
+  ASSERT_EQ(run.status, 0) << run.errors;
+  const auto results = nlohmann::json::parse(run.output);
+  EXPECT_EQ(results["acknowledged"], 3);
+  EXPECT_EQ(results["lost"], 0);
+  EXPECT_EQ(results["verified"], 3) << "the server computes what the workstations computed";
+  EXPECT_EQ(results["kills"], 2);
+  EXPECT_GT(results["processor_s"], 0.0);
+  EXPECT_NEAR(results["recordings_MB"].get<double>(), 0.3, 0.15);
+  std::set<std::string> requests;
+  for (const auto& row : results["rows"]) {
+    requests.insert(row["request"].get<std::string>());
+    EXPECT_LE(row["p50_ms"].get<double>(), row["p95_ms"].get<double>()) << row;
+  }
+  EXPECT_THAT(requests, testing::IsSupersetOf({"workstation sends an attempt", "page opened"}));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out" / "server.md"));
+}
+
+TEST(BenchCommand, ServerRefusesADatabaseThatIsInUse) {
+  const TemporaryFolder folder;
+  const std::string errors = folder / "errors.txt", database = folder / "site.db";
+  const std::string password = "INSONATE_NEW_PASSWORD='a long password' ";
+  ASSERT_EQ(runCommand("curriculum setup boss --full-name Boss --database " + shellWord(database), errors, password).status, 0);
+  const CommandResult run =
+      runCommand("bench server --database " + shellWord(database) + " --out " + shellWord(folder / "out"), errors);
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.errors, HasSubstr("site.db is in use. Name an empty database"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "server/MadeUpSite.h"
 #include "server/MadeUpWorkstation.h"
 #include "server/ServerProgram.h"
+#include "server/VideoCost.h"
 
 #include <insonate/bench/ServerBench.h>
 #include <insonate/curriculum/AttemptStore.h>
@@ -10,12 +11,11 @@
 #include <insonate/teaching/AttemptFactsOf.h>
 #include <insonate/teaching/SiteVerification.h>
 
-#include <stdlib.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstdlib>
 #include <ctime>
 #include <map>
 #include <memory>
@@ -75,7 +75,7 @@ class Timings {
     const std::lock_guard lock(mutex_);
     std::vector<ServerBenchRow> rows;
     for (const auto& [name, kind] : kinds_) {
-      const auto at = [&](double share) { return quantile(kind.times_ms, share).value_or(0); };
+      const auto at = [&times = kind.times_ms](double share) { return quantile(times, share).value_or(0); };
       rows.push_back({.request = name,
                       .count = static_cast<std::int64_t>(kind.times_ms.size()) + kind.failures,
                       .failures = kind.failures,
@@ -289,7 +289,7 @@ Result<void> applyLoad(Load& load, ServerBench& bench, const Progress& progress)
   return isCancelled ? Result<void>(fail(std::string(kCancelled))) : Result<void>();
 }
 
-/// An attempt that a killed server had taken is taken again after ten minutes.
+/// An attempt that a killed server had taken is taken again after two minutes.
 Result<void> waitForVerification(const Load& load, ServerBench& bench, const Progress& progress) {
   constexpr double kLongest_s = 1800;
   const VerificationQueue queue(load.site.store);
@@ -409,6 +409,9 @@ Result<ServerBench> runServerBench(const ServerLoad& plan, const Progress& progr
   };
   const auto store = CurriculumStore::open(database, services);
   if (!store) return tl::unexpected(store.error());
+  const auto isUsed = store->hasPeople();
+  if (!isUsed) return tl::unexpected(isUsed.error());
+  if (*isUsed) return fail(store->place() + " is in use. Name an empty database, since the bench fills it.");
   auto site = bench::makeSite(*store, plan.workstations, progress);
   if (!site) return tl::unexpected(site.error());
   ServerBench bench{.load = plan, .database = plan.database.empty() ? "SQLite" : "PostgreSQL"};
@@ -420,6 +423,12 @@ Result<ServerBench> runServerBench(const ServerLoad& plan, const Progress& progr
   if (auto applied = applyLoad(load, bench, progress); !applied) return tl::unexpected(applied.error());
   if (auto waited = waitForVerification(load, bench, progress); !waited) return tl::unexpected(waited.error());
   countAttempts(load, bench);
+  if (plan.withVideo) {
+    const auto cost = bench::measureVideoCost(folder.path(), progress);
+    if (!cost) return tl::unexpected(cost.error());
+    bench.videoMinute_s = 60 * cost->processor_s / cost->attempt_s;
+    bench.videoMinute_MB = 60 * cost->size_MB / cost->attempt_s;
+  }
   bench.rows = load.timings.rows();
   bench.events = load.events, bench.brokenStreams = load.brokenStreams;
   for (const auto& server : load.servers) {

@@ -28,7 +28,7 @@ std::vector<Cells> requests(const ServerBench& bench) {
 
 std::vector<Cells> figures(const ServerBench& bench) {
   const ServerLoad& load = bench.load;
-  return {
+  std::vector<Cells> cells{
       {"figure", "value"},
       {"database", bench.database},
       {"server processes", std::to_string(load.servers)},
@@ -53,22 +53,24 @@ std::vector<Cells> figures(const ServerBench& bench) {
       {"share of one core (%)", fixed(100 * bench.processor_s / bench.measured_s, 1)},
       {"processor time to compute one attempt again (s)", fixed(bench.verification_s, 2)},
       {"largest memory of a server process (MB)", fixed(bench.memory_MB, 0)}};
+  if (bench.load.withVideo) {
+    cells.push_back({"processor time for a minute of video (s)", fixed(bench.videoMinute_s, 0)});
+    cells.push_back({"size of a minute of video (MB)", fixed(bench.videoMinute_MB, 1)});
+  }
+  return cells;
 }
 
 std::string page(const ServerBench& bench) {
-  std::string text =
-      "# Server under load\n\nPages and workstations share the computer with the load generator. Aim: 95 of "
-      "100 pages within " +
-      fixed(kBar_ms, 0) + " ms, and no acknowledged attempt lost.\n\n" + markdown(requests(bench)) +
-      markdown(figures(bench));
-  for (const std::string& note : bench.notes) text += "- " + note + "\n";
-  return text;
+  return "# Server under load\n\nPages and workstations share the computer with the load generator. Aim: 95 of "
+         "100 pages within " +
+         fixed(kBar_ms, 0) + " ms, and no acknowledged attempt lost.\n\n" + markdown(requests(bench)) +
+         markdown(figures(bench));
 }
 
 }  // namespace
 
 nlohmann::json toJson(const ServerBench& bench) {
-  nlohmann::json rows = nlohmann::json::array(), values = nlohmann::json::object();
+  nlohmann::json rows = nlohmann::json::array();
   for (const ServerBenchRow& r : bench.rows)
     rows.push_back({{"request", r.request},
                     {"count", r.count},
@@ -77,9 +79,35 @@ nlohmann::json toJson(const ServerBench& bench) {
                     {"p95_ms", r.p95_ms},
                     {"p99_ms", r.p99_ms},
                     {"max_ms", r.max_ms}});
-  const auto cells = figures(bench);
-  for (std::size_t i = 1; i < cells.size(); ++i) values[cells[i][0]] = cells[i][1];
-  return {{"rows", rows}, {"figures", values}, {"notes", bench.notes}};
+  const ServerLoad& load = bench.load;
+  return {{"rows", rows},
+          {"database", bench.database},
+          {"servers", load.servers},
+          {"workstations", load.workstations},
+          {"readers", load.readers},
+          {"live_pages", load.livePages},
+          {"trainees", bench.trainees},
+          {"classes", bench.classes},
+          {"earlier_attempts", bench.earlierAttempts},
+          {"attempt_s", bench.recording_s},
+          {"recordings_MB", bench.load_MB},
+          {"acknowledged", bench.acknowledged},
+          {"lost", bench.lost},
+          {"verified", bench.verified},
+          {"refused", bench.refused},
+          {"most_waiting", bench.mostWaiting},
+          {"drained_s", bench.drained_s},
+          {"events", bench.events},
+          {"broken_streams", bench.brokenStreams},
+          {"kills", bench.kills},
+          {"database_crashes", bench.crashes},
+          {"slowest_start_s", bench.slowestStart_s},
+          {"load_s", bench.measured_s},
+          {"processor_s", bench.processor_s},
+          {"verification_processor_s", bench.verification_s},
+          {"video_minute_processor_s", bench.videoMinute_s},
+          {"video_minute_MB", bench.videoMinute_MB},
+          {"memory_MB", bench.memory_MB}};
 }
 
 Result<void> writeServerBench(const ServerBench& bench, const std::filesystem::path& folder) {

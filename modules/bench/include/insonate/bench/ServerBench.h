@@ -25,6 +25,7 @@ struct ServerLoad {
   int readers = 50;     ///< people who read, one page every 5 s each
   int livePages = 200;  ///< open pages with live refresh
   int kills = 0;        ///< number of times that a server process is killed and started again, spread over the duration
+  bool withVideo = false;  ///< true: also measures what the video of an attempt costs, after the load
   /// Command for the shell that crashes the database and starts it again, carried out after every second kill; "":
   /// none.
   std::string crashDatabase{};
@@ -57,7 +58,8 @@ struct ServerBench {
   double load_MB = 0;                      ///< size of the recordings that were sent
   double recording_s = 0;                  ///< duration of an attempt
   double verification_s = 0;               ///< processor time to compute one attempt again
-  std::vector<std::string> notes{};
+  /// Processor time and size for a minute of an attempt's video; 0: not measured.
+  double videoMinute_s = 0, videoMinute_MB = 0;
 };
 
 /// Makes an invented site with 25 trainees in each class, starts the servers and applies the load. Takes the duration
