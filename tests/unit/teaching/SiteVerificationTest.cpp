@@ -37,10 +37,11 @@ class SiteVerificationTest : public testing::Test {
     if (const auto known = site().signIn("admin", kPassword); !known) throw std::runtime_error(known.error().message);
     trainee = received(here.signIn("admin", kPassword));
   }
-  static CurriculumStore open(const std::filesystem::path& file, const std::string& workstation) {
+  CurriculumStore open(const std::filesystem::path& database, const std::string& workstation) const {
     StoreServices services;
+    services.now_us = [this] { return now_us; };
     services.passwordCost = PasswordCost::Least, services.workstation = workstation;
-    return received(CurriculumStore::open(file.string(), services));
+    return received(CurriculumStore::open(database.string(), services));
   }
   SiteUpload site() const {
     const auto ask = [this](const std::string& path, const std::string& body) -> Result<SiteAnswer> {
@@ -109,6 +110,7 @@ class SiteVerificationTest : public testing::Test {
   static constexpr const char* kPassword = "a long password";
   static constexpr const char* kIds[] = {"1c2f8f6e-6a5e-4b52-9c3e-6a1c55d1e0aa",
                                          "2c2f8f6e-6a5e-4b52-9c3e-6a1c55d1e0aa"};
+  std::int64_t now_us = 1'795'305'600'000'000;  ///< 22 November 2026
   const test::TemporaryFolder folder;
   const std::filesystem::path file = folder / "first.attempt";
   const CurriculumStore server = open(folder / "server.db", "server"), here = open(folder / "ward.db", "ward 7");
@@ -120,6 +122,24 @@ class SiteVerificationTest : public testing::Test {
 TEST_F(SiteVerificationTest, WhatAPersonDidAtTheWorkstationIsProven) {
   EXPECT_EQ(proofAfter(recorded()), AttemptProof::Proven) << why;
   EXPECT_FALSE(received(verifyNextAttempt(VerificationQueue(server))));
+}
+
+TEST_F(SiteVerificationTest, AnotherServerVerifiesWhatAKilledServerHasTaken) {
+  const AttemptFacts facts = recorded();
+  AttemptFacts measured = received(factsOfRecording(file, Hands::PersonOrScript));
+  measured.id = facts.id, measured.person = facts.person, measured.proof = AttemptProof::Proven;
+  measured.curriculum = facts.curriculum, measured.curriculumVersion = facts.curriculumVersion;
+  measured.level = facts.level;
+  received(AttemptStore(*trainee).add(measured, file));
+  (void)received(site().exchange());
+  const VerificationQueue queue(server);
+  ASSERT_TRUE(received(queue.take()));
+  now_us += 119'000'000;
+  EXPECT_FALSE(received(verifyNextAttempt(queue))) << "the first server may still be busy";
+  now_us += 2'000'000;
+  EXPECT_TRUE(received(verifyNextAttempt(queue)));
+  EXPECT_EQ(received(AttemptStore(*admin).attempt(facts.id)).facts.proof, AttemptProof::Proven);
+  EXPECT_EQ(received(queue.waiting()), 0);
 }
 
 TEST_F(SiteVerificationTest, BetterFactsThanThoseOfTheRecordingAreNot) {

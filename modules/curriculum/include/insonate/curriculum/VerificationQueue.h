@@ -20,7 +20,7 @@ struct WaitingAttempt {
 };
 
 /// Attempts that wait for the server to compute them again from their recordings. Several servers may share a database.
-/// One server takes an attempt; any server can take the attempt again if the first one has not concluded it within ten
+/// One server takes an attempt; any server can take the attempt again if the first one has not concluded it within two
 /// minutes. May be used on any thread.
 class VerificationQueue {
  public:
