@@ -16,6 +16,7 @@ try:
     from selenium.common.exceptions import TimeoutException
     from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.common.by import By
+    from selenium.webdriver.support.expected_conditions import staleness_of
     from selenium.webdriver.support.ui import WebDriverWait
 except ImportError:
     print("Skipped: python3-selenium is not installed")
@@ -92,6 +93,13 @@ def sign_in(driver, base, name, password=PASSWORD):
     WebDriverWait(driver, 30).until(lambda _: not driver.current_url.endswith("/sign-in"))
 
 
+def press(driver, words):
+    """Clicks a button or a link in the page, and waits until another page has taken its place."""
+    main = driver.find_element(By.TAG_NAME, "main")
+    main.find_element(By.XPATH, f".//*[(self::button or self::a) and normalize-space()='{words}']").click()
+    WebDriverWait(driver, 60).until(staleness_of(main))
+
+
 def walk(driver, base, label, folder):
     """Opens what the links of the home page lead to, and what those lead to. Yields what is wrong."""
     waiting, opened, seen = [base], {}, set()
@@ -140,7 +148,7 @@ def comment(driver, base, folder):
         text = driver.find_element(By.NAME, "text")
         text.clear()
         text.send_keys("Hold the probe still.")
-        driver.find_element(By.XPATH, "//button[text()='Add comment']").click()
+        press(driver, "Add comment")
         if expected not in driver.find_element(By.TAG_NAME, "main").text:
             yield f"a comment at '{time}' does not say '{expected}'"
         for sentence in driver.execute_script(CHECKS):
@@ -151,6 +159,36 @@ def comment(driver, base, folder):
     driver.get(attempt)
     if "Hold the probe still." not in driver.find_element(By.TAG_NAME, "main").text:
         yield "the trainee does not see the comment"
+
+
+def debrief(driver, base, folder, width):
+    """An instructor fills in a debrief of an attempt, which its trainee reads in the briefing. Yields what is wrong."""
+    sign_in(driver, base, "made-up-001")
+    attempt = driver.find_element(By.CSS_SELECTOR, "main a[href*='/attempts/']").get_attribute("href")
+    advice = f"Rest the hand on the neck, said at {width}."
+    author = {"phone": "made-up-001", "laptop": "made-up-teacher", "desktop": "made-up-administrator"}[width]
+    sign_in(driver, base, author)
+    driver.get(attempt)
+    press(driver, "Fill in: Debrief")
+    for name, answer in {"went_well": "The view.", "happened": "Two passes.", "next": advice}.items():
+        driver.find_element(By.NAME, f"answer-{name}").send_keys(answer)
+    if folder:
+        driver.save_screenshot(str(folder / f"debrief-{width}.png"))
+    press(driver, "Hand in")
+    driver.find_element(By.XPATH, f"//details[.//*[contains(., '{advice}')]]/summary").click()
+    if advice not in driver.find_element(By.TAG_NAME, "main").text:
+        yield f"the attempt does not show the debrief at {width}"
+    yield from (f"debrief at {width}: {sentence}" for sentence in driver.execute_script(CHECKS))
+    sign_in(driver, base, "made-up-001")
+    briefings = {link.get_attribute("href") for link in driver.find_elements(By.CSS_SELECTOR, "main a[href*='/levels/']")}
+    for briefing in briefings:
+        driver.get(briefing)
+        if advice in driver.find_element(By.TAG_NAME, "main").text:
+            break
+    else:
+        yield f"no briefing of {sorted(briefings)} repeats the debrief at {width}"
+    if folder:
+        driver.save_screenshot(str(folder / f"briefing-{width}.png"))
 
 
 def live(base, folder):
@@ -177,9 +215,6 @@ def live(base, folder):
 def administer(driver, base, folder, width):
     """An administrator adds a person and imports a list, and those people sign in. Yields what is wrong."""
 
-    def press(words):
-        driver.find_element(By.XPATH, f"//main//button[text()='{words}']").click()
-
     def expect(step, *words):
         shown = driver.find_element(By.TAG_NAME, "main").text
         yield from (f"{step} at {width}: the page does not say '{one}'" for one in words if one not in shown)
@@ -197,23 +232,23 @@ def administer(driver, base, folder, width):
     driver.get(base + "people")
     driver.find_element(By.NAME, "name").send_keys(f"added.{width}")
     driver.find_element(By.NAME, "full-name").send_keys("Dr Added")
-    press("Add")
+    press(driver, "Add")
     yield from expect("added", "Password of Dr Added", "cannot be shown again")
     yield from signs_in(f"added.{width}")
 
     sign_in(driver, base, "made-up-administrator")
     driver.get(base + "classes")
-    driver.find_element(By.CSS_SELECTOR, "main tbody a").click()
-    driver.find_element(By.LINK_TEXT, "Members and settings").click()
+    driver.get(driver.find_element(By.CSS_SELECTOR, "main tbody a").get_attribute("href"))
+    press(driver, "Members and settings")
     members = driver.current_url
-    driver.find_element(By.LINK_TEXT, "Import a list of trainees").click()
+    press(driver, "Import a list of trainees")
     with tempfile.NamedTemporaryFile(suffix=".csv") as file:
         file.write(f"Vorname;Nachname;Anmeldename\nZoë;Zäh;zoe.{width}\nBad;Name;two words\n".encode("latin-1"))
         file.flush()
         driver.find_element(By.NAME, "list").send_keys(file.name)
-        press("Check the list")
+        press(driver, "Check the list")
     yield from expect("checked", "1 new", "Zoë Zäh", "left out")
-    press("Import")
+    press(driver, "Import")
     yield from expect("imported", "First passwords", "Zoë Zäh")
     yield from signs_in(f"zoe.{width}")
 
@@ -341,6 +376,7 @@ def main():
                     sign_in(driver, base, name)
                     troubles += walk(driver, base, f"{width_name} {role}", folder)
                 troubles += comment(driver, base, folder)
+                troubles += debrief(driver, base, folder, width_name)
                 troubles += administer(driver, base, folder, width_name)
                 driver.find_element(By.XPATH, "//button[text()='Sign out']").click()
                 if "Sign in" not in driver.title:

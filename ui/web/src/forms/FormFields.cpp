@@ -33,13 +33,11 @@ Markup choicesOf(const FormItem& item, const std::string& chosen) {
     if (item.needed) attributes.emplace_back("required", "");
     choices += element("label", {{"class", "choice"}}, element("input", attributes, "") + text(" " + option.title));
   }
-  return choices;
+  return element("div", {{"class", "choices"}}, choices);
 }
 
-Markup fieldFor(const FormItem& item, const FormAnswers& answers) {
-  const std::string value = textIn(answers, item.name);
-  if (item.kind == FormItem::Kind::Choice) return choicesOf(item, value);
-  Attributes attributes{{"name", fieldOf(item)}, {"aria-label", item.title}};
+Markup fieldFor(const FormItem& item, const std::string& value) {
+  Attributes attributes{{"name", fieldOf(item)}, {"id", fieldOf(item)}};
   if (item.needed) attributes.emplace_back("required", "");
   if (item.kind == FormItem::Kind::Text) {
     attributes.emplace_back("rows", "3");
@@ -53,13 +51,16 @@ Markup fieldFor(const FormItem& item, const FormAnswers& answers) {
 
 Markup questionOf(const Form& form, const FormItem& item, const FormAnswers& answers,
                   const std::vector<AnswerTrouble>& troubles) {
-  Markup content = element("legend", {}, item.needed ? item.title : item.title + " (optional)");
+  const bool isChoice = item.kind == FormItem::Kind::Choice;
+  const std::string title = item.needed ? item.title : item.title + " (optional)", value = textIn(answers, item.name);
+  Markup content =
+      isChoice ? element("legend", {}, title) : element("label", {{"class", "title"}, {"for", fieldOf(item)}}, title);
   if (!item.about.empty()) content += note(item.about);
   for (const AnswerTrouble& one : troubles)
     if (one.item == item.name || one.item == noteKey(item)) content += troubleLine(one.sentence);
-  content += fieldFor(item, answers);
+  content += isChoice ? choicesOf(item, value) : fieldFor(item, value);
   if (form.takesNote(item)) content += optionalField("Note", noteFieldOf(item), "text", noteText(item, answers));
-  return element("fieldset", {}, content);
+  return element(isChoice ? "fieldset" : "div", {{"class", "question"}}, content);
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ Markup formOf(const Visit& visit, const Form& form, const std::string& address, 
   return postForm(visit, address, fields, "Hand in");
 }
 
-/// What the page of a form about an attempt needs; or the page that says why the user cannot have it.
+/// Data of the page of a form about an attempt.
 struct Subject {
   Form form;
   KeptAttempt attempt;

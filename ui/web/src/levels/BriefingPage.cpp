@@ -97,7 +97,8 @@ Markup errorsOf(const Procedure& procedure) {
   return section("Errors to avoid", table("Errors", {"Error", "Severity", "Advice"}, rows));
 }
 
-/// What the user, or an instructor, wrote in the newest debrief of the user's attempts at this level.
+/// Returns the resolutions that the user and instructors wrote in the newest debrief of the user's attempts at this
+/// level.
 Result<Markup> resolutionsOf(const SignedIn& by, const std::string& level) {
   const auto history = AttemptStore(by).history(by.person().id);
   if (!history) return tl::unexpected(history.error());
