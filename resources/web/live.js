@@ -4,6 +4,7 @@
 {
   const main = document.getElementById("main");
   const shortestPause_ms = 5000;
+  const longestDelay_ms = 2000;
   let source = null;
   let isDue = false;
   let isWaiting = false;
@@ -63,21 +64,24 @@
     announcement.textContent = `Updated at ${time}`;
   };
 
-  // At most one update in five seconds, however fast attempts arrive.
-  const refreshSoon = () => {
+  const pause = (duration_ms) => new Promise((done) => setTimeout(done, duration_ms));
+
+  // At most one update in five seconds, however fast attempts arrive. All pages of a class learn of a change at once;
+  // they ask one after another.
+  const refreshSoon = async () => {
     isDue = true;
     if (isWaiting) return;
     isWaiting = true;
-    refresh()
-      .catch(() => {
+    while (isDue && !isOver) {
+      await pause(Math.random() * longestDelay_ms);
+      try {
+        await refresh();
+      } catch {
         isDue = true;
-      })
-      .finally(() =>
-        setTimeout(() => {
-          isWaiting = false;
-          if (isDue) refreshSoon();
-        }, shortestPause_ms),
-      );
+      }
+      await pause(shortestPause_ms);
+    }
+    isWaiting = false;
   };
 
   const close = () => {

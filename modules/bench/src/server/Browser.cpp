@@ -3,6 +3,9 @@
 #include <curl/curl.h>
 
 #include <chrono>
+#include <functional>
+#include <random>
+#include <string>
 #include <utility>
 
 namespace insonate::bench {
@@ -26,13 +29,22 @@ struct Stream {
 
   const std::function<void()>& changed;
   const std::atomic<bool>& isOver;
+  std::mt19937 random;
   std::string text{};
   bool isDue = false;
-  Clock::time_point told{};
+  Clock::time_point due{}, told{};
 
+  void note() {
+    if (!std::exchange(isDue, true)) due = Clock::now() + delay();
+  }
+  /// Pages ask after a delay of their own, so that a change does not make all of them ask at once.
+  std::chrono::milliseconds delay() {
+    constexpr int kLongest_ms = 2000;
+    return std::chrono::milliseconds(std::uniform_int_distribution(0, kLongest_ms)(random));
+  }
   void tell() {
     constexpr std::chrono::seconds kShortestPause(5);
-    if (!isDue || Clock::now() - told < kShortestPause) return;
+    if (!isDue || Clock::now() < due || Clock::now() - told < kShortestPause) return;
     isDue = false, told = Clock::now();
     changed();
   }
@@ -41,7 +53,7 @@ struct Stream {
     stream.text.append(bytes, size * count);
     // An empty line ends an event.
     for (std::size_t end = stream.text.find("\n\n"); end != std::string::npos; end = stream.text.find("\n\n")) {
-      stream.isDue = stream.isDue || stream.text.substr(0, end).find("event: changed") != std::string::npos;
+      if (stream.text.substr(0, end).find("event: changed") != std::string::npos) stream.note();
       stream.text.erase(0, end + 2);
     }
     stream.tell();
@@ -133,7 +145,7 @@ int Browser::follow(const std::string& path, const std::function<void()>& change
   prepare(stream_, url_ + path, client_);
   for (const curl_slist* one = cookies; one; one = one->next) curl_easy_setopt(stream_, CURLOPT_COOKIELIST, one->data);
   curl_slist_free_all(cookies);
-  Stream stream{.changed = changed, .isOver = isOver};
+  Stream stream{.changed = changed, .isOver = isOver, .random = std::mt19937(std::hash<std::string>()(client_))};
   curl_easy_setopt(stream_, CURLOPT_WRITEFUNCTION, &Stream::take);
   curl_easy_setopt(stream_, CURLOPT_WRITEDATA, &stream);
   curl_easy_setopt(stream_, CURLOPT_NOPROGRESS, 0L);

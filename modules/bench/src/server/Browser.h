@@ -32,8 +32,8 @@ class Browser {
   /// Sends a form. Fails as get() does.
   Result<Answer> post(const std::string& path, const std::map<std::string, std::string>& form);
   /// Follows a stream of server-sent events on a second connection until the server ends it, or until `isOver`. Calls
-  /// `changed` after an event "changed", at most every 5 s, as the script of the pages does; `changed` may request
-  /// pages. Returns the status of the answer; 0: the connection broke.
+  /// `changed` up to 3 s after an event "changed", at most every 5 s, as the script of the pages does; `changed` may
+  /// request pages. Returns the status of the answer; 0: the connection broke.
   int follow(const std::string& path, const std::function<void()>& changed, const std::atomic<bool>& isOver);
 
  private:

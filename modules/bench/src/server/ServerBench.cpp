@@ -188,6 +188,8 @@ std::string eventsIn(const std::string& page) {
 void follow(Load& load, std::size_t client) {
   const bool isInstructor = client % 2 == 0;
   Browser browser(load.urlOf(client), static_cast<int>(client) + 1001);
+  // People do not open their pages in the same second.
+  load.pause(load.plan.duration_s / 10 * static_cast<double>(client) / std::max(1, load.plan.livePages));
   if (!signIn(load, browser, userOf(load, client, isInstructor))) return;
   const std::string path =
       isInstructor ? "/classes/" + load.site.classes[client % load.site.classes.size()].id : std::string("/me");
