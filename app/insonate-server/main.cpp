@@ -26,6 +26,7 @@ struct Arguments {
   std::string recordings;
   std::string listen = "127.0.0.1:8443";
   std::string tokenFile;
+  std::string openIdSecretFile;
   web::WebOptions options;
   bool demo = false;
 };
@@ -50,6 +51,22 @@ Result<void> readToken(Arguments& arguments) {
   std::ifstream in(arguments.tokenFile);
   if (!(in >> arguments.options.monitoringToken))
     return fail(arguments.tokenFile + " cannot be read, or is empty. Make it with: openssl rand -hex 32");
+  return {};
+}
+
+/// Reads the first line of the file. Others must not be able to read the file: with the secret, another program can
+/// claim to be this server.
+Result<void> readOpenIdSecret(Arguments& arguments) {
+  namespace fs = std::filesystem;
+  const std::string& file = arguments.openIdSecretFile;
+  if (file.empty()) return {};
+  std::error_code error;
+  const fs::perms permissions = fs::status(file, error).permissions();
+  std::ifstream in(file);
+  if (error || !std::getline(in, arguments.options.openId.secret) || arguments.options.openId.secret.empty())
+    return fail(file + " cannot be read, or its first line is empty. Write the client secret into its first line.");
+  if ((permissions & (fs::perms::group_all | fs::perms::others_all)) != fs::perms::none)
+    return fail("Other users can read or change " + file + ". Run as its owner: chmod 600 " + file);
   return {};
 }
 
@@ -82,6 +99,7 @@ Result<void> serve(Arguments& arguments) {
 
   if (auto ok = readListen(arguments); !ok) return ok;
   if (auto ok = readToken(arguments); !ok) return ok;
+  if (auto ok = readOpenIdSecret(arguments); !ok) return ok;
   if (auto ok = web::checkOptions(arguments.options); !ok) return ok;
   if (arguments.demo == !arguments.database.empty())
     return fail("Name the database to serve, or give --demo for a made-up class, but not both.");
@@ -113,6 +131,19 @@ Result<void> serve(Arguments& arguments) {
             << " (Ctrl+C ends)" << std::endl;
   waitForEnd(signals);
   return {};
+}
+
+void addOpenIdOptions(CLI::App& app, Arguments& arguments) {
+  web::OpenIdOptions& openId = arguments.options.openId;
+  app.add_option("--openid-issuer", openId.issuer,
+                 "Address of the hospital's identity provider (OpenID Connect), by which users may sign in");
+  app.add_option("--openid-client", openId.clientId, "Name under which the provider knows this server (client id)");
+  app.add_option("--openid-secret-file", arguments.openIdSecretFile,
+                 "File with the client secret in its first line, which only its owner may read (chmod 600)");
+  app.add_option("--openid-name", openId.name, "Name of the provider on the sign-in page: 'Sign in with NAME'");
+  app.add_option("--openid-authority", openId.authority,
+                 "File (PEM) with the certificate of the authority that signed the provider's certificate; by default "
+                 "the authorities that this computer trusts");
 }
 
 /// The names of the options are also those of the configuration file.
@@ -147,6 +178,7 @@ void addOptions(CLI::App& app, Arguments& arguments) {
                  "that the owner of the database cannot change it");
   app.add_option("--monitoring-token-file", arguments.tokenFile,
                  "File with the secret by which other computers read /health and /metrics");
+  addOpenIdOptions(app, arguments);
   app.set_config("--config", "", "File with these options, without their dashes: listen = \"127.0.0.1:8443\"");
   app.allow_config_extras(CLI::config_extras_mode::error);
 }

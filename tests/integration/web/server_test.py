@@ -184,6 +184,20 @@ class Operation(InAFolder):
         self.assertIn("shorter than 16", refusal("--demo", "--monitoring-token-file", short)[1])
         self.assertIn("none cannot be read", refusal("--demo", "--monitoring-token-file", self.folder / "none")[1])
 
+    def test_faults_of_openid_connect_have_a_sentence(self):
+        secret = self.folder / "secret"
+        secret.touch(0o600)
+        options = ["--demo", "--openid-issuer", "https://id.example.org", "--openid-client", "insonate", "--openid-name", "Hospital"]
+        self.assertIn("needs openid-issuer, openid-client, openid-secret-file", refusal(*options)[1])
+        self.assertIn("secret cannot be read, or its first line is empty", refusal(*options, "--openid-secret-file", secret)[1])
+        self.assertIn("none cannot be read", refusal(*options, "--openid-secret-file", self.folder / "none")[1])
+        secret.write_text("a secret\n")
+        secret.chmod(0o640)
+        self.assertIn(f"chmod 600 {secret}", refusal(*options, "--openid-secret-file", secret)[1])
+        secret.chmod(0o600)
+        options[2] = "http://id.example.org"
+        self.assertIn("is not an https:// address", refusal(*options, "--openid-secret-file", secret)[1])
+
     def test_what_is_installed_fits_together(self):
         subprocess.run(["cmake", "--install", BUILD, "--component", "server", "--prefix", self.folder], check=True,
                        capture_output=True)

@@ -104,6 +104,24 @@ TEST(WebHttpServer, PassesTheRequestOn) {
   EXPECT_THAT(head, testing::EndsWith("\r\n\r\n")) << "without a body";
 }
 
+TEST(WebHttpServer, ASlowIdentityProviderStopsNoPage) {
+  std::atomic<bool> isReleased = false;
+  const auto server = serving([&](const Request& request) {
+    while (!isReleased && request.path.starts_with("/sign-in/openid"))
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return echo(request);
+  });
+  std::vector<std::unique_ptr<RawClient>> clients;
+  for (const std::string path : {"/sign-in/openid", "/sign-in/openid/return"})
+    for (int i = 0; i < 6; ++i) {
+      clients.push_back(std::make_unique<RawClient>(server->port()));
+      clients.back()->send("GET " + path + " HTTP/1.1\r\n" + kClose + "\r\n");
+    }
+  EXPECT_THAT(RawClient(server->port()).ask("GET /sign-in HTTP/1.1\r\n" + kClose + "\r\n"), StartsWith("HTTP/1.1 200"));
+  isReleased = true;
+  for (const auto& client : clients) EXPECT_THAT(client->receive(), StartsWith("HTTP/1.1 200"));
+}
+
 /// A request with a form of several parts, as browsers send a file.
 std::string multipart(const std::string& path, const std::string& type, const std::string& body,
                       const std::string& headers = {}) {

@@ -9,6 +9,8 @@
 #include "members/ClassDeletion.h"
 #include "members/MembersPage.h"
 #include "monitoring/MonitoringPages.h"
+#include "openid/OpenIdPages.h"
+#include "openid/OpenIdProvider.h"
 #include "openings/OpeningPages.h"
 #include "page/Page.h"
 #include "people/AccountPage.h"
@@ -148,6 +150,8 @@ constexpr Route kRoutes[]{
     {"POST", "/api/site/recordings/*/*/*", Access::Workstation, &answerWorkstation},
     {"GET", "/sign-in", Access::Everybody, &showSignIn},
     {"POST", "/sign-in", Access::Everybody, &signIn},
+    {"GET", kOpenIdSignIn, Access::Everybody, &sendToProvider},
+    {"GET", kOpenIdReturn, Access::Everybody, &returnFromProvider},
     {"GET", "/", Access::SignedIn, &showHome},
     {"POST", "/sign-out", Access::SignedIn, &signOut},
     {"GET", "/password", Access::SignedIn, &showPasswordForm},
@@ -250,6 +254,13 @@ std::string_view nameOf(const Route* route) {
 
 }  // namespace
 
+Site::Site(CurriculumStore store, WebOptions options)
+    : store_(std::move(store)), options_(std::move(options)), live_(store_, options_.log) {
+  if (!options_.openId.issuer.empty()) openId_ = std::make_unique<OpenIdProvider>(options_.openId);
+}
+
+Site::~Site() = default;
+
 Response Site::answer(const Request& request) const {
   const auto begun = std::chrono::steady_clock::now();
   const Route* route = routeFor(request);
@@ -276,7 +287,12 @@ Response Site::answer(const Request& request) const {
 }
 
 Visit Site::visitOf(const Request& request) const {
-  return {.request = request, .store = store_, .options = options_, .metrics = metrics_, .live = live_};
+  return {.request = request,
+          .store = store_,
+          .options = options_,
+          .metrics = metrics_,
+          .live = live_,
+          .openId = openId_.get()};
 }
 
 Response Site::answerRoute(const Request& request, const Route* route) const {

@@ -7,20 +7,24 @@
 #include <insonate/curriculum/CurriculumStore.h>
 #include <insonate/web/WebServer.h>
 
+#include <memory>
 #include <string>
 
 namespace insonate::web {
 
+class OpenIdProvider;
 struct Route;
 struct Visit;
 
 /// Answers requests to a curriculum database: finds the page for an address and the user of the session, and refuses
-/// requests that do not come from the server's own pages. Counts and logs each request. Keeps only the counts between
-/// requests. May be used on any thread.
+/// requests that do not come from the server's own pages. Counts and logs each request. Keeps only the counts and the
+/// keys of the identity provider between requests. May be used on any thread.
 class Site {
  public:
-  Site(CurriculumStore store, WebOptions options)
-      : store_(std::move(store)), options_(std::move(options)), live_(store_, options_.log) {}
+  Site(CurriculumStore store, WebOptions options);
+  ~Site();
+  Site(const Site&) = delete;
+  Site& operator=(const Site&) = delete;
 
   Response answer(const Request& request) const;
   /// Counts and logs a request that the connection refused (HttpServer::Refused).
@@ -39,6 +43,7 @@ class Site {
   WebOptions options_;
   mutable Metrics metrics_{};
   mutable LiveUpdates live_;
+  std::unique_ptr<OpenIdProvider> openId_{};  ///< null: users sign in with their password only
 };
 
 }  // namespace insonate::web

@@ -3,6 +3,7 @@
 #include "http/Certificate.h"
 #include "http/ClientAddress.h"
 #include "http/HttpServer.h"
+#include "openid/ProviderAddress.h"
 #include "site/Verifier.h"
 #include "video/VideoMaker.h"
 
@@ -26,6 +27,7 @@ Result<void> checkOptions(const WebOptions& options) {
   constexpr std::size_t kShortestToken = 16;
   if (!options.monitoringToken.empty() && options.monitoringToken.size() < kShortestToken)
     return fail("The token for monitoring is shorter than 16 characters. Make one with: openssl rand -hex 32");
+  if (auto ok = checkOpenIdOptions(options.openId); !ok) return ok;
   if (options.certificate.empty()) return {};
   using namespace std::chrono;
   const std::int64_t now_s = duration_cast<seconds>(system_clock::now().time_since_epoch()).count();

@@ -83,7 +83,8 @@ std::optional<Error> lookUp(Transaction& transaction, Actor& actor, Act act) {
   if (!row || row->truth(1)) return Error{"This account is disabled. Ask an administrator."};
   if (row->number(2) != actor.passwordVersion) return Error{"The password of this account was reset. Sign in again."};
   actor.role = roleNamed(row->text(0));
-  if (row->truth(3) && act != ChangeOwnPassword) return Error{"Choose a password of your own first."};
+  if (row->truth(3) && actor.by == SignInBy::Password && act != ChangeOwnPassword)
+    return Error{"Choose a password of your own first."};
   return std::nullopt;
 }
 

@@ -97,10 +97,14 @@ struct Request {
   std::span<const std::string> people{};  ///< further people whose data is accessed; the audit log names all of them
 };
 
+/// Ways of signing in. A user whom an identity provider has signed in needs no password of their own.
+enum class SignInBy { Password, Provider };
+
 struct Actor {
   std::string id{};  ///< user who makes the request (Person::id); "": a guest
   std::optional<Role> role{};
   std::int64_t passwordVersion = 0;  ///< version of the password with which the session was opened
+  SignInBy by = SignInBy::Password;
 };
 
 struct Verdict {

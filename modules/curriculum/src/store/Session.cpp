@@ -22,7 +22,7 @@ std::string detailOf(const Request& request, const Verdict& verdict) {
 }  // namespace
 
 Result<void> Session::also(Transaction& transaction, const Request& request) {
-  Actor actor{.id = person_.id, .passwordVersion = passwordVersion_};
+  Actor actor{.id = person_.id, .passwordVersion = passwordVersion_, .by = by_};
   const Verdict verdict = decide(transaction, actor, request);
   if (verdict.logged) log(transaction, request, verdict);
   if (verdict.refusal) return tl::unexpected(*verdict.refusal);

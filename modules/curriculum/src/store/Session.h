@@ -15,11 +15,14 @@ namespace insonate::store {
 /// and write(), which check the permission and log the access.
 class Session {
  public:
-  Session(std::shared_ptr<Core> core, Person person, std::int64_t passwordVersion, bool mustChange)
+  /// `mustChange`: another person set the present password.
+  Session(std::shared_ptr<Core> core, Person person, std::int64_t passwordVersion, bool mustChange,
+          SignInBy by = SignInBy::Password)
       : core_(std::move(core)),
         person_(std::move(person)),
+        by_(by),
         passwordVersion_(passwordVersion),
-        mustChange_(mustChange) {}
+        mustChange_(mustChange && by == SignInBy::Password) {}
 
   Core& core() const { return *core_; }
   const Person& person() const { return person_; }
@@ -55,7 +58,7 @@ class Session {
     using Outcome = decltype(work(std::declval<Transaction&>(), std::declval<const Actor&>()));
     std::optional<Outcome> outcome;
     const Result<void> done = inTransaction(*core_, way, [&](Transaction& transaction) -> Result<void> {
-      Actor actor{.id = person_.id, .passwordVersion = passwordVersion_};
+      Actor actor{.id = person_.id, .passwordVersion = passwordVersion_, .by = by_};
       const Verdict verdict = decide(transaction, actor, request);
       if (verdict.logged && way == Way::Read) return {};
       if (verdict.logged) log(transaction, request, verdict);
@@ -76,6 +79,7 @@ class Session {
 
   const std::shared_ptr<Core> core_;
   const Person person_;
+  const SignInBy by_;
   std::atomic<std::int64_t> passwordVersion_;
   std::atomic<bool> mustChange_;
 };

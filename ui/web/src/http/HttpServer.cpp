@@ -3,6 +3,7 @@
 #include "http/Certificate.h"
 #include "http/ConnectionDeadlines.h"
 #include "http/EventStream.h"
+#include "openid/OpenIdPages.h"
 #include "site/SiteApi.h"
 
 #include <arpa/inet.h>
@@ -28,13 +29,16 @@ namespace insonate::web {
 namespace {
 
 /// The hash of a password takes 0.1 s, and a class list has hundreds: these requests have workers of their own.
-constexpr int kWorkers = 4, kPasswordWorkers = 2, kAccountWorkers = 1;
+/// A slow identity provider must stop no page: these requests have workers of their own, too.
+constexpr int kWorkers = 4, kPasswordWorkers = 2, kAccountWorkers = 1, kProviderWorkers = 2;
 constexpr std::size_t kHeaderMemory_bytes = 32 << 10;
 /// Bodies of all connections together; those of workstations and class lists leave room for forms.
 constexpr std::size_t kMostBodies_bytes = std::size_t{256} << 20,
                       kMostBodiesOfWorkstations_bytes = std::size_t{192} << 20;
 /// Requests that wait for a worker; further ones are told to come back, since a queue without limit only grows.
 constexpr std::size_t kMostWaiting = 500;
+/// Each of these requests may take 30 s.
+constexpr std::size_t kMostWaitingForProvider = 40;
 
 /// A request that is being received or answered. Owned by its connection.
 struct Exchange {
@@ -217,6 +221,10 @@ bool setsPasswords(const Request& request) {
           path.ends_with("/members/new") || path.ends_with("/import/confirm"));
 }
 
+bool asksProvider(const Request& request) {
+  return request.path == kOpenIdSignIn || request.path == kOpenIdReturn;
+}
+
 }  // namespace
 
 struct HttpServer::Impl {
@@ -228,12 +236,13 @@ struct HttpServer::Impl {
   MHD_Daemon* daemon = nullptr;
   std::mutex mutex;
   std::condition_variable wake;
-  std::deque<Exchange*> waiting, waitingForPassword, waitingForAccounts;
+  std::deque<Exchange*> waiting, waitingForPassword, waitingForAccounts, waitingForProvider;
   bool stopping = false;
   std::size_t bodies_bytes = 0;  ///< used by the thread that receives
   std::vector<std::thread> workers;
 
   void work(std::deque<Exchange*>& queue);
+  std::deque<Exchange*>& queueFor(const Request& request);
   bool submit(Exchange* exchange);
   MHD_Result refuse(MHD_Connection* connection, const Response& response) const;
   MHD_Result begin(MHD_Connection* connection, const char* url, const char* method, void** state);
@@ -263,12 +272,17 @@ void HttpServer::Impl::work(std::deque<Exchange*>& queue) {
   }
 }
 
+std::deque<Exchange*>& HttpServer::Impl::queueFor(const Request& request) {
+  if (asksProvider(request)) return waitingForProvider;
+  if (setsPasswords(request)) return waitingForAccounts;
+  return checksPassword(request) ? waitingForPassword : waiting;
+}
+
 bool HttpServer::Impl::submit(Exchange* exchange) {
   const std::lock_guard lock(mutex);
-  std::deque<Exchange*>& queue = setsPasswords(exchange->request)    ? waitingForAccounts
-                                 : checksPassword(exchange->request) ? waitingForPassword
-                                                                     : waiting;
-  if (stopping || queue.size() >= kMostWaiting) return false;
+  std::deque<Exchange*>& queue = queueFor(exchange->request);
+  if (stopping || queue.size() >= (&queue == &waitingForProvider ? kMostWaitingForProvider : kMostWaiting))
+    return false;
   exchange->submitted = true;
   deadlines.set(exchange->socket, std::nullopt);
   // Before a worker can see the exchange, since it may resume the connection at once.
@@ -407,6 +421,7 @@ Result<std::unique_ptr<HttpServer>> HttpServer::start(const WebOptions& options,
   start(kWorkers, impl->waiting);
   start(kPasswordWorkers, impl->waitingForPassword);
   start(kAccountWorkers, impl->waitingForAccounts);
+  start(kProviderWorkers, impl->waitingForProvider);
   return std::unique_ptr<HttpServer>(new HttpServer(std::move(impl)));
 }
 

@@ -20,6 +20,7 @@ namespace insonate::web {
 
 class LiveUpdates;
 class Metrics;
+class OpenIdProvider;
 
 /// One request, with the user who makes it.
 struct Visit {
@@ -28,8 +29,9 @@ struct Visit {
   const WebOptions& options;
   const Metrics& metrics;
   LiveUpdates& live;
-  std::optional<SignedIn> by{};  ///< user; empty: no user is signed in; never empty in pages that require sign-in
-  std::string secret{};          ///< secret of the browser's session (BrowserSessions); empty if there is none
+  OpenIdProvider* openId = nullptr;  ///< null: users sign in with their password only
+  std::optional<SignedIn> by{};      ///< user; empty: no user is signed in; never empty in pages that require sign-in
+  std::string secret{};              ///< secret of the browser's session (BrowserSessions); empty if there is none
 };
 
 /// Values of the variable parts of a path, in order: {"5"} for /classes/5.

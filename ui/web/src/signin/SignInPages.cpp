@@ -1,6 +1,7 @@
 #include "signin/SignInPages.h"
 
 #include "http/ClientAddress.h"
+#include "openid/OpenIdPages.h"
 
 #include <insonate/curriculum/BrowserSessions.h>
 #include <insonate/curriculum/PeopleStore.h>
@@ -9,25 +10,6 @@
 
 namespace insonate::web {
 namespace {
-
-bool hasHttps(const WebOptions& options) {
-  return options.behindProxy || !options.certificate.empty();
-}
-
-std::pair<std::string, std::string> cookie(const WebOptions& options, const std::string& secret) {
-  std::string value = sessionCookie(options) + "=" + secret + "; Path=/; HttpOnly; SameSite=Lax";
-  if (secret.empty()) value += "; Max-Age=0";
-  if (hasHttps(options)) value += "; Secure";
-  return {"Set-Cookie", value};
-}
-
-/// Only addresses of this server: "//host" and "/\host" would lead elsewhere, also with a tab between, which browsers
-/// leave out.
-std::string localAddress(const std::string& next) {
-  const bool isLocal = next.starts_with('/') && !next.starts_with("//") && next.find('\\') == std::string::npos &&
-                       std::ranges::none_of(next, [](unsigned char c) { return c <= 0x20 || c == 0x7F; });
-  return isLocal ? next : "/";
-}
 
 Response signInPage(const Visit& visit, const std::string& trouble, int status) {
   if (const auto people = visit.store.hasPeople(); people && !*people)
@@ -40,7 +22,9 @@ Response signInPage(const Visit& visit, const std::string& trouble, int status) 
             inputField("Password", "password", "password", "current-password");
   const std::string& asked = valueOf(visit.request.method == "POST" ? visit.request.form : visit.request.query, "next");
   fields += element("input", {{"type", "hidden"}, {"name", "next"}, {"value", localAddress(asked)}});
-  return page(visit, "Sign in", postForm(visit, "/sign-in", fields, "Sign in"), status);
+  const Markup form = postForm(visit, "/sign-in", fields, "Sign in");
+  const Markup content = visit.openId ? signedOutNote(visit) + form + providerLink(visit, localAddress(asked)) : form;
+  return page(visit, "Sign in", content, status);
 }
 
 Response passwordPage(const Visit& visit, const std::string& trouble, int status) {
@@ -61,6 +45,24 @@ Response passwordPage(const Visit& visit, const std::string& trouble, int status
 
 }  // namespace
 
+bool hasHttps(const WebOptions& options) {
+  return options.behindProxy || !options.certificate.empty();
+}
+
+std::pair<std::string, std::string> sessionHeader(const WebOptions& options, const std::string& secret) {
+  std::string value = sessionCookie(options) + "=" + secret + "; Path=/; HttpOnly; SameSite=Lax";
+  if (secret.empty()) value += "; Max-Age=0";
+  if (hasHttps(options)) value += "; Secure";
+  return {"Set-Cookie", value};
+}
+
+std::string localAddress(const std::string& next) {
+  // "//host" and "/\\host" would lead elsewhere, also with a tab between, which browsers leave out.
+  const bool isLocal = next.starts_with('/') && !next.starts_with("//") && next.find('\\') == std::string::npos &&
+                       std::ranges::none_of(next, [](unsigned char c) { return c <= 0x20 || c == 0x7F; });
+  return isLocal ? next : "/";
+}
+
 std::string sessionCookie(const WebOptions& options) {
   return hasHttps(options) ? "__Host-insonate" : "insonate";
 }
@@ -80,15 +82,16 @@ Response signIn(const Visit& visit, const Parts& /*parts*/) {
   // A session that the browser had before ends, so that nobody continues it.
   if (!visit.secret.empty()) (void)sessions.end(visit.secret);
   Response response = redirect(by->mustChangePassword() ? "/password" : localAddress(valueOf(form, "next")));
-  response.headers.push_back(cookie(visit.options, *secret));
+  response.headers.push_back(sessionHeader(visit.options, *secret));
   return response;
 }
 
 Response signOut(const Visit& visit, const Parts& /*parts*/) {
   if (const auto ended = BrowserSessions(visit.store).end(visit.secret); !ended)
     return refusal(visit, 503, ended.error().message);
-  Response response = redirect("/sign-in");
-  response.headers.push_back(cookie(visit.options, ""));
+  const bool isByProvider = visit.openId && BrowserSessions::isByProvider(visit.secret);
+  Response response = redirect(isByProvider ? kSignedOutOfProvider : "/sign-in");
+  response.headers.push_back(sessionHeader(visit.options, ""));
   return response;
 }
 

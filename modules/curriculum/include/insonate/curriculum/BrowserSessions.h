@@ -3,6 +3,7 @@
 #include <insonate/core/Result.h>
 #include <insonate/curriculum/CurriculumStore.h>
 #include <insonate/curriculum/SignedIn.h>
+#include <insonate/curriculum/VerifiedEmail.h>
 
 #include <cstdint>
 #include <optional>
@@ -29,6 +30,16 @@ class BrowserSessions {
   /// Begins a session of a person who has just signed in with a password, and returns its secret: 64
   /// hexadecimal digits. Sessions that have ended are removed from the database.
   Result<std::string> begin(const SignedIn& by) const;
+  /// Counts a sign-in by an identity provider from a network address before it is verified, together with the wrong
+  /// passwords from this address. Fails if there were too many. An address of "" is not counted.
+  Result<void> countTry(const std::string& address) const;
+  /// Begins a session of the only enabled account with this e-mail address, ignoring case, and returns its secret. The
+  /// sign-in is in the audit log with the detail "OpenID". It is removed from the count of the network address that
+  /// countTry() received. The session requires no change of a first password, since its user did not use it. Fails with
+  /// a sentence for the user if no account, several accounts or only disabled accounts have the e-mail address.
+  Result<std::string> begin(const VerifiedEmail& email, const std::string& address) const;
+  /// Tells whether a session was begun by an identity provider.
+  static bool isByProvider(const std::string& secret);
   /// Returns the person of a session, with the permissions that this person has now; empty if the session is unknown or
   /// has ended, if another password was set since, or if the account is disabled. The time of the request is stored to
   /// the minute, unless the page made the request by itself (`isByUser` false): an open page must not keep a session

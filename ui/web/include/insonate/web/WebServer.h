@@ -2,6 +2,7 @@
 
 #include <insonate/core/Result.h>
 #include <insonate/curriculum/CurriculumStore.h>
+#include <insonate/web/OpenIdOptions.h>
 
 #include <filesystem>
 #include <functional>
@@ -40,9 +41,11 @@ struct WebOptions {
   /// Folder with the folders of cases on which attempts were made; empty: videos are made of attempts on built-in cases
   /// only.
   std::filesystem::path cases{};
-  /// File outside of the database to which the end of the audit log is appended each minute (AuditAnchors); empty: none.
+  /// File outside of the database to which the end of the audit log is appended each minute (AuditAnchors); empty:
+  /// none.
   std::filesystem::path auditAnchors{};
-  Log log{};  ///< receives events to be logged; empty: nothing is logged
+  OpenIdOptions openId{};  ///< identity provider of the hospital, by which users may sign in
+  Log log{};               ///< receives events to be logged; empty: nothing is logged
 };
 
 /// Fails with a sentence if the options contradict each other, would send passwords without encryption over a network,
