@@ -4,6 +4,7 @@
 #include "support/TestData.h"
 
 #include <insonate/cases/CaseVersions.h>
+#include <insonate/procedure/AttemptRecorder.h>
 #include <insonate/simulator/AttemptPictures.h>
 #include <insonate/simulator/ScriptedSession.h>
 #include <insonate/video/AttemptCase.h>
@@ -123,6 +124,16 @@ TEST_F(AttemptVideoTest, MomentsAreThoseOfTheScore) {
   const auto frozen = std::ranges::find(*moments, timeOf(AttemptEventKind::Frozen), &AttemptMoment::time_us);
   EXPECT_NE(frozen, moments->end());
   EXPECT_TRUE(std::ranges::is_sorted(*moments, {}, &AttemptMoment::time_us));
+}
+
+TEST_F(AttemptVideoTest, AProcedureThatIsAFileIsNotRead) {
+  AttemptHeader header = recording()->header();
+  header.procedure = "/etc/passwd";
+  const auto recorder = AttemptRecorder::start(folder / "foreign", header);
+  ASSERT_TRUE(recorder && (*recorder)->finish(AttemptStatus::Completed));
+  const auto moments = momentsOf(*AttemptRecording::open(folder / "foreign"));
+  ASSERT_FALSE(moments);
+  EXPECT_THAT(moments.error().message, HasSubstr("'/etc/passwd' is not a built-in procedure"));
 }
 
 TEST_F(AttemptVideoTest, ItsCaseIsFoundByItsVoxels) {

@@ -40,7 +40,7 @@ Result<void> write(const std::shared_ptr<const AttemptRecording>& recording,
   if (recording->stretches() == 0) return fail("The recording has no samples, so that there is no video of it.");
   const auto moments = momentsOf(*recording);
   if (!moments) return tl::unexpected(moments.error());
-  auto procedure = loadProcedure(recording->header().procedure);
+  auto procedure = builtInProcedure(recording->header().procedure);
   if (!procedure) return tl::unexpected(procedure.error());
   auto pictures = AttemptPictures::make(recording, patient, true);
   if (!pictures) return tl::unexpected(pictures.error());
@@ -72,7 +72,7 @@ Result<void> writeAttemptVideo(std::shared_ptr<const AttemptRecording> recording
 }
 
 Result<std::vector<AttemptMoment>> momentsOf(const AttemptRecording& recording) {
-  auto procedure = loadProcedure(recording.header().procedure);
+  auto procedure = builtInProcedure(recording.header().procedure);
   if (!procedure) return tl::unexpected(procedure.error());
   ProcedureRun run(std::move(*procedure), recording.header().picture, recording.header().vessels);
   const auto played = recording.play(std::numeric_limits<std::int64_t>::max(), [&](const Stretch::Entry& entry) {
