@@ -7,6 +7,7 @@
 #include <insonate/procedure/AttemptRecorder.h>
 #include <insonate/simulator/AttemptPictures.h>
 #include <insonate/simulator/ScriptedSession.h>
+#include <insonate/ultrasound/BeamGrid.h>
 #include <insonate/video/AttemptCase.h>
 #include <insonate/video/AttemptVideo.h>
 
@@ -96,6 +97,32 @@ TEST_F(AttemptVideoTest, ShowsTheImageOfEachTime) {
   const auto bright = std::ranges::count_if(lifted.luma.begin(), lifted.luma.begin() + 200 * kAttemptVideoWidth_px,
                                             [](std::uint8_t luma) { return luma > 60; });
   EXPECT_EQ(bright, 0) << "no image without a probe";
+}
+
+TEST_F(AttemptVideoTest, TheDepthScaleIsAtTheEdgeOfTheFieldOfView) {
+  const auto file = folder / "scale.webm";
+  ASSERT_TRUE(writeAttemptVideo(recording(), patient, file, {.framesPerSecond = 2}));
+  auto pictures = AttemptPictures::make(recording(), patient);
+  ASSERT_TRUE(pictures);
+  const auto frame = pictures->at(500'000);
+  ASSERT_TRUE(frame && *frame);
+  const BModeImage& image = (*frame)->image;
+  const double scale = std::min(650.0 / image.width, 418.0 / image.height);
+  const double imageLeft = 56 + (650 - image.width * scale) / 2;
+  const BeamGrid grid((*frame)->setup->probe, (*frame)->setup->settings);
+  const double left = imageLeft + ((grid.minLateral_mm() - image.left_mm) / image.pixel_mm + 0.5) * scale;
+  ASSERT_GT(left, imageLeft + 20) << "black beside the field of view";
+  const WebmReader read(file);
+  // Marks end 8 pixels left of the field of view; each is 4 or 8 pixels long.
+  const auto marksIn = [&](double from, double to) {
+    int marks = 0;
+    for (std::size_t y = 30; y < 448; ++y)
+      for (auto x = std::size_t(from); x < std::size_t(to); ++x)
+        marks += read.frames.at(1).luma[y * kAttemptVideoWidth_px + x] > 60;
+    return marks;
+  };
+  EXPECT_GT(marksIn(left - 12, left - 8), 4 * int((image.height - 1) * image.pixel_mm / 5));
+  EXPECT_EQ(marksIn(imageLeft - 16, imageLeft - 4), 0);
 }
 
 TEST_F(AttemptVideoTest, TheStripShowsNeedleAndSyringe) {
