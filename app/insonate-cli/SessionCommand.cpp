@@ -112,7 +112,7 @@ Result<void> runScript(const SessionArguments& a) {
 
 /// None where the procedure is not one of ours any more, which is said, or the recording is damaged, which was.
 std::optional<AttemptScore> scoreUntil(const AttemptRecording& recording, std::int64_t until_us) {
-  auto procedure = loadProcedure(recording.header().procedure);
+  auto procedure = builtInProcedure(recording.header().procedure);
   if (!procedure) {
     std::cerr << "note: no score is computed: " << procedure.error().message << '\n';
     return std::nullopt;

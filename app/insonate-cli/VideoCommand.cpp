@@ -1,6 +1,7 @@
 #include "Commands.h"
 
 #include <insonate/video/AttemptCase.h>
+#include <insonate/video/AttemptClip.h>
 #include <insonate/video/AttemptVideo.h>
 
 #include <nlohmann/json.hpp>
@@ -28,7 +29,16 @@ Result<PatientCase> caseFor(const VideoArguments& a, const AttemptHeader& header
   return std::move(read->patient);
 }
 
+/// Tells whether the file becomes a DICOM clip; fails if its name has the ending of another format.
+Result<bool> isDicom(const std::string& out) {
+  const std::string ending = std::filesystem::path(out).extension().string();
+  if (ending == ".dcm" || ending == ".webm") return ending == ".dcm";
+  return fail("--out " + out + " must end in .webm (video) or .dcm (DICOM clip).");
+}
+
 Result<void> makeVideo(const VideoArguments& a) {
+  const auto dicom = isDicom(a.out);
+  if (!dicom) return tl::unexpected(dicom.error());
   auto opened = AttemptRecording::open(a.recording);
   if (!opened) return tl::unexpected(opened.error());
   const auto recording = std::make_shared<const AttemptRecording>(std::move(*opened));
@@ -36,7 +46,8 @@ Result<void> makeVideo(const VideoArguments& a) {
   auto patient = caseFor(a, recording->header());
   if (!patient) return tl::unexpected(patient.error());
   const auto owned = std::make_shared<const PatientCase>(std::move(*patient));
-  if (auto ok = writeAttemptVideo(recording, owned, a.out, a.options, terminalProgress()); !ok) return ok;
+  const auto write = *dicom ? writeAttemptClip : writeAttemptVideo;
+  if (auto ok = write(recording, owned, a.out, a.options, terminalProgress()); !ok) return ok;
   const double length_s = double(recording->end_us()) * 1e-6;
   const auto size_bytes = std::filesystem::file_size(a.out);
   if (a.json)
@@ -51,12 +62,16 @@ Result<void> makeVideo(const VideoArguments& a) {
 
 void addVideoCommand(CLI::App& app, Outcome& outcome) {
   auto* command =
-      app.add_subcommand("video", "Write a recorded attempt as a video (WebM): image, needle, syringe and metrics");
+      app.add_subcommand("video",
+                         "Write a recorded attempt as a video (WebM: image, needle, syringe and metrics) or its "
+                         "ultrasound images as a DICOM clip");
   auto a = std::make_shared<VideoArguments>();
   command->add_option("RECORDING", a->recording, "File of a recording")->required()->check(notEmpty());
   command->add_option("CASE", a->caseFolder, "Folder of the attempt's case; not needed for a built-in neck")
       ->check(notEmpty());
-  command->add_option("--out", a->out, "Video file to write (.webm)")->required()->check(notEmpty());
+  command->add_option("--out", a->out, "File to write: .webm (video) or .dcm (DICOM ultrasound clip)")
+      ->required()
+      ->check(notEmpty());
   command->add_option("--fps", a->options.framesPerSecond, "Frames per second")
       ->check(CLI::Range(1, 60))
       ->capture_default_str();

@@ -67,15 +67,25 @@ TEST_F(SessionCommand, AnAttemptAndItsReplayTellTheSame) {
   EXPECT_THAT(run("replay " + path("a") + " --metrics").output, HasSubstr("vein punctures (vein_punctures)"));
 }
 
-TEST_F(SessionCommand, AnAttemptBecomesAVideo) {
+TEST_F(SessionCommand, AnAttemptBecomesAVideoOrAClip) {
   ASSERT_EQ(run("session " + path("case") + " --script " + path("attempt.json") + " --record " + path("a")).status, 0);
-  const auto video = run("video " + path("a") + " " + path("case") + " --out " + path("a.webm") + " --fps 2 --json");
+  const std::string command = "video " + path("a") + " " + path("case") + " --fps 2 --json --out ";
+  const auto video = run(command + path("a.webm"));
   ASSERT_EQ(video.status, 0) << video.errors;
   const json told = json::parse(video.output);
   EXPECT_EQ(told["fps"], 2);
   EXPECT_EQ(told["bytes"], std::filesystem::file_size(folder / "a.webm"));
   EXPECT_EQ(told["length_s"], json::parse(run("replay " + path("a") + " --json").output)["end_s"]);
   EXPECT_EQ(std::ifstream(folder / "a.webm", std::ios::binary).get(), 0x1A) << "the beginning of a WebM file";
+
+  const auto clip = run(command + path("a.dcm"));
+  ASSERT_EQ(clip.status, 0) << clip.errors;
+  EXPECT_EQ(json::parse(clip.output)["bytes"], std::filesystem::file_size(folder / "a.dcm"));
+  EXPECT_EQ(bytesOf(folder / "a.dcm").substr(128, 4), "DICM");
+  EXPECT_THAT(bytesOf(folder / "a.dcm"), HasSubstr("SIMULATED ultrasound, internal_jugular"));
+  const auto other = run(command + path("a.mkv"));
+  EXPECT_EQ(other.status, 1);
+  EXPECT_THAT(other.errors, HasSubstr("must end in .webm (video) or .dcm (DICOM clip)"));
 
   const auto unknown = run("video " + path("a") + " --out " + path("b.webm"));
   EXPECT_EQ(unknown.status, 1);

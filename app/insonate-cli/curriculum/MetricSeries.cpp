@@ -17,8 +17,7 @@ std::map<std::string, Attempts> countedByProcedure(std::span<const AttemptFacts>
 }
 
 std::vector<MetricMeaning> meaningsFor(const std::string& procedure) {
-  const auto presets = procedurePresetNames();
-  const auto known = std::ranges::find(presets, procedure) == presets.end() ? fail("") : loadProcedure(procedure);
+  const auto known = builtInProcedure(procedure);
   return known ? metricMeanings(*known) : metricMeanings();
 }
 

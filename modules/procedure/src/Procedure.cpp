@@ -1,10 +1,12 @@
 #include <insonate/core/JsonEntry.h>
 #include <insonate/core/Preset.h>
+#include <insonate/core/Words.h>
 #include <insonate/embedded/procedures.h>
 #include <insonate/procedure/Procedure.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -152,6 +154,17 @@ Result<Procedure> parseProcedure(std::string_view text) {
   Procedure procedure = readProcedure(*file, trouble);
   if (!trouble.empty()) return fail(std::move(trouble));
   return procedure;
+}
+
+Result<Procedure> builtInProcedure(std::string_view name) {
+  const std::vector<Preset> presets = presetsOf(embedded::procedures::files());
+  const auto found = std::ranges::find(presets, name, &Preset::name);
+  if (found != presets.end()) return parseProcedure(found->text);
+  std::vector<std::string_view> names;
+  for (const Preset& preset : presets) names.push_back(preset.name);
+  const std::string_view near = nearestWord(name, names);
+  return fail("'" + std::string(name) + "' is not a built-in procedure (" + joinedWords(names) + ")" +
+              (near.empty() ? "." : "; did you mean '" + std::string(near) + "'?"));
 }
 
 Result<Procedure> loadProcedure(std::string_view nameOrPath) {

@@ -57,7 +57,7 @@ std::string keptName(std::string title) {
 }
 
 Result<Procedure> rulesOf(const std::filesystem::path& file, const AttemptHeader& header) {
-  auto procedure = loadProcedure(header.procedure);
+  auto procedure = builtInProcedure(header.procedure);
   if (!procedure)
     return fail(file.string() +
                 " cannot be scored, since this program does not know its procedure: " + procedure.error().message);

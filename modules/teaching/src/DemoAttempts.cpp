@@ -68,7 +68,7 @@ struct Course {
 };
 
 Result<Course> courseOf(const std::string& name) {
-  const auto procedure = loadProcedure(name);
+  const auto procedure = builtInProcedure(name);
   if (!procedure) return tl::unexpected(procedure.error());
   Course course{metricMeanings(*procedure), procedure->version};
   for (MetricMeaning& metric : course.metrics)

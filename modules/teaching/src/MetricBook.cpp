@@ -14,7 +14,7 @@ constexpr const char* kPoints = "points";
 
 MetricBook::MetricBook() : all_(metricMeanings()) {
   for (const std::string& name : procedurePresetNames()) {
-    const auto procedure = loadProcedure(name);
+    const auto procedure = builtInProcedure(name);
     if (!procedure) continue;
     for (MetricMeaning& meaning : metricMeanings(*procedure))
       byProcedure_[name].emplace(meaning.id, std::move(meaning));

@@ -70,7 +70,7 @@ Result<TeachingNames> teachingNames() {
   TeachingNames names;
   for (const PhantomVariant& variant : phantomVariants()) names.cases.emplace_back(variant.name);
   for (const std::string& name : procedurePresetNames()) {
-    const auto procedure = loadProcedure(name);
+    const auto procedure = builtInProcedure(name);
     if (!procedure) return tl::unexpected(procedure.error());
     TeachingNames::Procedure known{name, {}};
     for (const PatientPosition& position : procedure->positions) known.positions.push_back(position.name);

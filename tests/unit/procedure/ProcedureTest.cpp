@@ -116,5 +116,19 @@ TEST(Procedure, FilesAndNames) {
               HasSubstr("q.json: The procedure has no 'name'"));
 }
 
+TEST(Procedure, ABuiltInOneIsNoFile) {
+  for (const std::string& name : procedurePresetNames()) {
+    const auto procedure = builtInProcedure(name);
+    ASSERT_TRUE(procedure) << procedure.error().message;
+    EXPECT_EQ(procedure->name, name);
+  }
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "p.json";
+  std::ofstream(file) << with("major", "minor");
+  for (const std::string& name : {file.string(), std::filesystem::relative(file).string(), std::string("/etc/passwd")})
+    EXPECT_THAT(builtInProcedure(name).error().message, HasSubstr("'" + name + "' is not a built-in procedure ("));
+  EXPECT_THAT(builtInProcedure("internal_jugluar").error().message, HasSubstr("did you mean 'internal_jugular'?"));
+}
+
 }  // namespace
 }  // namespace insonate

@@ -1,12 +1,11 @@
+#include "support/FullDisk.h"
 #include "support/TestData.h"
 
 #include <insonate/simulator/ImageFiles.h>
 
 #include <gmock/gmock.h>
 #include <png.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -59,30 +58,12 @@ TEST(WritePng, AMissingFolderIsRefused) {
   EXPECT_TRUE(isEmpty(folder));
 }
 
-/// A limit on file sizes fails like a full disk: in the middle of writing.
-class FullDisk {
- public:
-  explicit FullDisk(rlim_t bytes) {
-    std::signal(SIGXFSZ, SIG_IGN);
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    rlimit limit = before_;
-    limit.rlim_cur = bytes;
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &before_); }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-
- private:
-  rlimit before_{};
-};
-
 TEST(WritePng, AFullDiskLeavesTheOldPictureAndASentence) {
   const test::TemporaryFolder folder;
   std::ofstream(folder / "picture.png") << "old";
   Result<void> written;
   {
-    const FullDisk full(100);
+    const test::FullDisk full(100);
     written = writePng(gradient(), folder / "picture.png");
   }
   ASSERT_FALSE(written);

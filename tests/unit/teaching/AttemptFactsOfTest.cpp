@@ -186,5 +186,24 @@ TEST_F(AttemptFactsOfTest, RulesThatAreNotHereScoreNothing) {
   EXPECT_THAT(factsOfRecording(folder / "none").error().message, HasSubstr("There is no recording"));
 }
 
+/// A recording from another computer must not make this one read a file, whatever is in the file.
+TEST_F(AttemptFactsOfTest, AProcedureThatIsAFileIsNotRead) {
+  test::ScriptedAttempt attempt;
+  attempt.needleTo(5);
+  const std::filesystem::path rules = folder / "rules.json";
+  std::filesystem::copy_file(INSONATE_SOURCE_DIR "/resources/procedures/internal_jugular.json", rules);
+  ASSERT_TRUE(loadProcedure(rules.string()));
+  for (const std::string& name :
+       {std::string("/etc/passwd"), rules.string(), std::filesystem::relative(rules).string()}) {
+    AttemptHeader other = header();
+    other.procedure = name;
+    record(attempt, AttemptStatus::Completed, other);
+    const auto facts = factsOfRecording(file);
+    ASSERT_FALSE(facts) << name;
+    EXPECT_THAT(facts.error().message, HasSubstr("'" + name + "' is not a built-in procedure"));
+    std::filesystem::remove(file);
+  }
+}
+
 }  // namespace
 }  // namespace insonate

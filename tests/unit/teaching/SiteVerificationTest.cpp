@@ -67,7 +67,7 @@ class SiteVerificationTest : public testing::Test {
               bool isScripted = false) {
     AttemptHeader header;
     header.software = "insonate 0.1.0", header.begun = "2026-01-02T03:04:05Z";
-    header.procedure = "internal_jugular", header.procedureVersion = loadProcedure("internal_jugular")->version;
+    header.procedure = procedure, header.procedureVersion = loadProcedure("internal_jugular")->version;
     header.caseName = "neck", header.caseHash = "c0ffee", header.picture = test::ScriptedAttempt::picture();
     header.recordedFor = of, header.isScripted = isScripted;
     test::ScriptedAttempt attempt;
@@ -89,12 +89,15 @@ class SiteVerificationTest : public testing::Test {
     return facts;
   }
   /// Sends the attempt with the facts of its recording, changed as a hostile program could, and verifies it.
-  AttemptProof proofAfter(AttemptFacts facts, const std::function<void(AttemptFacts&)>& change = {}) {
+  AttemptProof proofAfter(const AttemptFacts& facts, const std::function<void(AttemptFacts&)>& change = {}) {
     AttemptFacts measured = received(factsOfRecording(file, Hands::PersonOrScript));
     measured.id = facts.id, measured.person = facts.person, measured.proof = AttemptProof::Proven;
     measured.curriculum = facts.curriculum, measured.curriculumVersion = facts.curriculumVersion;
     measured.level = facts.level;
     if (change) change(measured);
+    return proofOf(measured);
+  }
+  AttemptProof proofOf(const AttemptFacts& measured) {
     received(AttemptStore(*trainee).add(measured, file));
     const UploadReport report = received(site().exchange());
     EXPECT_THAT(report.troubles, testing::IsEmpty());
@@ -104,7 +107,7 @@ class SiteVerificationTest : public testing::Test {
     why = received(whyNotVerified(queue, *waiting));
     if (auto done = queue.conclude(waiting->facts.id, why.empty(), why); !done)
       throw std::runtime_error(done.error().message);
-    return received(AttemptStore(*admin).attempt(facts.id)).facts.proof;
+    return received(AttemptStore(*admin).attempt(measured.id)).facts.proof;
   }
 
   static constexpr const char* kPassword = "a long password";
@@ -115,7 +118,7 @@ class SiteVerificationTest : public testing::Test {
   const std::filesystem::path file = folder / "first.attempt";
   const CurriculumStore server = open(folder / "server.db", "server"), here = open(folder / "ward.db", "ward 7");
   std::optional<SignedIn> admin, trainee;
-  std::string token, why;
+  std::string token, why, procedure = "internal_jugular";
   mutable int begun = 0;
 };
 
@@ -155,6 +158,21 @@ TEST_F(SiteVerificationTest, AMetricThatTheRecordingDoesNotGiveIsNot) {
 TEST_F(SiteVerificationTest, AnAttemptThatHidesTheHashOfItsMotionIsNot) {
   EXPECT_EQ(proofAfter(recorded(), [](AttemptFacts& facts) { facts.handsHash.clear(); }), AttemptProof::Unproven);
   EXPECT_THAT(why, HasSubstr("hands' motion"));
+}
+
+TEST_F(SiteVerificationTest, ARecordingThatNamesAFileAsItsProcedureIsNot) {
+  AttemptFacts facts = begin();
+  const AttemptSeal seal = received(AttemptStore(*trainee).seal(facts));
+  record(recordedFor(facts, seal.nonce), seal.key);
+  AttemptFacts measured = received(factsOfRecording(file, Hands::PersonOrScript));
+  measured.proof = AttemptProof::Proven;
+  const std::filesystem::path rules = folder / "rules.json";
+  std::filesystem::copy_file(INSONATE_SOURCE_DIR "/resources/procedures/internal_jugular.json", rules);
+  measured.procedure = procedure = std::filesystem::relative(rules).string();
+  record(recordedFor(facts, seal.nonce), seal.key);
+  ASSERT_TRUE(addRecording(measured, file));
+  EXPECT_EQ(proofOf(measured), AttemptProof::Unproven);
+  EXPECT_THAT(why, HasSubstr("'" + procedure + "' is not a built-in procedure"));
 }
 
 TEST_F(SiteVerificationTest, ARecordingThatCannotBeReadIsWaitedFor) {

@@ -4,8 +4,10 @@
 #include "support/TestData.h"
 
 #include <insonate/cases/CaseVersions.h>
+#include <insonate/procedure/AttemptRecorder.h>
 #include <insonate/simulator/AttemptPictures.h>
 #include <insonate/simulator/ScriptedSession.h>
+#include <insonate/ultrasound/BeamGrid.h>
 #include <insonate/video/AttemptCase.h>
 #include <insonate/video/AttemptVideo.h>
 
@@ -97,6 +99,32 @@ TEST_F(AttemptVideoTest, ShowsTheImageOfEachTime) {
   EXPECT_EQ(bright, 0) << "no image without a probe";
 }
 
+TEST_F(AttemptVideoTest, TheDepthScaleIsAtTheEdgeOfTheFieldOfView) {
+  const auto file = folder / "scale.webm";
+  ASSERT_TRUE(writeAttemptVideo(recording(), patient, file, {.framesPerSecond = 2}));
+  auto pictures = AttemptPictures::make(recording(), patient);
+  ASSERT_TRUE(pictures);
+  const auto frame = pictures->at(500'000);
+  ASSERT_TRUE(frame && *frame);
+  const BModeImage& image = (*frame)->image;
+  const double scale = std::min(650.0 / image.width, 418.0 / image.height);
+  const double imageLeft = 56 + (650 - image.width * scale) / 2;
+  const BeamGrid grid((*frame)->setup->probe, (*frame)->setup->settings);
+  const double left = imageLeft + ((grid.minLateral_mm() - image.left_mm) / image.pixel_mm + 0.5) * scale;
+  ASSERT_GT(left, imageLeft + 20) << "black beside the field of view";
+  const WebmReader read(file);
+  // Marks end 8 pixels left of the field of view; each is 4 or 8 pixels long.
+  const auto marksIn = [&](double from, double to) {
+    int marks = 0;
+    for (std::size_t y = 30; y < 448; ++y)
+      for (auto x = std::size_t(from); x < std::size_t(to); ++x)
+        marks += read.frames.at(1).luma[y * kAttemptVideoWidth_px + x] > 60;
+    return marks;
+  };
+  EXPECT_GT(marksIn(left - 12, left - 8), 4 * int((image.height - 1) * image.pixel_mm / 5));
+  EXPECT_EQ(marksIn(imageLeft - 16, imageLeft - 4), 0);
+}
+
 TEST_F(AttemptVideoTest, TheStripShowsNeedleAndSyringe) {
   auto procedure = loadProcedure("internal_jugular");
   ASSERT_TRUE(procedure);
@@ -123,6 +151,16 @@ TEST_F(AttemptVideoTest, MomentsAreThoseOfTheScore) {
   const auto frozen = std::ranges::find(*moments, timeOf(AttemptEventKind::Frozen), &AttemptMoment::time_us);
   EXPECT_NE(frozen, moments->end());
   EXPECT_TRUE(std::ranges::is_sorted(*moments, {}, &AttemptMoment::time_us));
+}
+
+TEST_F(AttemptVideoTest, AProcedureThatIsAFileIsNotRead) {
+  AttemptHeader header = recording()->header();
+  header.procedure = "/etc/passwd";
+  const auto recorder = AttemptRecorder::start(folder / "foreign", header);
+  ASSERT_TRUE(recorder && (*recorder)->finish(AttemptStatus::Completed));
+  const auto moments = momentsOf(*AttemptRecording::open(folder / "foreign"));
+  ASSERT_FALSE(moments);
+  EXPECT_THAT(moments.error().message, HasSubstr("'/etc/passwd' is not a built-in procedure"));
 }
 
 TEST_F(AttemptVideoTest, ItsCaseIsFoundByItsVoxels) {

@@ -187,8 +187,8 @@ void TrainWorkspace::saveScreen(const std::filesystem::path& file) {
   exports_->saveScreen(file);
 }
 
-void TrainWorkspace::saveClip(const std::filesystem::path& folder) {
-  exports_->saveClip(folder);
+void TrainWorkspace::saveClip(const std::filesystem::path& target) {
+  exports_->saveClip(target);
 }
 
 TrainBenchmark& TrainWorkspace::benchmark() {

@@ -131,7 +131,7 @@ Result<void> MadeUpWorkstation::prepare(const std::string& url, const std::strin
   if (!by) return tl::unexpected(by.error());
 
   const Level& level = curriculum.levels.front();
-  const auto procedure = loadProcedure(level.procedure);
+  const auto procedure = builtInProcedure(level.procedure);
   if (!procedure) return tl::unexpected(procedure.error());
   AttemptFacts begun{.id = freshId(), .person = by->person().id, .curriculum = curriculum.name};
   begun.curriculumVersion = curriculum.version, begun.level = level.name;

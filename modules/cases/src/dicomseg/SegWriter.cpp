@@ -14,7 +14,6 @@
 #include <array>
 #include <bit>
 #include <cstring>
-#include <ctime>
 #include <limits>
 #include <span>
 #include <sstream>
@@ -88,14 +87,6 @@ struct Uids {
   std::string series, instance, dimensions;
 };
 
-/// A reference by number: the tag of an attribute, or several counts.
-void putBinary(DataSet& data, Tag tag, VR::VRType vr, const void* bytes, std::size_t size) {
-  gdcm::DataElement element(tag);
-  element.SetVR(vr);
-  element.SetByteValue(static_cast<const char*>(bytes), gdcm::VL(static_cast<std::uint32_t>(size)));
-  data.Replace(element);
-}
-
 DataSet codeItem(const char* value, const char* scheme, const std::string& meaning) {
   DataSet item;
   put(item, Tag(0x0008, 0x0100), VR::SH, value);
@@ -149,14 +140,7 @@ void putSeries(DataSet& data, const Uids& uids) {
   put(data, Tag(0x0008, 0x0005), VR::CS, "ISO_IR 192");  // UTF-8, for names
   put(data, Tag(0x0008, 0x0016), VR::UI, kSegmentationStorage);
   put(data, Tag(0x0008, 0x0018), VR::UI, uids.instance);
-  std::array<char, 16> day, time;
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  ::gmtime_r(&now, &utc);
-  std::strftime(day.data(), day.size(), "%Y%m%d", &utc);
-  std::strftime(time.data(), time.size(), "%H%M%S", &utc);
-  for (const std::uint16_t element : {0x0021, 0x0023}) put(data, Tag(0x0008, element), VR::DA, day.data());
-  for (const std::uint16_t element : {0x0031, 0x0033}) put(data, Tag(0x0008, element), VR::TM, time.data());
+  putTimeOfWriting(data);
   put(data, Tag(0x0008, 0x0060), VR::CS, "SEG");
   put(data, Tag(0x0008, 0x0070), VR::LO, "Insonate");
   put(data, Tag(0x0008, 0x103e), VR::LO, "Segmentation");

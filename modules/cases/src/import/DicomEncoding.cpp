@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdio>
+#include <ctime>
 #include <string_view>
 #include <utility>
 
@@ -44,12 +45,15 @@ void put(gdcm::DataSet& data, Tag tag, VR::VRType vr, std::string text) {
   data.Replace(element);
 }
 
-void putShorts(gdcm::DataSet& data, Tag tag, std::initializer_list<std::uint16_t> values) {
+void putBinary(gdcm::DataSet& data, Tag tag, VR::VRType vr, const void* bytes, std::size_t size) {
   gdcm::DataElement element(tag);
-  element.SetVR(VR::US);
-  element.SetByteValue(reinterpret_cast<const char*>(values.begin()),
-                       gdcm::VL(static_cast<std::uint32_t>(values.size() * sizeof(std::uint16_t))));
+  element.SetVR(vr);
+  element.SetByteValue(static_cast<const char*>(bytes), gdcm::VL(static_cast<std::uint32_t>(size)));
   data.Replace(element);
+}
+
+void putShorts(gdcm::DataSet& data, Tag tag, std::initializer_list<std::uint16_t> values) {
+  putBinary(data, tag, VR::US, values.begin(), values.size() * sizeof(std::uint16_t));
 }
 
 void putSequence(gdcm::DataSet& data, Tag tag, const std::vector<gdcm::DataSet>& items) {
@@ -72,6 +76,17 @@ std::string decimalStrings(std::initializer_list<double> values) {
   std::string text;
   for (double v : values) text += (text.empty() ? "" : "\\") + decimalString(v);
   return text;
+}
+
+void putTimeOfWriting(gdcm::DataSet& data) {
+  std::array<char, 16> day, time;
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  ::gmtime_r(&now, &utc);
+  std::strftime(day.data(), day.size(), "%Y%m%d", &utc);
+  std::strftime(time.data(), time.size(), "%H%M%S", &utc);
+  for (const std::uint16_t element : {0x0021, 0x0023}) put(data, Tag(0x0008, element), VR::DA, day.data());
+  for (const std::uint16_t element : {0x0031, 0x0033}) put(data, Tag(0x0008, element), VR::TM, time.data());
 }
 
 void putPatientAndStudy(gdcm::DataSet& data, const DicomSeriesIdentity& identity, const SeriesUids& uids) {

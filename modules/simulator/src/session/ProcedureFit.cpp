@@ -15,7 +15,7 @@ bool isTargetOf(const Procedure& procedure, const Target& target) {
 /// The built-in procedure for a case's target.
 std::optional<Procedure> procedureFor(const CaseManifest& manifest) {
   for (const std::string& name : procedurePresetNames()) {
-    auto preset = loadProcedure(name);
+    auto preset = builtInProcedure(name);
     if (preset && std::ranges::any_of(manifest.targets, [&](const Target& one) { return isTargetOf(*preset, one); }))
       return std::move(*preset);
   }

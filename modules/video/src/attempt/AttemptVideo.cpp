@@ -1,8 +1,8 @@
 #include "attempt/Canvas.h"
 #include "attempt/ReplayCursor.h"
+#include "attempt/ReplayImages.h"
 #include "attempt/VideoDrawing.h"
 
-#include <insonate/simulator/AttemptPictures.h>
 #include <insonate/video/AttemptVideo.h>
 #include <insonate/video/VideoWriter.h>
 
@@ -14,37 +14,17 @@
 namespace insonate {
 namespace {
 
-/// Renders the image of a time, or gives the one before again while it is frozen.
-class Images {
- public:
-  explicit Images(AttemptPictures pictures) : pictures_(std::move(pictures)) {}
-
-  Result<const LiveFrame*> at(std::int64_t time_us, const std::optional<AttemptSample>& sample) {
-    const bool isFrozen = sample && sample->patientFromProbe && !(sample->pictureDepth_mm > 0);
-    if (isFrozen && wasFrozen_) return last_.get();
-    auto made = pictures_.at(time_us);
-    if (!made) return tl::unexpected(made.error());
-    last_ = std::move(*made), wasFrozen_ = isFrozen;
-    return last_.get();
-  }
-
- private:
-  AttemptPictures pictures_;
-  std::shared_ptr<const LiveFrame> last_{};
-  bool wasFrozen_ = false;
-};
-
-Result<void> write(const std::shared_ptr<const AttemptRecording>& recording,
-                   const std::shared_ptr<const PatientCase>& patient, const std::filesystem::path& target,
-                   const AttemptVideoOptions& options, const Progress& progress) {
+Result<void> filmAttempt(const std::shared_ptr<const AttemptRecording>& recording,
+                         const std::shared_ptr<const PatientCase>& patient, const std::filesystem::path& target,
+                         const AttemptVideoOptions& options, const Progress& progress) {
   if (recording->stretches() == 0) return fail("The recording has no samples, so that there is no video of it.");
   const auto moments = momentsOf(*recording);
   if (!moments) return tl::unexpected(moments.error());
-  auto procedure = loadProcedure(recording->header().procedure);
+  auto procedure = builtInProcedure(recording->header().procedure);
   if (!procedure) return tl::unexpected(procedure.error());
   auto pictures = AttemptPictures::make(recording, patient, true);
   if (!pictures) return tl::unexpected(pictures.error());
-  Images images(std::move(*pictures));
+  video::ReplayImages images(std::move(*pictures));
   video::ReplayCursor replay(recording, std::move(*procedure));
   video::Canvas canvas(kAttemptVideoWidth_px, kAttemptVideoHeight_px);
   const std::int64_t end_us = recording->end_us(), rate = options.framesPerSecond;
@@ -68,11 +48,11 @@ Result<void> writeAttemptVideo(std::shared_ptr<const AttemptRecording> recording
                                std::shared_ptr<const PatientCase> patient, const std::filesystem::path& target,
                                const AttemptVideoOptions& options, const Progress& progress) {
   tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-  return arena.execute([&] { return write(recording, patient, target, options, progress); });
+  return arena.execute([&] { return filmAttempt(recording, patient, target, options, progress); });
 }
 
 Result<std::vector<AttemptMoment>> momentsOf(const AttemptRecording& recording) {
-  auto procedure = loadProcedure(recording.header().procedure);
+  auto procedure = builtInProcedure(recording.header().procedure);
   if (!procedure) return tl::unexpected(procedure.error());
   ProcedureRun run(std::move(*procedure), recording.header().picture, recording.header().vessels);
   const auto played = recording.play(std::numeric_limits<std::int64_t>::max(), [&](const Stretch::Entry& entry) {

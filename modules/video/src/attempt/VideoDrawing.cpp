@@ -1,6 +1,7 @@
 #include "attempt/VideoDrawing.h"
 
 #include <insonate/procedure/MetricTitle.h>
+#include <insonate/ultrasound/BeamGrid.h>
 #include <insonate/video/AttemptVideo.h>
 
 #include <algorithm>
@@ -44,6 +45,19 @@ std::string sideOf(Vec3 direction) {
   return direction.x > 0 ? "L" : "R";
 }
 
+/// Part of `box`, which contains the whole image, that shows the field of view; the rest of the image is black.
+Box fieldOf(const LiveFrame& frame, const Box& box) {
+  const BModeImage& image = frame.image;
+  const BeamGrid grid(frame.setup->probe, frame.setup->settings);
+  const double px_per_mm = box.height / (image.height * image.pixel_mm), left_mm = image.left_mm - image.pixel_mm / 2;
+  const auto xOf = [&](double lateral_mm) {
+    return std::clamp(box.left + (lateral_mm - left_mm) * px_per_mm, box.left, box.right());
+  };
+  const double left = xOf(grid.minLateral_mm());
+  return {left, box.top, xOf(grid.maxLateral_mm()) - left, box.height};
+}
+
+/// Draws the depths left of `box`, which has the height of the image.
 void drawDepthScale(const BModeImage& image, const Box& box, Canvas& canvas) {
   const double px_per_mm = box.height / (image.height * image.pixel_mm), top_mm = image.top_mm - image.pixel_mm / 2;
   const double numbered_mm = px_per_mm * 5 >= 34 ? 5 : px_per_mm * 10 >= 34 ? 10 : 20, step_mm = numbered_mm / 5;
@@ -59,6 +73,9 @@ void drawDepthScale(const BModeImage& image, const Box& box, Canvas& canvas) {
   canvas.text(x - 11, box.top - 10, "mm", {.size_px = 13, .ink = kQuiet, .align = Align::Right});
 }
 
+/// Width of the letters for the sides of the patient and of the probe's marker; least width of the text between them.
+constexpr double kSides_px = 110, kNarrowest_px = 40;
+
 void drawImage(const VideoMoment& moment, Canvas& canvas) {
   if (!moment.image) {
     canvas.text(kWidth / 2, kStrip / 2, "No image: the probe is not held.",
@@ -70,16 +87,18 @@ void drawImage(const VideoMoment& moment, Canvas& canvas) {
   Box box{0, kImageRoom.top, image.width * scale, image.height * scale};
   box.left = kImageRoom.left + (kImageRoom.width - box.width) / 2;
   canvas.image(image, box);
-  drawDepthScale(image, box, canvas);
+  const Box field = fieldOf(*moment.image, box);
+  drawDepthScale(image, field, canvas);
   // The probe's marker is on the right, as in the window.
   const Vec3 lateral = moment.image->patientFromProbe.linear.column[0];
-  canvas.disc(box.right() - 7, box.top - 13, 5.5, kAccent);
-  canvas.text(box.right() - 18, box.top - 8, sideOf(lateral), {.size_px = 15, .ink = kText, .align = Align::Right});
-  canvas.text(box.left, box.top - 8, sideOf(-lateral), {.size_px = 15, .ink = kText});
+  canvas.disc(field.right() - 7, field.top - 13, 5.5, kAccent);
+  canvas.text(field.right() - 18, field.top - 8, sideOf(lateral), {.size_px = 15, .ink = kText, .align = Align::Right});
+  canvas.text(field.left, field.top - 8, sideOf(-lateral), {.size_px = 15, .ink = kText});
   const auto& sample = moment.replay.sample();
   if (sample && !(sample->pictureDepth_mm > 0))
-    canvas.text(kWidth / 2, box.top - 8, "FROZEN",
-                {.size_px = 16, .ink = kCaution, .isBold = true, .align = Align::Center});
+    canvas.text(field.left + field.width / 2, field.top - 8, "FROZEN",
+                {.size_px = 16, .ink = kCaution, .isBold = true, .align = Align::Center},
+                std::max(kNarrowest_px, field.width - kSides_px));
 }
 
 /// The last milestone or error, for some seconds.

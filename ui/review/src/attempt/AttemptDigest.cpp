@@ -71,7 +71,7 @@ Result<std::shared_ptr<const AttemptDigest>> digestOf(const std::string& file, c
   digest->file = file, digest->recording = recording;
   digest->end_us = recording->end_us();
   digest->troubles = recording->troubles();
-  auto procedure = loadProcedure(recording->header().procedure);
+  auto procedure = builtInProcedure(recording->header().procedure);
   if (!procedure) digest->troubles.push_back("Steps and rules are not shown: " + procedure.error().message);
   const AttemptHeader& header = recording->header();
   Pass pass(*digest, ProcedureRun(procedure.value_or(Procedure{}), header.picture, header.vessels));

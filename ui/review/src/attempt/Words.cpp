@@ -35,7 +35,7 @@ QString dateOf(const std::string& begun) {
 }
 
 QString titleOf(const AttemptHeader& header) {
-  const auto procedure = loadProcedure(header.procedure);
+  const auto procedure = builtInProcedure(header.procedure);
   return QString::fromStdString(procedure ? procedure->title : header.procedure);
 }
 

@@ -24,7 +24,7 @@ namespace {
 constexpr int kAbout_px = 58, kPrerequisites_px = 96;
 
 QString procedureTitle(const std::string& name) {
-  const auto procedure = loadProcedure(name);
+  const auto procedure = builtInProcedure(name);
   return qt(procedure ? procedure->title : name);
 }
 

@@ -36,7 +36,7 @@ AttemptControl::AttemptControl(TrainModel& model, QString folder, QObject* paren
   if (folder_.isEmpty()) folder_ = ui::attemptsFolder();
   // They come with the program.
   for (const std::string& name : procedurePresetNames())
-    if (auto procedure = loadProcedure(name)) procedures_.push_back(std::move(*procedure));
+    if (auto procedure = builtInProcedure(name)) procedures_.push_back(std::move(*procedure));
   timer_.setInterval(kLook_ms);
   connect(&timer_, &QTimer::timeout, this, [this] { look(); });
   connect(&model_.patientCase, &CaseModel::caseChanged, this, [this] {

@@ -94,7 +94,7 @@ QMenu* CineBar::buildSaving(ui::Commands& commands) {
   menu->addAction(tr("As displayed ..."), this, &CineBar::saveScreen)
       ->setToolTip(tr("Saves the image with its overlays, and the CT beside it"));
   menu->addAction(tr("Clip ..."), this, &CineBar::saveClip)
-      ->setToolTip(tr("Saves the last seconds as a folder of numbered images"));
+      ->setToolTip(tr("Saves the last seconds as a video, a DICOM clip or numbered images"));
   menu->addSeparator();
   withMeasurements_ = menu->addAction(tr("With measurements"));
   withMeasurements_->setObjectName("withMeasurements");

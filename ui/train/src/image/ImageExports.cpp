@@ -15,9 +15,23 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QSettings>
+#include <QStringList>
+#include <QUuid>
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace insonate::train {
+namespace {
+
+struct ClipKind {
+  const char *filter, *ending;
+};
+/// In the order of ClipFormat.
+constexpr std::array<ClipKind, 3> kClipKinds{
+    {{"Video (*.webm)", "webm"}, {"DICOM ultrasound clip (*.dcm)", "dcm"}, {"Images (*.png)", "png"}}};
+
+}  // namespace
 
 ImageExports::ImageExports(const Sources& sources, ui::Workspace& workspace, QObject* parent)
     : QObject(parent), sources_(sources), workspace_(workspace) {
@@ -55,20 +69,18 @@ void ImageExports::saveScreen(const std::filesystem::path& file) {
   startWriting([screen = sources_.panes.grab().toImage()] { return screen; }, file);
 }
 
-void ImageExports::saveClip(const std::filesystem::path& folder) {
+void ImageExports::saveClip(const std::filesystem::path& target) {
   sources_.live.setFrozen(true);
   if (sources_.live.cine().empty()) return sources_.status.say(tr("There is no image yet."));
   ui::TaskBar& tasks = workspace_.tasks();
   if (tasks.isRunning()) return sources_.status.say(tr("Wait until the other job is done, or cancel that job."));
+  const SavedClip clip{sources_.live.cine(), measurements(), sources_.patientCase.patient(),
+                       QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString()};
   tasks.run<int>(
-      tr("Saving the clip"),
-      [frames = sources_.live.cine(), callipers = measurements(), folder](const Progress& progress) {
-        return writeClip(frames, callipers, folder, progress);
-      },
-      [this, folder](Result<int> result) {
+      tr("Saving the clip"), [clip, target](const Progress& progress) { return writeClip(clip, target, progress); },
+      [this, target, shown = clip.frames.size()](Result<int> result) {
         if (result)
-          Q_EMIT workspace_.written(tr("Clip saved as a folder of %1 PNG images.").arg(*result),
-                                    QString::fromStdString(folder.string()));
+          showSaved(target, *result, shown);
         else if (result.error().message == kCancelled)
           sources_.status.say(tr("The clip was not saved."));
         else
@@ -76,6 +88,16 @@ void ImageExports::saveClip(const std::filesystem::path& folder) {
                                    tr("The images are still in memory, so you can save the clip again."), {});
       },
       ui::TaskBar::WhenClosed::Ask);
+}
+
+void ImageExports::showSaved(const std::filesystem::path& clip, int images, std::size_t shown) {
+  const QFileInfo info(QString::fromStdString(clip.string()));
+  if (clipFormatOf(clip) == ClipFormat::Images)
+    return Q_EMIT workspace_.written(tr("Clip saved as a folder of %1 PNG images.").arg(images), info.filePath());
+  const QString left = std::size_t(images) == shown
+                           ? QString()
+                           : tr(" It contains the %1 images after the last change of depth or size.").arg(images);
+  Q_EMIT workspace_.written(tr("Clip saved as %1.").arg(info.fileName()) + left, info.absolutePath());
 }
 
 QString ImageExports::askFile(const QString& title, const QString& ending) {
@@ -108,20 +130,48 @@ void ImageExports::askScreen() {
 
 void ImageExports::askClip() {
   sources_.live.setFrozen(true);
-  const QString folder = QFileDialog::getExistingDirectory(
-      &workspace_, tr("Save the clip: choose where to create a folder of numbered PNG images"), folder_);
-  if (folder.isEmpty() || !sources_.patientCase.patient()) return;
-  folder_ = folder;
-  const QString name = exportName(QString::fromStdString(sources_.patientCase.patient()->manifest.title));
-  saveClip(QDir(folder).filePath(name).toStdString());
+  if (!sources_.patientCase.patient()) return;
+  QFileDialog dialog(&workspace_, tr("Save the clip"), folder_);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  QStringList filters;
+  for (const ClipKind& kind : kClipKinds) filters << tr(kind.filter);
+  dialog.setNameFilters(filters);
+  const auto choose = [&](const QString& filter) {
+    clipFormat_ = ClipFormat(std::max(0, filters.indexOf(filter)));
+    dialog.setDefaultSuffix(kClipKinds[std::size_t(clipFormat_)].ending);
+  };
+  connect(&dialog, &QFileDialog::filterSelected, this, choose);
+  dialog.selectNameFilter(filters[int(clipFormat_)]);
+  choose(filters[int(clipFormat_)]);
+  dialog.selectFile(exportName(QString::fromStdString(sources_.patientCase.patient()->manifest.title)));
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return;
+  const QString file = withEnding(dialog.selectedFiles().first());
+  if (file.isEmpty()) return;
+  const QFileInfo chosen(file);
+  folder_ = chosen.path();
+  // Images fill a folder, which has the name without the ending.
+  const bool isFolder = chosen.suffix() == kClipKinds[std::size_t(ClipFormat::Images)].ending;
+  saveClip((isFolder ? QDir(chosen.path()).filePath(chosen.completeBaseName()) : file).toStdString());
+}
+
+QString ImageExports::withEnding(const QString& file) {
+  const QString ending = QFileInfo(file).suffix();
+  if (std::ranges::any_of(kClipKinds, [&](const ClipKind& kind) { return ending == kind.ending; })) return file;
+  // The dialog adds an ending only to a name without a dot, and has not asked about this name.
+  const QString whole = file + "." + kClipKinds[std::size_t(clipFormat_)].ending;
+  if (!QFileInfo::exists(whole)) return whole;
+  Q_EMIT workspace_.failed(tr("%1 already exists.").arg(whole), tr("Save the clip again under another name."), {});
+  return {};
 }
 
 void ImageExports::save(QSettings& settings) const {
   settings.setValue("exportFolder", folder_);
+  settings.setValue("clipFormat", int(clipFormat_));
 }
 
 void ImageExports::restore(QSettings& settings) {
   folder_ = settings.value("exportFolder").toString();
+  clipFormat_ = ClipFormat(std::clamp(settings.value("clipFormat").toInt(), 0, int(kClipKinds.size()) - 1));
 }
 
 }  // namespace insonate::train

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ClipExport.h"
 #include "PictureExport.h"
 
 #include <insonate/views/Calliper.h>
@@ -44,7 +45,8 @@ class ImageExports : public QObject {
 
   void savePicture(const std::filesystem::path& file);
   void saveScreen(const std::filesystem::path& file);
-  void saveClip(const std::filesystem::path& folder);
+  /// Saves the images of the last seconds in the format of the target's ending; see writeClip().
+  void saveClip(const std::filesystem::path& target);
   /// Asks the user for a file and saves the image on display.
   void askPicture();
 
@@ -54,13 +56,17 @@ class ImageExports : public QObject {
  private:
   void askScreen();
   void askClip();
+  /// Adds the ending of the clip's format to a file without a known ending; empty if that file exists.
+  QString withEnding(const QString& file);
+  void showSaved(const std::filesystem::path& clip, int images, std::size_t shown);
   QString askFile(const QString& title, const QString& ending);
   void startWriting(std::function<QImage()> make, const std::filesystem::path& file);
   std::vector<views::Calliper> measurements() const;
 
   Sources sources_;
   ui::Workspace& workspace_;
-  QString folder_;  ///< folder of the last saved image
+  QString folder_;                             ///< folder of the last saved image
+  ClipFormat clipFormat_ = ClipFormat::Video;  ///< format of the last saved clip
   std::vector<std::unique_ptr<PictureWriter>> writers_;
 };
 

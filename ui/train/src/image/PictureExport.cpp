@@ -5,6 +5,7 @@
 #include <insonate/core/AtomicFile.h>
 
 #include <QDateTime>
+#include <QFile>
 #include <utility>
 
 namespace insonate::train {
@@ -30,7 +31,9 @@ class FolderInWork {
 
 Result<void> write(const QImage& picture, const fs::path& file) {
   return writeAtomically(file, [&](const fs::path& beside) -> Result<void> {
-    if (picture.save(QString::fromStdString(beside.string()), "PNG")) return {};
+    // QImage does not report that the end of a file, which is in a buffer, was not written.
+    QFile out(QString::fromStdString(beside.string()));
+    if (out.open(QIODevice::WriteOnly) && picture.save(&out, "PNG") && out.flush()) return {};
     return fail("Could not write " + file.string() +
                 ": the disk is full or the folder cannot be written. Free space or choose another folder.");
   });
@@ -57,8 +60,8 @@ PictureWriter::~PictureWriter() {
   thread_.join();
 }
 
-Result<int> writeClip(const std::vector<std::shared_ptr<const LiveFrame>>& frames,
-                      std::span<const views::Calliper> callipers, const fs::path& folder, const Progress& progress) {
+Result<int> writeImages(const std::vector<std::shared_ptr<const LiveFrame>>& frames,
+                        std::span<const views::Calliper> callipers, const fs::path& folder, const Progress& progress) {
   std::error_code error;
   if (fs::exists(folder, error))
     return fail("A file or folder with this name already exists: " + folder.string() + "; choose another name.");

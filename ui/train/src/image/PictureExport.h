@@ -35,8 +35,8 @@ class PictureWriter : public QObject {
 /// Writes images with their scale and measurements as image-0001.png, image-0002.png, ... into a new folder and returns
 /// their number. The folder appears when all images are written; after a failure or cancellation, nothing is left.
 /// Fails if the folder exists.
-Result<int> writeClip(const std::vector<std::shared_ptr<const LiveFrame>>& frames,
-                      std::span<const views::Calliper> callipers, const std::filesystem::path& folder,
-                      const Progress& progress);
+Result<int> writeImages(const std::vector<std::shared_ptr<const LiveFrame>>& frames,
+                        std::span<const views::Calliper> callipers, const std::filesystem::path& folder,
+                        const Progress& progress);
 
 }  // namespace insonate::train

@@ -52,6 +52,12 @@ QPoint pictureOrigin(const BModeImage& image) {
   return {4 * letter, 3 * letter};
 }
 
+QSize scaledPictureSize(const BModeImage& image, std::size_t callipers) {
+  const int letter = letter_px(image);
+  const QPoint origin = pictureOrigin(image);
+  return {origin.x() + image.width + letter, origin.y() + image.height + letter + measuresHeight(callipers, letter)};
+}
+
 QImage scaledPicture(const BModeImage& image, std::span<const views::Calliper> callipers) {
   const int letter = letter_px(image);
   const QPoint origin = pictureOrigin(image);
@@ -59,8 +65,7 @@ QImage scaledPicture(const BModeImage& image, std::span<const views::Calliper> c
   for (int row = 0; row < image.height; ++row)
     std::memcpy(grey.scanLine(row), image.grey.data() + std::size_t(row) * image.width, std::size_t(image.width));
   const int bottom = origin.y() + image.height;
-  QImage whole(origin.x() + image.width + letter, bottom + letter + measuresHeight(callipers.size(), letter),
-               QImage::Format_RGB32);
+  QImage whole(scaledPictureSize(image, callipers.size()), QImage::Format_RGB32);
   whole.fill(Qt::black);
   const int perMetre = int(std::lround(1000 / image.pixel_mm));
   whole.setDotsPerMeterX(perMetre);

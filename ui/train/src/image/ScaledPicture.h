@@ -4,6 +4,8 @@
 #include <insonate/views/Calliper.h>
 
 #include <QImage>
+#include <QSize>
+#include <cstddef>
 #include <span>
 
 namespace insonate::train {
@@ -12,6 +14,9 @@ namespace insonate::train {
 /// probe's marker above, and its physical size (pHYs of a PNG). Calipers are drawn over the image, and their values are
 /// listed below it. May be called on any thread.
 QImage scaledPicture(const BModeImage& image, std::span<const views::Calliper> callipers = {});
+
+/// Returns the size, in pixels, of scaledPicture() with this number of calipers.
+QSize scaledPictureSize(const BModeImage& image, std::size_t callipers);
 
 /// Returns the position, in pixels, of the image within scaledPicture().
 QPoint pictureOrigin(const BModeImage& image);

@@ -29,7 +29,7 @@ std::vector<CurveChoice> curveChoices(const Curriculum* curriculum, std::span<co
   if (procedures.empty() && curriculum && !curriculum->levels.empty()) add(curriculum->levels.front().procedure);
   std::vector<CurveChoice> choices;
   for (const std::string& name : procedures) {
-    const auto procedure = loadProcedure(name);
+    const auto procedure = builtInProcedure(name);
     const QString title = QString::fromStdString(procedure ? procedure->title : name);
     choices.push_back({tr("All: %1").arg(title), name, {}});
     if (!curriculum) continue;
@@ -45,7 +45,7 @@ std::vector<MetricMeaning> curveMetrics(const std::string& procedure) {
   points.better = MetricMeaning::Better::Higher;
   points.kind = ValueKind::Percent;
   std::vector<MetricMeaning> all{points};
-  const auto known = loadProcedure(procedure);
+  const auto known = builtInProcedure(procedure);
   const auto metrics = known ? metricMeanings(*known) : metricMeanings();
   all.insert(all.end(), metrics.begin(), metrics.end());
   return all;

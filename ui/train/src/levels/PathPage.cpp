@@ -31,7 +31,7 @@ namespace {
 constexpr int kList_px = 340, kLevel_px = 760;
 
 QString procedureTitle(const std::string& name) {
-  const auto procedure = loadProcedure(name);
+  const auto procedure = builtInProcedure(name);
   return ui::qt(procedure ? procedure->title : name);
 }
 

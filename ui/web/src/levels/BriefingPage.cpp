@@ -144,7 +144,7 @@ Response showBriefing(const Visit& visit, const Parts& parts) {
   const auto resolutions = resolutionsOf(*visit.by, level->name);
   if (!resolutions) return refusal(visit, 403, resolutions.error().message);
   Markup content = paragraph(level->about) + note(helpWords(level->assistance)) + *resolutions;
-  const auto procedure = loadProcedure(level->procedure);
+  const auto procedure = builtInProcedure(level->procedure);
   if (procedure) content += stepsOf(*procedure);
   content += conditionsOf(*level);
   if (procedure) content += errorsOf(*procedure);

@@ -97,8 +97,11 @@ struct Procedure {
 
 /// Returns the names of the built-in procedures, which are in resources/procedures.
 std::vector<std::string> procedurePresetNames();
-/// Loads a built-in procedure by name, or a JSON file of the same format. Fails with a sentence that names the place,
-/// the error and the possible values.
+/// Returns the built-in procedure with this name. Reads no file, so that the name may come from another computer, as in
+/// a recording or a curriculum. Fails with a sentence that names the built-in procedures.
+Result<Procedure> builtInProcedure(std::string_view name);
+/// Loads a built-in procedure by name, or a JSON file of the same format. The name must come from the user of this
+/// program. Fails with a sentence that names the place, the error and the possible values.
 Result<Procedure> loadProcedure(std::string_view nameOrPath);
 Result<Procedure> parseProcedure(std::string_view json);
 

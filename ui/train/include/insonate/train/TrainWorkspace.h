@@ -52,9 +52,10 @@ class TrainWorkspace : public ui::Workspace {
   void savePicture(const std::filesystem::path& file);
   /// Saves the image as it appears on the screen, including the CT beside it, at the resolution of the screen.
   void saveScreen(const std::filesystem::path& file);
-  /// Saves the images of the last seconds as numbered PNG files, each as savePicture() does, in a new folder. Runs as a
-  /// job of tasks(); emits written() or failed() at the end.
-  void saveClip(const std::filesystem::path& folder);
+  /// Saves the images of the last seconds: as a video if `target` ends in .webm, as a DICOM clip if it ends in .dcm,
+  /// else as numbered PNG files, each as savePicture() does, in the new folder `target`. Runs as a job of tasks();
+  /// emits written() or failed() at the end.
+  void saveClip(const std::filesystem::path& target);
 
   /// Returns the benchmark of this workspace.
   TrainBenchmark& benchmark();
