@@ -97,6 +97,19 @@ TEST_F(CurriculumUpkeep, AnInstructorIsRefusedTheLogAndOtherClasses) {
   EXPECT_FALSE(std::filesystem::exists(folder / "p.csv") || std::filesystem::exists(folder / "x.json"));
 }
 
+TEST_F(CurriculumUpkeep, APersonAndAnAdministratorExportThePersonsData) {
+  makeClass();
+  told("attempts add " + record("a", Ending::InVein, 1) + " --level first --as alice");
+  const json own = told("people export alice " + path("own.zip") + " --as alice");
+  EXPECT_EQ(own["attempts"], 1);
+  EXPECT_EQ(own["recordings"], 1);
+  EXPECT_GT(std::filesystem::file_size(folder / "own.zip"), 1000u);
+  EXPECT_EQ(told("people export alice " + path("boss.zip") + " --as boss")["person"]["name"], "alice");
+  for (const char* who : {"bob", "miller"})
+    EXPECT_THAT(refused("people export alice " + path("x.zip") + " --as " + who), HasSubstr("permission")) << who;
+  EXPECT_FALSE(std::filesystem::exists(folder / "x.zip"));
+}
+
 TEST_F(CurriculumUpkeep, ABackupIsPutBackAndVerified) {
   makeClass();
   told("attempts add " + record("a", Ending::InVein, 1) + " --level first --as alice");

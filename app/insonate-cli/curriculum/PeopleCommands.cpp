@@ -3,6 +3,7 @@
 #include "Lookup.h"
 
 #include <insonate/curriculum/PeopleStore.h>
+#include <insonate/curriculum/PersonData.h>
 
 #include <map>
 #include <memory>
@@ -103,6 +104,18 @@ Result<Answer> changeOwnPassword(const StoreOptions& options, const NewPasswordO
   return toldOf(by->person(), "Your password is changed.");
 }
 
+Result<Answer> exportPerson(const SignedIn& by, const std::string& name, const std::string& file) {
+  const auto person = personNamed(by, name);
+  if (!person) return tl::unexpected(person.error());
+  const auto counts = PersonData(by).exportTo(person->id, file, terminalProgress());
+  if (!counts) return tl::unexpected(counts.error());
+  Answer answer =
+      toldOf(*person, "Wrote " + file + ": all data of " + person->name + ", with " + std::to_string(counts->attempts) +
+                          " attempts and " + std::to_string(counts->recordings) + " recordings.");
+  answer.object.update({{"file", file}, {"attempts", counts->attempts}, {"recordings", counts->recordings}});
+  return answer;
+}
+
 void addSetUp(CLI::App& curriculum, Outcome& outcome) {
   auto a = std::make_shared<NewPersonArguments>();
   CLI::App* command = addStoreCommand(curriculum, outcome, "setup",
@@ -150,6 +163,18 @@ void addChanges(CLI::App& people, Outcome& outcome) {
       ->transform(CLI::Transformer(kRoles));
 }
 
+void addExport(CLI::App& people, Outcome& outcome) {
+  struct Arguments {
+    std::string name, file;
+  };
+  auto a = std::make_shared<Arguments>();
+  CLI::App* command = addSignedInCommand(
+      people, outcome, "export", "Write all data of a person to a ZIP file (for this person and administrators)",
+      [a](const SignedIn& by) { return exportPerson(by, a->name, a->file); });
+  command->add_option("NAME", a->name, "Name of the person")->required();
+  command->add_option("FILE", a->file, "ZIP file to write")->required()->check(notEmpty());
+}
+
 void addPasswords(CLI::App& people, Outcome& outcome) {
   auto own = std::make_shared<NewPasswordOption>();
   own->addTo(*addStoreCommand(people, outcome, "password", "Choose your own password", SigningIn::Yes,
@@ -177,6 +202,7 @@ void addPeopleCommands(CLI::App& curriculum, Outcome& outcome) {
   addAdd(people, outcome);
   addChanges(people, outcome);
   addPasswords(people, outcome);
+  addExport(people, outcome);
 }
 
 }  // namespace insonate::cli

@@ -6,6 +6,7 @@
 #include <insonate/curriculum/CommentStore.h>
 #include <insonate/curriculum/FormStore.h>
 #include <insonate/curriculum/OpeningStore.h>
+#include <insonate/curriculum/PersonData.h>
 #include <insonate/curriculum/PublishedCurricula.h>
 #include <insonate/curriculum/SiteUpload.h>
 #include <insonate/curriculum/StoreUpkeep.h>
@@ -50,6 +51,7 @@ struct Target {
   }
 
   const School& school;
+  const TemporaryFolder folder;
   AttemptFacts attempt;
   FilledForm form;
   Person leaver;
@@ -77,6 +79,10 @@ std::vector<Call> peopleCalls(const Target& target) {
       {"reset password", "im",
        [=, id = target.leaver.id](const SignedIn& by) {
          return outcome(PeopleStore(by).resetPassword(id, "temporary one"));
+       }},
+      {"export person", "am",
+       [=, file = target.folder / "anna.zip"](const SignedIn& by) {
+         return outcome(PersonData(by).exportTo(anna, file));
        }},
       {"see cohorts of person", "aim", [=](const SignedIn& by) { return outcome(CohortStore(by).ofPerson(anna)); }},
       {"see own cohorts", "abiom", [=](const SignedIn& by) { return outcome(CohortStore(by).cohorts()); }},

@@ -13,6 +13,7 @@
 #include "page/Page.h"
 #include "people/AccountPage.h"
 #include "people/PeoplePage.h"
+#include "people/PersonDownload.h"
 #include "person/PersonPage.h"
 #include "signin/SignInPages.h"
 #include "site/SiteApi.h"
@@ -153,6 +154,7 @@ constexpr Route kRoutes[]{
     {"GET", "/password", Access::SignedIn, &showPasswordForm},
     {"POST", "/password", Access::SignedIn, &changePassword},
     {"GET", "/me", Access::SignedIn, &showOwnTraining},
+    {"POST", "/me/data", Access::SignedIn, &downloadOwnData},
     {"GET", "/me/events", Access::SignedIn, &followOwnTraining},
     {"GET", "/me/forms/*", Access::SignedIn, &showQuestionnaire},
     {"POST", "/me/forms/*", Access::SignedIn, &handInQuestionnaire},
@@ -196,6 +198,7 @@ constexpr Route kRoutes[]{
     {"GET", "/people/*", Access::SignedIn, &showAccount},
     {"POST", "/people/*", Access::SignedIn, &changeAccount},
     {"POST", "/people/*/password", Access::SignedIn, &setAccountPassword},
+    {"POST", "/people/*/data", Access::SignedIn, &downloadPersonData},
     {"POST", "/people/*/state", Access::SignedIn, &setAccountState},
     {"POST", "/people/*/classes", Access::SignedIn, &joinClass},
     {"POST", "/people/*/classes/leave", Access::SignedIn, &leaveClass},

@@ -19,6 +19,10 @@ std::optional<Person> findPerson(Transaction& transaction, const std::string& id
   return row ? std::optional(personOf(*row)) : std::nullopt;
 }
 
+tl::unexpected<Error> unknownPerson() {
+  return fail("There is no such person; reload the list.");
+}
+
 Result<void> checkPerson(const Person& person) {
   if (auto ok = checkSignInName(person.name); !ok) return ok;
   if (auto ok = checkTitle("The full name", person.fullName); !ok) return ok;

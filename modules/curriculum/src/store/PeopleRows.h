@@ -16,6 +16,8 @@ namespace insonate::store {
 
 Person personOf(const Row& row, std::size_t first = 0);
 std::optional<Person> findPerson(Transaction& transaction, const std::string& id);
+/// Returns the error of a request about a person who does not exist.
+tl::unexpected<Error> unknownPerson();
 
 Result<void> checkPerson(const Person& person);
 /// Fails if another person has the sign-in name.

@@ -15,10 +15,6 @@ using store::Act;
 using store::Actor;
 using store::Transaction;
 
-tl::unexpected<Error> unknown() {
-  return fail("There is no such person; reload the list.");
-}
-
 /// Tells whether this person is the only one who can still sign in as an administrator.
 bool isLastAdministrator(Transaction& transaction, const std::string& person) {
   return transaction.number("SELECT COUNT(*) FROM people WHERE role = 'administrator' AND disabled = 0 AND id <> ?",
@@ -27,7 +23,7 @@ bool isLastAdministrator(Transaction& transaction, const std::string& person) {
 
 Result<void> changePerson(Transaction& transaction, const Person& person) {
   const auto before = store::findPerson(transaction, person.id);
-  if (!before) return unknown();
+  if (!before) return store::unknownPerson();
   if (auto ok = store::checkNameIsFree(transaction, person); !ok) return ok;
   // Accounts of earlier programs may share an address; their other data can still be changed.
   if (store::nameKey(person.email) != store::nameKey(before->email))
@@ -56,7 +52,7 @@ Result<Person> PeopleStore::person(const std::string& id) const {
   return by_.session()->read({.act = Act::SeePerson, .person = id},
                              [&](Transaction& transaction, const Actor&) -> Result<Person> {
                                const auto found = store::findPerson(transaction, id);
-                               if (!found) return unknown();
+                               if (!found) return store::unknownPerson();
                                return *found;
                              });
 }
@@ -102,7 +98,7 @@ Result<void> PeopleStore::changeOwnDetails(const std::string& fullName, const st
         if (auto ok = store::checkTitle("The full name", fullName); !ok) return ok;
         if (auto ok = store::checkEmail(email); !ok) return ok;
         const auto before = store::findPerson(transaction, id);
-        if (!before) return unknown();
+        if (!before) return store::unknownPerson();
         if (store::nameKey(email) != store::nameKey(before->email))
           if (auto ok = store::checkEmailIsFree(transaction, Person{.id = id, .email = email}); !ok) return ok;
         transaction.run("UPDATE people SET full_name = ?, email = ? WHERE id = ?", fullName, email, id);
@@ -163,7 +159,7 @@ Result<void> PeopleStore::resetPassword(const std::string& person, const std::st
   return session.write({.act = Act::ResetPassword, .person = person},
                        [&](Transaction& transaction, const Actor&) -> Result<void> {
                          const auto found = store::findPerson(transaction, person);
-                         if (!found) return unknown();
+                         if (!found) return store::unknownPerson();
                          store::setPassword(transaction, person, *hashed, true);
                          store::resetFailures(transaction, found->name);
                          return {};

@@ -27,8 +27,9 @@
 namespace insonate::web {
 namespace {
 
-/// The hash of a password takes 0.1 s, and a class list has hundreds: these requests have workers of their own.
-constexpr int kWorkers = 4, kPasswordWorkers = 2, kAccountWorkers = 1;
+/// The hash of a password takes 0.1 s, a class list has hundreds, and the data of a person may have gigabytes: these
+/// requests have workers of their own.
+constexpr int kWorkers = 4, kPasswordWorkers = 2, kAccountWorkers = 1, kDataWorkers = 1;
 constexpr std::size_t kHeaderMemory_bytes = 32 << 10;
 /// Bodies of all connections together; those of workstations and class lists leave room for forms.
 constexpr std::size_t kMostBodies_bytes = std::size_t{256} << 20,
@@ -217,6 +218,12 @@ bool setsPasswords(const Request& request) {
           path.ends_with("/members/new") || path.ends_with("/import/confirm"));
 }
 
+/// Tells whether a request downloads all data of a person.
+bool downloadsData(const Request& request) {
+  const std::string_view path = request.path;
+  return request.method == "POST" && (path == "/me/data" || (path.starts_with("/people/") && path.ends_with("/data")));
+}
+
 }  // namespace
 
 struct HttpServer::Impl {
@@ -228,7 +235,7 @@ struct HttpServer::Impl {
   MHD_Daemon* daemon = nullptr;
   std::mutex mutex;
   std::condition_variable wake;
-  std::deque<Exchange*> waiting, waitingForPassword, waitingForAccounts;
+  std::deque<Exchange*> waiting, waitingForPassword, waitingForAccounts, waitingForData;
   bool stopping = false;
   std::size_t bodies_bytes = 0;  ///< used by the thread that receives
   std::vector<std::thread> workers;
@@ -267,6 +274,7 @@ bool HttpServer::Impl::submit(Exchange* exchange) {
   const std::lock_guard lock(mutex);
   std::deque<Exchange*>& queue = setsPasswords(exchange->request)    ? waitingForAccounts
                                  : checksPassword(exchange->request) ? waitingForPassword
+                                 : downloadsData(exchange->request)  ? waitingForData
                                                                      : waiting;
   if (stopping || queue.size() >= kMostWaiting) return false;
   exchange->submitted = true;
@@ -407,6 +415,7 @@ Result<std::unique_ptr<HttpServer>> HttpServer::start(const WebOptions& options,
   start(kWorkers, impl->waiting);
   start(kPasswordWorkers, impl->waitingForPassword);
   start(kAccountWorkers, impl->waitingForAccounts);
+  start(kDataWorkers, impl->waitingForData);
   return std::unique_ptr<HttpServer>(new HttpServer(std::move(impl)));
 }
 
