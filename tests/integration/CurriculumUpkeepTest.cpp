@@ -110,6 +110,26 @@ TEST_F(CurriculumUpkeep, APersonAndAnAdministratorExportThePersonsData) {
   EXPECT_FALSE(std::filesystem::exists(folder / "x.zip"));
 }
 
+TEST_F(CurriculumUpkeep, AnErasedPersonIsAPseudonymAndTheStoreIsWhole) {
+  makeClass();
+  const std::string attempt =
+      told("attempts add " + record("a", Ending::InVein, 1) + " --level first --as alice").at("attempt").at("id");
+  told("attempts void " + attempt + " --reason 'Alice fell ill' --as miller");
+  const std::string anchor = told("verify --as boss")["anchor"];
+  EXPECT_THAT(refused("people erase alice --as boss"), HasSubstr("Nothing was erased."));
+  EXPECT_THAT(refused("people erase alice --yes --as miller"), HasSubstr("permission"));
+  EXPECT_THAT(refused("people erase boss --yes --as boss"), HasSubstr("permission"));
+  const json erased = told("people erase alice --yes --as boss");
+  EXPECT_EQ(erased["recordings"], 1);
+  EXPECT_THAT(erased["person"]["full_name"].get<std::string>(), HasSubstr("Erased person "));
+  EXPECT_THAT(refused("levels --as alice"), HasSubstr("wrong"));
+  EXPECT_EQ(told("verify --anchor " + anchor + " --as boss")["differences"], json::array());
+  EXPECT_FALSE(std::filesystem::exists(database + ".recordings/" + attempt + ".attempt"));
+  told("export json " + path("all.json") + " --as boss");
+  const std::string all = bytesOf(folder / "all.json");
+  for (const char* name : {"alice", "Alice"}) EXPECT_THAT(all, Not(HasSubstr(name)));
+}
+
 TEST_F(CurriculumUpkeep, ABackupIsPutBackAndVerified) {
   makeClass();
   told("attempts add " + record("a", Ending::InVein, 1) + " --level first --as alice");

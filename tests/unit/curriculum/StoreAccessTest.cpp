@@ -48,13 +48,14 @@ struct Target {
     succeed(CohortStore(school.admin).setCurriculum(school.spring.id, "central_line", 1));
     succeed(PublishedCurricula(school.admin).saveDraft("draft", "{", ""));
     leaver = school.add("leaver", Role::Trainee, school.spring.id);
+    erased = school.add("erased", Role::Trainee, school.spring.id);
   }
 
   const School& school;
   const TemporaryFolder folder;
   AttemptFacts attempt;
   FilledForm form;
-  Person leaver;
+  Person leaver, erased;
 };
 
 std::vector<Call> peopleCalls(const Target& target) {
@@ -84,6 +85,10 @@ std::vector<Call> peopleCalls(const Target& target) {
        [=, file = target.folder / "anna.zip"](const SignedIn& by) {
          return outcome(PersonData(by).exportTo(anna, file));
        }},
+      {"see extent of erasure", "m",
+       [=, id = target.erased.id](const SignedIn& by) { return outcome(PersonData(by).extentOf(id)); }},
+      {"erase person", "m",
+       [=, id = target.erased.id](const SignedIn& by) { return outcome(PersonData(by).erase(id)); }},
       {"see cohorts of person", "aim", [=](const SignedIn& by) { return outcome(CohortStore(by).ofPerson(anna)); }},
       {"see own cohorts", "abiom", [=](const SignedIn& by) { return outcome(CohortStore(by).cohorts()); }},
       {"see members", "im", [=](const SignedIn& by) { return outcome(CohortStore(by).members(spring)); }},

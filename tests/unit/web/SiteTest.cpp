@@ -78,6 +78,7 @@ TEST_P(WebSite, EachRoleSeesWhatTheDatabaseAllowsItAndNothingElse) {
        {{"anna", 200}, {"ben", 404}, {"carl", 404}, {"ina", 200}, {"otto", 404}, {"admin", 200}}},
       {"/people", {{"anna", 403}, {"ben", 403}, {"carl", 403}, {"ina", 403}, {"otto", 403}, {"admin", 200}}},
       {anna, {{"anna", 200}, {"ben", 403}, {"carl", 403}, {"ina", 200}, {"otto", 403}, {"admin", 200}}},
+      {anna + "/erase", {{"anna", 403}, {"ben", 403}, {"carl", 403}, {"ina", 403}, {"otto", 403}, {"admin", 200}}},
       {"/attempts/" + school.annas + "/video",
        {{"anna", 303}, {"ben", 404}, {"carl", 404}, {"ina", 303}, {"otto", 404}, {"admin", 303}}},
       {"/attempts/" + school.annas + "/video.webm",

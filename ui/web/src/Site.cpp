@@ -14,6 +14,7 @@
 #include "people/AccountPage.h"
 #include "people/PeoplePage.h"
 #include "people/PersonDownload.h"
+#include "people/PersonErasure.h"
 #include "person/PersonPage.h"
 #include "signin/SignInPages.h"
 #include "site/SiteApi.h"
@@ -198,6 +199,8 @@ constexpr Route kRoutes[]{
     {"GET", "/people/*", Access::SignedIn, &showAccount},
     {"POST", "/people/*", Access::SignedIn, &changeAccount},
     {"POST", "/people/*/password", Access::SignedIn, &setAccountPassword},
+    {"GET", "/people/*/erase", Access::SignedIn, &showErasure},
+    {"POST", "/people/*/erase", Access::SignedIn, &erasePerson},
     {"POST", "/people/*/data", Access::SignedIn, &downloadPersonData},
     {"POST", "/people/*/state", Access::SignedIn, &setAccountState},
     {"POST", "/people/*/classes", Access::SignedIn, &joinClass},

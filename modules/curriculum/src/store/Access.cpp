@@ -23,6 +23,7 @@ constexpr std::array kRules{
     Rule{StaySignedIn,      "stay signed in",         None, Self,   Self,      Self},
     Rule{ResetPassword,     "reset password",         None, None,   Taught,    All, kNotOneself | kOnlyTrainees | kOnServer},
     Rule{ExportPerson,      "export person",          None, Self,   Self,      All, kLoggedAlways},
+    Rule{ErasePerson,       "erase person",           None, None,   None,      All, kNotOneself | kOnServer},
     Rule{SeeOwnCohorts,     "see cohorts",            None, All,    All,       All, kUnlogged},
     Rule{SeeMembers,        "see members",            None, None,   Taught,    All, kWholeCohort},
     Rule{SeeStandings,      "see standings",          None, None,   Taught,    All},

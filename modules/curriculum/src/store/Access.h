@@ -23,6 +23,7 @@ enum class Act {
   StaySignedIn,
   ResetPassword,
   ExportPerson,
+  ErasePerson,
   SeeOwnCohorts,
   SeeMembers,
   SeeStandings,

@@ -24,6 +24,7 @@ bool isLastAdministrator(Transaction& transaction, const std::string& person) {
 Result<void> changePerson(Transaction& transaction, const Person& person) {
   const auto before = store::findPerson(transaction, person.id);
   if (!before) return store::unknownPerson();
+  if (auto ok = store::checkIsNotErased(transaction, person.id); !ok) return ok;
   if (auto ok = store::checkNameIsFree(transaction, person); !ok) return ok;
   // Accounts of earlier programs may share an address; their other data can still be changed.
   if (store::nameKey(person.email) != store::nameKey(before->email))
@@ -42,8 +43,9 @@ Result<void> changePerson(Transaction& transaction, const Person& person) {
   return {};
 }
 
+/// The log names people by their ids alone, so that a name can be erased.
 std::string described(const Person& person) {
-  return person.name + ", " + std::string(store::nameOf(person.role)) + (person.disabled ? ", disabled" : "");
+  return std::string(store::nameOf(person.role)) + (person.disabled ? ", disabled" : "");
 }
 
 }  // namespace
@@ -72,10 +74,11 @@ Result<Person> PeopleStore::add(const NewPerson& person, const std::string& pass
   const auto hashed = store::checkedAndHashed(password, session.core().passwordCost());
   if (!hashed) return tl::unexpected(hashed.error());
   const bool asTrainee = person.role == Role::Trainee && !cohort.empty();
-  const std::string detail = person.name + ", " + std::string(store::nameOf(person.role));
+  const std::string id = store::freshUuid();
+  const std::string detail = id + ", " + std::string(store::nameOf(person.role));
   return session.write({.act = asTrainee ? Act::AddTrainee : Act::AddPerson, .cohort = cohort, .detail = detail},
                        [&](Transaction& transaction, const Actor&) -> Result<Person> {
-                         auto added = store::insertPerson(transaction, person, *hashed, true);
+                         auto added = store::insertPerson(transaction, id, person, *hashed, true);
                          if (!added || cohort.empty()) return added;
                          if (auto in = store::putIntoCohort(transaction, cohort, *added, person.role != Role::Trainee);
                              !in)
@@ -160,6 +163,7 @@ Result<void> PeopleStore::resetPassword(const std::string& person, const std::st
                        [&](Transaction& transaction, const Actor&) -> Result<void> {
                          const auto found = store::findPerson(transaction, person);
                          if (!found) return store::unknownPerson();
+                         if (auto ok = store::checkIsNotErased(transaction, person); !ok) return ok;
                          store::setPassword(transaction, person, *hashed, true);
                          store::resetFailures(transaction, found->name);
                          return {};

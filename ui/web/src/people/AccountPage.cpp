@@ -110,6 +110,9 @@ Response accountPage(const Visit& visit, const AccountFacts& facts, const std::s
   content += passwordSection(visit, facts);
   if (isAdmin) content += stateSection(visit, facts);
   if (isAdmin || isOneself(visit, facts)) content += downloadSection(visit, facts.person.id);
+  if (isAdmin && !isOneself(visit, facts))
+    content +=
+        section("Erasure", element("p", {}, link(accountAddress(facts.person.id) + "/erase", "Erase this person")));
   content += *classes;
   if (isAdmin) content += element("p", {}, link("/people", "All people"));
   return page(visit, "Account of " + displayName(facts.person), content, trouble.empty() ? 200 : 422);

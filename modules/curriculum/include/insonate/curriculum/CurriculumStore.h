@@ -76,6 +76,7 @@ class CurriculumStore {
 
  private:
   friend class BrowserSessions;
+  friend class ErasedAttempts;
   friend class SiteService;
   friend class SiteUpload;
   friend class VerificationQueue;

@@ -82,6 +82,7 @@ struct Taught {
   std::vector<Row> openings{};  ///< rows of INSONATE_OPENING_COLUMNS
   /// Ended attempts at other workstations, of people for whom the workstation has another digest.
   std::vector<SentAttempt> elsewhere{};
+  std::vector<std::string> erased{};  ///< people whom the server has erased, whom the workstation erases, too
 };
 
 }  // namespace insonate::store
